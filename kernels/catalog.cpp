@@ -1,0 +1,95 @@
+#include "catalog.hpp"
+
+#include <array>
+#include <limits>
+
+namespace thinbench {
+namespace {
+
+constexpr Index kAnyWidth = std::numeric_limits<Index>::max();
+constexpr bool kThreaded = true;
+constexpr bool kOneThread = false;
+
+/// The passes of one rule out of an engine's table.
+template <class Rule, class T>
+constexpr std::span<const Pass<T>> cycle(const PassTable<T>& table) {
+  return {&table.passes[first_step<Rule>(AllRules{})], Rule::kSubIterations};
+}
+
+template <class Rule>
+constexpr auto scalar_rows() {
+  using enum Technique;
+  constexpr Isa base = Isa::kBaseline;
+  return std::array{
+      ThinningVariant{kLut, base, kOneThread, kAnyWidth, cycle<Rule>(ScalarPasses::lut)},
+      ThinningVariant{kLut, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::lut)},
+      ThinningVariant{kLutSliding, base, kOneThread, kAnyWidth,
+                      cycle<Rule>(ScalarPasses::lut_sliding)},
+      ThinningVariant{kBitpacked, base, kOneThread, kAnyWidth,
+                      cycle<Rule>(ScalarPasses::bitpacked)},
+      ThinningVariant{kBitpacked, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::bitpacked)},
+  };
+}
+
+template <class Rule, Isa isa>
+constexpr auto isa_rows() {
+  using enum Technique;
+  using Passes = IsaPasses<isa>;
+  return std::array{
+      ThinningVariant{kAutovec, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::autovec)},
+      ThinningVariant{kSimdBytes, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::simd_bytes)},
+      ThinningVariant{kSimdBitpacked, isa, kOneThread, kAnyWidth,
+                      cycle<Rule>(Passes::simd_bitpacked)},
+      ThinningVariant{kSimdBitpacked, isa, kThreaded, kAnyWidth,
+                      cycle<Rule>(Passes::simd_bitpacked)},
+  };
+}
+
+template <class Rule, Isa isa>
+constexpr auto row_kernel_rows() {
+  return std::array{ThinningVariant{Technique::kSimdBitpackedRow, isa, kOneThread, kRowKernelWidth,
+                                    &RowKernels<isa>::table.kernels[rule_index<Rule>(AllRules{})]}};
+}
+
+template <class... Arrays>
+constexpr auto joined(const Arrays&... arrays) {
+  std::array<ThinningVariant, (std::tuple_size_v<Arrays> + ...)> all{};
+  std::size_t next = 0;
+  const auto append = [&](const auto& rows) {
+    for (const ThinningVariant& row : rows) all[next++] = row;
+  };
+  (append(arrays), ...);
+  return all;
+}
+
+/// All techniques for one rule: what a new operation gets for free.
+template <class Rule>
+const auto& rows_of() {
+  static const auto kRows =
+      joined(scalar_rows<Rule>(), isa_rows<Rule, Isa::kBaseline>(), isa_rows<Rule, Isa::kSse42>(),
+             isa_rows<Rule, Isa::kAvx2>(), isa_rows<Rule, Isa::kAvx512>(),
+             isa_rows<Rule, Isa::kAvx512Icl>(), row_kernel_rows<Rule, Isa::kAvx512>(),
+             row_kernel_rows<Rule, Isa::kAvx512Icl>());
+  return kRows;
+}
+
+}  // namespace
+
+std::span<const ThinningOperation> thinning_operations() {
+  static const std::array kOperations = {
+      ThinningOperation{
+          "thin_naccache_shinghal",
+          "modified Naccache-Shinghal rule, all removals of a pass at once, as printed",
+          rows_of<NaccacheShinghal>()},
+  };
+  return kOperations;
+}
+
+const ThinningOperation* find_thinning_operation(std::string_view name) {
+  for (const ThinningOperation& operation : thinning_operations()) {
+    if (operation.name == name) return &operation;
+  }
+  return nullptr;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,16 @@
+// The one place that lists operations. Tests, benchmarks and programs walk these tables.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "thinning/variant.hpp"
+
+namespace thinbench {
+
+[[nodiscard]] std::span<const ThinningOperation> thinning_operations();
+
+/// The operation of this name, or nullptr.
+[[nodiscard]] const ThinningOperation* find_thinning_operation(std::string_view name);
+
+}  // namespace thinbench

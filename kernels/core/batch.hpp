@@ -1,0 +1,107 @@
+// The xsimd shim: everything that differs between xsimd versions or that xsimd lacks. For ISA files
+// only; the architecture follows from THINBENCH_ISA, which the build sets for each of them.
+#pragma once
+
+#include <xsimd/xsimd.hpp>
+
+#include "core/isa.hpp"
+#include "core/word.hpp"
+
+namespace thinbench {
+
+template <Isa isa>
+struct ArchitectureOf;
+template <>
+struct ArchitectureOf<Isa::kBaseline> {
+  using Type = xsimd::sse2;
+};
+template <>
+struct ArchitectureOf<Isa::kSse42> {
+  using Type = xsimd::sse4_2;
+};
+template <>
+struct ArchitectureOf<Isa::kAvx2> {
+  using Type = xsimd::avx2;
+};
+template <>
+struct ArchitectureOf<Isa::kAvx512> {
+  using Type = xsimd::avx512bw;
+};
+template <>
+struct ArchitectureOf<Isa::kAvx512Icl> {
+  using Type = xsimd::avx512bw;
+};
+
+inline constexpr Isa kThisIsa = Isa::THINBENCH_ISA;
+using Architecture = ArchitectureOf<kThisIsa>::Type;
+using WordBatch = xsimd::batch<std::uint64_t, Architecture>;
+using ByteBatch = xsimd::batch<std::uint8_t, Architecture>;
+
+template <class T, class A>
+[[gnu::always_inline]] inline bool any_bit(const xsimd::batch<T, A>& batch) {
+  return xsimd::any(batch != xsimd::batch<T, A>(T{0}));
+}
+
+/// Byte lanes, one pixel each: neighbours are one element away.
+template <class A>
+struct WordTraits<xsimd::batch<std::uint8_t, A>> {
+  using Element = std::uint8_t;
+  using Word = xsimd::batch<std::uint8_t, A>;
+  static constexpr Index kElements = static_cast<Index>(Word::size);
+  [[gnu::always_inline]] static Word load(const Element* from) {
+    return Word::load_unaligned(from);
+  }
+  [[gnu::always_inline]] static void store(Element* to, Word word) { word.store_unaligned(to); }
+  [[gnu::always_inline]] static Word west(Word, const Element* from) { return load(from - 1); }
+  [[gnu::always_inline]] static Word east(Word, const Element* from) { return load(from + 1); }
+  [[gnu::always_inline]] static Word zero() { return Word(Element{0}); }
+  [[gnu::always_inline]] static bool any(Word word) { return any_bit(word); }
+};
+
+/// Packed pixels, 64 a lane. The bit that crosses a lane comes from an unaligned load one word
+/// away, which needs no lane-crossing shuffle; with VBMI2 the two shifts and the OR are one funnel
+/// shift.
+template <class A>
+struct WordTraits<xsimd::batch<std::uint64_t, A>> {
+  using Element = std::uint64_t;
+  using Word = xsimd::batch<std::uint64_t, A>;
+  static constexpr Index kElements = static_cast<Index>(Word::size);
+  [[gnu::always_inline]] static Word load(const Element* from) {
+    return Word::load_unaligned(from);
+  }
+  [[gnu::always_inline]] static void store(Element* to, Word word) { word.store_unaligned(to); }
+  [[gnu::always_inline]] static Word west(Word centre, const Element* from) {
+#ifdef __AVX512VBMI2__
+    return _mm512_shldi_epi64(centre, load(from - 1), 1);
+#else
+    return (centre << 1) | (load(from - 1) >> 63);
+#endif
+  }
+  [[gnu::always_inline]] static Word east(Word centre, const Element* from) {
+#ifdef __AVX512VBMI2__
+    return _mm512_shrdi_epi64(centre, load(from + 1), 1);
+#else
+    return (centre >> 1) | (load(from + 1) << 63);
+#endif
+  }
+  [[gnu::always_inline]] static Word zero() {
+    return Word(Element{0});
+  }
+  [[gnu::always_inline]] static bool any(Word word) {
+    return any_bit(word);
+  }
+};
+
+#ifdef __AVX512F__
+/// vpternlog: every gate with three inputs is one instruction.
+template <class T>
+struct TernaryGate<xsimd::batch<T, xsimd::avx512bw>> {
+  using Word = xsimd::batch<T, xsimd::avx512bw>;
+  template <class Gate>
+  [[gnu::always_inline]] static Word apply(Word a, Word b, Word c, Gate gate) {
+    return _mm512_ternarylogic_epi64(a, b, c, truth_table(gate));
+  }
+};
+#endif
+
+}  // namespace thinbench

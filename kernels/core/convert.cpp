@@ -1,0 +1,136 @@
+// Conversions between byte images and planes, compiled once for every instruction-set level.
+//
+// Packing compares 64 bytes with zero and keeps one bit of each: 1 (AVX-512), 2 (AVX2) or 4 (SSE2)
+// comparisons and mask moves for a word. Unpacking spreads the bits again: a mask move on AVX-512,
+// else each byte of the word is broadcast to the lanes of its bits and tested there. Both are bound
+// by the bytes moved, 1 byte a pixel.
+#include "core/convert.hpp"
+
+#include "core/batch.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
+
+/// Bit i is set where byte i is not zero, for the first kLanes bytes.
+[[gnu::always_inline]] inline std::uint64_t dark_mask(const std::uint8_t* bytes) {
+#if defined(__AVX512BW__)
+  const __m512i lanes = _mm512_loadu_si512(bytes);
+  return _mm512_test_epi8_mask(lanes, lanes);
+#elif defined(__AVX2__)
+  const __m256i lanes = ByteBatch::load_unaligned(bytes);
+  const auto light = _mm256_movemask_epi8(_mm256_cmpeq_epi8(lanes, _mm256_setzero_si256()));
+  return ~static_cast<std::uint32_t>(light);
+#else
+  const __m128i lanes = ByteBatch::load_unaligned(bytes);
+  const auto light = _mm_movemask_epi8(_mm_cmpeq_epi8(lanes, _mm_setzero_si128()));
+  return static_cast<std::uint16_t>(~light);
+#endif
+}
+
+/// kLanes bytes, 255 where the bit of `bits` is set and 0 elsewhere.
+[[gnu::always_inline]] inline ByteBatch spread(std::uint64_t bits) {
+#if defined(__AVX512BW__)
+  return _mm512_movm_epi8(bits);
+#elif defined(__AVX2__)
+  // Byte lane i tests bit i % 8 of source byte i / 8:
+  //   lanes  0 1 .. 7 | 8 .. 15 | 16 .. 23 | 24 .. 31
+  //   byte   0 0 .. 0 | 1 ..  1 |  2 ..  2 |  3 ..  3
+  const __m256i which =
+      _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
+  const __m256i bit = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201));
+  const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
+  return _mm256_cmpeq_epi8(_mm256_and_si256(_mm256_shuffle_epi8(all, which), bit), bit);
+#else
+  // The same with 16 lanes; the two source bytes are doubled by unpacking instead of shuffling.
+  const __m128i bit = _mm_set1_epi64x(static_cast<long long>(0x8040201008040201));
+  const __m128i word = _mm_cvtsi32_si128(static_cast<int>(bits));
+  const __m128i pairs = _mm_unpacklo_epi8(word, word);
+  const __m128i fours = _mm_unpacklo_epi16(pairs, pairs);
+  const __m128i all = _mm_unpacklo_epi32(fours, fours);
+  return _mm_cmpeq_epi8(_mm_and_si128(all, bit), bit);
+#endif
+}
+
+[[gnu::always_inline]] inline std::uint64_t pack_word(const std::uint8_t* bytes) {
+  std::uint64_t word = 0;
+  for (Index lane = 0; lane < kWordBits; lane += kLanes) word |= dark_mask(bytes + lane) << lane;
+  return word;
+}
+
+[[gnu::always_inline]] inline void unpack_word(std::uint64_t word, std::uint8_t* bytes) {
+  for (Index lane = 0; lane < kWordBits; lane += kLanes) {
+    spread(word >> lane).store_unaligned(bytes + lane);
+  }
+}
+
+/// The last word of a row goes through a buffer: bytes past the width belong to somebody else.
+std::uint64_t pack_tail(const std::uint8_t* bytes, Index count) {
+  std::uint8_t buffer[kWordBits] = {};
+  __builtin_memcpy(buffer, bytes, static_cast<std::size_t>(count));
+  return pack_word(buffer);
+}
+
+void unpack_tail(std::uint64_t word, std::uint8_t* bytes, Index count) {
+  std::uint8_t buffer[kWordBits];
+  unpack_word(word, buffer);
+  __builtin_memcpy(bytes, buffer, static_cast<std::size_t>(count));
+}
+
+// Sizes are copied to locals: a store of bytes could otherwise be taken to change them.
+void read_bits(const ConstByteView& source, const BitPlaneView& target) {
+  const Index height = source.height;
+  const Index words = source.width / kWordBits;
+  const Index tail = source.width % kWordBits;
+  for (Index y = 0; y < height; ++y) {
+    const std::uint8_t* bytes = source.row(y);
+    std::uint64_t* row = target.row(y);
+    for (Index word = 0; word < words; ++word) row[word] = pack_word(bytes + word * kWordBits);
+    if (tail > 0) row[words] = pack_tail(bytes + words * kWordBits, tail);
+  }
+}
+
+void write_bits(const ConstBitPlaneView& source, const ByteView& target) {
+  const Index height = source.height;
+  const Index words = source.width / kWordBits;
+  const Index tail = source.width % kWordBits;
+  for (Index y = 0; y < height; ++y) {
+    const std::uint64_t* row = source.row(y);
+    std::uint8_t* bytes = target.row(y);
+    for (Index word = 0; word < words; ++word) unpack_word(row[word], bytes + word * kWordBits);
+    if (tail > 0) unpack_tail(row[words], bytes + words * kWordBits, tail);
+  }
+}
+
+void read_bytes(const ConstByteView& source, const BytePlaneView& target) {
+  const Index width = source.width;
+  const Index height = source.height;
+  for (Index y = 0; y < height; ++y) {
+    const std::uint8_t* __restrict from = source.row(y);
+    std::uint8_t* __restrict to = target.row(y);
+    for (Index x = 0; x < width; ++x) to[x] = from[x] != 0 ? 1 : 0;
+  }
+}
+
+void write_bytes(const ConstBytePlaneView& source, const ByteView& target) {
+  const Index width = source.width;
+  const Index height = source.height;
+  for (Index y = 0; y < height; ++y) {
+    const std::uint8_t* __restrict from = source.row(y);
+    std::uint8_t* __restrict to = target.row(y);
+    for (Index x = 0; x < width; ++x) to[x] = static_cast<std::uint8_t>(-from[x]);
+  }
+}
+
+}  // namespace
+
+template <>
+constinit const PlaneConversion<std::uint8_t> IsaConversions<kThisIsa>::bytes = {&read_bytes,
+                                                                                 &write_bytes};
+
+template <>
+constinit const PlaneConversion<std::uint64_t> IsaConversions<kThisIsa>::bits = {&read_bits,
+                                                                                 &write_bits};
+
+}  // namespace thinbench

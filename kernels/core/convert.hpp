@@ -1,0 +1,29 @@
+// Between byte images at the public edge (0 is light, anything else dark; 255 is written) and the
+// planes that kernels work on.
+#pragma once
+
+#include "core/isa.hpp"
+#include "core/views.hpp"
+
+namespace thinbench {
+
+/// Source and target have the same size. Reading writes whole rows of the plane up to the last word
+/// or byte of the image, bits past the width 0; writing touches `width` bytes a row and no more.
+template <class T>
+struct PlaneConversion {
+  void (*read)(const ConstByteView& source, const PlaneView<T>& target);
+  void (*write)(const ConstPlaneView<T>& source, const ByteView& target);
+};
+
+/// The conversions of one instruction-set level.
+template <Isa isa>
+struct IsaConversions {
+  static const PlaneConversion<std::uint8_t> bytes;
+  static const PlaneConversion<std::uint64_t> bits;
+};
+
+/// The conversion of a level chosen at run time.
+template <class T>
+[[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa);
+
+}  // namespace thinbench

@@ -1,0 +1,36 @@
+// Owners of the two representations that kernels work on.
+#pragma once
+
+#include <cstdint>
+
+#include "core/image.hpp"
+#include "core/views.hpp"
+
+namespace thinbench {
+
+/// Owns a plane. Rows start on cache lines; the margin and the padding are zero.
+template <class T>
+class Plane {
+ public:
+  Plane() = default;
+  Plane(Index width, Index height);
+
+  [[nodiscard]] PlaneView<T> view() { return view_; }
+  [[nodiscard]] ConstPlaneView<T> view() const { return view_; }
+  /// All elements, margin included: what must not change outside the rows.
+  [[nodiscard]] const T* storage() const { return data_.get(); }
+  [[nodiscard]] Index storage_elements() const { return storage_elements_; }
+
+ private:
+  AlignedArray<T> data_;
+  Index storage_elements_ = 0;
+  PlaneView<T> view_;
+};
+
+extern template class Plane<std::uint8_t>;
+extern template class Plane<std::uint64_t>;
+
+using BytePlane = Plane<std::uint8_t>;
+using BitPlane = Plane<std::uint64_t>;
+
+}  // namespace thinbench

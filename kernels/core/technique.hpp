@@ -1,0 +1,55 @@
+// Techniques: the ways in which an operation is computed, each with its name and one sentence.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace thinbench {
+
+enum class Technique : std::uint8_t {
+  kLut,
+  kLutSliding,
+  kAutovec,
+  kBitpacked,
+  kSimdBytes,
+  kSimdBitpacked,
+  kSimdBitpackedRow,
+};
+
+struct TechniqueInfo {
+  Technique technique;
+  std::string_view name;
+  std::string_view description;
+};
+
+inline constexpr std::array kTechniques = {
+    TechniqueInfo{Technique::kLut, "lut", "descriptor of eight gathered bytes, 256-entry table"},
+    TechniqueInfo{Technique::kLutSliding, "lut_sliding",
+                  "descriptor that slides along the row, 512-entry table"},
+    TechniqueInfo{Technique::kAutovec, "autovec",
+                  "the reference's arithmetic, vectorised by the compiler"},
+    TechniqueInfo{Technique::kBitpacked, "bitpacked", "64 pixels a word, the minimal circuit"},
+    TechniqueInfo{Technique::kSimdBytes, "simd_bytes", "xsimd, one pixel a byte lane"},
+    TechniqueInfo{Technique::kSimdBitpacked, "simd_bitpacked", "xsimd on packed words, any width"},
+    TechniqueInfo{Technique::kSimdBitpackedRow, "simd_bitpacked_row",
+                  "one row of up to 512 pixels in one AVX-512 register"},
+};
+
+[[nodiscard]] constexpr const TechniqueInfo& technique_info(Technique technique) {
+  return kTechniques[static_cast<std::size_t>(technique)];
+}
+
+[[nodiscard]] constexpr std::string_view technique_name(Technique technique) {
+  return technique_info(technique).name;
+}
+
+[[nodiscard]] constexpr std::optional<Technique> technique_from_name(std::string_view name) {
+  for (const TechniqueInfo& info : kTechniques) {
+    if (info.name == name) return info.technique;
+  }
+  return std::nullopt;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,35 @@
+// The library in one header: thin a picture, let the library choose how.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "catalog.hpp"
+#include "core/image.hpp"
+#include "thinning/plan.hpp"
+
+namespace thinbench {
+
+/// How to compute. What is left open is chosen: the fastest technique that this machine offers.
+struct ThinningOptions {
+  std::optional<Technique> technique;
+  std::optional<Isa> isa;
+  int threads = 1;
+};
+
+/// The variant that `options` ask for on an image of this width. Throws std::invalid_argument,
+/// naming what is wrong and what there is, where no variant fits.
+[[nodiscard]] const ThinningVariant& choose_variant(const ThinningOperation& operation, Index width,
+                                                    const ThinningOptions& options = {});
+
+/// Thins `source` (0 is light, anything else dark) into `destination` (0 and 255) by the operation
+/// of this name and returns the number of passes, the last, which changed nothing, included.
+///
+/// Outside the image everything is light. Strides are bytes from row to row and may be larger than
+/// the width. The two views have one size; they are the same image or do not overlap. Throws
+/// std::invalid_argument for an unknown name, sizes that differ or are negative, a stride below the
+/// width, a null image, a partial overlap, or options that no variant fits.
+int thin(std::string_view operation, ConstByteView source, ByteView destination,
+         const ThinningOptions& options = {});
+
+}  // namespace thinbench

@@ -1,0 +1,79 @@
+// A pass applies one sub-iteration of a rule to a band of rows; an engine provides one pass for
+// every sub-iteration of every rule. Here: the tables through which the catalogue reaches them.
+#pragma once
+
+#include <utility>
+
+#include "core/isa.hpp"
+#include "core/views.hpp"
+#include "thinning/rules.hpp"
+
+namespace thinbench {
+
+/// Writes rows [first, last) of `target` from rows [first - 1, last] of `source`; true where a
+/// pixel changed. The planes have one size and do not overlap; nothing outside the rows is written.
+template <class T>
+using Pass = bool (*)(const ConstPlaneView<T>& source, const PlaneView<T>& target, Index first,
+                      Index last);
+
+template <class... Rules>
+consteval int step_count(RuleList<Rules...>) {
+  return (Rules::kSubIterations + ... + 0);
+}
+
+/// Where the sub-iterations of `Rule` begin in every table.
+template <class Rule, class... Rules>
+consteval int first_step(RuleList<Rules...>) {
+  int step = 0;
+  bool found = false;
+  ((found = found || __is_same(Rule, Rules), step += found ? 0 : Rules::kSubIterations), ...);
+  return step;
+}
+
+/// The passes of one engine, all rules in the order of AllRules, each with all its sub-iterations.
+template <class T>
+struct PassTable {
+  Pass<T> passes[step_count(AllRules{})];
+};
+
+namespace detail {
+
+template <class Engine, class Rule, int... subs>
+consteval void fill_rule(PassTable<typename Engine::Element>& table, int& step,
+                         std::integer_sequence<int, subs...>) {
+  ((table.passes[step++] = &Engine::template pass<Rule, subs>), ...);
+}
+
+template <class Engine, class... Rules>
+consteval PassTable<typename Engine::Element> fill_table(RuleList<Rules...>) {
+  PassTable<typename Engine::Element> table{};
+  int step = 0;
+  (fill_rule<Engine, Rules>(table, step, std::make_integer_sequence<int, Rules::kSubIterations>{}),
+   ...);
+  return table;
+}
+
+}  // namespace detail
+
+/// The table of an engine: a struct with `Element` and `template <class Rule, int sub> pass`.
+template <class Engine>
+consteval PassTable<typename Engine::Element> make_pass_table() {
+  return detail::fill_table<Engine>(AllRules{});
+}
+
+/// Engines that are compiled once, for the baseline.
+struct ScalarPasses {
+  static const PassTable<std::uint8_t> lut;
+  static const PassTable<std::uint8_t> lut_sliding;
+  static const PassTable<std::uint64_t> bitpacked;
+};
+
+/// Engines that are compiled once for every instruction-set level.
+template <Isa isa>
+struct IsaPasses {
+  static const PassTable<std::uint8_t> autovec;
+  static const PassTable<std::uint8_t> simd_bytes;
+  static const PassTable<std::uint64_t> simd_bitpacked;
+};
+
+}  // namespace thinbench

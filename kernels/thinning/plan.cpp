@@ -1,0 +1,149 @@
+#include "thinning/plan.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "core/convert.hpp"
+#include "core/planes.hpp"
+#include "thinning/iterate.hpp"
+
+namespace thinbench {
+
+std::string_view why_unavailable(const ThinningVariant& variant, Index width) {
+  if (!cpu_supports(variant.isa)) return "this machine lacks the instruction set";
+  if (!isa_available(variant.isa)) return "above the ISA cap";
+  if (width > variant.max_width) return "wider than this variant's limit";
+  return {};
+}
+
+struct ThinningState {
+  virtual ~ThinningState() = default;
+  virtual void load(const ConstByteView& source) = 0;
+  virtual int thin() = 0;
+  virtual void store(const ByteView& destination) const = 0;
+};
+
+namespace {
+
+constexpr Index kMaxPixels = Index{1} << 40;
+
+void require(bool holds, const std::string& otherwise) {
+  if (!holds) throw std::invalid_argument(otherwise);
+}
+
+void check(const ThinningVariant& variant, Index width, Index height, int threads) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  require(width >= 0 && height >= 0, "image size " + size + " is negative");
+  require(
+      width <= kMaxPixels && height <= kMaxPixels && (width == 0 || height <= kMaxPixels / width),
+      "image size " + size + " is larger than 2^40 pixels");
+  require(threads >= 1 && threads <= 1024,
+          "threads is " + std::to_string(threads) + "; it must be in 1..1024");
+  const std::string_view reason = why_unavailable(variant, width);
+  require(reason.empty(), std::string(technique_name(variant.technique)) + " at " +
+                              std::string(isa_name(variant.isa)) +
+                              " cannot run: " + std::string(reason));
+}
+
+/// Source and result planes with the conversions of one instruction-set level.
+template <class T>
+struct Planes {
+  Planes(Isa isa, Index width, Index height)
+      : conversion(plane_conversion<T>(isa)), source(width, height), result(width, height) {}
+  const PlaneConversion<T>& conversion;
+  Plane<T> source;
+  Plane<T> result;
+};
+
+/// Passes over planes of T.
+template <class T>
+struct PassState final : ThinningState {
+  PassState(std::span<const Pass<T>> passes, Isa isa, Index width, Index height, int threads)
+      : cycle(passes),
+        planes(isa, width, height),
+        scratch(width, height),
+        activity(height),
+        team(threads) {}
+
+  void load(const ConstByteView& view) override {
+    planes.conversion.read(view, planes.source.view());
+  }
+  int thin() override {
+    const auto& source = planes.source;
+    return iterate<T>(cycle, source.view(), planes.result.view(), scratch.view(), activity, team);
+  }
+  void store(const ByteView& view) const override {
+    planes.conversion.write(planes.result.view(), view);
+  }
+
+  std::span<const Pass<T>> cycle;
+  Planes<T> planes;
+  Plane<T> scratch;
+  BandActivity activity;
+  ThreadTeam team;
+};
+
+/// One kernel over rows of one register.
+struct RowState final : ThinningState {
+  RowState(RowKernel row_kernel, Isa isa, Index width, Index height)
+      : kernel(row_kernel),
+        planes(isa, width, height),
+        scratch(make_aligned<std::uint64_t>(
+            static_cast<std::size_t>(row_kernel_scratch_words(height)))) {}
+
+  void load(const ConstByteView& view) override {
+    planes.conversion.read(view, planes.source.view());
+  }
+  int thin() override {
+    const auto& source = planes.source;
+    return kernel(source.view(), planes.result.view(), scratch.get());
+  }
+  void store(const ByteView& view) const override {
+    planes.conversion.write(planes.result.view(), view);
+  }
+
+  RowKernel kernel;
+  Planes<std::uint64_t> planes;
+  AlignedArray<std::uint64_t> scratch;
+};
+
+}  // namespace
+
+ThinningPlan::ThinningPlan(const ThinningVariant& variant, Index width, Index height, int threads) {
+  check(variant, width, height, threads);
+  const int used = variant.threaded ? threads : 1;
+  const auto make = [&](const auto& engine) -> std::unique_ptr<ThinningState> {
+    using Engine = std::remove_cvref_t<decltype(engine)>;
+    if constexpr (std::is_same_v<Engine, const RowKernel*>) {
+      return std::make_unique<RowState>(*engine, variant.isa, width, height);
+    } else {
+      using T = std::conditional_t<std::is_same_v<Engine, std::span<const Pass<std::uint8_t>>>,
+                                   std::uint8_t, std::uint64_t>;
+      return std::make_unique<PassState<T>>(engine, variant.isa, width, height, used);
+    }
+  };
+  state_ = std::visit(make, variant.engine);
+}
+
+ThinningPlan::~ThinningPlan() = default;
+ThinningPlan::ThinningPlan(ThinningPlan&&) noexcept = default;
+ThinningPlan& ThinningPlan::operator=(ThinningPlan&&) noexcept = default;
+
+void ThinningPlan::load(ConstByteView source) {
+  state_->load(source);
+}
+int ThinningPlan::thin() {
+  return state_->thin();
+}
+void ThinningPlan::store(ByteView destination) const {
+  state_->store(destination);
+}
+
+int ThinningPlan::run(ConstByteView source, ByteView destination) {
+  state_->load(source);
+  const int passes = state_->thin();
+  state_->store(destination);
+  return passes;
+}
+
+}  // namespace thinbench

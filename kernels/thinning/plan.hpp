@@ -1,0 +1,41 @@
+// A plan owns the memory that one variant needs for images of one size, so that running it
+// allocates nothing. This is the fast way into the library; thinbench.hpp has the convenient one.
+#pragma once
+
+#include <memory>
+
+#include "thinning/variant.hpp"
+
+namespace thinbench {
+
+struct ThinningState;  // one implementation a kind of engine, in plan.cpp
+
+/// Runs one variant on images of one size. Not for use by two threads at once.
+class ThinningPlan {
+ public:
+  /// `threads` counts only for threaded variants. Throws std::invalid_argument where the variant
+  /// cannot run here, the size is negative or has more than 2^40 pixels, or threads is not in
+  /// [1, 1024]; std::bad_alloc where memory is short.
+  ThinningPlan(const ThinningVariant& variant, Index width, Index height, int threads = 1);
+  ~ThinningPlan();
+  ThinningPlan(ThinningPlan&&) noexcept;
+  ThinningPlan& operator=(ThinningPlan&&) noexcept;
+  ThinningPlan(const ThinningPlan&) = delete;
+  ThinningPlan& operator=(const ThinningPlan&) = delete;
+
+  /// Thins `source` (0 is light, anything else dark) into `destination` (0 and 255) and returns how
+  /// many passes it took, the last one, which changed nothing, included. The two may be the same
+  /// image. Both must have the size of the plan; nothing is checked here.
+  int run(ConstByteView source, ByteView destination);
+
+  /// The three steps of run, for timing them apart: into the variant's own representation; passes
+  /// until nothing changes (the input is kept, so this may be repeated); and back to bytes.
+  void load(ConstByteView source);
+  int thin();
+  void store(ByteView destination) const;
+
+ private:
+  std::unique_ptr<ThinningState> state_;
+};
+
+}  // namespace thinbench

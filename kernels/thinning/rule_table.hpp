@@ -1,0 +1,38 @@
+// A rule as a table: its expression evaluated on all 512 neighbourhoods, 64 at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "thinning/rules.hpp"
+
+namespace thinbench {
+
+/// Bit i of word w is input number `variable` of neighbourhood 64 w + i.
+constexpr std::uint64_t counting_pattern(int variable, int word) {
+  constexpr std::array<std::uint64_t, 6> low = {0xAAAAAAAAAAAAAAAA, 0xCCCCCCCCCCCCCCCC,
+                                                0xF0F0F0F0F0F0F0F0, 0xFF00FF00FF00FF00,
+                                                0xFFFF0000FFFF0000, 0xFFFFFFFF00000000};
+  if (variable < 6) return low[static_cast<std::size_t>(variable)];
+  return (word >> (variable - 6) & 1) != 0 ? ~std::uint64_t{0} : 0;
+}
+
+/// New pixels for index k + 256 p, k being the descriptor.
+using RuleTable = std::array<std::uint8_t, 512>;
+
+template <class Rule, int sub>
+constexpr RuleTable make_rule_table() {
+  RuleTable table{};
+  for (int word = 0; word < 8; ++word) {
+    const auto input = [word](int variable) { return counting_pattern(variable, word); };
+    const Neighbourhood<std::uint64_t> n = {input(8), input(0), input(1), input(2), input(3),
+                                            input(4), input(5), input(6), input(7)};
+    const std::uint64_t next = Rule::template next<sub>(n);
+    for (int bit = 0; bit < 64; ++bit) {
+      table[static_cast<std::size_t>(64 * word + bit)] = next >> bit & 1;
+    }
+  }
+  return table;
+}
+
+}  // namespace thinbench

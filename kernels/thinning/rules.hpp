@@ -1,0 +1,70 @@
+// Thinning rules: what one pixel becomes, given its 3x3 neighbourhood. Each rule stands here once,
+// as an expression over any word type, and every engine instantiates it.
+//
+// Neighbours are numbered as in the paper (Fig. 6), anticlockwise from the east:
+//     n3 n2 n1
+//     n4  p n0
+//     n5 n6 n7
+// Dark is 1. The descriptor of a neighbourhood is k = sum of n_i 2^i.
+#pragma once
+
+#include "core/word.hpp"
+
+namespace thinbench {
+
+template <class Word>
+struct Neighbourhood {
+  Word p, n0, n1, n2, n3, n4, n5, n6, n7;
+};
+
+/// The modified Naccache-Shinghal rule of the paper (section 3.1): a dark pixel is removed where
+/// one or two of B0, B2, B4, B6 are FALSE, and stays where none, three or four are.
+///
+/// Invariants: a light pixel stays light; the rule is symmetric under quarter turns and mirrors;
+/// each removal on its own keeps topology. NOT invariant: removing all at once, as a pass does,
+/// breaks lines of even width, so skeletons of the printed procedure fall into fragments.
+struct NaccacheShinghal {
+  static constexpr int kSubIterations = 1;
+
+  /// The new pixel, as a circuit: removed = n6 X ~(n0 n2 n4) | n2 Y ~(n0 n4 n6) with
+  /// X = n4 ~n1 | n0 ~n3 and Y = n4 ~n7 | n0 ~n5. Nine gates of three inputs, update included.
+  template <int sub, class Word>
+  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
+    constexpr auto and_not = [](auto a, auto b, auto) { return a & ~b; };
+    constexpr auto or_and_not = [](auto a, auto b, auto c) { return c | (a & ~b); };
+    const Word x = ternary(n.n4, n.n1, ternary(n.n0, n.n3, n.n0, and_not), or_and_not);
+    const Word y = ternary(n.n4, n.n7, ternary(n.n0, n.n5, n.n0, and_not), or_and_not);
+    const Word south = ternary(n.n6, x, n.p, [](auto a, auto b, auto c) { return a & b & c; });
+    const Word edge = ternary(n.n2, y, south, [](auto a, auto b, auto c) { return c | (a & b); });
+    const Word inner = ternary(n.n0, n.n4, n.n2, [](auto a, auto b, auto c) { return a & b & c; });
+    const Word kept =
+        ternary(edge, inner, n.n6, [](auto a, auto b, auto c) { return ~a | (b & c); });
+    return n.p & kept;
+  }
+
+  /// The same, as printed: four expressions and a count of the FALSE ones, on words that hold 0 or
+  /// 1 in a whole lane. What a compiler is given to vectorise.
+  template <int sub, class Lane>
+  [[gnu::always_inline]] static constexpr Lane printed(const Neighbourhood<Lane>& n) {
+    const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
+    const Lane b4 = static_cast<Lane>(n.n0 & (n.n1 | n.n2 | n.n6 | n.n7) & (n.n2 | negated(n.n3)) &
+                                      (negated(n.n5) | n.n6));
+    const Lane b0 = static_cast<Lane>(n.n4 & (n.n2 | n.n3 | n.n5 | n.n6) & (n.n6 | negated(n.n7)) &
+                                      (negated(n.n1) | n.n2));
+    const Lane b2 = static_cast<Lane>(n.n6 & (n.n0 | n.n4 | n.n5 | n.n7) & (n.n0 | negated(n.n1)) &
+                                      (negated(n.n3) | n.n4));
+    const Lane b6 = static_cast<Lane>(n.n2 & (n.n0 | n.n1 | n.n3 | n.n4) & (n.n4 | negated(n.n5)) &
+                                      (negated(n.n7) | n.n0));
+    const Lane true_count = static_cast<Lane>(b0 + b2 + b4 + b6);
+    const Lane one_or_two_false = true_count == 3 || true_count == 2 ? 1 : 0;
+    return static_cast<Lane>(n.p & negated(one_or_two_false));
+  }
+};
+
+template <class... Rules>
+struct RuleList {};
+
+/// Every rule that engines instantiate. A new rule is a struct above and a name here.
+using AllRules = RuleList<NaccacheShinghal>;
+
+}  // namespace thinbench
