@@ -12,8 +12,8 @@ namespace thinbench {
 
 /// How to compute. What is left open is chosen: the fastest technique that this machine offers.
 struct ThinningOptions {
-  std::optional<Technique> technique;
-  std::optional<Isa> isa;
+  std::optional<Technique> technique = std::nullopt;
+  std::optional<Isa> isa = std::nullopt;
   int threads = 1;
 };
 

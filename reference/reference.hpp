@@ -2,7 +2,9 @@
 // shares nothing with the kernels but the views of images.
 #pragma once
 
-#include "core/image.hpp"
+#include <string_view>
+
+#include "core/views.hpp"
 
 namespace thinbench::reference {
 
@@ -21,5 +23,10 @@ namespace thinbench::reference {
 /// 0 and 255, same size, may be the source. Returns the number of scans, the last, which changed
 /// nothing, included. Topology is not kept: see NaccacheShinghal in kernels/thinning/rules.hpp.
 int thin_naccache_shinghal(ConstByteView source, ByteView destination);
+
+using Thinning = int (*)(ConstByteView source, ByteView destination);
+
+/// The reference of the thinning operation of this name, or nullptr.
+[[nodiscard]] Thinning find_thinning(std::string_view operation);
 
 }  // namespace thinbench::reference

@@ -17,9 +17,8 @@ class Plane {
 
   [[nodiscard]] PlaneView<T> view() { return view_; }
   [[nodiscard]] ConstPlaneView<T> view() const { return view_; }
-  /// All elements, margin included: what must not change outside the rows.
-  [[nodiscard]] const T* storage() const { return data_.get(); }
-  [[nodiscard]] Index storage_elements() const { return storage_elements_; }
+  /// Whether everything outside the image is zero: margins, row padding, bits past the width.
+  [[nodiscard]] bool margin_is_zero() const;
 
  private:
   AlignedArray<T> data_;

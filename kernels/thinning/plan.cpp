@@ -21,6 +21,7 @@ struct ThinningState {
   virtual void load(const ConstByteView& source) = 0;
   virtual int thin() = 0;
   virtual void store(const ByteView& destination) const = 0;
+  [[nodiscard]] virtual bool margins_are_zero() const = 0;
 };
 
 namespace {
@@ -75,6 +76,10 @@ struct PassState final : ThinningState {
   void store(const ByteView& view) const override {
     planes.conversion.write(planes.result.view(), view);
   }
+  [[nodiscard]] bool margins_are_zero() const override {
+    return planes.source.margin_is_zero() && planes.result.margin_is_zero() &&
+           scratch.margin_is_zero();
+  }
 
   std::span<const Pass<T>> cycle;
   Planes<T> planes;
@@ -100,6 +105,9 @@ struct RowState final : ThinningState {
   }
   void store(const ByteView& view) const override {
     planes.conversion.write(planes.result.view(), view);
+  }
+  [[nodiscard]] bool margins_are_zero() const override {
+    return planes.source.margin_is_zero() && planes.result.margin_is_zero();
   }
 
   RowKernel kernel;
@@ -137,6 +145,10 @@ int ThinningPlan::thin() {
 }
 void ThinningPlan::store(ByteView destination) const {
   state_->store(destination);
+}
+
+bool ThinningPlan::margins_are_zero() const {
+  return state_->margins_are_zero();
 }
 
 int ThinningPlan::run(ConstByteView source, ByteView destination) {

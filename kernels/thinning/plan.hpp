@@ -34,6 +34,9 @@ class ThinningPlan {
   int thin();
   void store(ByteView destination) const;
 
+  /// For tests: whether everything outside the rows of the plan's planes is still zero.
+  [[nodiscard]] bool margins_are_zero() const;
+
  private:
   std::unique_ptr<ThinningState> state_;
 };

@@ -1,0 +1,163 @@
+#include "harness/test_images.hpp"
+
+#include <array>
+#include <numeric>
+
+namespace thinbench {
+namespace {
+
+constexpr std::uint8_t kDark = 255;
+
+/// A bijective mix of 64 bits (the finaliser of splitmix64): one random number a block.
+std::uint64_t mixed(std::uint64_t value) {
+  value += 0x9E3779B97F4A7C15;
+  value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9;
+  value = (value ^ value >> 27) * 0x94D049BB133111EB;
+  return value ^ value >> 31;
+}
+
+struct Noise {
+  int percent;
+  Index granularity;
+};
+constexpr std::array kNoises = {Noise{50, 1}, Noise{85, 1}, Noise{97, 1}, Noise{60, 2},
+                                Noise{20, 1}, Noise{65, 4}, Noise{80, 3}, Noise{50, 9}};
+
+TestImage noise(Index width, Index height, const Noise& noise, std::uint64_t seed) {
+  std::string name = "noise " + std::to_string(width) + " x " + std::to_string(height) + ", " +
+                     std::to_string(noise.percent) + " % in blocks of " +
+                     std::to_string(noise.granularity) + ", seed " + std::to_string(seed);
+  return {std::move(name), noise_image(width, height, noise.percent, noise.granularity, seed)};
+}
+
+std::vector<Index> awkward_widths() {
+  std::vector<Index> widths(200);
+  std::iota(widths.begin(), widths.end(), Index{1});
+  for (const Index width : {509, 510, 511, 512, 513, 514, 515, 1023, 1024, 1025}) {
+    widths.push_back(width);
+  }
+  return widths;
+}
+
+void generate_sizes(const TestImageSink& sink) {
+  std::uint64_t seed = 1;
+  for (const Index width : awkward_widths()) {
+    for (const Index height : {1, 2, 3, 17, 64}) {
+      // Three of the eight kinds a size, in turn: all kinds meet all residues of the width.
+      for (int i = 0; i < 3; ++i, ++seed) sink(noise(width, height, kNoises[seed % 8], seed));
+    }
+  }
+}
+
+void generate_four_by_four(const TestImageSink& sink) {
+  for (std::uint64_t bits = 0; bits < 65536; ++bits) {
+    sink({"4 x 4, bits " + std::to_string(bits), image_of_bits(4, 4, bits)});
+  }
+}
+
+void generate_sheets(const TestImageSink& sink) {
+  for (Index phase = 0; phase < 64; ++phase) {
+    sink({"all neighbourhoods from column " + std::to_string(phase), neighbourhood_sheet(phase)});
+  }
+}
+
+void generate_tall(const TestImageSink& sink) {
+  std::uint64_t seed = 1000;
+  for (const Index height : {127, 256, 530, 1100}) {
+    for (const Index width : {31, 130, 512}) {
+      sink(noise(width, height, {99, 1}, ++seed));
+      sink(noise(width, height, {70, 12}, ++seed));
+    }
+  }
+}
+
+ByteImage filled(Index width, Index height, std::uint8_t value) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    for (Index x = 0; x < width; ++x) image.at(x, y) = value;
+  }
+  return image;
+}
+
+/// Dark bars of growing thickness along all four sides, so that shapes run into the frame.
+ByteImage bars_on_frame(Index width, Index height, Index thickness) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    for (Index x = 0; x < width; ++x) {
+      const bool edge =
+          x < thickness || y < thickness || x >= width - thickness || y >= height - thickness;
+      image.at(x, y) = edge ? kDark : 0;
+    }
+  }
+  return image;
+}
+
+void generate_shapes(const TestImageSink& sink) {
+  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0},
+                                      {0, 7},
+                                      {7, 0},
+                                      {1, 1},
+                                      {64, 64},
+                                      {65, 33},
+                                      {510, 40},
+                                      {512, 40},
+                                      {513, 40},
+                                      {700, 90}}) {
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    sink({"light " + size, filled(width, height, 0)});
+    sink({"dark " + size, filled(width, height, kDark)});
+    for (const Index thickness : {1, 2, 5, 12}) {
+      sink({"bars of " + std::to_string(thickness) + " on the frame of " + size,
+            bars_on_frame(width, height, thickness)});
+    }
+  }
+}
+
+}  // namespace
+
+ByteImage noise_image(Index width, Index height, int percent, Index granularity,
+                      std::uint64_t seed) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    for (Index x = 0; x < width; ++x) {
+      const auto block = static_cast<std::uint64_t>((y / granularity) << 32 | (x / granularity));
+      const bool dark = mixed(mixed(seed) ^ block) % 100 < static_cast<std::uint64_t>(percent);
+      image.at(x, y) = dark ? kDark : 0;
+    }
+  }
+  return image;
+}
+
+ByteImage image_of_bits(Index width, Index height, std::uint64_t bits) {
+  ByteImage image(width, height);
+  for (Index i = 0; i < width * height; ++i) {
+    image.at(i % width, i / width) = (bits >> i & 1) != 0 ? kDark : 0;
+  }
+  return image;
+}
+
+ByteImage neighbourhood_sheet(Index phase) {
+  constexpr Index cells_in_row = 64;
+  ByteImage image(phase + 4 * cells_in_row, 4 * 512 / cells_in_row);
+  for (Index code = 0; code < 512; ++code) {
+    const Index left = phase + 4 * (code % cells_in_row);
+    const Index top = 4 * (code / cells_in_row);
+    for (Index i = 0; i < 9; ++i) {
+      image.at(left + i % 3, top + i / 3) = (code >> i & 1) != 0 ? kDark : 0;
+    }
+  }
+  return image;
+}
+
+const std::vector<TestImageSet>& test_image_sets() {
+  static const std::vector<TestImageSet> kSets = {
+      {"shapes", "empty, light, dark and frame-touching images", generate_shapes},
+      {"sheets", "all 512 neighbourhoods at every phase of a word", generate_sheets},
+      {"sizes", "widths 1..200, 509..515, 1023..1025 by heights 1, 2, 3, 17, 64", generate_sizes},
+      {"tall", "bands of rows, skipped and shared between threads", generate_tall},
+      {"four_by_four", "all 65,536 images of 4 x 4 pixels", generate_four_by_four},
+  };
+  return kSets;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,43 @@
+// Inputs on which variants are compared with references: small and nasty.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/image.hpp"
+
+namespace thinbench {
+
+/// A named input. `name` says how to make it again (size, density, granularity, seed).
+struct TestImage {
+  std::string name;
+  ByteImage image;  // 0 and 255
+};
+
+/// Random blocks of `granularity` x `granularity` pixels, each dark with probability `percent` /
+/// 100. The same bytes on every machine.
+[[nodiscard]] ByteImage noise_image(Index width, Index height, int percent, Index granularity,
+                                    std::uint64_t seed);
+
+/// The image of a number: pixel (x, y) is dark where bit y * width + x is set.
+[[nodiscard]] ByteImage image_of_bits(Index width, Index height, std::uint64_t bits);
+
+/// All 512 neighbourhoods in cells of 4 x 4 pixels, the first cell at column `phase`.
+[[nodiscard]] ByteImage neighbourhood_sheet(Index phase);
+
+using TestImageSink = std::function<void(const TestImage&)>;
+
+/// A family of inputs that can be generated one after another.
+struct TestImageSet {
+  std::string name;
+  std::string claim;  // what the set covers
+  std::function<void(const TestImageSink&)> generate;
+};
+
+/// Widths 1 to 200 and around 512 and 1024 by five heights; all 4 x 4 images; every neighbourhood
+/// at every phase of a word; plain, empty and frame-touching shapes; tall images for bands of rows.
+[[nodiscard]] const std::vector<TestImageSet>& test_image_sets();
+
+}  // namespace thinbench

@@ -1,0 +1,52 @@
+// Runs rows over sets of test images and reports which are equal to the reference.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/crosscheck.hpp"
+#include "harness/rows.hpp"
+#include "harness/test_images.hpp"
+#include "thinning/plan.hpp"
+
+namespace thinbench {
+
+/// What became of one row over all images that were shown to it.
+struct RowVerdict {
+  long compared = 0;           // images
+  std::string first_mismatch;  // empty where all were equal
+};
+
+/// Compares rows with the references, image by image.
+class Verifier {
+ public:
+  explicit Verifier(std::vector<Row> rows);
+
+  /// Rows that cannot run on an image of this width are passed over; a row with a mismatch is not
+  /// tried again.
+  void show(const TestImage& image);
+
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+  [[nodiscard]] const RowVerdict& verdict(std::size_t row) const { return verdicts_[row]; }
+
+ private:
+  void compare(std::size_t row, const TestImage& image, const Expected& expected);
+
+  std::vector<Row> rows_;
+  std::vector<RowVerdict> verdicts_;
+  std::vector<std::optional<ThinningPlan>> plans_;  // for images of the latest size
+  Index width_ = -1;
+  Index height_ = -1;
+};
+
+/// The sum over rows: passed where compared at least once without mismatch, skipped where never.
+struct VerifySummary {
+  int passed = 0;
+  int failed = 0;
+  int skipped = 0;
+};
+
+[[nodiscard]] VerifySummary summary_of(const Verifier& verifier);
+
+}  // namespace thinbench

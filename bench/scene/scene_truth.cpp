@@ -1,0 +1,74 @@
+#include "scene/scene_truth.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace thinbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kConvention =
+    "Pixel centres have integer coordinates: pixel (x, y) covers x - 0.5 to x + 0.5 and y - 0.5 to "
+    "y + 0.5, x to the right, y downwards. Lengths are pixels, areas square pixels, of the "
+    "outlines "
+    "that the image was drawn from. A pixel belongs to a part where grey < threshold. Parts are "
+    "the "
+    "8-connected components of these pixels, holes the 4-connected components of the others that "
+    "do "
+    "not touch the frame; ids count both in raster order of their first pixel. The area of a part "
+    "leaves its holes out. Area and centre are null where the frame cuts the part off; its box "
+    "then "
+    "ends at the frame.";
+
+Json point_json(ScenePoint point) {
+  return {{"x", point.x}, {"y", point.y}};
+}
+
+Json box_json(const SceneBox& box, const Scene& scene) {
+  const double right = static_cast<double>(scene.grey.width()) - 0.5;
+  const double bottom = static_cast<double>(scene.grey.height()) - 0.5;
+  return {{"x_min", std::max(box.x_min, -0.5)},
+          {"y_min", std::max(box.y_min, -0.5)},
+          {"x_max", std::min(box.x_max, right)},
+          {"y_max", std::min(box.y_max, bottom)}};
+}
+
+Json part_json(const ScenePart& part, const Scene& scene) {
+  Json json;
+  json["id"] = part.id;
+  json["kind"] = part.kind;
+  json["cut_by_frame"] = part.cut_by_frame;
+  json["area"] = part.cut_by_frame ? Json(nullptr) : Json(part.area);
+  json["centre"] = part.cut_by_frame ? Json(nullptr) : point_json(part.centre);
+  json["box"] = box_json(part.box, scene);
+  return json;
+}
+
+Json hole_json(const SceneHole& hole) {
+  Json json;
+  json["id"] = hole.id;
+  json["part"] = hole.part;
+  json["kind"] = hole.kind;
+  json["centre"] = point_json(hole.centre);
+  json["area"] = hole.area;
+  return json;
+}
+
+}  // namespace
+
+std::string scene_truth_json(const Scene& scene) {
+  Json json;
+  json["width"] = scene.grey.width();
+  json["height"] = scene.grey.height();
+  json["threshold"] = scene.threshold;
+  json["convention"] = kConvention;
+  json["parts"] = Json::array();
+  json["holes"] = Json::array();
+  for (const ScenePart& part : scene.parts) json["parts"].push_back(part_json(part, scene));
+  for (const SceneHole& hole : scene.holes) json["holes"].push_back(hole_json(hole));
+  return json.dump(2);
+}
+
+}  // namespace thinbench

@@ -1,0 +1,122 @@
+#include "scene/truth.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "scene/coverage.hpp"
+#include "scene/moments.hpp"
+
+namespace thinbench::scene_detail {
+namespace {
+
+/// From units, counted from the image's corner, to pixel centres at integers.
+double pixel_coordinate(Unit at) {
+  return static_cast<double>(at) / static_cast<double>(kUnitsPerPixel) - 0.5;
+}
+
+ScenePoint centre_of_mass(const Moments& sum) {
+  return {sum.x / sum.area - 0.5, sum.y / sum.area - 0.5};
+}
+
+SceneBox box_of(const Contour& contour) {
+  const Extent around = extent(contour);
+  return {pixel_coordinate(around.low.x), pixel_coordinate(around.low.y),
+          pixel_coordinate(around.high.x), pixel_coordinate(around.high.y)};
+}
+
+bool inside(const Contour& contour, ConstByteView image) {
+  const Extent around = extent(contour);
+  return around.low.x >= 0 && around.low.y >= 0 && around.high.x <= image.width * kUnitsPerPixel &&
+         around.high.y <= image.height * kUnitsPerPixel;
+}
+
+/// Raster position of the first pixel of the given value that the outline covers in part; behind
+/// all pixels where there is none.
+Index first_pixel(const Contour& contour, ConstByteView binary, int value) {
+  const PixelBox box = covered_box(contour, binary.width, binary.height);
+  const CoverageMap map(box, {&contour, 1});
+  for (Index y = 0; y < box.height; ++y) {
+    const std::int16_t* coverage = map.row(y);
+    const std::uint8_t* pixels = binary.row(box.y + y) + box.x;
+    for (Index x = 0; x < box.width; ++x) {
+      if (coverage[x] != 0 && pixels[x] == value) return (box.y + y) * binary.width + box.x + x;
+    }
+  }
+  return binary.width * binary.height;
+}
+
+ScenePart measure_part(const PartShape& shape, ConstByteView binary) {
+  Moments sum = moments(shape.body.outline);
+  for (const NamedShape& hole : shape.holes) sum += moments(hole.outline);
+  return {0,
+          shape.body.kind,
+          sum.area,
+          centre_of_mass(sum),
+          box_of(shape.body.outline),
+          !inside(shape.body.outline, binary)};
+}
+
+SceneHole measure_hole(const NamedShape& shape, int part) {
+  const Moments sum = moments(shape.outline);
+  return {0, part, shape.kind, centre_of_mass(sum), -sum.area};
+}
+
+/// Things with the raster position of their first pixel.
+template <class T>
+using Placed = std::vector<std::pair<Index, T>>;
+
+template <class T>
+void sort_by_place(Placed<T>& items) {
+  std::sort(items.begin(), items.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+template <class T>
+std::vector<T> numbered(Placed<T> items) {
+  sort_by_place(items);
+  std::vector<T> result;
+  for (auto& [place, item] : items) {
+    item.id = static_cast<int>(result.size()) + 1;
+    result.push_back(std::move(item));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<PartShape> scaled_layout(const SceneOptions& options) {
+  std::vector<PartShape> layout =
+      options.kind == SceneKind::kParts ? parts_layout() : frame_touching_layout();
+  for (PartShape& part : layout) {
+    const Point offset = part.nudge * options.scale;
+    part.body.outline = placed(part.body.outline, options.scale, offset);
+    for (NamedShape& hole : part.holes) {
+      hole.outline = reversed(placed(hole.outline, options.scale, offset));
+    }
+  }
+  return layout;
+}
+
+Truth measure(const std::vector<PartShape>& layout, ConstByteView binary) {
+  Placed<const PartShape*> shapes;
+  for (const PartShape& shape : layout) {
+    shapes.emplace_back(first_pixel(shape.body.outline, binary, 255), &shape);
+  }
+  sort_by_place(shapes);
+  Truth truth;
+  Placed<SceneHole> holes;
+  for (const auto& [place, shape] : shapes) {
+    truth.parts.push_back(measure_part(*shape, binary));
+    const int id = static_cast<int>(truth.parts.size());
+    truth.parts.back().id = id;
+    for (const NamedShape& hole : shape->holes) {
+      if (!inside(hole.outline, binary)) continue;
+      holes.emplace_back(first_pixel(hole.outline, binary, 0), measure_hole(hole, id));
+    }
+  }
+  truth.holes = numbered(std::move(holes));
+  return truth;
+}
+
+}  // namespace thinbench::scene_detail

@@ -1,0 +1,219 @@
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scene/components.hpp"
+
+namespace thinbench {
+namespace {
+
+using scene_test::Components;
+using scene_test::holes_of;
+using scene_test::objects_of;
+
+// FNV-1a (64 bits) over the grey pixels, row by row without padding, of both scenes with default
+// options. Builds by g++ 12 and clang++ 14, with -O0 and with -O3, gave these same values.
+constexpr std::uint64_t kPartsHash = 0x6F01900C1697FEB3u;
+constexpr std::uint64_t kFrameTouchingHash = 0x731ED37726D961B4u;
+
+constexpr SceneKind kKinds[] = {SceneKind::kParts, SceneKind::kFrameTouching};
+
+std::uint64_t fnv1a(ConstByteView image) {
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) hash = (hash ^ image.row(y)[x]) * 0x100000001B3u;
+  }
+  return hash;
+}
+
+ConstByteView binary_of(const Scene& scene) {
+  return scene.binary.view();
+}
+ConstByteView grey_of(const Scene& scene) {
+  return scene.grey.view();
+}
+
+Scene render_kind(SceneKind kind) {
+  return render_scene({.kind = kind});
+}
+
+Index dark_pixels(ConstByteView binary) {
+  Index count = 0;
+  for (Index y = 0; y < binary.height; ++y) {
+    count += std::count(binary.row(y), binary.row(y) + binary.width, std::uint8_t{255});
+  }
+  return count;
+}
+
+/// How often the image can lose its border pixels (4-neighbours) before nothing is left.
+int erosions_until_empty(ByteImage image) {
+  int count = 0;
+  while (dark_pixels(std::as_const(image).view()) > 0) {
+    const ByteImage before = copy_of(std::as_const(image).view());
+    for (Index y = 1; y + 1 < image.height(); ++y) {
+      for (Index x = 1; x + 1 < image.width(); ++x) {
+        image.at(x, y) =
+            static_cast<std::uint8_t>(before.at(x, y) & before.at(x - 1, y) & before.at(x + 1, y) &
+                                      before.at(x, y - 1) & before.at(x, y + 1));
+      }
+    }
+    ++count;
+  }
+  return count;
+}
+
+/// Whether two different objects come closer than `gap` pixels (in the larger of x and y).
+bool parts_closer_than(ConstByteView binary, const Components& parts, Index gap) {
+  const auto label = [&](Index x, Index y) {
+    return parts.label[static_cast<std::size_t>(y * binary.width + x)];
+  };
+  for (Index y = gap; y < binary.height - gap; ++y) {
+    for (Index x = gap; x < binary.width - gap; ++x) {
+      if (label(x, y) == 0) continue;
+      for (Index dy = -gap; dy <= gap; ++dy) {
+        for (Index dx = -gap; dx <= gap; ++dx) {
+          const int other = label(x + dx, y + dy);
+          if (other != 0 && other != label(x, y)) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+TEST(Scene, grey_bytes_are_the_same_on_every_machine) {
+  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::kParts))), kPartsHash);
+  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::kFrameTouching))), kFrameTouchingHash);
+}
+
+TEST(Scene, rendering_twice_gives_equal_bytes) {
+  const Scene first = render_scene();
+  const Scene second = render_scene();
+  EXPECT_TRUE(equal(grey_of(first), grey_of(second)));
+  EXPECT_TRUE(equal(binary_of(first), binary_of(second)));
+}
+
+TEST(Scene, another_seed_changes_the_noise) {
+  EXPECT_FALSE(equal(grey_of(render_scene()), grey_of(render_scene({.seed = 2000}))));
+}
+
+TEST(Scene, binary_image_is_the_thresholded_grey_image) {
+  const Scene scene = render_scene();
+  EXPECT_EQ(scene.grey.width(), 510);
+  EXPECT_EQ(scene.grey.height(), 412);
+  for (Index y = 0; y < 412; ++y) {
+    for (Index x = 0; x < 510; ++x) {
+      ASSERT_EQ(scene.binary.at(x, y), scene.grey.at(x, y) < scene.threshold ? 255 : 0);
+    }
+  }
+}
+
+TEST(Scene, dark_share_lies_between_35_and_45_percent) {
+  const double share = static_cast<double>(dark_pixels(binary_of(render_scene()))) / (510.0 * 412);
+  EXPECT_GT(share, 0.35);
+  EXPECT_LT(share, 0.45);
+}
+
+TEST(Scene, has_at_least_ten_parts_and_fifteen_holes) {
+  const Scene scene = render_scene();
+  EXPECT_GE(scene.parts.size(), 10u);
+  EXPECT_GE(scene.holes.size(), 15u);
+}
+
+TEST(Scene, every_part_is_one_8_connected_object) {
+  for (const SceneKind kind : kKinds) {
+    const Scene scene = render_kind(kind);
+    EXPECT_EQ(objects_of(binary_of(scene)).list.size(), scene.parts.size());
+  }
+}
+
+TEST(Scene, every_hole_is_one_4_connected_hole) {
+  for (const SceneKind kind : kKinds) {
+    const Scene scene = render_kind(kind);
+    EXPECT_EQ(holes_of(binary_of(scene)).size(), scene.holes.size());
+  }
+}
+
+TEST(Scene, strong_noise_of_any_seed_adds_no_object_and_no_hole) {
+  for (const SceneKind kind : kKinds) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const Scene scene = render_scene({.kind = kind, .noise_sigma_16 = 160, .seed = seed});
+      EXPECT_EQ(objects_of(binary_of(scene)).list.size(), scene.parts.size());
+      EXPECT_EQ(holes_of(binary_of(scene)).size(), scene.holes.size());
+    }
+  }
+}
+
+TEST(Scene, flat_pixels_keep_six_sigma_away_from_the_threshold) {
+  const Scene scene = render_scene({.noise_sigma_16 = 0});
+  for (Index y = 2; y < 410; ++y) {
+    for (Index x = 2; x < 508; ++x) {
+      // Antialiased pixels have neighbours of both kinds.
+      bool flat = true;
+      for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+        flat = flat && scene.binary.at(x + dx, y + dy) == scene.binary.at(x, y) &&
+               std::abs(scene.grey.at(x + dx, y + dy) - scene.grey.at(x, y)) < 4;
+      }
+      if (flat) {
+        ASSERT_GE(std::abs(scene.grey.at(x, y) - scene.threshold), 36);
+      }
+    }
+  }
+}
+
+TEST(Scene, parts_keep_three_pixels_away_from_the_frame) {
+  const Scene scene = render_scene();
+  for (const ScenePart& part : scene.parts) {
+    EXPECT_FALSE(part.cut_by_frame);
+    EXPECT_GE(part.box.x_min, 2.5);
+    EXPECT_GE(part.box.y_min, 2.5);
+    EXPECT_LE(part.box.x_max, 510 - 3.5);
+    EXPECT_LE(part.box.y_max, 412 - 3.5);
+  }
+}
+
+TEST(Scene, parts_keep_three_pixels_away_from_each_other) {
+  for (const SceneKind kind : kKinds) {
+    const Scene scene = render_kind(kind);
+    EXPECT_FALSE(parts_closer_than(binary_of(scene), objects_of(binary_of(scene)), 3));
+  }
+}
+
+TEST(Scene, thickest_stroke_is_60_pixels_wide) {
+  const int erosions = erosions_until_empty(render_scene({.noise_sigma_16 = 0}).binary);
+  EXPECT_GE(erosions, 29);
+  EXPECT_LE(erosions, 31);
+}
+
+TEST(Scene, frame_touching_scene_meets_all_sides_and_a_corner) {
+  const Scene scene = render_kind(SceneKind::kFrameTouching);
+  int left = 0;
+  int right = 0;
+  int top = 0;
+  int bottom = 0;
+  for (Index y = 0; y < 412; ++y) {
+    left += scene.binary.at(0, y) / 255;
+    right += scene.binary.at(509, y) / 255;
+  }
+  for (Index x = 0; x < 510; ++x) {
+    top += scene.binary.at(x, 0) / 255;
+    bottom += scene.binary.at(x, 411) / 255;
+  }
+  EXPECT_GT(std::min({left, right, top, bottom}), 20);
+  EXPECT_EQ(scene.binary.at(0, 0), 255);
+}
+
+TEST(Scene, nonsense_options_are_refused) {
+  EXPECT_THROW((void)render_scene({.scale = 0}), std::invalid_argument);
+  EXPECT_THROW((void)render_scene({.noise_sigma_16 = -1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace thinbench

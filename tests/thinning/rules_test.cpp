@@ -1,0 +1,92 @@
+// Rules against tables that come from elsewhere: the expressions as printed, written out again
+// here, and the stay-table that was computed from the paper before any code.
+#include "thinning/rules.hpp"
+
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "thinning/rule_table.hpp"
+
+namespace thinbench {
+namespace {
+
+// Bit k of this number, most significant hex digit first, says whether a dark pixel with descriptor
+// k stays.
+constexpr std::string_view kStayTable =
+    "ece4ff55ece45f55ffffffff5f5f5f5faca4ff55aca45f550f0fffff0f0f5f5f";
+
+bool stays_by_table(std::size_t k) {
+  const char digit = kStayTable[63 - k / 4];
+  const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
+  return (value >> (k % 4) & 1) != 0;
+}
+
+bool stays_as_printed(std::size_t k) {
+  const auto n = [k](int i) { return (k >> i & 1) != 0; };
+  int false_count = 0;
+  // B4, B0, B2, B6 are one expression seen from four sides: quarter turns, and the mirror between
+  // B4 and B0; each is written out, as in the paper.
+  const bool b4 = n(0) && (n(1) || n(2) || n(6) || n(7)) && (n(2) || !n(3)) && (!n(5) || n(6));
+  const bool b0 = n(4) && (n(2) || n(3) || n(5) || n(6)) && (n(6) || !n(7)) && (!n(1) || n(2));
+  const bool b2 = n(6) && (n(0) || n(4) || n(5) || n(7)) && (n(0) || !n(1)) && (!n(3) || n(4));
+  const bool b6 = n(2) && (n(0) || n(1) || n(3) || n(4)) && (n(4) || !n(5)) && (!n(7) || n(0));
+  for (const bool b : {b4, b0, b2, b6}) false_count += b ? 0 : 1;
+  return false_count == 0 || false_count >= 3;
+}
+
+constexpr RuleTable kTable = make_rule_table<NaccacheShinghal, 0>();
+
+TEST(NaccacheShinghal, circuit_equals_the_expressions_on_all_descriptors) {
+  for (std::size_t k = 0; k < 256; ++k) EXPECT_EQ(kTable[256 + k] != 0, stays_as_printed(k)) << k;
+}
+
+TEST(NaccacheShinghal, circuit_equals_the_stay_table_with_176_staying_codes) {
+  int staying = 0;
+  for (std::size_t k = 0; k < 256; ++k) {
+    EXPECT_EQ(kTable[256 + k] != 0, stays_by_table(k)) << k;
+    staying += kTable[256 + k];
+  }
+  EXPECT_EQ(staying, 176);
+}
+
+TEST(NaccacheShinghal, printed_form_on_bytes_equals_the_circuit) {
+  for (unsigned k = 0; k < 512; ++k) {
+    const auto bit = [k](int i) { return static_cast<std::uint8_t>(k >> i & 1); };
+    const Neighbourhood<std::uint8_t> n = {bit(8), bit(0), bit(1), bit(2), bit(3),
+                                           bit(4), bit(5), bit(6), bit(7)};
+    EXPECT_EQ(NaccacheShinghal::printed<0>(n), kTable[k]) << k;
+  }
+}
+
+TEST(NaccacheShinghal, light_pixels_stay_light) {
+  for (std::size_t k = 0; k < 256; ++k) EXPECT_EQ(kTable[k], 0) << k;
+}
+
+TEST(NaccacheShinghal, is_symmetric_under_quarter_turns_and_mirrors) {
+  const auto turned = [](std::size_t k) { return (k << 2 | k >> 6) & 255; };
+  const auto mirrored = [](std::size_t k) {
+    std::size_t m = 0;
+    for (std::size_t i = 0; i < 8; ++i) m |= (k >> i & 1) << ((12 - i) % 8);
+    return m;
+  };
+  for (std::size_t k = 0; k < 256; ++k) {
+    EXPECT_EQ(kTable[256 + k], kTable[256 + turned(k)]) << k;
+    EXPECT_EQ(kTable[256 + k], kTable[256 + mirrored(k)]) << k;
+  }
+}
+
+TEST(CountingPattern, enumerates_all_neighbourhoods) {
+  for (int word = 0; word < 8; ++word) {
+    for (int bit = 0; bit < 64; ++bit) {
+      int code = 0;
+      for (int variable = 0; variable < 9; ++variable) {
+        code |= static_cast<int>(counting_pattern(variable, word) >> bit & 1) << variable;
+      }
+      EXPECT_EQ(code, 64 * word + bit);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace thinbench

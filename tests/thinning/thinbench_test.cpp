@@ -1,0 +1,102 @@
+// The public edge: what it chooses and what it refuses.
+#include "thinbench.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/crosscheck.hpp"
+#include "harness/test_images.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr std::string_view kOperation = "thin_naccache_shinghal";
+
+std::string refusal(const ConstByteView& source, const ByteView& destination,
+                    const ThinningOptions& options = {}, std::string_view operation = kOperation) {
+  try {
+    thin(operation, source, destination, options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Thin, default_choice_equals_the_reference_at_any_width) {
+  for (const Index width : {1, 64, 510, 512, 513, 1100}) {
+    const ByteImage image = noise_image(width, 40, 95, 1, 2);
+    const Expected expected = expected_of(kOperation, image.view());
+    for (const int threads : {1, 3}) {
+      ByteImage out(width, 40);
+      EXPECT_EQ(thin(kOperation, image.view(), out.view(), {.threads = threads}), expected.passes);
+      EXPECT_TRUE(equal(out.view(), expected.skeleton.view()));
+    }
+  }
+}
+
+TEST(Thin, empty_images_take_one_pass) {
+  ByteImage empty(0, 0);
+  EXPECT_EQ(thin(kOperation, empty.view(), empty.view()), 1);
+}
+
+TEST(ChooseVariant, takes_the_highest_available_level) {
+  const auto& operation = *find_thinning_operation(kOperation);
+  EXPECT_EQ(choose_variant(operation, 2000).isa, best_isa());
+  EXPECT_EQ(choose_variant(operation, 2000).technique, Technique::kSimdBitpacked);
+}
+
+TEST(ChooseVariant, follows_the_options) {
+  const auto& operation = *find_thinning_operation(kOperation);
+  const auto& variant =
+      choose_variant(operation, 100, {.technique = Technique::kLut, .isa = {}, .threads = 2});
+  EXPECT_EQ(variant.technique, Technique::kLut);
+  EXPECT_TRUE(variant.threaded);
+}
+
+TEST(ChooseVariant, names_what_does_not_exist) {
+  const auto& operation = *find_thinning_operation(kOperation);
+  try {
+    static_cast<void>(
+        choose_variant(operation, 100, {.technique = Technique::kLut, .isa = Isa::kAvx2}));
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "thin_naccache_shinghal by lut at avx2 on one thread: there is no such variant");
+  }
+}
+
+TEST(Thin, refuses_bad_views_and_says_why) {
+  ByteImage a(20, 10);
+  ByteImage b(20, 11);
+  EXPECT_EQ(refusal(a.view(), b.view()),
+            "source is 20 x 10 and destination 20 x 11; they must have one size");
+  ByteView narrow = a.view();
+  narrow.stride = 19;
+  EXPECT_EQ(refusal(narrow, narrow), "source has a stride of 19 bytes, below its width of 20");
+  ByteView negative = a.view();
+  negative.height = -1;
+  EXPECT_EQ(refusal(negative, negative), "source has the size 20 x -1");
+  ByteView null = a.view();
+  null.data = nullptr;
+  EXPECT_EQ(refusal(null, a.view()), "source has no data");
+  ByteView huge = a.view();
+  huge.stride = PTRDIFF_MAX / 2;
+  EXPECT_NE(refusal(huge, huge).find("more memory than there is"), std::string::npos);
+}
+
+TEST(Thin, refuses_partial_overlap) {
+  ByteImage image(20, 10);
+  ByteView upper = image.view();
+  upper.height = 8;
+  ByteView lower = upper;
+  lower.data = image.view().row(2);
+  EXPECT_EQ(refusal(upper, lower), "source and destination overlap without being the same image");
+}
+
+TEST(Thin, refuses_unknown_operations_and_thread_counts) {
+  ByteImage a(5, 5);
+  EXPECT_EQ(refusal(a.view(), a.view(), {}, "thin_zhang"), "no operation is named thin_zhang");
+  EXPECT_EQ(refusal(a.view(), a.view(), {.threads = 0}), "threads is 0; it must be in 1..1024");
+}
+
+}  // namespace
+}  // namespace thinbench
