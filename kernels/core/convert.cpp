@@ -65,17 +65,27 @@ constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
   }
 }
 
-/// The last word of a row goes through a buffer: bytes past the width belong to somebody else.
-std::uint64_t pack_tail(const std::uint8_t* bytes, Index count) {
+// The last word of a row covers bytes that belong to somebody else. Rows of at least 64 pixels take
+// the 64 bytes that end with the row and shift (going through a buffer made a row of 510 pixels
+// twice as slow: 64 bytes loaded just after they were stored in pieces); narrow rows use the
+// buffer.
+
+std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
+  if (width >= kWordBits) return pack_word(row + width - kWordBits) >> (kWordBits - tail);
   std::uint8_t buffer[kWordBits] = {};
-  __builtin_memcpy(buffer, bytes, static_cast<std::size_t>(count));
+  for (Index i = 0; i < tail; ++i) buffer[i] = row[i];
   return pack_word(buffer);
 }
 
-void unpack_tail(std::uint64_t word, std::uint8_t* bytes, Index count) {
+/// `word` points to the last word, which holds `tail` pixels.
+void unpack_tail(const std::uint64_t* word, std::uint8_t* row, Index width, Index tail) {
+  if (width >= kWordBits) {
+    unpack_word(word[-1] >> tail | word[0] << (kWordBits - tail), row + width - kWordBits);
+    return;
+  }
   std::uint8_t buffer[kWordBits];
-  unpack_word(word, buffer);
-  __builtin_memcpy(bytes, buffer, static_cast<std::size_t>(count));
+  unpack_word(*word, buffer);
+  for (Index i = 0; i < tail; ++i) row[i] = buffer[i];
 }
 
 // Sizes are copied to locals: a store of bytes could otherwise be taken to change them.
@@ -87,7 +97,7 @@ void read_bits(const ConstByteView& source, const BitPlaneView& target) {
     const std::uint8_t* bytes = source.row(y);
     std::uint64_t* row = target.row(y);
     for (Index word = 0; word < words; ++word) row[word] = pack_word(bytes + word * kWordBits);
-    if (tail > 0) row[words] = pack_tail(bytes + words * kWordBits, tail);
+    if (tail > 0) row[words] = pack_tail(bytes, source.width, tail);
   }
 }
 
@@ -99,7 +109,7 @@ void write_bits(const ConstBitPlaneView& source, const ByteView& target) {
     const std::uint64_t* row = source.row(y);
     std::uint8_t* bytes = target.row(y);
     for (Index word = 0; word < words; ++word) unpack_word(row[word], bytes + word * kWordBits);
-    if (tail > 0) unpack_tail(row[words], bytes + words * kWordBits, tail);
+    if (tail > 0) unpack_tail(row + words, bytes, source.width, tail);
   }
 }
 

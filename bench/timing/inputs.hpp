@@ -1,0 +1,32 @@
+// The images that are timed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/image.hpp"
+
+namespace thinbench {
+
+struct TimedInput {
+  std::string name;
+  ByteImage image;   // 0 and 255
+  bool size_sweep;   // one of a series of sizes, timed on fewer rows
+};
+
+struct InputChoice {
+  std::vector<std::string> pictures;  // files to use instead of the scene
+  Index largest_square = 4096;        // where the series of sizes ends; 0 for no series
+};
+
+/// The scene, or the pictures (object = pixels >= 128), and then squares of 64 x 64 and doubled sizes
+/// cut from the scene laid out like tiles. Names are unique and hold no '/'. Throws PictureError.
+[[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice);
+
+/// FNV-1a over the pixels, row by row, as 16 hexadecimal digits: names what was timed.
+[[nodiscard]] std::string pixel_hash(ConstByteView image);
+
+/// How many pixels are not 0.
+[[nodiscard]] Index object_pixels(ConstByteView image);
+
+}  // namespace thinbench

@@ -1,0 +1,220 @@
+// Times every row of the catalogue with Google Benchmark, each only after its output was compared
+// with the reference's on the very input that is timed.
+#include <benchmark/benchmark.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "picture/picture.hpp"
+#include "timing/inputs.hpp"
+#include "timing/progress.hpp"
+#include "timing/timed_call.hpp"
+#include "timing/timed_row.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr int kExitBadRow = 2;  // nothing ran, or a row was not equal to its reference
+
+struct Options {
+  InputChoice inputs;
+  std::string filter;
+  std::string rows_out;
+  std::string pictures_out;
+  int repetitions = 15;
+  double seconds = 0.03;  // a repetition
+  bool quiet = false;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--image", options.inputs.pictures, "time this picture, not the scene (repeatable)");
+  app.add_option("--filter", options.filter,
+                 "rows whose name operation/technique/isa/threads/scope/input matches");
+  app.add_option("--largest-square", options.inputs.largest_square,
+                 "where the series of sizes ends; 0 for none")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 16384));
+  app.add_option("--repetitions", options.repetitions, "of every row, interleaved at random")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--seconds", options.seconds, "a repetition lasts about as long")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 10.0));
+  app.add_option("--rows-out", options.rows_out, "write inputs and skipped rows here, as JSON");
+  app.add_option("--pictures-out", options.pictures_out, "write inputs and results to this folder");
+  app.add_flag("--quiet", options.quiet, "no table on standard output");
+  app.footer(
+      "Options that start with --benchmark_ go to Google Benchmark, such as\n"
+      "  --benchmark_out=timings.json --benchmark_out_format=json\n"
+      "Examples:\n"
+      "  thinbench_timings --filter 'bitpacked.*/scene'\n"
+      "  thinbench_timings --image horse.png --largest-square 0");
+}
+
+/// Shows what Google Benchmark reports, unless quiet, and counts it.
+class CountingReporter : public benchmark::ConsoleReporter {
+ public:
+  explicit CountingReporter(bool quiet) : ConsoleReporter(OO_Tabular), quiet_(quiet) {}
+
+  bool ReportContext(const Context& context) override {
+    return quiet_ || ConsoleReporter::ReportContext(context);
+  }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) failed_ += run.error_occurred ? 1 : 0;
+    if (!quiet_) ConsoleReporter::ReportRuns(runs);
+  }
+  void Finalize() override {
+    if (!quiet_) ConsoleReporter::Finalize();
+  }
+  [[nodiscard]] int failed() const { return failed_; }
+
+ private:
+  bool quiet_;
+  int failed_ = 0;
+};
+
+nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInput>& inputs) {
+  nlohmann::json json = {{"schema", 1},
+                         {"inputs", nlohmann::json::array()},
+                         {"skipped", nlohmann::json::array()},
+                         {"verified", selection.verified},
+                         {"failed", selection.mismatches.size()}};
+  for (const TimedInput& input : inputs) {
+    const ConstByteView view = input.image.view();
+    json["inputs"].push_back({{"name", input.name},
+                              {"width", view.width},
+                              {"height", view.height},
+                              {"hash", pixel_hash(view)},
+                              {"object_pixels", object_pixels(view)}});
+  }
+  for (const SkippedRow& row : selection.skipped) {
+    json["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
+  }
+  return json;
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  const std::string beside = path + ".part";
+  std::ofstream file(beside);
+  file << text;
+  file.close();
+  if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+void write_pictures(const std::string& folder, const Selection& selection) {
+  std::map<std::string, const TimedRow*> references;
+  for (const TimedRow& row : selection.rows) {
+    if (row.variant == nullptr && !row.input->size_sweep) references[row.name] = &row;
+  }
+  for (const auto& [name, row] : references) {
+    const ConstByteView input = row->input->image.view();
+    const std::string stem = folder + "/" + row->input->name;
+    write_grey(stem + ".png", input);
+    const Expected expected = expected_of(row->operation->name, input);
+    write_grey(stem + "_" + std::string(row->operation->name) + ".png", expected.skeleton.view());
+  }
+}
+
+void run_row(benchmark::State& state, const TimedRow& row) {
+  TimedCall call(row);
+  call();  // touches every page first
+  for (auto _ : state) {
+    call();
+    benchmark::ClobberMemory();
+  }
+  const ConstByteView input = row.input->image.view();
+  state.counters["width"] = static_cast<double>(input.width);
+  state.counters["height"] = static_cast<double>(input.height);
+  state.counters["passes"] = row.passes;
+  state.counters["verified"] = 1;
+}
+
+/// Registers all rows; returns the seconds that they will take.
+double register_rows(const std::vector<TimedRow>& rows, const Options& options,
+                     std::unique_ptr<Progress>& progress) {
+  double total = 0;
+  for (const TimedRow& row : rows) {
+    const double one = std::max(seconds_of_one_call(row), 1e-7);
+    const auto iterations = std::max<std::int64_t>(1, std::llround(options.seconds / one));
+    const double repetition = static_cast<double>(iterations + 1) * one;
+    auto* registered = benchmark::RegisterBenchmark(
+        row.name.c_str(), [&row, repetition, &progress](benchmark::State& state) {
+          run_row(state, row);
+          progress->advance(repetition);
+        });
+    registered->Iterations(iterations)->Repetitions(options.repetitions)->MeasureProcessCPUTime();
+    registered->Unit(benchmark::kNanosecond);
+    if (row.threads > 1) registered->UseRealTime();
+    total += repetition * options.repetitions;
+  }
+  return total;
+}
+
+void report_selection(const Selection& selection) {
+  for (const std::string& mismatch : selection.mismatches) {
+    std::cerr << "not equal to the reference, not timed: " << mismatch << '\n';
+  }
+  if (!selection.skipped.empty()) {
+    std::cerr << selection.skipped.size() << " rows skipped: ";
+    std::map<std::string, int> reasons;
+    for (const SkippedRow& row : selection.skipped) ++reasons[row.reason];
+    const char* separator = "";
+    for (const auto& [reason, count] : reasons) {
+      std::cerr << separator << count << " because " << reason;
+      separator = ", ";
+    }
+    std::cerr << '\n';
+  }
+}
+
+int run(const Options& options) {
+  const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
+  const Selection selection = select_rows(options.filter, inputs);
+  report_selection(selection);
+  if (selection.rows.empty()) {
+    std::cerr << "thinbench_timings: no row to time; the filter is '" << options.filter << "'\n";
+    return kExitBadRow;
+  }
+  if (!options.rows_out.empty()) write_text(options.rows_out, rows_json(selection, inputs).dump(2));
+  if (!options.pictures_out.empty()) write_pictures(options.pictures_out, selection);
+
+  std::unique_ptr<Progress> progress;
+  const double expected = register_rows(selection.rows, options, progress);
+  std::cerr << selection.verified << " variants equal to the reference; timing "
+            << selection.rows.size() << " rows, about " << std::lround(expected) << " s\n";
+  progress = std::make_unique<Progress>("timing", expected);
+  CountingReporter reporter(options.quiet);
+  const std::size_t count = benchmark::RunSpecifiedBenchmarks(&reporter);
+  progress.reset();
+  const bool good = count > 0 && reporter.failed() == 0 && selection.mismatches.empty();
+  return good ? 0 : kExitBadRow;
+}
+
+}  // namespace
+}  // namespace thinbench
+
+int main(int argc, char** argv) {
+  // Ours first, so that the user's own --benchmark_ options win.
+  std::vector<char*> arguments(argv, argv + argc);
+  std::string interleaving = "--benchmark_enable_random_interleaving=true";
+  arguments.insert(arguments.begin() + 1, interleaving.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+
+  CLI::App app("Time thinning operations, each proved equal to its reference first");
+  thinbench::Options options;
+  thinbench::add_options(app, options);
+  CLI11_PARSE(app, count, arguments.data());
+  benchmark::AddCustomContext("thinbench_build_type", THINBENCH_BUILD_TYPE);
+  try {
+    return thinbench::run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "thinbench_timings: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,55 @@
+// What is timed: one row of the catalogue (or a reference) in one scope on one input.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/crosscheck.hpp"
+#include "harness/rows.hpp"
+#include "timing/inputs.hpp"
+
+namespace thinbench {
+
+enum class Scope {
+  kKernel,    // the variant's own representation in and out
+  kEndToEnd,  // bytes in, bytes out
+};
+
+[[nodiscard]] constexpr std::string_view scope_name(Scope scope) {
+  return scope == Scope::kKernel ? "kernel" : "end_to_end";
+}
+
+struct TimedRow {
+  std::string name;  // operation/technique/isa/threads/scope/input
+  const ThinningOperation* operation;
+  const ThinningVariant* variant;  // nullptr for the reference
+  int threads;
+  Scope scope;
+  const TimedInput* input;
+  int passes;
+};
+
+struct SkippedRow {
+  std::string name;
+  std::string reason;
+};
+
+/// Rows that may be timed, because they were compared with the reference first, and all others.
+struct Selection {
+  std::vector<TimedRow> rows;
+  std::vector<SkippedRow> skipped;
+  std::vector<std::string> mismatches;
+  int verified = 0;  // variants equal to the reference, counted once an input
+};
+
+/// Compares every row whose name matches `filter` with the reference on every input. References come
+/// along with any row of their operation and input. Series of sizes get one row a technique: the
+/// highest available level, end to end.
+[[nodiscard]] Selection select_rows(const std::string& filter,
+                                    const std::vector<TimedInput>& inputs);
+
+/// Calls the row once and returns the seconds it took; for choosing iteration counts.
+[[nodiscard]] double seconds_of_one_call(const TimedRow& row);
+
+}  // namespace thinbench

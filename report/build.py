@@ -1,0 +1,62 @@
+"""Makes every output of a run in memory, then puts all of them on disk."""
+
+from __future__ import annotations
+
+import os
+from contextlib import suppress
+from pathlib import Path
+
+from report.errors import ReportError
+from report.loading import load_study
+from report.page import to_html
+from report.plots import make_plots
+from report.summary import to_text
+from report.tables import to_csv, to_markdown
+
+PAGE, CSV, MARKDOWN = "index.html", "timings.csv", "timings.md"
+
+
+def build(directory: Path) -> str:
+    """Writes tables, plots and the page into `directory`; returns the summary to print.
+
+    Nothing is written before everything has been made, and no file takes its
+    name before all of them are complete.
+    """
+    study = load_study(directory)
+    plots = make_plots(study)
+    outputs: dict[str, bytes] = {}
+    for plot in plots:
+        outputs[f"plots/{plot.stem}.svg"] = plot.svg
+        outputs[f"plots/{plot.stem}.png"] = plot.png
+    outputs[CSV] = to_csv(study).encode()
+    outputs[MARKDOWN] = to_markdown(study).encode()
+    outputs[PAGE] = to_html(study, plots).encode()
+    summary = to_text(study)
+    _write_all(directory, outputs)
+    return f"{summary}\nPage: {directory / PAGE}\nCSV:  {directory / CSV}"
+
+
+def _write_all(directory: Path, outputs: dict[str, bytes]) -> None:
+    """Writes everything under temporary names first, then renames, which is atomic."""
+    staged: list[tuple[Path, Path]] = []
+    try:
+        for name, data in outputs.items():
+            path = directory / name
+            path.parent.mkdir(exist_ok=True)
+            temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+            staged.append((temporary, path))
+            temporary.write_bytes(data)
+        for temporary, path in staged:
+            temporary.replace(path)
+    except OSError as error:
+        raise ReportError(f"{error.filename or directory}: cannot be written: {error.strerror}; "
+                          "a directory that may be written to is needed") from None
+    finally:
+        for temporary, _ in staged:
+            _forget(temporary)
+
+
+def _forget(temporary: Path) -> None:
+    """Removes what is left of an attempt; where nothing could be written, nothing is."""
+    with suppress(OSError):
+        temporary.unlink()

@@ -1,0 +1,5 @@
+"""The one exception a user of this package is meant to see."""
+
+
+class ReportError(Exception):
+    """Says what was wrong, with which value, and what would be right, in one line."""

@@ -1,0 +1,89 @@
+"""What a run shows: the fastest variants and how far the numbers can be trusted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from statistics import median
+
+from report.formatting import duration, percent, scope_label, three_digits
+from report.model import END_TO_END, KERNEL, NOISY_PERCENT, SCENE, Row, Study
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The reference and the fastest variants of one operation on one input."""
+
+    operation: str
+    input: str
+    reference: Row
+    end_to_end: Row | None
+    kernel: Row | None
+
+    @property
+    def best(self) -> Row | None:
+        """The row to quote: end to end where it was timed, since it is what a caller waits for."""
+        return self.end_to_end or self.kernel
+
+
+@dataclass(frozen=True)
+class Noise:
+    """How much the repetitions of a run disagree."""
+
+    rows: int
+    noisy_rows: int
+    typical_percent: float | None
+
+
+def find(study: Study) -> list[Finding]:
+    """One finding for each operation and each input outside the size sweep."""
+    return [_find_one(study.select(operation, name), operation, name)
+            for operation in study.operations for name in study.pictures
+            if study.select(operation, name)]
+
+
+def noise_of(study: Study) -> Noise:
+    """Counts noisy rows; the typical spread is the median over the rows."""
+    spreads = [row.spread_percent for row in study.rows if row.spread_percent is not None]
+    return Noise(len(study.rows), sum(row.is_noisy for row in study.rows),
+                 median(spreads) if spreads else None)
+
+
+def main_sentence(findings: list[Finding]) -> str:
+    """What is fastest and by how much, for the operation that gains most on the scene."""
+    rows = [finding.best for finding in findings if finding.best]
+    rows = [row for row in rows if row.name.input == SCENE] or rows
+    if not rows:
+        return ("Only reference rows or the size sweep were timed, so no variant can be named "
+                "fastest.")
+    top = max(rows, key=lambda row: row.speedup)
+    return (f"Fastest: {top.name.variant_label} runs {top.name.operation} on {top.name.input} in "
+            f"{duration(top.median_ns)} {_scope_words(top)}, {three_digits(top.speedup)} times as "
+            f"fast as the scalar reference ({duration(top.reference_ns)}).")
+
+
+def noise_sentence(noise: Noise) -> str:
+    """How noisy the run was."""
+    if noise.typical_percent is None:
+        return "Each row was timed once, so how noisy the run was is unknown."
+    return (f"Noise: the typical row spreads by {percent(noise.typical_percent)}; "
+            f"{noise.noisy_rows} of {noise.rows} rows spread by more than {NOISY_PERCENT:g} % "
+            "and are flagged.")
+
+
+def fastest(rows: Iterable[Row]) -> Row | None:
+    """The row of the smallest median, if there are rows."""
+    ordered = sorted(rows, key=lambda row: row.median_ns)
+    return ordered[0] if ordered else None
+
+
+def _find_one(rows: list[Row], operation: str, input_name: str) -> Finding:
+    variants = [row for row in rows if not row.name.is_reference]
+    best = {scope: fastest(row for row in variants if row.name.scope == scope)
+            for scope in (END_TO_END, KERNEL)}
+    reference = next(row for row in rows if row.name.is_reference)
+    return Finding(operation, input_name, reference, best[END_TO_END], best[KERNEL])
+
+
+def _scope_words(row: Row) -> str:
+    return scope_label(row.name.scope) if row.name.scope == END_TO_END else "(kernel)"

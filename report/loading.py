@@ -1,0 +1,135 @@
+"""Reads timings.json, machine.json and rows.json of one run, and refuses what cannot be trusted."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from report.errors import ReportError
+from report.json_fields import Fields, read_object
+from report.machine import load_machine, run_warnings
+from report.model import SCOPES, Input, Row, RowName, Skipped, Study, table_order
+
+NAME_FORM = "operation/technique/isa/threads/scope/input"
+NANOSECONDS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
+
+Repetitions = dict[RowName, list[Fields]]
+
+
+def load_study(directory: Path) -> Study:
+    """Everything the report needs to know about the run in `directory`."""
+    if not directory.is_dir():
+        raise ReportError(f"{directory}: no such directory; give one that holds timings.json")
+    timings = read_object(directory / "timings.json")
+    machine = load_machine(read_object(directory / "machine.json"))
+    rows_file = read_object(directory / "rows.json")
+    rows_file.check_schema()
+    _refuse_failures(rows_file)
+    inputs = tuple(_load_input(fields) for fields in rows_file.children("inputs"))
+    rows = _load_rows(timings)
+    _check_sizes(rows, inputs)
+    return Study(
+        directory=directory, machine=machine, rows=tuple(sorted(rows, key=table_order)),
+        inputs=inputs,
+        skipped=tuple(Skipped(fields.text("row"), fields.text("reason"))
+                      for fields in rows_file.children("skipped")),
+        verified=rows_file.count("verified"), warnings=run_warnings(timings))
+
+
+def parse_name(text: str, where: str) -> RowName:
+    """Splits a benchmark's name; what Google Benchmark appends to the six fields is dropped."""
+    fields = text.split("/")[:6]
+    if len(fields) < 6 or not all(field.strip() and field.isprintable() for field in fields):
+        raise ReportError(f"{where}: malformed name '{text}'; it must be {NAME_FORM}")
+    operation, technique, isa, threads, scope, input_name = fields
+    if not (threads.isascii() and threads.isdigit() and int(threads) > 0):
+        raise ReportError(f"{where}: malformed name '{text}': threads is '{threads}'; "
+                          "it must be a whole number above zero")
+    if scope not in SCOPES:
+        raise ReportError(f"{where}: malformed name '{text}': scope is '{scope}'; "
+                          f"it must be {' or '.join(SCOPES)}")
+    return RowName(operation, technique, isa, int(threads), scope, input_name)
+
+
+def _load_rows(timings: Fields) -> list[Row]:
+    repetitions: Repetitions = defaultdict(list)
+    for entry in _iterations(timings):
+        repetitions[parse_name(entry.text("name"), timings.where)].append(entry)
+    if not repetitions:
+        raise ReportError(f"{timings.where}: no rows; at least one benchmark of run_type "
+                          "'iteration' is needed (no aggregates-only output, no empty filter)")
+    samples = {name: tuple(_time_ns(name, entry) for entry in entries)
+               for name, entries in repetitions.items()}
+    references = {(name.operation, name.input): float(np.median(times))
+                  for name, times in samples.items() if name.is_reference}
+    return [_make_row(name, entries, samples[name], references, timings.where)
+            for name, entries in repetitions.items()]
+
+
+def _iterations(timings: Fields) -> Iterator[Fields]:
+    """The single repetitions; the library's own aggregates are passed over."""
+    for entry in timings.children("benchmarks"):
+        if entry.data.get("error_occurred"):
+            reason = entry.data.get("error_message", "no message")
+            raise ReportError(f"{timings.where}: benchmark '{entry.text('name')}' failed: "
+                              f"{reason}; a report needs a run without errors")
+        if entry.data.get("run_type") != "aggregate":
+            yield entry
+
+
+def _time_ns(name: RowName, entry: Fields) -> float:
+    """Processor time for one thread, which other processes hardly disturb; else wall time."""
+    unit = entry.text("time_unit")
+    if unit not in NANOSECONDS:
+        raise ReportError(f"{entry.where}: time_unit is '{unit}'; "
+                          f"it must be one of {', '.join(NANOSECONDS)}")
+    return NANOSECONDS[unit] * entry.positive("cpu_time" if name.threads == 1 else "real_time")
+
+
+def _make_row(name: RowName, entries: list[Fields], samples_ns: tuple[float, ...],
+              references: dict[tuple[str, str], float], where: str) -> Row:
+    for entry in entries:
+        if entry.data.get("verified") != 1:
+            raise ReportError(f"{where}: row {name} was not verified: its counter 'verified' is "
+                              f"{entry.data.get('verified')}; it must be 1")
+    reference_ns = references.get((name.operation, name.input))
+    if reference_ns is None:
+        needed = f"{name.operation}/reference/baseline/1/end_to_end/{name.input}"
+        raise ReportError(f"{where}: row {name} has nothing to be compared to; a row {needed} "
+                          "is needed")
+    shapes = {_shape(entry) for entry in entries}
+    if len(shapes) > 1:
+        raise ReportError(f"{where}: row {name}: the repetitions disagree on (width, height, "
+                          f"passes): {sorted(shapes, key=str)}; they must be equal")
+    return Row(name, *shapes.pop(), samples_ns=samples_ns, reference_ns=reference_ns)
+
+
+def _shape(entry: Fields) -> tuple[int, int, int | None]:
+    passes = entry.count("passes") if entry.has("passes") else None
+    return entry.count("width", 1), entry.count("height", 1), passes
+
+
+def _load_input(fields: Fields) -> Input:
+    return Input(fields.text("name"), fields.count("width", 1), fields.count("height", 1),
+                 fields.text("hash"), fields.count("object_pixels"))
+
+
+def _refuse_failures(rows_file: Fields) -> None:
+    failed = rows_file.count("failed")
+    if failed:
+        raise ReportError(f"{rows_file.where}: failed is {failed}: a variant differed from the "
+                          "reference; it must be 0 before times are reported")
+
+
+def _check_sizes(rows: list[Row], inputs: tuple[Input, ...]) -> None:
+    """A row timed on another size than its input has would be a wrong ns per pixel."""
+    known = {item.name: (item.width, item.height) for item in inputs}
+    for row in rows:
+        size = (row.width, row.height)
+        right = known.get(row.name.input, size)
+        if size != right:
+            raise ReportError(f"timings.json: row {row.name} says {size[0]} x {size[1]} pixels; "
+                              f"rows.json says {right[0]} x {right[1]} for this input")

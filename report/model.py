@@ -1,0 +1,216 @@
+"""What a finished benchmark run consists of, and the statistics of one row."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+REFERENCE = "reference"
+BASELINE = "baseline"
+KERNEL = "kernel"
+END_TO_END = "end_to_end"
+SCENE = "scene"
+SCOPES = (END_TO_END, KERNEL)
+
+NOISY_PERCENT = 5.0
+"""A row whose quartiles lie further apart than this part of its median is flagged."""
+
+_SWEEP_INPUT = re.compile(r"square_(\d+)")
+
+
+def is_sweep_input(name: str) -> bool:
+    """Tells the squares of the size sweep from the scene and from users' pictures."""
+    return _SWEEP_INPUT.fullmatch(name) is not None
+
+
+def input_order(name: str) -> tuple[int, int, str]:
+    """Sort key of inputs: the scene, users' pictures by name, then squares by size."""
+    square = _SWEEP_INPUT.fullmatch(name)
+    if square:
+        return (2, int(square.group(1)), name)
+    return (0 if name == SCENE else 1, 0, name)
+
+
+@dataclass(frozen=True)
+class RowName:
+    """The six fields that identify a row."""
+
+    operation: str
+    technique: str
+    isa: str
+    threads: int
+    scope: str
+    input: str
+
+    def __str__(self) -> str:
+        parts = (self.operation, self.technique, self.isa, self.threads, self.scope, self.input)
+        return "/".join(map(str, parts))
+
+    @property
+    def is_reference(self) -> bool:
+        """True for the row that every speed-up of its operation and input divides."""
+        return (self.technique, self.isa, self.threads, self.scope) == (
+            REFERENCE, BASELINE, 1, END_TO_END)
+
+    @property
+    def variant(self) -> tuple[str, str, int]:
+        """Technique, instruction set and threads: what a kernel and an end-to-end row share."""
+        return (self.technique, self.isa, self.threads)
+
+    @property
+    def variant_label(self) -> str:
+        """The variant in words; the instruction set is left out where none was chosen."""
+        how = [self.isa] if self.isa != BASELINE else []
+        how += [f"{self.threads} threads"] if self.threads > 1 else []
+        words = self.technique.replace("_", " ")
+        return f"{words} ({', '.join(how)})" if how else words
+
+
+@dataclass(frozen=True)
+class Row:
+    """All repetitions of one variant on one input, with the time they are compared to."""
+
+    name: RowName
+    width: int
+    height: int
+    passes: int | None
+    samples_ns: tuple[float, ...]
+    reference_ns: float
+
+    @property
+    def pixels(self) -> int:
+        """Pixels of the input, whatever its representation in memory."""
+        return self.width * self.height
+
+    @cached_property
+    def median_ns(self) -> float:
+        """Median over the repetitions: the time this report quotes."""
+        return float(np.median(self.samples_ns))
+
+    @property
+    def min_ns(self) -> float:
+        """The fastest repetition."""
+        return min(self.samples_ns)
+
+    @property
+    def ns_per_pixel(self) -> float:
+        """Median time divided by the pixels of the input."""
+        return self.median_ns / self.pixels
+
+    @property
+    def speedup(self) -> float:
+        """How many times as fast as the reference on the same operation and input."""
+        return self.reference_ns / self.median_ns
+
+    @cached_property
+    def spread_percent(self) -> float | None:
+        """Interquartile range in percent of the median; None if there is one repetition.
+
+        Quartiles, interpolated linearly, are used because a single interrupted
+        repetition moves (max - min) / median by any amount and says nothing
+        about the others.
+        """
+        if len(self.samples_ns) < 2:
+            return None
+        low, high = np.percentile(self.samples_ns, (25, 75))
+        return float(100 * (high - low) / self.median_ns)
+
+    @property
+    def is_noisy(self) -> bool:
+        """True if the repetitions disagree by more than NOISY_PERCENT."""
+        return self.spread_percent is not None and self.spread_percent > NOISY_PERCENT
+
+
+@dataclass(frozen=True)
+class Input:
+    """A picture that was timed."""
+
+    name: str
+    width: int
+    height: int
+    hash: str
+    object_pixels: int
+
+
+@dataclass(frozen=True)
+class Skipped:
+    """A row that was not run, and why."""
+
+    row: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Cache:
+    """One level of data or unified cache."""
+
+    level: int
+    size_kib: int
+
+
+@dataclass(frozen=True)
+class Machine:
+    """Where and with what the run was made."""
+
+    fingerprint: str
+    commit: str
+    compiler: dict[str, str]
+    libraries: dict[str, str]
+    cpu_name: str
+    cpu_flags: tuple[str, ...]
+    caches: tuple[Cache, ...]
+    isa_available: tuple[str, ...]
+    facts: dict[str, str]
+    """Further things worth printing, by their label."""
+    is_quick: bool
+    filter: str
+
+    def isa_order(self, isa: str) -> tuple[int, str]:
+        """Sort key of instruction sets: as the machine lists them, unknown ones last."""
+        known = self.isa_available
+        return (known.index(isa) if isa in known else len(known), isa)
+
+
+@dataclass(frozen=True)
+class Study:
+    """One run, loaded, checked and sorted."""
+
+    directory: Path
+    machine: Machine
+    rows: tuple[Row, ...]
+    inputs: tuple[Input, ...]
+    skipped: tuple[Skipped, ...]
+    verified: int
+    warnings: tuple[str, ...]
+
+    @property
+    def operations(self) -> list[str]:
+        """Every operation that was timed."""
+        return sorted({row.name.operation for row in self.rows})
+
+    @property
+    def pictures(self) -> list[str]:
+        """Names of the timed inputs outside the size sweep, the scene first."""
+        names = {row.name.input for row in self.rows}
+        return sorted((n for n in names if not is_sweep_input(n)), key=input_order)
+
+    def select(self, operation: str, input_name: str) -> list[Row]:
+        """The rows of one operation on one input, in the order of the tables."""
+        wanted = (operation, input_name)
+        return [r for r in self.rows if (r.name.operation, r.name.input) == wanted]
+
+    def sweep(self, operation: str) -> list[Row]:
+        """The rows of one operation on the squares, from small to large."""
+        return [r for r in self.rows
+                if r.name.operation == operation and is_sweep_input(r.name.input)]
+
+
+def table_order(row: Row) -> tuple:
+    """Sort key of every table: operation, input, scope, then fastest first."""
+    name = row.name
+    return (name.operation, input_order(name.input), SCOPES.index(name.scope), row.median_ns,
+            name.variant)

@@ -1,0 +1,148 @@
+"""Time against image size: the best variant of each technique over the size sweep."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from math import log10, sqrt
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.transforms import blended_transform_factory
+
+from report.formatting import kibibytes, round_duration, scope_label, three_digits
+from report.model import REFERENCE, Cache, Row, Study
+from report.plot_style import (CYCLE, INK, MARKERS, MUTED, WIDTH, Plot, label_ticks, log_ticks,
+                               rendered, spread_out, title)
+
+HEIGHT = 5.0
+LEFT, BETWEEN, RIGHT, TOP, BOTTOM = 0.75, 2.3, 2.3, 1.3, 0.6
+LABEL_PITCH = 0.17
+PANEL_HEIGHT = HEIGHT - TOP - BOTTOM
+PANEL_WIDTH = (WIDTH - LEFT - BETWEEN - RIGHT) / 2
+
+Measure = Callable[[Row], float]
+
+
+@dataclass(frozen=True)
+class Line:
+    """One variant over the sizes, and how it is drawn in every figure of the study."""
+
+    rows: list[Row]
+    look: dict[str, str]
+
+    @property
+    def label(self) -> str:
+        """The variant in words."""
+        return self.rows[0].name.variant_label
+
+
+def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
+    """The figure for one operation and scope, or None if the sweep has no variant in it."""
+    sweep = choose_lines(study.sweep(operation), scope)
+    if not any(row.name.scope == scope and not row.name.is_reference
+               for rows in sweep for row in rows):
+        return None
+    techniques = sorted({row.name.technique for row in study.rows} - {REFERENCE})
+    lines = [Line(rows, _look(rows[0], techniques)) for rows in sweep]
+    figure = Figure(figsize=(WIDTH, HEIGHT))
+    panels = figure.subplots(1, 2, gridspec_kw={
+        "left": LEFT / WIDTH, "right": 1 - RIGHT / WIDTH, "wspace": BETWEEN / PANEL_WIDTH,
+        "top": 1 - TOP / HEIGHT, "bottom": BOTTOM / HEIGHT})
+    title(figure, f"{operation} by image size, {scope_label(scope)}",
+          "the best variant of each technique at the largest size; both axes log, lower is faster")
+    _draw_panel(panels[0], lines, lambda row: row.median_ns, "Time per image", round_duration)
+    _draw_panel(panels[1], lines, lambda row: row.ns_per_pixel, "Nanoseconds per pixel",
+                lambda value: f"{value:g}")
+    for axes in panels:
+        _mark_caches(axes, study.machine.caches)
+    return rendered(figure, f"sizes_{operation}_{scope}", _caption(operation, scope),
+                    _alt(operation, scope, lines))
+
+
+def choose_lines(sweep: list[Row], scope: str) -> list[list[Row]]:
+    """The reference, then for each technique the variant that is best at its largest size."""
+    reference = _by_size(row for row in sweep if row.name.is_reference)
+    rows = [row for row in sweep if row.name.scope == scope and not row.name.is_reference]
+    lines = [reference] if reference else []
+    for technique in sorted({row.name.technique for row in rows}):
+        own = [row for row in rows if row.name.technique == technique]
+        largest = max(row.pixels for row in own)
+        best = min((row for row in own if row.pixels == largest), key=lambda row: row.median_ns)
+        lines.append(_by_size(row for row in own if row.name.variant == best.name.variant))
+    return lines
+
+
+def _by_size(rows: Iterable[Row]) -> list[Row]:
+    return sorted(rows, key=lambda row: row.pixels)
+
+
+def _look(row: Row, techniques: list[str]) -> dict[str, str]:
+    """Colour and marker together tell lines apart, also in grey; the reference is dashed."""
+    if row.name.is_reference:
+        return {"color": INK, "marker": "o", "linestyle": "--"}
+    number = techniques.index(row.name.technique)
+    return {"color": CYCLE[number % len(CYCLE)], "marker": MARKERS[number % len(MARKERS)],
+            "linestyle": "-"}
+
+
+def _draw_panel(axes: Axes, lines: list[Line], measure: Measure, heading: str,
+                text: Callable[[float], str]) -> None:
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_title(heading, pad=20)
+    for line in lines:
+        axes.plot([_side(row) for row in line.rows], [measure(row) for row in line.rows],
+                  linewidth=1.7, markersize=4.5, **line.look)
+    sides = sorted({_side(row) for line in lines for row in line.rows})
+    label_ticks(axes, "x", sides, lambda side: f"{side:.0f}²")
+    axes.set_xlim(sides[0] * 0.85, sides[-1] * 1.18)
+    axes.set_xlabel("image size, pixels")
+    values = [measure(row) for line in lines for row in line.rows]
+    low, high = min(values) / 1.5, max(values) * 1.5
+    axes.set_ylim(low, high)
+    label_ticks(axes, "y", log_ticks(low, high), text)
+    _label_lines(axes, lines, measure)
+
+
+def _label_lines(axes: Axes, lines: list[Line], measure: Measure) -> None:
+    """Each line's name beside its last point, moved apart where they would overlap."""
+    low, high = (log10(limit) for limit in axes.get_ylim())
+    ends = [(log10(measure(line.rows[-1])) - low) / (high - low) for line in lines]
+    places = spread_out(ends, LABEL_PITCH / PANEL_HEIGHT)
+    for line, end, place in zip(lines, ends, places):
+        axes.annotate(
+            line.label, (1, end), (1.07, place), xycoords="axes fraction",
+            textcoords="axes fraction", size=8, va="center", color=INK, annotation_clip=False,
+            arrowprops={"arrowstyle": "-", "color": line.look["color"], "linewidth": 1.2,
+                        "shrinkA": 1, "shrinkB": 0, "relpos": (0, 0.5)})
+
+
+def _mark_caches(axes: Axes, caches: tuple[Cache, ...]) -> None:
+    """A line at the side of the square whose bytes, one a pixel, fill each level of cache."""
+    low, high = axes.get_xlim()
+    top = blended_transform_factory(axes.transData, axes.transAxes)
+    for cache in caches:
+        side = sqrt(cache.size_kib * 1024)
+        if low < side < high:
+            axes.axvline(side, color=MUTED, linewidth=1, linestyle=(0, (2, 2)), zorder=1)
+            axes.text(side, 1.02, f"L{cache.level} {kibibytes(cache.size_kib)}", transform=top,
+                      ha="center", size=8, color=MUTED)
+
+
+def _side(row: Row) -> float:
+    return sqrt(row.pixels)
+
+
+def _caption(operation: str, scope: str) -> str:
+    return (f"{operation}, {scope_label(scope)}: time per image and per pixel over square images. "
+            "The dashed line is the reference, always end to end. Dotted lines mark where one "
+            "image of bytes fills a cache; a bit-packed image, eight times smaller, fills it at "
+            "2.8 times that side.")
+
+
+def _alt(operation: str, scope: str, lines: list[Line]) -> str:
+    ends = [f"{line.label}: {three_digits(line.rows[-1].ns_per_pixel)} ns per pixel"
+            for line in lines]
+    return (f"Lines of time against image size for {operation}, {scope_label(scope)}. "
+            f"At the largest size, {'; '.join(ends)}.")

@@ -1,0 +1,65 @@
+"""The rows of a study as CSV for programs and as Markdown for readers."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+from report.formatting import microseconds, percent, scope_label, times
+from report.model import Row, Study, is_sweep_input
+
+CSV_HEADER = (
+    "operation", "technique", "isa", "threads", "scope", "input", "width", "height", "passes",
+    "median_ns", "min_ns", "ns_per_pixel", "speedup_vs_reference", "verified",
+    "repetitions", "spread_percent")
+
+MARKDOWN_HEADER = (
+    "operation", "input", "scope", "technique", "isa", "threads", "passes", "median µs",
+    "ns/pixel", "speed-up", "spread")
+MARKDOWN_NUMBERS = MARKDOWN_HEADER.index("threads")
+
+
+def to_csv(study: Study) -> str:
+    """Every row; columns are only ever added at the right.
+
+    Times are nanoseconds; spread_percent is the interquartile range in percent
+    of the median, and empty where a single repetition leaves it unknown.
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(CSV_HEADER)
+    writer.writerows(_csv_fields(row) for row in study.rows)
+    return text.getvalue()
+
+
+def to_markdown(study: Study) -> str:
+    """The rows of the scene and of users' pictures; the size sweep is left to the CSV."""
+    rows = [row for row in study.rows if not is_sweep_input(row.name.input)]
+    rule = ["---:" if index >= MARKDOWN_NUMBERS else "---"
+            for index in range(len(MARKDOWN_HEADER))]
+    lines = [_markdown_line(MARKDOWN_HEADER), _markdown_line(rule)]
+    lines += [_markdown_line(_markdown_fields(row)) for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def _csv_fields(row: Row) -> list[object]:
+    name = row.name
+    spread = row.spread_percent
+    return [
+        name.operation, name.technique, name.isa, name.threads, name.scope, name.input,
+        row.width, row.height, "" if row.passes is None else row.passes,
+        f"{row.median_ns:.2f}", f"{row.min_ns:.2f}", f"{row.ns_per_pixel:.6f}",
+        f"{row.speedup:.4f}", 1, len(row.samples_ns), "" if spread is None else f"{spread:.2f}"]
+
+
+def _markdown_fields(row: Row) -> list[str]:
+    name = row.name
+    return [
+        name.operation, name.input, scope_label(name.scope), name.technique, name.isa,
+        str(name.threads), "" if row.passes is None else str(row.passes),
+        microseconds(row.median_ns), f"{row.ns_per_pixel:.4f}", times(row.speedup),
+        percent(row.spread_percent) + (" (noisy)" if row.is_noisy else "")]
+
+
+def _markdown_line(fields: tuple[str, ...] | list[str]) -> str:
+    return "| " + " | ".join(field.replace("|", "\\|") for field in fields) + " |"
