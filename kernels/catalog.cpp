@@ -21,13 +21,14 @@ constexpr auto scalar_rows() {
   using enum Technique;
   constexpr Isa base = Isa::kBaseline;
   return std::array{
-      ThinningVariant{kLut, base, kOneThread, kAnyWidth, cycle<Rule>(ScalarPasses::lut)},
-      ThinningVariant{kLut, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::lut)},
+      ThinningVariant{kLut, base, kOneThread, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
+      ThinningVariant{kLut, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
       ThinningVariant{kLutSliding, base, kOneThread, kAnyWidth,
-                      cycle<Rule>(ScalarPasses::lut_sliding)},
+                      cycle<Rule>(ScalarPasses::kLutSliding)},
       ThinningVariant{kBitpacked, base, kOneThread, kAnyWidth,
-                      cycle<Rule>(ScalarPasses::bitpacked)},
-      ThinningVariant{kBitpacked, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::bitpacked)},
+                      cycle<Rule>(ScalarPasses::kBitpacked)},
+      ThinningVariant{kBitpacked, base, kThreaded, kAnyWidth,
+                      cycle<Rule>(ScalarPasses::kBitpacked)},
   };
 }
 
@@ -36,19 +37,20 @@ constexpr auto isa_rows() {
   using enum Technique;
   using Passes = IsaPasses<isa>;
   return std::array{
-      ThinningVariant{kAutovec, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::autovec)},
-      ThinningVariant{kSimdBytes, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::simd_bytes)},
+      ThinningVariant{kAutovec, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kAutovec)},
+      ThinningVariant{kSimdBytes, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kSimdBytes)},
       ThinningVariant{kSimdBitpacked, isa, kOneThread, kAnyWidth,
-                      cycle<Rule>(Passes::simd_bitpacked)},
+                      cycle<Rule>(Passes::kSimdBitpacked)},
       ThinningVariant{kSimdBitpacked, isa, kThreaded, kAnyWidth,
-                      cycle<Rule>(Passes::simd_bitpacked)},
+                      cycle<Rule>(Passes::kSimdBitpacked)},
   };
 }
 
 template <class Rule, Isa isa>
 constexpr auto row_kernel_rows() {
-  return std::array{ThinningVariant{Technique::kSimdBitpackedRow, isa, kOneThread, kRowKernelWidth,
-                                    &RowKernels<isa>::table.kernels[rule_index<Rule>(AllRules{})]}};
+  return std::array{
+      ThinningVariant{Technique::kSimdBitpackedRow, isa, kOneThread, kRowKernelWidth,
+                      &RowKernels<isa>::kTable.kernels[rule_index<Rule>(AllRules{})]}};
 }
 
 template <class... Arrays>
@@ -65,24 +67,24 @@ constexpr auto joined(const Arrays&... arrays) {
 /// All techniques for one rule: what a new operation gets for free.
 template <class Rule>
 const auto& rows_of() {
-  static const auto kRows =
+  static const auto rows =
       joined(scalar_rows<Rule>(), isa_rows<Rule, Isa::kBaseline>(), isa_rows<Rule, Isa::kSse42>(),
              isa_rows<Rule, Isa::kAvx2>(), isa_rows<Rule, Isa::kAvx512>(),
              isa_rows<Rule, Isa::kAvx512Icl>(), row_kernel_rows<Rule, Isa::kAvx512>(),
              row_kernel_rows<Rule, Isa::kAvx512Icl>());
-  return kRows;
+  return rows;
 }
 
 }  // namespace
 
 std::span<const ThinningOperation> thinning_operations() {
-  static const std::array kOperations = {
+  static const std::array operations = {
       ThinningOperation{
           "thin_naccache_shinghal",
           "modified Naccache-Shinghal rule, all removals of a pass at once, as printed",
           rows_of<NaccacheShinghal>()},
   };
-  return kOperations;
+  return operations;
 }
 
 const ThinningOperation* find_thinning_operation(std::string_view name) {

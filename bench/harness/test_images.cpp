@@ -150,14 +150,14 @@ ByteImage neighbourhood_sheet(Index phase) {
 }
 
 const std::vector<TestImageSet>& test_image_sets() {
-  static const std::vector<TestImageSet> kSets = {
+  static const std::vector<TestImageSet> sets = {
       {"shapes", "empty, light, dark and frame-touching images", generate_shapes},
       {"sheets", "all 512 neighbourhoods at every phase of a word", generate_sheets},
       {"sizes", "widths 1..200, 509..515, 1023..1025 by heights 1, 2, 3, 17, 64", generate_sizes},
       {"tall", "bands of rows, skipped and shared between threads", generate_tall},
       {"four_by_four", "all 65,536 images of 4 x 4 pixels", generate_four_by_four},
   };
-  return kSets;
+  return sets;
 }
 
 }  // namespace thinbench

@@ -10,8 +10,8 @@ namespace thinbench {
 
 struct TimedInput {
   std::string name;
-  ByteImage image;   // 0 and 255
-  bool size_sweep;   // one of a series of sizes, timed on fewer rows
+  ByteImage image;  // 0 and 255
+  bool size_sweep;  // one of a series of sizes, timed on fewer rows
 };
 
 struct InputChoice {
@@ -19,8 +19,9 @@ struct InputChoice {
   Index largest_square = 4096;        // where the series of sizes ends; 0 for no series
 };
 
-/// The scene, or the pictures (object = pixels >= 128), and then squares of 64 x 64 and doubled sizes
-/// cut from the scene laid out like tiles. Names are unique and hold no '/'. Throws PictureError.
+/// The scene, or the pictures (object = pixels >= 128), and then squares of 64 x 64 and doubled
+/// sizes cut from the scene laid out like tiles. Names are unique and hold no '/'. Throws
+/// PictureError.
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice);
 
 /// FNV-1a over the pixels, row by row, as 16 hexadecimal digits: names what was timed.

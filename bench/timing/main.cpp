@@ -1,11 +1,11 @@
 // Times every row of the catalogue with Google Benchmark, each only after its output was compared
 // with the reference's on the very input that is timed.
-#include <benchmark/benchmark.h>
-
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 #include <map>
+
+#include <CLI/CLI.hpp>
+#include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
 
 #include "picture/picture.hpp"
@@ -30,7 +30,8 @@ struct Options {
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("--image", options.inputs.pictures, "time this picture, not the scene (repeatable)");
+  app.add_option("--image", options.inputs.pictures,
+                 "time this picture, not the scene (repeatable)");
   app.add_option("--filter", options.filter,
                  "rows whose name operation/technique/isa/threads/scope/input matches");
   app.add_option("--largest-square", options.inputs.largest_square,

@@ -1,11 +1,11 @@
 #include "timing/progress.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <utility>
+
+#include <unistd.h>
 
 namespace thinbench {
 

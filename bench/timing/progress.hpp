@@ -6,8 +6,8 @@
 
 namespace thinbench {
 
-/// Work is counted in expected seconds, so that the time left is right from the start. On a terminal
-/// one line is rewritten; elsewhere a line appears every ten seconds.
+/// Work is counted in expected seconds, so that the time left is right from the start. On a
+/// terminal one line is rewritten; elsewhere a line appears every ten seconds.
 class Progress {
  public:
   Progress(std::string what, double expected_seconds);

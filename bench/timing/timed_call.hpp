@@ -8,7 +8,8 @@
 
 namespace thinbench {
 
-/// Holds plan, input and output of a row. Calling allocates nothing, unless the row is the reference.
+/// Holds plan, input and output of a row. Calling allocates nothing, unless the row is the
+/// reference.
 class TimedCall {
  public:
   explicit TimedCall(const TimedRow& row) : row_(row), output_(input().width, input().height) {

@@ -43,9 +43,9 @@ struct Selection {
   int verified = 0;  // variants equal to the reference, counted once an input
 };
 
-/// Compares every row whose name matches `filter` with the reference on every input. References come
-/// along with any row of their operation and input. Series of sizes get one row a technique: the
-/// highest available level, end to end.
+/// Compares every row whose name matches `filter` with the reference on every input. References
+/// come along with any row of their operation and input. Series of sizes get one row a technique:
+/// the highest available level, end to end.
 [[nodiscard]] Selection select_rows(const std::string& filter,
                                     const std::vector<TimedInput>& inputs);
 

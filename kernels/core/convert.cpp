@@ -136,11 +136,11 @@ void write_bytes(const ConstBytePlaneView& source, const ByteView& target) {
 }  // namespace
 
 template <>
-constinit const PlaneConversion<std::uint8_t> IsaConversions<kThisIsa>::bytes = {&read_bytes,
-                                                                                 &write_bytes};
+constinit const PlaneConversion<std::uint8_t> IsaConversions<kThisIsa>::kBytes = {&read_bytes,
+                                                                                  &write_bytes};
 
 template <>
-constinit const PlaneConversion<std::uint64_t> IsaConversions<kThisIsa>::bits = {&read_bits,
-                                                                                 &write_bits};
+constinit const PlaneConversion<std::uint64_t> IsaConversions<kThisIsa>::kBits = {&read_bits,
+                                                                                  &write_bits};
 
 }  // namespace thinbench

@@ -18,8 +18,8 @@ struct PlaneConversion {
 /// The conversions of one instruction-set level.
 template <Isa isa>
 struct IsaConversions {
-  static const PlaneConversion<std::uint8_t> bytes;
-  static const PlaneConversion<std::uint64_t> bits;
+  static const PlaneConversion<std::uint8_t> kBytes;
+  static const PlaneConversion<std::uint64_t> kBits;
 };
 
 /// The conversion of a level chosen at run time.

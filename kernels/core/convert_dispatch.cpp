@@ -8,9 +8,9 @@ namespace {
 template <class T, Isa isa>
 constexpr const PlaneConversion<T>* conversion_of() {
   if constexpr (sizeof(T) == 1) {
-    return &IsaConversions<isa>::bytes;
+    return &IsaConversions<isa>::kBytes;
   } else {
-    return &IsaConversions<isa>::bits;
+    return &IsaConversions<isa>::kBits;
   }
 }
 

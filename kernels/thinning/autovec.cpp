@@ -41,7 +41,7 @@ struct Autovec {
 }  // namespace
 
 template <>
-constinit const PassTable<std::uint8_t> IsaPasses<Isa::THINBENCH_ISA>::autovec =
+constinit const PassTable<std::uint8_t> IsaPasses<Isa::THINBENCH_ISA>::kAutovec =
     make_pass_table<Autovec>();
 
 }  // namespace thinbench

@@ -19,6 +19,6 @@ struct Bitpacked {
 
 }  // namespace
 
-constinit const PassTable<std::uint64_t> ScalarPasses::bitpacked = make_pass_table<Bitpacked>();
+constinit const PassTable<std::uint64_t> ScalarPasses::kBitpacked = make_pass_table<Bitpacked>();
 
 }  // namespace thinbench

@@ -135,7 +135,7 @@ struct LutSliding {
 
 }  // namespace
 
-constinit const PassTable<std::uint8_t> ScalarPasses::lut = make_pass_table<Lut>();
-constinit const PassTable<std::uint8_t> ScalarPasses::lut_sliding = make_pass_table<LutSliding>();
+constinit const PassTable<std::uint8_t> ScalarPasses::kLut = make_pass_table<Lut>();
+constinit const PassTable<std::uint8_t> ScalarPasses::kLutSliding = make_pass_table<LutSliding>();
 
 }  // namespace thinbench

@@ -63,17 +63,17 @@ consteval PassTable<typename Engine::Element> make_pass_table() {
 
 /// Engines that are compiled once, for the baseline.
 struct ScalarPasses {
-  static const PassTable<std::uint8_t> lut;
-  static const PassTable<std::uint8_t> lut_sliding;
-  static const PassTable<std::uint64_t> bitpacked;
+  static const PassTable<std::uint8_t> kLut;
+  static const PassTable<std::uint8_t> kLutSliding;
+  static const PassTable<std::uint64_t> kBitpacked;
 };
 
 /// Engines that are compiled once for every instruction-set level.
 template <Isa isa>
 struct IsaPasses {
-  static const PassTable<std::uint8_t> autovec;
-  static const PassTable<std::uint8_t> simd_bytes;
-  static const PassTable<std::uint64_t> simd_bitpacked;
+  static const PassTable<std::uint8_t> kAutovec;
+  static const PassTable<std::uint8_t> kSimdBytes;
+  static const PassTable<std::uint64_t> kSimdBitpacked;
 };
 
 }  // namespace thinbench

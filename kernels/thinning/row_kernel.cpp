@@ -124,6 +124,6 @@ consteval RowKernelTable make_table(RuleList<Rules...>) {
 }  // namespace
 
 template <>
-constinit const RowKernelTable RowKernels<kThisIsa>::table = make_table(AllRules{});
+constinit const RowKernelTable RowKernels<kThisIsa>::kTable = make_table(AllRules{});
 
 }  // namespace thinbench

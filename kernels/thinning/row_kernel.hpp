@@ -53,7 +53,7 @@ struct RowKernelTable {
 /// Compiled for the AVX-512 levels only.
 template <Isa isa>
 struct RowKernels {
-  static const RowKernelTable table;
+  static const RowKernelTable kTable;
 };
 
 }  // namespace thinbench

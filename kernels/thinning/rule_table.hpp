@@ -29,7 +29,8 @@ constexpr RuleTable make_rule_table() {
                                             input(4), input(5), input(6), input(7)};
     const std::uint64_t next = Rule::template next<sub>(n);
     for (int bit = 0; bit < 64; ++bit) {
-      table[static_cast<std::size_t>(64 * word + bit)] = next >> bit & 1;
+      table[std::size_t{64} * static_cast<std::size_t>(word) + static_cast<std::size_t>(bit)] =
+          next >> bit & 1;
     }
   }
   return table;

@@ -24,11 +24,11 @@ struct SimdSweep {
 }  // namespace
 
 template <>
-constinit const PassTable<std::uint8_t> IsaPasses<kThisIsa>::simd_bytes =
+constinit const PassTable<std::uint8_t> IsaPasses<kThisIsa>::kSimdBytes =
     make_pass_table<SimdSweep<ByteBatch>>();
 
 template <>
-constinit const PassTable<std::uint64_t> IsaPasses<kThisIsa>::simd_bitpacked =
+constinit const PassTable<std::uint64_t> IsaPasses<kThisIsa>::kSimdBitpacked =
     make_pass_table<SimdSweep<WordBatch>>();
 
 }  // namespace thinbench
