@@ -10,8 +10,8 @@ namespace {
 struct Autovec {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static bool pass(const ConstBytePlaneView& source, const BytePlaneView& target, Index first,
-                   Index last) {
+  static bool pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
+                   Index first, Index last) {
     std::uint8_t changed = 0;
     for (Index y = first; y < last; ++y) {
       changed |= row<Rule, sub>(source.row(y - 1), source.row(y), source.row(y + 1), target.row(y),

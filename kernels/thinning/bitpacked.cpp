@@ -11,8 +11,8 @@ namespace {
 struct Bitpacked {
   using Element = std::uint64_t;
   template <class Rule, int sub>
-  static bool pass(const ConstBitPlaneView& source, const BitPlaneView& target, Index first,
-                   Index last) {
+  static bool pass(const RuleModel*, const ConstBitPlaneView& source, const BitPlaneView& target,
+                   Index first, Index last) {
     return sweep_rows<Rule, sub, std::uint64_t>(source, target, first, last);
   }
 };

@@ -49,46 +49,55 @@ bool BandActivity::end_step() {
 namespace {
 
 template <class T>
-bool run_step(Pass<T> pass, int cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
-              BandActivity& activity, ThreadTeam& team) {
-  const std::span<const Index> bands = activity.begin_step(cycle);
+bool run_step(const Cycle<T>& cycle, Pass<T> pass, const ConstPlaneView<T>& source,
+              const PlaneView<T>& target, BandActivity& activity, ThreadTeam& team) {
+  const auto bands = activity.begin_step(static_cast<int>(cycle.passes.size()));
   team.for_ranges(static_cast<Index>(bands.size()), [&](Index first, Index last) {
     for (Index i = first; i < last; ++i) {
       const Index band = bands[static_cast<std::size_t>(i)];
       const Index top = band * BandActivity::kRows;
       const Index bottom = std::min(top + BandActivity::kRows, source.height);
-      activity.set_changed(band, pass(source, target, top, bottom));
+      activity.set_changed(band, pass(cycle.model, source, target, top, bottom));
     }
   });
   return activity.end_step();
 }
 
+template <class T>
+void copy_rows(const ConstPlaneView<T>& source, const PlaneView<T>& target) {
+  for (Index y = 0; y < source.height; ++y) {
+    std::copy_n(source.row(y), source.row_elements, target.row(y));
+  }
+}
+
 }  // namespace
 
 template <class T>
-int iterate(std::span<const Pass<T>> cycle, const ConstPlaneView<T>& source,
-            const PlaneView<T>& target, const PlaneView<T>& scratch, BandActivity& activity,
-            ThreadTeam& team) {
-  const int length = static_cast<int>(cycle.size());
+int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
+            const PlaneView<T>& scratch, BandActivity& activity, ThreadTeam& team) {
   activity.restart();
   ConstPlaneView<T> from = source;
   PlaneView<T> to = target;
   PlaneView<T> other = scratch;
   int cycles = 0;
-  for (bool changed = true; changed; ++cycles) {
+  bool changed = true;
+  while (changed && cycles < cycle.most_cycles) {
     changed = false;
-    for (const Pass<T> pass : cycle) {
-      changed = run_step(pass, length, from, to, activity, team) || changed;
+    for (const Pass<T> pass : cycle.passes) {
+      changed = run_step(cycle, pass, from, to, activity, team) || changed;
       from = to;
       std::swap(to, other);
     }
+    ++cycles;
   }
+  // After a cycle without change both buffers hold the result.
+  if (changed && from.data != target.data) copy_rows(from, target);
   return cycles;
 }
 
-template int iterate(std::span<const Pass<std::uint8_t>>, const ConstBytePlaneView&,
-                     const BytePlaneView&, const BytePlaneView&, BandActivity&, ThreadTeam&);
-template int iterate(std::span<const Pass<std::uint64_t>>, const ConstBitPlaneView&,
-                     const BitPlaneView&, const BitPlaneView&, BandActivity&, ThreadTeam&);
+template int iterate(const Cycle<std::uint8_t>&, const ConstBytePlaneView&, const BytePlaneView&,
+                     const BytePlaneView&, BandActivity&, ThreadTeam&);
+template int iterate(const Cycle<std::uint64_t>&, const ConstBitPlaneView&, const BitPlaneView&,
+                     const BitPlaneView&, BandActivity&, ThreadTeam&);
 
 }  // namespace thinbench

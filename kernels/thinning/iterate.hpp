@@ -1,6 +1,7 @@
 // Passes until nothing changes, over bands of rows, skipping bands that cannot change any more.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,12 +37,19 @@ class BandActivity {
   std::vector<unsigned char> changed_;
 };
 
-/// Repeats `cycle` until a whole cycle changes nothing; returns how many cycles ran, the last one
-/// included. Reads `source` once, then alternates between `target` and `scratch`; the result is in
-/// both. All planes have one size and do not overlap. No allocation.
+/// What is repeated: the passes of one cycle, their model, and how many cycles at most.
 template <class T>
-int iterate(std::span<const Pass<T>> cycle, const ConstPlaneView<T>& source,
-            const PlaneView<T>& target, const PlaneView<T>& scratch, BandActivity& activity,
-            ThreadTeam& team);
+struct Cycle {
+  std::span<const Pass<T>> passes;
+  const RuleModel* model = nullptr;
+  int most_cycles = std::numeric_limits<int>::max();
+};
+
+/// Repeats a cycle until it changes nothing or its limit is reached; returns how many cycles ran,
+/// the last one included. Reads `source` once, then alternates between `target` and `scratch`; the
+/// result is in `target`. All planes have one size and do not overlap. No allocation.
+template <class T>
+int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
+            const PlaneView<T>& scratch, BandActivity& activity, ThreadTeam& team);
 
 }  // namespace thinbench

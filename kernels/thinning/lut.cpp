@@ -35,8 +35,8 @@ unsigned descriptor(const std::uint8_t* above, const std::uint8_t* here,
 struct Lut {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static bool pass(const ConstBytePlaneView& source, const BytePlaneView& target, Index first,
-                   Index last) {
+  static bool pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
+                   Index first, Index last) {
     static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
     bool changed = false;
     for (Index y = first; y < last; ++y) {
@@ -94,8 +94,8 @@ constexpr PairTable make_pair_table(const RuleTable& by_descriptor) {
 struct LutSliding {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static bool pass(const ConstBytePlaneView& source, const BytePlaneView& target, Index first,
-                   Index last) {
+  static bool pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
+                   Index first, Index last) {
     static constexpr PairTable kTable = make_pair_table(make_rule_table<Rule, sub>());
     std::uint64_t changed = 0;
     for (Index y = first; y < last; ++y) {

@@ -10,11 +10,15 @@
 
 namespace thinbench {
 
+/// What a rule that is not fixed at compile time consists of, such as the weights of a net.
+struct RuleModel;
+
 /// Writes rows [first, last) of `target` from rows [first - 1, last] of `source`; true where a
 /// pixel changed. The planes have one size and do not overlap; nothing outside the rows is written.
+/// `model` is nullptr for rules that need none.
 template <class T>
-using Pass = bool (*)(const ConstPlaneView<T>& source, const PlaneView<T>& target, Index first,
-                      Index last);
+using Pass = bool (*)(const RuleModel* model, const ConstPlaneView<T>& source,
+                      const PlaneView<T>& target, Index first, Index last);
 
 template <class... Rules>
 consteval int step_count(RuleList<Rules...>) {

@@ -71,7 +71,8 @@ struct PassState final : ThinningState {
   }
   int thin() override {
     const auto& source = planes.source;
-    return iterate<T>(cycle, source.view(), planes.result.view(), scratch.view(), activity, team);
+    return iterate<T>({cycle, nullptr}, source.view(), planes.result.view(), scratch.view(),
+                      activity, team);
   }
   void store(const ByteView& view) const override {
     planes.conversion.write(planes.result.view(), view);

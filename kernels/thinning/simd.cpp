@@ -15,8 +15,8 @@ template <class Batch>
 struct SimdSweep {
   using Element = typename Batch::value_type;
   template <class Rule, int sub>
-  static bool pass(const ConstPlaneView<Element>& source, const PlaneView<Element>& target,
-                   Index first, Index last) {
+  static bool pass(const RuleModel*, const ConstPlaneView<Element>& source,
+                   const PlaneView<Element>& target, Index first, Index last) {
     return sweep_rows<Rule, sub, Batch>(source, target, first, last);
   }
 };

@@ -7,8 +7,8 @@ namespace thinbench {
 namespace {
 
 /// Copies its input and forgets one pixel.
-bool forgetful_pass(const ConstBytePlaneView& source, const BytePlaneView& target, Index first,
-                    Index last) {
+bool forgetful_pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
+                    Index first, Index last) {
   for (Index y = first; y < last; ++y) {
     for (Index x = 0; x < source.width; ++x) target.row(y)[x] = source.row(y)[x];
   }
@@ -17,8 +17,8 @@ bool forgetful_pass(const ConstBytePlaneView& source, const BytePlaneView& targe
 }
 
 /// Writes one byte after the row.
-bool overrunning_pass(const ConstBytePlaneView& source, const BytePlaneView& target, Index first,
-                      Index last) {
+bool overrunning_pass(const RuleModel*, const ConstBytePlaneView& source,
+                      const BytePlaneView& target, Index first, Index last) {
   for (Index y = first; y < last; ++y) {
     for (Index x = 0; x < source.width; ++x) target.row(y)[x] = source.row(y)[x];
     target.row(y)[source.row_elements] = 1;
