@@ -1,81 +1,11 @@
 #include "catalog.hpp"
 
 #include <array>
-#include <limits>
+
+#include "nets/net_rows.hpp"
+#include "thinning/rule_rows.hpp"
 
 namespace thinbench {
-namespace {
-
-constexpr Index kAnyWidth = std::numeric_limits<Index>::max();
-constexpr bool kThreaded = true;
-constexpr bool kOneThread = false;
-
-/// The passes of one rule out of an engine's table.
-template <class Rule, class T>
-constexpr std::span<const Pass<T>> cycle(const PassTable<T>& table) {
-  return {&table.passes[first_step<Rule>(AllRules{})], Rule::kSubIterations};
-}
-
-template <class Rule>
-constexpr auto scalar_rows() {
-  using enum Technique;
-  constexpr Isa base = Isa::kBaseline;
-  return std::array{
-      ThinningVariant{kLut, base, kOneThread, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
-      ThinningVariant{kLut, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
-      ThinningVariant{kLutSliding, base, kOneThread, kAnyWidth,
-                      cycle<Rule>(ScalarPasses::kLutSliding)},
-      ThinningVariant{kBitpacked, base, kOneThread, kAnyWidth,
-                      cycle<Rule>(ScalarPasses::kBitpacked)},
-      ThinningVariant{kBitpacked, base, kThreaded, kAnyWidth,
-                      cycle<Rule>(ScalarPasses::kBitpacked)},
-  };
-}
-
-template <class Rule, Isa isa>
-constexpr auto isa_rows() {
-  using enum Technique;
-  using Passes = IsaPasses<isa>;
-  return std::array{
-      ThinningVariant{kAutovec, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kAutovec)},
-      ThinningVariant{kSimdBytes, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kSimdBytes)},
-      ThinningVariant{kSimdBitpacked, isa, kOneThread, kAnyWidth,
-                      cycle<Rule>(Passes::kSimdBitpacked)},
-      ThinningVariant{kSimdBitpacked, isa, kThreaded, kAnyWidth,
-                      cycle<Rule>(Passes::kSimdBitpacked)},
-  };
-}
-
-template <class Rule, Isa isa>
-constexpr auto row_kernel_rows() {
-  return std::array{
-      ThinningVariant{Technique::kSimdBitpackedRow, isa, kOneThread, kRowKernelWidth,
-                      &RowKernels<isa>::kTable.kernels[rule_index<Rule>(AllRules{})]}};
-}
-
-template <class... Arrays>
-constexpr auto joined(const Arrays&... arrays) {
-  std::array<ThinningVariant, (std::tuple_size_v<Arrays> + ...)> all{};
-  std::size_t next = 0;
-  const auto append = [&](const auto& rows) {
-    for (const ThinningVariant& row : rows) all[next++] = row;
-  };
-  (append(arrays), ...);
-  return all;
-}
-
-/// All techniques for one rule: what a new operation gets for free.
-template <class Rule>
-const auto& rows_of() {
-  static const auto rows =
-      joined(scalar_rows<Rule>(), isa_rows<Rule, Isa::kBaseline>(), isa_rows<Rule, Isa::kSse42>(),
-             isa_rows<Rule, Isa::kAvx2>(), isa_rows<Rule, Isa::kAvx512>(),
-             isa_rows<Rule, Isa::kAvx512Icl>(), row_kernel_rows<Rule, Isa::kAvx512>(),
-             row_kernel_rows<Rule, Isa::kAvx512Icl>());
-  return rows;
-}
-
-}  // namespace
 
 std::span<const ThinningOperation> thinning_operations() {
   static const std::array operations = {
@@ -83,6 +13,21 @@ std::span<const ThinningOperation> thinning_operations() {
           "thin_naccache_shinghal",
           "modified Naccache-Shinghal rule, all removals of a pass at once, as printed",
           rows_of<NaccacheShinghal>()},
+      ThinningOperation{"net_two_layer_sigmoid",
+                        "thinning by the two-layer net of Table 1, sigmoid (1)",
+                        net_rows(NetKind::kSigmoid), &paper_sigmoid_model},
+      ThinningOperation{"net_two_layer_sigmoid_pass", "one pass of net_two_layer_sigmoid",
+                        net_rows(NetKind::kSigmoid), &paper_sigmoid_model, 1},
+      ThinningOperation{"net_two_layer_linear",
+                        "thinning by the two-layer net of Table 1, linear threshold (2)",
+                        net_rows(NetKind::kLinear), &paper_linear_model},
+      ThinningOperation{"net_two_layer_linear_pass", "one pass of net_two_layer_linear",
+                        net_rows(NetKind::kLinear), &paper_linear_model, 1},
+      ThinningOperation{"net_single_layer_cluster",
+                        "thinning by the cluster of twelve single-layer nets (5) to (7)",
+                        net_rows(NetKind::kCluster), &trained_cluster_model},
+      ThinningOperation{"net_single_layer_cluster_pass", "one pass of net_single_layer_cluster",
+                        net_rows(NetKind::kCluster), &trained_cluster_model, 1},
   };
   return operations;
 }

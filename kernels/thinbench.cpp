@@ -101,8 +101,8 @@ int thin(std::string_view operation, ConstByteView source, ByteView destination,
   const ThinningOperation* found = find_thinning_operation(operation);
   if (found == nullptr) refuse("no operation is named " + std::string(operation));
   const ThinningVariant& variant = choose_variant(*found, source.width, options);
-  return ThinningPlan(variant, source.width, source.height, options.threads)
-      .run(source, destination);
+  ThinningPlan plan(*found, variant, source.width, source.height, {options.threads, options.model});
+  return plan.run(source, destination);
 }
 
 }  // namespace thinbench

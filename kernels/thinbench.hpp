@@ -1,11 +1,13 @@
 // The library in one header: thin a picture, let the library choose how.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "catalog.hpp"
 #include "core/image.hpp"
+#include "nets/make_model.hpp"
 #include "thinning/plan.hpp"
 
 namespace thinbench {
@@ -15,6 +17,8 @@ struct ThinningOptions {
   std::optional<Technique> technique = std::nullopt;
   std::optional<Isa> isa = std::nullopt;
   int threads = 1;
+  /// For nets: what make_model.hpp makes of other weights than the paper's.
+  std::shared_ptr<const RuleModel> model = nullptr;
 };
 
 /// The variant that `options` ask for on an image of this width. Throws std::invalid_argument,

@@ -1,28 +1,10 @@
 #include <utility>
-#include <vector>
 
+#include "matrix.hpp"
 #include "reference.hpp"
 
 namespace thinbench::reference {
 namespace {
-
-/// A matrix of dark (1) and light (0) pixels, one byte each, in a light frame one pixel wide.
-class Matrix {
- public:
-  Matrix(Index width, Index height)
-      : stride_(width + 2), pixels_(static_cast<std::size_t>(stride_ * (height + 2))) {}
-
-  [[nodiscard]] bool dark(Index x, Index y) const { return pixels_[index(x, y)] != 0; }
-  void set(Index x, Index y, bool dark) { pixels_[index(x, y)] = dark ? 1 : 0; }
-
- private:
-  [[nodiscard]] std::size_t index(Index x, Index y) const {
-    return static_cast<std::size_t>((y + 1) * stride_ + x + 1);
-  }
-
-  Index stride_;
-  std::vector<std::uint8_t> pixels_;
-};
 
 /// Whether a dark pixel stays: unless one or two of B0, B2, B4, B6 are FALSE.
 bool stays(const Matrix& image, Index x, Index y) {
@@ -45,18 +27,13 @@ bool stays(const Matrix& image, Index x, Index y) {
 }  // namespace
 
 int thin_naccache_shinghal(ConstByteView source, ByteView destination) {
-  const Index width = source.width;
-  const Index height = source.height;
-  Matrix image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) image.set(x, y, source.row(y)[x] != 0);
-  }
-  Matrix second(width, height);
+  Matrix image = matrix_of(source);
+  Matrix second(source.width, source.height);
   int scans = 0;
   for (bool flagged = true; flagged; ++scans) {
     flagged = false;
-    for (Index y = 0; y < height; ++y) {
-      for (Index x = 0; x < width; ++x) {
+    for (Index y = 0; y < source.height; ++y) {
+      for (Index x = 0; x < source.width; ++x) {
         const bool dark = image.dark(x, y);
         const bool kept = dark && stays(image, x, y);
         second.set(x, y, kept);
@@ -65,9 +42,7 @@ int thin_naccache_shinghal(ConstByteView source, ByteView destination) {
     }
     std::swap(image, second);
   }
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) destination.row(y)[x] = image.dark(x, y) ? 255 : 0;
-  }
+  write_matrix(image, destination);
   return scans;
 }
 

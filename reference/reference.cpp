@@ -1,9 +1,24 @@
 #include "reference.hpp"
 
 #include <array>
+#include <limits>
+
+#include "nets/trained_cluster.hpp"
 
 namespace thinbench::reference {
 namespace {
+
+constexpr int kNoLimit = std::numeric_limits<int>::max();
+
+template <Activation activation, int most_passes>
+int two_layer(ConstByteView source, ByteView destination) {
+  return net_two_layer(kPaperTwoLayer, activation, most_passes, source, destination);
+}
+
+template <int most_passes>
+int cluster(ConstByteView source, ByteView destination) {
+  return net_single_layer_cluster(kTrainedCluster, most_passes, source, destination);
+}
 
 struct NamedThinning {
   std::string_view operation;
@@ -12,6 +27,12 @@ struct NamedThinning {
 
 constexpr std::array kThinnings = {
     NamedThinning{"thin_naccache_shinghal", &thin_naccache_shinghal},
+    NamedThinning{"net_two_layer_sigmoid", &two_layer<Activation::kSigmoid, kNoLimit>},
+    NamedThinning{"net_two_layer_sigmoid_pass", &two_layer<Activation::kSigmoid, 1>},
+    NamedThinning{"net_two_layer_linear", &two_layer<Activation::kLinear, kNoLimit>},
+    NamedThinning{"net_two_layer_linear_pass", &two_layer<Activation::kLinear, 1>},
+    NamedThinning{"net_single_layer_cluster", &cluster<kNoLimit>},
+    NamedThinning{"net_single_layer_cluster_pass", &cluster<1>},
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/views.hpp"
+#include "nets/weights.hpp"
 
 namespace thinbench::reference {
 
@@ -23,6 +24,25 @@ namespace thinbench::reference {
 /// 0 and 255, same size, may be the source. Returns the number of scans, the last, which changed
 /// nothing, included. Topology is not kept: see NaccacheShinghal in kernels/thinning/rules.hpp.
 int thin_naccache_shinghal(ConstByteView source, ByteView destination);
+
+/// Thinning by the two-layer net of section 3.2: passes and stop rule as above, but a dark pixel
+/// stays where the net says 0.5 or more, equations (3) and (4) with activation (1) or (2). Single
+/// precision; sums start with the bias and go from input 0 to input 7. Ends after `most_passes` at
+/// the latest.
+int net_two_layer(const TwoLayerWeights& net, Activation activation, int most_passes,
+                  ConstByteView source, ByteView destination);
+
+/// Thinning by the cluster of single-layer nets of section 3.3: the descriptor (5) picks the net,
+/// (6) and (7) decide; otherwise as net_two_layer.
+int net_single_layer_cluster(const ClusterWeights& cluster, int most_passes, ConstByteView source,
+                             ByteView destination);
+
+/// The output of the two-layer net before the step (4), for eight inputs.
+[[nodiscard]] float two_layer_answer(const TwoLayerWeights& net, Activation activation,
+                                     const float* inputs);
+
+/// Equation (1) or (2).
+[[nodiscard]] float activation_answer(Activation activation, float x);
 
 using Thinning = int (*)(ConstByteView source, ByteView destination);
 

@@ -14,7 +14,8 @@ class TimedCall {
  public:
   explicit TimedCall(const TimedRow& row) : row_(row), output_(input().width, input().height) {
     if (row.variant == nullptr) return;
-    plan_.emplace(*row.variant, input().width, input().height, row.threads);
+    plan_.emplace(*row.operation, *row.variant, input().width, input().height,
+                  PlanOptions{row.threads});
     plan_->load(input());
   }
 

@@ -85,7 +85,7 @@ class Selector {
 
   bool proved(const Row& row, const TimedInput& input, const Expected& expected) {
     const ConstByteView view = input.image.view();
-    ThinningPlan plan(*row.variant, view.width, view.height, row.threads);
+    ThinningPlan plan(*row.operation, *row.variant, view.width, view.height, {row.threads});
     if (const auto mismatch = find_mismatch(plan, view, expected)) {
       selection_.mismatches.push_back(row.name + "/" + input.name + ": " + *mismatch);
       return false;

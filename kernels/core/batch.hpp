@@ -104,4 +104,29 @@ struct TernaryGate<xsimd::batch<T, xsimd::avx512bw>> {
 };
 #endif
 
+/// A byte a lane, 255 where the bit of `bits` is set and 0 elsewhere; bits beyond the lanes do not
+/// count.
+[[gnu::always_inline]] inline ByteBatch spread_bits(std::uint64_t bits) {
+#if defined(__AVX512BW__)
+  return _mm512_movm_epi8(bits);
+#elif defined(__AVX2__)
+  // Byte lane i tests bit i % 8 of source byte i / 8:
+  //   lanes  0 1 .. 7 | 8 .. 15 | 16 .. 23 | 24 .. 31
+  //   byte   0 0 .. 0 | 1 ..  1 |  2 ..  2 |  3 ..  3
+  const __m256i which =
+      _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
+  const __m256i bit = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201));
+  const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
+  return _mm256_cmpeq_epi8(_mm256_and_si256(_mm256_shuffle_epi8(all, which), bit), bit);
+#else
+  // The same with 16 lanes; the two source bytes are doubled by unpacking instead of shuffling.
+  const __m128i bit = _mm_set1_epi64x(static_cast<long long>(0x8040201008040201));
+  const __m128i word = _mm_cvtsi32_si128(static_cast<int>(bits));
+  const __m128i pairs = _mm_unpacklo_epi8(word, word);
+  const __m128i fours = _mm_unpacklo_epi16(pairs, pairs);
+  const __m128i all = _mm_unpacklo_epi32(fours, fours);
+  return _mm_cmpeq_epi8(_mm_and_si128(all, bit), bit);
+#endif
+}
+
 }  // namespace thinbench

@@ -13,8 +13,8 @@ enum class Activation {
   kLinear,   // equation (2): 0.166 x + 0.5 within [-3, 3], else 0 or 1
 };
 
-/// A neuron: its net input is bias + weight[0] n0 + ... + weight[7] n7. All sums of this project are
-/// taken in this order, in single precision, one rounding an operation.
+/// A neuron: its net input is bias + weight[0] n0 + ... + weight[7] n7. All sums of this project
+/// are taken in this order, in single precision, one rounding an operation.
 struct Neuron {
   float weight[kNetInputs];
   float bias;
@@ -26,8 +26,8 @@ struct TwoLayerWeights {
   Neuron output;  // fed by the hidden neurons
 };
 
-/// One net of the cluster of section 3.3: responsible for descriptors up to `last`, from the one after
-/// its predecessor's. The new value is 1 where the net input is at least 0.
+/// One net of the cluster of section 3.3: responsible for descriptors up to `last`, from the one
+/// after its predecessor's. The new value is 1 where the net input is at least 0.
 struct ClusterNet {
   int last;
   Neuron neuron;

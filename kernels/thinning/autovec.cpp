@@ -10,14 +10,12 @@ namespace {
 struct Autovec {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static bool pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
-                   Index first, Index last) {
-    std::uint8_t changed = 0;
-    for (Index y = first; y < last; ++y) {
-      changed |= row<Rule, sub>(source.row(y - 1), source.row(y), source.row(y + 1), target.row(y),
-                                source.row_elements);
-    }
-    return changed != 0;
+  static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
+                            const BytePlaneView& target, const Band& band) {
+    return for_each_run(band, [&](Index y, Index from, Index to) {
+      return row<Rule, sub>(source.row(y - 1) + from, source.row(y) + from,
+                            source.row(y + 1) + from, target.row(y) + from, to - from) != 0;
+    });
   }
 
  private:

@@ -2,6 +2,8 @@
 // auto-vectorisation, so that the row shows what packing alone gives.
 // Cost a word of 64 pixels: 9 loads, 1 store, 12 shifts and ORs for neighbours, the rule in
 // two-input operations (14 for Naccache-Shinghal) and its inversions.
+#include "nets/model_passes.hpp"
+#include "nets/mux_rule.hpp"
 #include "thinning/passes.hpp"
 #include "thinning/sweep.hpp"
 
@@ -11,14 +13,20 @@ namespace {
 struct Bitpacked {
   using Element = std::uint64_t;
   template <class Rule, int sub>
-  static bool pass(const RuleModel*, const ConstBitPlaneView& source, const BitPlaneView& target,
-                   Index first, Index last) {
-    return sweep_rows<Rule, sub, std::uint64_t>(source, target, first, last);
+  static std::uint64_t pass(const RuleModel*, const ConstBitPlaneView& source,
+                            const BitPlaneView& target, const Band& band) {
+    return sweep_band<Rule, sub, std::uint64_t>(Rule{}, source, target, band);
   }
 };
+
+std::uint64_t model_pass(const RuleModel* model, const ConstBitPlaneView& source,
+                         const BitPlaneView& target, const Band& band) {
+  return sweep_band<MuxRule, 0, std::uint64_t>(MuxRule{model->program}, source, target, band);
+}
 
 }  // namespace
 
 constinit const PassTable<std::uint64_t> ScalarPasses::kBitpacked = make_pass_table<Bitpacked>();
+constinit const Pass<std::uint64_t> ScalarModelPasses::kBitpacked = &model_pass;
 
 }  // namespace thinbench

@@ -4,45 +4,57 @@
 
 namespace thinbench {
 
-BandActivity::BandActivity(Index height) {
+TileActivity::TileActivity(Index height, Index row_elements, Index least_column) : height_(height) {
+  constexpr Index most_columns = 64;
+  const Index least_columns = std::max<Index>(1, row_elements / least_column);
+  column_elements_ = least_column * ((least_columns + most_columns - 1) / most_columns);
+  const Index columns = (least_columns * least_column + column_elements_ - 1) / column_elements_;
+  all_columns_ = ~std::uint64_t{0} >> (most_columns - columns);
   const auto bands = static_cast<std::size_t>((height + kRows - 1) / kRows);
   active_.resize(bands);
-  last_change_.resize(bands);
   changed_.resize(bands);
+  for (auto& step : history_) step.resize(bands);
 }
 
-void BandActivity::restart() {
+void TileActivity::restart() {
   step_ = 0;
-  // As if everything had changed in step 1: steps 1 and 2, which fill the two buffers, visit all.
-  std::fill(last_change_.begin(), last_change_.end(), 1);
+  for (auto& step : history_) std::fill(step.begin(), step.end(), all_columns_);
 }
 
-bool BandActivity::may_change(std::size_t band, int cycle) const {
+std::uint64_t TileActivity::active_columns(std::size_t band, int cycle) const {
   const std::size_t from = band == 0 ? 0 : band - 1;
-  const std::size_t to = std::min(band + 1, last_change_.size() - 1);
-  int latest = 0;
-  for (std::size_t i = from; i <= to; ++i) latest = std::max(latest, last_change_[i]);
-  return latest >= step_ - cycle;
+  const std::size_t to = std::min(band + 1, active_.size() - 1);
+  std::uint64_t recent = 0;
+  for (int back = 1; back <= cycle; ++back) {
+    const auto& step = history_[static_cast<std::size_t>(step_ - back) % kLongestCycle];
+    for (std::size_t i = from; i <= to; ++i) recent |= step[i];
+  }
+  return (recent | recent << 1 | recent >> 1) & all_columns_;
 }
 
-std::span<const Index> BandActivity::begin_step(int cycle) {
-  ++step_;
+std::span<const Band> TileActivity::begin_step(int cycle) {
+  step_ = step_ == 0 ? kLongestCycle : step_ + 1;  // so that looking back stays above zero
   active_count_ = 0;
-  for (std::size_t band = 0; band < last_change_.size(); ++band) {
-    if (!may_change(band, cycle)) continue;
-    active_[static_cast<std::size_t>(active_count_++)] = static_cast<Index>(band);
+  for (std::size_t band = 0; band < active_.size(); ++band) {
+    const std::uint64_t columns = active_columns(band, cycle);
+    if (columns == 0) continue;
+    const Index first = static_cast<Index>(band) * kRows;
+    active_[active_count_++] = {first, std::min(first + kRows, height_), columns, column_elements_};
   }
-  return {active_.data(), static_cast<std::size_t>(active_count_)};
+  return {active_.data(), active_count_};
 }
 
-bool BandActivity::end_step() {
+bool TileActivity::end_step() {
+  auto& now = history_[static_cast<std::size_t>(step_) % kLongestCycle];
+  std::fill(now.begin(), now.end(), 0);
   bool any = false;
-  for (Index i = 0; i < active_count_; ++i) {
-    const auto band = static_cast<std::size_t>(active_[static_cast<std::size_t>(i)]);
-    if (changed_[band] == 0) continue;
-    last_change_[band] = step_;
-    any = true;
+  for (std::size_t place = 0; place < active_count_; ++place) {
+    now[static_cast<std::size_t>(active_[place].first / kRows)] = changed_[place];
+    any = any || changed_[place] != 0;
   }
+  // As if everything had changed in the first step: the second, which fills the other buffer, must
+  // visit all, too.
+  if (step_ == kLongestCycle) std::fill(now.begin(), now.end(), all_columns_);
   return any;
 }
 
@@ -50,14 +62,11 @@ namespace {
 
 template <class T>
 bool run_step(const Cycle<T>& cycle, Pass<T> pass, const ConstPlaneView<T>& source,
-              const PlaneView<T>& target, BandActivity& activity, ThreadTeam& team) {
+              const PlaneView<T>& target, TileActivity& activity, ThreadTeam& team) {
   const auto bands = activity.begin_step(static_cast<int>(cycle.passes.size()));
   team.for_ranges(static_cast<Index>(bands.size()), [&](Index first, Index last) {
-    for (Index i = first; i < last; ++i) {
-      const Index band = bands[static_cast<std::size_t>(i)];
-      const Index top = band * BandActivity::kRows;
-      const Index bottom = std::min(top + BandActivity::kRows, source.height);
-      activity.set_changed(band, pass(cycle.model, source, target, top, bottom));
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+      activity.set_changed(i, pass(cycle.model, source, target, bands[i]));
     }
   });
   return activity.end_step();
@@ -74,7 +83,7 @@ void copy_rows(const ConstPlaneView<T>& source, const PlaneView<T>& target) {
 
 template <class T>
 int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
-            const PlaneView<T>& scratch, BandActivity& activity, ThreadTeam& team) {
+            const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team) {
   activity.restart();
   ConstPlaneView<T> from = source;
   PlaneView<T> to = target;
@@ -96,8 +105,8 @@ int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneV
 }
 
 template int iterate(const Cycle<std::uint8_t>&, const ConstBytePlaneView&, const BytePlaneView&,
-                     const BytePlaneView&, BandActivity&, ThreadTeam&);
+                     const BytePlaneView&, TileActivity&, ThreadTeam&);
 template int iterate(const Cycle<std::uint64_t>&, const ConstBitPlaneView&, const BitPlaneView&,
-                     const BitPlaneView&, BandActivity&, ThreadTeam&);
+                     const BitPlaneView&, TileActivity&, ThreadTeam&);
 
 }  // namespace thinbench

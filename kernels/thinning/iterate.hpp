@@ -1,6 +1,7 @@
 // Passes until nothing changes, over bands of rows, skipping bands that cannot change any more.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -10,31 +11,38 @@
 
 namespace thinbench {
 
-/// Which bands of rows still change. Rows are grouped in bands of kRows; a band can only change in
-/// a step if it or a neighbour changed in one of the last `cycle` steps, a cycle being one
-/// application of every sub-iteration.
-class BandActivity {
+/// Which tiles still change. Rows are grouped in bands of kRows, bands are cut into at most 64
+/// columns; a tile can only change in a step if it or one of its eight neighbours changed in one of
+/// the last `cycle` steps, a cycle being one application of every sub-iteration.
+class TileActivity {
  public:
   static constexpr Index kRows = 16;
+  static constexpr int kLongestCycle = 4;
 
-  explicit BandActivity(Index height);
+  /// Rows of `row_elements` elements, `least_column` of which are the narrowest column.
+  TileActivity(Index height, Index row_elements, Index least_column);
 
   /// Forgets everything: the next step is the first.
   void restart();
-  /// Begins a step and lists the bands that it must visit.
-  std::span<const Index> begin_step(int cycle);
-  void set_changed(Index band, bool changed) { changed_[static_cast<std::size_t>(band)] = changed; }
-  /// Ends the step; true where any band changed.
+  /// Begins a step and lists the bands that have tiles to visit. `cycle` is at most kLongestCycle.
+  std::span<const Band> begin_step(int cycle);
+  /// What a pass returned for the band of this place in the list. Different places may be set from
+  /// different threads.
+  void set_changed(std::size_t place, std::uint64_t columns) { changed_[place] = columns; }
+  /// Ends the step; true where any tile changed.
   bool end_step();
 
  private:
-  [[nodiscard]] bool may_change(std::size_t band, int cycle) const;
+  [[nodiscard]] std::uint64_t active_columns(std::size_t band, int cycle) const;
 
+  Index height_;
+  Index column_elements_;
+  std::uint64_t all_columns_;
   int step_ = 0;
-  Index active_count_ = 0;
-  std::vector<Index> active_;
-  std::vector<int> last_change_;
-  std::vector<unsigned char> changed_;
+  std::size_t active_count_ = 0;
+  std::vector<Band> active_;
+  std::vector<std::uint64_t> changed_;
+  std::array<std::vector<std::uint64_t>, kLongestCycle> history_;  // by step, then band
 };
 
 /// What is repeated: the passes of one cycle, their model, and how many cycles at most.
@@ -50,6 +58,6 @@ struct Cycle {
 /// result is in `target`. All planes have one size and do not overlap. No allocation.
 template <class T>
 int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
-            const PlaneView<T>& scratch, BandActivity& activity, ThreadTeam& team);
+            const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team);
 
 }  // namespace thinbench

@@ -9,6 +9,9 @@
 // dependent operations and 4 loads a pixel.
 #include <cstring>
 
+#include "nets/model.hpp"
+#include "nets/model_passes.hpp"
+#include "thinning/pair_table.hpp"
 #include "thinning/passes.hpp"
 #include "thinning/rule_table.hpp"
 
@@ -32,110 +35,108 @@ unsigned descriptor(const std::uint8_t* above, const std::uint8_t* here,
                                here[-1] << 4 | below[-1] << 5 | below[0] << 6 | below[1] << 7);
 }
 
+/// Rows of the engine lut: `table` has the new value of a dark pixel for each descriptor.
+bool lut_row(const std::uint8_t* table, const std::uint8_t* here, Index stride,
+             std::uint8_t* target, Index count) {
+  constexpr Index step = 8;
+  bool changed = false;
+  for (Index x = 0; x < count; x += step) {
+    if (load_word(here + x) == 0) {
+      store_word(target + x, 0);
+      continue;
+    }
+    for (Index i = x; i < x + step; ++i) {
+      const std::uint8_t p = here[i];
+      const std::uint8_t next =
+          p & table[descriptor(here + i - stride, here + i, here + i + stride)];
+      changed = changed || next != p;
+      target[i] = next;
+    }
+  }
+  return changed;
+}
+
+/// Columns x to x + 7 as four pairs, 6 bits in each 16-bit lane.
+std::uint64_t column_pairs(const std::uint8_t* here, Index stride) {
+  const std::uint64_t columns =
+      load_word(here - stride) << 2 | load_word(here) << 1 | load_word(here + stride);
+  return (columns | columns >> 5) & 0x003F003F003F003F;
+}
+
+/// Rows of the engine lut_sliding. Pixels x to x + 7 need columns x - 1 to x + 8, so windows start
+/// at odd distances.
+bool sliding_row(const std::uint16_t* table, const std::uint8_t* here, Index stride,
+                 std::uint8_t* target, Index count) {
+  std::uint64_t changed = 0;
+  std::uint64_t pairs = column_pairs(here - 1, stride);
+  for (Index x = 0; x < count; x += 8) {
+    const std::uint64_t following = column_pairs(here + x + 7, stride);
+    const std::uint64_t windows = pairs | pairs >> 16 << 6 | following << 54;
+    const std::uint64_t next = std::uint64_t{table[windows & 4095]} |
+                               std::uint64_t{table[windows >> 16 & 4095]} << 16 |
+                               std::uint64_t{table[windows >> 32 & 4095]} << 32 |
+                               std::uint64_t{table[windows >> 48]} << 48;
+    changed |= next ^ load_word(here + x);
+    store_word(target + x, next);
+    pairs = following;
+  }
+  return changed != 0;
+}
+
+template <class Table>
+std::uint64_t all_rows(bool (*row)(const Table*, const std::uint8_t*, Index, std::uint8_t*, Index),
+                       const Table* table, const ConstBytePlaneView& source,
+                       const BytePlaneView& target, const Band& band) {
+  return for_each_run(band, [&](Index y, Index from, Index to) {
+    return row(table, source.row(y) + from, source.stride, target.row(y) + from, to - from);
+  });
+}
+
+struct PairTable {
+  std::uint16_t pairs[kPairTableSize];
+};
+
+constexpr PairTable make_pair_table(const RuleTable& by_descriptor) {
+  PairTable table{};
+  fill_pair_table(by_descriptor.data(), table.pairs);
+  return table;
+}
+
 struct Lut {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static bool pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
-                   Index first, Index last) {
+  static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
+                            const BytePlaneView& target, const Band& band) {
     static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
-    bool changed = false;
-    for (Index y = first; y < last; ++y) {
-      changed = row(kTable.data() + 256, source.row(y), source.stride, target.row(y),
-                    source.row_elements) ||
-                changed;
-    }
-    return changed;
-  }
-
- private:
-  static constexpr Index kStep = 8;
-
-  static bool row(const std::uint8_t* table, const std::uint8_t* here, Index stride,
-                  std::uint8_t* target, Index count) {
-    bool changed = false;
-    for (Index x = 0; x < count; x += kStep) {
-      if (load_word(here + x) == 0) {
-        store_word(target + x, 0);
-        continue;
-      }
-      for (Index i = x; i < x + kStep; ++i) {
-        const std::uint8_t p = here[i];
-        const std::uint8_t next =
-            p & table[descriptor(here + i - stride, here + i, here + i + stride)];
-        changed = changed || next != p;
-        target[i] = next;
-      }
-    }
-    return changed;
+    return all_rows(&lut_row, kTable.data() + 256, source, target, band);
   }
 };
-
-/// Two new pixels, one a byte, for four columns of three pixels. Column c of the window is its bits
-/// 3 c to 3 c + 2, south first; the pixels are the middle ones of columns 1 and 2.
-using PairTable = std::array<std::uint16_t, 4096>;
-
-constexpr PairTable make_pair_table(const RuleTable& by_descriptor) {
-  // Bit i of three adjacent columns is this bit of k + 256 p.
-  constexpr std::array<int, 9> bit_of = {5, 4, 3, 6, 8, 2, 7, 0, 1};
-  const auto pixel = [&](std::size_t columns) {
-    std::size_t index = 0;
-    for (std::size_t bit = 0; bit < bit_of.size(); ++bit) {
-      index |= (columns >> bit & 1) << bit_of[bit];
-    }
-    return by_descriptor[index];
-  };
-  PairTable table{};
-  for (std::size_t window = 0; window < table.size(); ++window) {
-    table[window] = static_cast<std::uint16_t>(pixel(window & 511) | pixel(window >> 3) << 8);
-  }
-  return table;
-}
 
 struct LutSliding {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static bool pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
-                   Index first, Index last) {
+  static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
+                            const BytePlaneView& target, const Band& band) {
     static constexpr PairTable kTable = make_pair_table(make_rule_table<Rule, sub>());
-    std::uint64_t changed = 0;
-    for (Index y = first; y < last; ++y) {
-      changed |=
-          row(kTable.data(), source.row(y), source.stride, target.row(y), source.row_elements);
-    }
-    return changed != 0;
-  }
-
- private:
-  /// Columns x to x + 7 as four pairs, 6 bits in each 16-bit lane.
-  static std::uint64_t column_pairs(const std::uint8_t* here, Index stride) {
-    const std::uint64_t columns =
-        load_word(here - stride) << 2 | load_word(here) << 1 | load_word(here + stride);
-    return (columns | columns >> 5) & 0x003F003F003F003F;
-  }
-
-  /// Pixels x to x + 7 need columns x - 1 to x + 8: windows start at odd distances.
-  static std::uint64_t row(const std::uint16_t* table, const std::uint8_t* here, Index stride,
-                           std::uint8_t* target, Index count) {
-    std::uint64_t changed = 0;
-    std::uint64_t pairs = column_pairs(here - 1, stride);
-    for (Index x = 0; x < count; x += 8) {
-      const std::uint64_t following = column_pairs(here + x + 7, stride);
-      const std::uint64_t windows = pairs | pairs >> 16 << 6 | following << 54;
-      const std::uint64_t next = std::uint64_t{table[windows & 4095]} |
-                                 std::uint64_t{table[windows >> 16 & 4095]} << 16 |
-                                 std::uint64_t{table[windows >> 32 & 4095]} << 32 |
-                                 std::uint64_t{table[windows >> 48]} << 48;
-      changed |= next ^ load_word(here + x);
-      store_word(target + x, next);
-      pairs = following;
-    }
-    return changed;
+    return all_rows(&sliding_row, kTable.pairs, source, target, band);
   }
 };
+
+std::uint64_t model_lut(const RuleModel* model, const ConstBytePlaneView& source,
+                        const BytePlaneView& target, const Band& band) {
+  return all_rows(&lut_row, model->new_pixel + 256, source, target, band);
+}
+
+std::uint64_t model_lut_sliding(const RuleModel* model, const ConstBytePlaneView& source,
+                                const BytePlaneView& target, const Band& band) {
+  return all_rows(&sliding_row, model->pixel_pairs, source, target, band);
+}
 
 }  // namespace
 
 constinit const PassTable<std::uint8_t> ScalarPasses::kLut = make_pass_table<Lut>();
 constinit const PassTable<std::uint8_t> ScalarPasses::kLutSliding = make_pass_table<LutSliding>();
+constinit const Pass<std::uint8_t> ScalarModelPasses::kLut = &model_lut;
+constinit const Pass<std::uint8_t> ScalarModelPasses::kLutSliding = &model_lut_sliding;
 
 }  // namespace thinbench

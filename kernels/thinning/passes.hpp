@@ -13,12 +13,49 @@ namespace thinbench {
 /// What a rule that is not fixed at compile time consists of, such as the weights of a net.
 struct RuleModel;
 
-/// Writes rows [first, last) of `target` from rows [first - 1, last] of `source`; true where a
-/// pixel changed. The planes have one size and do not overlap; nothing outside the rows is written.
-/// `model` is nullptr for rules that need none.
+/// A band of rows, of which only some tiles need a visit. A row is cut into at most 64 columns of
+/// `column_elements` elements; bit i of `columns` asks for column i.
+struct Band {
+  Index first;  // row
+  Index last;   // row after the last
+  std::uint64_t columns;
+  Index column_elements;
+
+  /// Bits of the columns that elements [from, to) touch.
+  [[nodiscard]] std::uint64_t columns_of(Index from, Index to) const {
+    const Index low = from / column_elements;
+    const Index high = (to - 1) / column_elements;
+    return (~std::uint64_t{0} >> (63 - (high - low))) << low;
+  }
+};
+
+/// Writes the tiles of `band` in `target` from `source` and what surrounds them; other tiles of the
+/// band may be written, too, with the pixels that the rule gives them. Returns the columns that
+/// changed, among those asked for. The planes have one size and do not overlap; nothing outside the
+/// rows is written. `model` is nullptr for rules that need none.
 template <class T>
-using Pass = bool (*)(const RuleModel* model, const ConstPlaneView<T>& source,
-                      const PlaneView<T>& target, Index first, Index last);
+using Pass = std::uint64_t (*)(const RuleModel* model, const ConstPlaneView<T>& source,
+                               const PlaneView<T>& target, const Band& band);
+
+/// For engines that work row by row: calls `row(y, from, to)` for each row of the band and each run
+/// of neighbouring columns, and collects the columns in which it returned true.
+template <class Row>
+[[gnu::always_inline]] inline std::uint64_t for_each_run(const Band& band, const Row& row) {
+  std::uint64_t changed = 0;
+  for (std::uint64_t left = band.columns; left != 0;) {
+    const int begin = __builtin_ctzll(left);
+    const std::uint64_t gap = ~left >> begin;
+    const int length = gap == 0 ? 64 - begin : __builtin_ctzll(gap);
+    const std::uint64_t run = (~std::uint64_t{0} >> (64 - length)) << begin;
+    left &= ~run;
+    bool any = false;
+    for (Index y = band.first; y < band.last; ++y) {
+      any = row(y, begin * band.column_elements, (begin + length) * band.column_elements) || any;
+    }
+    if (any) changed |= run;
+  }
+  return changed;
+}
 
 template <class... Rules>
 consteval int step_count(RuleList<Rules...>) {

@@ -1,10 +1,12 @@
 #include "thinning/plan.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "core/convert.hpp"
 #include "core/planes.hpp"
+#include "nets/model.hpp"
 #include "thinning/iterate.hpp"
 
 namespace thinbench {
@@ -46,6 +48,42 @@ void check(const ThinningVariant& variant, Index width, Index height, int thread
                               " cannot run: " + std::string(reason));
 }
 
+/// What a state needs to know beside its engine.
+struct Setting {
+  Isa isa;
+  Index width;
+  Index height;
+  int threads;
+  int most_passes;
+  std::shared_ptr<const RuleModel> model;
+};
+
+std::shared_ptr<const RuleModel> chosen_model(const ThinningOperation& operation,
+                                              const ThinningVariant& variant,
+                                              const std::shared_ptr<const RuleModel>& given) {
+  const bool takes_model = operation.default_model != nullptr;
+  require(takes_model || given == nullptr, std::string(operation.name) + " takes no weights");
+  if (!takes_model) return nullptr;
+  // The default lives as long as the program: an owner without anything to delete.
+  auto model = given != nullptr ? given
+                                : std::shared_ptr<const RuleModel>(std::shared_ptr<void>(),
+                                                                   &operation.default_model());
+  require(variant.technique != Technique::kSimdFixedPoint || model->fixed_point_is_exact,
+          "simd_fixed_point cannot run: no 8-bit weights decide as these do");
+  return model;
+}
+
+/// The engine of a variant, or a better one where the model has the table of a known rule.
+const ThinningEngine& chosen_engine(const ThinningVariant& variant, const RuleModel* model) {
+  for (const KnownRule& known : variant.known_rules) {
+    if (model != nullptr &&
+        std::equal(known.table->begin(), known.table->end(), model->new_pixel)) {
+      return known.engine;
+    }
+  }
+  return variant.engine;
+}
+
 /// Source and result planes with the conversions of one instruction-set level.
 template <class T>
 struct Planes {
@@ -59,20 +97,20 @@ struct Planes {
 /// Passes over planes of T.
 template <class T>
 struct PassState final : ThinningState {
-  PassState(std::span<const Pass<T>> passes, Isa isa, Index width, Index height, int threads)
-      : cycle(passes),
-        planes(isa, width, height),
-        scratch(width, height),
-        activity(height),
-        team(threads) {}
+  PassState(std::span<const Pass<T>> passes, const Setting& setting)
+      : owned_model(setting.model),
+        cycle{passes, owned_model.get(), setting.most_passes},
+        planes(setting.isa, setting.width, setting.height),
+        scratch(setting.width, setting.height),
+        activity(setting.height, planes.result.view().row_elements, sizeof(T) == 1 ? kWordBits : 1),
+        team(setting.threads) {}
 
   void load(const ConstByteView& view) override {
     planes.conversion.read(view, planes.source.view());
   }
   int thin() override {
     const auto& source = planes.source;
-    return iterate<T>({cycle, nullptr}, source.view(), planes.result.view(), scratch.view(),
-                      activity, team);
+    return iterate<T>(cycle, source.view(), planes.result.view(), scratch.view(), activity, team);
   }
   void store(const ByteView& view) const override {
     planes.conversion.write(planes.result.view(), view);
@@ -82,27 +120,30 @@ struct PassState final : ThinningState {
            scratch.margin_is_zero();
   }
 
-  std::span<const Pass<T>> cycle;
+  std::shared_ptr<const RuleModel> owned_model;
+  Cycle<T> cycle;
   Planes<T> planes;
   Plane<T> scratch;
-  BandActivity activity;
+  TileActivity activity;
   ThreadTeam team;
 };
 
 /// One kernel over rows of one register.
 struct RowState final : ThinningState {
-  RowState(RowKernel row_kernel, Isa isa, Index width, Index height)
+  RowState(RowKernel row_kernel, const Setting& chosen)
       : kernel(row_kernel),
-        planes(isa, width, height),
+        setting(chosen),
+        planes(chosen.isa, chosen.width, chosen.height),
         scratch(make_aligned<std::uint64_t>(
-            static_cast<std::size_t>(row_kernel_scratch_words(height)))) {}
+            static_cast<std::size_t>(row_kernel_scratch_words(chosen.height)))) {}
 
   void load(const ConstByteView& view) override {
     planes.conversion.read(view, planes.source.view());
   }
   int thin() override {
     const auto& source = planes.source;
-    return kernel(source.view(), planes.result.view(), scratch.get());
+    return kernel(setting.model.get(), setting.most_passes, source.view(), planes.result.view(),
+                  scratch.get());
   }
   void store(const ByteView& view) const override {
     planes.conversion.write(planes.result.view(), view);
@@ -112,26 +153,33 @@ struct RowState final : ThinningState {
   }
 
   RowKernel kernel;
+  Setting setting;
   Planes<std::uint64_t> planes;
   AlignedArray<std::uint64_t> scratch;
 };
 
 }  // namespace
 
-ThinningPlan::ThinningPlan(const ThinningVariant& variant, Index width, Index height, int threads) {
-  check(variant, width, height, threads);
-  const int used = variant.threaded ? threads : 1;
+ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVariant& variant,
+                           Index width, Index height, const PlanOptions& options) {
+  check(variant, width, height, options.threads);
+  const Setting setting = {variant.isa,
+                           width,
+                           height,
+                           variant.threaded ? options.threads : 1,
+                           operation.most_passes,
+                           chosen_model(operation, variant, options.model)};
   const auto make = [&](const auto& engine) -> std::unique_ptr<ThinningState> {
     using Engine = std::remove_cvref_t<decltype(engine)>;
     if constexpr (std::is_same_v<Engine, const RowKernel*>) {
-      return std::make_unique<RowState>(*engine, variant.isa, width, height);
+      return std::make_unique<RowState>(*engine, setting);
     } else {
       using T = std::conditional_t<std::is_same_v<Engine, std::span<const Pass<std::uint8_t>>>,
                                    std::uint8_t, std::uint64_t>;
-      return std::make_unique<PassState<T>>(engine, variant.isa, width, height, used);
+      return std::make_unique<PassState<T>>(engine, setting);
     }
   };
-  state_ = std::visit(make, variant.engine);
+  state_ = std::visit(make, chosen_engine(variant, setting.model.get()));
 }
 
 ThinningPlan::~ThinningPlan() = default;

@@ -7,6 +7,7 @@
 #include "thinning/row_kernel.hpp"
 
 #include "core/batch.hpp"
+#include "nets/mux_rule.hpp"
 #include "thinning/sweep.hpp"
 
 namespace thinbench {
@@ -46,7 +47,8 @@ struct Bands {
 /// One sub-iteration on bands [first, last), in place. The rows just outside did not change in this
 /// step, so memory still holds what the rule must see. Returns a bit for each band that changed.
 template <class Rule, int sub>
-[[gnu::always_inline]] inline std::uint64_t sweep_bands(const Bands& bands, int first, int last) {
+[[gnu::always_inline]] inline std::uint64_t sweep_bands(const Rule& rule, const Bands& bands,
+                                                        int first, int last) {
   std::uint64_t changed_bands = 0;
   std::uint64_t* row = bands.row(first * bands.band_rows);
   auto above = load_row(row - kBlockWords);
@@ -55,7 +57,7 @@ template <class Rule, int sub>
     WordBatch changed(std::uint64_t{0});
     for (Index y = 0; y < bands.band_rows; ++y, row += kBlockWords) {
       const auto below = load_row(row + kBlockWords);
-      const WordBatch next = Rule::template next<sub>(neighbourhood(above, here, below));
+      const WordBatch next = rule.template next<sub>(neighbourhood(above, here, below));
       next.store_aligned(row);
       changed =
           ternary(changed, here.centre, next, [](auto a, auto b, auto c) { return a | (b ^ c); });
@@ -73,13 +75,13 @@ constexpr std::uint64_t with_adjacent(std::uint64_t bands) {
 }
 
 template <class Rule, int sub>
-std::uint64_t step(const Bands& bands, std::uint64_t active) {
+std::uint64_t step(const Rule& rule, const Bands& bands, std::uint64_t active) {
   std::uint64_t changed = 0;
   while (active != 0) {
     const int first = __builtin_ctzll(active);
     const std::uint64_t above_first = ~active >> first;
     const int last = above_first == 0 ? 64 : first + __builtin_ctzll(above_first);
-    changed |= sweep_bands<Rule, sub>(bands, first, last);
+    changed |= sweep_bands<Rule, sub>(rule, bands, first, last);
     active = last == 64 ? 0 : active >> last << last;
   }
   return changed;
@@ -88,15 +90,16 @@ std::uint64_t step(const Bands& bands, std::uint64_t active) {
 /// One cycle; `changed[i]` are the bands that sub-iteration i changed when it last ran. True where
 /// any changed now.
 template <class Rule, int... subs>
-bool cycle(const Bands& bands, std::uint64_t all, std::uint64_t* changed,
+bool cycle(const Rule& rule, const Bands& bands, std::uint64_t all, std::uint64_t* changed,
            std::integer_sequence<int, subs...>) {
   const auto recently = [&] { return with_adjacent((changed[subs] | ...)) & all; };
-  ((changed[subs] = step<Rule, subs>(bands, recently())), ...);
+  ((changed[subs] = step<Rule, subs>(rule, bands, recently())), ...);
   return (changed[subs] | ...) != 0;
 }
 
 template <class Rule>
-int thin_rows(const ConstBitPlaneView& source, const BitPlaneView& target, std::uint64_t* scratch) {
+int thin_rows(const Rule& rule, int most_cycles, const ConstBitPlaneView& source,
+              const BitPlaneView& target, std::uint64_t* scratch) {
   const Index count = row_kernel_bands(source.height);
   const Bands bands = {scratch + kBlockWords, row_kernel_band_rows(source.height)};
   for (Index y = 0; y < source.height; ++y) {
@@ -106,24 +109,36 @@ int thin_rows(const ConstBitPlaneView& source, const BitPlaneView& target, std::
   std::uint64_t changed[Rule::kSubIterations];
   for (std::uint64_t& mask : changed) mask = all;
   int cycles = 1;
-  while (
-      cycle<Rule>(bands, all, changed, std::make_integer_sequence<int, Rule::kSubIterations>{})) {
-    ++cycles;
-  }
+  constexpr auto subs = std::make_integer_sequence<int, Rule::kSubIterations>{};
+  while (cycle<Rule>(rule, bands, all, changed, subs) && cycles < most_cycles) ++cycles;
   for (Index y = 0; y < source.height; ++y) {
     _mm512_store_si512(target.row(y), _mm512_load_si512(bands.row(y)));
   }
   return cycles;
 }
 
+template <class Rule>
+int fixed_rule(const RuleModel*, int most_cycles, const ConstBitPlaneView& source,
+               const BitPlaneView& target, std::uint64_t* scratch) {
+  return thin_rows(Rule{}, most_cycles, source, target, scratch);
+}
+
+int model_rule(const RuleModel* model, int most_cycles, const ConstBitPlaneView& source,
+               const BitPlaneView& target, std::uint64_t* scratch) {
+  return thin_rows(MuxRule{model->program}, most_cycles, source, target, scratch);
+}
+
 template <class... Rules>
 consteval RowKernelTable make_table(RuleList<Rules...>) {
-  return {{&thin_rows<Rules>...}};
+  return {{&fixed_rule<Rules>...}};
 }
 
 }  // namespace
 
 template <>
 constinit const RowKernelTable RowKernels<kThisIsa>::kTable = make_table(AllRules{});
+
+template <>
+constinit const RowKernel RowKernels<kThisIsa>::kModel = &model_rule;
 
 }  // namespace thinbench

@@ -3,6 +3,7 @@
 
 #include "core/isa.hpp"
 #include "core/views.hpp"
+#include "thinning/passes.hpp"
 #include "thinning/rules.hpp"
 
 namespace thinbench {
@@ -25,12 +26,12 @@ constexpr Index row_kernel_scratch_words(Index height) {
   return (row_kernel_bands(height) * row_kernel_band_rows(height) + 2) * kBlockWords;
 }
 
-/// Repeats a rule until nothing changes; returns the number of cycles, the last included. Reads
-/// `source` and writes `target` once; works in `scratch`, `row_kernel_scratch_words` words on a
-/// cache line, of which all beyond the image's own rows must be zero and stay so. Needs width <=
-/// 512.
-using RowKernel = int (*)(const ConstBitPlaneView& source, const BitPlaneView& target,
-                          std::uint64_t* scratch);
+/// Repeats a rule until nothing changes or `most_cycles` are done; returns the number of cycles,
+/// the last included. Reads `source` and writes `target` once; works in `scratch`,
+/// `row_kernel_scratch_words` words on a cache line, of which all beyond the image's own rows must
+/// be zero and stay so. Needs width <= 512. `model` is nullptr for rules that need none.
+using RowKernel = int (*)(const RuleModel* model, int most_cycles, const ConstBitPlaneView& source,
+                          const BitPlaneView& target, std::uint64_t* scratch);
 
 template <class... Rules>
 consteval int rule_count(RuleList<Rules...>) {
@@ -54,6 +55,7 @@ struct RowKernelTable {
 template <Isa isa>
 struct RowKernels {
   static const RowKernelTable kTable;
+  static const RowKernel kModel;  // any rule of eight neighbours, from a model
 };
 
 }  // namespace thinbench

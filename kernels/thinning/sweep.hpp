@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/word.hpp"
-#include "thinning/rules.hpp"
+#include "thinning/passes.hpp"
 
 namespace thinbench {
 
@@ -31,29 +31,32 @@ template <class Word>
           here.west,   below.west, below.centre, below.east};
 }
 
-/// Applies sub-iteration `sub` of `Rule` to rows [first, last) of `source` and writes them to
-/// `target`; true where any pixel changed. The views are of one size and must not overlap; they
-/// come by value because a store could otherwise be taken to change their fields.
+/// Applies sub-iteration `sub` of `rule` to the tiles of `band`, see Pass. The views come by value
+/// because a store could otherwise be taken to change their fields.
 template <class Rule, int sub, class Word>
-[[gnu::always_inline]] inline bool sweep_rows(
-    ConstPlaneView<typename WordTraits<Word>::Element> source,
-    PlaneView<typename WordTraits<Word>::Element> target, Index first, Index last) {
+[[gnu::always_inline]] inline std::uint64_t sweep_band(
+    const Rule& rule, ConstPlaneView<typename WordTraits<Word>::Element> source,
+    PlaneView<typename WordTraits<Word>::Element> target, Band band) {
   using Traits = WordTraits<Word>;
-  Word changed = Traits::zero();
+  std::uint64_t changed_columns = 0;
   for (Index x = 0; x < source.row_elements; x += Traits::kElements) {
-    auto above = load_row<Word>(source.row(first - 1) + x);
-    auto here = load_row<Word>(source.row(first) + x);
-    for (Index y = first; y < last; ++y) {
+    const std::uint64_t columns = band.columns & band.columns_of(x, x + Traits::kElements);
+    if (columns == 0) continue;
+    Word changed = Traits::zero();
+    auto above = load_row<Word>(source.row(band.first - 1) + x);
+    auto here = load_row<Word>(source.row(band.first) + x);
+    for (Index y = band.first; y < band.last; ++y) {
       const auto below = load_row<Word>(source.row(y + 1) + x);
-      const Word next = Rule::template next<sub>(neighbourhood(above, here, below));
+      const Word next = rule.template next<sub>(neighbourhood(above, here, below));
       Traits::store(target.row(y) + x, next);
       changed =
           ternary(changed, here.centre, next, [](auto a, auto b, auto c) { return a | (b ^ c); });
       above = here;
       here = below;
     }
+    if (Traits::any(changed)) changed_columns |= columns;
   }
-  return Traits::any(changed);
+  return changed_columns;
 }
 
 }  // namespace thinbench

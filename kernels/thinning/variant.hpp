@@ -1,6 +1,7 @@
 // A thinning operation and its variants: plain rows of a table.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "core/technique.hpp"
 #include "thinning/passes.hpp"
 #include "thinning/row_kernel.hpp"
+#include "thinning/rule_table.hpp"
 
 namespace thinbench {
 
@@ -17,18 +19,33 @@ namespace thinbench {
 using ThinningEngine = std::variant<std::span<const Pass<std::uint8_t>>,
                                     std::span<const Pass<std::uint64_t>>, const RowKernel*>;
 
+/// A better engine for models that turn out to have the table of a known rule.
+struct KnownRule {
+  const RuleTable* table;
+  ThinningEngine engine;
+};
+
+inline constexpr Index kAnyWidth = std::numeric_limits<Index>::max();
+inline constexpr bool kThreaded = true;
+inline constexpr bool kOneThread = false;
+
 struct ThinningVariant {
   Technique technique;
   Isa isa;
   bool threaded;    // runs on bands of rows with as many threads as asked for
   Index max_width;  // wider images need another variant
   ThinningEngine engine;
+  std::span<const KnownRule> known_rules = {};  // for operations with a model
 };
 
 struct ThinningOperation {
   std::string_view name;
   std::string_view description;
   std::span<const ThinningVariant> variants;
+  /// The model that is used where none is given; nullptr for operations without one.
+  const RuleModel& (*default_model)() = nullptr;
+  /// Passes at most; 1 for operations that are one pass.
+  int most_passes = std::numeric_limits<int>::max();
 };
 
 /// Why a variant cannot run here on an image of this width; empty where it can.

@@ -7,30 +7,31 @@ namespace thinbench {
 namespace {
 
 /// Copies its input and forgets one pixel.
-bool forgetful_pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
-                    Index first, Index last) {
-  for (Index y = first; y < last; ++y) {
+std::uint64_t forgetful_pass(const RuleModel*, const ConstBytePlaneView& source,
+                             const BytePlaneView& target, const Band& band) {
+  for (Index y = band.first; y < band.last; ++y) {
     for (Index x = 0; x < source.width; ++x) target.row(y)[x] = source.row(y)[x];
   }
-  if (first == 0 && source.width > 2) target.row(0)[2] = 0;
-  return false;
+  if (band.first == 0 && source.width > 2) target.row(0)[2] = 0;
+  return 0;
 }
 
 /// Writes one byte after the row.
-bool overrunning_pass(const RuleModel*, const ConstBytePlaneView& source,
-                      const BytePlaneView& target, Index first, Index last) {
-  for (Index y = first; y < last; ++y) {
+std::uint64_t overrunning_pass(const RuleModel*, const ConstBytePlaneView& source,
+                               const BytePlaneView& target, const Band& band) {
+  for (Index y = band.first; y < band.last; ++y) {
     for (Index x = 0; x < source.width; ++x) target.row(y)[x] = source.row(y)[x];
     target.row(y)[source.row_elements] = 1;
   }
-  return false;
+  return 0;
 }
 
 std::string mismatch_of(Pass<std::uint8_t> pass, const ConstByteView& input, Expected expected) {
   const std::array passes = {pass};
   const ThinningVariant variant{Technique::kLut, Isa::kBaseline, false, 1000,
                                 std::span<const Pass<std::uint8_t>>(passes)};
-  ThinningPlan plan(variant, input.width, input.height);
+  const ThinningOperation operation{"copy", "for tests", std::span(&variant, 1)};
+  ThinningPlan plan(operation, variant, input.width, input.height);
   return find_mismatch(plan, input, expected).value_or("");
 }
 

@@ -5,44 +5,84 @@
 namespace thinbench {
 namespace {
 
-std::vector<Index> listed(std::span<const Index> bands) {
-  return {bands.begin(), bands.end()};
-}
+constexpr Index kRows = TileActivity::kRows;
 
-TEST(BandActivity, first_two_steps_visit_every_band) {
-  BandActivity activity(5 * BandActivity::kRows);
-  activity.restart();
-  for (int step = 1; step <= 2; ++step) {
-    EXPECT_EQ(activity.begin_step(1).size(), 5U);
-    for (Index band = 0; band < 5; ++band) activity.set_changed(band, false);
-    EXPECT_FALSE(activity.end_step());
+/// Visits what the step lists; tile (band, column) changes where `changes` says so.
+template <class Changes>
+std::vector<std::pair<Index, std::uint64_t>> visit(TileActivity& activity, int cycle,
+                                                   const Changes& changes) {
+  std::vector<std::pair<Index, std::uint64_t>> visited;
+  const auto bands = activity.begin_step(cycle);
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const Index band = bands[i].first / kRows;
+    visited.emplace_back(band, bands[i].columns);
+    activity.set_changed(i, changes(band) & bands[i].columns);
   }
-  EXPECT_TRUE(activity.begin_step(1).empty());
-}
-
-TEST(BandActivity, a_change_wakes_the_band_and_its_neighbours_for_one_cycle) {
-  BandActivity activity(6 * BandActivity::kRows);
-  activity.restart();
-  for (int step = 1; step <= 2; ++step) {
-    for (const Index band : activity.begin_step(1))
-      activity.set_changed(band, step == 2 && band == 3);
-    EXPECT_EQ(activity.end_step(), step == 2);
-  }
-  EXPECT_EQ(listed(activity.begin_step(1)), (std::vector<Index>{2, 3, 4}));
-}
-
-TEST(BandActivity, a_cycle_of_two_keeps_bands_awake_for_two_steps) {
-  BandActivity activity(6 * BandActivity::kRows);
-  activity.restart();
-  for (int step = 1; step <= 4; ++step) {
-    for (const Index band : activity.begin_step(2))
-      activity.set_changed(band, step == 3 && band == 0);
-    activity.end_step();
-  }
-  EXPECT_EQ(listed(activity.begin_step(2)), (std::vector<Index>{0, 1}));
-  for (const Index band : {0, 1}) activity.set_changed(band, false);
   activity.end_step();
-  EXPECT_TRUE(activity.begin_step(2).empty());
+  return visited;
+}
+
+constexpr auto kNothing = [](Index) { return std::uint64_t{0}; };
+using Visits = std::vector<std::pair<Index, std::uint64_t>>;
+
+TEST(TileActivity, first_two_steps_visit_every_tile) {
+  TileActivity activity(3 * kRows - 5, 6, 1);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    activity.restart();
+    const Visits everything = {{0, 0b111111}, {1, 0b111111}, {2, 0b111111}};
+    EXPECT_EQ(visit(activity, 1, kNothing), everything);
+    EXPECT_EQ(visit(activity, 1, kNothing), everything);
+    EXPECT_TRUE(visit(activity, 1, kNothing).empty());
+  }
+}
+
+TEST(TileActivity, a_change_wakes_the_tile_and_its_eight_neighbours_for_one_step) {
+  TileActivity activity(6 * kRows, 6, 1);
+  activity.restart();
+  visit(activity, 1, kNothing);
+  visit(activity, 1, [](Index band) { return std::uint64_t{band == 3 ? 0b001000U : 0U}; });
+  EXPECT_EQ(visit(activity, 1, kNothing), (Visits{{2, 0b011100}, {3, 0b011100}, {4, 0b011100}}));
+  EXPECT_TRUE(visit(activity, 1, kNothing).empty());
+}
+
+TEST(TileActivity, a_cycle_of_two_keeps_tiles_awake_for_two_steps) {
+  TileActivity activity(6 * kRows, 2, 1);
+  activity.restart();
+  visit(activity, 2, kNothing);
+  visit(activity, 2, kNothing);
+  visit(activity, 2, [](Index band) { return std::uint64_t{band == 0 ? 1U : 0U}; });
+  EXPECT_EQ(visit(activity, 2, kNothing), (Visits{{0, 0b11}, {1, 0b11}}));
+  EXPECT_EQ(visit(activity, 2, kNothing), (Visits{{0, 0b11}, {1, 0b11}}));
+  EXPECT_TRUE(visit(activity, 2, kNothing).empty());
+}
+
+TEST(TileActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
+  for (const Index elements : {1, 63, 64, 65, 127, 128, 129, 1000}) {
+    TileActivity activity(1, elements, 1);
+    activity.restart();
+    const Band band = activity.begin_step(1).front();
+    EXPECT_GE(band.column_elements * __builtin_popcountll(band.columns), elements) << elements;
+    EXPECT_LT(band.column_elements * (__builtin_popcountll(band.columns) - 1), elements);
+  }
+}
+
+TEST(Band, columns_of_elements_are_those_they_touch) {
+  const Band band = {0, 1, 0, 3};
+  EXPECT_EQ(band.columns_of(0, 3), 0b1U);
+  EXPECT_EQ(band.columns_of(2, 4), 0b11U);
+  EXPECT_EQ(band.columns_of(6, 12), 0b1100U);
+  EXPECT_EQ((Band{0, 1, 0, 1}.columns_of(0, 64)), ~std::uint64_t{0});
+}
+
+TEST(ForEachRun, visits_runs_of_columns_and_collects_changes) {
+  Visits seen;
+  const std::uint64_t changed =
+      for_each_run(Band{2, 4, 0b1011, 10}, [&](Index y, Index from, Index to) {
+        seen.emplace_back(y, static_cast<std::uint64_t>(100 * from + to));
+        return from == 30;
+      });
+  EXPECT_EQ(seen, (Visits{{2, 20}, {3, 20}, {2, 3040}, {3, 3040}}));
+  EXPECT_EQ(changed, 0b1000U);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(ThinningPlan, running_allocates_nothing) {
   for (const ThinningOperation& operation : thinning_operations()) {
     for (const ThinningVariant& variant : operation.variants) {
       if (variant.threaded || !why_unavailable(variant, 300).empty()) continue;
-      ThinningPlan plan(variant, 300, 90);
+      ThinningPlan plan(operation, variant, 300, 90);
       const long before = allocations;
       plan.run(image.view(), out.view());
       EXPECT_EQ(allocations, before) << technique_name(variant.technique);
@@ -58,7 +58,7 @@ TEST(ThinningPlan, kernel_keeps_its_input_and_may_be_repeated) {
   const ByteImage image = noise_image(100, 40, 97, 1, 6);
   for (const ThinningVariant& variant : any_operation().variants) {
     if (!why_unavailable(variant, 100).empty()) continue;
-    ThinningPlan plan(variant, 100, 40, 2);
+    ThinningPlan plan(any_operation(), variant, 100, 40, {2});
     plan.load(image.view());
     const int passes = plan.thin();
     ByteImage first(100, 40);
@@ -74,7 +74,7 @@ TEST(ThinningPlan, source_and_destination_may_be_one_image) {
   const ByteImage image = noise_image(77, 30, 95, 1, 7);
   for (const ThinningVariant& variant : any_operation().variants) {
     if (!why_unavailable(variant, 77).empty()) continue;
-    ThinningPlan plan(variant, 77, 30);
+    ThinningPlan plan(any_operation(), variant, 77, 30);
     ByteImage apart(77, 30);
     plan.run(image.view(), apart.view());
     ByteImage in_place = copy_of(image.view());
@@ -85,18 +85,19 @@ TEST(ThinningPlan, source_and_destination_may_be_one_image) {
 
 TEST(ThinningPlan, refuses_what_it_cannot_run) {
   const ThinningVariant& variant = any_operation().variants.front();
-  EXPECT_THROW(ThinningPlan(variant, -1, 5), std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(variant, Index{1} << 40, 2), std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(variant, PTRDIFF_MAX, PTRDIFF_MAX), std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(variant, 5, 5, 0), std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(variant, 5, 5, 1025), std::invalid_argument);
+  EXPECT_THROW(ThinningPlan(any_operation(), variant, -1, 5), std::invalid_argument);
+  EXPECT_THROW(ThinningPlan(any_operation(), variant, Index{1} << 40, 2), std::invalid_argument);
+  EXPECT_THROW(ThinningPlan(any_operation(), variant, PTRDIFF_MAX, PTRDIFF_MAX),
+               std::invalid_argument);
+  EXPECT_THROW(ThinningPlan(any_operation(), variant, 5, 5, {0}), std::invalid_argument);
+  EXPECT_THROW(ThinningPlan(any_operation(), variant, 5, 5, {1025}), std::invalid_argument);
 }
 
 TEST(ThinningPlan, refuses_images_wider_than_the_variant) {
   for (const ThinningVariant& variant : any_operation().variants) {
     if (variant.technique != Technique::kSimdBitpackedRow) continue;
     EXPECT_FALSE(why_unavailable(variant, 513).empty());
-    EXPECT_THROW(ThinningPlan(variant, 513, 5), std::invalid_argument);
+    EXPECT_THROW(ThinningPlan(any_operation(), variant, 513, 5), std::invalid_argument);
   }
 }
 

@@ -1,0 +1,17 @@
+// Checks of arguments that say what would be right. They read decimal numbers and nothing else.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace thinbench {
+
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest);
+
+[[nodiscard]] CLI::Validator real_number(double lowest, double highest);
+
+inline constexpr std::uint64_t kMaxThreads = 1024;
+
+}  // namespace thinbench

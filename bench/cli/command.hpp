@@ -1,0 +1,39 @@
+// What the parts of the command-line program share. Each command declares its arguments and hands
+// back the function that runs it.
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+namespace thinbench {
+
+inline constexpr int kSuccess = 0;
+inline constexpr int kFailure = 1;
+inline constexpr int kUsage = 2;
+
+/// The program was asked for something that does not exist; ends it with kUsage.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Console {
+  std::ostream& out;
+  std::ostream& err;
+  bool err_is_terminal;
+};
+
+struct Command {
+  CLI::App* app;
+  std::function<int(const Console&)> run;  // after parsing
+};
+
+[[nodiscard]] Command add_list_command(CLI::App& program);
+[[nodiscard]] Command add_verify_command(CLI::App& program);
+[[nodiscard]] Command add_run_command(CLI::App& program);
+[[nodiscard]] Command add_scene_command(CLI::App& program);
+[[nodiscard]] Command add_machine_command(CLI::App& program);
+
+}  // namespace thinbench

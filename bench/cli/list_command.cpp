@@ -1,0 +1,92 @@
+// thinbench list: every row of the catalogue and whether it runs here.
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "catalog.hpp"
+#include "cli/command.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  thinbench list
+  thinbench list --json | jq '.[] | select(.available) | .technique'
+  THINBENCH_MAX_ISA=sse4.2 thinbench list)";
+
+constexpr std::size_t kColumns = 5;
+using Cells = std::array<std::string, kColumns>;
+
+struct ListedRow {
+  const ThinningOperation& operation;
+  const ThinningVariant& variant;
+  std::string reason;  // empty where it runs
+
+  [[nodiscard]] const TechniqueInfo& technique() const { return technique_info(variant.technique); }
+  [[nodiscard]] std::string threads() const { return variant.threaded ? "n" : "1"; }
+};
+
+std::vector<ListedRow> all_rows() {
+  std::vector<ListedRow> rows;
+  for (const ThinningOperation& operation : thinning_operations()) {
+    for (const ThinningVariant& variant : operation.variants) {
+      rows.push_back({operation, variant, std::string(why_unavailable(variant, 0))});
+    }
+  }
+  return rows;
+}
+
+void print_json(std::ostream& out) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ListedRow& row : all_rows()) {
+    list.push_back({{"operation", row.operation.name},
+                    {"technique", row.technique().name},
+                    {"isa", isa_name(row.variant.isa)},
+                    {"threads", row.threads()},
+                    {"available", row.reason.empty()},
+                    {"reason", row.reason},
+                    {"description", row.technique().description}});
+  }
+  out << list.dump(2) << '\n';
+}
+
+void print_aligned(const std::vector<Cells>& lines, std::ostream& out) {
+  std::array<std::size_t, kColumns> widths{};
+  for (const Cells& cells : lines) {
+    for (std::size_t i = 0; i < kColumns; ++i) widths[i] = std::max(widths[i], cells[i].size());
+  }
+  for (const Cells& cells : lines) {
+    for (std::size_t i = 0; i + 1 < kColumns; ++i) {
+      out << std::left << std::setw(static_cast<int>(widths[i]) + 2) << cells[i];
+    }
+    out << cells.back() << '\n';
+  }
+}
+
+void print_table(std::ostream& out) {
+  std::vector<Cells> lines = {{"operation", "technique", "isa", "threads", "available"}};
+  for (const ListedRow& row : all_rows()) {
+    lines.push_back({std::string(row.operation.name), std::string(row.technique().name),
+                     std::string(isa_name(row.variant.isa)), row.threads(),
+                     row.reason.empty() ? "yes" : "no: " + row.reason});
+  }
+  print_aligned(lines, out);
+}
+
+}  // namespace
+
+Command add_list_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("list", "List every way to compute every operation");
+  const auto json = std::make_shared<bool>(false);
+  app->add_flag("--json", *json, "Print a JSON array instead of a table");
+  app->footer(kExamples);
+  return {app, [json](const Console& console) {
+            *json ? print_json(console.out) : print_table(console.out);
+            return kSuccess;
+          }};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,93 @@
+#include "cli/names.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "cli/command.hpp"
+
+namespace thinbench {
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return lower;
+}
+
+/// Edits from a word to a name, first to the name's nearest beginning, then to all of it.
+using Distance = std::pair<std::size_t, std::size_t>;
+
+Distance distance(std::string_view word, std::string_view name) {
+  std::vector<std::size_t> row(name.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < name.size(); ++j) {
+      const std::size_t replaced = diagonal + (word[i] == name[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return {*std::min_element(row.begin(), row.end()), row.back()};
+}
+
+}  // namespace
+
+std::optional<std::string_view> nearest_name(std::string_view word,
+                                             const std::vector<std::string_view>& known) {
+  const std::string typed = lower_case(word);
+  std::optional<std::string_view> nearest;
+  Distance least{typed.size() / 3 + 1, 0};  // beyond that it is another word
+  for (const std::string_view name : known) {
+    const Distance found = distance(typed, lower_case(name));
+    if (typed.empty() || found >= least) continue;
+    least = found;
+    nearest = name;
+  }
+  return nearest;
+}
+
+void refuse_name(std::string_view kind, std::string_view word,
+                 const std::vector<std::string_view>& known) {
+  std::string text = "no " + std::string(kind) + " is named '" + std::string(word) + "'; ";
+  if (const auto nearest = nearest_name(word, known)) {
+    throw UsageError(text + "did you mean '" + std::string(*nearest) + "'?");
+  }
+  throw UsageError(text + "known: " + enumeration(known));
+}
+
+std::string enumeration(const std::vector<std::string_view>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+const ThinningOperation& operation_named(std::string_view name) {
+  if (const ThinningOperation* operation = find_thinning_operation(name)) return *operation;
+  std::vector<std::string_view> known;
+  known.reserve(thinning_operations().size());
+  for (const ThinningOperation& operation : thinning_operations()) known.push_back(operation.name);
+  refuse_name("operation", name, known);
+}
+
+Technique technique_named(std::string_view name) {
+  if (const auto technique = technique_from_name(name)) return *technique;
+  std::vector<std::string_view> known;
+  known.reserve(kTechniques.size());
+  for (const TechniqueInfo& info : kTechniques) known.push_back(info.name);
+  refuse_name("technique", name, known);
+}
+
+Isa isa_named(std::string_view name) {
+  if (const auto isa = isa_from_name(name)) return *isa;
+  std::vector<std::string_view> known;
+  for (const Isa isa : kAllIsas) known.push_back(isa_name(isa));
+  refuse_name("instruction set", name, known);
+}
+
+}  // namespace thinbench

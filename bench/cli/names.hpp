@@ -1,0 +1,29 @@
+// Names that users type: found, or refused with the nearest known one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalog.hpp"
+
+namespace thinbench {
+
+/// The known name that `word` is probably a slip of: few edits away from it or from its beginning.
+[[nodiscard]] std::optional<std::string_view> nearest_name(
+    std::string_view word, const std::vector<std::string_view>& known);
+
+/// Throws UsageError: "no <kind> is named '<word>'; did you mean ...", or the list of all.
+[[noreturn]] void refuse_name(std::string_view kind, std::string_view word,
+                              const std::vector<std::string_view>& known);
+
+/// "a, b and c".
+[[nodiscard]] std::string enumeration(const std::vector<std::string_view>& words);
+
+/// Each throws UsageError for an unknown name.
+[[nodiscard]] const ThinningOperation& operation_named(std::string_view name);
+[[nodiscard]] Technique technique_named(std::string_view name);
+[[nodiscard]] Isa isa_named(std::string_view name);
+
+}  // namespace thinbench

@@ -1,0 +1,53 @@
+#include "cli/parse_errors.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "cli/names.hpp"
+
+namespace thinbench {
+namespace {
+
+std::string unexpected_text(const CLI::App& app) {
+  const std::vector<std::string> left = app.remaining();
+  const auto option = std::find_if(left.begin(), left.end(),
+                                   [](const std::string& word) { return word.rfind('-', 0) == 0; });
+  if (option == left.end()) return "'" + left.front() + "' is one argument too many";
+  std::vector<std::string> names;
+  for (const CLI::Option* known : app.get_options()) {
+    if (known->nonpositional()) names.push_back(known->get_name());
+  }
+  std::string text = "there is no option '" + *option + "'";
+  if (const auto nearest = nearest_name(*option, {names.begin(), names.end()})) {
+    text += "; did you mean '" + std::string(*nearest) + "'?";
+  }
+  return text;
+}
+
+/// The parser's words, or better ones where it speaks in its own terms.
+std::string plain_text(const CLI::ParseError& error) {
+  std::string text = error.what();
+  const auto colon = text.find(": ");
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr || colon == std::string::npos) {
+    return text;
+  }
+  const bool missing = text.find("missing") != std::string::npos;
+  return text.substr(0, colon) + (missing ? " needs a value" : " may be given only once");
+}
+
+std::string full_name(const CLI::App& app) {
+  const bool is_command = app.get_parent() != nullptr;
+  return is_command ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name();
+}
+
+}  // namespace
+
+std::string parse_error_text(const CLI::ParseError& error, const CLI::App& app) {
+  const bool unexpected = !app.remaining().empty();
+  std::string text = unexpected ? unexpected_text(app) : plain_text(error);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text + (text.back() == '?' ? " See '" : "; see '") + full_name(app) + " --help'";
+}
+
+}  // namespace thinbench

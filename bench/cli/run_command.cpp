@@ -1,0 +1,122 @@
+// thinbench run: thins one picture file into another.
+#include <chrono>
+#include <iomanip>
+#include <memory>
+#include <string>
+
+#include <tbb/global_control.h>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/names.hpp"
+#include "cli/variant_choice.hpp"
+#include "harness/crosscheck.hpp"
+#include "picture/picture.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  thinbench run thin_naccache_shinghal drawing.png skeleton.png
+  thinbench run thin_naccache_shinghal parts.jpg skeleton.png --invert --threshold 100
+  thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8)";
+
+struct RunOptions {
+  std::string operation;
+  std::string in;
+  std::string out;
+  std::string technique;
+  std::string isa;
+  int threads = 1;
+  int threshold = 128;
+  bool invert = false;
+};
+
+/// Objects 255 on 0.
+ByteImage objects_of(ByteImage grey, int threshold, bool invert) {
+  for (Index y = 0; y < grey.height(); ++y) {
+    std::uint8_t* row = grey.view().row(y);
+    for (Index x = 0; x < grey.width(); ++x) row[x] = (row[x] >= threshold) != invert ? 255 : 0;
+  }
+  return grey;
+}
+
+Index object_pixels(const ByteImage& image) {
+  Index count = 0;
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) count += image.at(x, y) != 0 ? 1 : 0;
+  }
+  return count;
+}
+
+ThinningOptions thinning_options(const RunOptions& options) {
+  ThinningOptions how;
+  if (!options.technique.empty()) how.technique = technique_named(options.technique);
+  if (!options.isa.empty()) how.isa = isa_named(options.isa);
+  how.threads = options.threads;
+  return how;
+}
+
+struct Thinned {
+  ByteImage skeleton;
+  int passes;
+  double milliseconds;
+};
+
+Thinned thinned(const ThinningOperation& operation, const ThinningVariant& variant,
+                const ByteImage& objects, int threads) {
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  ThinningPlan plan(operation, variant, objects.width(), objects.height(), {threads});
+  ByteImage skeleton(objects.width(), objects.height());
+  const auto start = std::chrono::steady_clock::now();
+  const int passes = plan.run(objects.view(), skeleton.view());
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  return {std::move(skeleton), passes, time.count()};
+}
+
+int run(const RunOptions& options, std::ostream& out) {
+  const ThinningOperation& operation = operation_named(options.operation);
+  const ThinningOptions how = thinning_options(options);
+  check_ending(options.out);
+  const ByteImage objects = objects_of(read_grey(options.in), options.threshold, options.invert);
+  const ThinningVariant& variant = variant_for(operation, objects.width(), how);
+  const Thinned result = thinned(operation, variant, objects, how.threads);
+  write_grey(options.out, result.skeleton.view());
+  out << row_name(operation.name, variant, how.threads) << ": " << objects.width() << " x "
+      << objects.height() << ", " << result.passes << (result.passes == 1 ? " pass, " : " passes, ")
+      << object_pixels(objects) << " object pixels before, " << object_pixels(result.skeleton)
+      << " after, " << std::fixed << std::setprecision(3) << result.milliseconds << " ms\n";
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_run_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("run", "Thin a picture file into another");
+  const auto options = std::make_shared<RunOptions>();
+  app->add_option("OPERATION", options->operation, "Name of an operation, see 'thinbench list'")
+      ->required()
+      ->type_name("");
+  app->add_option("IN", options->in, "Picture to read")->required()->type_name("");
+  app->add_option("OUT", options->out, "Picture to write: .png, .pgm, .bmp or .tif")
+      ->required()
+      ->type_name("");
+  app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
+      ->type_name("NAME");
+  app->add_option("--isa", options->isa, "Instruction set (default: the highest)")
+      ->type_name("NAME");
+  app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
+      ->check(whole_number(1, kMaxThreads))
+      ->type_name("N")
+      ->capture_default_str();
+  app->add_option("--threshold", options->threshold, "Objects are pixels >= T, 0 to 255")
+      ->check(whole_number(0, 255))
+      ->type_name("T")
+      ->capture_default_str();
+  app->add_flag("--invert", options->invert, "Objects are pixels < T instead");
+  app->footer(kExamples);
+  return {app, [options](const Console& console) { return run(*options, console.out); }};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,31 @@
+// Grey pictures in files. OpenCV decodes and encodes; nothing of it shows here.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "core/image.hpp"
+
+namespace thinbench {
+
+/// Why a picture could not be read or written: one line that names the file.
+struct PictureError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The largest picture that is read, in pixels.
+inline constexpr Index kMaxPicturePixels = Index{1} << 31;
+
+/// The grey levels of a picture file of any common format; 16 bits become 8, colours become grey
+/// and transparency is left out. Throws PictureError.
+[[nodiscard]] ByteImage read_grey(const std::string& path);
+
+/// Writes an 8-bit grey picture in the format that the ending names; only formats that keep every
+/// pixel are known. The file appears, or is replaced, as a whole or not at all. Throws
+/// PictureError.
+void write_grey(const std::string& path, const ConstByteView& picture);
+
+/// Throws PictureError where the ending names no format that write_grey knows.
+void check_ending(const std::string& path);
+
+}  // namespace thinbench

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <unistd.h>
+
+#include "picture/captured_stderr.hpp"
+#include "picture/picture.hpp"
+#include "picture/temporary_file.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr std::array<std::string_view, 5> kEndings = {".png", ".pgm", ".bmp", ".tif", ".tiff"};
+constexpr const char* kKnownEndings = ".png, .pgm, .bmp, .tif and .tiff";
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw PictureError("cannot write '" + path + "': " + why);
+}
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return ending;
+}
+
+/// Refuses what the rename would run into after all the work, and files that the user protected.
+void check_target(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code ignored;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
+    refuse(path, "there is no folder '" + folder.string() + "'");
+  }
+  if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a folder");
+  if (std::filesystem::exists(path, ignored) && access(path.c_str(), W_OK) != 0) {
+    refuse(path, "it is protected against writing");
+  }
+}
+
+std::vector<std::uint8_t> encoded(const std::string& path, const ConstByteView& picture) {
+  const CapturedStderr captured;
+  std::vector<std::uint8_t> bytes;
+  // OpenCV only reads the pixels, but has no view of constant ones.
+  const cv::Mat view(static_cast<int>(picture.height), static_cast<int>(picture.width), CV_8UC1,
+                     const_cast<std::uint8_t*>(picture.data),
+                     static_cast<std::size_t>(picture.stride));
+  if (!cv::imencode(ending_of(path), view, bytes)) refuse(path, "the picture cannot be encoded");
+  return bytes;
+}
+
+}  // namespace
+
+void check_ending(const std::string& path) {
+  const std::string ending = ending_of(path);
+  if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return;
+  const std::string what = ending.empty() ? "its name has no ending"
+                           : ending == ".jpg" || ending == ".jpeg"
+                               ? "JPEG would change pixels"
+                               : "no format is known for the ending '" + ending + "'";
+  refuse(path, what + "; the known endings are " + kKnownEndings);
+}
+
+void write_grey(const std::string& path, const ConstByteView& picture) {
+  check_ending(path);
+  check_target(path);
+  if (picture.width == 0 || picture.height == 0) refuse(path, "the picture has no pixels");
+  if (picture.width >= kMaxPicturePixels / picture.height) {
+    refuse(path, "the picture has 2^31 pixels or more");
+  }
+  try {
+    const std::vector<std::uint8_t> bytes = encoded(path, picture);
+    TemporaryFile file(path);
+    file.write(bytes);
+    file.put_in_place();
+  } catch (const std::system_error& error) {
+    refuse(path, error.code().message());
+  } catch (const PictureError&) {
+    throw;
+  } catch (const std::exception&) {  // OpenCV's own, or memory is short
+    refuse(path, "the picture cannot be encoded");
+  }
+}
+
+}  // namespace thinbench

@@ -1,0 +1,118 @@
+// The nets' equations on bytes 0/1 as plain loops over strips of a row that compilers vectorise, at
+// -O3 for every instruction-set level: what hand-written SIMD is compared with. Light pixels are
+// computed and dropped; the equations have no branch.
+#include "core/isa.hpp"
+#include "nets/exponential.hpp"
+#include "nets/model.hpp"
+#include "nets/model_passes.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr Index kStrip = 64;  // rows are padded to whole strips
+
+/// Inputs of a strip: 0.0 and 1.0.
+struct StripInputs {
+  float n[kNetInputs][kStrip];
+};
+
+void load_inputs(StripInputs& inputs, const std::uint8_t* here, Index stride) {
+  const Index offset[kNetInputs] = {1,  1 - stride, -stride, -1 - stride,
+                                    -1, stride - 1, stride,  stride + 1};
+  for (int i = 0; i < kNetInputs; ++i) {
+    for (Index x = 0; x < kStrip; ++x) inputs.n[i][x] = static_cast<float>(here[x + offset[i]]);
+  }
+}
+
+void net_input(const Neuron& neuron, const float (*inputs)[kStrip], float* sum) {
+  for (Index x = 0; x < kStrip; ++x) sum[x] = neuron.bias;
+  for (int i = 0; i < kNetInputs; ++i) {
+    for (Index x = 0; x < kStrip; ++x) sum[x] = sum[x] + neuron.weight[i] * inputs[i][x];
+  }
+}
+
+template <Activation activation>
+float answer(float x) {
+  if constexpr (activation == Activation::kSigmoid) return sigmoid(x);
+  const float inside = 0.166F * x + 0.5F;
+  const float not_below = x < -3.0F ? 0.0F : inside;
+  return x > 3.0F ? 1.0F : not_below;
+}
+
+template <Activation activation>
+struct TwoLayerStrip {
+  static void decide(const RuleModel& model, const StripInputs& inputs, std::uint8_t* stays) {
+    float hidden[kHiddenNeurons][kStrip];
+    for (int j = 0; j < kHiddenNeurons; ++j) {
+      net_input(model.two_layer.hidden[j], inputs.n, hidden[j]);
+      for (float& value : hidden[j]) value = answer<activation>(value);
+    }
+    float output[kStrip];
+    net_input(model.two_layer.output, hidden, output);
+    for (Index x = 0; x < kStrip; ++x) stays[x] = answer<activation>(output[x]) >= 0.5F ? 1 : 0;
+  }
+};
+
+struct ClusterStrip {
+  static void decide(const RuleModel& model, const StripInputs& inputs, std::uint8_t* stays) {
+    int net[kStrip];
+    find_nets(model, inputs, net);
+    float sum[kStrip];
+    for (Index x = 0; x < kStrip; ++x) sum[x] = model.cluster_column[kNetInputs][net[x]];
+    for (int i = 0; i < kNetInputs; ++i) {
+      for (Index x = 0; x < kStrip; ++x) {
+        sum[x] = sum[x] + model.cluster_column[i][net[x]] * inputs.n[i][x];
+      }
+    }
+    for (Index x = 0; x < kStrip; ++x) stays[x] = sum[x] >= 0.0F ? 1 : 0;
+  }
+
+ private:
+  static void find_nets(const RuleModel& model, const StripInputs& inputs, int* net) {
+    float descriptor[kStrip] = {};
+    for (int i = 0; i < kNetInputs; ++i) {
+      for (Index x = 0; x < kStrip; ++x) {
+        descriptor[x] = descriptor[x] + static_cast<float>(1 << i) * inputs.n[i][x];
+      }
+    }
+    for (Index x = 0; x < kStrip; ++x) net[x] = 0;
+    for (int run = 0; run + 1 < model.cluster.count; ++run) {
+      for (Index x = 0; x < kStrip; ++x) net[x] += descriptor[x] > model.cluster_last[run] ? 1 : 0;
+    }
+  }
+};
+
+template <class Strip>
+bool row(const RuleModel& model, const std::uint8_t* here, Index stride, std::uint8_t* target,
+         Index count) {
+  std::uint8_t changed = 0;
+  for (Index x = 0; x < count; x += kStrip) {
+    StripInputs inputs;
+    load_inputs(inputs, here + x, stride);
+    std::uint8_t stays[kStrip];
+    Strip::decide(model, inputs, stays);
+    for (Index i = 0; i < kStrip; ++i) {
+      const std::uint8_t next = here[x + i] & stays[i];
+      changed = static_cast<std::uint8_t>(changed | (next ^ here[x + i]));
+      target[x + i] = next;
+    }
+  }
+  return changed != 0;
+}
+
+template <class Strip>
+std::uint64_t pass(const RuleModel* model, const ConstBytePlaneView& source,
+                   const BytePlaneView& target, const Band& band) {
+  return for_each_run(band, [&](Index y, Index from, Index to) {
+    return row<Strip>(*model, source.row(y) + from, source.stride, target.row(y) + from, to - from);
+  });
+}
+
+}  // namespace
+
+template <>
+constinit const NetPasses<std::uint8_t> IsaModelPasses<Isa::THINBENCH_ISA>::kAutovec = {
+    &pass<TwoLayerStrip<Activation::kSigmoid>>, &pass<TwoLayerStrip<Activation::kLinear>>,
+    &pass<ClusterStrip>};
+
+}  // namespace thinbench

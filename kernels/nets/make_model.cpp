@@ -1,0 +1,175 @@
+#include "nets/make_model.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "nets/decision_diagram.hpp"
+#include "nets/exponential.hpp"
+#include "thinning/pair_table.hpp"
+
+namespace thinbench {
+namespace {
+
+float net_input(const Neuron& neuron, const float* inputs) {
+  float sum = neuron.bias;
+  for (int i = 0; i < kNetInputs; ++i) sum = sum + neuron.weight[i] * inputs[i];
+  return sum;
+}
+
+float answer(Activation activation, float x) {
+  if (activation == Activation::kSigmoid) return sigmoid(x);
+  if (x > 3.0F) return 1.0F;
+  if (x < -3.0F) return 0.0F;
+  return 0.166F * x + 0.5F;
+}
+
+void inputs_of(int descriptor, float* inputs) {
+  for (int i = 0; i < kNetInputs; ++i) inputs[i] = static_cast<float>(descriptor >> i & 1);
+}
+
+void require_finite(const Neuron& neuron, const std::string& name) {
+  for (int i = 0; i < kNetInputs; ++i) {
+    if (!std::isfinite(neuron.weight[i])) {
+      throw std::invalid_argument("weight " + std::to_string(i) + " of " + name + " is not finite");
+    }
+  }
+  if (!std::isfinite(neuron.bias))
+    throw std::invalid_argument("the bias of " + name + " is not finite");
+}
+
+/// In multiples of 1 / scale; false where it does not fit into 8 bits.
+bool quantise(float value, float scale, std::int8_t& result) {
+  const float scaled = std::nearbyint(value * scale);
+  if (std::fabs(scaled) > 127) return false;
+  result = static_cast<std::int8_t>(scaled);
+  return true;
+}
+
+bool quantise(const Neuron& neuron, float scale, std::int8_t* weights, std::int8_t& bias) {
+  float reach = std::fabs(neuron.bias);
+  for (int i = 0; i < kNetInputs; ++i) {
+    reach += std::fabs(neuron.weight[i]);
+    if (!quantise(neuron.weight[i], scale, weights[i])) return false;
+  }
+  // Partial sums in any order stay below 128: half a unit of rounding each is allowed for.
+  return reach * scale + 4.5F < 127 && quantise(neuron.bias, scale, bias);
+}
+
+/// True where every sum fits its width.
+bool make_fixed_point(const TwoLayerWeights& weights, float scale, FixedPointNet& net) {
+  for (int j = 0; j < kHiddenNeurons; ++j) {
+    if (!quantise(weights.hidden[j], scale, net.weight[j], net.bias[j])) return false;
+  }
+  net.limit = static_cast<std::int8_t>(3 * scale);
+  const float answers = 2.0F * static_cast<float>(net.limit);
+  const float bias = std::nearbyint(weights.output.bias * scale * answers);
+  float reach = std::fabs(bias);
+  for (int j = 0; j < kHiddenNeurons; ++j) {
+    if (!quantise(weights.output.weight[j], scale, net.output_weight[j])) return false;
+    reach += std::fabs(static_cast<float>(net.output_weight[j])) * answers;
+  }
+  net.output_bias = static_cast<std::int16_t>(bias);
+  return reach < 32767;
+}
+
+bool fixed_point_stays(const FixedPointNet& net, int descriptor) {
+  int sum = net.output_bias;
+  for (int j = 0; j < kHiddenNeurons; ++j) {
+    int x = net.bias[j];
+    for (int i = 0; i < kNetInputs; ++i) x += (descriptor >> i & 1) * net.weight[j][i];
+    const int limit = net.limit;
+    sum += net.output_weight[j] * ((x < -limit ? -limit : (x > limit ? limit : x)) + limit);
+  }
+  return sum >= 0;
+}
+
+/// The finest scale of 16, 8, 4, 2, 1 at which the fixed-point net fits and decides as the table
+/// does.
+void find_fixed_point(RuleModel& model) {
+  for (float scale = 16; scale >= 1 && !model.fixed_point_is_exact; scale /= 2) {
+    if (!make_fixed_point(model.two_layer, scale, model.fixed_point)) continue;
+    bool exact = true;
+    for (int k = 0; k < 256; ++k) {
+      exact = exact && fixed_point_stays(model.fixed_point, k) == (model.new_pixel[256 + k] != 0);
+    }
+    model.fixed_point_is_exact = exact;
+  }
+}
+
+void fill_columns(const ClusterWeights& weights, RuleModel& model) {
+  for (int net = 0; net < kMostClusterNets; ++net) {
+    const bool exists = net < weights.count;
+    const Neuron neuron = exists ? weights.nets[net].neuron : Neuron{};
+    for (int i = 0; i < kNetInputs; ++i) model.cluster_column[i][net] = neuron.weight[i];
+    model.cluster_column[kNetInputs][net] = neuron.bias;
+    model.cluster_last[net] = exists ? static_cast<float>(weights.nets[net].last) : 255.0F;
+  }
+}
+
+/// Fills in everything that follows from the decisions.
+template <class Stays>
+void derive_tables(RuleModel& model, const Stays& stays) {
+  for (int k = 0; k < 256; ++k) model.new_pixel[256 + k] = stays(k) ? 1 : 0;
+  fill_pair_table(model.new_pixel, model.pixel_pairs);
+  model.program = make_decision_diagram(model.new_pixel + 256);
+}
+
+}  // namespace
+
+bool two_layer_stays(const TwoLayerWeights& weights, Activation activation, int descriptor) {
+  float inputs[kNetInputs];
+  inputs_of(descriptor, inputs);
+  float hidden[kHiddenNeurons];
+  for (int j = 0; j < kHiddenNeurons; ++j) {
+    hidden[j] = answer(activation, net_input(weights.hidden[j], inputs));
+  }
+  return answer(activation, net_input(weights.output, hidden)) >= 0.5F;
+}
+
+bool cluster_stays(const ClusterWeights& weights, int descriptor) {
+  int net = 0;
+  while (descriptor > weights.nets[net].last) ++net;
+  float inputs[kNetInputs];
+  inputs_of(descriptor, inputs);
+  return net_input(weights.nets[net].neuron, inputs) >= 0.0F;
+}
+
+RuleModel two_layer_model(const TwoLayerWeights& weights, Activation activation) {
+  for (int j = 0; j < kHiddenNeurons; ++j) {
+    require_finite(weights.hidden[j], "hidden neuron " + std::to_string(j));
+  }
+  require_finite(weights.output, "the output neuron");
+  RuleModel model{};
+  model.activation = activation;
+  model.two_layer = weights;
+  derive_tables(model, [&](int k) { return two_layer_stays(weights, activation, k); });
+  if (activation == Activation::kLinear) find_fixed_point(model);
+  return model;
+}
+
+RuleModel cluster_model(const ClusterWeights& weights) {
+  if (weights.count < 1 || weights.count > kMostClusterNets) {
+    throw std::invalid_argument("the cluster has " + std::to_string(weights.count) +
+                                " nets; it must have 1 to " + std::to_string(kMostClusterNets));
+  }
+  int before = -1;
+  for (int net = 0; net < weights.count; ++net) {
+    require_finite(weights.nets[net].neuron, "net " + std::to_string(net));
+    if (weights.nets[net].last <= before) {
+      throw std::invalid_argument("net " + std::to_string(net) + " covers no descriptor");
+    }
+    before = weights.nets[net].last;
+  }
+  if (before != 255) {
+    throw std::invalid_argument("the nets end at descriptor " + std::to_string(before) +
+                                ", not 255");
+  }
+  RuleModel model{};
+  model.cluster = weights;
+  fill_columns(weights, model);
+  derive_tables(model, [&](int k) { return cluster_stays(weights, k); });
+  return model;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,21 @@
+// Models of nets: everything that engines need, derived from weights.
+#pragma once
+
+#include "nets/model.hpp"
+
+namespace thinbench {
+
+/// The thinning net of section 3.2 with these weights. Throws std::invalid_argument where a weight
+/// is not finite.
+[[nodiscard]] RuleModel two_layer_model(const TwoLayerWeights& weights, Activation activation);
+
+/// The cluster of section 3.3. Throws std::invalid_argument where a weight is not finite or the
+/// runs do not cover the descriptors 0 to 255 in order.
+[[nodiscard]] RuleModel cluster_model(const ClusterWeights& weights);
+
+/// The net's decision for one descriptor, in the arithmetic that weights.hpp fixes.
+[[nodiscard]] bool two_layer_stays(const TwoLayerWeights& weights, Activation activation,
+                                   int descriptor);
+[[nodiscard]] bool cluster_stays(const ClusterWeights& weights, int descriptor);
+
+}  // namespace thinbench

@@ -1,0 +1,23 @@
+// The variants of operations whose rule is a net, and the nets that they use by default.
+#pragma once
+
+#include <span>
+
+#include "nets/model.hpp"
+#include "thinning/variant.hpp"
+
+namespace thinbench {
+
+enum class NetKind { kSigmoid, kLinear, kCluster };
+
+/// All techniques for one kind of net.
+[[nodiscard]] std::span<const ThinningVariant> net_rows(NetKind kind);
+
+/// Table 1 with equation (1).
+[[nodiscard]] const RuleModel& paper_sigmoid_model();
+/// Table 1 with equation (2).
+[[nodiscard]] const RuleModel& paper_linear_model();
+/// The twelve nets of trained_cluster.hpp; the paper prints none.
+[[nodiscard]] const RuleModel& trained_cluster_model();
+
+}  // namespace thinbench

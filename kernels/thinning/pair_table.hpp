@@ -1,0 +1,27 @@
+// The table of lut_sliding: two new pixels for a window of four columns.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace thinbench {
+
+inline constexpr std::size_t kPairTableSize = 4096;
+
+/// `pairs[window]` holds the new pixels of the middle of columns 1 and 2, one a byte. Column c of
+/// the window is its bits 3 c to 3 c + 2, south first. `new_pixel` goes by k + 256 p, k being the
+/// descriptor.
+constexpr void fill_pair_table(const std::uint8_t* new_pixel, std::uint16_t* pairs) {
+  // Bit i of three adjacent columns is this bit of k + 256 p.
+  constexpr int bit_of[9] = {5, 4, 3, 6, 8, 2, 7, 0, 1};
+  const auto pixel = [&](std::size_t columns) {
+    std::size_t index = 0;
+    for (std::size_t bit = 0; bit < 9; ++bit) index |= (columns >> bit & 1) << bit_of[bit];
+    return new_pixel[index];
+  };
+  for (std::size_t window = 0; window < kPairTableSize; ++window) {
+    pairs[window] = static_cast<std::uint16_t>(pixel(window & 511) | pixel(window >> 3) << 8);
+  }
+}
+
+}  // namespace thinbench

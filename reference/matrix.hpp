@@ -1,0 +1,44 @@
+// The matrices of the paper.
+#pragma once
+
+#include <vector>
+
+#include "core/views.hpp"
+
+namespace thinbench::reference {
+
+/// A matrix of dark (1) and light (0) pixels, one byte each, in a light frame one pixel wide.
+class Matrix {
+ public:
+  Matrix(Index width, Index height)
+      : stride_(width + 2), pixels_(static_cast<std::size_t>(stride_ * (height + 2))) {}
+
+  [[nodiscard]] bool dark(Index x, Index y) const { return pixels_[index(x, y)] != 0; }
+  void set(Index x, Index y, bool dark) { pixels_[index(x, y)] = dark ? 1 : 0; }
+
+ private:
+  [[nodiscard]] std::size_t index(Index x, Index y) const {
+    return static_cast<std::size_t>((y + 1) * stride_ + x + 1);
+  }
+
+  Index stride_;
+  std::vector<std::uint8_t> pixels_;
+};
+
+inline Matrix matrix_of(const ConstByteView& source) {
+  Matrix image(source.width, source.height);
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) image.set(x, y, source.row(y)[x] != 0);
+  }
+  return image;
+}
+
+inline void write_matrix(const Matrix& image, const ByteView& destination) {
+  for (Index y = 0; y < destination.height; ++y) {
+    for (Index x = 0; x < destination.width; ++x) {
+      destination.row(y)[x] = image.dark(x, y) ? 255 : 0;
+    }
+  }
+}
+
+}  // namespace thinbench::reference

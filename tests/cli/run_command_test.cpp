@@ -1,0 +1,169 @@
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "picture/picture.hpp"
+#include "picture/temporary_folder.hpp"
+#include "program_run.hpp"
+#include "thinbench.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr const char* kOperation = "thin_naccache_shinghal";
+using Names = std::set<std::string>;
+
+/// Grey bars of several levels on 0.
+ByteImage bars(Index width = 90) {
+  ByteImage image(width, 40);
+  for (Index y = 4; y < 36; ++y) {
+    for (Index x = 3; x < width - 3; ++x) {
+      image.at(x, y) = static_cast<std::uint8_t>(60 * (x / 15 % 4));
+    }
+  }
+  return image;
+}
+
+ByteImage skeleton_of(const ByteImage& grey, int threshold, bool invert) {
+  ByteImage image(grey.width(), grey.height());
+  for (Index y = 0; y < grey.height(); ++y) {
+    for (Index x = 0; x < grey.width(); ++x) {
+      image.at(x, y) = (grey.at(x, y) >= threshold) != invert ? 1 : 0;
+    }
+  }
+  thin(kOperation, image.view(), image.view());
+  return image;
+}
+
+class RunCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_grey(in, bars().view()); }
+
+  ProgramRun run(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"run", kOperation, in, out});
+    return run_with(more);
+  }
+  /// The failure, after which no file has appeared.
+  [[nodiscard]] std::string failure(std::vector<std::string> more, int status) const {
+    more.insert(more.begin(), {"run", kOperation, in, out});
+    std::string text = failure_of(more, status);
+    EXPECT_EQ(folder.names(), Names{"in.png"});
+    return text;
+  }
+  void expect_output(int threshold, bool invert) const {
+    EXPECT_TRUE(equal(read_grey(out).view(), skeleton_of(bars(), threshold, invert).view()));
+  }
+
+  TemporaryFolder folder;
+  std::string in = folder.file("in.png");
+  std::string out = folder.file("out.png");
+};
+
+TEST_F(RunCommand, writes_the_skeleton_and_one_line) {
+  const ProgramRun result = run();
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const std::regex line(
+      R"(thin_naccache_shinghal/\w+/[\w.]+/1: 90 x 40, \d+ passes, \d+ object pixels before, )"
+      R"(\d+ after, \d+\.\d{3} ms\n)");
+  EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
+  expect_output(128, false);
+  EXPECT_EQ(folder.names(), (Names{"in.png", "out.png"}));
+}
+
+TEST_F(RunCommand, threshold_and_invert_choose_the_objects) {
+  EXPECT_EQ(run({"--threshold", "60"}).status, 0);
+  expect_output(60, false);
+  EXPECT_EQ(run({"--threshold", "180", "--invert"}).status, 0);
+  expect_output(180, true);
+}
+
+TEST_F(RunCommand, uses_the_variant_that_was_asked_for) {
+  const ProgramRun result =
+      run({"--technique", "bitpacked", "--isa", "baseline", "--threads", "3"});
+  EXPECT_EQ(result.out.rfind("thin_naccache_shinghal/bitpacked/baseline/3: ", 0), 0U)
+      << result.out << result.err;
+  expect_output(128, false);
+}
+
+TEST_F(RunCommand, may_write_over_its_input) {
+  EXPECT_EQ(run_with({"run", kOperation, in, in}).status, 0);
+  EXPECT_TRUE(equal(read_grey(in).view(), skeleton_of(bars(), 128, false).view()));
+  EXPECT_EQ(folder.names(), Names{"in.png"});
+}
+
+TEST_F(RunCommand, unknown_operation_gets_the_nearest_known_name) {
+  EXPECT_EQ(failure_of({"run", "thin_nacache", in, out}, 2),
+            "no operation is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?");
+}
+
+TEST_F(RunCommand, unknown_technique_and_isa_get_the_nearest_known_name) {
+  EXPECT_EQ(failure({"--technique", "simd_bites"}, 2),
+            "no technique is named 'simd_bites'; did you mean 'simd_bytes'?");
+  EXPECT_EQ(failure({"--technique", "magic"}, 2),
+            "no technique is named 'magic'; known: lut, lut_sliding, autovec, bitpacked, "
+            "simd_bytes, simd_bitpacked and simd_bitpacked_row");
+  EXPECT_EQ(failure({"--isa", "sse42"}, 2),
+            "no instruction set is named 'sse42'; did you mean 'sse4.2'?");
+  EXPECT_EQ(failure({"--isa", "neon"}, 2),
+            "no instruction set is named 'neon'; known: baseline, sse4.2, avx2, avx512 and "
+            "avx512icl");
+}
+
+TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
+  EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
+            "lut_sliding runs on one thread only, not on 2");
+  if (!isa_available(Isa::kSse42)) GTEST_SKIP() << "needs sse4.2";
+  EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
+            "lut is not made for sse4.2, only for baseline");
+}
+
+TEST_F(RunCommand, isa_above_the_cap_is_refused) {
+  const IsaCap cap("baseline");
+  for (const Isa isa : kAllIsas) {
+    if (isa == Isa::kBaseline) continue;
+    const std::string name(isa_name(isa));
+    const std::string reason =
+        cpu_supports(isa) ? name + " is above the cap THINBENCH_MAX_ISA=baseline"
+                          : "this machine lacks " + name + "; the highest level here is baseline";
+    EXPECT_EQ(failure({"--isa", name}, 1), reason);
+  }
+  EXPECT_EQ(run().out.find("/baseline/1: ") != std::string::npos, true);
+}
+
+TEST_F(RunCommand, technique_that_needs_more_than_the_cap_is_refused) {
+  const IsaCap cap("sse4.2");
+  const std::string text = failure({"--technique", "simd_bitpacked_row"}, 1);
+  EXPECT_NE(text.find("avx512"), std::string::npos) << text;
+}
+
+TEST_F(RunCommand, picture_wider_than_the_limit_is_refused) {
+  if (!isa_available(Isa::kAvx512)) GTEST_SKIP() << "needs avx512";
+  write_grey(in, bars(600).view());
+  EXPECT_EQ(failure({"--technique", "simd_bitpacked_row"}, 1),
+            "simd_bitpacked_row takes pictures up to 512 pixels wide; this one has 600");
+}
+
+TEST_F(RunCommand, unreadable_input_is_one_line_and_no_output) {
+  const std::string text = folder.with("in.png", "no picture");
+  EXPECT_EQ(failure({}, 1),
+            "cannot read '" + in + "': it is damaged, without pixels or no picture");
+  std::filesystem::remove(in);
+  EXPECT_EQ(failure_of({"run", kOperation, in, out}, 1),
+            "cannot read '" + in + "': there is no such file");
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST_F(RunCommand, unwritable_output_is_one_line_and_no_output) {
+  const std::string absent = folder.file("absent");
+  EXPECT_EQ(failure_of({"run", kOperation, in, absent + "/a.png"}, 1),
+            "cannot write '" + absent + "/a.png': there is no folder '" + absent + "'");
+  EXPECT_EQ(failure_of({"run", kOperation, in, folder.file("a.gif")}, 1),
+            "cannot write '" + folder.file("a.gif") +
+                "': no format is known for the ending '.gif'; the known endings are .png, .pgm, "
+                ".bmp, .tif and .tiff");
+  EXPECT_EQ(folder.names(), Names{"in.png"});
+}
+
+}  // namespace
+}  // namespace thinbench

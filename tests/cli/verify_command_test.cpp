@@ -1,0 +1,116 @@
+#include <array>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "cli/verify_report.hpp"
+#include "picture/picture.hpp"
+#include "picture/temporary_folder.hpp"
+#include "program_run.hpp"
+
+namespace thinbench {
+namespace {
+
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.empty() ? 0 : text.size() - 1;
+  const std::size_t start = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+  return text.substr(start == std::string::npos ? 0 : start + 1);
+}
+
+TEST(VerifyCommand, ends_with_the_summary) {
+  const ProgramRun run = run_with({"verify", "--quick", "--filter", "/bitpacked/"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, "3 passed, 0 failed, 0 skipped\n");  // on 1, 2 and 7 threads
+}
+
+TEST(VerifyCommand, reports_each_set_once_where_there_is_no_terminal) {
+  const ProgramRun run = run_with({"verify", "--quick", "--filter", "/bitpacked/baseline/1"});
+  const std::regex lines(R"((\w+: \d+ images in \d+\.\d s\n){4})");
+  EXPECT_TRUE(std::regex_match(run.err, lines)) << run.err;
+}
+
+TEST(VerifyCommand, compares_on_given_pictures_too) {
+  const TemporaryFolder folder;
+  write_grey(folder.file("a.png"), noise_image(70, 30, 80, 2, 5).view());
+  const ProgramRun run = run_with(
+      {"verify", "--quick", "--filter", "/bitpacked/baseline/1", "--image", folder.file("a.png")});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("pictures: 1 images"), std::string::npos) << run.err;
+}
+
+TEST(VerifyCommand, takes_thread_counts_once_each) {
+  const ProgramRun run = run_with({"verify", "--quick", "--filter", "/bitpacked/baseline/3",
+                                   "--threads", "3", "--threads", "3"});
+  EXPECT_EQ(run.out, "1 passed, 0 failed, 0 skipped\n");
+}
+
+TEST(VerifyCommand, names_skipped_rows_with_the_reason) {
+  const IsaCap cap("baseline");
+  const ProgramRun run = run_with({"verify", "--quick", "--filter", "autovec/(baseline|avx2)"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out.find("skipped: thin_naccache_shinghal/autovec/avx2/1: "), 0U) << run.out;
+  EXPECT_EQ(last_line(run.out), "1 passed, 0 failed, 1 skipped\n");
+}
+
+TEST(VerifyCommand, fails_where_every_row_is_skipped) {
+  const IsaCap cap("baseline");
+  const ProgramRun run = run_with({"verify", "--filter", "autovec/avx2"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(last_line(run.out), "0 passed, 0 failed, 1 skipped\n");
+  EXPECT_EQ(run.err,
+            "thinbench: nothing was verified: none of the matching rows is available here\n");
+}
+
+TEST(VerifyCommand, fails_where_no_row_matches) {
+  const ProgramRun run = run_with({"verify", "--filter", "no_such_row"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "0 passed, 0 failed, 0 skipped\n");
+  EXPECT_EQ(run.err, "thinbench: no row matches the filter 'no_such_row'; see 'thinbench list'\n");
+}
+
+TEST(VerifyCommand, refuses_malformed_arguments_before_it_starts) {
+  EXPECT_EQ(failure_of({"verify", "--filter", "("}, 2).find("--filter: '(' is no regular"), 0U);
+  EXPECT_EQ(failure_of({"verify", "--image", "absent.png"}, 1),
+            "cannot read 'absent.png': there is no such file");
+  EXPECT_EQ(failure_of({"verify", "--threads", "0"}, 2),
+            "--threads: '0' is no whole number from 1 to 1024; see 'thinbench verify --help'");
+}
+
+/// Changes nothing, ever.
+bool idle_pass(const ConstBytePlaneView& source, const BytePlaneView& target, Index first,
+               Index last) {
+  for (Index y = first; y < last; ++y) {
+    for (Index x = 0; x < source.width; ++x) target.row(y)[x] = source.row(y)[x];
+  }
+  return false;
+}
+
+TEST(VerifyReport, shows_a_mismatch_and_fails) {
+  const std::array passes = {Pass<std::uint8_t>{&idle_pass}};
+  const ThinningVariant variant{Technique::kLut, Isa::kBaseline, false, 1000,
+                                std::span<const Pass<std::uint8_t>>(passes)};
+  const ThinningOperation& operation = thinning_operations().front();
+  Verifier verifier({{&operation, &variant, 1, "an/idle/row/1"}});
+  verifier.show({"a block", noise_image(9, 9, 100, 1, 1)});
+  std::ostringstream out;
+  EXPECT_EQ(report_verdicts(verifier, out), kFailure);
+  EXPECT_EQ(out.str().find("mismatch: an/idle/row/1: a block: pixel ("), 0U) << out.str();
+  EXPECT_EQ(last_line(out.str()), "0 passed, 1 failed, 0 skipped\n");
+}
+
+TEST(VerifyReport, says_that_every_image_was_too_wide) {
+  const ThinningOperation& operation = thinning_operations().front();
+  ThinningVariant narrow = operation.variants.front();
+  narrow.max_width = 4;
+  Verifier verifier({{&operation, &narrow, 1, "a/narrow/row/1"},
+                     {&operation, &operation.variants.front(), 1, "a/wide/row/1"}});
+  verifier.show({"wide", ByteImage(9, 9)});
+  std::ostringstream out;
+  EXPECT_EQ(report_verdicts(verifier, out), kSuccess);
+  EXPECT_EQ(out.str(),
+            "skipped: a/narrow/row/1: every image is wider than its limit\n"
+            "1 passed, 0 failed, 1 skipped\n");
+}
+
+}  // namespace
+}  // namespace thinbench

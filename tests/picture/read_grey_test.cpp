@@ -1,0 +1,171 @@
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "picture/captured_stderr.hpp"
+#include "picture/picture.hpp"
+#include "picture/temporary_folder.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr int kWidth = 67;
+constexpr int kHeight = 13;
+
+int grey_at(int x, int y) {
+  return (x * 3 + y * 5) % 256;
+}
+
+cv::Mat ramp() {
+  cv::Mat mat(kHeight, kWidth, CV_8UC1);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      mat.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(grey_at(x, y));
+    }
+  }
+  return mat;
+}
+
+void expect_ramp(const ByteImage& image, int tolerance) {
+  ASSERT_EQ(image.width(), kWidth);
+  ASSERT_EQ(image.height(), kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) ASSERT_NEAR(image.at(x, y), grey_at(x, y), tolerance);
+  }
+}
+
+/// What reading the file says, and a failure where it writes to standard error on its own.
+std::string error_of(const std::string& file) {
+  const CapturedStderr captured;
+  std::string text = "no error";
+  try {
+    static_cast<void>(read_grey(file));
+  } catch (const PictureError& error) {
+    text = error.what();
+  }
+  EXPECT_EQ(captured.text(), "");
+  EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+  return text;
+}
+
+void expect_error(const std::string& file, const std::string& reason) {
+  EXPECT_EQ(error_of(file), "cannot read '" + file + "': " + reason);
+}
+
+constexpr const char* kDamaged = "it is damaged, without pixels or no picture";
+
+class GreyFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(GreyFile, keeps_every_pixel) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file(std::string("a.") + GetParam());
+  ASSERT_TRUE(cv::imwrite(file, ramp()));
+  expect_ramp(read_grey(file), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, GreyFile, testing::Values("png", "pgm", "bmp", "tif"));
+
+TEST(ReadGrey, jpeg_comes_out_nearly_as_it_was) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(cv::imwrite(folder.file("a.jpg"), ramp(), {cv::IMWRITE_JPEG_QUALITY, 100}));
+  expect_ramp(read_grey(folder.file("a.jpg")), 3);
+}
+
+TEST(ReadGrey, sixteen_bits_become_eight) {
+  const TemporaryFolder folder;
+  cv::Mat deep;
+  ramp().convertTo(deep, CV_16UC1, 257);
+  for (const char* ending : {"png", "pgm", "tif"}) {
+    const std::string file = folder.file(std::string("deep.") + ending);
+    ASSERT_TRUE(cv::imwrite(file, deep));
+    expect_ramp(read_grey(file), 0);
+  }
+}
+
+TEST(ReadGrey, colours_become_grey_and_transparency_is_left_out) {
+  const TemporaryFolder folder;
+  const cv::Mat transparent(2, 3, CV_8UC4, cv::Scalar(77, 77, 77, 0));
+  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), transparent));
+  EXPECT_EQ(read_grey(folder.file("a.png")).at(2, 1), 77);
+}
+
+TEST(ReadGrey, missing_file_is_named) {
+  const TemporaryFolder folder;
+  expect_error(folder.file("absent.png"), "there is no such file");
+}
+
+TEST(ReadGrey, folder_is_no_picture) {
+  const TemporaryFolder folder;
+  expect_error(folder.path().string(), "it is a folder");
+}
+
+TEST(ReadGrey, device_is_no_picture) {
+  expect_error("/dev/null", "it is no regular file");
+}
+
+TEST(ReadGrey, protected_file_is_refused) {
+  const TemporaryFolder folder;
+  const std::string file = folder.with("a.pgm", "P5 1 1 255\nx");
+  std::filesystem::permissions(file, std::filesystem::perms::none);
+  if (std::ifstream(file).good()) GTEST_SKIP() << "this user may read everything";
+  expect_error(file, "Permission denied");
+}
+
+TEST(ReadGrey, empty_file_is_refused) {
+  const TemporaryFolder folder;
+  expect_error(folder.with("a.png", ""), "the file is empty");
+}
+
+TEST(ReadGrey, text_is_no_picture) {
+  const TemporaryFolder folder;
+  expect_error(folder.with("a.png", "this is text"), kDamaged);
+}
+
+TEST(ReadGrey, picture_without_pixels_is_refused) {
+  const TemporaryFolder folder;
+  expect_error(folder.with("a.pgm", "P5 0 7 255\n"), kDamaged);
+}
+
+class CutFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
+  const TemporaryFolder folder;
+  const std::string whole = folder.file(std::string("a.") + GetParam());
+  cv::Mat large;
+  cv::repeat(ramp(), 20, 5, large);
+  ASSERT_TRUE(cv::imwrite(whole, large));
+  const std::string bytes = bytes_of(whole);
+  const std::string cut =
+      folder.with(std::string("cut.") + GetParam(), bytes.substr(0, bytes.size() / 2));
+  const bool is_jpeg = std::string(GetParam()) == "jpg";
+  expect_error(cut, is_jpeg ? "the file ends too early" : kDamaged);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, CutFile, testing::Values("png", "pgm", "bmp", "tif", "jpg"));
+
+TEST(ReadGrey, damaged_png_is_refused) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
+  std::string bytes = bytes_of(folder.file("a.png"));
+  bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
+  expect_error(folder.with("b.png", bytes), kDamaged);
+}
+
+TEST(ReadGrey, size_beyond_the_decoder_is_refused_by_its_header) {
+  if (std::getenv("OPENCV_IO_MAX_IMAGE_PIXELS") != nullptr) GTEST_SKIP() << "the limit is changed";
+  const TemporaryFolder folder;
+  expect_error(folder.with("a.pgm", "P5 70000 70000 255\n"),
+               "it has more than 2^30 pixels; set OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the "
+               "environment to read up to 2^31");
+}
+
+TEST(ReadGrey, width_beyond_the_decoder_is_refused) {
+  const TemporaryFolder folder;
+  expect_error(folder.with("a.pgm", "P5 2000000 1 255\n"),
+               "it is wider or higher than 2^20 pixels");
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,145 @@
+#include <csignal>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "picture/picture.hpp"
+#include "picture/temporary_folder.hpp"
+
+namespace thinbench {
+namespace {
+
+using Names = std::set<std::string>;
+
+/// A strided, odd-sized picture.
+ByteImage stripes() {
+  ByteImage image(37, 21);
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = (x + y) % 3 == 0 ? 255 : 0;
+  }
+  return image;
+}
+
+void expect_error(const std::string& file, const std::string& reason) {
+  try {
+    write_grey(file, stripes().view());
+    ADD_FAILURE() << file << " was written";
+  } catch (const PictureError& error) {
+    EXPECT_EQ(std::string(error.what()), "cannot write '" + file + "': " + reason);
+  }
+}
+
+/// Files cannot grow beyond some bytes while it lives, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit small{bytes, old_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  FullDisk(FullDisk&&) = delete;
+  FullDisk& operator=(FullDisk&&) = delete;
+
+ private:
+  rlimit old_{};
+  void (*handler_)(int);
+};
+
+class WrittenFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(WrittenFile, reads_back_equal_and_lies_alone_in_its_folder) {
+  const TemporaryFolder folder;
+  const std::string name = std::string("a") + GetParam();
+  write_grey(folder.file(name), stripes().view());
+  EXPECT_TRUE(equal(read_grey(folder.file(name)).view(), stripes().view()));
+  EXPECT_EQ(folder.names(), Names{name});
+}
+
+INSTANTIATE_TEST_SUITE_P(Endings, WrittenFile,
+                         testing::Values(".png", ".pgm", ".bmp", ".tif", ".tiff", ".PNG"));
+
+TEST(WriteGrey, replaces_a_file) {
+  const TemporaryFolder folder;
+  const std::string file = folder.with("a.png", "old");
+  write_grey(file, stripes().view());
+  EXPECT_TRUE(equal(read_grey(file).view(), stripes().view()));
+}
+
+TEST(WriteGrey, unknown_ending_names_the_known_ones) {
+  const TemporaryFolder folder;
+  const std::string known = "; the known endings are .png, .pgm, .bmp, .tif and .tiff";
+  expect_error(folder.file("a.gif"), "no format is known for the ending '.gif'" + known);
+  expect_error(folder.file("a"), "its name has no ending" + known);
+  expect_error(folder.file("a.jpg"), "JPEG would change pixels" + known);
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(WriteGrey, absent_folder_is_named) {
+  const TemporaryFolder folder;
+  const std::string absent = folder.file("absent");
+  expect_error(absent + "/a.png", "there is no folder '" + absent + "'");
+}
+
+TEST(WriteGrey, folder_in_the_way_is_refused) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("a.png"));
+  expect_error(folder.file("a.png"), "it is a folder");
+  EXPECT_EQ(folder.names(), Names{"a.png"});
+}
+
+TEST(WriteGrey, protected_folder_is_refused) {
+  const TemporaryFolder folder;
+  std::filesystem::permissions(
+      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  const bool may_write = access(folder.path().c_str(), W_OK) == 0;
+  if (!may_write) expect_error(folder.file("a.png"), "Permission denied");
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+  if (may_write) GTEST_SKIP() << "this user may write everywhere";
+}
+
+TEST(WriteGrey, folder_that_takes_no_files_is_refused_for_every_user) {
+  expect_error("/proc/a.png", "No such file or directory");
+}
+
+TEST(WriteGrey, protected_file_is_refused) {
+  const TemporaryFolder folder;
+  const std::string file = folder.with("a.png", "old");
+  std::filesystem::permissions(file, std::filesystem::perms::owner_read);
+  if (access(file.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write everything";
+  expect_error(file, "it is protected against writing");
+}
+
+TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
+  const TemporaryFolder folder;
+  const std::string file = folder.with("a.pgm", "old");
+  {
+    const FullDisk full(100);
+    expect_error(file, "File too large");
+  }
+  EXPECT_EQ(bytes_of(file), "old");
+  EXPECT_EQ(folder.names(), Names{"a.pgm"});
+}
+
+TEST(WriteGrey, picture_without_pixels_is_refused) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_grey(folder.file("a.png"), ByteImage(0, 4).view()), PictureError);
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(WriteGrey, size_beyond_the_limit_is_refused_before_a_pixel_is_touched) {
+  const TemporaryFolder folder;
+  const std::uint8_t pixel = 0;
+  const ConstByteView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
+  EXPECT_THROW(write_grey(folder.file("a.png"), huge), PictureError);
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+}  // namespace
+}  // namespace thinbench
