@@ -86,6 +86,7 @@ Technique technique_named(std::string_view name) {
 Isa isa_named(std::string_view name) {
   if (const auto isa = isa_from_name(name)) return *isa;
   std::vector<std::string_view> known;
+  known.reserve(kAllIsas.size());
   for (const Isa isa : kAllIsas) known.push_back(isa_name(isa));
   refuse_name("instruction set", name, known);
 }

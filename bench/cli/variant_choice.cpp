@@ -1,6 +1,8 @@
 #include "cli/variant_choice.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -21,12 +23,13 @@ Variants variants_where(const ThinningOperation& operation, const Condition& con
   return found;
 }
 
-std::string isas_of(const ThinningOperation& operation, Technique technique) {
+/// "a, b and c", each once, in the order of the variants.
+template <class NameOf>
+std::string names_of(const Variants& variants, const NameOf& name_of) {
   std::vector<std::string_view> names;
-  for (const ThinningVariant& variant : operation.variants) {
-    const std::string_view name = isa_name(variant.isa);
-    const bool is_new = std::find(names.begin(), names.end(), name) == names.end();
-    if (variant.technique == technique && is_new) names.push_back(name);
+  for (const ThinningVariant* variant : variants) {
+    const std::string_view name = name_of(*variant);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return enumeration(names);
 }
@@ -45,24 +48,34 @@ void check_isa(Isa isa) {
   if (!reason.empty()) throw std::runtime_error(reason);
 }
 
-/// The variants of the wanted kind, wherever they run.
-Variants wanted_variants(const ThinningOperation& operation, const ThinningOptions& options) {
-  const Variants of_kind = variants_where(operation, [&](const ThinningVariant& variant) {
-    return variant.technique == options.technique.value_or(variant.technique) &&
-           variant.isa == options.isa.value_or(variant.isa);
+/// The variants of the wanted technique, or all.
+Variants of_technique(const ThinningOperation& operation, std::optional<Technique> technique) {
+  const auto name_of = [](const ThinningVariant& one) { return technique_name(one.technique); };
+  Variants found = variants_where(operation, [&](const ThinningVariant& variant) {
+    return variant.technique == technique.value_or(variant.technique);
   });
-  if (of_kind.empty()) {
-    const Technique technique = options.technique.value();
-    throw UsageError(std::string(technique_name(technique)) + " is not made for " +
-                     std::string(isa_name(options.isa.value())) + ", only for " +
-                     isas_of(operation, technique));
-  }
+  if (!found.empty()) return found;
+  const Variants all = variants_where(operation, [](const ThinningVariant&) { return true; });
+  throw UsageError(std::string(operation.name) + " is not made by " +
+                   std::string(technique_name(*technique)) + ", only by " + names_of(all, name_of));
+}
+
+/// The variants of the wanted kind, wherever they run. `subject` begins the refusals.
+Variants wanted_variants(const std::string& subject, const Variants& candidates,
+                         const ThinningOptions& options) {
   Variants wanted;
-  std::copy_if(of_kind.begin(), of_kind.end(), std::back_inserter(wanted),
-               [&](const ThinningVariant* one) { return one->threaded == (options.threads > 1); });
+  std::copy_if(
+      candidates.begin(), candidates.end(), std::back_inserter(wanted),
+      [&](const ThinningVariant* one) { return one->isa == options.isa.value_or(one->isa); });
+  if (wanted.empty()) {
+    const auto name_of = [](const ThinningVariant& one) { return isa_name(one.isa); };
+    throw UsageError(subject + " is not made for " + std::string(isa_name(*options.isa)) +
+                     ", only for " + names_of(candidates, name_of));
+  }
+  std::erase_if(wanted,
+                [&](const ThinningVariant* one) { return one->threaded != (options.threads > 1); });
   if (!wanted.empty()) return wanted;
-  throw UsageError(std::string(technique_name(of_kind.front()->technique)) +
-                   " runs on one thread only, not on " + std::to_string(options.threads));
+  throw UsageError(subject + " runs on one thread only, not on " + std::to_string(options.threads));
 }
 
 }  // namespace
@@ -70,7 +83,10 @@ Variants wanted_variants(const ThinningOperation& operation, const ThinningOptio
 const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
                                    const ThinningOptions& options) {
   if (options.isa) check_isa(*options.isa);
-  const Variants wanted = wanted_variants(operation, options);
+  const std::string subject(options.technique ? technique_name(*options.technique)
+                                              : operation.name);
+  const Variants wanted =
+      wanted_variants(subject, of_technique(operation, options.technique), options);
   const auto fits = [&](const ThinningVariant* one) {
     return why_unavailable(*one, width).empty();
   };

@@ -61,13 +61,12 @@ void generate_sheets(const TestImageSink& sink) {
   }
 }
 
-void generate_tall(const TestImageSink& sink) {
+void generate_tiles(const TestImageSink& sink) {
   std::uint64_t seed = 1000;
-  for (const Index height : {127, 256, 530, 1100}) {
-    for (const Index width : {31, 130, 512}) {
-      sink(noise(width, height, {99, 1}, ++seed));
-      sink(noise(width, height, {70, 12}, ++seed));
-    }
+  for (const auto& [width, height] :
+       {std::pair<Index, Index>{130, 127}, {512, 150}, {600, 100}, {40, 1100}, {4200, 40}}) {
+    sink(noise(width, height, {99, 1}, ++seed));
+    sink(noise(width, height, {70, 12}, ++seed));
   }
 }
 
@@ -154,7 +153,7 @@ const std::vector<TestImageSet>& test_image_sets() {
       {"shapes", "empty, light, dark and frame-touching images", generate_shapes},
       {"sheets", "all 512 neighbourhoods at every phase of a word", generate_sheets},
       {"sizes", "widths 1..200, 509..515, 1023..1025 by heights 1, 2, 3, 17, 64", generate_sizes},
-      {"tall", "bands of rows, skipped and shared between threads", generate_tall},
+      {"tiles", "tiles that sleep, bands shared between threads", generate_tiles},
       {"four_by_four", "all 65,536 images of 4 x 4 pixels", generate_four_by_four},
   };
   return sets;

@@ -37,7 +37,7 @@ struct TestImageSet {
 };
 
 /// Widths 1 to 200 and around 512 and 1024 by five heights; all 4 x 4 images; every neighbourhood
-/// at every phase of a word; plain, empty and frame-touching shapes; tall images for bands of rows.
+/// at every phase of a word; plain, empty and frame-touching shapes; images of many tiles.
 [[nodiscard]] const std::vector<TestImageSet>& test_image_sets();
 
 }  // namespace thinbench

@@ -67,8 +67,8 @@ TEST(Program, too_many_arguments_are_named) {
 }
 
 TEST(Program, names_of_commands_may_be_arguments) {
-  EXPECT_EQ(failure_of({"run", "list", "scene", "run"}, 2),
-            "no operation is named 'list'; known: thin_naccache_shinghal");
+  const std::string text = failure_of({"run", "list", "scene", "run"}, 2);
+  EXPECT_EQ(text.find("no operation is named 'list'; known: "), 0U) << text;
 }
 
 TEST(Program, numbers_out_of_range_are_refused_with_the_range) {

@@ -100,9 +100,8 @@ TEST_F(RunCommand, unknown_operation_gets_the_nearest_known_name) {
 TEST_F(RunCommand, unknown_technique_and_isa_get_the_nearest_known_name) {
   EXPECT_EQ(failure({"--technique", "simd_bites"}, 2),
             "no technique is named 'simd_bites'; did you mean 'simd_bytes'?");
-  EXPECT_EQ(failure({"--technique", "magic"}, 2),
-            "no technique is named 'magic'; known: lut, lut_sliding, autovec, bitpacked, "
-            "simd_bytes, simd_bitpacked and simd_bitpacked_row");
+  EXPECT_EQ(
+      failure({"--technique", "magic"}, 2).find("no technique is named 'magic'; known: lut, "), 0U);
   EXPECT_EQ(failure({"--isa", "sse42"}, 2),
             "no instruction set is named 'sse42'; did you mean 'sse4.2'?");
   EXPECT_EQ(failure({"--isa", "neon"}, 2),
@@ -113,6 +112,9 @@ TEST_F(RunCommand, unknown_technique_and_isa_get_the_nearest_known_name) {
 TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
   EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
             "lut_sliding runs on one thread only, not on 2");
+  EXPECT_EQ(failure({"--technique", "simd_float_bytes"}, 2)
+                .find("thin_naccache_shinghal is not made by simd_float_bytes, only by lut, "),
+            0U);
   if (!isa_available(Isa::kSse42)) GTEST_SKIP() << "needs sse4.2";
   EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
             "lut is not made for sse4.2, only for baseline");

@@ -1,0 +1,166 @@
+// Numbers and words that count what is done with them: operation counts come from running the
+// equations, not from reading them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/word.hpp"
+#include "nets/weights.hpp"
+#include "training/two_layer_net.hpp"
+
+namespace thinbench {
+
+/// The paper calls logical what works on truth values and arithmetic the rest.
+struct Operations {
+  int logical = 0;
+  int additions = 0;  // negations and subtractions too
+  int multiplications = 0;
+  int divisions = 0;
+  int powers = 0;  // powers of two and of e
+  int comparisons = 0;
+
+  [[nodiscard]] int arithmetic() const { return additions + multiplications + divisions + powers; }
+};
+
+/// What has been counted: activation functions apart from sums and decisions.
+struct Tally {
+  Operations sums;
+  Operations activations;
+  bool in_activation = false;
+
+  Operations& current() { return in_activation ? activations : sums; }
+};
+
+inline thread_local Tally tally;
+
+/// Runs `work` and returns what it counted.
+template <class Work>
+Tally count_operations(const Work& work) {
+  tally = Tally{};
+  work();
+  return tally;
+}
+
+/// A float that counts.
+class CountedFloat {
+ public:
+  CountedFloat() : CountedFloat(0.0F) {}
+  explicit CountedFloat(float value) : value_(value) {}
+
+  friend CountedFloat operator+(CountedFloat a, CountedFloat b) {
+    ++tally.current().additions;
+    return CountedFloat(a.value_ + b.value_);
+  }
+  friend CountedFloat operator-(CountedFloat a) {
+    ++tally.current().additions;
+    return CountedFloat(-a.value_);
+  }
+  friend CountedFloat operator*(CountedFloat a, CountedFloat b) {
+    ++tally.current().multiplications;
+    return CountedFloat(a.value_ * b.value_);
+  }
+  friend CountedFloat operator/(CountedFloat a, CountedFloat b) {
+    ++tally.current().divisions;
+    return CountedFloat(a.value_ / b.value_);
+  }
+  friend bool operator>(CountedFloat a, CountedFloat b) { return compared(a.value_ > b.value_); }
+  friend bool operator<(CountedFloat a, CountedFloat b) { return compared(a.value_ < b.value_); }
+  friend bool operator>=(CountedFloat a, CountedFloat b) { return compared(a.value_ >= b.value_); }
+  friend CountedFloat exponential_of(CountedFloat x) {
+    ++tally.current().powers;
+    return CountedFloat(exponential_of(x.value_));
+  }
+  [[nodiscard]] float value() const { return value_; }
+
+ private:
+  static bool compared(bool result) {
+    ++tally.current().comparisons;
+    return result;
+  }
+
+  float value_;
+};
+
+/// The activation function, counted apart.
+inline CountedFloat activate(CountedFloat x, Activation activation) {
+  tally.in_activation = true;
+  const CountedFloat y = activate<CountedFloat>(x, activation);
+  tally.in_activation = false;
+  return y;
+}
+
+/// A truth value in a lane, 0 or 1, that counts; + is arithmetic, `^ 1` a negation. Rules assign it
+/// 0 and 1, hence the implicit constructor.
+class CountedLane {
+ public:
+  CountedLane(int value) : value_(value) {}
+
+  friend CountedLane operator&(CountedLane a, CountedLane b) {
+    return logical(a.value_ & b.value_);
+  }
+  friend CountedLane operator|(CountedLane a, CountedLane b) {
+    return logical(a.value_ | b.value_);
+  }
+  friend CountedLane operator^(CountedLane a, int b) { return logical(a.value_ ^ b); }
+  friend CountedLane operator+(CountedLane a, CountedLane b) {
+    ++tally.current().additions;
+    return CountedLane(a.value_ + b.value_);
+  }
+  friend bool operator==(CountedLane a, int b) {
+    ++tally.current().comparisons;
+    return a.value_ == b;
+  }
+  [[nodiscard]] int value() const { return value_; }
+
+ private:
+  static CountedLane logical(int value) {
+    ++tally.current().logical;
+    return CountedLane(value);
+  }
+
+  int value_;
+};
+
+/// Gates of a circuit with at most `inputs` (2 or 3) inputs each. Inverters are counted apart: most
+/// instruction sets have and-not, and three-input gates take them in.
+struct Gates {
+  int gates = 0;
+  int inverters = 0;
+};
+
+/// A word that counts gates.
+template <int inputs>
+class CountedWord {
+ public:
+  explicit CountedWord(std::uint64_t value) : value_(value) {}
+
+  friend CountedWord operator&(CountedWord a, CountedWord b) { return gate(a.value_ & b.value_); }
+  friend CountedWord operator|(CountedWord a, CountedWord b) { return gate(a.value_ | b.value_); }
+  friend CountedWord operator^(CountedWord a, CountedWord b) { return gate(a.value_ ^ b.value_); }
+  friend CountedWord operator~(CountedWord a) {
+    ++counted.inverters;
+    return CountedWord(~a.value_);
+  }
+  static CountedWord gate(std::uint64_t value) {
+    ++counted.gates;
+    return CountedWord(value);
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  static inline thread_local Gates counted;
+
+ private:
+  std::uint64_t value_;
+};
+
+/// With three inputs `ternary` is one gate; with two it is its expression, the general way.
+template <>
+struct TernaryGate<CountedWord<3>> {
+  template <class Gate>
+  static CountedWord<3> apply(CountedWord<3> a, CountedWord<3> b, CountedWord<3> c, Gate gate) {
+    return CountedWord<3>::gate(gate(a.value(), b.value(), c.value()));
+  }
+};
+
+}  // namespace thinbench

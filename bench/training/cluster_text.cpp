@@ -1,0 +1,71 @@
+#include "training/cluster_text.hpp"
+
+#include "training/stay_table.hpp"
+#include "training/text.hpp"
+
+namespace thinbench {
+namespace {
+
+std::string times_and_descriptor(const WeightedDescriptor& term) {
+  std::string text = std::to_string(term.descriptor);
+  return term.times == 1 ? text : std::to_string(term.times) + "×" + text;
+}
+
+/// "5 + 52 + 65 = 17 + 37 + 68": as vectors, the removed ones add up to the ones that stay.
+std::string equation(const Contradiction& contradiction, const StayTable& table) {
+  std::vector<std::string> removed;
+  std::vector<std::string> staying;
+  for (const WeightedDescriptor& term : contradiction) {
+    (stays(table, term.descriptor) ? staying : removed).push_back(times_and_descriptor(term));
+  }
+  return joined(removed, " + ") + " = " + joined(staying, " + ");
+}
+
+/// A float literal of C++: 7.18F, -1.0F, 1e+20F.
+std::string literal(float value) {
+  const std::string text = shortest(value);
+  const bool whole = text.find_first_of(".e") == std::string::npos;
+  return text + (whole ? ".0F" : "F");
+}
+
+std::string net_initialiser(const ClusterNet& net) {
+  std::vector<std::string> weights;
+  for (const float weight : net.neuron.weight) weights.push_back(literal(weight));
+  return std::string("{") + std::to_string(net.last) + ", {{" + joined(weights, ", ") + "}, " +
+         literal(net.neuron.bias) + "}}";
+}
+
+}  // namespace
+
+std::string cluster_markdown(const std::vector<TrainedRun>& runs) {
+  const StayTable table = stay_table_of_rule();
+  std::vector<std::vector<std::string>> rows;
+  for (const TrainedRun& trained : runs) {
+    std::vector<std::string> row = {std::to_string(trained.run.first) + "-" +
+                                    std::to_string(trained.run.last)};
+    for (const std::int32_t weight : trained.neuron.weight) row.push_back(std::to_string(weight));
+    row.push_back(std::to_string(trained.neuron.bias));
+    row.push_back(std::to_string(trained.epochs));
+    row.push_back(trained.one_more.empty() ? "" : equation(trained.one_more, table));
+    rows.push_back(row);
+  }
+  return markdown_table({"Descriptors", "W0", "W1", "W2", "W3", "W4", "W5", "W6", "W7", "B",
+                         "Epochs", "One more is impossible: removed = staying"},
+                        rows);
+}
+
+std::string cluster_header(const ClusterWeights& weights, const std::string& command) {
+  std::vector<std::string> nets;
+  nets.reserve(kMostClusterNets);
+  for (int n = 0; n < weights.count; ++n) nets.push_back(net_initialiser(weights.nets[n]));
+  return "// Weights of a cluster of single-layer nets (section 3.3) that is right on all 256 "
+         "descriptors of\n// the modified Naccache-Shinghal rule, with as few nets as can be. Made "
+         "by\n//     " +
+         command +
+         "\n#pragma once\n\n#include \"nets/weights.hpp\"\n\nnamespace thinbench {\n\n"
+         "inline constexpr ClusterWeights kTrainedCluster = {\n    " +
+         std::to_string(weights.count) + ",\n    {" + joined(nets, ",\n     ") +
+         "}};\n\n}  // namespace thinbench\n";
+}
+
+}  // namespace thinbench

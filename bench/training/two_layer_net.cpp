@@ -1,0 +1,45 @@
+#include "training/two_layer_net.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace thinbench {
+
+HiddenLayerNet to_net(const TwoLayerWeights& weights) {
+  HiddenLayerNet net;
+  net.hidden.assign(std::begin(weights.hidden), std::end(weights.hidden));
+  net.output_weight.assign(std::begin(weights.output.weight), std::end(weights.output.weight));
+  net.output_bias = weights.output.bias;
+  return net;
+}
+
+TwoLayerWeights to_weights(const HiddenLayerNet& net) {
+  if (net.hidden.size() != static_cast<std::size_t>(kHiddenNeurons)) {
+    throw std::invalid_argument("weights of a two-layer net are for 8 hidden neurons, not " +
+                                std::to_string(net.hidden.size()));
+  }
+  TwoLayerWeights weights{};
+  std::copy(net.hidden.begin(), net.hidden.end(), weights.hidden);
+  std::copy(net.output_weight.begin(), net.output_weight.end(), weights.output.weight);
+  weights.output.bias = net.output_bias;
+  return weights;
+}
+
+StayTable table_of(const HiddenLayerNet& net, Activation activation) {
+  StayTable table{};
+  for (int k = 0; k < kDescriptors; ++k) {
+    float n[kNetInputs];
+    for (int i = 0; i < kNetInputs; ++i) n[i] = static_cast<float>(neighbour(k, i));
+    table[static_cast<std::size_t>(k)] = net_keeps(net, n, activation);
+  }
+  return table;
+}
+
+int agreement(const StayTable& a, const StayTable& b) {
+  int equal = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) equal += a[k] == b[k] ? 1 : 0;
+  return equal;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,148 @@
+// The numbers here were computed from the paper before any code of this project.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "experiments/hidden_neurons.hpp"
+#include "experiments/operation_counts.hpp"
+#include "experiments/quantisation.hpp"
+#include "experiments/table_2.hpp"
+
+namespace thinbench {
+namespace {
+
+using Json = nlohmann::json;
+
+QuantisationRow quantisation_row(Quantisation way, int bits) {
+  for (const QuantisationRow& row : run_quantisation()) {
+    if (row.way == way && row.fractional_bits == bits) return row;
+  }
+  return {};
+}
+
+const OperationCount& method(const OperationCounts& counts, const std::string& beginning) {
+  for (const OperationCount& count : counts.methods) {
+    if (count.method.find(beginning) == 0) return count;
+  }
+  throw std::out_of_range(beginning);
+}
+
+TEST(Quantisation, integer_rounding_of_table_1_keeps_251_with_the_sigmoid_and_252_linear) {
+  EXPECT_EQ(quantisation_row(Quantisation::kRound, 0).right_sigmoid, 251);
+  EXPECT_EQ(quantisation_row(Quantisation::kRound, 0).right_linear, 252);
+}
+
+TEST(Quantisation, integer_truncation_of_table_1_keeps_254_with_the_sigmoid_and_253_linear) {
+  EXPECT_EQ(quantisation_row(Quantisation::kTruncate, 0).right_sigmoid, 254);
+  EXPECT_EQ(quantisation_row(Quantisation::kTruncate, 0).right_linear, 253);
+}
+
+TEST(Quantisation, one_fractional_bit_by_rounding_is_enough) {
+  for (int bits = 1; bits <= 8; ++bits) {
+    EXPECT_EQ(quantisation_row(Quantisation::kRound, bits).right_sigmoid, 256) << bits;
+    EXPECT_EQ(quantisation_row(Quantisation::kRound, bits).right_linear, 256) << bits;
+  }
+}
+
+TEST(Quantisation, largest_weight_fits_eight_bits_up_to_two_fractional_bits) {
+  EXPECT_EQ(quantisation_row(Quantisation::kRound, 0).largest_integer, 20);
+  EXPECT_LE(quantisation_row(Quantisation::kRound, 2).largest_integer, 127);
+  EXPECT_GT(quantisation_row(Quantisation::kRound, 3).largest_integer, 127);
+}
+
+TEST(HiddenNeurons, quick_run_learns_with_ten_but_not_with_two) {
+  HiddenNeuronsChoice choice = HiddenNeuronsChoice::quick();
+  choice.seeds = 2;
+  int reports = 0;
+  std::vector<HiddenNeuronsRow> rows;
+  for (const int hidden : {2, 10}) {
+    choice.fewest = choice.most = hidden;
+    rows.push_back(run_hidden_neurons(choice, [&](double) { ++reports; }).front());
+  }
+  EXPECT_EQ(rows[0].perfect, 0);
+  EXPECT_LT(rows[0].best, 256);
+  EXPECT_EQ(rows[1].perfect, 2);
+  EXPECT_EQ(rows[1].best, 256);
+  EXPECT_EQ(fewest_hidden_neurons(rows), 10);
+  EXPECT_EQ(reports, 2);
+}
+
+TEST(OperationCounts, rule_takes_the_papers_40_logical_and_3_arithmetic_operations) {
+  const OperationCounts counts = run_operation_counts();
+  const Tally& rule = method(counts, "Naccache-Shinghal, four").most;
+  EXPECT_EQ(rule.sums.logical, 40);
+  EXPECT_EQ(rule.sums.arithmetic(), 3);
+}
+
+TEST(OperationCounts, two_layer_nets_take_more_than_150_arithmetic_operations) {
+  const OperationCounts counts = run_operation_counts();
+  for (const char* name : {"Two-layer net, sigmoid", "Two-layer net, linear"}) {
+    const Tally& net = method(counts, name).most;
+    EXPECT_EQ(net.sums.multiplications, 72) << name;
+    EXPECT_EQ(net.sums.additions, 72) << name;
+    EXPECT_GT(net.sums.arithmetic() + net.activations.arithmetic(), 150) << name;
+  }
+}
+
+TEST(OperationCounts, cluster_takes_the_papers_39_arithmetic_operations) {
+  const OperationCounts counts = run_operation_counts();
+  const Operations& cluster = method(counts, "Cluster").most.sums;
+  EXPECT_EQ(cluster.powers, 8);
+  EXPECT_EQ(cluster.multiplications, 8 + 8);
+  EXPECT_EQ(cluster.additions, 7 + 8);
+  EXPECT_EQ(cluster.arithmetic(), 39);
+}
+
+TEST(OperationCounts, circuit_has_at_most_nine_three_input_gates_and_serves_every_net) {
+  const OperationCounts counts = run_operation_counts();
+  EXPECT_LE(counts.circuit.three_input.gates, 9);
+  EXPECT_EQ(counts.circuit.three_input.inverters, 0);
+  EXPECT_LE(counts.circuit.two_input.gates, 14 + 1);  // 14 for the decision, one AND with p
+  for (const CompiledNet& net : counts.nets) EXPECT_TRUE(net.same_table) << net.net;
+}
+
+TEST(Table2, ratios_of_the_paper_are_those_of_its_seconds) {
+  const std::vector<ThenAndNow> rows = then_and_now({});
+  const std::vector<double> expected = {0.92, 0.42, 1, 7.0, 4.85, 1.22};
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(rows[i].then_ratio, expected[i], 0.005) << rows[i].paper.method;
+    EXPECT_FALSE(rows[i].now_ratio) << rows[i].paper.method;
+  }
+}
+
+TEST(Table2, measured_times_are_set_against_naccache_shinghal_measured) {
+  const auto rows =
+      then_and_now({{"thin_naccache_shinghal", 2000.0}, {"net_two_layer_linear", 3000.0}});
+  EXPECT_EQ(rows[4].now_ratio, 1.5);
+  EXPECT_FALSE(rows[3].now_ns);
+  EXPECT_FALSE(then_and_now({{"net_two_layer_linear", 3000.0}})[4].now_ratio);
+  EXPECT_NE(table_2_report(rows).markdown.find("| 3.54 | 4.85 | 3.0 | 1.50 |"), std::string::npos);
+}
+
+TEST(ExperimentReports, every_file_names_its_schema_experiment_and_command) {
+  const std::vector<std::pair<std::string, ExperimentReport>> reports = {
+      {"quantisation", quantisation_report(run_quantisation())},
+      {"operation-counts", operation_counts_report(run_operation_counts())},
+      {"table-2", table_2_report(then_and_now({}))},
+      {"hidden-neurons", hidden_neurons_report({{8, 1, 256, 256, 1, 200}}, {})}};
+  for (const auto& [name, report] : reports) {
+    const Json json = Json::parse(report.json);
+    EXPECT_EQ(json.at("schema"), 1) << name;
+    EXPECT_EQ(json.at("experiment"), name);
+    EXPECT_EQ(json.at("command"), "thinbench experiment " + name);
+  }
+}
+
+TEST(ExperimentReports, numbers_of_the_tables_stand_in_the_files) {
+  const Json counts = Json::parse(operation_counts_report(run_operation_counts()).json);
+  EXPECT_EQ(counts.at("/methods/0/sums/logical"_json_pointer), 40);
+  EXPECT_EQ(counts.at("/methods/4/sums/arithmetic"_json_pointer), 39);
+  const Json quantisation = Json::parse(quantisation_report(run_quantisation()).json);
+  EXPECT_EQ(quantisation.at("/rows/0/right_sigmoid"_json_pointer), 251);
+  const Json hidden = Json::parse(
+      hidden_neurons_report({{7, 9, 250, 240, 0, 0}, {8, 9, 256, 256, 5, 200}}, {}).json);
+  EXPECT_EQ(hidden.at("fewest_that_reached_all"), 8);
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,97 @@
+#include "training/cluster_training.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "nets/trained_cluster.hpp"
+#include "training/cluster_text.hpp"
+
+namespace thinbench {
+namespace {
+
+const std::vector<TrainedRun>& trained(bool small_integers) {
+  static const std::vector<TrainedRun> plain = train_cluster(stay_table_of_rule(), {});
+  static const std::vector<TrainedRun> small =
+      train_cluster(stay_table_of_rule(), {kMostClusterNets, true});
+  return small_integers ? small : plain;
+}
+
+/// Equations (6) and (7) in single precision.
+bool keeps(const Neuron& neuron, int k) {
+  float sum = neuron.bias;
+  for (int i = 0; i < kNetInputs; ++i) {
+    sum += neuron.weight[i] * static_cast<float>(neighbour(k, i));
+  }
+  return sum >= 0;
+}
+
+void expect_right_on_all_descriptors(const ClusterWeights& weights) {
+  const StayTable rule = stay_table_of_rule();
+  int net = 0;
+  for (int k = 0; k < kDescriptors; ++k) {
+    if (k > weights.nets[net].last) ++net;
+    EXPECT_EQ(keeps(weights.nets[net].neuron, k), stays(rule, k)) << k;
+  }
+  EXPECT_EQ(net + 1, weights.count);
+}
+
+TEST(ClusterTraining, greedy_cut_gives_exactly_the_twelve_runs) {
+  // Found by linear programming in floating point, before this code.
+  const std::vector<std::pair<int, int>> expected = {
+      {0, 67},    {68, 84},   {85, 89},   {90, 96},   {97, 116},  {117, 121},
+      {122, 132}, {133, 207}, {208, 212}, {213, 224}, {225, 244}, {245, 255}};
+  std::vector<std::pair<int, int>> found;
+  for (const TrainedRun& run : trained(false)) found.emplace_back(run.run.first, run.run.last);
+  EXPECT_EQ(found, expected);
+}
+
+TEST(ClusterTraining, every_run_is_learned_and_one_more_descriptor_is_impossible) {
+  const StayTable rule = stay_table_of_rule();
+  for (const TrainedRun& run : trained(false)) {
+    const auto [first, last] = run.run;
+    EXPECT_TRUE(recognises(run.neuron, rule, run.run)) << first;
+    if (last == kDescriptors - 1) continue;
+    EXPECT_TRUE(proves_inseparable(run.one_more, rule, {first, last + 1})) << first;
+  }
+}
+
+TEST(ClusterTraining, weights_in_single_precision_are_right_on_all_256_descriptors) {
+  expect_right_on_all_descriptors(cluster_weights(trained(false)));
+  expect_right_on_all_descriptors(cluster_weights(trained(true)));
+}
+
+TEST(ClusterTraining, small_integers_are_no_larger_than_three) {
+  for (const TrainedRun& run : trained(true)) {
+    EXPECT_LE(std::abs(run.neuron.bias), 3);
+    for (const int weight : run.neuron.weight) EXPECT_LE(std::abs(weight), 3);
+  }
+}
+
+TEST(ClusterTraining, fewer_nets_than_needed_are_refused_with_the_number) {
+  EXPECT_NO_THROW((void)train_cluster(stay_table_of_rule(), {12, false}));
+  try {
+    (void)train_cluster(stay_table_of_rule(), {11, false});
+    FAIL() << "11 nets were accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "the rule takes 12 nets, proved to be the fewest; allowed are 11");
+  }
+}
+
+TEST(ClusterTraining, the_committed_header_is_what_training_makes) {
+  std::ifstream file(THINBENCH_SOURCE_DIR "/kernels/nets/trained_cluster.hpp");
+  const std::string committed(std::istreambuf_iterator<char>(file), {});
+  const std::string made =
+      cluster_header(cluster_weights(trained(true)),
+                     "thinbench train cluster --integer --header kernels/nets/trained_cluster.hpp");
+  EXPECT_EQ(made, committed);
+}
+
+TEST(ClusterTraining, the_committed_weights_are_right_on_all_256_descriptors) {
+  expect_right_on_all_descriptors(kTrainedCluster);
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,90 @@
+#include "training/separation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "training/perceptron.hpp"
+#include "training/portable_math.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr DescriptorRun kSquare = {0, 3};  // all values of n0 and n1
+
+StayTable exclusive_or() {
+  StayTable table{};
+  table[1] = table[2] = true;
+  return table;
+}
+
+StayTable random_table(std::uint64_t seed) {
+  Random random(seed);
+  StayTable table{};
+  for (bool& entry : table) entry = (random.next() & 1) != 0;
+  return table;
+}
+
+TEST(Separation, exclusive_or_is_contradicted_by_the_two_diagonals) {
+  const Contradiction found = find_contradiction(exclusive_or(), kSquare);
+  ASSERT_EQ(found.size(), 4U);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(found[static_cast<std::size_t>(k)].descriptor, k);
+    EXPECT_EQ(found[static_cast<std::size_t>(k)].times, 1);
+  }
+  EXPECT_TRUE(proves_inseparable(found, exclusive_or(), kSquare));
+}
+
+TEST(Separation, altered_contradictions_prove_nothing) {
+  const StayTable table = exclusive_or();
+  EXPECT_FALSE(proves_inseparable({}, table, kSquare));
+  EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}, {3, 2}}, table, kSquare));
+  EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}}, table, kSquare));
+  EXPECT_FALSE(proves_inseparable({{0, -1}, {1, -1}, {2, -1}, {3, -1}}, table, kSquare));
+  EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}, {3, 1}}, table, {0, 2}));
+}
+
+TEST(Separation, majority_of_eight_neighbours_is_separable) {
+  StayTable table{};
+  for (unsigned k = 0; k < kDescriptors; ++k) table[k] = __builtin_popcount(k) >= 4;
+  EXPECT_TRUE(find_contradiction(table, {0, 255}).empty());
+}
+
+TEST(Separation, runs_of_random_tables_have_either_a_neuron_or_a_contradiction) {
+  int separable = 0;
+  int contradicted = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const StayTable table = random_table(seed);
+    const int first = static_cast<int>(seed * 2);
+    const DescriptorRun run = {first, first + 3 + static_cast<int>(seed % 20)};
+    const Contradiction found = find_contradiction(table, run);
+    if (found.empty()) {
+      EXPECT_TRUE(recognises(teach_perceptron(table, run).neuron, table, run)) << seed;
+      ++separable;
+    } else {
+      EXPECT_TRUE(proves_inseparable(found, table, run)) << seed;
+      ++contradicted;
+    }
+  }
+  EXPECT_GT(separable, 20);
+  EXPECT_GT(contradicted, 20);
+}
+
+TEST(Perceptron, gives_up_on_a_run_that_no_neuron_can_learn) {
+  EXPECT_THROW((void)teach_perceptron(exclusive_or(), kSquare), std::runtime_error);
+}
+
+TEST(Perceptron, shrinking_keeps_the_answers_and_never_grows) {
+  const StayTable table = stay_table_of_rule();
+  const DescriptorRun run = {213, 224};
+  const IntegerNeuron taught = teach_perceptron(table, run).neuron;
+  const IntegerNeuron small = shrink(taught, table, run);
+  const auto magnitude = [](const IntegerNeuron& neuron) {
+    int sum = std::abs(neuron.bias);
+    for (const int weight : neuron.weight) sum += std::abs(weight);
+    return sum;
+  };
+  EXPECT_TRUE(recognises(small, table, run));
+  EXPECT_LT(magnitude(small), magnitude(taught));
+}
+
+}  // namespace
+}  // namespace thinbench
