@@ -189,8 +189,9 @@ class Study:
 
     @property
     def operations(self) -> list[str]:
-        """Every operation that was timed."""
-        return sorted({row.name.operation for row in self.rows})
+        """Every operation that was timed, rules before the nets that learn them."""
+        names = {row.name.operation for row in self.rows}
+        return sorted(names, key=lambda name: (name.startswith("net_"), name))
 
     @property
     def pictures(self) -> list[str]:

@@ -110,7 +110,9 @@ void write_text(const std::string& path, const std::string& text) {
 void write_pictures(const std::string& folder, const Selection& selection) {
   std::map<std::string, const TimedRow*> references;
   for (const TimedRow& row : selection.rows) {
-    if (row.variant == nullptr && !row.input->size_sweep) references[row.name] = &row;
+    // Nets learned the rule: their pictures would be the rule's again.
+    const bool is_net = row.operation->default_model != nullptr;
+    if (row.variant == nullptr && !row.input->size_sweep && !is_net) references[row.name] = &row;
   }
   for (const auto& [name, row] : references) {
     const ConstByteView input = row->input->image.view();
@@ -121,9 +123,9 @@ void write_pictures(const std::string& folder, const Selection& selection) {
   }
 }
 
-void run_row(benchmark::State& state, const TimedRow& row) {
+void run_row(benchmark::State& state, const TimedRow& row, bool warm_up) {
   TimedCall call(row);
-  call();  // touches every page first
+  if (warm_up) call();  // touches every page first
   for (auto _ : state) {
     call();
     benchmark::ClobberMemory();
@@ -135,23 +137,42 @@ void run_row(benchmark::State& state, const TimedRow& row) {
   state.counters["verified"] = 1;
 }
 
+/// How often a row runs: iterations a repetition, repetitions, and the seconds that all of it
+/// takes.
+struct Schedule {
+  std::int64_t iterations;
+  int repetitions;
+  double seconds_a_repetition;
+};
+
+Schedule schedule_of(const TimedRow& row, const Options& options) {
+  const double one = std::max(seconds_of_one_call(row), 1e-7);
+  if (one > kSlowCall) {
+    const auto iterations = std::max<std::int64_t>(1, std::llround(options.seconds / one));
+    const int repetitions = std::max(3, options.repetitions / 3);
+    return {iterations, repetitions, static_cast<double>(iterations) * one};
+  }
+  const auto iterations = std::max<std::int64_t>(1, std::llround(options.seconds / one));
+  return {iterations, options.repetitions, static_cast<double>(iterations + 1) * one};
+}
+
 /// Registers all rows; returns the seconds that they will take.
 double register_rows(const std::vector<TimedRow>& rows, const Options& options,
                      std::unique_ptr<Progress>& progress) {
   double total = 0;
   for (const TimedRow& row : rows) {
-    const double one = std::max(seconds_of_one_call(row), 1e-7);
-    const auto iterations = std::max<std::int64_t>(1, std::llround(options.seconds / one));
-    const double repetition = static_cast<double>(iterations + 1) * one;
+    const Schedule schedule = schedule_of(row, options);
+    const bool warm_up = schedule.repetitions == options.repetitions;
+    const double share = schedule.seconds_a_repetition;
     auto* registered = benchmark::RegisterBenchmark(
-        row.name.c_str(), [&row, repetition, &progress](benchmark::State& state) {
-          run_row(state, row);
-          progress->advance(repetition);
+        row.name.c_str(), [&row, warm_up, share, &progress](benchmark::State& state) {
+          run_row(state, row, warm_up);
+          progress->advance(share);
         });
-    registered->Iterations(iterations)->Repetitions(options.repetitions)->MeasureProcessCPUTime();
+    registered->Iterations(schedule.iterations)->Repetitions(schedule.repetitions);
     registered->Unit(benchmark::kNanosecond);
-    if (row.threads > 1) registered->UseRealTime();
-    total += repetition * options.repetitions;
+    if (row.threads > 1) registered->MeasureProcessCPUTime()->UseRealTime();
+    total += share * schedule.repetitions;
   }
   return total;
 }
@@ -161,12 +182,12 @@ void report_selection(const Selection& selection) {
     std::cerr << "not equal to the reference, not timed: " << mismatch << '\n';
   }
   if (!selection.skipped.empty()) {
-    std::cerr << selection.skipped.size() << " rows skipped: ";
+    std::cerr << "rows skipped: ";
     std::map<std::string, int> reasons;
     for (const SkippedRow& row : selection.skipped) ++reasons[row.reason];
     const char* separator = "";
     for (const auto& [reason, count] : reasons) {
-      std::cerr << separator << count << " because " << reason;
+      std::cerr << separator << count << " (" << reason << ')';
       separator = ", ";
     }
     std::cerr << '\n';

@@ -49,7 +49,10 @@ struct Selection {
 [[nodiscard]] Selection select_rows(const std::string& filter,
                                     const std::vector<TimedInput>& inputs);
 
-/// Calls the row once and returns the seconds it took; for choosing iteration counts.
+/// Rows whose call takes longer, in seconds, are timed with fewer repetitions and not warmed up.
+inline constexpr double kSlowCall = 0.005;
+
+/// Calls the row and returns the seconds it took; for choosing iteration counts.
 [[nodiscard]] double seconds_of_one_call(const TimedRow& row);
 
 }  // namespace thinbench
