@@ -1,9 +1,9 @@
 #include "cli/program.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <new>
+#include <vector>
 
 #include <unistd.h>
 
@@ -11,6 +11,8 @@
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
 #include "core/isa.hpp"
+#include "experiments/experiment_command.hpp"
+#include "training/train_command.hpp"
 
 namespace thinbench {
 namespace {
@@ -18,6 +20,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   thinbench run thin_naccache_shinghal parts.png skeleton.png --invert
   thinbench verify --quick
+  thinbench train cluster
   thinbench list
 
 THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)";
@@ -27,27 +30,33 @@ constexpr const char* kLeadIn = "thinbench: ";
 /// The program with all its commands, before and after parsing.
 class Program {
  public:
-  Program() {
+  explicit Program(const Console& console) : console_(console) {
     app_.set_version_flag("--version", "thinbench " THINBENCH_VERSION, "Print the version");
     app_.require_subcommand(1);
     app_.footer(kExamples);
     commands_ = {add_list_command(app_), add_verify_command(app_), add_run_command(app_),
                  add_scene_command(app_), add_machine_command(app_)};
+    add_train_command(app_, console.out, console.err);
+    add_experiment_command(app_, console.out, console.err);
+    // These two do their work while they are parsed.
+    for (const char* name : {"train", "experiment"}) {
+      commands_.push_back({app_.get_subcommand(name), [](const Console&) { return kSuccess; }});
+    }
   }
 
-  int run(const std::vector<std::string>& args, const Console& console) {
+  int run(const std::vector<std::string>& args) {
     if (args.empty()) {
-      console.err << app_.help();
+      console_.err << app_.help();
       return kUsage;
     }
     check_command_name(args.front());
-    if (!parse(args, console.out)) return kSuccess;
+    if (!parse(args, console_.out)) return kSuccess;
     check_cap();
-    return chosen()->run(console);
+    return chosen()->run(console_);
   }
 
  private:
-  using Commands = std::array<Command, 5>;
+  using Commands = std::vector<Command>;
 
   void check_command_name(const std::string& word) const {
     std::vector<std::string> names;
@@ -90,10 +99,11 @@ class Program {
 
   CLI::App app_{"Thin binary pictures fast, and prove that every variant is right", "thinbench"};
   Commands commands_;
+  Console console_;
 };
 
 int run_and_flush(const std::vector<std::string>& args, const Console& console) {
-  const int status = Program().run(args, console);
+  const int status = Program(console).run(args);
   if (!console.out.flush()) throw std::runtime_error("standard output cannot be written");
   return status;
 }

@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/variant_choice.hpp"
+#include "cli/weights_option.hpp"
 #include "harness/crosscheck.hpp"
 #include "picture/picture.hpp"
 
@@ -19,7 +20,8 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   thinbench run thin_naccache_shinghal drawing.png skeleton.png
   thinbench run thin_naccache_shinghal parts.jpg skeleton.png --invert --threshold 100
-  thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8)";
+  thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8
+  thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json)";
 
 struct RunOptions {
   std::string operation;
@@ -27,6 +29,7 @@ struct RunOptions {
   std::string out;
   std::string technique;
   std::string isa;
+  std::string weights;
   int threads = 1;
   int threshold = 128;
   bool invert = false;
@@ -64,10 +67,11 @@ struct Thinned {
 };
 
 Thinned thinned(const ThinningOperation& operation, const ThinningVariant& variant,
-                const ByteImage& objects, int threads) {
+                const ByteImage& objects, const ThinningOptions& how) {
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
-  ThinningPlan plan(operation, variant, objects.width(), objects.height(), {threads});
+                                    static_cast<std::size_t>(how.threads));
+  ThinningPlan plan(operation, variant, objects.width(), objects.height(),
+                    {how.threads, how.model});
   ByteImage skeleton(objects.width(), objects.height());
   const auto start = std::chrono::steady_clock::now();
   const int passes = plan.run(objects.view(), skeleton.view());
@@ -77,11 +81,12 @@ Thinned thinned(const ThinningOperation& operation, const ThinningVariant& varia
 
 int run(const RunOptions& options, std::ostream& out) {
   const ThinningOperation& operation = operation_named(options.operation);
-  const ThinningOptions how = thinning_options(options);
+  ThinningOptions how = thinning_options(options);
+  how.model = model_from_file(operation, options.weights);
   check_ending(options.out);
   const ByteImage objects = objects_of(read_grey(options.in), options.threshold, options.invert);
   const ThinningVariant& variant = variant_for(operation, objects.width(), how);
-  const Thinned result = thinned(operation, variant, objects, how.threads);
+  const Thinned result = thinned(operation, variant, objects, how);
   write_grey(options.out, result.skeleton.view());
   out << row_name(operation.name, variant, how.threads) << ": " << objects.width() << " x "
       << objects.height() << ", " << result.passes << (result.passes == 1 ? " pass, " : " passes, ")
@@ -106,6 +111,8 @@ Command add_run_command(CLI::App& program) {
       ->type_name("NAME");
   app->add_option("--isa", options->isa, "Instruction set (default: the highest)")
       ->type_name("NAME");
+  app->add_option("--weights", options->weights, "Weights of a net, made by 'thinbench train'")
+      ->type_name("FILE");
   app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
       ->check(whole_number(1, kMaxThreads))
       ->type_name("N")

@@ -157,6 +157,8 @@ class CountedWord {
 /// With three inputs `ternary` is one gate; with two it is its expression, the general way.
 template <>
 struct TernaryGate<CountedWord<3>> {
+  static constexpr bool kOneInstruction = true;
+
   template <class Gate>
   static CountedWord<3> apply(CountedWord<3> a, CountedWord<3> b, CountedWord<3> c, Gate gate) {
     return CountedWord<3>::gate(gate(a.value(), b.value(), c.value()));

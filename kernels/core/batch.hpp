@@ -97,6 +97,8 @@ struct WordTraits<xsimd::batch<std::uint64_t, A>> {
 template <class T>
 struct TernaryGate<xsimd::batch<T, xsimd::avx512bw>> {
   using Word = xsimd::batch<T, xsimd::avx512bw>;
+  static constexpr bool kOneInstruction = true;
+
   template <class Gate>
   [[gnu::always_inline]] static Word apply(Word a, Word b, Word c, Gate gate) {
     return _mm512_ternarylogic_epi64(a, b, c, truth_table(gate));

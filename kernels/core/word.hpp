@@ -19,6 +19,8 @@ consteval std::uint8_t truth_table(Gate gate) {
 /// `truth_table`.
 template <class Word>
 struct TernaryGate {
+  static constexpr bool kOneInstruction = false;
+
   template <class Gate>
   [[gnu::always_inline]] static constexpr Word apply(Word a, Word b, Word c, Gate gate) {
     return static_cast<Word>(gate(a, b, c));

@@ -50,6 +50,15 @@ TEST(NaccacheShinghal, circuit_equals_the_stay_table_with_176_staying_codes) {
   EXPECT_EQ(staying, 176);
 }
 
+TEST(NaccacheShinghal, both_circuits_are_one_function) {
+  for (int word = 0; word < 8; ++word) {
+    const auto input = [word](int variable) { return counting_pattern(variable, word); };
+    const Neighbourhood<std::uint64_t> n = {input(8), input(0), input(1), input(2), input(3),
+                                            input(4), input(5), input(6), input(7)};
+    EXPECT_EQ(NaccacheShinghal::by_two_input_gates(n), NaccacheShinghal::by_three_input_gates(n));
+  }
+}
+
 TEST(NaccacheShinghal, printed_form_on_bytes_equals_the_circuit) {
   for (unsigned k = 0; k < 512; ++k) {
     const auto bit = [k](int i) { return static_cast<std::uint8_t>(k >> i & 1); };
