@@ -48,16 +48,22 @@ template <Activation activation>
 template <Activation activation>
 struct TwoLayerNet {
   template <class Inputs>
+  [[gnu::always_inline]] static FloatBatch hidden(const RuleModel& model, const Inputs& inputs,
+                                                  int j) {
+    const Neuron& neuron = model.two_layer.hidden[j];
+    FloatBatch sum(neuron.bias);
+#pragma GCC unroll 8
+    for (int i = 0; i < kNetInputs; ++i) sum = inputs.add(i, sum, FloatBatch(neuron.weight[i]));
+    return answer<activation>(sum);
+  }
+
+  template <class Inputs>
   [[gnu::always_inline]] static std::uint64_t decide(const RuleModel& model, const Inputs& inputs) {
     keep_loads_here();
     FloatBatch output(model.two_layer.output.bias);
 #pragma GCC unroll 8
     for (int j = 0; j < kHiddenNeurons; ++j) {
-      const Neuron& neuron = model.two_layer.hidden[j];
-      FloatBatch sum(neuron.bias);
-#pragma GCC unroll 8
-      for (int i = 0; i < kNetInputs; ++i) sum = inputs.add(i, sum, FloatBatch(neuron.weight[i]));
-      output = output + FloatBatch(model.two_layer.output.weight[j]) * answer<activation>(sum);
+      output = output + FloatBatch(model.two_layer.output.weight[j]) * hidden(model, inputs, j);
     }
     return bits_of(answer<activation>(output) >= FloatBatch(0.5F));
   }

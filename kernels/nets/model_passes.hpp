@@ -21,6 +21,13 @@ struct NetPasses {
   Pass<T> cluster;
 };
 
+/// For judging the arithmetic: the answer of hidden neuron j to descriptor k goes to values[256 j +
+/// k].
+struct HiddenValues {
+  void (*sigmoid)(const RuleModel& model, float* values);
+  void (*linear)(const RuleModel& model, float* values);
+};
+
 /// Compiled once for every instruction-set level.
 template <Isa isa>
 struct IsaModelPasses {
@@ -28,6 +35,7 @@ struct IsaModelPasses {
   static const NetPasses<std::uint8_t> kAutovec;
   static const NetPasses<std::uint8_t> kFloatBytes;
   static const NetPasses<std::uint64_t> kFloatBits;
+  static const HiddenValues kHiddenValues;
   static const Pass<std::uint64_t> kFixedPointBits;  // two layers, linear threshold
 };
 

@@ -85,7 +85,28 @@ std::uint64_t float_bytes(const RuleModel* model, const ConstBytePlaneView& sour
 using Sigmoid = TwoLayerNet<Activation::kSigmoid>;
 using Linear = TwoLayerNet<Activation::kLinear>;
 
+/// Descriptors 0 to 255, a batch at a time.
+template <Activation activation>
+void hidden_values(const RuleModel& model, float* values) {
+  for (Index first = 0; first < 256; first += kFloatLanes) {
+    PackedNeighbours neighbours{};
+    for (Index lane = 0; lane < kFloatLanes; ++lane) {
+      for (int i = 0; i < kNetInputs; ++i) {
+        neighbours.n[i] |= static_cast<std::uint64_t>((first + lane) >> i & 1) << lane;
+      }
+    }
+    const MaskInputs inputs = mask_inputs(neighbours, 0);
+    for (int j = 0; j < kHiddenNeurons; ++j) {
+      TwoLayerNet<activation>::hidden(model, inputs, j).store_unaligned(values + 256 * j + first);
+    }
+  }
+}
+
 }  // namespace
+
+template <>
+constinit const HiddenValues IsaModelPasses<kThisIsa>::kHiddenValues = {
+    &hidden_values<Activation::kSigmoid>, &hidden_values<Activation::kLinear>};
 
 template <>
 constinit const NetPasses<std::uint64_t> IsaModelPasses<kThisIsa>::kFloatBits = {

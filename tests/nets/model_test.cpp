@@ -1,0 +1,120 @@
+// Models: what engines derive from weights, and that any rule at all can be run.
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "catalog.hpp"
+#include "harness/crosscheck.hpp"
+#include "nets/decision_diagram.hpp"
+#include "nets/make_model.hpp"
+#include "nets/mux_rule.hpp"
+#include "nets/net_rows.hpp"
+#include "nets/trained_cluster.hpp"
+#include "thinning/rule_table.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr RuleTable kRule = make_rule_table<NaccacheShinghal, 0>();
+
+TEST(Models, paper_nets_and_trained_cluster_have_the_table_of_the_rule) {
+  for (const RuleModel* model :
+       {&paper_sigmoid_model(), &paper_linear_model(), &trained_cluster_model()}) {
+    for (std::size_t k = 0; k < 512; ++k) EXPECT_EQ(model->new_pixel[k], kRule[k]) << k;
+  }
+}
+
+TEST(Models, eight_bits_are_enough_for_the_linear_net) {
+  EXPECT_TRUE(paper_linear_model().fixed_point_is_exact);
+}
+
+std::vector<std::uint8_t> random_table(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<std::uint8_t> table(256);
+  for (std::uint8_t& entry : table) entry = random() & 1;
+  return table;
+}
+
+void expect_evaluates(const std::vector<std::uint8_t>& table) {
+  const MuxProgram program = make_decision_diagram(table.data());
+  ASSERT_LE(program.count, MuxProgram::kMostNodes);
+  for (int word = 0; word < 8; ++word) {
+    const auto input = [word](int variable) { return counting_pattern(variable, word); };
+    const Neighbourhood<std::uint64_t> n = {input(8), input(0), input(1), input(2), input(3),
+                                            input(4), input(5), input(6), input(7)};
+    const std::uint64_t next = MuxRule{program}.next<0>(n);
+    for (int bit = 0; bit < 64; ++bit) {
+      const int code = 64 * word + bit;
+      const bool expected = code >= 256 && table[static_cast<std::size_t>(code & 255)] != 0;
+      ASSERT_EQ((next >> bit & 1) != 0, expected) << code;
+    }
+  }
+}
+
+TEST(DecisionDiagram, evaluates_any_table) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) expect_evaluates(random_table(seed));
+  expect_evaluates(std::vector<std::uint8_t>(256, 0));
+  expect_evaluates(std::vector<std::uint8_t>(256, 1));
+  expect_evaluates({kRule.begin() + 256, kRule.end()});
+}
+
+TEST(DecisionDiagram, rule_of_the_paper_needs_few_nodes) {
+  EXPECT_LE(make_decision_diagram(kRule.data() + 256).count, 40);
+}
+
+/// A net that learned something else: Table 1 with one hidden neuron silenced.
+TwoLayerWeights damaged_net() {
+  TwoLayerWeights weights = kPaperTwoLayer;
+  weights.output.weight[0] = 0;
+  return weights;
+}
+
+TEST(Models, every_variant_follows_other_weights_not_the_known_rule) {
+  const ThinningOperation& operation = *find_thinning_operation("net_two_layer_linear");
+  const auto model =
+      std::make_shared<const RuleModel>(two_layer_model(damaged_net(), Activation::kLinear));
+  const ByteImage image = noise_image(130, 50, 90, 1, 4);
+  Expected expected{ByteImage(130, 50), 0};
+  expected.passes = reference::net_two_layer(damaged_net(), Activation::kLinear, 1000, image.view(),
+                                             expected.skeleton.view());
+  EXPECT_FALSE(equal(expected.skeleton.view(),
+                     expected_of("thin_naccache_shinghal", image.view()).skeleton.view()));
+  for (const ThinningVariant& variant : operation.variants) {
+    if (!why_unavailable(variant, 130).empty()) continue;
+    if (variant.technique == Technique::kSimdFixedPoint && !model->fixed_point_is_exact) continue;
+    ThinningPlan plan(operation, variant, 130, 50, {2, model});
+    EXPECT_EQ(find_mismatch(plan, image.view(), expected).value_or(""), "")
+        << row_name(operation.name, variant, 2);
+  }
+}
+
+TEST(Models, malformed_weights_are_refused) {
+  TwoLayerWeights weights = kPaperTwoLayer;
+  weights.hidden[3].weight[5] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(two_layer_model(weights, Activation::kLinear)),
+               std::invalid_argument);
+  ClusterWeights cluster = kTrainedCluster;
+  cluster.nets[11].last = 254;
+  EXPECT_THROW(static_cast<void>(cluster_model(cluster)), std::invalid_argument);
+  cluster.count = 17;
+  EXPECT_THROW(static_cast<void>(cluster_model(cluster)), std::invalid_argument);
+}
+
+TEST(Plan, refuses_a_model_where_there_is_no_net) {
+  const ThinningOperation& rule = *find_thinning_operation("thin_naccache_shinghal");
+  const auto model = std::make_shared<const RuleModel>(paper_linear_model());
+  EXPECT_THROW(ThinningPlan(rule, rule.variants.front(), 5, 5, {1, model}), std::invalid_argument);
+}
+
+TEST(Plan, refuses_eight_bits_for_a_model_they_cannot_express) {
+  const ThinningOperation& net = *find_thinning_operation("net_two_layer_linear");
+  auto model = std::make_shared<RuleModel>(paper_linear_model());
+  model->fixed_point_is_exact = false;
+  for (const ThinningVariant& variant : net.variants) {
+    if (variant.technique != Technique::kSimdFixedPoint || !isa_available(variant.isa)) continue;
+    EXPECT_THROW(ThinningPlan(net, variant, 5, 5, {1, model}), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace thinbench
