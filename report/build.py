@@ -7,13 +7,16 @@ from contextlib import suppress
 from pathlib import Path
 
 from report.errors import ReportError
+from report.experiment_table import to_experiments_markdown
+from report.experiment_tables import make_tables
+from report.experiments import load_experiments
 from report.loading import load_study
 from report.page import to_html
 from report.plots import make_plots
 from report.summary import to_text
 from report.tables import to_csv, to_markdown
 
-PAGE, CSV, MARKDOWN = "index.html", "timings.csv", "timings.md"
+PAGE, CSV, MARKDOWN, EXPERIMENTS = "index.html", "timings.csv", "timings.md", "experiments.md"
 
 
 def build(directory: Path) -> str:
@@ -23,14 +26,17 @@ def build(directory: Path) -> str:
     name before all of them are complete.
     """
     study = load_study(directory)
+    tables = make_tables(study, load_experiments(directory))
     plots = make_plots(study)
     outputs: dict[str, bytes] = {}
-    for plot in plots:
+    for plot in [*plots, *(table.plot for table in tables if table.plot)]:
         outputs[f"plots/{plot.stem}.svg"] = plot.svg
         outputs[f"plots/{plot.stem}.png"] = plot.png
     outputs[CSV] = to_csv(study).encode()
     outputs[MARKDOWN] = to_markdown(study).encode()
-    outputs[PAGE] = to_html(study, plots).encode()
+    if tables:
+        outputs[EXPERIMENTS] = to_experiments_markdown(tables).encode()
+    outputs[PAGE] = to_html(study, plots, tables).encode()
     summary = to_text(study)
     _write_all(directory, outputs)
     return f"{summary}\nPage: {directory / PAGE}\nCSV:  {directory / CSV}"

@@ -12,13 +12,14 @@ from markupsafe import Markup
 
 from report import formatting
 from report.errors import ReportError
+from report.experiment_table import TITLE, Table
 from report.findings import find, main_sentence, noise_of, noise_sentence
 from report.model import NOISY_PERCENT, Study, input_order
 from report.plot_style import CARD, GRID, INK, MUTED, Plot
 
 TEMPLATES = Path(__file__).parent / "templates"
 PAGE_BYTES = 2_900_000
-FIXED_BYTES, ROW_BYTES = 60_000, 520
+FIXED_BYTES, ROW_BYTES, CELL_BYTES = 70_000, 520, 90
 """The page stays below 3 MB: what texts and table rows leave is for pictures and plots."""
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
@@ -58,14 +59,18 @@ class Room:
         return fits
 
 
-def to_html(study: Study, plots: list[Plot]) -> str:
-    """The finished page."""
-    room = Room(PAGE_BYTES - FIXED_BYTES - ROW_BYTES * len(study.rows))
+def to_html(study: Study, plots: list[Plot], tables: list[Table]) -> str:
+    """The finished page; `tables` are of the paper's experiments."""
+    cells = sum(len(row) for table in tables for row in table.rows)
+    room = Room(PAGE_BYTES - FIXED_BYTES - ROW_BYTES * len(study.rows) - CELL_BYTES * cells)
     findings = find(study)
     return _environment().get_template("page.html.j2").render(
         study=study, findings=findings, main_sentence=main_sentence(findings),
         noise_sentence=noise_sentence(noise_of(study)), pictures=_pictures(study, room),
         figures=[_figure(plot, number, room) for number, plot in enumerate(plots)],
+        experiments_title=TITLE,
+        experiments=[(table, table.plot and _figure(table.plot, len(plots) + number, room))
+                     for number, table in enumerate(tables)],
         noisy_percent=NOISY_PERCENT, nothing=formatting.NOTHING,
         input_names=sorted({row.name.input for row in study.rows}, key=input_order))
 

@@ -37,8 +37,8 @@ def to_markdown(study: Study) -> str:
     rows = [row for row in study.rows if not is_sweep_input(row.name.input)]
     rule = ["---:" if index >= MARKDOWN_NUMBERS else "---"
             for index in range(len(MARKDOWN_HEADER))]
-    lines = [_markdown_line(MARKDOWN_HEADER), _markdown_line(rule)]
-    lines += [_markdown_line(_markdown_fields(row)) for row in rows]
+    lines = [markdown_line(MARKDOWN_HEADER), markdown_line(rule)]
+    lines += [markdown_line(_markdown_fields(row)) for row in rows]
     return "\n".join(lines) + "\n"
 
 
@@ -61,5 +61,6 @@ def _markdown_fields(row: Row) -> list[str]:
         percent(row.spread_percent) + (" (noisy)" if row.is_noisy else "")]
 
 
-def _markdown_line(fields: tuple[str, ...] | list[str]) -> str:
+def markdown_line(fields: tuple[str, ...] | list[str]) -> str:
+    """A row of a Markdown table."""
     return "| " + " | ".join(field.replace("|", "\\|") for field in fields) + " |"

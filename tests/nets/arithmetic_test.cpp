@@ -55,13 +55,12 @@ void judge() {
   const HiddenValues& values = IsaModelPasses<isa>::kHiddenValues;
   EXPECT_EQ(most_units_apart(paper_linear_model(), values.linear), 0) << isa_name(isa);
   const int sigmoid = most_units_apart(paper_sigmoid_model(), values.sigmoid);
-  EXPECT_LE(sigmoid, 5) << isa_name(isa);
+  EXPECT_LE(sigmoid, 2) << isa_name(isa);
   std::printf("%s: sigmoid at most %d units in the last place from the reference\n",
               std::string(isa_name(isa)).c_str(), sigmoid);
 }
 
-TEST(NetArithmetic,
-     linear_values_are_the_references_bits_and_sigmoid_values_are_within_five_units) {
+TEST(NetArithmetic, linear_values_are_the_references_bits_and_sigmoid_values_are_within_two_units) {
   judge<Isa::kBaseline>();
   judge<Isa::kSse42>();
   judge<Isa::kAvx2>();

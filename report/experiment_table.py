@@ -1,0 +1,59 @@
+"""A table of the paper's experiments, the same for the page and for experiments.md."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from report.plot_style import Plot
+from report.tables import markdown_line
+
+TITLE = "Nets: the paper's experiments again"
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column's heading, and whether it is set like numbers."""
+
+    label: str
+    is_number: bool = True
+
+
+@dataclass(frozen=True)
+class Table:
+    """A finished table with the sentences that say what it shows."""
+
+    title: str
+    sentence: str
+    header: tuple[Column, ...]
+    rows: tuple[tuple[str, ...], ...]
+    command: str
+    verdict: str = ""
+    """What follows from the table, if more than the sentence says."""
+    plot: Plot | None = None
+
+
+def columns(texts: Sequence[str], numbers: Sequence[str]) -> tuple[Column, ...]:
+    """Columns of text, followed by columns of numbers."""
+    return tuple(Column(label, False) for label in texts) + tuple(map(Column, numbers))
+
+
+def counted(number: int, noun: str) -> str:
+    """A number with its noun, such as 1 seed or 3 seeds."""
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+
+
+def to_experiments_markdown(tables: list[Table]) -> str:
+    """All tables as Markdown, each under its sentences and above its command."""
+    return "\n".join([f"# {TITLE}\n", *map(_block, tables)])
+
+
+def _block(table: Table) -> str:
+    rule = ["---:" if column.is_number else "---" for column in table.header]
+    lines = [f"## {table.title}", "", table.sentence, ""]
+    lines += [table.verdict, ""] if table.verdict else []
+    lines += [markdown_line([column.label for column in table.header]), markdown_line(rule)]
+    lines += [markdown_line(row) for row in table.rows]
+    if table.plot:
+        lines += ["", f"![{table.plot.alt}](plots/{table.plot.stem}.svg)"]
+    return "\n".join([*lines, "", f"Made by `{table.command}`.", ""])

@@ -1,0 +1,216 @@
+"""Reads what DIR/experiments holds of the paper's experiments; every file may be absent."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeVar
+
+from report.errors import ReportError
+from report.json_fields import Fields, read_object
+
+KINDS = ("logical", "comparisons", "additions", "multiplications", "divisions", "powers",
+         "arithmetic")
+"""Kinds of operations that are counted; the last sums up the four before it."""
+
+Loaded = TypeVar("Loaded")
+
+
+@dataclass(frozen=True)
+class PaperRow:
+    """A row of the paper's Table 2, and the operation that stands for it here."""
+
+    method: str
+    operation: str
+    seconds: float
+    ratio: float
+
+
+@dataclass(frozen=True)
+class TableTwo:
+    """The paper's Table 2."""
+
+    command: str
+    image: str
+    machine: str
+    rows: tuple[PaperRow, ...]
+
+
+@dataclass(frozen=True)
+class FixedPoint:
+    """Neighbourhoods judged right by a net whose weights keep so many fractional bits."""
+
+    weights: str
+    fractional_bits: int
+    right: dict[str, int]
+    """By the activation's name."""
+    largest_integer: int
+
+
+@dataclass(frozen=True)
+class Quantisation:
+    """The recognition rate under fixed point."""
+
+    command: str
+    descriptors: int
+    rows: tuple[FixedPoint, ...]
+
+
+@dataclass(frozen=True)
+class Trained:
+    """What the seeds reached with one number of hidden neurons."""
+
+    hidden: int
+    best: int
+    median: float
+    seeds_with_all_right: int
+    median_epochs_of_those: float
+
+
+@dataclass(frozen=True)
+class HiddenNeurons:
+    """Hidden neurons against recognition rate, by number of hidden neurons."""
+
+    command: str
+    descriptors: int
+    seeds: int
+    rows: tuple[Trained, ...]
+
+
+@dataclass(frozen=True)
+class Counted:
+    """Operations of one method, those of sums and of activations apart."""
+
+    method: str
+    paper: str
+    sums: dict[str, int]
+    activations: dict[str, int]
+
+    @property
+    def arithmetic(self) -> int:
+        """All arithmetic operations."""
+        return self.sums["arithmetic"] + self.activations["arithmetic"]
+
+
+@dataclass(frozen=True)
+class Gates:
+    """The size of a circuit."""
+
+    gates: int
+    inverters: int
+
+
+@dataclass(frozen=True)
+class OperationCounts:
+    """Operations of each method, and the circuit to which the rule and the nets compile."""
+
+    command: str
+    per: str
+    methods: tuple[Counted, ...]
+    circuit: dict[str, Gates]
+    """By the inputs of a gate, in words."""
+    nets: dict[str, bool]
+    """Whether a net compiles to the rule, by its name."""
+
+
+@dataclass(frozen=True)
+class Experiments:
+    """Those of the four that were made."""
+
+    table_two: TableTwo | None = None
+    quantisation: Quantisation | None = None
+    hidden_neurons: HiddenNeurons | None = None
+    operation_counts: OperationCounts | None = None
+
+
+def load_experiments(directory: Path) -> Experiments:
+    """Whatever is in the folder `experiments` of `directory`."""
+    return Experiments(_load(directory, "table-2", _table_two),
+                       _load(directory, "quantisation", _quantisation),
+                       _load(directory, "hidden-neurons", _hidden_neurons),
+                       _load(directory, "operation-counts", _operation_counts))
+
+
+def _load(directory: Path, name: str, parse: Callable[[Fields], Loaded]) -> Loaded | None:
+    path = directory / "experiments" / f"{name}.json"
+    if not path.exists():
+        return None
+    fields = read_object(path)
+    fields.check_schema()
+    if fields.text("experiment") != name:
+        raise ReportError(f"{fields.where}: experiment is '{fields.text('experiment')}'; "
+                          f"it must be '{name}'")
+    return parse(fields)
+
+
+def _some(fields: Fields, key: str) -> list[Fields]:
+    """An array with at least one object in it."""
+    children = fields.children(key)
+    if not children:
+        raise ReportError(f"{fields.where}: {key} is []; it must hold at least one row")
+    return children
+
+
+def _at_most(fields: Fields, key: str, most: int) -> float:
+    """A number from zero to `most`, so that no rate is above 100 %."""
+    value = fields.number(key)
+    if not 0 <= value <= most:
+        raise ReportError(f"{fields.where}: {key} is {value:g}; it must be from 0 to {most}")
+    return value
+
+
+def _count_to(fields: Fields, key: str, most: int) -> int:
+    _at_most(fields, key, most)
+    return fields.count(key)
+
+
+def _truth(fields: Fields, key: str) -> bool:
+    value = fields.data.get(key)
+    if not isinstance(value, bool):
+        raise ReportError(f"{fields.where}: {key} is {value!r}; it must be true or false")
+    return value
+
+
+def _table_two(fields: Fields) -> TableTwo:
+    rows = tuple(PaperRow(row.text("method"), row.text("operation"),
+                          row.positive("paper_seconds"), row.positive("paper_ratio"))
+                 for row in _some(fields, "rows"))
+    return TableTwo(fields.text("command"), fields.text("image"), fields.text("machine"), rows)
+
+
+def _quantisation(fields: Fields) -> Quantisation:
+    total = fields.count("descriptors", 1)
+    rows = tuple(FixedPoint(row.text("weights"), row.count("fractional_bits"),
+                            {"sigmoid": _count_to(row, "right_sigmoid", total),
+                             "linear threshold": _count_to(row, "right_linear", total)},
+                            row.count("largest_integer"))
+                 for row in _some(fields, "rows"))
+    return Quantisation(fields.text("command"), total, rows)
+
+
+def _hidden_neurons(fields: Fields) -> HiddenNeurons:
+    total, seeds = fields.count("descriptors", 1), fields.count("seeds", 1)
+    rows = [Trained(row.count("hidden"), _count_to(row, "best", total),
+                    _at_most(row, "median", total), _count_to(row, "seeds_with_all_right", seeds),
+                    row.number("median_epochs_of_those"))
+            for row in _some(fields, "rows")]
+    return HiddenNeurons(fields.text("command"), total, seeds,
+                         tuple(sorted(rows, key=lambda row: row.hidden)))
+
+
+def _operation_counts(fields: Fields) -> OperationCounts:
+    methods = tuple(_counted(method) for method in _some(fields, "methods"))
+    circuit = fields.child("circuit")
+    gates = {words: Gates(circuit.child(key).count("gates"), circuit.child(key).count("inverters"))
+             for words, key in (("two", "two_input"), ("three", "three_input"))}
+    nets = {net.text("net"): _truth(net, "compiles_to_the_rule")
+            for net in fields.children("nets")}
+    return OperationCounts(fields.text("command"), fields.text("per"), methods, gates, nets)
+
+
+def _counted(fields: Fields) -> Counted:
+    sums, activations = ({kind: fields.child(part).count(kind) for kind in KINDS}
+                         for part in ("sums", "activations"))
+    paper = fields.text("paper") if fields.data.get("paper") else ""
+    return Counted(fields.text("method"), paper, sums, activations)
