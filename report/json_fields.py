@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import math
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -86,14 +88,19 @@ class Fields:
 
 
 def read_object(path: Path) -> Fields:
-    """Parses a file that holds one JSON object."""
+    """Parses a file that holds one JSON object, or the same file packed by gzip beside it."""
+    packed = path.with_name(path.name + ".gz")
     try:
-        return Fields(json.loads(path.read_text(encoding="utf-8")), str(path))
+        if not path.exists() and packed.exists():
+            text = gzip.decompress(packed.read_bytes()).decode("utf-8")
+        else:
+            text = path.read_text(encoding="utf-8")
+        return Fields(json.loads(text), str(path))
     except FileNotFoundError:
         raise ReportError(f"{path}: no such file; a finished run leaves it here") from None
     except OSError as error:
         raise ReportError(f"{path}: cannot be read: {error.strerror}") from None
-    except (ValueError, RecursionError) as error:
+    except (ValueError, RecursionError, EOFError, zlib.error) as error:
         raise ReportError(f"{path}: not complete JSON: {error}; run the benchmark again") from None
 
 

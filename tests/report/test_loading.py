@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 from statistics import median
 
 import pytest
@@ -100,6 +101,17 @@ def test_truncated_json_is_refused(run, refusal, name):
     path.write_bytes(path.read_bytes()[:-40])
     error = refusal(run.directory)
     assert name in error and "not complete JSON" in error
+
+
+def test_packed_files_are_read_and_truncated_ones_are_refused(run, refusal):
+    path = run.write() / "timings.json"
+    packed = path.with_name("timings.json.gz")
+    whole = gzip.compress(path.read_bytes())
+    path.unlink()
+    packed.write_bytes(whole)
+    assert load_study(run.directory).rows
+    packed.write_bytes(whole[:-40])
+    assert "not complete JSON" in refusal(run.directory)
 
 
 @pytest.mark.parametrize("text", ["", "[]", "null", '{"benchmarks": 3}', "\xff", "[" * 100000])
