@@ -167,5 +167,25 @@ TEST_F(RunCommand, unwritable_output_is_one_line_and_no_output) {
   EXPECT_EQ(folder.names(), Names{"in.png"});
 }
 
+TEST_F(RunCommand, trained_weights_drive_every_technique) {
+  const std::string weights = folder.file("weights.json");
+  ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
+  for (const char* technique : {"lut", "autovec", "simd_float_bits", "simd_bitpacked"}) {
+    const ProgramRun result = run_with({"run", "net_single_layer_cluster", in, out, "--weights",
+                                        weights, "--technique", technique, "--isa", "baseline"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    expect_output(128, false);
+  }
+}
+
+TEST_F(RunCommand, weights_of_the_wrong_kind_or_place_are_refused) {
+  const std::string weights = folder.file("weights.json");
+  ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
+  EXPECT_EQ(failure_of({"run", "net_two_layer_linear", in, out, "--weights", weights}, 1),
+            weights + ": holds the wrong kind of weights; net_two_layer_linear needs two_layer");
+  EXPECT_EQ(failure_of({"run", kOperation, in, out, "--weights", weights}, 1),
+            "--weights: thin_naccache_shinghal is no net and takes none");
+}
+
 }  // namespace
 }  // namespace thinbench

@@ -58,7 +58,6 @@ TEST(FindMismatch, notices_a_write_into_the_margin) {
 TEST(MatchingRows, filters_by_name_and_repeats_threaded_rows) {
   for (const Row& row : matching_rows("simd_bitpacked/.*/(2|7)$", {2, 7})) {
     EXPECT_TRUE(row.variant->threaded);
-    EXPECT_EQ(row.name.find("thin_"), 0U);
   }
   EXPECT_FALSE(matching_rows("simd_bitpacked/.*/7$", {2, 7}).empty());
   EXPECT_TRUE(matching_rows("no_such_row", {2}).empty());
