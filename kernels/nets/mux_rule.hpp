@@ -8,8 +8,8 @@
 namespace thinbench {
 
 /// A rule object for the sweep. Cost a word: for each node 3 loads, 1 multiplexer (one instruction
-/// on AVX-512, three else) and 1 store, about 6 times what a minimised circuit needs; but it takes
-/// any table at run time.
+/// on AVX-512, three else) and 1 store, more than a minimised circuit needs; but it takes any table
+/// at run time.
 struct MuxRule {
   static constexpr int kSubIterations = 1;
 
