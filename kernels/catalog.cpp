@@ -14,12 +14,18 @@ std::span<const ThinningOperation> thinning_operations() {
           "modified Naccache-Shinghal rule, all removals of a pass at once, as printed",
           rows_of<NaccacheShinghal>()},
       ThinningOperation{"net_two_layer_sigmoid",
-                        "thinning by the two-layer net of Table 1, sigmoid (1)",
+                        "thinning by the two-layer net of Table 1, sigmoid (1); hidden values "
+                        "across lanes agree within 2 units in the last place, outputs within 9",
                         net_rows(NetKind::kSigmoid), &paper_sigmoid_model},
       ThinningOperation{"net_two_layer_sigmoid_pass", "one pass of net_two_layer_sigmoid",
                         net_rows(NetKind::kSigmoid), &paper_sigmoid_model, 1},
+      ThinningOperation{
+          "net_two_layer_rounded",
+          "net_two_layer_sigmoid with weights rounded to integers: not quite the rule",
+          net_rows(NetKind::kSigmoid), &rounded_sigmoid_model},
       ThinningOperation{"net_two_layer_linear",
-                        "thinning by the two-layer net of Table 1, linear threshold (2)",
+                        "thinning by the two-layer net of Table 1, linear threshold (2); all "
+                        "values agree bit for bit",
                         net_rows(NetKind::kLinear), &paper_linear_model},
       ThinningOperation{"net_two_layer_linear_pass", "one pass of net_two_layer_linear",
                         net_rows(NetKind::kLinear), &paper_linear_model, 1},

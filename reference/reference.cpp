@@ -10,9 +10,9 @@ namespace {
 
 constexpr int kNoLimit = std::numeric_limits<int>::max();
 
-template <Activation activation, int most_passes>
+template <const TwoLayerWeights& net, Activation activation, int most_passes>
 int two_layer(ConstByteView source, ByteView destination) {
-  return net_two_layer(kPaperTwoLayer, activation, most_passes, source, destination);
+  return net_two_layer(net, activation, most_passes, source, destination);
 }
 
 template <int most_passes>
@@ -27,10 +27,15 @@ struct NamedThinning {
 
 constexpr std::array kThinnings = {
     NamedThinning{"thin_naccache_shinghal", &thin_naccache_shinghal},
-    NamedThinning{"net_two_layer_sigmoid", &two_layer<Activation::kSigmoid, kNoLimit>},
-    NamedThinning{"net_two_layer_sigmoid_pass", &two_layer<Activation::kSigmoid, 1>},
-    NamedThinning{"net_two_layer_linear", &two_layer<Activation::kLinear, kNoLimit>},
-    NamedThinning{"net_two_layer_linear_pass", &two_layer<Activation::kLinear, 1>},
+    NamedThinning{"net_two_layer_sigmoid",
+                  &two_layer<kPaperTwoLayer, Activation::kSigmoid, kNoLimit>},
+    NamedThinning{"net_two_layer_sigmoid_pass",
+                  &two_layer<kPaperTwoLayer, Activation::kSigmoid, 1>},
+    NamedThinning{"net_two_layer_rounded",
+                  &two_layer<kRoundedTwoLayer, Activation::kSigmoid, kNoLimit>},
+    NamedThinning{"net_two_layer_linear",
+                  &two_layer<kPaperTwoLayer, Activation::kLinear, kNoLimit>},
+    NamedThinning{"net_two_layer_linear_pass", &two_layer<kPaperTwoLayer, Activation::kLinear, 1>},
     NamedThinning{"net_single_layer_cluster", &cluster<kNoLimit>},
     NamedThinning{"net_single_layer_cluster_pass", &cluster<1>},
 };

@@ -63,8 +63,14 @@ void generate_sheets(const TestImageSink& sink) {
 
 void generate_tiles(const TestImageSink& sink) {
   std::uint64_t seed = 1000;
-  for (const auto& [width, height] :
-       {std::pair<Index, Index>{130, 127}, {512, 150}, {600, 100}, {40, 1100}, {4200, 40}}) {
+  for (const auto& [width, height] : {std::pair<Index, Index>{130, 127},
+                                      {512, 150},
+                                      {600, 100},
+                                      {40, 1100},
+                                      {4200, 40},
+                                      {4160, 20},
+                                      {8320, 18},
+                                      {66000, 3}}) {
     sink(noise(width, height, {99, 1}, ++seed));
     sink(noise(width, height, {70, 12}, ++seed));
   }

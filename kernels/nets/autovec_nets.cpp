@@ -111,7 +111,7 @@ std::uint64_t pass(const RuleModel* model, const ConstBytePlaneView& source,
 }  // namespace
 
 template <>
-constinit const NetPasses<std::uint8_t> IsaModelPasses<Isa::THINBENCH_ISA>::kAutovec = {
+constinit const NetPasses<Pass<std::uint8_t>> IsaModelPasses<Isa::THINBENCH_ISA>::kAutovec = {
     &pass<TwoLayerStrip<Activation::kSigmoid>>, &pass<TwoLayerStrip<Activation::kLinear>>,
     &pass<ClusterStrip>};
 

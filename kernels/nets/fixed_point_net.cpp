@@ -5,15 +5,15 @@
 // each answer, and for each pair of hidden neurons 2 interleavings, 2 multiply-adds and 2 additions
 // in 16 bits: about 115 operations for 64 pixels on AVX-512.
 #include "core/batch.hpp"
+#include "nets/changed_pixels.hpp"
 #include "nets/model.hpp"
 #include "nets/model_passes.hpp"
-#include "nets/packed_words.hpp"
 
 namespace thinbench {
 namespace {
 
 using SignedBatch = xsimd::batch<std::int8_t, Architecture>;
-constexpr Index kLanes = static_cast<Index>(SignedBatch::size);
+constexpr Index kByteLanes = static_cast<Index>(SignedBatch::size);
 
 #if defined(__AVX512BW__)
 using Register = __m512i;
@@ -131,32 +131,27 @@ struct ByteInputs {
   return not_negative(low, high);
 }
 
-[[gnu::always_inline]] inline std::uint64_t decide_word(const FixedPointNet& net,
-                                                        const PackedNeighbours& neighbours) {
-  std::uint64_t stays = 0;
-  for (Index first = 0; first < kWordBits; first += kLanes) {
+struct FixedPointDecider {
+  static constexpr Index kLanes = kByteLanes;
+  FixedPointNet net;
+
+  [[gnu::always_inline]] std::uint64_t operator()(const PackedNeighbours& neighbours,
+                                                  Index first) const {
     ByteInputs inputs;
     for (int i = 0; i < kNetInputs; ++i) inputs.mask[i] = byte_mask(neighbours.n[i] >> first);
-    stays |= decide(net, inputs) << first;
+    return decide(net, inputs);
   }
-  return stays;
-}
+};
 
-std::uint64_t fixed_point_bits(const RuleModel* model, const ConstBitPlaneView& source,
-                               const BitPlaneView& target, const Band& band) {
-  const FixedPointNet net = model->fixed_point;
-  const Index stride = source.stride;
-  return for_each_run(band, [&](Index y, Index from, Index to) {
-    return decide_words(source.row(y), target.row(y), from, to,
-                        [&](std::uint64_t, const std::uint64_t* here) {
-                          return decide_word(net, packed_neighbours(here, stride));
-                        });
-  });
+std::uint64_t fixed_point_bits(const RuleModel* model, const ConstBitPlaneView& previous,
+                               const ConstBitPlaneView& source, const BitPlaneView& target,
+                               const Band& band) {
+  return decide_changed(FixedPointDecider{model->fixed_point}, previous, source, target, band);
 }
 
 }  // namespace
 
 template <>
-constinit const Pass<std::uint64_t> IsaModelPasses<kThisIsa>::kFixedPointBits = &fixed_point_bits;
+constinit const ChangePass IsaModelPasses<kThisIsa>::kFixedPointBits = &fixed_point_bits;
 
 }  // namespace thinbench

@@ -58,14 +58,19 @@ struct TwoLayerNet {
   }
 
   template <class Inputs>
-  [[gnu::always_inline]] static std::uint64_t decide(const RuleModel& model, const Inputs& inputs) {
+  [[gnu::always_inline]] static FloatBatch output(const RuleModel& model, const Inputs& inputs) {
     keep_loads_here();
-    FloatBatch output(model.two_layer.output.bias);
+    FloatBatch sum(model.two_layer.output.bias);
 #pragma GCC unroll 8
     for (int j = 0; j < kHiddenNeurons; ++j) {
-      output = output + FloatBatch(model.two_layer.output.weight[j]) * hidden(model, inputs, j);
+      sum = sum + FloatBatch(model.two_layer.output.weight[j]) * hidden(model, inputs, j);
     }
-    return bits_of(answer<activation>(output) >= FloatBatch(0.5F));
+    return answer<activation>(sum);
+  }
+
+  template <class Inputs>
+  [[gnu::always_inline]] static std::uint64_t decide(const RuleModel& model, const Inputs& inputs) {
+    return bits_of(output(model, inputs) >= FloatBatch(0.5F));
   }
 };
 

@@ -28,14 +28,20 @@ void inputs_of(int descriptor, float* inputs) {
   for (int i = 0; i < kNetInputs; ++i) inputs[i] = static_cast<float>(descriptor >> i & 1);
 }
 
-void require_finite(const Neuron& neuron, const std::string& name) {
+/// Sums of ten such numbers are finite.
+constexpr float kLargestWeight = 1e30F;
+
+void require_moderate(float value, const std::string& name) {
+  if (std::fabs(value) <= kLargestWeight) return;  // not so for NaN
+  throw std::invalid_argument(name + " is " + std::to_string(value) +
+                              "; it must be within -1e30 ... 1e30");
+}
+
+void require_moderate(const Neuron& neuron, const std::string& name) {
   for (int i = 0; i < kNetInputs; ++i) {
-    if (!std::isfinite(neuron.weight[i])) {
-      throw std::invalid_argument("weight " + std::to_string(i) + " of " + name + " is not finite");
-    }
+    require_moderate(neuron.weight[i], "weight " + std::to_string(i) + " of " + name);
   }
-  if (!std::isfinite(neuron.bias))
-    throw std::invalid_argument("the bias of " + name + " is not finite");
+  require_moderate(neuron.bias, "the bias of " + name);
 }
 
 /// In multiples of 1 / scale; false where it does not fit into 8 bits.
@@ -69,8 +75,9 @@ bool make_fixed_point(const TwoLayerWeights& weights, float scale, FixedPointNet
     if (!quantise(weights.output.weight[j], scale, net.output_weight[j])) return false;
     reach += std::fabs(static_cast<float>(net.output_weight[j])) * answers;
   }
+  if (reach >= 32767) return false;
   net.output_bias = static_cast<std::int16_t>(bias);
-  return reach < 32767;
+  return true;
 }
 
 bool fixed_point_stays(const FixedPointNet& net, int descriptor) {
@@ -137,9 +144,9 @@ bool cluster_stays(const ClusterWeights& weights, int descriptor) {
 
 RuleModel two_layer_model(const TwoLayerWeights& weights, Activation activation) {
   for (int j = 0; j < kHiddenNeurons; ++j) {
-    require_finite(weights.hidden[j], "hidden neuron " + std::to_string(j));
+    require_moderate(weights.hidden[j], "hidden neuron " + std::to_string(j));
   }
-  require_finite(weights.output, "the output neuron");
+  require_moderate(weights.output, "the output neuron");
   RuleModel model{};
   model.activation = activation;
   model.two_layer = weights;
@@ -155,7 +162,7 @@ RuleModel cluster_model(const ClusterWeights& weights) {
   }
   int before = -1;
   for (int net = 0; net < weights.count; ++net) {
-    require_finite(weights.nets[net].neuron, "net " + std::to_string(net));
+    require_moderate(weights.nets[net].neuron, "net " + std::to_string(net));
     if (weights.nets[net].last <= before) {
       throw std::invalid_argument("net " + std::to_string(net) + " covers no descriptor");
     }

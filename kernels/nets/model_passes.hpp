@@ -14,16 +14,16 @@ struct ScalarModelPasses {
 };
 
 /// One form of arithmetic for the three kinds of net.
-template <class T>
+template <class AnyPass>
 struct NetPasses {
-  Pass<T> sigmoid;
-  Pass<T> linear;
-  Pass<T> cluster;
+  AnyPass sigmoid;
+  AnyPass linear;
+  AnyPass cluster;
 };
 
 /// For judging the arithmetic: the answer of hidden neuron j to descriptor k goes to values[256 j +
-/// k].
-struct HiddenValues {
+/// k], and that of the output neuron follows as if it were the last of them.
+struct NeuronValues {
   void (*sigmoid)(const RuleModel& model, float* values);
   void (*linear)(const RuleModel& model, float* values);
 };
@@ -32,11 +32,11 @@ struct HiddenValues {
 template <Isa isa>
 struct IsaModelPasses {
   static const Pass<std::uint64_t> kSimdBitpacked;
-  static const NetPasses<std::uint8_t> kAutovec;
-  static const NetPasses<std::uint8_t> kFloatBytes;
-  static const NetPasses<std::uint64_t> kFloatBits;
-  static const HiddenValues kHiddenValues;
-  static const Pass<std::uint64_t> kFixedPointBits;  // two layers, linear threshold
+  static const NetPasses<Pass<std::uint8_t>> kAutovec;
+  static const NetPasses<Pass<std::uint8_t>> kFloatBytes;
+  static const NetPasses<ChangePass> kFloatBits;
+  static const NeuronValues kNeuronValues;
+  static const ChangePass kFixedPointBits;  // two layers, linear threshold
 };
 
 }  // namespace thinbench

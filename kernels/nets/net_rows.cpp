@@ -34,17 +34,17 @@ std::span<const KnownRule> known_kernels() {
   return rules;
 }
 
-template <class T>
-constexpr std::span<const Pass<T>> pass_of(const NetPasses<T>& passes, NetKind kind) {
+template <class AnyPass>
+constexpr const AnyPass& pass_of(const NetPasses<AnyPass>& passes, NetKind kind) {
   switch (kind) {
     case NetKind::kSigmoid:
-      return one(passes.sigmoid);
+      return passes.sigmoid;
     case NetKind::kLinear:
-      return one(passes.linear);
+      return passes.linear;
     case NetKind::kCluster:
-      return one(passes.cluster);
+      break;
   }
-  return {};
+  return passes.cluster;
 }
 
 using Rows = std::vector<ThinningVariant>;
@@ -62,19 +62,26 @@ void add_scalar_net_rows(Rows& rows) {
 }
 
 template <Isa isa>
-void add_isa_net_rows(Rows& rows, NetKind kind) {
+void add_arithmetic_rows(Rows& rows, NetKind kind) {
   using enum Technique;
   using Passes = IsaModelPasses<isa>;
-  const auto bits = pass_of(Passes::kFloatBits, kind);
-  rows.push_back({kAutovec, isa, kOneThread, kAnyWidth, pass_of(Passes::kAutovec, kind)});
-  rows.push_back({kSimdFloatBytes, isa, kOneThread, kAnyWidth, pass_of(Passes::kFloatBytes, kind)});
-  for (const bool threaded : {kOneThread, kThreaded}) {
-    rows.push_back({kSimdFloatBits, isa, threaded, kAnyWidth, bits});
-    rows.push_back({kSimdBitpacked, isa, threaded, kAnyWidth, one(Passes::kSimdBitpacked),
-                    known_passes<IsaPasses<isa>::kSimdBitpacked>()});
-  }
+  const ChangePass* bits = &pass_of(Passes::kFloatBits, kind);
+  rows.push_back({kAutovec, isa, kOneThread, kAnyWidth, one(pass_of(Passes::kAutovec, kind))});
+  rows.push_back(
+      {kSimdFloatBytes, isa, kOneThread, kAnyWidth, one(pass_of(Passes::kFloatBytes, kind))});
+  rows.push_back({kSimdFloatBits, isa, kOneThread, kAnyWidth, bits});
+  rows.push_back({kSimdFloatBits, isa, kThreaded, kAnyWidth, bits});
   if (kind == NetKind::kLinear) {
-    rows.push_back({kSimdFixedPoint, isa, kOneThread, kAnyWidth, one(Passes::kFixedPointBits)});
+    rows.push_back({kSimdFixedPoint, isa, kOneThread, kAnyWidth, &Passes::kFixedPointBits});
+  }
+}
+
+template <Isa isa>
+void add_circuit_rows(Rows& rows) {
+  for (const bool threaded : {kOneThread, kThreaded}) {
+    rows.push_back({Technique::kSimdBitpacked, isa, threaded, kAnyWidth,
+                    one(IsaModelPasses<isa>::kSimdBitpacked),
+                    known_passes<IsaPasses<isa>::kSimdBitpacked>()});
   }
 }
 
@@ -84,16 +91,26 @@ void add_row_kernel_net_rows(Rows& rows) {
                   &RowKernels<isa>::kModel, known_kernels<isa>()});
 }
 
-Rows all_rows(NetKind kind) {
+Rows all_table_rows() {
   Rows all;
   add_scalar_net_rows(all);
-  add_isa_net_rows<Isa::kBaseline>(all, kind);
-  add_isa_net_rows<Isa::kSse42>(all, kind);
-  add_isa_net_rows<Isa::kAvx2>(all, kind);
-  add_isa_net_rows<Isa::kAvx512>(all, kind);
-  add_isa_net_rows<Isa::kAvx512Icl>(all, kind);
+  add_circuit_rows<Isa::kBaseline>(all);
+  add_circuit_rows<Isa::kSse42>(all);
+  add_circuit_rows<Isa::kAvx2>(all);
+  add_circuit_rows<Isa::kAvx512>(all);
+  add_circuit_rows<Isa::kAvx512Icl>(all);
   add_row_kernel_net_rows<Isa::kAvx512>(all);
   add_row_kernel_net_rows<Isa::kAvx512Icl>(all);
+  return all;
+}
+
+Rows all_rows(NetKind kind) {
+  Rows all = all_table_rows();
+  add_arithmetic_rows<Isa::kBaseline>(all, kind);
+  add_arithmetic_rows<Isa::kSse42>(all, kind);
+  add_arithmetic_rows<Isa::kAvx2>(all, kind);
+  add_arithmetic_rows<Isa::kAvx512>(all, kind);
+  add_arithmetic_rows<Isa::kAvx512Icl>(all, kind);
   return all;
 }
 
@@ -105,8 +122,18 @@ std::span<const ThinningVariant> net_rows(NetKind kind) {
   return rows.at(static_cast<std::size_t>(kind));
 }
 
+std::span<const ThinningVariant> net_table_rows() {
+  static const Rows rows = all_table_rows();
+  return rows;
+}
+
 const RuleModel& paper_sigmoid_model() {
   static const RuleModel model = two_layer_model(kPaperTwoLayer, Activation::kSigmoid);
+  return model;
+}
+
+const RuleModel& rounded_sigmoid_model() {
+  static const RuleModel model = two_layer_model(kRoundedTwoLayer, Activation::kSigmoid);
   return model;
 }
 

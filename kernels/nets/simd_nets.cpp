@@ -1,13 +1,11 @@
 // Nets on xsimd batches, pixels across lanes, compiled once for every instruction-set level.
 //
-// float_bits reads packed bits. Where BMI2 is present (the AVX2 level and up) the dark pixels of a
-// word are gathered first (one pext for each neighbour), so that no lane computes a light pixel,
-// and decisions are scattered back by pdep: about 20 operations a word against 140 a batch of 16
-// that they save. float_bytes reads bytes 0/1, passes over batches without a dark pixel, and
-// multiplies.
+// float_bits reads packed bits and asks about changed neighbourhoods only (changed_pixels.hpp); a
+// word of neighbours is the mask of an addition. float_bytes reads bytes 0/1, asks about every dark
+// pixel in every step, passes over batches without one, and multiplies.
+#include "nets/changed_pixels.hpp"
 #include "nets/float_nets.hpp"
 #include "nets/model_passes.hpp"
-#include "nets/packed_words.hpp"
 
 namespace thinbench {
 namespace {
@@ -18,38 +16,22 @@ namespace {
   return inputs;
 }
 
-/// Decisions for the dark pixels of one word; garbage elsewhere is cut by the caller's AND.
 template <class Net>
-[[gnu::always_inline]] inline std::uint64_t decide_word(const RuleModel& model, std::uint64_t dark,
-                                                        PackedNeighbours neighbours) {
-  std::uint64_t stays = 0;
-#ifdef __BMI2__
-  for (std::uint64_t& n : neighbours.n) n = _pext_u64(n, dark);
-  const Index count = __builtin_popcountll(dark);
-  for (Index first = 0; first < count; first += kFloatLanes) {
-    stays |= Net::decide(model, mask_inputs(neighbours, first)) << first;
+struct FloatDecider {
+  static constexpr Index kLanes = kFloatLanes;
+  const RuleModel& model;
+
+  [[gnu::always_inline]] std::uint64_t operator()(const PackedNeighbours& neighbours,
+                                                  Index first) const {
+    return Net::decide(model, mask_inputs(neighbours, first));
   }
-  return _pdep_u64(stays, dark);
-#else
-  constexpr std::uint64_t lanes = (std::uint64_t{1} << kFloatLanes) - 1;
-  for (Index first = 0; first < kWordBits; first += kFloatLanes) {
-    if ((dark >> first & lanes) == 0) continue;
-    stays |= Net::decide(model, mask_inputs(neighbours, first)) << first;
-  }
-  return stays;
-#endif
-}
+};
 
 template <class Net>
-std::uint64_t float_bits(const RuleModel* model, const ConstBitPlaneView& source,
-                         const BitPlaneView& target, const Band& band) {
-  const Index stride = source.stride;
-  return for_each_run(band, [&](Index y, Index from, Index to) {
-    return decide_words(source.row(y), target.row(y), from, to,
-                        [&](std::uint64_t dark, const std::uint64_t* here) {
-                          return decide_word<Net>(*model, dark, packed_neighbours(here, stride));
-                        });
-  });
+std::uint64_t float_bits(const RuleModel* model, const ConstBitPlaneView& previous,
+                         const ConstBitPlaneView& source, const BitPlaneView& target,
+                         const Band& band) {
+  return decide_changed(FloatDecider<Net>{*model}, previous, source, target, band);
 }
 
 [[gnu::always_inline]] inline NumberInputs number_inputs(const std::uint8_t* here, Index stride) {
@@ -87,7 +69,7 @@ using Linear = TwoLayerNet<Activation::kLinear>;
 
 /// Descriptors 0 to 255, a batch at a time.
 template <Activation activation>
-void hidden_values(const RuleModel& model, float* values) {
+void neuron_values(const RuleModel& model, float* values) {
   for (Index first = 0; first < 256; first += kFloatLanes) {
     PackedNeighbours neighbours{};
     for (Index lane = 0; lane < kFloatLanes; ++lane) {
@@ -99,21 +81,23 @@ void hidden_values(const RuleModel& model, float* values) {
     for (int j = 0; j < kHiddenNeurons; ++j) {
       TwoLayerNet<activation>::hidden(model, inputs, j).store_unaligned(values + 256 * j + first);
     }
+    float* output = values + 256 * kHiddenNeurons + first;
+    TwoLayerNet<activation>::output(model, inputs).store_unaligned(output);
   }
 }
 
 }  // namespace
 
 template <>
-constinit const HiddenValues IsaModelPasses<kThisIsa>::kHiddenValues = {
-    &hidden_values<Activation::kSigmoid>, &hidden_values<Activation::kLinear>};
+constinit const NeuronValues IsaModelPasses<kThisIsa>::kNeuronValues = {
+    &neuron_values<Activation::kSigmoid>, &neuron_values<Activation::kLinear>};
 
 template <>
-constinit const NetPasses<std::uint64_t> IsaModelPasses<kThisIsa>::kFloatBits = {
+constinit const NetPasses<ChangePass> IsaModelPasses<kThisIsa>::kFloatBits = {
     &float_bits<Sigmoid>, &float_bits<Linear>, &float_bits<ClusterOfNets>};
 
 template <>
-constinit const NetPasses<std::uint8_t> IsaModelPasses<kThisIsa>::kFloatBytes = {
+constinit const NetPasses<Pass<std::uint8_t>> IsaModelPasses<kThisIsa>::kFloatBytes = {
     &float_bytes<Sigmoid>, &float_bytes<Linear>, &float_bytes<ClusterOfNets>};
 
 }  // namespace thinbench

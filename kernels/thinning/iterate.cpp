@@ -1,15 +1,17 @@
 #include "thinning/iterate.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace thinbench {
 
-TileActivity::TileActivity(Index height, Index row_elements, Index least_column) : height_(height) {
+TileActivity::TileActivity(Index height, Index row_elements, Index least_column)
+    : height_(height), row_elements_(row_elements) {
   constexpr Index most_columns = 64;
   const Index least_columns = std::max<Index>(1, row_elements / least_column);
   column_elements_ = least_column * ((least_columns + most_columns - 1) / most_columns);
   const Index columns = (least_columns * least_column + column_elements_ - 1) / column_elements_;
-  all_columns_ = ~std::uint64_t{0} >> (most_columns - columns);
+  all_columns_ = row_elements == 0 ? 0 : ~std::uint64_t{0} >> (most_columns - columns);
   const auto bands = static_cast<std::size_t>((height + kRows - 1) / kRows);
   active_.resize(bands);
   changed_.resize(bands);
@@ -39,7 +41,8 @@ std::span<const Band> TileActivity::begin_step(int cycle) {
     const std::uint64_t columns = active_columns(band, cycle);
     if (columns == 0) continue;
     const Index first = static_cast<Index>(band) * kRows;
-    active_[active_count_++] = {first, std::min(first + kRows, height_), columns, column_elements_};
+    active_[active_count_++] = {first, std::min(first + kRows, height_), columns, column_elements_,
+                                row_elements_};
   }
   return {active_.data(), active_count_};
 }
@@ -60,13 +63,14 @@ bool TileActivity::end_step() {
 
 namespace {
 
-template <class T>
-bool run_step(const Cycle<T>& cycle, Pass<T> pass, const ConstPlaneView<T>& source,
-              const PlaneView<T>& target, TileActivity& activity, ThreadTeam& team) {
-  const auto bands = activity.begin_step(static_cast<int>(cycle.passes.size()));
+/// Calls `pass(band)` for every band that may change in a cycle of `length` steps. True where one
+/// did.
+template <class BandPass>
+bool run_step(int length, TileActivity& activity, ThreadTeam& team, const BandPass& pass) {
+  const auto bands = activity.begin_step(length);
   team.for_ranges(static_cast<Index>(bands.size()), [&](Index first, Index last) {
     for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-      activity.set_changed(i, pass(cycle.model, source, target, bands[i]));
+      activity.set_changed(i, pass(bands[i]));
     }
   });
   return activity.end_step();
@@ -77,6 +81,10 @@ void copy_rows(const ConstPlaneView<T>& source, const PlaneView<T>& target) {
   for (Index y = 0; y < source.height; ++y) {
     std::copy_n(source.row(y), source.row_elements, target.row(y));
   }
+}
+
+void clear_rows(const BitPlaneView& plane) {
+  for (Index y = 0; y < plane.height; ++y) std::fill_n(plane.row(y), plane.row_elements, 0);
 }
 
 }  // namespace
@@ -93,7 +101,9 @@ int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneV
   while (changed && cycles < cycle.most_cycles) {
     changed = false;
     for (const Pass<T> pass : cycle.passes) {
-      changed = run_step(cycle, pass, from, to, activity, team) || changed;
+      const auto band_pass = [&](const Band& band) { return pass(cycle.model, from, to, band); };
+      changed =
+          run_step(static_cast<int>(cycle.passes.size()), activity, team, band_pass) || changed;
       from = to;
       std::swap(to, other);
     }
@@ -102,6 +112,27 @@ int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneV
   // After a cycle without change both buffers hold the result.
   if (changed && from.data != target.data) copy_rows(from, target);
   return cycles;
+}
+
+int iterate_changes(ChangePass pass, const RuleModel* model, int most_passes,
+                    const ConstBitPlaneView& source, const std::array<BitPlaneView, 3>& buffers,
+                    TileActivity& activity, ThreadTeam& team) {
+  // A step writes what is three steps old: a tile must have been quiet for two to be passed over.
+  constexpr int quiet_steps = 2;
+  activity.restart();
+  clear_rows(buffers[2]);
+  ConstBitPlaneView previous = buffers[2];
+  ConstBitPlaneView current = source;
+  int passes = 0;
+  for (bool changed = true; changed && passes < most_passes; ++passes) {
+    const BitPlaneView& next = buffers[static_cast<std::size_t>(passes) % buffers.size()];
+    changed = run_step(quiet_steps, activity, team, [&](const Band& band) {
+      return pass(model, previous, current, next, band);
+    });
+    previous = std::exchange(current, next);
+  }
+  if (current.data != buffers[0].data) copy_rows(current, buffers[0]);
+  return passes;
 }
 
 template int iterate(const Cycle<std::uint8_t>&, const ConstBytePlaneView&, const BytePlaneView&,

@@ -1,4 +1,4 @@
-// Passes until nothing changes, over bands of rows, skipping bands that cannot change any more.
+// Passes until nothing changes, over tiles, skipping those that cannot change any more.
 #pragma once
 
 #include <array>
@@ -36,6 +36,7 @@ class TileActivity {
   [[nodiscard]] std::uint64_t active_columns(std::size_t band, int cycle) const;
 
   Index height_;
+  Index row_elements_;
   Index column_elements_;
   std::uint64_t all_columns_;
   int step_ = 0;
@@ -59,5 +60,11 @@ struct Cycle {
 template <class T>
 int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
             const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team);
+
+/// The same for one pass that needs to know what changed. `buffers` are three planes besides
+/// `source`; the result is in the first.
+int iterate_changes(ChangePass pass, const RuleModel* model, int most_passes,
+                    const ConstBitPlaneView& source, const std::array<BitPlaneView, 3>& buffers,
+                    TileActivity& activity, ThreadTeam& team);
 
 }  // namespace thinbench

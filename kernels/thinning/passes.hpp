@@ -20,6 +20,7 @@ struct Band {
   Index last;   // row after the last
   std::uint64_t columns;
   Index column_elements;
+  Index row_elements;  // the last column may be narrower
 
   /// Bits of the columns that elements [from, to) touch.
   [[nodiscard]] std::uint64_t columns_of(Index from, Index to) const {
@@ -37,6 +38,12 @@ template <class T>
 using Pass = std::uint64_t (*)(const RuleModel* model, const ConstPlaneView<T>& source,
                                const PlaneView<T>& target, const Band& band);
 
+/// A pass that also sees what the last step changed: `previous` is the image before it, light
+/// everywhere before the first. Otherwise as Pass, for packed pixels.
+using ChangePass = std::uint64_t (*)(const RuleModel* model, const ConstBitPlaneView& previous,
+                                     const ConstBitPlaneView& source, const BitPlaneView& target,
+                                     const Band& band);
+
 /// For engines that work row by row: calls `row(y, from, to)` for each row of the band and each run
 /// of neighbouring columns, and collects the columns in which it returned true.
 template <class Row>
@@ -48,10 +55,11 @@ template <class Row>
     const int length = gap == 0 ? 64 - begin : __builtin_ctzll(gap);
     const std::uint64_t run = (~std::uint64_t{0} >> (64 - length)) << begin;
     left &= ~run;
+    const Index from = begin * band.column_elements;
+    const Index end = (begin + length) * band.column_elements;
+    const Index to = end < band.row_elements ? end : band.row_elements;
     bool any = false;
-    for (Index y = band.first; y < band.last; ++y) {
-      any = row(y, begin * band.column_elements, (begin + length) * band.column_elements) || any;
-    }
+    for (Index y = band.first; y < band.last; ++y) any = row(y, from, to) || any;
     if (any) changed |= run;
   }
   return changed;

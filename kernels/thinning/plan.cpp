@@ -1,6 +1,7 @@
 #include "thinning/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -128,6 +129,41 @@ struct PassState final : ThinningState {
   ThreadTeam team;
 };
 
+/// One pass that sees what the last step changed.
+struct ChangeState final : ThinningState {
+  ChangeState(ChangePass change_pass, const Setting& chosen)
+      : pass(change_pass),
+        setting(chosen),
+        planes(chosen.isa, chosen.width, chosen.height),
+        scratch{BitPlane(chosen.width, chosen.height), BitPlane(chosen.width, chosen.height)},
+        activity(chosen.height, planes.result.view().row_elements, 1),
+        team(chosen.threads) {}
+
+  void load(const ConstByteView& view) override {
+    planes.conversion.read(view, planes.source.view());
+  }
+  int thin() override {
+    const auto& source = planes.source;
+    return iterate_changes(pass, setting.model.get(), setting.most_passes, source.view(),
+                           {planes.result.view(), scratch[0].view(), scratch[1].view()}, activity,
+                           team);
+  }
+  void store(const ByteView& view) const override {
+    planes.conversion.write(planes.result.view(), view);
+  }
+  [[nodiscard]] bool margins_are_zero() const override {
+    return planes.source.margin_is_zero() && planes.result.margin_is_zero() &&
+           scratch[0].margin_is_zero() && scratch[1].margin_is_zero();
+  }
+
+  ChangePass pass;
+  Setting setting;
+  Planes<std::uint64_t> planes;
+  std::array<BitPlane, 2> scratch;
+  TileActivity activity;
+  ThreadTeam team;
+};
+
 /// One kernel over rows of one register.
 struct RowState final : ThinningState {
   RowState(RowKernel row_kernel, const Setting& chosen)
@@ -173,6 +209,8 @@ ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVar
     using Engine = std::remove_cvref_t<decltype(engine)>;
     if constexpr (std::is_same_v<Engine, const RowKernel*>) {
       return std::make_unique<RowState>(*engine, setting);
+    } else if constexpr (std::is_same_v<Engine, const ChangePass*>) {
+      return std::make_unique<ChangeState>(*engine, setting);
     } else {
       using T = std::conditional_t<std::is_same_v<Engine, std::span<const Pass<std::uint8_t>>>,
                                    std::uint8_t, std::uint64_t>;

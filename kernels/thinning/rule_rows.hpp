@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 
+#include "thinning/iterate.hpp"
 #include "thinning/variant.hpp"
 
 namespace thinbench {
@@ -13,6 +14,7 @@ namespace thinbench {
 /// The passes of one rule out of an engine's table.
 template <class Rule, class T>
 constexpr std::span<const Pass<T>> cycle(const PassTable<T>& table) {
+  static_assert(Rule::kSubIterations <= TileActivity::kLongestCycle);
   return {&table.passes[first_step<Rule>(AllRules{})], Rule::kSubIterations};
 }
 

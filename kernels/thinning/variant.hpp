@@ -14,10 +14,11 @@
 
 namespace thinbench {
 
-/// A cycle of passes over byte planes or bit planes, repeated until nothing changes, or one kernel
-/// that does all of it.
-using ThinningEngine = std::variant<std::span<const Pass<std::uint8_t>>,
-                                    std::span<const Pass<std::uint64_t>>, const RowKernel*>;
+/// A cycle of passes over byte planes or bit planes, repeated until nothing changes; one pass that
+/// sees what changed; or one kernel that does all of it.
+using ThinningEngine =
+    std::variant<std::span<const Pass<std::uint8_t>>, std::span<const Pass<std::uint64_t>>,
+                 const ChangePass*, const RowKernel*>;
 
 /// A better engine for models that turn out to have the table of a known rule.
 struct KnownRule {

@@ -88,10 +88,32 @@ TEST(Models, every_variant_follows_other_weights_not_the_known_rule) {
   }
 }
 
+TEST(Models, eight_bits_refuse_a_bias_beyond_their_sums) {
+  TwoLayerWeights weights = kPaperTwoLayer;
+  weights.output.bias = 1e30F;
+  EXPECT_FALSE(two_layer_model(weights, Activation::kLinear).fixed_point_is_exact);
+}
+
+TEST(Models, rounded_weights_are_right_on_251_and_252_descriptors) {
+  const RuleModel& rule = paper_sigmoid_model();
+  const auto right = [&](Activation activation) {
+    const RuleModel rounded = two_layer_model(kRoundedTwoLayer, activation);
+    int count = 0;
+    for (int k = 256; k < 512; ++k) count += rounded.new_pixel[k] == rule.new_pixel[k] ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(right(Activation::kSigmoid), 251);
+  EXPECT_EQ(right(Activation::kLinear), 252);
+}
+
 TEST(Models, malformed_weights_are_refused) {
   TwoLayerWeights weights = kPaperTwoLayer;
   weights.hidden[3].weight[5] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(static_cast<void>(two_layer_model(weights, Activation::kLinear)),
+               std::invalid_argument);
+  weights = kPaperTwoLayer;
+  weights.output.bias = 2e30F;
+  EXPECT_THROW(static_cast<void>(two_layer_model(weights, Activation::kSigmoid)),
                std::invalid_argument);
   ClusterWeights cluster = kTrainedCluster;
   cluster.nets[11].last = 254;

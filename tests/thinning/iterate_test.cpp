@@ -66,22 +66,29 @@ TEST(TileActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
   }
 }
 
+TEST(TileActivity, rows_without_elements_have_no_tiles) {
+  TileActivity activity(5, 0, 1);
+  activity.restart();
+  EXPECT_TRUE(activity.begin_step(1).empty());
+  EXPECT_FALSE(activity.end_step());
+}
+
 TEST(Band, columns_of_elements_are_those_they_touch) {
-  const Band band = {0, 1, 0, 3};
+  const Band band = {0, 1, 0, 3, 12};
   EXPECT_EQ(band.columns_of(0, 3), 0b1U);
   EXPECT_EQ(band.columns_of(2, 4), 0b11U);
   EXPECT_EQ(band.columns_of(6, 12), 0b1100U);
-  EXPECT_EQ((Band{0, 1, 0, 1}.columns_of(0, 64)), ~std::uint64_t{0});
+  EXPECT_EQ((Band{0, 1, 0, 1, 64}.columns_of(0, 64)), ~std::uint64_t{0});
 }
 
-TEST(ForEachRun, visits_runs_of_columns_and_collects_changes) {
+TEST(ForEachRun, visits_runs_of_columns_within_the_row_and_collects_changes) {
   Visits seen;
   const std::uint64_t changed =
-      for_each_run(Band{2, 4, 0b1011, 10}, [&](Index y, Index from, Index to) {
+      for_each_run(Band{2, 4, 0b1011, 10, 36}, [&](Index y, Index from, Index to) {
         seen.emplace_back(y, static_cast<std::uint64_t>(100 * from + to));
         return from == 30;
       });
-  EXPECT_EQ(seen, (Visits{{2, 20}, {3, 20}, {2, 3040}, {3, 3040}}));
+  EXPECT_EQ(seen, (Visits{{2, 20}, {3, 20}, {2, 3036}, {3, 3036}}));
   EXPECT_EQ(changed, 0b1000U);
 }
 

@@ -1,0 +1,178 @@
+// Honest evaluation of a net on packed pixels, as seldom as possible: a dark pixel is asked only
+// where its neighbourhood changed in the last step, since equal inputs give an equal answer, and
+// pixels of many words are gathered until all lanes are full. For ISA files only.
+//
+// Cost beside the net: about 25 instructions for each word that is visited (six loads to see what
+// changed), and 30 more where something did: 8 pext, 8 shifts and ORs, one pdep. Without BMI2
+// pixels stay in their places, and only batches without any pixel to ask are passed over.
+//
+// On the test image the printed procedure looks at 710,268 dark pixels in its 31 steps; 201,048 of
+// them have a changed neighbourhood.
+#pragma once
+
+#if defined(__BMI2__)
+#include <immintrin.h>
+#endif
+
+#include "core/word.hpp"
+#include "nets/weights.hpp"
+#include "thinning/passes.hpp"
+
+namespace thinbench {
+
+/// The neighbours of 64 packed pixels, in the order of the descriptor.
+struct PackedNeighbours {
+  std::uint64_t n[kNetInputs];
+};
+
+[[gnu::always_inline]] inline PackedNeighbours packed_neighbours(const std::uint64_t* here,
+                                                                 Index stride) {
+  using Traits = WordTraits<std::uint64_t>;
+  const std::uint64_t* above = here - stride;
+  const std::uint64_t* below = here + stride;
+  return {{Traits::east(*here, here), Traits::east(*above, above), *above,
+           Traits::west(*above, above), Traits::west(*here, here), Traits::west(*below, below),
+           *below, Traits::east(*below, below)}};
+}
+
+/// A word with pixels to ask about.
+struct AskedWord {
+  std::uint64_t asked;
+  std::uint64_t dark;
+  std::uint64_t* to;
+  Index x;  // of the word in its row
+};
+
+/// Asks `Decider` about pixels and writes what becomes of their words. A decider has kLanes and
+/// `decider(neighbours, first)`: bit i is set where pixel first + i stays.
+template <class Decider>
+class PixelQueue {
+ public:
+  [[gnu::always_inline]] PixelQueue(const Decider& decider, const Band& band)
+      : decider_(decider), band_(band) {}
+
+  [[gnu::always_inline]] void add(const AskedWord& word, const PackedNeighbours& neighbours) {
+#if defined(__BMI2__)
+    const Index count = __builtin_popcountll(word.asked);
+    if (count_ + count > kWordBits) flush();
+    for (int i = 0; i < kNetInputs; ++i) {
+      gathered_.n[i] |= _pext_u64(neighbours.n[i], word.asked) << count_;
+    }
+    words_[pending_] = word;
+    first_[pending_++] = count_;
+    count_ += count;
+#else
+    constexpr std::uint64_t lanes = ~std::uint64_t{0} >> (kWordBits - Decider::kLanes);
+    std::uint64_t stays = 0;
+    for (Index first = 0; first < kWordBits; first += Decider::kLanes) {
+      if ((word.asked >> first & lanes) != 0) stays |= decider_(neighbours, first) << first;
+    }
+    write(word, stays);
+#endif
+  }
+
+  /// Asks about what is left; returns the columns of the band that changed.
+  [[gnu::always_inline]] std::uint64_t finish() {
+#if defined(__BMI2__)
+    flush();
+#endif
+    return changed_columns_;
+  }
+
+ private:
+#if defined(__BMI2__)
+  void flush() {
+    std::uint64_t stays = 0;
+    for (Index first = 0; first < count_; first += Decider::kLanes) {
+      stays |= decider_(gathered_, first) << first;
+    }
+    for (int i = 0; i < pending_; ++i) {
+      write(words_[i], _pdep_u64(stays >> first_[i], words_[i].asked));
+    }
+    gathered_ = {};
+    pending_ = 0;
+    count_ = 0;
+  }
+
+  PackedNeighbours gathered_{};
+  AskedWord words_[kWordBits];
+  Index first_[kWordBits];  // place of a word's first pixel in `gathered_`
+  int pending_ = 0;
+  Index count_ = 0;
+#endif
+
+  [[gnu::always_inline]] void write(const AskedWord& word, std::uint64_t stays) {
+    const std::uint64_t removed = word.asked & ~stays;
+    *word.to = word.dark & ~removed;
+    if (removed != 0) changed_columns_ |= band_.columns_of(word.x, word.x + 1);
+  }
+
+  Decider decider_;
+  Band band_;
+  std::uint64_t changed_columns_ = 0;
+};
+
+/// Where the neighbourhood of a pixel changed, word by word along row y.
+class ChangedNeighbourhoods {
+ public:
+  ChangedNeighbourhoods(const ConstBitPlaneView& before, const ConstBitPlaneView& now, Index y,
+                        Index first_word)
+      : before_(before.row(y)),
+        now_(now.row(y)),
+        before_stride_(before.stride),
+        now_stride_(now.stride),
+        west_(in_three_rows(first_word - 1)),
+        here_(in_three_rows(first_word)) {}
+
+  /// For words first_word, first_word + 1, ... in turn.
+  std::uint64_t at(Index word) {
+    const std::uint64_t east = in_three_rows(word + 1);
+    const std::uint64_t changed =
+        here_ | here_ << 1 | here_ >> 1 | west_ >> (kWordBits - 1) | east << (kWordBits - 1);
+    west_ = here_;
+    here_ = east;
+    return changed;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t in_three_rows(Index word) const {
+    const auto changed = [&](Index row) {
+      return before_[row * before_stride_ + word] ^ now_[row * now_stride_ + word];
+    };
+    return changed(-1) | changed(0) | changed(1);
+  }
+
+  const std::uint64_t* before_;
+  const std::uint64_t* now_;
+  Index before_stride_;
+  Index now_stride_;
+  std::uint64_t west_;
+  std::uint64_t here_;
+};
+
+/// A whole ChangePass by one decider.
+template <class Decider>
+[[gnu::always_inline]] inline std::uint64_t decide_changed(const Decider& decider,
+                                                           const ConstBitPlaneView& previous,
+                                                           const ConstBitPlaneView& source,
+                                                           const BitPlaneView& target,
+                                                           const Band& band) {
+  PixelQueue<Decider> queue(decider, band);
+  for_each_run(band, [&](Index y, Index from, Index to) {
+    ChangedNeighbourhoods changed(previous, source, y, from);
+    const std::uint64_t* here = source.row(y);
+    std::uint64_t* next = target.row(y);
+    for (Index x = from; x < to; ++x) {
+      const std::uint64_t asked = changed.at(x) & here[x];
+      if (asked == 0) {
+        next[x] = here[x];
+      } else {
+        queue.add({asked, here[x], next + x, x}, packed_neighbours(here + x, source.stride));
+      }
+    }
+    return false;  // the queue knows what changed
+  });
+  return queue.finish();
+}
+
+}  // namespace thinbench
