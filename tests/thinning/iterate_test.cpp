@@ -56,6 +56,12 @@ TEST(TileActivity, a_cycle_of_two_keeps_tiles_awake_for_two_steps) {
   EXPECT_TRUE(visit(activity, 2, kNothing).empty());
 }
 
+TEST(TileActivity, rows_without_elements_have_nothing_to_visit) {
+  TileActivity activity(7, 0, 64);
+  activity.restart();
+  EXPECT_TRUE(visit(activity, 1, kNothing).empty());
+}
+
 TEST(TileActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
   for (const Index elements : {1, 63, 64, 65, 127, 128, 129, 1000}) {
     TileActivity activity(1, elements, 1);
