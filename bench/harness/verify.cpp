@@ -31,9 +31,10 @@ void Verifier::show(const TestImage& image) {
 }
 
 void Verifier::compare(std::size_t row, const TestImage& image, const Expected& expected) {
-  if (!plans_[row])
+  if (!plans_[row]) {
     plans_[row].emplace(*rows_[row].operation, *rows_[row].variant, width_, height_,
                         PlanOptions{rows_[row].threads});
+  }
   ++verdicts_[row].compared;
   if (const auto mismatch = find_mismatch(*plans_[row], image.image.view(), expected)) {
     verdicts_[row].first_mismatch = rows_[row].name + ": " + image.name + ": " + *mismatch;
