@@ -1,4 +1,4 @@
-// thinbench list: every row of the catalogue and whether it runs here.
+// thinbench list: every way to compute every operation, and whether it runs here.
 #include <algorithm>
 #include <array>
 #include <iomanip>
@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "catalog.hpp"
 #include "cli/command.hpp"
+#include "harness/operation.hpp"
 
 namespace thinbench {
 namespace {
@@ -21,19 +21,18 @@ constexpr std::size_t kColumns = 5;
 using Cells = std::array<std::string, kColumns>;
 
 struct ListedRow {
-  const ThinningOperation& operation;
-  const ThinningVariant& variant;
+  const Operation& operation;
+  const Variant& variant;
   std::string reason;  // empty where it runs
 
-  [[nodiscard]] const TechniqueInfo& technique() const { return technique_info(variant.technique); }
   [[nodiscard]] std::string threads() const { return variant.threaded ? "n" : "1"; }
 };
 
 std::vector<ListedRow> all_rows() {
   std::vector<ListedRow> rows;
-  for (const ThinningOperation& operation : thinning_operations()) {
-    for (const ThinningVariant& variant : operation.variants) {
-      rows.push_back({operation, variant, std::string(why_unavailable(variant, 0))});
+  for (const Operation& operation : all_operations()) {
+    for (const Variant& variant : operation.variants) {
+      rows.push_back({operation, variant, std::string(variant.why_unavailable(0))});
     }
   }
   return rows;
@@ -43,12 +42,12 @@ void print_json(std::ostream& out) {
   auto list = nlohmann::ordered_json::array();
   for (const ListedRow& row : all_rows()) {
     list.push_back({{"operation", row.operation.name},
-                    {"technique", row.technique().name},
-                    {"isa", isa_name(row.variant.isa)},
+                    {"technique", row.variant.technique},
+                    {"isa", row.variant.isa_label()},
                     {"threads", row.threads()},
                     {"available", row.reason.empty()},
                     {"reason", row.reason},
-                    {"description", row.technique().description}});
+                    {"description", row.variant.description}});
   }
   out << list.dump(2) << '\n';
 }
@@ -69,8 +68,8 @@ void print_aligned(const std::vector<Cells>& lines, std::ostream& out) {
 void print_table(std::ostream& out) {
   std::vector<Cells> lines = {{"operation", "technique", "isa", "threads", "available"}};
   for (const ListedRow& row : all_rows()) {
-    lines.push_back({std::string(row.operation.name), std::string(row.technique().name),
-                     std::string(isa_name(row.variant.isa)), row.threads(),
+    lines.push_back({row.operation.name, std::string(row.variant.technique),
+                     std::string(row.variant.isa_label()), row.threads(),
                      row.reason.empty() ? "yes" : "no: " + row.reason});
   }
   print_aligned(lines, out);

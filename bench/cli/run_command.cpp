@@ -11,7 +11,7 @@
 #include "cli/names.hpp"
 #include "cli/variant_choice.hpp"
 #include "cli/weights_option.hpp"
-#include "harness/crosscheck.hpp"
+#include "harness/rows.hpp"
 #include "picture/picture.hpp"
 
 namespace thinbench {
@@ -88,10 +88,12 @@ int run(const RunOptions& options, std::ostream& out) {
   const ThinningVariant& variant = variant_for(operation, objects.width(), how);
   const Thinned result = thinned(operation, variant, objects, how);
   write_grey(options.out, result.skeleton.view());
-  out << row_name(operation.name, variant, how.threads) << ": " << objects.width() << " x "
-      << objects.height() << ", " << result.passes << (result.passes == 1 ? " pass, " : " passes, ")
-      << object_pixels(objects) << " object pixels before, " << object_pixels(result.skeleton)
-      << " after, " << std::fixed << std::setprecision(3) << result.milliseconds << " ms\n";
+  out << row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
+                  how.threads)
+      << ": " << objects.width() << " x " << objects.height() << ", " << result.passes
+      << (result.passes == 1 ? " pass, " : " passes, ") << object_pixels(objects)
+      << " object pixels before, " << object_pixels(result.skeleton) << " after, " << std::fixed
+      << std::setprecision(3) << result.milliseconds << " ms\n";
   return kSuccess;
 }
 

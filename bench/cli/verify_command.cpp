@@ -58,13 +58,23 @@ bool any_runs_here(const std::vector<Row>& rows) {
                      [](const Row& row) { return row.why_unavailable(0).empty(); });
 }
 
+/// The sets that some row takes.
+std::vector<TestImageSet> chosen_sets(const VerifyOptions& options, const std::vector<Row>& rows) {
+  std::vector<TestImageSet> sets = verify_image_sets(options.quick, options.images);
+  std::erase_if(sets, [&](const TestImageSet& set) {
+    return std::none_of(rows.begin(), rows.end(),
+                        [&](const Row& row) { return row.operation->takes == set.kind; });
+  });
+  return sets;
+}
+
 int run(const VerifyOptions& options, const Console& console) {
   Verifier verifier(chosen_rows(options));
   if (verifier.rows().empty()) {
     console.out << "0 passed, 0 failed, 0 skipped" << std::endl;
     throw UsageError("no row matches the filter '" + options.filter + "'; see 'thinbench list'");
   }
-  const std::vector<TestImageSet> sets = verify_image_sets(options.quick, options.images);
+  const std::vector<TestImageSet> sets = chosen_sets(options, verifier.rows());
   const int most = *std::max_element(options.threads.begin(), options.threads.end());
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(most));

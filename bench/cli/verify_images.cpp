@@ -10,51 +10,66 @@ namespace thinbench {
 namespace {
 
 bool is_big(const TestImageSet& set) {
-  return set.name == "four_by_four" || set.name == "sizes";
+  return set.name == "four_by_four" || set.name == "sizes" || set.name == "grey_noise";
 }
 
-TestImage scene_image(SceneKind kind, const std::string& name) {
+TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind kind) {
   SceneOptions options;
-  options.kind = kind;
-  return {"scene, " + name, render_scene(options).binary};
+  options.kind = scene_kind;
+  Scene scene = render_scene(options);
+  return {"scene, " + name,
+          kind == InputKind::kGrey ? std::move(scene.grey) : std::move(scene.binary), kind};
 }
 
-TestImage picture_image(const std::string& file) {
+TestImage picture_image(const std::string& file, InputKind kind) {
   constexpr std::uint8_t threshold = 128;
   ByteImage image = read_grey(file);
-  for (Index y = 0; y < image.height(); ++y) {
+  for (Index y = 0; y < image.height() && kind == InputKind::kBinary; ++y) {
     for (Index x = 0; x < image.width(); ++x) image.at(x, y) = image.at(x, y) < threshold ? 0 : 255;
   }
-  return {file, std::move(image)};
+  return {file, std::move(image), kind};
 }
 
 /// A set of images that are there already.
 TestImageSet set_of(std::string name, std::string claim, std::vector<TestImage> images) {
+  const InputKind kind = images.front().kind;
   const auto kept = std::make_shared<const std::vector<TestImage>>(std::move(images));
-  return {std::move(name), std::move(claim), [kept](const TestImageSink& sink) {
-            for (const TestImage& image : *kept) sink(image);
-          }};
+  const auto generate = [kept](const TestImageSink& sink) {
+    for (const TestImage& image : *kept) sink(image);
+  };
+  return {std::move(name), std::move(claim), generate, kind};
 }
 
-TestImageSet scenes() {
+/// Names of binary sets stay bare.
+std::string named(InputKind kind, const std::string& name) {
+  return (kind == InputKind::kGrey ? "grey_" : "") + name;
+}
+
+TestImageSet scenes(InputKind kind) {
   std::vector<TestImage> images;
-  images.push_back(scene_image(SceneKind::kParts, "parts apart"));
-  images.push_back(scene_image(SceneKind::kFrameTouching, "parts on the frame"));
-  return set_of("scenes", "the scenes that benchmarks use", std::move(images));
+  images.push_back(scene_image(SceneKind::kParts, "parts apart", kind));
+  images.push_back(scene_image(SceneKind::kFrameTouching, "parts on the frame", kind));
+  return set_of(named(kind, "scenes"), "the scenes that benchmarks use", std::move(images));
+}
+
+TestImageSet pictures(InputKind kind, const std::vector<std::string>& files) {
+  std::vector<TestImage> images;
+  images.reserve(files.size());
+  for (const std::string& file : files) images.push_back(picture_image(file, kind));
+  return set_of(named(kind, "pictures"), "the given files", std::move(images));
 }
 
 }  // namespace
 
 std::vector<TestImageSet> verify_image_sets(bool quick, const std::vector<std::string>& files) {
-  std::vector<TestImage> pictures;
-  pictures.reserve(files.size());
-  for (const std::string& file : files) pictures.push_back(picture_image(file));
   std::vector<TestImageSet> sets;
   for (const TestImageSet& set : test_image_sets()) {
     if (!quick || !is_big(set)) sets.push_back(set);
   }
-  sets.push_back(scenes());
-  if (!pictures.empty()) sets.push_back(set_of("pictures", "the given files", std::move(pictures)));
+  for (const InputKind kind : {InputKind::kBinary, InputKind::kGrey}) {
+    sets.push_back(scenes(kind));
+    if (!files.empty()) sets.push_back(pictures(kind, files));
+  }
   return sets;
 }
 

@@ -1,8 +1,9 @@
 #include "harness/crosscheck.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
+
+#include "harness/test_images.hpp"
 
 namespace thinbench {
 namespace {
@@ -46,7 +47,7 @@ class Guarded {
   std::vector<std::uint8_t> bytes_;
 };
 
-std::optional<std::string> first_difference(const ConstByteView& expected,
+std::optional<std::string> image_difference(const ConstByteView& expected,
                                             const ConstByteView& found) {
   for (Index y = 0; y < expected.height; ++y) {
     for (Index x = 0; x < expected.width; ++x) {
@@ -60,40 +61,54 @@ std::optional<std::string> first_difference(const ConstByteView& expected,
   return std::nullopt;
 }
 
+std::optional<std::string> number_difference(const Job& job,
+                                             const std::vector<std::int64_t>& expected) {
+  const std::vector<std::int64_t> found = job.numbers();
+  const auto [first, other] =
+      std::mismatch(expected.begin(), expected.end(), found.begin(), found.end());
+  if (first != expected.end() && other != found.end()) {
+    return job.name_of_number(static_cast<std::size_t>(first - expected.begin())) + ": " +
+           std::to_string(*other) + " instead of " + std::to_string(*first);
+  }
+  if (expected.size() == found.size()) return std::nullopt;
+  return std::to_string(found.size()) + " numbers instead of " + std::to_string(expected.size());
+}
+
+/// The first difference between what is in `found` and in the job, and what is expected.
+std::optional<std::string> first_difference(const Job& job, const Outcome& expected,
+                                            const ConstByteView& found) {
+  if (job.gives_image()) {
+    if (auto difference = image_difference(expected.image.view(), found)) return difference;
+  }
+  return number_difference(job, expected.numbers);
+}
+
 }  // namespace
 
-std::string row_name(std::string_view operation, const ThinningVariant& variant, int threads) {
-  return std::string(operation) + "/" + std::string(technique_name(variant.technique)) + "/" +
-         std::string(isa_name(variant.isa)) + "/" + std::to_string(threads);
-}
-
-Expected expected_of(std::string_view operation, const ConstByteView& input) {
-  const reference::Thinning function = reference::find_thinning(operation);
-  if (function == nullptr) throw std::logic_error(std::string(operation) + " has no reference");
-  Expected expected{ByteImage(input.width, input.height), 0};
-  expected.passes = function(input, expected.skeleton.view());
-  return expected;
-}
-
-std::optional<std::string> find_mismatch(ThinningPlan& plan, const ConstByteView& input,
-                                         const Expected& expected) {
+std::optional<std::string> find_mismatch(Job& job, const ConstByteView& input,
+                                         const Outcome& expected) {
   Guarded source(input.width, input.height, 3);
   Guarded destination(input.width, input.height, 5);
   const ByteImage garbage = noise_image(input.width, input.height, 45, 1, 99);
-  plan.run(garbage.view(), destination.view());
+  job.run(garbage.view(), destination.view());
   source.copy_from(input);
   destination.copy_from(garbage.view());
-  const int passes = plan.run(source.view(), destination.view());
-  if (auto difference = first_difference(expected.skeleton.view(), destination.view())) {
-    return difference;
-  }
-  if (passes != expected.passes) {
-    return "passes: " + std::to_string(passes) + " instead of " + std::to_string(expected.passes);
-  }
+  job.run(source.view(), destination.view());
+  if (auto difference = first_difference(job, expected, destination.view())) return difference;
   if (!source.intact() || !equal(source.view(), input)) return "the input was changed";
   if (!destination.intact()) return "bytes beside the destination were changed";
-  if (!plan.margins_are_zero()) return "the margin of a plane was changed";
+  if (!job.margins_are_intact()) return "the margin of a plane was changed";
   return std::nullopt;
+}
+
+std::optional<std::string> find_kernel_mismatch(Job& job, const ConstByteView& input,
+                                                const Outcome& expected) {
+  ByteImage found(input.width, input.height);
+  job.load(input);
+  job.kernel();
+  job.kernel();
+  if (job.gives_image()) job.store(found.view());
+  return first_difference(job, expected, found.view());
 }
 
 std::string window_text(const ConstByteView& image, Index x, Index y) {

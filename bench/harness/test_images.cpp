@@ -3,18 +3,13 @@
 #include <array>
 #include <numeric>
 
+#include "harness/grey_images.hpp"
+#include "harness/mixing.hpp"
+
 namespace thinbench {
 namespace {
 
 constexpr std::uint8_t kDark = 255;
-
-/// A bijective mix of 64 bits (the finaliser of splitmix64): one random number a block.
-std::uint64_t mixed(std::uint64_t value) {
-  value += 0x9E3779B97F4A7C15;
-  value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9;
-  value = (value ^ value >> 27) * 0x94D049BB133111EB;
-  return value ^ value >> 31;
-}
 
 struct Noise {
   int percent;
@@ -155,13 +150,18 @@ ByteImage neighbourhood_sheet(Index phase) {
 }
 
 const std::vector<TestImageSet>& test_image_sets() {
-  static const std::vector<TestImageSet> sets = {
+  static const std::vector<TestImageSet> binary = {
       {"shapes", "empty, light, dark and frame-touching images", generate_shapes},
       {"sheets", "all 512 neighbourhoods at every phase of a word", generate_sheets},
       {"sizes", "widths 1..200, 509..515, 1023..1025 by heights 1, 2, 3, 17, 64", generate_sizes},
       {"tiles", "tiles that sleep, bands shared between threads", generate_tiles},
       {"four_by_four", "all 65,536 images of 4 x 4 pixels", generate_four_by_four},
   };
+  static const std::vector<TestImageSet> sets = [] {
+    std::vector<TestImageSet> all = binary;
+    for (TestImageSet& set : grey_image_sets()) all.push_back(std::move(set));
+    return all;
+  }();
   return sets;
 }
 

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "harness/job.hpp"
 
 namespace thinbench {
 
 /// A named input. `name` says how to make it again (size, density, granularity, seed).
 struct TestImage {
   std::string name;
-  ByteImage image;  // 0 and 255
+  ByteImage image;
+  InputKind kind = InputKind::kBinary;
 };
 
 /// Random blocks of `granularity` x `granularity` pixels, each dark with probability `percent` /
@@ -34,10 +35,12 @@ struct TestImageSet {
   std::string name;
   std::string claim;  // what the set covers
   std::function<void(const TestImageSink&)> generate;
+  InputKind kind = InputKind::kBinary;
 };
 
-/// Widths 1 to 200 and around 512 and 1024 by five heights; all 4 x 4 images; every neighbourhood
-/// at every phase of a word; plain, empty and frame-touching shapes; images of many tiles.
+/// Binary: widths 1 to 200 and around 512 and 1024 by five heights; all 4 x 4 images; every
+/// neighbourhood at every phase of a word; plain, empty and frame-touching shapes; images of many
+/// tiles. Grey: see grey_image_sets.
 [[nodiscard]] const std::vector<TestImageSet>& test_image_sets();
 
 }  // namespace thinbench

@@ -8,35 +8,34 @@
 namespace thinbench {
 
 Verifier::Verifier(std::vector<Row> rows)
-    : rows_(std::move(rows)), verdicts_(rows_.size()), plans_(rows_.size()) {}
+    : rows_(std::move(rows)), verdicts_(rows_.size()), jobs_(rows_.size()) {}
 
 void Verifier::show(const TestImage& image) {
   const ConstByteView view = image.image.view();
   if (view.width != width_ || view.height != height_) {
-    for (auto& plan : plans_) plan.reset();
+    for (auto& job : jobs_) job.reset();
     width_ = view.width;
     height_ = view.height;
   }
-  std::map<std::string_view, Expected> expected;
+  std::map<const void*, Outcome> expected;  // by operation, or by a variant with its own reference
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     if (!verdicts_[row].first_mismatch.empty()) continue;
-    if (!rows_[row].why_unavailable(width_).empty()) continue;
-    const std::string_view operation = rows_[row].operation->name;
-    auto found = expected.find(operation);
+    const auto& [operation, variant, threads, name] = rows_[row];
+    if (operation->takes != image.kind || !variant->why_unavailable(width_).empty()) continue;
+    const void* key = variant->own_reference ? static_cast<const void*>(variant) : operation;
+    auto found = expected.find(key);
     if (found == expected.end()) {
-      found = expected.emplace(operation, expected_of(operation, view)).first;
+      found = expected.emplace(key, expected_of(*operation, *variant, view)).first;
     }
     compare(row, image, found->second);
   }
 }
 
-void Verifier::compare(std::size_t row, const TestImage& image, const Expected& expected) {
-  if (!plans_[row]) {
-    plans_[row].emplace(*rows_[row].operation, *rows_[row].variant, width_, height_,
-                        PlanOptions{rows_[row].threads});
-  }
+void Verifier::compare(std::size_t row, const TestImage& image, const Outcome& expected) {
+  std::unique_ptr<Job>& job = jobs_[row];
+  if (!job) job = rows_[row].variant->make_job(width_, height_, rows_[row].threads);
   ++verdicts_[row].compared;
-  if (const auto mismatch = find_mismatch(*plans_[row], image.image.view(), expected)) {
+  if (const auto mismatch = find_mismatch(*job, image.image.view(), expected)) {
     verdicts_[row].first_mismatch = rows_[row].name + ": " + image.name + ": " + *mismatch;
   }
 }

@@ -1,14 +1,12 @@
 // Runs rows over sets of test images and reports which are equal to the reference.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "harness/crosscheck.hpp"
 #include "harness/rows.hpp"
 #include "harness/test_images.hpp"
-#include "thinning/plan.hpp"
 
 namespace thinbench {
 
@@ -23,19 +21,19 @@ class Verifier {
  public:
   explicit Verifier(std::vector<Row> rows);
 
-  /// Rows that cannot run on an image of this width are passed over; a row with a mismatch is not
-  /// tried again.
+  /// Rows that take another kind of image or cannot run on one of this width are passed over; a row
+  /// with a mismatch is not tried again.
   void show(const TestImage& image);
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   [[nodiscard]] const RowVerdict& verdict(std::size_t row) const { return verdicts_[row]; }
 
  private:
-  void compare(std::size_t row, const TestImage& image, const Expected& expected);
+  void compare(std::size_t row, const TestImage& image, const Outcome& expected);
 
   std::vector<Row> rows_;
   std::vector<RowVerdict> verdicts_;
-  std::vector<std::optional<ThinningPlan>> plans_;  // for images of the latest size
+  std::vector<std::unique_ptr<Job>> jobs_;  // for images of the latest size
   Index width_ = -1;
   Index height_ = -1;
 };

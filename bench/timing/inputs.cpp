@@ -21,11 +21,11 @@ ByteImage tiled_square(const ByteImage& tile, Index size) {
   return image;
 }
 
-ByteImage objects_of(const std::string& path) {
-  ByteImage image = read_grey(path);
+ByteImage objects_of(const ByteImage& grey) {
+  ByteImage image(grey.width(), grey.height());
   for (Index y = 0; y < image.height(); ++y) {
     for (Index x = 0; x < image.width(); ++x) {
-      image.at(x, y) = image.at(x, y) >= kPictureThreshold ? 255 : 0;
+      image.at(x, y) = grey.at(x, y) >= kPictureThreshold ? 255 : 0;
     }
   }
   return image;
@@ -49,11 +49,15 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice) {
   const Scene scene = render_scene();
   std::vector<TimedInput> inputs;
   for (const std::string& path : choice.pictures) {
-    inputs.push_back({input_name(path, inputs), objects_of(path), false});
+    ByteImage grey = read_grey(path);
+    inputs.push_back({input_name(path, inputs), objects_of(grey), std::move(grey), false});
   }
-  if (inputs.empty()) inputs.push_back({"scene", copy_of(scene.binary.view()), false});
+  if (inputs.empty()) {
+    inputs.push_back({"scene", copy_of(scene.binary.view()), copy_of(scene.grey.view()), false});
+  }
   for (Index size = 64; size <= choice.largest_square; size *= 2) {
-    inputs.push_back({"square_" + std::to_string(size), tiled_square(scene.binary, size), true});
+    inputs.push_back({"square_" + std::to_string(size), tiled_square(scene.binary, size),
+                      tiled_square(scene.grey, size), true});
   }
   return inputs;
 }

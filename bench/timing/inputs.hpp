@@ -4,14 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "harness/job.hpp"
 
 namespace thinbench {
 
 struct TimedInput {
   std::string name;
-  ByteImage image;  // 0 and 255
-  bool size_sweep;  // one of a series of sizes, timed on fewer rows
+  ByteImage binary;  // 0 and 255
+  ByteImage grey;    // the picture that the binary image was made from
+  bool size_sweep;   // one of a series of sizes, timed on fewer rows
+
+  [[nodiscard]] Index width() const { return binary.width(); }
+  [[nodiscard]] Index height() const { return binary.height(); }
+  [[nodiscard]] ConstByteView view(InputKind kind) const {
+    return kind == InputKind::kGrey ? grey.view() : binary.view();
+  }
 };
 
 struct InputChoice {

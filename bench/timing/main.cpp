@@ -1,4 +1,4 @@
-// Times every row of the catalogue with Google Benchmark, each only after its output was compared
+// Times every row of the tables with Google Benchmark, each only after its output was compared
 // with the reference's on the very input that is timed.
 #include <fstream>
 #include <iostream>
@@ -84,12 +84,12 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
                          {"verified", selection.verified},
                          {"failed", selection.mismatches.size()}};
   for (const TimedInput& input : inputs) {
-    const ConstByteView view = input.image.view();
     json["inputs"].push_back({{"name", input.name},
-                              {"width", view.width},
-                              {"height", view.height},
-                              {"hash", pixel_hash(view)},
-                              {"object_pixels", object_pixels(view)}});
+                              {"width", input.width()},
+                              {"height", input.height()},
+                              {"hash", pixel_hash(input.binary.view())},
+                              {"grey_hash", pixel_hash(input.grey.view())},
+                              {"object_pixels", object_pixels(input.binary.view())}});
   }
   for (const SkippedRow& row : selection.skipped) {
     json["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
@@ -108,18 +108,16 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 void write_pictures(const std::string& folder, const Selection& selection) {
-  std::map<std::string, const TimedRow*> references;
   for (const TimedRow& row : selection.rows) {
     // Nets learned the rule: their pictures would be the rule's again.
-    const bool is_net = row.operation->default_model != nullptr;
-    if (row.variant == nullptr && !row.input->size_sweep && !is_net) references[row.name] = &row;
-  }
-  for (const auto& [name, row] : references) {
-    const ConstByteView input = row->input->image.view();
-    const std::string stem = folder + "/" + row->input->name;
-    write_grey(stem + ".png", input);
-    const Expected expected = expected_of(row->operation->name, input);
-    write_grey(stem + "_" + std::string(row->operation->name) + ".png", expected.skeleton.view());
+    if (row.variant != nullptr || row.input->size_sweep || row.operation->is_net) continue;
+    const ConstByteView input = row.input->view(row.operation->takes);
+    const std::string stem = folder + "/" + row.input->name;
+    write_grey(stem + (row.operation->takes == InputKind::kGrey ? "_grey.png" : ".png"), input);
+    const auto reference = row.operation->reference(input.width, input.height, 1);
+    if (!reference->gives_image()) continue;
+    write_grey(stem + "_" + row.operation->name + ".png",
+               outcome_of(*reference, input).image.view());
   }
 }
 
@@ -130,10 +128,12 @@ void run_row(benchmark::State& state, const TimedRow& row, bool warm_up) {
     call();
     benchmark::ClobberMemory();
   }
-  const ConstByteView input = row.input->image.view();
-  state.counters["width"] = static_cast<double>(input.width);
-  state.counters["height"] = static_cast<double>(input.height);
-  state.counters["passes"] = row.passes;
+  state.counters["width"] = static_cast<double>(row.input->width());
+  state.counters["height"] = static_cast<double>(row.input->height());
+  if (row.counter) {
+    state.counters[std::string(row.operation->counter)] = static_cast<double>(*row.counter);
+  }
+  if (row.variant != nullptr && row.variant->is_peer) state.counters["peer"] = 1;
   state.counters["verified"] = 1;
 }
 
@@ -196,7 +196,7 @@ void report_selection(const Selection& selection) {
 
 int run(const Options& options) {
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
-  const Selection selection = select_rows(options.filter, inputs);
+  const Selection selection = select_rows(options.filter, all_operations(), inputs);
   report_selection(selection);
   if (selection.rows.empty()) {
     std::cerr << "thinbench_timings: no row to time; the filter is '" << options.filter << "'\n";
@@ -228,7 +228,7 @@ int main(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
 
-  CLI::App app("Time thinning operations, each proved equal to its reference first");
+  CLI::App app("Time every operation, each way proved equal to its reference first");
   thinbench::Options options;
   thinbench::add_options(app, options);
   CLI11_PARSE(app, count, arguments.data());

@@ -1,40 +1,37 @@
 // A row made ready: calling it is what the clock sees, nothing else.
 #pragma once
 
-#include <chrono>
-#include <optional>
+#include <memory>
 
 #include "timing/timed_row.hpp"
 
 namespace thinbench {
 
-/// Holds plan, input and output of a row. Calling allocates nothing, unless the row is the
-/// reference.
+/// Holds job, input and output of a row. Calling allocates nothing, unless the row is a reference
+/// or a peer.
 class TimedCall {
  public:
-  explicit TimedCall(const TimedRow& row) : row_(row), output_(input().width, input().height) {
-    if (row.variant == nullptr) return;
-    plan_.emplace(*row.operation, *row.variant, input().width, input().height,
-                  PlanOptions{row.threads});
-    plan_->load(input());
+  explicit TimedCall(const TimedRow& row)
+      : input_(row.input->view(row.operation->takes)),
+        output_(input_.width, input_.height),
+        job_(row.maker()(input_.width, input_.height, row.threads)),
+        kernel_only_(row.scope == Scope::kKernel) {
+    if (kernel_only_) job_->load(input_);
   }
 
   void operator()() {
-    if (!plan_) {
-      reference::find_thinning(row_.operation->name)(input(), output_.view());
-    } else if (row_.scope == Scope::kKernel) {
-      plan_->thin();
+    if (kernel_only_) {
+      job_->kernel();
     } else {
-      plan_->run(input(), output_.view());
+      job_->run(input_, output_.view());
     }
   }
 
  private:
-  [[nodiscard]] ConstByteView input() const { return row_.input->image.view(); }
-
-  const TimedRow& row_;
+  ConstByteView input_;
   ByteImage output_;
-  std::optional<ThinningPlan> plan_;
+  std::unique_ptr<Job> job_;
+  bool kernel_only_;
 };
 
 }  // namespace thinbench

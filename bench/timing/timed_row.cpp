@@ -1,10 +1,11 @@
 #include "timing/timed_row.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <regex>
-#include <set>
 #include <thread>
 
+#include "harness/crosscheck.hpp"
 #include "timing/timed_call.hpp"
 
 namespace thinbench {
@@ -19,42 +20,53 @@ std::vector<int> thread_counts() {
 /// left out: compiled to a circuit they take the time of the rule, evaluated they would take the
 /// time of the study.
 bool in_size_sweep(const Row& row) {
-  if (row.operation->default_model != nullptr) return false;
-  const auto same_kind = [&](const ThinningVariant& other) {
+  if (row.operation->is_net) return false;
+  const auto same_kind = [&](const Variant& other) {
     return other.technique == row.variant->technique && other.threaded == row.variant->threaded;
   };
   Isa highest = Isa::kBaseline;
-  for (const ThinningVariant& other : row.operation->variants) {
+  for (const Variant& other : row.operation->variants) {
     if (same_kind(other) && isa_available(other.isa)) highest = std::max(highest, other.isa);
   }
   return row.variant->isa == highest;
 }
 
-std::string reference_name(const ThinningOperation& operation, const TimedInput& input) {
-  return std::string(operation.name) + "/reference/baseline/1/end_to_end/" + input.name;
+std::string reference_name(const Operation& operation, const TimedInput& input) {
+  return operation.name + "/reference/baseline/1/end_to_end/" + input.name;
+}
+
+/// The scopes in which a row is timed on an input, whatever the filter says.
+std::vector<Scope> scopes_of(const Row& row, const TimedInput& input) {
+  if (input.size_sweep && !in_size_sweep(row)) return {};
+  if (input.size_sweep || !row.variant->has_kernel_scope) return {Scope::kEndToEnd};
+  return {Scope::kKernel, Scope::kEndToEnd};
 }
 
 class Selector {
  public:
-  Selector(const std::string& filter, const std::vector<TimedInput>& inputs)
-      : pattern_(filter), inputs_(inputs), all_rows_(matching_rows("", thread_counts())) {}
+  Selector(const std::string& filter, const std::vector<Operation>& operations,
+           const std::vector<TimedInput>& inputs)
+      : pattern_(filter),
+        operations_(operations),
+        inputs_(inputs),
+        all_rows_(matching_rows("", thread_counts(), operations)) {}
 
   Selection select() {
     for (const TimedInput& input : inputs_) {
-      for (const ThinningOperation& operation : thinning_operations()) add(operation, input);
+      for (const Operation& operation : operations_) add(operation, input);
     }
     return std::move(selection_);
   }
 
  private:
-  void add(const ThinningOperation& operation, const TimedInput& input) {
+  void add(const Operation& operation, const TimedInput& input) {
     const std::string reference = reference_name(operation, input);
-    std::optional<Expected> expected;
-    const auto need_reference = [&]() -> const Expected& {
+    std::optional<Outcome> expected;
+    const auto need_reference = [&]() -> const Outcome& {
       if (!expected) {
-        expected = expected_of(operation.name, input.image.view());
-        selection_.rows.push_back(
-            {reference, &operation, nullptr, 1, Scope::kEndToEnd, &input, expected->passes});
+        const ConstByteView view = input.view(operation.takes);
+        expected = outcome_of(*operation.reference(view.width, view.height, 1), view);
+        add_timed({reference, &operation, nullptr, 1, Scope::kEndToEnd, &input, {}}, *expected);
       }
       return *expected;
     };
@@ -64,32 +76,47 @@ class Selector {
       const std::vector<Scope> scopes = wanted_scopes(row, input);
       if (scopes.empty()) continue;
       if (admissible(row, input) && proved(row, input, need_reference())) {
-        for (const Scope scope : scopes) add_timed(row, scope, input, expected->passes);
+        for (const Scope scope : scopes) {
+          add_timed({timed_name(row, scope, input),
+                     row.operation,
+                     row.variant,
+                     row.threads,
+                     scope,
+                     &input,
+                     {}},
+                    *expected);
+        }
       }
     }
   }
 
   [[nodiscard]] std::vector<Scope> wanted_scopes(const Row& row, const TimedInput& input) const {
-    if (input.size_sweep && !in_size_sweep(row)) return {};
-    std::vector<Scope> scopes;
-    for (const Scope scope : {Scope::kKernel, Scope::kEndToEnd}) {
-      if (input.size_sweep && scope == Scope::kKernel) continue;
-      if (std::regex_search(timed_name(row, scope, input), pattern_)) scopes.push_back(scope);
-    }
+    std::vector<Scope> scopes = scopes_of(row, input);
+    std::erase_if(scopes, [&](Scope scope) {
+      return !std::regex_search(timed_name(row, scope, input), pattern_);
+    });
     return scopes;
   }
 
   bool admissible(const Row& row, const TimedInput& input) {
-    const std::string_view reason = row.why_unavailable(input.image.width());
+    const std::string_view reason = row.why_unavailable(input.width());
     if (reason.empty()) return true;
     selection_.skipped.push_back({row.name + "/" + input.name, std::string(reason)});
     return false;
   }
 
-  bool proved(const Row& row, const TimedInput& input, const Expected& expected) {
-    const ConstByteView view = input.image.view();
-    ThinningPlan plan(*row.operation, *row.variant, view.width, view.height, {row.threads});
-    if (const auto mismatch = find_mismatch(plan, view, expected)) {
+  /// `expected` is what the operation's own reference gave.
+  bool proved(const Row& row, const TimedInput& input, const Outcome& expected) {
+    const ConstByteView view = input.view(row.operation->takes);
+    const auto job = row.variant->make_job(view.width, view.height, row.threads);
+    std::optional<std::string> mismatch =
+        row.variant->own_reference
+            ? find_mismatch(*job, view, expected_of(*row.operation, *row.variant, view))
+            : find_mismatch(*job, view, expected);
+    if (!mismatch && row.variant->has_kernel_scope) {
+      mismatch = find_kernel_mismatch(*job, view, expected);
+    }
+    if (mismatch) {
       selection_.mismatches.push_back(row.name + "/" + input.name + ": " + *mismatch);
       return false;
     }
@@ -101,12 +128,13 @@ class Selector {
     return row.name + "/" + std::string(scope_name(scope)) + "/" + input.name;
   }
 
-  void add_timed(const Row& row, Scope scope, const TimedInput& input, int passes) {
-    selection_.rows.push_back({timed_name(row, scope, input), row.operation, row.variant,
-                               row.threads, scope, &input, passes});
+  void add_timed(TimedRow row, const Outcome& expected) {
+    if (!row.operation->counter.empty()) row.counter = expected.numbers.front();
+    selection_.rows.push_back(std::move(row));
   }
 
   std::regex pattern_;
+  const std::vector<Operation>& operations_;
   const std::vector<TimedInput>& inputs_;
   std::vector<Row> all_rows_;
   Selection selection_;
@@ -114,9 +142,10 @@ class Selector {
 
 }  // namespace
 
-Selection select_rows(const std::string& filter, const std::vector<TimedInput>& inputs) {
+Selection select_rows(const std::string& filter, const std::vector<Operation>& operations,
+                      const std::vector<TimedInput>& inputs) {
   static_cast<void>(matching_rows(filter, {2}));  // refuses a malformed filter with a clear message
-  return Selector(filter, inputs).select();
+  return Selector(filter, operations, inputs).select();
 }
 
 double seconds_of_one_call(const TimedRow& row) {

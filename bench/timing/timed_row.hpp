@@ -1,11 +1,10 @@
-// What is timed: one row of the catalogue (or a reference) in one scope on one input.
+// What is timed: one row of the tables (or a reference) in one scope on one input.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/crosscheck.hpp"
 #include "harness/rows.hpp"
 #include "timing/inputs.hpp"
 
@@ -22,12 +21,16 @@ enum class Scope {
 
 struct TimedRow {
   std::string name;  // operation/technique/isa/threads/scope/input
-  const ThinningOperation* operation;
-  const ThinningVariant* variant;  // nullptr for the reference
+  const Operation* operation;
+  const Variant* variant;  // nullptr for the reference
   int threads;
   Scope scope;
   const TimedInput* input;
-  int passes;
+  std::optional<std::int64_t> counter;  // see Operation::counter
+
+  [[nodiscard]] const JobMaker& maker() const {
+    return variant != nullptr ? variant->make_job : operation->reference;
+  }
 };
 
 struct SkippedRow {
@@ -45,8 +48,9 @@ struct Selection {
 
 /// Compares every row whose name matches `filter` with the reference on every input. References
 /// come along with any row of their operation and input. Series of sizes get one row a technique:
-/// the highest available level, end to end.
+/// the highest available level, end to end. Rows point to `operations` and `inputs`.
 [[nodiscard]] Selection select_rows(const std::string& filter,
+                                    const std::vector<Operation>& operations,
                                     const std::vector<TimedInput>& inputs);
 
 /// Rows whose call takes longer, in seconds, are timed with fewer repetitions and not warmed up.

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "catalog.hpp"
+#include "harness/operation.hpp"
 #include "picture/picture.hpp"
 #include "picture/temporary_folder.hpp"
 #include "program_run.hpp"
@@ -15,9 +15,7 @@ using Json = nlohmann::json;
 
 std::size_t catalogue_size() {
   std::size_t rows = 0;
-  for (const ThinningOperation& operation : thinning_operations()) {
-    rows += operation.variants.size();
-  }
+  for (const Operation& operation : all_operations()) rows += operation.variants.size();
   return rows;
 }
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "catalog.hpp"
 #include "cli/verify_report.hpp"
+#include "harness/thinning_family.hpp"
 #include "picture/picture.hpp"
 #include "picture/temporary_folder.hpp"
 #include "program_run.hpp"
@@ -94,8 +96,10 @@ TEST(VerifyReport, shows_a_mismatch_and_fails) {
   const std::array passes = {Pass<std::uint8_t>{&idle_pass}};
   const ThinningVariant variant{Technique::kLut, Isa::kBaseline, false, 1000,
                                 std::span<const Pass<std::uint8_t>>(passes)};
-  const ThinningOperation& operation = thinning_operations().front();
-  Verifier verifier({{&operation, &variant, 1, "an/idle/row/1"}});
+  const ThinningOperation idle = {thinning_operations().front().name, "for tests",
+                                  std::span(&variant, 1)};
+  const Operation operation = thinning_operation(idle);
+  Verifier verifier({{&operation, &operation.variants.front(), 1, "an/idle/row/1"}});
   verifier.show({"a block", noise_image(9, 9, 100, 1, 1)});
   std::ostringstream out;
   EXPECT_EQ(report_verdicts(verifier, out), kFailure);
@@ -104,11 +108,13 @@ TEST(VerifyReport, shows_a_mismatch_and_fails) {
 }
 
 TEST(VerifyReport, says_that_every_image_was_too_wide) {
-  const ThinningOperation& operation = thinning_operations().front();
-  ThinningVariant narrow = operation.variants.front();
-  narrow.max_width = 4;
-  Verifier verifier({{&operation, &narrow, 1, "a/narrow/row/1"},
-                     {&operation, &operation.variants.front(), 1, "a/wide/row/1"}});
+  const ThinningOperation& thinning = thinning_operations().front();
+  std::array variants = {thinning.variants.front(), thinning.variants.front()};
+  variants[0].max_width = 4;
+  const ThinningOperation two = {thinning.name, "for tests", variants};
+  const Operation operation = thinning_operation(two);
+  Verifier verifier({{&operation, &operation.variants[0], 1, "a/narrow/row/1"},
+                     {&operation, &operation.variants[1], 1, "a/wide/row/1"}});
   verifier.show({"wide", ByteImage(9, 9)});
   std::ostringstream out;
   EXPECT_EQ(report_verdicts(verifier, out), kSuccess);

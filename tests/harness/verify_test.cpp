@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "catalog.hpp"
+#include "harness/crosscheck.hpp"
+#include "harness/grey_images.hpp"
+#include "harness/thinning_family.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -26,33 +31,84 @@ std::uint64_t overrunning_pass(const RuleModel*, const ConstBytePlaneView& sourc
   return 0;
 }
 
-std::string mismatch_of(Pass<std::uint8_t> pass, const ConstByteView& input, Expected expected) {
+std::string mismatch_of(Pass<std::uint8_t> pass, const ConstByteView& input,
+                        const Outcome& expected) {
   const std::array passes = {pass};
   const ThinningVariant variant{Technique::kLut, Isa::kBaseline, false, 1000,
                                 std::span<const Pass<std::uint8_t>>(passes)};
   const ThinningOperation operation{"copy", "for tests", std::span(&variant, 1)};
-  ThinningPlan plan(operation, variant, input.width, input.height);
-  return find_mismatch(plan, input, expected).value_or("");
+  const auto job = thinning_job({operation, variant, input.width, input.height});
+  return find_mismatch(*job, input, expected).value_or("");
 }
 
 TEST(FindMismatch, names_the_first_wrong_pixel_and_shows_a_window) {
   const ByteImage input = image_of_bits(5, 3, 0b00000'11111'00100);
-  Expected expected{copy_of(input.view()), 1};
-  const std::string text = mismatch_of(&forgetful_pass, input.view(), std::move(expected));
+  const std::string text = mismatch_of(&forgetful_pass, input.view(), {copy_of(input.view()), {1}});
   EXPECT_NE(text.find("pixel (2, 0) is 0 instead of 255"), std::string::npos) << text;
   EXPECT_NE(text.find("  ..#..\n  #####\n"), std::string::npos) << text;
 }
 
 TEST(FindMismatch, notices_a_wrong_number_of_passes) {
   const ByteImage input(5, 3);
-  const std::string text = mismatch_of(&forgetful_pass, input.view(), {copy_of(input.view()), 3});
+  const std::string text = mismatch_of(&forgetful_pass, input.view(), {copy_of(input.view()), {3}});
   EXPECT_EQ(text, "passes: 1 instead of 3");
 }
 
 TEST(FindMismatch, notices_a_write_into_the_margin) {
   const ByteImage input(5, 3);
-  const std::string text = mismatch_of(&overrunning_pass, input.view(), {copy_of(input.view()), 1});
+  const std::string text =
+      mismatch_of(&overrunning_pass, input.view(), {copy_of(input.view()), {1}});
   EXPECT_EQ(text, "the margin of a plane was changed");
+}
+
+/// Gives a list of numbers and no image, as labelling does.
+class ListJob final : public Job {
+ public:
+  explicit ListJob(std::vector<std::int64_t> list) : list_(std::move(list)) {}
+  void run(const ConstByteView&, const ByteView&) override {}
+  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return list_; }
+  [[nodiscard]] bool gives_image() const override { return false; }
+
+ private:
+  std::vector<std::int64_t> list_;
+};
+
+TEST(FindMismatch, compares_lists_of_numbers_without_an_image) {
+  ListJob job({4, 5, 6});
+  const ByteImage input(5, 3);
+  EXPECT_EQ(find_mismatch(job, input.view(), {{}, {4, 5, 6}}), std::nullopt);
+  EXPECT_EQ(find_mismatch(job, input.view(), {{}, {4, 7, 6}}), "number 1: 5 instead of 7");
+  EXPECT_EQ(find_mismatch(job, input.view(), {{}, {4, 5}}), "3 numbers instead of 2");
+}
+
+TEST(FindKernelMismatch, compares_what_the_kernel_alone_gives) {
+  const ThinningOperation& operation = thinning_operations().front();
+  const ByteImage input = noise_image(40, 20, 80, 2, 6);
+  const Outcome expected = expected_of(operation.name, input.view());
+  const auto job = thinning_job({operation, operation.variants.front(), 40, 20});
+  EXPECT_EQ(find_kernel_mismatch(*job, input.view(), expected), std::nullopt);
+  EXPECT_EQ(find_kernel_mismatch(*job, input.view(), {copy_of(expected.image.view()), {0}}),
+            "passes: " + std::to_string(expected.numbers[0]) + " instead of 0");
+}
+
+TEST(Job, without_steps_of_its_own_refuses_them) {
+  ListJob job({});
+  EXPECT_THROW(job.kernel(), std::logic_error);
+}
+
+TEST(Verifier, shows_no_row_an_image_of_the_wrong_kind) {
+  Verifier verifier(matching_rows("thin_naccache_shinghal/lut/", {2}));
+  verifier.show({"grey", grey_noise_image(9, 9, 0, 255, 1), InputKind::kGrey});
+  EXPECT_EQ(summary_of(verifier).skipped, static_cast<int>(verifier.rows().size()));
+}
+
+TEST(GreyImages, noise_holds_all_levels_asked_for_and_no_other) {
+  const ByteImage image = grey_noise_image(100, 100, 7, 40, 1);
+  std::array<bool, 256> seen{};
+  for (Index i = 0; i < 10000; ++i) seen[image.at(i % 100, i / 100)] = true;
+  for (std::size_t level = 0; level < 256; ++level) {
+    EXPECT_EQ(seen[level], level >= 7 && level <= 40) << level;
+  }
 }
 
 TEST(MatchingRows, filters_by_name_and_repeats_threaded_rows) {

@@ -1,0 +1,62 @@
+// What every operation family looks like to the harness: work on one input that ends in an image,
+// in numbers, or in both.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/image.hpp"
+
+namespace thinbench {
+
+enum class InputKind : std::uint8_t {
+  kBinary,  // 0 and 255
+  kGrey,    // all 256 levels
+};
+
+/// One way to compute one operation on inputs of one size. It owns whatever memory that needs, so
+/// that load, kernel, store and run allocate nothing (references and peers may).
+class Job {
+ public:
+  Job() = default;
+  virtual ~Job() = default;
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+  Job(Job&&) = delete;
+  Job& operator=(Job&&) = delete;
+
+  /// From input bytes to the result. Jobs that give no image leave `output` alone.
+  virtual void run(const ConstByteView& input, const ByteView& output) = 0;
+
+  /// The three steps of run, for jobs whose representation differs from bytes: into it, the
+  /// operation itself (the input is kept, so this may be repeated), and out of it. Others throw
+  /// std::logic_error.
+  virtual void load(const ConstByteView& input);
+  virtual void kernel();
+  virtual void store(const ByteView& output) const;
+
+  /// What the latest run or kernel gave beside the image, such as the number of passes.
+  [[nodiscard]] virtual std::vector<std::int64_t> numbers() const { return {}; }
+  /// What number `index` is, in the words of a message: "passes".
+  [[nodiscard]] virtual std::string name_of_number(std::size_t index) const;
+
+  [[nodiscard]] virtual bool gives_image() const { return true; }
+  /// Whether everything outside the rows of the job's own memory is as it should be.
+  [[nodiscard]] virtual bool margins_are_intact() const { return true; }
+};
+
+using JobMaker = std::function<std::unique_ptr<Job>(Index width, Index height, int threads)>;
+
+/// A result in a form that can be compared.
+struct Outcome {
+  ByteImage image;  // 0 x 0 where the job gives none
+  std::vector<std::int64_t> numbers;
+};
+
+/// What the job makes of an input.
+[[nodiscard]] Outcome outcome_of(Job& job, const ConstByteView& input);
+
+}  // namespace thinbench

@@ -1,0 +1,60 @@
+// Operations of all families in one form: what verify, list, the timings and the report walk.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/isa.hpp"
+#include "harness/job.hpp"
+
+namespace thinbench {
+
+/// One way to compute an operation: a row of its table.
+struct Variant {
+  std::string_view technique;
+  std::string_view description;  // of the technique
+  Isa isa;
+  bool threaded;          // runs with as many threads as asked for
+  bool has_kernel_scope;  // works on a representation of its own
+  JobMaker make_job;
+  /// Why it cannot run here on an image of this width; empty where it can.
+  std::function<std::string_view(Index width)> why_unavailable;
+  /// Somebody else's code, or a limit: timed beside the variants, never offered by the library.
+  bool is_peer = false;
+  /// What a peer that does less is compared with; empty for the operation's own reference.
+  JobMaker own_reference = {};
+
+  /// The level as rows name it; peers choose their own at run time.
+  [[nodiscard]] std::string_view isa_label() const { return is_peer ? "own" : isa_name(isa); }
+};
+
+struct Operation {
+  std::string name;
+  std::string_view description;
+  InputKind takes;
+  std::vector<Variant> variants;
+  JobMaker reference;
+  /// What the first of its numbers counts, where that is worth a column: "passes".
+  std::string_view counter = {};
+  /// A net: its time is that of the rule which it learned, or too long for series of sizes, and its
+  /// pictures are the rule's.
+  bool is_net = false;
+  /// Too slow for the big sets of test images; another operation covers the same code.
+  bool small_sets_only = false;
+};
+
+/// The operations of the library, family after family.
+[[nodiscard]] const std::vector<Operation>& all_operations();
+
+/// Throws std::logic_error for an unknown name.
+[[nodiscard]] const Operation& operation_of(std::string_view name);
+
+/// What the reference of the operation of this name makes of an input.
+[[nodiscard]] Outcome expected_of(std::string_view operation, const ConstByteView& input);
+
+/// What a variant has to give for this input.
+[[nodiscard]] Outcome expected_of(const Operation& operation, const Variant& variant,
+                                  const ConstByteView& input);
+
+}  // namespace thinbench
