@@ -41,4 +41,9 @@ CLI::Validator real_number(double lowest, double highest) {
   return number_in(lowest, highest, "number");
 }
 
+CLI::Validator not_empty() {
+  return {[](std::string& text) { return text.empty() ? "its value is empty" : std::string(); },
+          ""};
+}
+
 }  // namespace thinbench

@@ -12,6 +12,9 @@ namespace thinbench {
 
 [[nodiscard]] CLI::Validator real_number(double lowest, double highest);
 
+/// Refuses "", which stands for "not given" behind the options.
+[[nodiscard]] CLI::Validator not_empty();
+
 inline constexpr std::uint64_t kMaxThreads = 1024;
 
 }  // namespace thinbench

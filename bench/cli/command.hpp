@@ -5,6 +5,7 @@
 #include <functional>
 #include <ostream>
 #include <stdexcept>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +29,7 @@ struct Console {
 struct Command {
   CLI::App* app;
   std::function<int(const Console&)> run;  // after parsing
+  std::vector<Command> parts = {};         // of a command that only holds others and has no `run`
 };
 
 [[nodiscard]] Command add_list_command(CLI::App& program);
@@ -35,5 +37,7 @@ struct Command {
 [[nodiscard]] Command add_run_command(CLI::App& program);
 [[nodiscard]] Command add_scene_command(CLI::App& program);
 [[nodiscard]] Command add_machine_command(CLI::App& program);
+[[nodiscard]] Command add_train_command(CLI::App& program);
+[[nodiscard]] Command add_experiment_command(CLI::App& program);
 
 }  // namespace thinbench

@@ -58,10 +58,10 @@ void refuse_name(std::string_view kind, std::string_view word,
   throw UsageError(text + "known: " + enumeration(known));
 }
 
-std::string enumeration(const std::vector<std::string_view>& words) {
+std::string enumeration(const std::vector<std::string_view>& words, const char* before_last) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    if (i > 0) text += i + 1 == words.size() ? before_last : ", ";
     text += words[i];
   }
   return text;

@@ -19,7 +19,8 @@ namespace thinbench {
                               const std::vector<std::string_view>& known);
 
 /// "a, b and c".
-[[nodiscard]] std::string enumeration(const std::vector<std::string_view>& words);
+[[nodiscard]] std::string enumeration(const std::vector<std::string_view>& words,
+                                      const char* before_last = " and ");
 
 /// Each throws UsageError for an unknown name.
 [[nodiscard]] const ThinningOperation& operation_named(std::string_view name);

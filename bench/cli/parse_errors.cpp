@@ -38,7 +38,7 @@ std::string plain_text(const CLI::ParseError& error) {
 
 std::string full_name(const CLI::App& app) {
   const bool is_command = app.get_parent() != nullptr;
-  return is_command ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name();
+  return is_command ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
 }  // namespace

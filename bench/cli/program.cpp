@@ -11,8 +11,6 @@
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
 #include "core/isa.hpp"
-#include "experiments/experiment_command.hpp"
-#include "training/train_command.hpp"
 
 namespace thinbench {
 namespace {
@@ -34,14 +32,9 @@ class Program {
     app_.set_version_flag("--version", "thinbench " THINBENCH_VERSION, "Print the version");
     app_.require_subcommand(1);
     app_.footer(kExamples);
-    commands_ = {add_list_command(app_), add_verify_command(app_), add_run_command(app_),
-                 add_scene_command(app_), add_machine_command(app_)};
-    add_train_command(app_, console.out, console.err);
-    add_experiment_command(app_, console.out, console.err);
-    // These two do their work while they are parsed.
-    for (const char* name : {"train", "experiment"}) {
-      commands_.push_back({app_.get_subcommand(name), [](const Console&) { return kSuccess; }});
-    }
+    commands_ = {add_list_command(app_),      add_verify_command(app_),  add_run_command(app_),
+                 add_scene_command(app_),     add_machine_command(app_), add_train_command(app_),
+                 add_experiment_command(app_)};
   }
 
   int run(const std::vector<std::string>& args) {
@@ -49,22 +42,37 @@ class Program {
       console_.err << app_.help();
       return kUsage;
     }
-    check_command_name(args.front());
+    check_command_names(args);
     if (!parse(args, console_.out)) return kSuccess;
     check_cap();
-    return chosen()->run(console_);
+    return parsed_commands().back()->run(console_);
   }
 
  private:
   using Commands = std::vector<Command>;
 
-  void check_command_name(const std::string& word) const {
-    std::vector<std::string> names;
-    for (const Command& command : commands_) names.push_back(command.app->get_name());
-    const bool known = std::find(names.begin(), names.end(), word) != names.end();
-    if (!known && word.rfind('-', 0) != 0) {
-      refuse_name("command", word, {names.begin(), names.end()});
+  /// Refuses a first word that is no command and, after a command that holds others, a second.
+  void check_command_names(const std::vector<std::string>& words) const {
+    const Commands* level = &commands_;
+    for (const std::string& word : words) {
+      if (level->empty() || word.rfind('-', 0) == 0) return;
+      const auto found = std::find_if(level->begin(), level->end(), [&](const Command& command) {
+        return command.app->get_name() == word;
+      });
+      if (found == level->end()) refuse_name("command", word, names_of(*level));
+      level = &found->parts;
     }
+    if (!level->empty()) {
+      throw UsageError(words.back() +
+                       " needs one more word: " + enumeration(names_of(*level), " or ") +
+                       "; see 'thinbench " + words.back() + " --help'");
+    }
+  }
+
+  static std::vector<std::string_view> names_of(const Commands& commands) {
+    std::vector<std::string_view> names;
+    for (const Command& command : commands) names.push_back(command.app->get_name());
+    return names;
   }
 
   /// False where help or the version was asked for, and printed.
@@ -77,16 +85,33 @@ class Program {
     } catch (const CLI::CallForVersion& version) {
       out << version.what() << '\n';
     } catch (const CLI::ParseError& error) {
-      const auto command = chosen();
-      const bool is_own = command == commands_.end() || !app_.remaining().empty();
-      throw UsageError(parse_error_text(error, is_own ? app_ : *command->app));
+      throw UsageError(parse_error_text(error, refusing_app()));
     }
     return false;
   }
 
-  [[nodiscard]] Commands::const_iterator chosen() const {
-    return std::find_if(commands_.begin(), commands_.end(),
-                        [](const Command& command) { return command.app->parsed(); });
+  /// The commands that were named, the innermost last.
+  [[nodiscard]] std::vector<const Command*> parsed_commands() const {
+    std::vector<const Command*> parsed;
+    for (const Commands* level = &commands_; level != nullptr;) {
+      const auto found = std::find_if(level->begin(), level->end(),
+                                      [](const Command& command) { return command.app->parsed(); });
+      if (found == level->end()) return parsed;
+      parsed.push_back(&*found);
+      level = &found->parts;
+    }
+    return parsed;
+  }
+
+  /// The part of the program that an error is about: the outermost that was left with words it does
+  /// not know, else the innermost that was named.
+  [[nodiscard]] const CLI::App& refusing_app() const {
+    const CLI::App* app = &app_;
+    for (const Command* command : parsed_commands()) {
+      if (!app->remaining().empty()) return *app;
+      app = command->app;
+    }
+    return *app;
   }
 
   static void check_cap() {

@@ -12,6 +12,7 @@
 #include "cli/variant_choice.hpp"
 #include "cli/weights_option.hpp"
 #include "harness/rows.hpp"
+#include "picture/objects.hpp"
 #include "picture/picture.hpp"
 
 namespace thinbench {
@@ -31,26 +32,9 @@ struct RunOptions {
   std::string isa;
   std::string weights;
   int threads = 1;
-  int threshold = 128;
+  int threshold = kDefaultThreshold;
   bool invert = false;
 };
-
-/// Objects 255 on 0.
-ByteImage objects_of(ByteImage grey, int threshold, bool invert) {
-  for (Index y = 0; y < grey.height(); ++y) {
-    std::uint8_t* row = grey.view().row(y);
-    for (Index x = 0; x < grey.width(); ++x) row[x] = (row[x] >= threshold) != invert ? 255 : 0;
-  }
-  return grey;
-}
-
-Index object_pixels(const ByteImage& image) {
-  Index count = 0;
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) count += image.at(x, y) != 0 ? 1 : 0;
-  }
-  return count;
-}
 
 ThinningOptions thinning_options(const RunOptions& options) {
   ThinningOptions how;
@@ -91,9 +75,9 @@ int run(const RunOptions& options, std::ostream& out) {
   out << row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
                   how.threads)
       << ": " << objects.width() << " x " << objects.height() << ", " << result.passes
-      << (result.passes == 1 ? " pass, " : " passes, ") << object_pixels(objects)
-      << " object pixels before, " << object_pixels(result.skeleton) << " after, " << std::fixed
-      << std::setprecision(3) << result.milliseconds << " ms\n";
+      << (result.passes == 1 ? " pass, " : " passes, ") << object_pixels(objects.view())
+      << " object pixels before, " << object_pixels(result.skeleton.view()) << " after, "
+      << std::fixed << std::setprecision(3) << result.milliseconds << " ms\n";
   return kSuccess;
 }
 
@@ -110,10 +94,13 @@ Command add_run_command(CLI::App& program) {
       ->required()
       ->type_name("");
   app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
+      ->check(not_empty())
       ->type_name("NAME");
   app->add_option("--isa", options->isa, "Instruction set (default: the highest)")
+      ->check(not_empty())
       ->type_name("NAME");
   app->add_option("--weights", options->weights, "Weights of a net, made by 'thinbench train'")
+      ->check(not_empty())
       ->type_name("FILE");
   app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
       ->check(whole_number(1, kMaxThreads))

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "picture/objects.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
 
@@ -22,12 +23,8 @@ TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind k
 }
 
 TestImage picture_image(const std::string& file, InputKind kind) {
-  constexpr std::uint8_t threshold = 128;
-  ByteImage image = read_grey(file);
-  for (Index y = 0; y < image.height() && kind == InputKind::kBinary; ++y) {
-    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = image.at(x, y) < threshold ? 0 : 255;
-  }
-  return {file, std::move(image), kind};
+  ByteImage grey = read_grey(file);
+  return {file, kind == InputKind::kGrey ? std::move(grey) : objects_of(std::move(grey)), kind};
 }
 
 /// A set of images that are there already.

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "training/text.hpp"
+#include "support/text.hpp"
 #include "training/two_layer_training.hpp"
 
 namespace thinbench {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/operation_counts.hpp"
-#include "training/text.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {

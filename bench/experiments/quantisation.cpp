@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "training/text.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {

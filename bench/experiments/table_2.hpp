@@ -1,11 +1,11 @@
 // Table 2 of the paper, and the same ratios from times measured now.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/measured_times.hpp"
 #include "experiments/report.hpp"
 
 namespace thinbench {
@@ -19,18 +19,22 @@ struct PaperTime {
 
 [[nodiscard]] const std::vector<PaperTime>& paper_times();
 
-/// A line's time relative to Naccache-Shinghal's, in the paper and, where measured, now.
+/// A line's time relative to Naccache-Shinghal's, in the paper and, where measured, now: the
+/// reference against the rule's reference, the best variant against the rule's best.
 struct ThenAndNow {
   PaperTime paper;
   double then_ratio;
-  std::optional<double> now_ns;
-  std::optional<double> now_ratio;  // needs thin_naccache_shinghal's time too
+  MeasuredTimes now;
+  std::optional<double> reference_ratio;
+  std::optional<double> best_ratio;
 };
 
-/// Joins Table 2 with medians in nanoseconds by name of operation.
-[[nodiscard]] std::vector<ThenAndNow> then_and_now(const std::map<std::string, double>& median_ns);
+/// Joins Table 2 with measured times by name of operation.
+[[nodiscard]] std::vector<ThenAndNow> then_and_now(const TimesByOperation& times);
 
 /// What was not measured is left out: fields in the JSON, columns in the table when they are empty.
-[[nodiscard]] ExperimentReport table_2_report(const std::vector<ThenAndNow>& rows);
+/// `options` are the command's.
+[[nodiscard]] ExperimentReport table_2_report(const std::vector<ThenAndNow>& rows,
+                                              const std::string& options = "");
 
 }  // namespace thinbench

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "harness/mixing.hpp"
+#include "support/splitmix64.hpp"
 
 namespace thinbench {
 namespace {
@@ -87,7 +87,7 @@ ByteImage grey_noise_image(Index width, Index height, std::uint8_t lowest, std::
   const std::uint64_t levels = static_cast<std::uint64_t>(highest - lowest) + 1;
   return drawn(width, height, [&](Index x, Index y) {
     const auto place = static_cast<std::uint64_t>(y << 32 | x);
-    return lowest + mixed(mixed(seed) ^ place) % levels;
+    return lowest + splitmix64(splitmix64(seed) ^ place) % levels;
   });
 }
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "harness/grey_images.hpp"
-#include "harness/mixing.hpp"
+#include "support/splitmix64.hpp"
 
 namespace thinbench {
 namespace {
@@ -121,7 +121,8 @@ ByteImage noise_image(Index width, Index height, int percent, Index granularity,
   for (Index y = 0; y < height; ++y) {
     for (Index x = 0; x < width; ++x) {
       const auto block = static_cast<std::uint64_t>((y / granularity) << 32 | (x / granularity));
-      const bool dark = mixed(mixed(seed) ^ block) % 100 < static_cast<std::uint64_t>(percent);
+      const bool dark =
+          splitmix64(splitmix64(seed) ^ block) % 100 < static_cast<std::uint64_t>(percent);
       image.at(x, y) = dark ? kDark : 0;
     }
   }

@@ -25,6 +25,11 @@ inline constexpr Index kMaxPicturePixels = Index{1} << 31;
 /// PictureError.
 void write_grey(const std::string& path, const ConstByteView& picture);
 
+/// Whether write_grey takes pictures of this size, which has pixels: below 2^31 of them.
+[[nodiscard]] constexpr bool is_writable_size(Index width, Index height) {
+  return width <= (kMaxPicturePixels - 1) / height;
+}
+
 /// Throws PictureError where the ending names no format that write_grey knows.
 void check_ending(const std::string& path);
 

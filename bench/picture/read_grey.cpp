@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "picture/captured_stderr.hpp"
+#include "picture/no_pixels.hpp"
 #include "picture/picture.hpp"
 
 namespace thinbench {
@@ -45,14 +46,20 @@ std::string too_many_pixels() {
          " allows; at most 2^31 = 2147483648 can be read";
 }
 
+/// The decoder gave up without a reason; the beginning of the file may tell one.
+[[noreturn]] void refuse_undecoded(const std::string& path) {
+  if (declares_no_pixels(path)) refuse(path, "it has no pixels");
+  if (!cv::haveImageReader(path)) refuse(path, "it is no picture of a known format");
+  refuse(path, "it is damaged");
+}
+
 /// A refusal by OpenCV in the words of this program.
 [[noreturn]] void refuse(const std::string& path, const cv::Exception& error) {
   const auto mentions = [&](const char* text) { return error.err.find(text) != std::string::npos; };
   if (mentions("CV_IO_MAX_IMAGE_PIXELS")) refuse(path, too_many_pixels());
   if (mentions("CV_IO_MAX_IMAGE")) refuse(path, "it is wider or higher than 2^20 pixels");
-  if (mentions("size.width > 0") || mentions("size.height > 0")) refuse(path, "it has no pixels");
   if (error.code == cv::Error::StsNoMem) refuse(path, "memory is too short for it");
-  refuse(path, "it is damaged or no picture");
+  refuse_undecoded(path);
 }
 
 /// Some decoders fill up what is missing in a file that ends too early and only warn.
@@ -63,7 +70,7 @@ void check_warnings(const std::string& path, const std::string& warnings) {
 cv::Mat decoded(const std::string& path) {
   const CapturedStderr captured;
   cv::Mat picture = cv::imread(path, cv::IMREAD_GRAYSCALE);
-  if (picture.empty()) refuse(path, "it is damaged, without pixels or no picture");
+  if (picture.empty()) refuse_undecoded(path);
   check_warnings(path, captured.text());
   return picture;
 }

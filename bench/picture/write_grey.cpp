@@ -2,16 +2,14 @@
 #include <array>
 #include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <unistd.h>
 
 #include "picture/captured_stderr.hpp"
 #include "picture/picture.hpp"
-#include "picture/temporary_file.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -28,19 +26,6 @@ std::string ending_of(const std::string& path) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return ending;
-}
-
-/// Refuses what the rename would run into after all the work, and files that the user protected.
-void check_target(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code ignored;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
-    refuse(path, "there is no folder '" + folder.string() + "'");
-  }
-  if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a folder");
-  if (std::filesystem::exists(path, ignored) && access(path.c_str(), W_OK) != 0) {
-    refuse(path, "it is protected against writing");
-  }
 }
 
 std::vector<std::uint8_t> encoded(const std::string& path, const ConstByteView& picture) {
@@ -68,18 +53,16 @@ void check_ending(const std::string& path) {
 
 void write_grey(const std::string& path, const ConstByteView& picture) {
   check_ending(path);
-  check_target(path);
-  if (picture.width == 0 || picture.height == 0) refuse(path, "the picture has no pixels");
-  if (picture.width >= kMaxPicturePixels / picture.height) {
-    refuse(path, "the picture has 2^31 pixels or more");
-  }
   try {
+    check_target(path);
+    if (picture.width == 0 || picture.height == 0) refuse(path, "the picture has no pixels");
+    if (!is_writable_size(picture.width, picture.height)) {
+      refuse(path, "the picture has 2^31 pixels or more");
+    }
     const std::vector<std::uint8_t> bytes = encoded(path, picture);
-    TemporaryFile file(path);
-    file.write(bytes);
-    file.put_in_place();
-  } catch (const std::system_error& error) {
-    refuse(path, error.code().message());
+    write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  } catch (const FileError& error) {
+    throw PictureError(error.what());
   } catch (const PictureError&) {
     throw;
   } catch (const std::exception&) {  // OpenCV's own, or memory is short

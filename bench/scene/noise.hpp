@@ -7,14 +7,6 @@
 
 namespace thinbench::scene_detail {
 
-/// Output number `index` of the generator splitmix64 that starts from `seed`.
-[[nodiscard]] constexpr std::uint64_t splitmix64(std::uint64_t seed, std::uint64_t index) {
-  std::uint64_t z = seed + 0x9E3779B97F4A7C15u * (index + 1);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return z ^ (z >> 31);
-}
-
 /// Nearly normal noise in the unit of `sigma`: the eight bytes of one random number, added and
 /// scaled. Its mean is 0, and it never leaves +- 4.9 sigma.
 [[nodiscard]] constexpr std::int64_t noise_from(std::uint64_t random, std::int64_t sigma) {

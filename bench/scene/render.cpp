@@ -9,6 +9,7 @@
 #include "scene/noise.hpp"
 #include "scene/scene.hpp"
 #include "scene/truth.hpp"
+#include "support/splitmix64.hpp"
 
 namespace thinbench {
 namespace {

@@ -4,14 +4,14 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <regex>
 
+#include "picture/objects.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr int kPictureThreshold = 128;
 
 ByteImage tiled_square(const ByteImage& tile, Index size) {
   ByteImage image(size, size);
@@ -21,19 +21,16 @@ ByteImage tiled_square(const ByteImage& tile, Index size) {
   return image;
 }
 
-ByteImage objects_of(const ByteImage& grey) {
-  ByteImage image(grey.width(), grey.height());
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      image.at(x, y) = grey.at(x, y) >= kPictureThreshold ? 255 : 0;
-    }
-  }
-  return image;
+/// Whether the scene or a square of the series of sizes is called so, on this run or another.
+bool is_reserved(const std::string& name) {
+  static const std::regex reserved("scene|square_[0-9]+");
+  return std::regex_match(name, reserved);
 }
 
 /// The file's name without folder and ending, made unique and fit for a row name.
 std::string input_name(const std::string& path, const std::vector<TimedInput>& taken) {
-  const std::string stem = std::filesystem::path(path).stem().string();
+  std::string stem = std::filesystem::path(path).stem().string();
+  if (is_reserved(stem)) stem += "_picture";
   const auto is_taken = [&](const std::string& name) {
     return std::any_of(taken.begin(), taken.end(),
                        [&](const TimedInput& input) { return input.name == name; });
@@ -50,7 +47,8 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice) {
   std::vector<TimedInput> inputs;
   for (const std::string& path : choice.pictures) {
     ByteImage grey = read_grey(path);
-    inputs.push_back({input_name(path, inputs), objects_of(grey), std::move(grey), false});
+    ByteImage objects = objects_of(copy_of(grey.view()));
+    inputs.push_back({input_name(path, inputs), std::move(objects), std::move(grey), false});
   }
   if (inputs.empty()) {
     inputs.push_back({"scene", copy_of(scene.binary.view()), copy_of(scene.grey.view()), false});
@@ -70,14 +68,6 @@ std::string pixel_hash(ConstByteView image) {
   std::array<char, 17> text{};
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
   return text.data();
-}
-
-Index object_pixels(ConstByteView image) {
-  Index count = 0;
-  for (Index y = 0; y < image.height; ++y) {
-    count += image.width - std::count(image.row(y), image.row(y) + image.width, std::uint8_t{0});
-  }
-  return count;
 }
 
 }  // namespace thinbench

@@ -27,14 +27,11 @@ struct InputChoice {
 };
 
 /// The scene, or the pictures (object = pixels >= 128), and then squares of 64 x 64 and doubled
-/// sizes cut from the scene laid out like tiles. Names are unique and hold no '/'. Throws
-/// PictureError.
+/// sizes cut from the scene laid out like tiles. Names are unique and hold no '/'; a picture never
+/// gets the name of the scene or of a square, which reports treat apart. Throws PictureError.
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice);
 
 /// FNV-1a over the pixels, row by row, as 16 hexadecimal digits: names what was timed.
 [[nodiscard]] std::string pixel_hash(ConstByteView image);
-
-/// How many pixels are not 0.
-[[nodiscard]] Index object_pixels(ConstByteView image);
 
 }  // namespace thinbench

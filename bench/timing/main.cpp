@@ -1,6 +1,5 @@
 // Times every row of the tables with Google Benchmark, each only after its output was compared
 // with the reference's on the very input that is timed.
-#include <fstream>
 #include <iostream>
 #include <map>
 
@@ -8,7 +7,9 @@
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
 
+#include "picture/objects.hpp"
 #include "picture/picture.hpp"
+#include "support/whole_file.hpp"
 #include "timing/inputs.hpp"
 #include "timing/progress.hpp"
 #include "timing/timed_call.hpp"
@@ -95,16 +96,6 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
     json["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
   }
   return json;
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".part";
-  std::ofstream file(beside);
-  file << text;
-  file.close();
-  if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
-    throw std::runtime_error("cannot write " + path);
-  }
 }
 
 void write_pictures(const std::string& folder, const Selection& selection) {
@@ -202,7 +193,9 @@ int run(const Options& options) {
     std::cerr << "thinbench_timings: no row to time; the filter is '" << options.filter << "'\n";
     return kExitBadRow;
   }
-  if (!options.rows_out.empty()) write_text(options.rows_out, rows_json(selection, inputs).dump(2));
+  if (!options.rows_out.empty()) {
+    write_whole_file(options.rows_out, rows_json(selection, inputs).dump(2));
+  }
   if (!options.pictures_out.empty()) write_pictures(options.pictures_out, selection);
 
   std::unique_ptr<Progress> progress;

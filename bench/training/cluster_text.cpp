@@ -1,7 +1,7 @@
 #include "training/cluster_text.hpp"
 
+#include "support/text.hpp"
 #include "training/stay_table.hpp"
-#include "training/text.hpp"
 
 namespace thinbench {
 namespace {

@@ -4,20 +4,15 @@
 
 #include <cstdint>
 
+#include "support/splitmix64.hpp"
+
 namespace thinbench {
 
-/// SplitMix64 (Steele, Lea, Flood 2014).
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit Random(std::uint64_t seed) : seed_(seed) {}
 
-  std::uint64_t next() {
-    state_ += 0x9E3779B97F4A7C15;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    return z ^ (z >> 31);
-  }
+  std::uint64_t next() { return splitmix64(seed_, drawn_++); }
 
   /// Uniform in [-limit, limit), in steps of limit / 2^52.
   double symmetric(double limit) {
@@ -26,7 +21,8 @@ class Random {
   }
 
  private:
-  std::uint64_t state_;
+  std::uint64_t seed_;
+  std::uint64_t drawn_ = 0;
 };
 
 /// e^x by + - * and a power of two put together from its bits; relative error about 1e-15.

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "training/text.hpp"
+#include "support/text.hpp"
 #include "training/weights_file.hpp"
 
 namespace thinbench {

@@ -20,13 +20,47 @@ TEST(Program, no_arguments_print_the_help_as_an_error) {
   EXPECT_NE(run.err.find("Usage: thinbench"), std::string::npos);
 }
 
+using Words = std::vector<std::string>;
+
+/// The commands that the help of these words lists.
+Words commands_below(Words words) {
+  words.emplace_back("--help");
+  std::istringstream help(run_with(words).out);
+  Words found;
+  bool listed = false;
+  for (std::string line; std::getline(help, line);) {
+    if (listed && line.rfind("  ", 0) == 0 && line[2] != ' ') {
+      found.push_back(line.substr(2, line.find(' ', 2) - 2));
+    }
+    listed = (listed && line.rfind("  ", 0) == 0) || line == "Subcommands:";
+  }
+  return found;
+}
+
+/// Every command that there is, as the words that name it; those that hold others come first.
+std::vector<Words> all_commands() {
+  std::vector<Words> commands = {{}};
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    for (const std::string& name : commands_below(commands[i])) {
+      commands.push_back(commands[i]);
+      commands.back().push_back(name);
+    }
+  }
+  return commands;
+}
+
 TEST(Program, every_help_has_examples) {
-  for (const std::string command : {"", "list", "verify", "run", "scene", "machine"}) {
-    const ProgramRun run = command.empty() ? run_with({"--help"}) : run_with({command, "--help"});
+  const std::vector<Words> commands = all_commands();
+  EXPECT_EQ(commands.size(), 1 + 7 + 2 + 4U);
+  for (Words words : commands) {
+    std::string command = "thinbench";
+    for (const std::string& word : words) command += " " + word;
+    words.emplace_back("--help");
+    const ProgramRun run = run_with(words);
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.err, "");
-    EXPECT_NE(run.out.find("Usage: thinbench " + command), std::string::npos) << run.out;
-    EXPECT_NE(run.out.find("Examples:\n  thinbench " + command), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("Usage: " + command), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("Examples:\n  " + command), std::string::npos) << run.out;
   }
 }
 
@@ -42,6 +76,28 @@ TEST(Program, unknown_command_gets_the_nearest_known_name) {
   EXPECT_EQ(failure_of({"frobnicate"}, 2),
             "no command is named 'frobnicate'; known: list, verify, run, scene, machine, train and "
             "experiment");
+}
+
+TEST(Program, unknown_command_within_a_command_gets_the_nearest_known_name) {
+  EXPECT_EQ(failure_of({"train", "two-layers"}, 2),
+            "no command is named 'two-layers'; did you mean 'two-layer'?");
+  EXPECT_EQ(failure_of({"experiment", "nothing"}, 2),
+            "no command is named 'nothing'; known: quantisation, hidden-neurons, operation-counts "
+            "and table-2");
+  EXPECT_EQ(failure_of({"train"}, 2),
+            "train needs one more word: two-layer or cluster; see 'thinbench train --help'");
+}
+
+TEST(Program, unknown_option_of_a_command_within_a_command_is_refused_alike) {
+  EXPECT_EQ(failure_of({"train", "two-layer", "--sead", "2"}, 2),
+            "there is no option '--sead'; did you mean '--seed'? See 'thinbench train two-layer "
+            "--help'");
+  EXPECT_EQ(failure_of({"experiment", "table-2", "--quick"}, 2),
+            "there is no option '--quick'; see 'thinbench experiment table-2 --help'");
+  EXPECT_EQ(failure_of({"train", "--seed", "2", "two-layer"}, 2),
+            "there is no option '--seed'; see 'thinbench train --help'");
+  EXPECT_EQ(failure_of({"train", "cluster", "more"}, 2),
+            "'more' is one argument too many; see 'thinbench train cluster --help'");
 }
 
 TEST(Program, unknown_option_gets_the_nearest_known_name) {
@@ -72,6 +128,18 @@ TEST(Program, names_of_commands_may_be_arguments) {
   EXPECT_EQ(text.find("no operation is named 'list'; known: "), 0U) << text;
 }
 
+TEST(Program, empty_values_are_refused) {
+  for (const std::string option : {"--technique", "--isa", "--weights"}) {
+    const std::string text = option + ": its value is empty; see 'thinbench run --help'";
+    EXPECT_EQ(run_failure({option, ""}), text);
+    EXPECT_EQ(run_failure({option + "="}), text);
+  }
+  EXPECT_EQ(failure_of({"train", "cluster", "--out", ""}, 2),
+            "--out: its value is empty; see 'thinbench train cluster --help'");
+  EXPECT_EQ(failure_of({"experiment", "table-2", "--results", ""}, 2),
+            "--results: its value is empty; see 'thinbench experiment table-2 --help'");
+}
+
 TEST(Program, numbers_out_of_range_are_refused_with_the_range) {
   const std::string see = "; see 'thinbench run --help'";
   for (const std::string value : {"256", "-1", "x", "1.5", "0x10", ""}) {
@@ -89,11 +157,14 @@ TEST(Program, malformed_cap_stops_every_command) {
   const IsaCap cap("sse9");
   const std::string text =
       "THINBENCH_MAX_ISA=sse9 is no level; use baseline, sse4.2, avx2, avx512 or avx512icl";
-  EXPECT_EQ(failure_of({"list"}, 2), text);
-  EXPECT_EQ(failure_of({"verify"}, 2), text);
-  EXPECT_EQ(run_failure({}), text);
-  EXPECT_EQ(failure_of({"scene", "--truth"}, 2), text);
-  EXPECT_EQ(failure_of({"machine"}, 2), text);
+  int stopped = 0;
+  for (Words words : all_commands()) {
+    if (words.empty() || !commands_below(words).empty()) continue;
+    if (words.front() == "run") words.insert(words.end(), {kOperation, "in.png", "out.png"});
+    EXPECT_EQ(failure_of(words, 2), text) << words.front();
+    ++stopped;
+  }
+  EXPECT_EQ(stopped, 5 + 2 + 4);
   EXPECT_EQ(run_with({"--help"}).status, 0);
 }
 

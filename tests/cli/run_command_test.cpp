@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "picture/picture.hpp"
-#include "picture/temporary_folder.hpp"
 #include "program_run.hpp"
+#include "support/temporary_folder.hpp"
 #include "thinbench.hpp"
 
 namespace thinbench {
@@ -148,8 +148,7 @@ TEST_F(RunCommand, picture_wider_than_the_limit_is_refused) {
 
 TEST_F(RunCommand, unreadable_input_is_one_line_and_no_output) {
   const std::string text = folder.with("in.png", "no picture");
-  EXPECT_EQ(failure({}, 1),
-            "cannot read '" + in + "': it is damaged, without pixels or no picture");
+  EXPECT_EQ(failure({}, 1), "cannot read '" + in + "': it is no picture of a known format");
   std::filesystem::remove(in);
   EXPECT_EQ(failure_of({"run", kOperation, in, out}, 1),
             "cannot read '" + in + "': there is no such file");

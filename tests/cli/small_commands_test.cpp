@@ -5,8 +5,8 @@
 
 #include "harness/operation.hpp"
 #include "picture/picture.hpp"
-#include "picture/temporary_folder.hpp"
 #include "program_run.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace thinbench {
 namespace {

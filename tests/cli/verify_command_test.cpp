@@ -7,8 +7,8 @@
 #include "cli/verify_report.hpp"
 #include "harness/thinning_family.hpp"
 #include "picture/picture.hpp"
-#include "picture/temporary_folder.hpp"
 #include "program_run.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace thinbench {
 namespace {

@@ -106,17 +106,21 @@ TEST(Table2, ratios_of_the_paper_are_those_of_its_seconds) {
   ASSERT_EQ(rows.size(), expected.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_NEAR(rows[i].then_ratio, expected[i], 0.005) << rows[i].paper.method;
-    EXPECT_FALSE(rows[i].now_ratio) << rows[i].paper.method;
+    EXPECT_FALSE(rows[i].reference_ratio) << rows[i].paper.method;
   }
 }
 
 TEST(Table2, measured_times_are_set_against_naccache_shinghal_measured) {
-  const auto rows =
-      then_and_now({{"thin_naccache_shinghal", 2000.0}, {"net_two_layer_linear", 3000.0}});
-  EXPECT_EQ(rows[4].now_ratio, 1.5);
-  EXPECT_FALSE(rows[3].now_ns);
-  EXPECT_FALSE(then_and_now({{"net_two_layer_linear", 3000.0}})[4].now_ratio);
-  EXPECT_NE(table_2_report(rows).markdown.find("| 3.54 | 4.85 | 3.0 | 1.50 |"), std::string::npos);
+  const MeasuredTimes net = {3000.0, 400.0, "lut (baseline)"};
+  const auto rows = then_and_now(
+      {{"thin_naccache_shinghal", {2000.0, 100.0, "any"}}, {"net_two_layer_linear", net}});
+  EXPECT_EQ(rows[4].reference_ratio, 1.5);
+  EXPECT_EQ(rows[4].best_ratio, 4.0);
+  EXPECT_FALSE(rows[3].now.reference_ns);
+  EXPECT_FALSE(then_and_now({{"net_two_layer_linear", net}})[4].reference_ratio);
+  EXPECT_NE(table_2_report(rows).markdown.find(
+                "| 3.54 | 4.85 | 3.0 | 1.50 | lut (baseline) | 0.4 | 4.00 |"),
+            std::string::npos);
 }
 
 TEST(ExperimentReports, every_file_names_its_schema_experiment_and_command) {

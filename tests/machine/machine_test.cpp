@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/isa.hpp"
-#include "picture/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace thinbench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "picture/captured_stderr.hpp"
 #include "picture/picture.hpp"
-#include "picture/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace thinbench {
 namespace {
@@ -54,7 +54,7 @@ void expect_error(const std::string& file, const std::string& reason) {
   EXPECT_EQ(error_of(file), "cannot read '" + file + "': " + reason);
 }
 
-constexpr const char* kDamaged = "it is damaged, without pixels or no picture";
+constexpr const char* kDamaged = "it is damaged";
 
 class GreyFile : public testing::TestWithParam<const char*> {};
 
@@ -120,12 +120,21 @@ TEST(ReadGrey, empty_file_is_refused) {
 
 TEST(ReadGrey, text_is_no_picture) {
   const TemporaryFolder folder;
-  expect_error(folder.with("a.png", "this is text"), kDamaged);
+  expect_error(folder.with("a.png", "this is text"), "it is no picture of a known format");
 }
 
 TEST(ReadGrey, picture_without_pixels_is_refused) {
   const TemporaryFolder folder;
-  expect_error(folder.with("a.pgm", "P5 0 7 255\n"), kDamaged);
+  for (const char* header : {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n"}) {
+    expect_error(folder.with("a.pgm", header), "it has no pixels");
+  }
+  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
+  ASSERT_TRUE(cv::imwrite(folder.file("a.bmp"), ramp()));
+  for (const auto& [name, at] :
+       {std::pair("a.png", 16U), {"a.png", 20U}, {"a.bmp", 18U}, {"a.bmp", 22U}}) {
+    const std::string bytes = bytes_of(folder.file(name)).replace(at, 4, 4, '\0');
+    expect_error(folder.with(std::string("b.") + name, bytes), "it has no pixels");
+  }
 }
 
 class CutFile : public testing::TestWithParam<const char*> {};

@@ -1,11 +1,12 @@
 #include <csignal>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "picture/picture.hpp"
-#include "picture/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace thinbench {
 namespace {
@@ -131,6 +132,15 @@ TEST(WriteGrey, picture_without_pixels_is_refused) {
   const TemporaryFolder folder;
   EXPECT_THROW(write_grey(folder.file("a.png"), ByteImage(0, 4).view()), PictureError);
   EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(WriteGrey, takes_every_size_below_two_to_the_31) {
+  EXPECT_TRUE(is_writable_size(715827882, 3));  // 2^31 - 2 pixels
+  EXPECT_FALSE(is_writable_size(715827883, 3));
+  EXPECT_TRUE(is_writable_size(INT32_MAX, 1));
+  EXPECT_FALSE(is_writable_size(Index{1} << 31, 1));
+  EXPECT_FALSE(is_writable_size(Index{1} << 16, Index{1} << 15));
+  EXPECT_FALSE(is_writable_size(PTRDIFF_MAX, PTRDIFF_MAX));
 }
 
 TEST(WriteGrey, size_beyond_the_limit_is_refused_before_a_pixel_is_touched) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nets/trained_cluster.hpp"
-#include "training/text.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {

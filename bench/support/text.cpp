@@ -1,10 +1,7 @@
-#include "training/text.hpp"
+#include "support/text.hpp"
 
 #include <array>
 #include <charconv>
-#include <cstdio>
-#include <fstream>
-#include <stdexcept>
 
 namespace thinbench {
 namespace {
@@ -42,17 +39,6 @@ std::string markdown_table(const std::vector<std::string>& head,
   std::string table = markdown_row(head) + markdown_row(rule);
   for (const std::vector<std::string>& row : rows) table += markdown_row(row);
   return table;
-}
-
-void write_whole_file(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".part";
-  std::ofstream file(beside, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
-    std::remove(beside.c_str());
-    throw std::runtime_error("cannot write " + path);
-  }
 }
 
 }  // namespace thinbench

@@ -1,4 +1,4 @@
-// Numbers as text, tables as Markdown, and files that appear whole or not at all.
+// Numbers as text, and tables as Markdown.
 #pragma once
 
 #include <string>
@@ -19,8 +19,5 @@ namespace thinbench {
 /// A Markdown table; all rows have as many cells as the head.
 [[nodiscard]] std::string markdown_table(const std::vector<std::string>& head,
                                          const std::vector<std::vector<std::string>>& rows);
-
-/// Writes beside `path`, then renames. Throws std::runtime_error if either fails.
-void write_whole_file(const std::string& path, const std::string& text);
 
 }  // namespace thinbench

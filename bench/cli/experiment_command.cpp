@@ -1,0 +1,106 @@
+// thinbench experiment: what the paper says of its nets, measured again.
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "experiments/hidden_neurons.hpp"
+#include "experiments/operation_counts.hpp"
+#include "experiments/quantisation.hpp"
+#include "experiments/table_2.hpp"
+#include "support/text.hpp"
+#include "support/whole_file.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  thinbench experiment quantisation --out quantisation.json
+  thinbench experiment hidden-neurons --quick
+  thinbench experiment table-2 --results results/my-machine/2026-11-21-abc)";
+
+struct ExperimentOptions {
+  std::string out;
+  std::string results;
+  bool quick = false;
+};
+
+ExperimentReport quantisation(const ExperimentOptions&, const Console&) {
+  return quantisation_report(run_quantisation());
+}
+
+ExperimentReport hidden_neurons(const ExperimentOptions& options, const Console& console) {
+  const auto choice = options.quick ? HiddenNeuronsChoice::quick() : HiddenNeuronsChoice{};
+  const auto progress = [&](double done) {
+    console.err << "hidden neurons: " << fixed(done * 100, 0) << " %\n" << std::flush;
+  };
+  return hidden_neurons_report(run_hidden_neurons(choice, progress), choice);
+}
+
+ExperimentReport operation_counts(const ExperimentOptions&, const Console&) {
+  return operation_counts_report(run_operation_counts());
+}
+
+ExperimentReport table_2(const ExperimentOptions& options, const Console&) {
+  if (options.results.empty()) return table_2_report(then_and_now({}));
+  return table_2_report(then_and_now(read_measured_times(options.results)),
+                        " --results " + options.results);
+}
+
+using Experiment = ExperimentReport (*)(const ExperimentOptions&, const Console&);
+
+int run(const ExperimentOptions& options, Experiment experiment, const Console& console) {
+  if (!options.out.empty()) check_target(options.out);
+  const ExperimentReport report = experiment(options, console);
+  console.out << report.markdown;
+  if (options.out.empty()) return kSuccess;
+  write_whole_file(options.out, report.json);
+  console.err << "wrote " << options.out << '\n';
+  return kSuccess;
+}
+
+struct AddedExperiment {
+  Command command;
+  std::shared_ptr<ExperimentOptions> options;
+};
+
+AddedExperiment add(CLI::App& parent, const std::string& name, const char* what,
+                    Experiment experiment) {
+  CLI::App* app = parent.add_subcommand(name, what);
+  const auto options = std::make_shared<ExperimentOptions>();
+  app->add_option("--out", options->out, "Write the data here, as JSON")
+      ->check(not_empty())
+      ->type_name("FILE");
+  app->footer("Examples:\n  thinbench experiment " + name + " --out " + name + ".json");
+  const auto work = [options, experiment](const Console& console) {
+    return run(*options, experiment, console);
+  };
+  return {{app, work}, options};
+}
+
+}  // namespace
+
+Command add_experiment_command(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("experiment", "Repeat what the paper says of its nets, as tables");
+  app->require_subcommand(1);
+  app->footer(kExamples);
+  const AddedExperiment fixed_point = add(
+      *app, "quantisation", "Table 1 in fixed point: how many bits keep it right", &quantisation);
+  const AddedExperiment hidden =
+      add(*app, "hidden-neurons", "2 to 12 hidden neurons: how many are needed (under a minute)",
+          &hidden_neurons);
+  hidden.command.app->add_flag("--quick", hidden.options->quick, "Fewer and shorter trainings");
+  const AddedExperiment counts =
+      add(*app, "operation-counts", "Operations a pixel, counted by running each method",
+          &operation_counts);
+  const AddedExperiment times =
+      add(*app, "table-2", "The paper's times and their ratios", &table_2);
+  times.command.app
+      ->add_option("--results", times.options->results,
+                   "Results folder of a study, whose times are set beside the paper's")
+      ->check(not_empty())
+      ->type_name("DIR");
+  return {app, {}, {fixed_point.command, hidden.command, counts.command, times.command}};
+}
+
+}  // namespace thinbench

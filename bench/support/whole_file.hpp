@@ -1,0 +1,23 @@
+// Files that appear whole or not at all.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace thinbench {
+
+/// Why a file could not be written: one line that names it.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Refuses what writing would run into after all the work: a folder that does not exist, one that
+/// stands in the way, a file that the user protected. Throws FileError.
+void check_target(const std::string& path);
+
+/// Writes a hidden file beside `path`, then renames it; nothing is left of it after a failure.
+/// Throws FileError.
+void write_whole_file(const std::string& path, std::string_view bytes);
+
+}  // namespace thinbench
