@@ -32,6 +32,15 @@ bool same_image(const ConstByteView& a, const ConstByteView& b) {
   return a.data == b.data && a.stride == b.stride;
 }
 
+/// Whether two views of one buffer lie side by side: with equal strides, the columns of one begin
+/// after those of the other end and end before they begin again in the next row.
+bool side_by_side(const ConstByteView& a, const ConstByteView& b) {
+  if (a.stride != b.stride) return false;
+  const Index apart = b.data - a.data;
+  const Index column = (apart % a.stride + a.stride) % a.stride;
+  return column >= a.width && column + b.width <= a.stride;
+}
+
 bool overlap(const ConstByteView& a, const ConstByteView& b) {
   if (a.width == 0 || a.height == 0) return false;
   const auto begin = [](const ConstByteView& v) {
@@ -40,7 +49,7 @@ bool overlap(const ConstByteView& a, const ConstByteView& b) {
   const auto end = [](const ConstByteView& v) {
     return reinterpret_cast<std::uintptr_t>(v.row(v.height - 1) + v.width);
   };
-  return begin(a) < end(b) && begin(b) < end(a);
+  return begin(a) < end(b) && begin(b) < end(a) && !side_by_side(a, b);
 }
 
 void check_views(const ConstByteView& source, const ConstByteView& destination) {

@@ -30,7 +30,8 @@ struct ThinningOptions {
 /// of this name and returns the number of passes, the last, which changed nothing, included.
 ///
 /// Outside the image everything is light. Strides are bytes from row to row and may be larger than
-/// the width. The two views have one size; they are the same image or do not overlap. Throws
+/// the width. The two views have one size; they are the same image or share no pixel (views of one
+/// buffer that lie side by side have equal strides). Throws
 /// std::invalid_argument for an unknown name, sizes that differ or are negative, a stride below the
 /// width, a null image, a partial overlap, or options that no variant fits.
 int thin(std::string_view operation, ConstByteView source, ByteView destination,

@@ -1,5 +1,5 @@
 // The paper in plain code: one short function per operation, obviously right, never tuned. It
-// shares nothing with the kernels but the views of images.
+// shares data types with the kernels (views of images, weights of nets) and no code that computes.
 #pragma once
 
 #include <string_view>

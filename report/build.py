@@ -7,7 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from report.errors import ReportError
-from report.experiment_table import to_experiments_markdown
+from report.experiment_layout import to_experiments_markdown
 from report.experiment_tables import make_tables
 from report.experiments import load_experiments
 from report.loading import load_study

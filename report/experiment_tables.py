@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
-from report.experiment_table import Table, columns, counted
+from report.experiment_layout import Table, columns, counted
 from report.experiments import (KINDS, Counted, Experiments, FixedPoint, HiddenNeurons,
                                 OperationCounts, Quantisation, Trained)
 from report.formatting import NOTHING, percent

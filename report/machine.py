@@ -5,6 +5,7 @@ from __future__ import annotations
 from report.errors import ReportError
 from report.json_fields import Fields
 from report.model import Cache, Machine
+from report.run_options import load_run_options
 
 COMPILER_FIELDS = ("id", "version", "flags", "build_type")
 
@@ -24,8 +25,7 @@ def load_machine(fields: Fields) -> Machine:
         caches=_caches(fields),
         isa_available=_texts(fields, "isa_available"),
         facts=_facts(fields, cpu),
-        is_quick=options.data.get("quick") is True,
-        filter=str(options.data.get("filter") or ""))
+        run=load_run_options(options))
 
 
 def run_warnings(timings: Fields) -> tuple[str, ...]:

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from report.run_options import RunOptions
+
 REFERENCE = "reference"
 BASELINE = "baseline"
 KERNEL = "kernel"
@@ -166,8 +168,7 @@ class Machine:
     isa_available: tuple[str, ...]
     facts: dict[str, str]
     """Further things worth printing, by their label."""
-    is_quick: bool
-    filter: str
+    run: RunOptions
 
     def isa_order(self, isa: str) -> tuple[int, str]:
         """Sort key of instruction sets: as the machine lists them, unknown ones last."""

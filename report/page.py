@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from report import formatting
 from report.errors import ReportError
-from report.experiment_table import TITLE, Table
+from report.experiment_layout import TITLE, Table
 from report.findings import find, main_sentence, noise_of, noise_sentence
 from report.model import NOISY_PERCENT, Study, input_order
 from report.plot_style import CARD, GRID, INK, MUTED, Plot

@@ -15,9 +15,9 @@ from report.model import REFERENCE, Cache, Row, Study
 from report.plot_style import (CYCLE, INK, MARKERS, MUTED, WIDTH, Plot, label_ticks, log_ticks,
                                rendered, spread_out, title)
 
-HEIGHT = 5.0
-LEFT, BETWEEN, RIGHT, TOP, BOTTOM = 0.75, 2.3, 2.3, 1.3, 0.6
-LABEL_PITCH = 0.17
+HEIGHT = 5.6
+LEFT, BETWEEN, RIGHT, TOP, BOTTOM = 0.75, 2.3, 1.6, 1.3, 0.6
+LABEL_PITCH = 0.28
 PANEL_HEIGHT = HEIGHT - TOP - BOTTOM
 PANEL_WIDTH = (WIDTH - LEFT - BETWEEN - RIGHT) / 2
 
@@ -33,8 +33,8 @@ class Line:
 
     @property
     def label(self) -> str:
-        """The variant in words."""
-        return self.rows[0].name.variant_label
+        """The variant in words, on two lines where one would run into the next panel."""
+        return self.rows[0].name.variant_label.replace(" (", "\n(")
 
 
 def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
@@ -45,12 +45,14 @@ def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
         return None
     techniques = sorted({row.name.technique for row in study.rows} - {REFERENCE})
     lines = [Line(rows, _look(rows[0], techniques)) for rows in sweep]
+    _tell_apart(lines)
     figure = Figure(figsize=(WIDTH, HEIGHT))
     panels = figure.subplots(1, 2, gridspec_kw={
         "left": LEFT / WIDTH, "right": 1 - RIGHT / WIDTH, "wspace": BETWEEN / PANEL_WIDTH,
         "top": 1 - TOP / HEIGHT, "bottom": BOTTOM / HEIGHT})
     title(figure, f"{operation} by image size, {scope_label(scope)}",
-          "the best variant of each technique at the largest size; both axes log, lower is faster")
+          "the best variant of each technique at the largest size, and the best on one thread; "
+          "both axes log, lower is faster")
     _draw_panel(panels[0], lines, lambda row: row.median_ns, "Time per image", round_duration)
     _draw_panel(panels[1], lines, lambda row: row.ns_per_pixel, "Nanoseconds per pixel",
                 lambda value: f"{value:g}")
@@ -61,16 +63,25 @@ def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
 
 
 def choose_lines(sweep: list[Row], scope: str) -> list[list[Row]]:
-    """The reference, then for each technique the variant that is best at its largest size."""
+    """The reference, for each technique the variant that is best at its largest size, and, if the
+    best of these takes several threads, the best of its technique on one."""
     reference = _by_size(row for row in sweep if row.name.is_reference)
     rows = [row for row in sweep if row.name.scope == scope and not row.name.is_reference]
-    lines = [reference] if reference else []
-    for technique in sorted({row.name.technique for row in rows}):
-        own = [row for row in rows if row.name.technique == technique]
-        largest = max(row.pixels for row in own)
-        best = min((row for row in own if row.pixels == largest), key=lambda row: row.median_ns)
-        lines.append(_by_size(row for row in own if row.name.variant == best.name.variant))
-    return lines
+    lines = [_best_line([row for row in rows if row.name.technique == technique])
+             for technique in sorted({row.name.technique for row in rows})]
+    if lines:
+        top = min((line[-1] for line in lines), key=lambda row: (-row.pixels, row.median_ns)).name
+        on_one = [row for row in rows if row.name.technique == top.technique
+                  and row.name.threads == 1]
+        lines += [_best_line(on_one)] if top.threads > 1 and on_one else []
+    return ([reference] if reference else []) + lines
+
+
+def _best_line(rows: list[Row]) -> list[Row]:
+    """Among the variants of these rows the one that is fastest at the largest size."""
+    largest = max(row.pixels for row in rows)
+    best = min((row for row in rows if row.pixels == largest), key=lambda row: row.median_ns)
+    return _by_size(row for row in rows if row.name.variant == best.name.variant)
 
 
 def _by_size(rows: Iterable[Row]) -> list[Row]:
@@ -84,6 +95,16 @@ def _look(row: Row, techniques: list[str]) -> dict[str, str]:
     number = techniques.index(row.name.technique)
     return {"color": CYCLE[number % len(CYCLE)], "marker": MARKERS[number % len(MARKERS)],
             "linestyle": "-"}
+
+
+def _tell_apart(lines: list[Line]) -> None:
+    """A second line of a technique keeps its colour and is dotted."""
+    seen: set[str] = set()
+    for line in lines:
+        technique = line.rows[0].name.technique
+        if technique in seen:
+            line.look["linestyle"] = ":"
+        seen.add(technique)
 
 
 def _draw_panel(axes: Axes, lines: list[Line], measure: Measure, heading: str,
@@ -108,13 +129,17 @@ def _draw_panel(axes: Axes, lines: list[Line], measure: Measure, heading: str,
 def _label_lines(axes: Axes, lines: list[Line], measure: Measure) -> None:
     """Each line's name beside its last point, moved apart where they would overlap."""
     low, high = (log10(limit) for limit in axes.get_ylim())
+    left, right = (log10(limit) for limit in axes.get_xlim())
     ends = [(log10(measure(line.rows[-1])) - low) / (high - low) for line in lines]
+    last = max(_side(line.rows[-1]) for line in lines)
     places = spread_out(ends, LABEL_PITCH / PANEL_HEIGHT)
     for line, end, place in zip(lines, ends, places):
+        side = _side(line.rows[-1])
+        start = 1 if side == last else (log10(side) - left) / (right - left) + 0.02
         axes.annotate(
-            line.label, (1, end), (1.07, place), xycoords="axes fraction",
+            line.label, (start, end), (1.07, place), xycoords="axes fraction",
             textcoords="axes fraction", size=8, va="center", color=INK, annotation_clip=False,
-            arrowprops={"arrowstyle": "-", "color": line.look["color"], "linewidth": 1.2,
+            arrowprops={"arrowstyle": "-", "color": line.look["color"], "linewidth": 1.2 if side == last else 0.5,
                         "shrinkA": 1, "shrinkB": 0, "relpos": (0, 0.5)})
 
 
@@ -142,7 +167,7 @@ def _caption(operation: str, scope: str) -> str:
 
 
 def _alt(operation: str, scope: str, lines: list[Line]) -> str:
-    ends = [f"{line.label}: {three_digits(line.rows[-1].ns_per_pixel)} ns per pixel"
+    ends = [f"{line.rows[0].name.variant_label}: {three_digits(line.rows[-1].ns_per_pixel)} ns per pixel"
             for line in lines]
     return (f"Lines of time against image size for {operation}, {scope_label(scope)}. "
             f"At the largest size, {'; '.join(ends)}.")

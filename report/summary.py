@@ -34,6 +34,8 @@ def to_text(study: Study) -> str:
     notes = [LEGEND] if blocks else []
     for sentence in (main_sentence(findings), noise_sentence(noise_of(study))):
         notes += textwrap.wrap(sentence, WIDTH)
+    if study.machine.run.is_partial:
+        notes += textwrap.wrap(f"This was a partial run ({study.machine.run.words}).", WIDTH)
     if study.skipped:
         notes.append(f"Skipped rows: {len(study.skipped)}; the page lists them with the reasons.")
     return "\n\n".join(["\n".join(block) for block in blocks] + ["\n".join(notes)]) + "\n"

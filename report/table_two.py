@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from statistics import median
 
-from report.experiment_table import Column, Table, counted
+from report.experiment_layout import Column, Table, counted
 from report.experiments import PaperRow, TableTwo
 from report.findings import fastest
 from report.formatting import NOTHING, duration, microseconds, three_digits

@@ -22,7 +22,9 @@ constexpr const char* kExamples = R"(Examples:
   thinbench run thin_naccache_shinghal drawing.png skeleton.png
   thinbench run thin_naccache_shinghal parts.jpg skeleton.png --invert --threshold 100
   thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8
-  thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json)";
+  thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
+
+Pictures of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
 
 struct RunOptions {
   std::string operation;

@@ -21,7 +21,9 @@ constexpr const char* kExamples = R"(Examples:
   thinbench verify --filter 'simd_.*/avx2' --threads 3 --threads 16
 
 Rows are named operation/technique/isa/threads. The last line on standard output is
-"N passed, M failed, K skipped". The exit status is 1 after a mismatch and 2 where nothing ran.)";
+"N passed, M failed, K skipped". The exit status is 1 after a mismatch and 2 where nothing ran.
+
+Pictures of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
 
 struct VerifyOptions {
   std::string filter;

@@ -21,7 +21,7 @@ namespace thinbench {
 [[nodiscard]] std::optional<std::string> find_kernel_mismatch(Job& job, const ConstByteView& input,
                                                               const Outcome& expected);
 
-/// A window of the two images round (x, y), '#' dark and '.' light.
+/// A window of the image round (x, y), '#' dark and '.' light.
 [[nodiscard]] std::string window_text(const ConstByteView& image, Index x, Index y);
 
 }  // namespace thinbench

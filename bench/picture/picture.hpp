@@ -17,7 +17,8 @@ struct PictureError : std::runtime_error {
 inline constexpr Index kMaxPicturePixels = Index{1} << 31;
 
 /// The grey levels of a picture file of any common format; 16 bits become 8, colours become grey
-/// and transparency is left out. Throws PictureError.
+/// and transparency is left out. OpenCV reads its own limit of 2^30 pixels from the environment
+/// when it is loaded, so that only the user can raise it. Throws PictureError.
 [[nodiscard]] ByteImage read_grey(const std::string& path);
 
 /// Writes an 8-bit grey picture in the format that the ending names; only formats that keep every

@@ -12,6 +12,14 @@ fail() {
   exit "$1"
 }
 
+# absolute PATH: as the caller meant it, wherever the script goes afterwards.
+absolute() {
+  case "$1" in
+    /*) printf '%s' "$1" ;;
+    *) printf '%s/%s' "$PWD" "$1" ;;
+  esac
+}
+
 missing_packages() {
   local package
   for package in "${packages[@]}"; do

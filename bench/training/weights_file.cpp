@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "training/non_finite.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -42,6 +44,7 @@ class Field {
   }
 
   [[nodiscard]] float number() const {
+    check_finite();
     if (!json_.is_number()) fail("must be a number");
     const auto value = json_.get<double>();
     if (std::abs(value) > kLargestWeight) fail("is " + json_.dump() + "; the largest is 1e30");
@@ -49,6 +52,7 @@ class Field {
   }
 
   [[nodiscard]] std::int64_t integer() const {
+    check_finite();
     if (!json_.is_number_integer()) fail("must be a whole number");
     if (json_.is_number_unsigned() && json_.get<std::uint64_t>() > INT64_MAX) fail("is too large");
     return json_.get<std::int64_t>();
@@ -65,6 +69,11 @@ class Field {
   }
 
  private:
+  void check_finite() const {
+    const auto name = json_.is_string() ? non_finite_name(json_.get<std::string>()) : std::nullopt;
+    if (name) fail("is " + *name + "; it must be a finite number");
+  }
+
   const Json& json_;
   const std::string& file_;
   std::string name_;
@@ -118,7 +127,7 @@ ClusterWeights read_cluster(const Field& root) {
 
 Json parse(const std::string& text, const std::string& name) {
   try {
-    return Json::parse(text);
+    return Json::parse(with_non_finite_marked(text));
   } catch (const Json::parse_error& error) {
     throw std::runtime_error(name + ": not JSON, or cut off, at byte " +
                              std::to_string(error.byte) + " of " + std::to_string(text.size()));

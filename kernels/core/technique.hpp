@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
 namespace thinbench {
 
+/// In the order of kTechniques. The list ends with the fastest: the library chooses the last
+/// technique of the highest level.
 enum class Technique : std::uint8_t {
   kLut,
   kLutSliding,
@@ -30,7 +33,7 @@ struct TechniqueInfo {
 inline constexpr std::array kTechniques = {
     TechniqueInfo{Technique::kLut, "lut", "descriptor of eight gathered bytes, 256-entry table"},
     TechniqueInfo{Technique::kLutSliding, "lut_sliding",
-                  "descriptor that slides along the row, 512-entry table"},
+                  "descriptor that slides along the row, 4096-entry table"},
     TechniqueInfo{Technique::kAutovec, "autovec",
                   "the reference's arithmetic, vectorised by the compiler"},
     TechniqueInfo{Technique::kSimdFloatBytes, "simd_float_bytes",
@@ -45,6 +48,15 @@ inline constexpr std::array kTechniques = {
     TechniqueInfo{Technique::kSimdBitpackedRow, "simd_bitpacked_row",
                   "one row of up to 512 pixels in one AVX-512 register"},
 };
+
+consteval bool techniques_stand_in_the_order_of_the_enumeration() {
+  for (std::size_t i = 0; i < kTechniques.size(); ++i) {
+    if (kTechniques[i].technique != static_cast<Technique>(i)) return false;
+  }
+  return true;
+}
+static_assert(techniques_stand_in_the_order_of_the_enumeration(),
+              "kTechniques is indexed by Technique");
 
 [[nodiscard]] constexpr const TechniqueInfo& technique_info(Technique technique) {
   return kTechniques[static_cast<std::size_t>(technique)];

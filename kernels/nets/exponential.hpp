@@ -26,8 +26,8 @@ struct RealOps<float> {
 
 /// e^x with |x| cut to 87: x = n ln 2 + r with |r| <= ln 2 / 2, n ln 2 subtracted in two parts (the
 /// first has few bits, so that the product is exact), then the Taylor polynomial of degree 7 in r
-/// by Horner's rule, times 2^n. Its relative error stays below 3e-7, about 2 units in the last
-/// place.
+/// by Horner's rule, times 2^n. Measured on every seventh argument: the relative error stays below
+/// 1.1e-7, and the result is the rounded true value or one of its two neighbours.
 template <class Real>
 [[gnu::always_inline]] inline Real exponential(Real x) {
   using Ops = RealOps<Real>;

@@ -1,7 +1,7 @@
 // 64 pixels a word in general registers: the neighbourhood sweep without SIMD. Compiled without
 // auto-vectorisation, so that the row shows what packing alone gives.
-// Cost a word of 64 pixels: 9 loads, 1 store, 12 shifts and ORs for neighbours, the rule in
-// two-input operations (14 for Naccache-Shinghal) and its inversions.
+// Cost a word of 64 pixels, see sweep.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the
+// rule in two-input operations (14 for Naccache-Shinghal) and its inversions.
 #include "nets/model_passes.hpp"
 #include "nets/mux_rule.hpp"
 #include "thinning/passes.hpp"

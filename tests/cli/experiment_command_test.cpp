@@ -20,10 +20,8 @@ TEST(ExperimentCommand, prints_a_table_and_writes_the_data) {
 }
 
 TEST(ExperimentCommand, every_experiment_prints_a_table) {
-  for (const std::vector<std::string> args :
-       {std::vector<std::string>{"quantisation"}, {"operation-counts"}, {"table-2"}}) {
-    const ProgramRun ran = run_with({"experiment", args.front()});
-    EXPECT_NE(ran.out.find("| --- |"), std::string::npos) << args.front();
+  for (const char* name : {"quantisation", "operation-counts", "table-2"}) {
+    EXPECT_NE(run_with({"experiment", name}).out.find("| --- |"), std::string::npos) << name;
   }
   const ProgramRun ran = run_with({"experiment", "hidden-neurons", "--quick"});
   EXPECT_NE(ran.out.find("| 12 | 256 |"), std::string::npos) << ran.out;

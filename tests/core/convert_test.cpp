@@ -54,7 +54,11 @@ void expect_round_trip(Isa isa, Index width) {
   const auto& filled = plane;
   plane_conversion<T>(isa).write(filled.view(), out);
   EXPECT_TRUE(equal(out, image.view())) << width;
-  for (Index x = width; x < width + 9; ++x) EXPECT_EQ(wide.at(x, 3), 7) << "beside width " << width;
+  for (Index y = 0; y < 4; ++y) {
+    for (Index x = width; x < width + 9; ++x) {
+      EXPECT_EQ(wide.at(x, y), 7) << "beside width " << width << " in row " << y;
+    }
+  }
 }
 
 TEST_P(Convert, there_and_back_is_the_same_image_and_nothing_else_is_written) {

@@ -1,4 +1,6 @@
 // Every available row against its reference on every set of test images.
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "harness/verify.hpp"
@@ -34,10 +36,24 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
+/// The level whose rows alone are wanted; empty for all.
+std::string wanted_level() {
+  const char* level = std::getenv("THINBENCH_CROSSCHECK_ISA");
+  return level == nullptr ? "" : level;
+}
+
+/// The rows of an operation, as a filter.
+std::string filter_of(const Operation& operation) {
+  const std::string level = wanted_level();
+  return "^" + operation.name + (level.empty() ? "/" : "/[^/]+/" + level + "/");
+}
+
 TEST_P(Crosscheck, every_available_row_equals_its_reference) {
   const auto& [set, operation] = GetParam();
   if (left_out(*set, *operation)) GTEST_SKIP() << "covered by the operation's single pass";
-  Verifier verifier(matching_rows(std::string("^").append(operation->name).append("/"), {2, 7}));
+  const auto level = isa_from_name(wanted_level());
+  if (level && !cpu_supports(*level)) GTEST_SKIP() << "this machine lacks " << isa_name(*level);
+  Verifier verifier(matching_rows(filter_of(*operation), {2, 7}));
   set->generate([&](const TestImage& image) { verifier.show(image); });
   for (std::size_t row = 0; row < verifier.rows().size(); ++row) {
     EXPECT_EQ(verifier.verdict(row).first_mismatch, "");

@@ -1,6 +1,8 @@
 // The proof itself is put to the test: a wrong variant must be caught and named.
 #include "harness/verify.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "catalog.hpp"
@@ -59,6 +61,52 @@ TEST(FindMismatch, notices_a_write_into_the_margin) {
   const std::string text =
       mismatch_of(&overrunning_pass, input.view(), {copy_of(input.view()), {1}});
   EXPECT_EQ(text, "the margin of a plane was changed");
+}
+
+/// Copies its input, and does harm besides.
+class CopyingJob final : public Job {
+ public:
+  using Harm = void (*)(const ConstByteView& input, const ByteView& output);
+  explicit CopyingJob(Harm harm) : harm_(harm) {}
+  void run(const ConstByteView& input, const ByteView& output) override {
+    for (Index y = 0; y < input.height; ++y) {
+      std::copy_n(input.row(y), input.width, output.row(y));
+    }
+    harm_(input, output);
+  }
+
+ private:
+  Harm harm_;
+};
+
+std::string mismatch_after(CopyingJob::Harm harm) {
+  CopyingJob job(harm);
+  const ByteImage input = noise_image(7, 5, 50, 1, 2);
+  return find_mismatch(job, input.view(), {copy_of(input.view()), {}}).value_or("");
+}
+
+void change(const ConstByteView& input, Index offset) {
+  ++const_cast<std::uint8_t*>(input.data)[offset];
+}
+
+TEST(FindMismatch, notices_a_changed_input) {
+  EXPECT_EQ(mismatch_after([](const ConstByteView&, const ByteView&) {}), "");
+  const CopyingJob::Harm harms[] = {
+      [](const ConstByteView& input, const ByteView&) { change(input, 2 * input.stride + 3); },
+      [](const ConstByteView& input, const ByteView&) { change(input, input.width); },
+      [](const ConstByteView& input, const ByteView&) { change(input, -1); }};
+  for (const auto harm : harms) EXPECT_EQ(mismatch_after(harm), "the input was changed");
+}
+
+TEST(FindMismatch, notices_bytes_beside_the_destination) {
+  const CopyingJob::Harm harms[] = {
+      [](const ConstByteView&, const ByteView& output) { output.row(2)[output.width] = 0; },
+      [](const ConstByteView&, const ByteView& output) { output.row(4)[-1] = 0; },
+      [](const ConstByteView&, const ByteView& output) { output.row(-1)[3] = 0; },
+      [](const ConstByteView&, const ByteView& output) { output.row(output.height)[0] = 0; }};
+  for (const auto harm : harms) {
+    EXPECT_EQ(mismatch_after(harm), "bytes beside the destination were changed");
+  }
 }
 
 /// Gives a list of numbers and no image, as labelling does.

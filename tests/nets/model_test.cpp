@@ -14,6 +14,7 @@
 #include "nets/trained_cluster.hpp"
 #include "reference.hpp"
 #include "thinning/rule_table.hpp"
+#include "training/two_layer_training.hpp"
 
 namespace thinbench {
 namespace {
@@ -72,16 +73,22 @@ TwoLayerWeights damaged_net() {
   return weights;
 }
 
-TEST(Models, every_variant_follows_other_weights_not_the_known_rule) {
-  const ThinningOperation& operation = *find_thinning_operation("net_two_layer_linear");
-  const auto model =
-      std::make_shared<const RuleModel>(two_layer_model(damaged_net(), Activation::kLinear));
+/// What the reference makes of an image with these weights.
+Outcome reference_outcome(const TwoLayerWeights& weights, Activation activation,
+                          const ConstByteView& image) {
+  Outcome outcome{ByteImage(image.width, image.height), {}};
+  outcome.numbers = {
+      reference::net_two_layer(weights, activation, 1000, image, outcome.image.view())};
+  return outcome;
+}
+
+/// Compares every variant that runs here, given these weights, with the reference given the same.
+void expect_every_variant_follows(const TwoLayerWeights& weights, Activation activation) {
+  const ThinningOperation& operation = *find_thinning_operation(
+      activation == Activation::kLinear ? "net_two_layer_linear" : "net_two_layer_sigmoid");
+  const auto model = std::make_shared<const RuleModel>(two_layer_model(weights, activation));
   const ByteImage image = noise_image(130, 50, 90, 1, 4);
-  Outcome expected{ByteImage(130, 50), {}};
-  expected.numbers = {reference::net_two_layer(damaged_net(), Activation::kLinear, 1000,
-                                               image.view(), expected.image.view())};
-  EXPECT_FALSE(equal(expected.image.view(),
-                     expected_of("thin_naccache_shinghal", image.view()).image.view()));
+  const Outcome expected = reference_outcome(weights, activation, image.view());
   for (const ThinningVariant& variant : operation.variants) {
     if (!why_unavailable(variant, 130).empty()) continue;
     if (variant.technique == Technique::kSimdFixedPoint && !model->fixed_point_is_exact) continue;
@@ -107,6 +114,25 @@ TEST(Models, rounded_weights_are_right_on_251_and_252_descriptors) {
   };
   EXPECT_EQ(right(Activation::kSigmoid), 251);
   EXPECT_EQ(right(Activation::kLinear), 252);
+}
+
+TEST(Models, every_variant_follows_other_weights_not_the_known_rule) {
+  const ByteImage image = noise_image(130, 50, 90, 1, 4);
+  const Outcome rule = expected_of("thin_naccache_shinghal", image.view());
+  for (const Activation activation : {Activation::kLinear, Activation::kSigmoid}) {
+    EXPECT_FALSE(equal(reference_outcome(damaged_net(), activation, image.view()).image.view(),
+                       rule.image.view()));
+    expect_every_variant_follows(damaged_net(), activation);
+  }
+}
+
+TEST(Models, every_variant_follows_trained_weights) {
+  for (const std::uint64_t seed : {2U, 3U}) {
+    const TrainedTwoLayer trained = train_two_layer(stay_table_of_rule(), {.seed = seed});
+    ASSERT_EQ(trained.right_linear, 256);
+    expect_every_variant_follows(to_weights(trained.net), Activation::kLinear);
+    expect_every_variant_follows(to_weights(trained.net), Activation::kSigmoid);
+  }
 }
 
 TEST(Models, malformed_weights_are_refused) {

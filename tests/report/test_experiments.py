@@ -9,7 +9,7 @@ import pytest
 from conftest import OPERATION, SIZES, Run, entries
 
 from report.build import build
-from report.experiment_table import TITLE, Table
+from report.experiment_layout import TITLE, Table
 from report.experiment_tables import holding_from, make_tables
 from report.experiments import KINDS, load_experiments
 from report.loading import load_study

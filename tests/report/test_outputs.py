@@ -13,8 +13,8 @@ from report.build import build
 from report.findings import find
 from report.loading import load_study
 from report.model import is_sweep_input
-from report.plot_sizes import choose_lines
-from report.plot_style import log_ticks, spread_out
+from report.plot_sizes import choose_lines, plot_sizes
+from report.plot_style import log_ticks, spread_out, styled
 from report.summary import to_text
 
 HEADER = ("operation,technique,isa,threads,scope,input,width,height,passes,median_ns,min_ns,"
@@ -173,8 +173,46 @@ def test_each_technique_has_its_best_variant_in_the_size_plot(run):
     sweep = load_study(run.write()).sweep(OPERATION)
     lines = choose_lines(sweep, "kernel")
     assert [line[0].name.variant_label for line in lines] == [
-        "reference", "bitpacked", "simd bitpacked (avx512, 2 threads)"]
+        "reference", "bitpacked", "simd bitpacked (avx512, 2 threads)", "simd bitpacked (avx512)"]
     assert all([row.width for row in line] == [64, 1024] for line in lines)
+
+
+def test_one_thread_is_not_drawn_twice_where_it_is_the_best(run):
+    run.timings["benchmarks"] = [e for e in run.timings["benchmarks"]
+                                 if "/avx512/2/" not in e["name"]]
+    lines = choose_lines(load_study(run.write()).sweep(OPERATION), "kernel")
+    assert [line[0].name.variant_label for line in lines] == [
+        "reference", "bitpacked", "simd bitpacked (avx512)"]
+
+
+def test_labels_of_the_size_plot_stay_within_their_panel_and_the_figure(run, monkeypatch):
+    figures = []
+    monkeypatch.setattr("report.plot_sizes.rendered", lambda figure, *_: figures.append(figure))
+    for entry in run.timings["benchmarks"]:
+        entry["name"] = entry["name"].replace("simd_bitpacked/avx512/", "simd_bitpacked/avx512icl/")
+    with styled():
+        plot_sizes(load_study(run.write()), OPERATION, "kernel")
+    [figure] = figures
+    figure.canvas.draw()
+    left, right = (axes.get_tightbbox().x0 for axes in figure.axes), figure.bbox.width
+    first_ends = max(text.get_window_extent().x1 for text in figure.axes[0].texts)
+    last_ends = max(text.get_window_extent().x1 for text in figure.axes[1].texts)
+    assert first_ends < list(left)[1] and last_ends < right
+
+
+def test_partial_runs_are_marked(run):
+    run.machine["options"] = {"quick": False, "filter": "simd|lut", "images": ["horse.png"],
+                              "repetitions": 15, "largest_square": 4096}
+    printed = " ".join(build(run.write()).split())
+    words = ("only rows that match 'simd|lut', pictures horse.png instead of the scene, "
+             "15 repetitions, squares up to 4096 x 4096")
+    assert f"This was a partial run ({words})." in printed
+    page = (run.directory / "index.html").read_text()
+    assert "<strong>partial run</strong>" in page and "pictures horse.png instead" in page
+    run.machine["options"] = {"quick": False, "filter": "", "images": [], "repetitions": 15,
+                              "largest_square": 4096}
+    assert "partial run" not in build(run.write())
+    assert "full: 15 repetitions" in (run.directory / "index.html").read_text()
 
 
 def test_unknown_techniques_and_instruction_sets_are_drawn(run):

@@ -1,6 +1,8 @@
 // The public edge: what it chooses and what it refuses.
 #include "thinbench.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "harness/operation.hpp"
@@ -91,6 +93,32 @@ TEST(Thin, refuses_partial_overlap) {
   ByteView lower = upper;
   lower.data = image.view().row(2);
   EXPECT_EQ(refusal(upper, lower), "source and destination overlap without being the same image");
+}
+
+TEST(Thin, takes_views_of_one_buffer_that_lie_side_by_side) {
+  const ByteImage image = noise_image(20, 10, 90, 1, 3);
+  const Outcome expected = expected_of(kOperation, image.view());
+  for (const Index first : {0, 20}) {  // the source's column; the destination takes the other half
+    ByteImage buffer(40, 10);
+    const ByteView source{buffer.view().data + first, 20, 10, buffer.view().stride};
+    const ByteView destination{buffer.view().data + 20 - first, 20, 10, buffer.view().stride};
+    for (Index y = 0; y < 10; ++y) std::copy_n(image.view().row(y), 20, source.row(y));
+    EXPECT_EQ(refusal(source, destination), "");
+    EXPECT_TRUE(equal(destination, expected.image.view()));
+    EXPECT_TRUE(equal(source, image.view()));
+  }
+}
+
+TEST(Thin, refuses_views_whose_columns_meet) {
+  ByteImage buffer(40, 10);
+  const Index stride = buffer.view().stride;
+  const ByteView left{buffer.view().data, 20, 9, stride};
+  const std::string text = "source and destination overlap without being the same image";
+  for (const Index apart : {Index{1}, Index{19}, stride - 19, stride + 19, 2 * stride}) {
+    const ByteView other{buffer.view().data + apart, 20, 8, stride};
+    EXPECT_EQ(refusal({left.data, 20, 8, stride}, other), text) << apart;
+    EXPECT_EQ(refusal(other, {left.data, 20, 8, stride}), text) << apart;
+  }
 }
 
 TEST(Thin, refuses_unknown_operations_and_thread_counts) {

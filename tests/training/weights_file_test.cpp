@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nets/trained_cluster.hpp"
-#include "support/text.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -126,8 +126,26 @@ TEST(WeightsFile, what_is_not_json_is_refused_with_the_place) {
               0U)
         << size;
   }
-  EXPECT_EQ(error_of("{\"schema\": NaN}"), "weights.json: not JSON, or cut off, at byte 12 of 15");
   EXPECT_EQ(error_of("{\"schema\": 1e400}"), "weights.json: a number is too large to read");
+}
+
+/// The error after writing `value`, which need not be JSON, in the place of the first bias.
+std::string error_with_bias(const std::string& value) {
+  std::string text = weights_json(kPaperTwoLayer, "test: \\\"NaN\\\" is no value here");
+  const std::size_t begin = text.find("\"bias\": ") + 8;
+  return error_of(text.replace(begin, text.find('}', begin) - begin, value));
+}
+
+TEST(WeightsFile, numbers_that_are_not_finite_are_refused_with_the_field_named) {
+  for (const std::string value : {"NaN", "Infinity", "-Infinity"}) {
+    EXPECT_EQ(error_with_bias(value),
+              "weights.json: hidden[0].bias is " + value + "; it must be a finite number");
+  }
+  EXPECT_EQ(error_of("{\"schema\": NaN}"),
+            "weights.json: schema is NaN; it must be a finite number");
+  EXPECT_EQ(error_of("{\"schema\":[1,Infinity],NaN}"),
+            "weights.json: not JSON, or cut off, at byte 27 of 27");
+  EXPECT_EQ(error_with_bias("-6.25"), "accepted");
 }
 
 TEST(WeightsFile, missing_files_are_named) {

@@ -1,0 +1,60 @@
+#include "timing/options.hpp"
+
+#include <iostream>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/parse_errors.hpp"
+
+namespace thinbench {
+namespace {
+
+void add_options(CLI::App& app, TimingOptions& options) {
+  app.add_option("--image", options.inputs.pictures,
+                 "time this picture, not the scene (repeatable)");
+  app.add_option("--filter", options.filter,
+                 "rows whose name operation/technique/isa/threads/scope/input matches");
+  app.add_option("--largest-square", options.inputs.largest_square,
+                 "where the series of sizes ends; 0 for none")
+      ->capture_default_str()
+      ->check(whole_number(0, 16384))
+      ->type_name("N");
+  app.add_option("--repetitions", options.repetitions, "of every row, interleaved at random")
+      ->capture_default_str()
+      ->check(whole_number(1, 1000))
+      ->type_name("N");
+  app.add_option("--seconds", options.seconds, "a repetition lasts about as long")
+      ->capture_default_str()
+      ->check(real_number(0, 10))
+      ->type_name("S");
+  app.add_option("--rows-out", options.rows_out, "write inputs and skipped rows here, as JSON")
+      ->check(not_empty());
+  app.add_option("--pictures-out", options.pictures_out, "write inputs and results to this folder")
+      ->check(not_empty());
+  app.add_flag("--quiet", options.quiet, "no table on standard output");
+  app.footer(
+      "Options that start with --benchmark_ go to Google Benchmark, such as\n"
+      "  --benchmark_out=timings.json --benchmark_out_format=json\n"
+      "Examples:\n"
+      "  thinbench_timings --filter 'bitpacked.*/scene'\n"
+      "  thinbench_timings --image horse.png --largest-square 0");
+}
+
+}  // namespace
+
+bool parse_options(int count, char** arguments, TimingOptions& options) {
+  CLI::App app("Time every operation, each way proved equal to its reference first",
+               "thinbench_timings");
+  add_options(app, options);
+  try {
+    app.parse(count, arguments);
+    return true;
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return false;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(parse_error_text(error, app));
+  }
+}
+
+}  // namespace thinbench

@@ -1,0 +1,194 @@
+#include "timing/session.hpp"
+
+#include <iostream>
+#include <map>
+
+#include <benchmark/benchmark.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+#include "picture/objects.hpp"
+#include "picture/picture.hpp"
+#include "support/whole_file.hpp"
+#include "timing/inputs.hpp"
+#include "timing/options.hpp"
+#include "timing/progress.hpp"
+#include "timing/schedule.hpp"
+#include "timing/timed_call.hpp"
+#include "timing/timed_row.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Shows what Google Benchmark reports, unless quiet, and counts it.
+class CountingReporter : public benchmark::ConsoleReporter {
+ public:
+  explicit CountingReporter(bool quiet) : ConsoleReporter(OO_Tabular), quiet_(quiet) {}
+
+  bool ReportContext(const Context& context) override {
+    return quiet_ || ConsoleReporter::ReportContext(context);
+  }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) failed_ += run.error_occurred ? 1 : 0;
+    if (!quiet_) ConsoleReporter::ReportRuns(runs);
+  }
+  void Finalize() override {
+    if (!quiet_) ConsoleReporter::Finalize();
+  }
+  [[nodiscard]] int failed() const { return failed_; }
+
+ private:
+  bool quiet_;
+  int failed_ = 0;
+};
+
+nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInput>& inputs) {
+  nlohmann::json json = {{"schema", 1},
+                         {"inputs", nlohmann::json::array()},
+                         {"skipped", nlohmann::json::array()},
+                         {"verified", selection.verified},
+                         {"failed", selection.mismatches.size()}};
+  for (const TimedInput& input : inputs) {
+    json["inputs"].push_back({{"name", input.name},
+                              {"width", input.width()},
+                              {"height", input.height()},
+                              {"hash", pixel_hash(input.binary.view())},
+                              {"grey_hash", pixel_hash(input.grey.view())},
+                              {"object_pixels", object_pixels(input.binary.view())}});
+  }
+  for (const SkippedRow& row : selection.skipped) {
+    json["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
+  }
+  return json;
+}
+
+void write_pictures(const std::string& folder, const Selection& selection) {
+  for (const TimedRow& row : selection.rows) {
+    // Nets learned the rule: their pictures would be the rule's again.
+    if (row.variant != nullptr || row.input->size_sweep || row.operation->is_net) continue;
+    const ConstByteView input = row.input->view(row.operation->takes);
+    const std::string stem = folder + "/" + row.input->name;
+    write_grey(stem + (row.operation->takes == InputKind::kGrey ? "_grey.png" : ".png"), input);
+    const auto reference = row.operation->reference(input.width, input.height, 1);
+    if (!reference->gives_image()) continue;
+    write_grey(stem + "_" + row.operation->name + ".png",
+               outcome_of(*reference, input).image.view());
+  }
+}
+
+void run_row(benchmark::State& state, const TimedRow& row, bool warm_up) {
+  TimedCall call(row);
+  if (warm_up) call();  // touches every page first
+  for (auto _ : state) {
+    call();
+    benchmark::ClobberMemory();
+  }
+  state.counters["width"] = static_cast<double>(row.input->width());
+  state.counters["height"] = static_cast<double>(row.input->height());
+  if (row.counter) {
+    state.counters[std::string(row.operation->counter)] = static_cast<double>(*row.counter);
+  }
+  if (row.variant != nullptr && row.variant->is_peer) state.counters["peer"] = 1;
+  state.counters["verified"] = 1;
+}
+
+/// Registers all rows; returns the seconds that they will take.
+double register_rows(const std::vector<TimedRow>& rows, const TimingOptions& options,
+                     std::unique_ptr<Progress>& progress) {
+  double total = 0;
+  for (const TimedRow& row : rows) {
+    const Schedule schedule =
+        schedule_of(seconds_of_one_call(row), options.repetitions, options.seconds);
+    const bool warm_up = schedule.warm_up;
+    const double share = schedule.seconds_a_repetition;
+    auto* registered = benchmark::RegisterBenchmark(
+        row.name.c_str(), [&row, warm_up, share, &progress](benchmark::State& state) {
+          run_row(state, row, warm_up);
+          progress->advance(share);
+        });
+    registered->Iterations(schedule.iterations)->Repetitions(schedule.repetitions);
+    registered->Unit(benchmark::kNanosecond);
+    if (row.threads > 1) registered->MeasureProcessCPUTime()->UseRealTime();
+    total += share * schedule.repetitions;
+  }
+  return total;
+}
+
+void report_selection(const Selection& selection) {
+  for (const std::string& mismatch : selection.mismatches) {
+    std::cerr << "not equal to the reference, not timed: " << mismatch << '\n';
+  }
+  if (!selection.skipped.empty()) {
+    std::cerr << "rows skipped: ";
+    std::map<std::string, int> reasons;
+    for (const SkippedRow& row : selection.skipped) ++reasons[row.reason];
+    const char* separator = "";
+    for (const auto& [reason, count] : reasons) {
+      std::cerr << separator << count << " (" << reason << ')';
+      separator = ", ";
+    }
+    std::cerr << '\n';
+  }
+}
+
+Selection selected_rows(const TimingOptions& options, const std::vector<Operation>& operations,
+                        const std::vector<TimedInput>& inputs) {
+  try {
+    return select_rows(options.filter, operations, inputs);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--filter: ") + error.what());
+  }
+}
+
+int run(const TimingOptions& options, const std::vector<Operation>& operations) {
+  if (!options.rows_out.empty()) check_target(options.rows_out);
+  const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
+  const Selection selection = selected_rows(options, operations, inputs);
+  report_selection(selection);
+  if (selection.rows.empty()) {
+    throw UsageError("no row to time; the filter is '" + options.filter + "'");
+  }
+  if (!options.rows_out.empty()) {
+    write_whole_file(options.rows_out, rows_json(selection, inputs).dump(2));
+  }
+  if (!options.pictures_out.empty()) write_pictures(options.pictures_out, selection);
+
+  std::unique_ptr<Progress> progress;
+  const double expected = register_rows(selection.rows, options, progress);
+  std::cerr << selection.verified << " variants equal to the reference; timing "
+            << selection.rows.size() << " rows, about " << std::lround(expected) << " s\n";
+  progress = std::make_unique<Progress>("timing", expected);
+  CountingReporter reporter(options.quiet);
+  const std::size_t count = benchmark::RunSpecifiedBenchmarks(&reporter);
+  progress.reset();
+  const bool good = count > 0 && reporter.failed() == 0 && selection.mismatches.empty();
+  return good ? kSuccess : kUsage;
+}
+
+/// Hands the options of Google Benchmark over; the rest stays in `arguments`.
+int initialize(std::vector<char*>& arguments) {
+  // Ours first, so that the user's own --benchmark_ options win.
+  static std::string interleaving = "--benchmark_enable_random_interleaving=true";
+  arguments.insert(arguments.begin() + 1, interleaving.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  return count;
+}
+
+}  // namespace
+
+int run_timings(std::vector<char*> arguments, const std::vector<Operation>& operations) {
+  try {
+    const int count = initialize(arguments);
+    TimingOptions options;
+    return parse_options(count, arguments.data(), options) ? run(options, operations) : kSuccess;
+  } catch (const UsageError& error) {
+    std::cerr << "thinbench_timings: " << error.what() << '\n';
+    return kUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "thinbench_timings: " << error.what() << '\n';
+    return kFailure;
+  }
+}
+
+}  // namespace thinbench

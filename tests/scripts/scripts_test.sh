@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# What ./study and ./check say before they build: help, wrong options, missing rights.
+# Usage: scripts_test.sh ROOT
+set -euo pipefail
+root=$(cd "$1" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+# expect STATUS TEXT COMMAND...: the exit status, and TEXT as a part of what is said on standard error
+# in one line (of standard output where the status is 0).
+expect() {
+  local status=$1 text=$2 found=0
+  shift 2
+  "$@" >out 2>err </dev/null || found=$?
+  local said=err
+  [ "$status" -ne 0 ] || said=out
+  if [ "$found" -ne "$status" ] || ! grep -qF -- "$text" "$said" ||
+    { [ "$status" -ne 0 ] && [ "$(wc -l <err)" -ne 1 ]; }; then
+    printf '%s\n  status %s instead of %s; wanted: %s\n' "$*" "$found" "$status" "$text"
+    cat out err
+    exit 1
+  fi
+}
+
+expect 0 'Usage: ./study [--quick]' "$root/study" --help
+expect 0 'Usage: ./check' "$root/check" -h
+expect 2 "study: '--quik' is no option; see ./study --help" "$root/study" --quik
+for option in --image --filter --out; do
+  expect 2 "study: $option needs a value; see ./study --help" "$root/study" "$option"
+  expect 2 "study: $option needs a value; see ./study --help" "$root/study" "$option" ''
+done
+expect 1 "study: cannot read the picture '$work/absent.png'" "$root/study" --image absent.png
+expect 2 "check: 'fast' is neither an option nor a preset; see ./check --help" "$root/check" fast
+
+# A user who may not install: no package is there, and sudo asks in vain.
+mkdir bin
+printf '#!/bin/sh\nexit 1\n' >bin/dpkg-query
+cp bin/dpkg-query bin/sudo
+printf '#!/bin/sh\necho 1000\n' >bin/id
+chmod +x bin/*
+for script in study check; do
+  PATH="$work/bin:$PATH" expect 1 "$script: packages are missing and this user may not install them; \
+run: sudo apt-get update && sudo apt-get install -y --no-install-recommends g++ cmake" "$root/$script"
+done
+
+# Paths are the caller's, wherever the script goes.
+root="$root" bash -c '. "$root/bench/scripts/setup.sh"
+  [ "$(absolute a/b)" = "$PWD/a/b" ] && [ "$(absolute /a)" = /a ]'
+echo "all as it should be"

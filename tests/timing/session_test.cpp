@@ -1,0 +1,88 @@
+#include "timing/session.hpp"
+
+#include <benchmark/benchmark.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/temporary_folder.hpp"
+#include "timing/broken_operation.hpp"
+
+namespace thinbench {
+namespace {
+
+struct Session {
+  int status;
+  std::string err;
+};
+
+Session run(std::vector<std::string> args, const std::vector<Operation>& operations) {
+  args.insert(args.begin(), "thinbench_timings");
+  std::vector<char*> pointers;
+  for (std::string& arg : args) pointers.push_back(arg.data());
+  benchmark::ClearRegisteredBenchmarks();
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int status = run_timings(pointers, operations);
+  static_cast<void>(testing::internal::GetCapturedStdout());
+  return {status, testing::internal::GetCapturedStderr()};
+}
+
+Session run_copies(const std::vector<std::string>& more, const std::string& filter) {
+  std::vector<std::string> args = {"--quiet", "--largest-square", "0",      "--repetitions",
+                                   "1",       "--seconds",        "0.0001", "--filter",
+                                   filter};
+  args.insert(args.end(), more.begin(), more.end());
+  return run(args, copy_operations());
+}
+
+TEST(TimingSession, all_rows_proved_is_a_success) {
+  const Session session = run_copies({}, "copy/good/");
+  EXPECT_EQ(session.status, 0) << session.err;
+  EXPECT_EQ(session.err.find("1 variants equal to the reference; timing 2 rows"), 0U);
+}
+
+TEST(TimingSession, unproved_row_is_untimed_and_the_exit_status_is_2) {
+  const TemporaryFolder folder;
+  const std::string out = folder.file("timings.json");
+  const std::string rows = folder.file("rows.json");
+  const Session session =
+      run_copies({"--rows-out", rows, "--benchmark_out=" + out, "--benchmark_out_format=json"}, "");
+  EXPECT_EQ(session.status, 2);
+  EXPECT_NE(session.err.find("not equal to the reference, not timed: copy/bad/baseline/1/scene: "),
+            std::string::npos)
+      << session.err;
+  EXPECT_NE(session.err.find("rows skipped: 1 (this machine lacks it)"), std::string::npos);
+  EXPECT_EQ(bytes_of(out).find("copy/bad"), std::string::npos);
+  EXPECT_NE(bytes_of(out).find("copy/good"), std::string::npos);
+  const auto json = nlohmann::json::parse(bytes_of(rows));
+  EXPECT_EQ(json.at("failed"), 1);
+  EXPECT_EQ(json.at("/skipped/0/row"_json_pointer), "copy/absent/baseline/1/scene");
+}
+
+TEST(TimingSession, filter_that_matches_nothing_ends_with_2) {
+  const Session session = run_copies({}, "no_such_row");
+  EXPECT_EQ(session.status, 2);
+  EXPECT_EQ(session.err, "thinbench_timings: no row to time; the filter is 'no_such_row'\n");
+}
+
+TEST(TimingSession, wrong_options_are_one_line_and_2) {
+  const std::string see = "see 'thinbench_timings --help'\n";
+  EXPECT_EQ(run({"--bogus"}, {}).err, "thinbench_timings: there is no option '--bogus'; " + see);
+  EXPECT_EQ(run({"--bogus"}, {}).status, 2);
+  EXPECT_EQ(run({"--repetitions", "0"}, {}).err,
+            "thinbench_timings: --repetitions: '0' is no whole number from 1 to 1000; " + see);
+  EXPECT_EQ(run({"--rows-out", ""}, {}).err,
+            "thinbench_timings: --rows-out: its value is empty; " + see);
+  EXPECT_EQ(run_copies({}, "(").err.find("thinbench_timings: --filter: '(' is no regular"), 0U);
+}
+
+TEST(TimingSession, files_that_cannot_be_written_are_refused_before_the_work) {
+  const Session session = run_copies({"--rows-out", "no_such_folder/rows.json"}, "");
+  EXPECT_EQ(session.status, 1);
+  EXPECT_EQ(session.err,
+            "thinbench_timings: cannot write 'no_such_folder/rows.json': there is no folder "
+            "'no_such_folder'\n");
+}
+
+}  // namespace
+}  // namespace thinbench

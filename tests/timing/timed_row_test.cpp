@@ -1,0 +1,64 @@
+#include "timing/timed_row.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "timing/broken_operation.hpp"
+
+namespace thinbench {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names names_of(const std::vector<TimedRow>& rows) {
+  Names names;
+  for (const TimedRow& row : rows) names.push_back(row.name);
+  return names;
+}
+
+class SelectRows : public testing::Test {
+ protected:
+  std::vector<Operation> operations = copy_operations();
+  std::vector<TimedInput> inputs = timed_inputs({{}, 0});
+};
+
+TEST_F(SelectRows, unproved_rows_are_not_timed_but_named) {
+  const Selection selection = select_rows("", operations, inputs);
+  EXPECT_EQ(names_of(selection.rows), (Names{"copy/reference/baseline/1/end_to_end/scene",
+                                             "copy/good/baseline/1/end_to_end/scene"}));
+  ASSERT_EQ(selection.mismatches.size(), 1U);
+  EXPECT_EQ(selection.mismatches[0].find("copy/bad/baseline/1/scene: pixel (0, 0) is 255"), 0U)
+      << selection.mismatches[0];
+  EXPECT_EQ(selection.verified, 1);
+}
+
+TEST_F(SelectRows, rows_that_cannot_run_are_listed_with_the_reason) {
+  const Selection selection = select_rows("", operations, inputs);
+  ASSERT_EQ(selection.skipped.size(), 1U);
+  EXPECT_EQ(selection.skipped[0].name, "copy/absent/baseline/1/scene");
+  EXPECT_EQ(selection.skipped[0].reason, "this machine lacks it");
+}
+
+TEST_F(SelectRows, reference_comes_along_with_any_row_and_nothing_else_does) {
+  const Selection selection = select_rows("copy/good/", operations, inputs);
+  EXPECT_EQ(selection.rows.size(), 2U);
+  EXPECT_TRUE(selection.mismatches.empty());
+  EXPECT_TRUE(select_rows("no_such_row", operations, inputs).rows.empty());
+}
+
+TEST_F(SelectRows, malformed_filters_are_refused) {
+  EXPECT_THROW(static_cast<void>(select_rows("(", operations, inputs)), std::invalid_argument);
+}
+
+TEST(Rows, every_row_has_a_name_of_its_own) {
+  std::set<std::string> names;
+  for (const Row& row : matching_rows("", {2, 7})) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_EQ(std::count(row.name.begin(), row.name.end(), '/'), 3) << row.name;
+  }
+  EXPECT_GT(names.size(), 100U);
+}
+
+}  // namespace
+}  // namespace thinbench
