@@ -34,7 +34,7 @@ class RunOptions:
             side = self.largest_square
             parts.append(f"squares up to {side} x {side}" if side else "no series of sizes")
         given = ", ".join(part for part in parts if part)
-        return given or "nothing recorded"
+        return given
 
 
 def load_run_options(fields: Fields) -> RunOptions:

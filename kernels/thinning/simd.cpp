@@ -1,7 +1,9 @@
 // The neighbourhood sweep on xsimd batches, compiled once for every instruction-set level.
 //
 // simd_bitpacked: 64 pixels a lane. Cost a batch: 3 loads, 1 store, 6 operations for neighbours (2
-// with funnel shifts), the rule's gates, 1 gate to notice change. It should beat simd_bytes by about 8, the pixels an operation.
+// with funnel shifts), the rule's gates, 1 gate to notice change. It should beat simd_bytes by
+// about 8, the pixels an operation.
+//
 // simd_bytes: one pixel a byte lane, neighbours by unaligned loads: 3 loads, 1 store, the gates.
 #include "core/batch.hpp"
 #include "nets/model_passes.hpp"
