@@ -6,6 +6,16 @@
 #include "thinning/rule_rows.hpp"
 
 namespace thinbench {
+namespace {
+
+ThinningOperation border_keeping(std::string_view name, std::string_view description,
+                                 std::span<const ThinningVariant> rows) {
+  ThinningOperation operation{name, description, rows};
+  operation.border = Border::kKeep;
+  return operation;
+}
+
+}  // namespace
 
 std::span<const ThinningOperation> thinning_operations() {
   static const std::array operations = {
@@ -13,6 +23,20 @@ std::span<const ThinningOperation> thinning_operations() {
           "thin_naccache_shinghal",
           "modified Naccache-Shinghal rule, all removals of a pass at once, as printed",
           rows_of<NaccacheShinghal>()},
+      ThinningOperation{"thin_zhang_suen", "Zhang and Suen 1984, two sub-iterations",
+                        rows_of<ZhangSuen>()},
+      border_keeping("thin_zhang_suen_keep_border", "the same, equal to OpenCV's on every image",
+                     border_keeping_rows_of<ZhangSuen>()),
+      ThinningOperation{"thin_guo_hall", "Guo and Hall 1989, two sub-iterations; keeps topology",
+                        rows_of<GuoHall>()},
+      border_keeping("thin_guo_hall_keep_border", "the same, equal to OpenCV's on every image",
+                     border_keeping_rows_of<GuoHall>()),
+      ThinningOperation{"thin_spta_directional",
+                        "Naccache and Shinghal's SPTA, one direction after another; keeps topology",
+                        rows_of<SptaDirectional>()},
+      ThinningOperation{"thin_mb2",
+                        "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology",
+                        rows_of<Mb2>()},
       ThinningOperation{"net_two_layer_sigmoid",
                         "thinning by the two-layer net of Table 1, sigmoid (1); hidden values "
                         "across lanes agree within 2 units in the last place, outputs within 9",

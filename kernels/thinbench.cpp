@@ -89,7 +89,8 @@ const ThinningVariant& choose_variant(const ThinningOperation& operation, Index 
   const ThinningVariant* best = nullptr;
   for (const ThinningVariant& variant : operation.variants) {
     if (!fits(variant, options)) continue;
-    const std::string_view why = why_unavailable(variant, width);
+    const std::string_view why =
+        why_unavailable(variant, width, options.border.value_or(operation.border));
     if (!why.empty()) {
       reason = why;
     } else if (best == nullptr || best->isa < variant.isa ||
@@ -110,7 +111,8 @@ int thin(std::string_view operation, ConstByteView source, ByteView destination,
   const ThinningOperation* found = find_thinning_operation(operation);
   if (found == nullptr) refuse("no operation is named " + std::string(operation));
   const ThinningVariant& variant = choose_variant(*found, source.width, options);
-  ThinningPlan plan(*found, variant, source.width, source.height, {options.threads, options.model});
+  ThinningPlan plan(*found, variant, source.width, source.height,
+                    {options.threads, options.model, options.border});
   return plan.run(source, destination);
 }
 

@@ -19,6 +19,7 @@ struct ThinningOptions {
   int threads = 1;
   /// For nets: what make_model.hpp makes of other weights than the paper's.
   std::shared_ptr<const RuleModel> model = nullptr;
+  std::optional<Border> border = std::nullopt;  // instead of the operation's own
 };
 
 /// The variant that `options` ask for on an image of this width. Throws std::invalid_argument,
@@ -29,9 +30,9 @@ struct ThinningOptions {
 /// Thins `source` (0 is light, anything else dark) into `destination` (0 and 255) by the operation
 /// of this name and returns the number of passes, the last, which changed nothing, included.
 ///
-/// Outside the image everything is light. Strides are bytes from row to row and may be larger than
-/// the width. The two views have one size; they are the same image or share no pixel (views of one
-/// buffer that lie side by side have equal strides). Throws
+/// Outside the image everything is light, unless `options.border` says otherwise. Strides are bytes
+/// from row to row and may be larger than the width. The two views have one size; they are the same
+/// image or share no pixel (views of one buffer that lie side by side have equal strides). Throws
 /// std::invalid_argument for an unknown name, sizes that differ or are negative, a stride below the
 /// width, a null image, a partial overlap, or options that no variant fits.
 int thin(std::string_view operation, ConstByteView source, ByteView destination,

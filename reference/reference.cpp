@@ -20,6 +20,11 @@ int cluster(ConstByteView source, ByteView destination) {
   return net_single_layer_cluster(kTrainedCluster, most_passes, source, destination);
 }
 
+template <int (*function)(Border, ConstByteView, ByteView), Border border>
+int thinning(ConstByteView source, ByteView destination) {
+  return function(border, source, destination);
+}
+
 struct NamedThinning {
   std::string_view operation;
   Thinning function;
@@ -27,6 +32,12 @@ struct NamedThinning {
 
 constexpr std::array kThinnings = {
     NamedThinning{"thin_naccache_shinghal", &thin_naccache_shinghal},
+    NamedThinning{"thin_zhang_suen", &thinning<&thin_zhang_suen, Border::kBackground>},
+    NamedThinning{"thin_zhang_suen_keep_border", &thinning<&thin_zhang_suen, Border::kKeep>},
+    NamedThinning{"thin_guo_hall", &thinning<&thin_guo_hall, Border::kBackground>},
+    NamedThinning{"thin_guo_hall_keep_border", &thinning<&thin_guo_hall, Border::kKeep>},
+    NamedThinning{"thin_spta_directional", &thinning<&thin_spta_directional, Border::kBackground>},
+    NamedThinning{"thin_mb2", &thinning<&thin_mb2, Border::kBackground>},
     NamedThinning{"net_two_layer_sigmoid",
                   &two_layer<kPaperTwoLayer, Activation::kSigmoid, kNoLimit>},
     NamedThinning{"net_two_layer_sigmoid_pass",

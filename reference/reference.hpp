@@ -6,6 +6,7 @@
 
 #include "core/views.hpp"
 #include "nets/weights.hpp"
+#include "thinning/border.hpp"
 
 namespace thinbench::reference {
 
@@ -24,6 +25,26 @@ namespace thinbench::reference {
 /// 0 and 255, same size, may be the source. Returns the number of scans, the last, which changed
 /// nothing, included. Topology is not kept: see NaccacheShinghal in kernels/thinning/rules.hpp.
 int thin_naccache_shinghal(ConstByteView source, ByteView destination);
+
+/// Zhang and Suen's thinning (CACM 27(3), 1984): two sub-iterations a cycle. The neighbours p2 ...
+/// p9 go clockwise from the north; a is the number of steps from light to dark on the way round, b
+/// that of dark neighbours. Equal to OpenCV's THINNING_ZHANGSUEN where the border is kept. Returns
+/// the number of cycles, the last, which changed nothing, included; otherwise as above.
+int thin_zhang_suen(Border border, ConstByteView source, ByteView destination);
+
+/// Guo and Hall's thinning (CACM 32(3), 1989), algorithm A1, in the same form. Equal to OpenCV's
+/// THINNING_GUOHALL where the border is kept.
+int thin_guo_hall(Border border, ConstByteView source, ByteView destination);
+
+/// Naccache and Shinghal's SPTA in four parallel sub-iterations: left, right, top and bottom edge
+/// points whose expression (above) is TRUE are removed, each side on the result of the one before.
+int thin_spta_directional(Border border, ConstByteView source, ByteView destination);
+
+/// Bernard and Manzanera's MB2 (1999), fully parallel, support 5 x 5: I is a dark pixel with four
+/// dark 4-neighbours; a1: I on one side and light opposite; a2: I on a diagonal and the two
+/// opposite 4-neighbours light; b: a dark diagonal between two light 4-neighbours. Removed where
+/// (a1 or a2) and not b.
+int thin_mb2(Border border, ConstByteView source, ByteView destination);
 
 /// Thinning by the two-layer net of section 3.2: passes and stop rule as above, but a dark pixel
 /// stays where the net says 0.5 or more, equations (3) and (4) with activation (1) or (2). Single

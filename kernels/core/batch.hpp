@@ -54,6 +54,8 @@ struct WordTraits<xsimd::batch<std::uint8_t, A>> {
   [[gnu::always_inline]] static void store(Element* to, Word word) { word.store_unaligned(to); }
   [[gnu::always_inline]] static Word west(Word, const Element* from) { return load(from - 1); }
   [[gnu::always_inline]] static Word east(Word, const Element* from) { return load(from + 1); }
+  [[gnu::always_inline]] static Word west2(Word, const Element* from) { return load(from - 2); }
+  [[gnu::always_inline]] static Word east2(Word, const Element* from) { return load(from + 2); }
   [[gnu::always_inline]] static Word zero() { return Word(Element{0}); }
   [[gnu::always_inline]] static bool any(Word word) { return any_bit(word); }
 };
@@ -71,24 +73,36 @@ struct WordTraits<xsimd::batch<std::uint64_t, A>> {
   }
   [[gnu::always_inline]] static void store(Element* to, Word word) { word.store_unaligned(to); }
   [[gnu::always_inline]] static Word west(Word centre, const Element* from) {
-#ifdef __AVX512VBMI2__
-    return _mm512_shldi_epi64(centre, load(from - 1), 1);
-#else
-    return (centre << 1) | (load(from - 1) >> 63);
-#endif
+    return westwards<1>(centre, from);
   }
   [[gnu::always_inline]] static Word east(Word centre, const Element* from) {
+    return eastwards<1>(centre, from);
+  }
+  [[gnu::always_inline]] static Word west2(Word centre, const Element* from) {
+    return westwards<2>(centre, from);
+  }
+  [[gnu::always_inline]] static Word east2(Word centre, const Element* from) {
+    return eastwards<2>(centre, from);
+  }
+  [[gnu::always_inline]] static Word zero() { return Word(Element{0}); }
+  [[gnu::always_inline]] static bool any(Word word) { return any_bit(word); }
+
+ private:
+  template <int pixels>
+  [[gnu::always_inline]] static Word westwards(Word centre, const Element* from) {
 #ifdef __AVX512VBMI2__
-    return _mm512_shrdi_epi64(centre, load(from + 1), 1);
+    return _mm512_shldi_epi64(centre, load(from - 1), pixels);
 #else
-    return (centre >> 1) | (load(from + 1) << 63);
+    return (centre << pixels) | (load(from - 1) >> (64 - pixels));
 #endif
   }
-  [[gnu::always_inline]] static Word zero() {
-    return Word(Element{0});
-  }
-  [[gnu::always_inline]] static bool any(Word word) {
-    return any_bit(word);
+  template <int pixels>
+  [[gnu::always_inline]] static Word eastwards(Word centre, const Element* from) {
+#ifdef __AVX512VBMI2__
+    return _mm512_shrdi_epi64(centre, load(from + 1), pixels);
+#else
+    return (centre >> pixels) | (load(from + 1) << (64 - pixels));
+#endif
   }
 };
 

@@ -23,9 +23,9 @@ Plane<T>::Plane(Index width, Index height) {
   const Index row_elements = row_elements_for<T>(width);
   constexpr Index element_bytes = static_cast<Index>(sizeof(T));
   const Index stride = padded_row_bytes((row_elements + block) * element_bytes) / element_bytes;
-  storage_elements_ = block + (height + 2) * stride;
+  storage_elements_ = block + (height + 2 * kMarginRows) * stride;
   data_ = make_aligned<T>(static_cast<std::size_t>(storage_elements_));
-  view_ = {data_.get() + block + stride, width, height, stride, row_elements};
+  view_ = {data_.get() + block + kMarginRows * stride, width, height, stride, row_elements};
 }
 
 template <class T>

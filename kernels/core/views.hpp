@@ -35,8 +35,11 @@ inline constexpr Index kWordBits = 64;
 /// Rows of packed bits are padded to whole 512-bit blocks, so that every vector length fits.
 inline constexpr Index kBlockWords = 8;
 
+/// As far as any rule looks.
+inline constexpr Index kMarginRows = 2;
+
 /// Rectangle of elements with a margin of zeros all round that may be read and is never written:
-/// row -1, row `height`, and at least one element before and after each row.
+/// kMarginRows rows above and below, and at least two elements before and after each row.
 ///
 /// For T = std::uint8_t a row holds `width` pixels, one byte each, 0 or 1.
 /// For T = std::uint64_t pixel x is bit x % 64 of word x / 64 (low bit first), and bits past the

@@ -35,7 +35,8 @@ template <class Word, class Gate>
   return TernaryGate<Word>::apply(a, b, c, gate);
 }
 
-/// Memory access and neighbours of a word type; `Element` is what a plane holds.
+/// Memory access and neighbours of a word type, one (west, east) and two pixels away (west2,
+/// east2); `Element` is what a plane holds.
 template <class Word>
 struct WordTraits;
 
@@ -51,6 +52,12 @@ struct WordTraits<std::uint64_t> {
   }
   static std::uint64_t east(std::uint64_t centre, const Element* from) {
     return centre >> 1 | from[1] << 63;
+  }
+  static std::uint64_t west2(std::uint64_t centre, const Element* from) {
+    return centre << 2 | from[-1] >> 62;
+  }
+  static std::uint64_t east2(std::uint64_t centre, const Element* from) {
+    return centre >> 2 | from[1] << 62;
   }
   static std::uint64_t zero() { return 0; }
   static bool any(std::uint64_t word) { return word != 0; }

@@ -77,20 +77,76 @@ bool run_step(int length, TileActivity& activity, ThreadTeam& team, const BandPa
 }
 
 template <class T>
+void copy_row(const ConstPlaneView<T>& source, const PlaneView<T>& target, Index y) {
+  std::copy_n(source.row(y), source.row_elements, target.row(y));
+}
+
+template <class T>
 void copy_rows(const ConstPlaneView<T>& source, const PlaneView<T>& target) {
-  for (Index y = 0; y < source.height; ++y) {
-    std::copy_n(source.row(y), source.row_elements, target.row(y));
-  }
+  for (Index y = 0; y < source.height; ++y) copy_row(source, target, y);
 }
 
 void clear_rows(const BitPlaneView& plane) {
   for (Index y = 0; y < plane.height; ++y) std::fill_n(plane.row(y), plane.row_elements, 0);
 }
 
+/// Copies one pixel; true where it was another.
+bool copy_pixel(const std::uint8_t* source, std::uint8_t* target, Index x) {
+  return std::exchange(target[x], source[x]) != source[x];
+}
+
+bool copy_pixel(const std::uint64_t* source, std::uint64_t* target, Index x) {
+  const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
+  const std::uint64_t different = (source[x / kWordBits] ^ target[x / kWordBits]) & bit;
+  target[x / kWordBits] ^= different;
+  return different != 0;
+}
+
+/// Gives the outermost pixels of a band their old values again; true where a pass had changed one.
+template <class T>
+bool restore_border(const ConstPlaneView<T>& source, const PlaneView<T>& target, const Band& band) {
+  bool restored = false;
+  for (Index y = band.first; y < band.last; ++y) {
+    const T* from = source.row(y);
+    if (y == 0 || y == source.height - 1) {
+      restored = restored || !std::equal(from, from + source.row_elements, target.row(y));
+      copy_row(source, target, y);
+    } else {
+      restored = copy_pixel(from, target.row(y), 0) || restored;
+      restored = copy_pixel(from, target.row(y), source.width - 1) || restored;
+    }
+  }
+  return restored;
+}
+
+/// Those of `columns` in which the two differ.
+template <class T>
+std::uint64_t differing_columns(const ConstPlaneView<T>& source, const PlaneView<T>& target,
+                                Band band, std::uint64_t columns) {
+  std::uint64_t differing = 0;
+  for (; columns != 0; columns &= columns - 1) {
+    band.columns = columns & (~columns + 1);
+    differing |= for_each_run(band, [&](Index y, Index from, Index to) {
+      return !std::equal(source.row(y) + from, source.row(y) + to, target.row(y) + from);
+    });
+  }
+  return differing;
+}
+
+/// What really changed in a band whose pass knows nothing of the border that is to be kept: engines
+/// stay free of it, and tiles are looked at twice only where a pixel on the frame had changed.
+template <class T>
+std::uint64_t with_border_kept(const ConstPlaneView<T>& source, const PlaneView<T>& target,
+                               const Band& band, std::uint64_t changed) {
+  if (!restore_border(source, target, band)) return changed;
+  return differing_columns(source, target, band, changed);
+}
+
 }  // namespace
 
 template <class T>
-int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
+int iterate(std::span<const Pass<T>> cycle, const Conditions& conditions,
+            const ConstPlaneView<T>& source, const PlaneView<T>& target,
             const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team) {
   activity.restart();
   ConstPlaneView<T> from = source;
@@ -98,12 +154,15 @@ int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneV
   PlaneView<T> other = scratch;
   int cycles = 0;
   bool changed = true;
-  while (changed && cycles < cycle.most_cycles) {
+  while (changed && cycles < conditions.most_cycles) {
     changed = false;
-    for (const Pass<T> pass : cycle.passes) {
-      const auto band_pass = [&](const Band& band) { return pass(cycle.model, from, to, band); };
-      changed =
-          run_step(static_cast<int>(cycle.passes.size()), activity, team, band_pass) || changed;
+    for (const Pass<T> pass : cycle) {
+      const auto band_pass = [&](const Band& band) {
+        const std::uint64_t columns = pass(conditions.model, from, to, band);
+        if (conditions.border == Border::kBackground) return columns;
+        return with_border_kept(from, to, band, columns);
+      };
+      changed = run_step(static_cast<int>(cycle.size()), activity, team, band_pass) || changed;
       from = to;
       std::swap(to, other);
     }
@@ -114,9 +173,9 @@ int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneV
   return cycles;
 }
 
-int iterate_changes(ChangePass pass, const RuleModel* model, int most_passes,
-                    const ConstBitPlaneView& source, const std::array<BitPlaneView, 3>& buffers,
-                    TileActivity& activity, ThreadTeam& team) {
+int iterate_changes(ChangePass pass, const Conditions& conditions, const ConstBitPlaneView& source,
+                    const std::array<BitPlaneView, 3>& buffers, TileActivity& activity,
+                    ThreadTeam& team) {
   // A step writes what is three steps old: a tile must have been quiet for two to be passed over.
   constexpr int quiet_steps = 2;
   activity.restart();
@@ -124,10 +183,12 @@ int iterate_changes(ChangePass pass, const RuleModel* model, int most_passes,
   ConstBitPlaneView previous = buffers[2];
   ConstBitPlaneView current = source;
   int passes = 0;
-  for (bool changed = true; changed && passes < most_passes; ++passes) {
+  for (bool changed = true; changed && passes < conditions.most_cycles; ++passes) {
     const BitPlaneView& next = buffers[static_cast<std::size_t>(passes) % buffers.size()];
     changed = run_step(quiet_steps, activity, team, [&](const Band& band) {
-      return pass(model, previous, current, next, band);
+      const std::uint64_t columns = pass(conditions.model, previous, current, next, band);
+      if (conditions.border == Border::kBackground) return columns;
+      return with_border_kept(current, next, band, columns);
     });
     previous = std::exchange(current, next);
   }
@@ -135,9 +196,11 @@ int iterate_changes(ChangePass pass, const RuleModel* model, int most_passes,
   return passes;
 }
 
-template int iterate(const Cycle<std::uint8_t>&, const ConstBytePlaneView&, const BytePlaneView&,
-                     const BytePlaneView&, TileActivity&, ThreadTeam&);
-template int iterate(const Cycle<std::uint64_t>&, const ConstBitPlaneView&, const BitPlaneView&,
-                     const BitPlaneView&, TileActivity&, ThreadTeam&);
+template int iterate(std::span<const Pass<std::uint8_t>>, const Conditions&,
+                     const ConstBytePlaneView&, const BytePlaneView&, const BytePlaneView&,
+                     TileActivity&, ThreadTeam&);
+template int iterate(std::span<const Pass<std::uint64_t>>, const Conditions&,
+                     const ConstBitPlaneView&, const BitPlaneView&, const BitPlaneView&,
+                     TileActivity&, ThreadTeam&);
 
 }  // namespace thinbench

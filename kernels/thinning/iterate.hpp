@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/thread_team.hpp"
+#include "thinning/border.hpp"
 #include "thinning/passes.hpp"
 
 namespace thinbench {
@@ -46,25 +47,26 @@ class TileActivity {
   std::array<std::vector<std::uint64_t>, kLongestCycle> history_;  // by step, then band
 };
 
-/// What is repeated: the passes of one cycle, their model, and how many cycles at most.
-template <class T>
-struct Cycle {
-  std::span<const Pass<T>> passes;
+/// What a repetition depends on beside its passes.
+struct Conditions {
   const RuleModel* model = nullptr;
   int most_cycles = std::numeric_limits<int>::max();
+  Border border = Border::kBackground;
 };
 
-/// Repeats a cycle until it changes nothing or its limit is reached; returns how many cycles ran,
-/// the last one included. Reads `source` once, then alternates between `target` and `scratch`; the
-/// result is in `target`. All planes have one size and do not overlap. No allocation.
+/// Repeats a cycle of passes until it changes nothing or the limit is reached; returns how many
+/// cycles ran, the last one included. Reads `source` once, then alternates between `target` and
+/// `scratch`; the result is in `target`. All planes have one size and do not overlap. No
+/// allocation.
 template <class T>
-int iterate(const Cycle<T>& cycle, const ConstPlaneView<T>& source, const PlaneView<T>& target,
+int iterate(std::span<const Pass<T>> cycle, const Conditions& conditions,
+            const ConstPlaneView<T>& source, const PlaneView<T>& target,
             const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team);
 
 /// The same for one pass that needs to know what changed. `buffers` are three planes besides
 /// `source`; the result is in the first.
-int iterate_changes(ChangePass pass, const RuleModel* model, int most_passes,
-                    const ConstBitPlaneView& source, const std::array<BitPlaneView, 3>& buffers,
-                    TileActivity& activity, ThreadTeam& team);
+int iterate_changes(ChangePass pass, const Conditions& conditions, const ConstBitPlaneView& source,
+                    const std::array<BitPlaneView, 3>& buffers, TileActivity& activity,
+                    ThreadTeam& team);
 
 }  // namespace thinbench

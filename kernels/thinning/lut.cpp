@@ -105,8 +105,9 @@ constexpr PairTable make_pair_table(const RuleTable& by_descriptor) {
 struct Lut {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
-                            const BytePlaneView& target, const Band& band) {
+  requires(!TwoStageRule<Rule>)  // their 21 pixels would need tables of two million entries
+      static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
+                                const BytePlaneView& target, const Band& band) {
     static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
     return all_rows(&lut_row, kTable.data() + 256, source, target, band);
   }
@@ -115,8 +116,9 @@ struct Lut {
 struct LutSliding {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
-                            const BytePlaneView& target, const Band& band) {
+  requires(!TwoStageRule<Rule>) static std::uint64_t
+      pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
+           const Band& band) {
     static constexpr PairTable kTable = make_pair_table(make_rule_table<Rule, sub>());
     return all_rows(&sliding_row, kTable.pairs, source, target, band);
   }

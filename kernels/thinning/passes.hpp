@@ -90,7 +90,14 @@ namespace detail {
 template <class Engine, class Rule, int... subs>
 consteval void fill_rule(PassTable<typename Engine::Element>& table, int& step,
                          std::integer_sequence<int, subs...>) {
-  ((table.passes[step++] = &Engine::template pass<Rule, subs>), ...);
+  const auto pass_of = []<int sub>() -> Pass<typename Engine::Element> {
+    if constexpr (requires { &Engine::template pass<Rule, sub>; }) {
+      return &Engine::template pass<Rule, sub>;
+    } else {
+      return nullptr;  // the engine does not know rules of this kind
+    }
+  };
+  ((table.passes[step++] = pass_of.template operator()<subs>()), ...);
 }
 
 template <class Engine, class... Rules>

@@ -12,10 +12,13 @@
 
 namespace thinbench {
 
-std::string_view why_unavailable(const ThinningVariant& variant, Index width) {
+std::string_view why_unavailable(const ThinningVariant& variant, Index width, Border border) {
   if (!cpu_supports(variant.isa)) return "this machine lacks the instruction set";
   if (!isa_available(variant.isa)) return "above the ISA cap";
   if (width > variant.max_width) return "wider than this variant's limit";
+  if (border == Border::kKeep && std::holds_alternative<const RowKernel*>(variant.engine)) {
+    return "this variant does not keep the border";
+  }
   return {};
 }
 
@@ -35,7 +38,7 @@ void require(bool holds, const std::string& otherwise) {
   if (!holds) throw std::invalid_argument(otherwise);
 }
 
-void check(const ThinningVariant& variant, Index width, Index height, int threads) {
+void check(const ThinningVariant& variant, Index width, Index height, int threads, Border border) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height);
   require(width >= 0 && height >= 0, "image size " + size + " is negative");
   require(
@@ -43,7 +46,7 @@ void check(const ThinningVariant& variant, Index width, Index height, int thread
       "image size " + size + " is larger than 2^40 pixels");
   require(threads >= 1 && threads <= 1024,
           "threads is " + std::to_string(threads) + "; it must be in 1..1024");
-  const std::string_view reason = why_unavailable(variant, width);
+  const std::string_view reason = why_unavailable(variant, width, border);
   require(reason.empty(), std::string(technique_name(variant.technique)) + " at " +
                               std::string(isa_name(variant.isa)) +
                               " cannot run: " + std::string(reason));
@@ -56,7 +59,10 @@ struct Setting {
   Index height;
   int threads;
   int most_passes;
+  Border border;
   std::shared_ptr<const RuleModel> model;
+
+  [[nodiscard]] Conditions conditions() const { return {model.get(), most_passes, border}; }
 };
 
 std::shared_ptr<const RuleModel> chosen_model(const ThinningOperation& operation,
@@ -98,9 +104,9 @@ struct Planes {
 /// Passes over planes of T.
 template <class T>
 struct PassState final : ThinningState {
-  PassState(std::span<const Pass<T>> passes, const Setting& setting)
-      : owned_model(setting.model),
-        cycle{passes, owned_model.get(), setting.most_passes},
+  PassState(std::span<const Pass<T>> passes, const Setting& chosen)
+      : cycle(passes),
+        setting(chosen),
         planes(setting.isa, setting.width, setting.height),
         scratch(setting.width, setting.height),
         activity(setting.height, planes.result.view().row_elements, sizeof(T) == 1 ? kWordBits : 1),
@@ -111,7 +117,8 @@ struct PassState final : ThinningState {
   }
   int thin() override {
     const auto& source = planes.source;
-    return iterate<T>(cycle, source.view(), planes.result.view(), scratch.view(), activity, team);
+    return iterate<T>(cycle, setting.conditions(), source.view(), planes.result.view(),
+                      scratch.view(), activity, team);
   }
   void store(const ByteView& view) const override {
     planes.conversion.write(planes.result.view(), view);
@@ -121,8 +128,8 @@ struct PassState final : ThinningState {
            scratch.margin_is_zero();
   }
 
-  std::shared_ptr<const RuleModel> owned_model;
-  Cycle<T> cycle;
+  std::span<const Pass<T>> cycle;
+  Setting setting;
   Planes<T> planes;
   Plane<T> scratch;
   TileActivity activity;
@@ -144,7 +151,7 @@ struct ChangeState final : ThinningState {
   }
   int thin() override {
     const auto& source = planes.source;
-    return iterate_changes(pass, setting.model.get(), setting.most_passes, source.view(),
+    return iterate_changes(pass, setting.conditions(), source.view(),
                            {planes.result.view(), scratch[0].view(), scratch[1].view()}, activity,
                            team);
   }
@@ -198,12 +205,14 @@ struct RowState final : ThinningState {
 
 ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVariant& variant,
                            Index width, Index height, const PlanOptions& options) {
-  check(variant, width, height, options.threads);
+  const Border border = options.border.value_or(operation.border);
+  check(variant, width, height, options.threads, border);
   const Setting setting = {variant.isa,
                            width,
                            height,
                            variant.threaded ? options.threads : 1,
                            operation.most_passes,
+                           border,
                            chosen_model(operation, variant, options.model)};
   const auto make = [&](const auto& engine) -> std::unique_ptr<ThinningState> {
     using Engine = std::remove_cvref_t<decltype(engine)>;

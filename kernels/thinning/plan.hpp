@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "thinning/variant.hpp"
 
@@ -13,6 +14,7 @@ struct ThinningState;  // one implementation a kind of engine, in plan.cpp
 struct PlanOptions {
   int threads = 1;                                   // counts for threaded variants only
   std::shared_ptr<const RuleModel> model = nullptr;  // instead of the operation's own
+  std::optional<Border> border = std::nullopt;       // instead of the operation's own
 };
 
 /// Runs one variant on images of one size. Not for use by two threads at once.

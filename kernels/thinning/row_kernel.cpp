@@ -40,9 +40,21 @@ struct Bands {
   [[nodiscard]] std::uint64_t* row(Index y) const { return rows + y * kBlockWords; }
 };
 
-[[gnu::always_inline]] inline RowOfThree<WordBatch> load_row(const std::uint64_t* from) {
-  return with_neighbours(_mm512_load_si512(from));
-}
+/// The rows of the working image.
+struct RegisterRows {
+  const std::uint64_t* data;  // row 0
+
+  [[gnu::always_inline]] RowOfThree<WordBatch> row(Index y) const {
+    return with_neighbours(_mm512_load_si512(data + y * kBlockWords));
+  }
+
+  template <class Rule>
+  [[gnu::always_inline]] RowOfThree<WordBatch> features(Index, const RowOfThree<WordBatch>& above,
+                                                        const RowOfThree<WordBatch>& here,
+                                                        const RowOfThree<WordBatch>& below) const {
+    return with_neighbours(Rule::feature(cross(above.centre, here, below.centre)));
+  }
+};
 
 /// One sub-iteration on bands [first, last), in place. The rows just outside did not change in this
 /// step, so memory still holds what the rule must see. Returns a bit for each band that changed.
@@ -51,18 +63,15 @@ template <class Rule, int sub>
                                                         int first, int last) {
   std::uint64_t changed_bands = 0;
   std::uint64_t* row = bands.row(first * bands.band_rows);
-  auto above = load_row(row - kBlockWords);
-  auto here = load_row(row);
+  Window<Rule, RegisterRows> window(RegisterRows{row}, 0);
   for (int band = first; band < last; ++band) {
     WordBatch changed(std::uint64_t{0});
     for (Index y = 0; y < bands.band_rows; ++y, row += kBlockWords) {
-      const auto below = load_row(row + kBlockWords);
-      const WordBatch next = rule.template next<sub>(neighbourhood(above, here, below));
+      const WordBatch next = window.template next<sub>(rule, RegisterRows{row}, 0);
       next.store_aligned(row);
-      changed =
-          ternary(changed, here.centre, next, [](auto a, auto b, auto c) { return a | (b ^ c); });
-      above = here;
-      here = below;
+      changed = ternary(changed, window.centre(), next,
+                        [](auto a, auto b, auto c) { return a | (b ^ c); });
+      window.move_down();
     }
     changed_bands |= std::uint64_t{any_bit(changed)} << band;
   }
@@ -101,7 +110,7 @@ template <class Rule>
 int thin_rows(const Rule& rule, int most_cycles, const ConstBitPlaneView& source,
               const BitPlaneView& target, std::uint64_t* scratch) {
   const Index count = row_kernel_bands(source.height);
-  const Bands bands = {scratch + kBlockWords, row_kernel_band_rows(source.height)};
+  const Bands bands = {scratch + kMarginRows * kBlockWords, row_kernel_band_rows(source.height)};
   for (Index y = 0; y < source.height; ++y) {
     _mm512_store_si512(bands.row(y), _mm512_load_si512(source.row(y)));
   }

@@ -21,9 +21,9 @@ constexpr Index row_kernel_bands(Index height) {
   return (height + rows - 1) / rows;
 }
 
-/// Whole bands and a zero row on either side, in words.
+/// Whole bands and the margin, in words.
 constexpr Index row_kernel_scratch_words(Index height) {
-  return (row_kernel_bands(height) * row_kernel_band_rows(height) + 2) * kBlockWords;
+  return (row_kernel_bands(height) * row_kernel_band_rows(height) + 2 * kMarginRows) * kBlockWords;
 }
 
 /// Repeats a rule until nothing changes or `most_cycles` are done; returns the number of cycles,

@@ -18,8 +18,9 @@ constexpr std::span<const Pass<T>> cycle(const PassTable<T>& table) {
   return {&table.passes[first_step<Rule>(AllRules{})], Rule::kSubIterations};
 }
 
+/// For rules of one stage: a neighbourhood of nine pixels is the index of a table.
 template <class Rule>
-constexpr auto scalar_rows() {
+constexpr auto table_rows() {
   using enum Technique;
   constexpr Isa base = Isa::kBaseline;
   return std::array{
@@ -27,6 +28,14 @@ constexpr auto scalar_rows() {
       ThinningVariant{kLut, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
       ThinningVariant{kLutSliding, base, kOneThread, kAnyWidth,
                       cycle<Rule>(ScalarPasses::kLutSliding)},
+  };
+}
+
+template <class Rule>
+constexpr auto scalar_rows() {
+  using enum Technique;
+  constexpr Isa base = Isa::kBaseline;
+  return std::array{
       ThinningVariant{kBitpacked, base, kOneThread, kAnyWidth,
                       cycle<Rule>(ScalarPasses::kBitpacked)},
       ThinningVariant{kBitpacked, base, kThreaded, kAnyWidth,
@@ -66,14 +75,32 @@ constexpr auto joined(const Arrays&... arrays) {
   return all;
 }
 
+/// Techniques that know either way of treating the border.
+template <class Rule>
+constexpr auto rows_of_either_border() {
+  constexpr auto rows = joined(scalar_rows<Rule>(), isa_rows<Rule, Isa::kBaseline>(),
+                               isa_rows<Rule, Isa::kSse42>(), isa_rows<Rule, Isa::kAvx2>(),
+                               isa_rows<Rule, Isa::kAvx512>(), isa_rows<Rule, Isa::kAvx512Icl>());
+  if constexpr (TwoStageRule<Rule>) {
+    return rows;
+  } else {
+    return joined(table_rows<Rule>(), rows);
+  }
+}
+
 /// All techniques for one rule: what a new operation gets for free.
 template <class Rule>
 const auto& rows_of() {
-  static const auto rows =
-      joined(scalar_rows<Rule>(), isa_rows<Rule, Isa::kBaseline>(), isa_rows<Rule, Isa::kSse42>(),
-             isa_rows<Rule, Isa::kAvx2>(), isa_rows<Rule, Isa::kAvx512>(),
-             isa_rows<Rule, Isa::kAvx512Icl>(), row_kernel_rows<Rule, Isa::kAvx512>(),
+  static constexpr auto rows =
+      joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
              row_kernel_rows<Rule, Isa::kAvx512Icl>());
+  return rows;
+}
+
+/// The same for an operation that keeps the border.
+template <class Rule>
+const auto& border_keeping_rows_of() {
+  static constexpr auto rows = rows_of_either_border<Rule>();
   return rows;
 }
 

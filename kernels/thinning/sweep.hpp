@@ -5,6 +5,8 @@
 // and the rule's gates a word. A light pixel must stay light: the padding then needs no care.
 #pragma once
 
+#include <utility>
+
 #include "core/word.hpp"
 #include "thinning/passes.hpp"
 
@@ -31,6 +33,100 @@ template <class Word>
           here.west,   below.west, below.centre, below.east};
 }
 
+template <class Word>
+[[gnu::always_inline]] inline Cross<Word> cross(Word above, const RowOfThree<Word>& here,
+                                                Word below) {
+  return {here.centre, here.east, above, here.west, below};
+}
+
+/// What a rule sees while an engine walks down: the rows round row y. `Rows` knows the engine's
+/// memory: `row(y)` and, for rules of two stages, `features<Rule>(y, above, here, below)`.
+template <class Rule, class Rows>
+class Window {
+ public:
+  using Row = decltype(std::declval<const Rows&>().row(0));
+
+  [[gnu::always_inline]] Window(const Rows& rows, Index first)
+      : above_(rows.row(first - 1)), here_(rows.row(first)) {}
+
+  [[nodiscard, gnu::always_inline]] auto centre() const { return here_.centre; }
+
+  /// The new pixels of row y; rows come one after another.
+  template <int sub>
+  [[gnu::always_inline]] auto next(const Rule& rule, const Rows& rows, Index y) {
+    below_ = rows.row(y + 1);
+    return rule.template next<sub>(neighbourhood(above_, here_, below_));
+  }
+
+  [[gnu::always_inline]] void move_down() {
+    above_ = here_;
+    here_ = below_;
+  }
+
+ private:
+  Row above_, here_, below_;
+};
+
+/// The same with a second window over features, one row ahead.
+template <TwoStageRule Rule, class Rows>
+class Window<Rule, Rows> {
+ public:
+  using Row = decltype(std::declval<const Rows&>().row(0));
+
+  [[gnu::always_inline]] Window(const Rows& rows, Index first)
+      : above_(rows.row(first - 1)), here_(rows.row(first)), below_(rows.row(first + 1)) {
+    feature_above_ = rows.template features<Rule>(first - 1, rows.row(first - 2), above_, here_);
+    feature_here_ = rows.template features<Rule>(first, above_, here_, below_);
+  }
+
+  [[nodiscard, gnu::always_inline]] auto centre() const { return here_.centre; }
+
+  template <int sub>
+  [[gnu::always_inline]] auto next(const Rule& rule, const Rows& rows, Index y) {
+    beyond_ = rows.row(y + 2);
+    feature_below_ = rows.template features<Rule>(y + 1, here_, below_, beyond_);
+    return rule.template next<sub>(neighbourhood(above_, here_, below_),
+                                   neighbourhood(feature_above_, feature_here_, feature_below_));
+  }
+
+  [[gnu::always_inline]] void move_down() {
+    above_ = here_;
+    here_ = below_;
+    below_ = beyond_;
+    feature_above_ = feature_here_;
+    feature_here_ = feature_below_;
+  }
+
+ private:
+  Row above_, here_, below_, beyond_;
+  Row feature_above_, feature_here_, feature_below_;
+};
+
+/// Rows of a plane, one word wide.
+template <class Word>
+struct WordColumn {
+  using Traits = WordTraits<Word>;
+  const typename Traits::Element* data;
+  Index stride;
+
+  [[gnu::always_inline]] RowOfThree<Word> row(Index y) const {
+    return load_row<Word>(data + y * stride);
+  }
+
+  /// The features beside the word need pixels two columns away.
+  template <class Rule>
+  [[gnu::always_inline]] RowOfThree<Word> features(Index y, const RowOfThree<Word>& above,
+                                                   const RowOfThree<Word>& here,
+                                                   const RowOfThree<Word>& below) const {
+    const auto* from = data + y * stride;
+    const RowOfThree<Word> to_west = {Traits::west2(here.centre, from), here.west, here.centre};
+    const RowOfThree<Word> to_east = {here.centre, here.east, Traits::east2(here.centre, from)};
+    return {Rule::feature(cross(above.west, to_west, below.west)),
+            Rule::feature(cross(above.centre, here, below.centre)),
+            Rule::feature(cross(above.east, to_east, below.east))};
+  }
+};
+
 /// Applies sub-iteration `sub` of `rule` to the tiles of `band`, see Pass. The views come by value
 /// because a store could otherwise be taken to change their fields.
 template <class Rule, int sub, class Word>
@@ -43,16 +139,14 @@ template <class Rule, int sub, class Word>
     const std::uint64_t columns = band.columns & band.columns_of(x, x + Traits::kElements);
     if (columns == 0) continue;
     Word changed = Traits::zero();
-    auto above = load_row<Word>(source.row(band.first - 1) + x);
-    auto here = load_row<Word>(source.row(band.first) + x);
+    const WordColumn<Word> rows = {source.data + x, source.stride};
+    Window<Rule, WordColumn<Word>> window(rows, band.first);
     for (Index y = band.first; y < band.last; ++y) {
-      const auto below = load_row<Word>(source.row(y + 1) + x);
-      const Word next = rule.template next<sub>(neighbourhood(above, here, below));
+      const Word next = window.template next<sub>(rule, rows, y);
       Traits::store(target.row(y) + x, next);
-      changed =
-          ternary(changed, here.centre, next, [](auto a, auto b, auto c) { return a | (b ^ c); });
-      above = here;
-      here = below;
+      changed = ternary(changed, window.centre(), next,
+                        [](auto a, auto b, auto c) { return a | (b ^ c); });
+      window.move_down();
     }
     if (Traits::any(changed)) changed_columns |= columns;
   }

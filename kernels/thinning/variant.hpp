@@ -8,6 +8,7 @@
 
 #include "core/isa.hpp"
 #include "core/technique.hpp"
+#include "thinning/border.hpp"
 #include "thinning/passes.hpp"
 #include "thinning/row_kernel.hpp"
 #include "thinning/rule_table.hpp"
@@ -47,9 +48,11 @@ struct ThinningOperation {
   const RuleModel& (*default_model)() = nullptr;
   /// Passes at most; 1 for operations that are one pass.
   int most_passes = std::numeric_limits<int>::max();
+  Border border = Border::kBackground;
 };
 
 /// Why a variant cannot run here on an image of this width; empty where it can.
-[[nodiscard]] std::string_view why_unavailable(const ThinningVariant& variant, Index width);
+[[nodiscard]] std::string_view why_unavailable(const ThinningVariant& variant, Index width,
+                                               Border border = Border::kBackground);
 
 }  // namespace thinbench

@@ -97,5 +97,73 @@ TEST(CountingPattern, enumerates_all_neighbourhoods) {
   }
 }
 
+/// All 512 neighbourhoods, 64 at a time.
+Neighbourhood<std::uint64_t> counted_neighbourhoods(int word) {
+  const auto input = [word](int variable) { return counting_pattern(variable, word); };
+  return {input(8), input(0), input(1), input(2), input(3), input(4), input(5), input(6), input(7)};
+}
+
+/// Bit `bit` of every word.
+template <class Lane>
+Neighbourhood<Lane> one_of(const Neighbourhood<std::uint64_t>& n, int bit) {
+  const auto at = [bit](std::uint64_t word) { return static_cast<Lane>(word >> bit & 1); };
+  return {at(n.p), at(n.n0), at(n.n1), at(n.n2), at(n.n3), at(n.n4), at(n.n5), at(n.n6), at(n.n7)};
+}
+
+template <class Rule, int sub>
+void expect_circuit_equals_printed_form() {
+  for (int word = 0; word < 8; ++word) {
+    const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+    const std::uint64_t next = Rule::template next<sub>(n);
+    for (int bit = 0; bit < 64; ++bit) {
+      EXPECT_EQ(next >> bit & 1, Rule::template printed<sub>(one_of<std::uint8_t>(n, bit)))
+          << "neighbourhood " << 64 * word + bit << ", sub-iteration " << sub;
+    }
+  }
+}
+
+TEST(ZhangSuen, circuit_equals_the_printed_form) {
+  expect_circuit_equals_printed_form<ZhangSuen, 0>();
+  expect_circuit_equals_printed_form<ZhangSuen, 1>();
+}
+
+TEST(GuoHall, circuit_equals_the_printed_form) {
+  expect_circuit_equals_printed_form<GuoHall, 0>();
+  expect_circuit_equals_printed_form<GuoHall, 1>();
+}
+
+TEST(SptaDirectional, circuit_equals_the_printed_form) {
+  expect_circuit_equals_printed_form<SptaDirectional, 0>();
+  expect_circuit_equals_printed_form<SptaDirectional, 1>();
+  expect_circuit_equals_printed_form<SptaDirectional, 2>();
+  expect_circuit_equals_printed_form<SptaDirectional, 3>();
+}
+
+TEST(Mb2, circuit_equals_the_printed_form_for_all_pixels_and_features) {
+  for (int features = 0; features < 256; ++features) {
+    const auto all = [features](int i) { return (features >> i & 1) != 0 ? ~std::uint64_t{0} : 0; };
+    const Neighbourhood<std::uint64_t> interior = {all(0), all(0), all(1), all(2), all(3),
+                                                   all(4), all(5), all(6), all(7)};
+    for (int word = 0; word < 8; ++word) {
+      const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+      const std::uint64_t next = Mb2::next<0>(n, interior);
+      for (int bit = 0; bit < 64; ++bit) {
+        ASSERT_EQ(next >> bit & 1, Mb2::printed<0>(one_of<std::uint8_t>(n, bit),
+                                                   one_of<std::uint8_t>(interior, bit)))
+            << "neighbourhood " << 64 * word + bit << ", features " << features;
+      }
+    }
+  }
+}
+
+TEST(Turned, half_a_turn_swaps_opposite_neighbours) {
+  const Neighbourhood<int> n = {8, 0, 1, 2, 3, 4, 5, 6, 7};
+  const Neighbourhood<int> half = turned<4>(n);
+  EXPECT_EQ(half.n0, 4);
+  EXPECT_EQ(half.n3, 7);
+  EXPECT_EQ(half.n7, 3);
+  EXPECT_EQ(half.p, 8);
+}
+
 }  // namespace
 }  // namespace thinbench
