@@ -62,8 +62,34 @@ std::span<const ThinningOperation> thinning_operations() {
   return operations;
 }
 
+std::span<const EdgeOperation> edge_operations() {
+  const auto operation = [](std::string_view name, std::string_view description, EdgeOperator op) {
+    return EdgeOperation{name, description, op, edge_rows(op)};
+  };
+  static const std::array operations = {
+      operation("edges_roberts4", "edges by Roberts' cross of 2 x 2 pixels",
+                EdgeOperator::kRoberts4),
+      operation("edges_roberts9", "edges by the corner cross of the 3 x 3 window",
+                EdgeOperator::kRoberts9),
+      operation("edges_mero_vassy", "edges by Mero and Vassy's split window, 3 x 3",
+                EdgeOperator::kMeroVassy),
+      operation("edges_mero_vassy_5x5", "edges by Mero and Vassy's split window, 5 x 5",
+                EdgeOperator::kMeroVassy5x5),
+      operation("edges_sobel", "edges by Sobel's operator", EdgeOperator::kSobel),
+      operation("edges_prewitt", "edges by Prewitt's operator", EdgeOperator::kPrewitt),
+  };
+  return operations;
+}
+
 const ThinningOperation* find_thinning_operation(std::string_view name) {
   for (const ThinningOperation& operation : thinning_operations()) {
+    if (operation.name == name) return &operation;
+  }
+  return nullptr;
+}
+
+const EdgeOperation* find_edge_operation(std::string_view name) {
+  for (const EdgeOperation& operation : edge_operations()) {
     if (operation.name == name) return &operation;
   }
   return nullptr;

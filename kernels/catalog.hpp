@@ -4,13 +4,17 @@
 #include <span>
 #include <string_view>
 
+#include "edges/variant.hpp"
 #include "thinning/variant.hpp"
 
 namespace thinbench {
 
 [[nodiscard]] std::span<const ThinningOperation> thinning_operations();
 
+[[nodiscard]] std::span<const EdgeOperation> edge_operations();
+
 /// The operation of this name, or nullptr.
 [[nodiscard]] const ThinningOperation* find_thinning_operation(std::string_view name);
+[[nodiscard]] const EdgeOperation* find_edge_operation(std::string_view name);
 
 }  // namespace thinbench

@@ -1,115 +1,35 @@
 #include "thinbench.hpp"
 
-#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "core/check_views.hpp"
+#include "core/variant_choice.hpp"
 
 namespace thinbench {
-namespace {
-
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::invalid_argument(why);
-}
-
-std::string size_text(const ConstByteView& view) {
-  return std::to_string(view.width) + " x " + std::to_string(view.height);
-}
-
-void check_view(const ConstByteView& view, const std::string& name) {
-  if (view.width < 0 || view.height < 0) refuse(name + " has the size " + size_text(view));
-  if (view.stride < view.width) {
-    refuse(name + " has a stride of " + std::to_string(view.stride) +
-           " bytes, below its width of " + std::to_string(view.width));
-  }
-  if (view.height > 0 && view.stride > PTRDIFF_MAX / view.height) {
-    refuse(name + " spans more memory than there is: " + size_text(view) + ", stride " +
-           std::to_string(view.stride));
-  }
-  if (view.data == nullptr && view.width > 0 && view.height > 0) refuse(name + " has no data");
-}
-
-bool same_image(const ConstByteView& a, const ConstByteView& b) {
-  return a.data == b.data && a.stride == b.stride;
-}
-
-/// Whether two views of one buffer lie side by side: with equal strides, the columns of one begin
-/// after those of the other end and end before they begin again in the next row.
-bool side_by_side(const ConstByteView& a, const ConstByteView& b) {
-  if (a.stride != b.stride) return false;
-  const Index apart = b.data - a.data;
-  const Index column = (apart % a.stride + a.stride) % a.stride;
-  return column >= a.width && column + b.width <= a.stride;
-}
-
-bool overlap(const ConstByteView& a, const ConstByteView& b) {
-  if (a.width == 0 || a.height == 0) return false;
-  const auto begin = [](const ConstByteView& v) {
-    return reinterpret_cast<std::uintptr_t>(v.data);
-  };
-  const auto end = [](const ConstByteView& v) {
-    return reinterpret_cast<std::uintptr_t>(v.row(v.height - 1) + v.width);
-  };
-  return begin(a) < end(b) && begin(b) < end(a) && !side_by_side(a, b);
-}
-
-void check_views(const ConstByteView& source, const ConstByteView& destination) {
-  check_view(source, "source");
-  check_view(destination, "destination");
-  if (source.width != destination.width || source.height != destination.height) {
-    refuse("source is " + size_text(source) + " and destination " + size_text(destination) +
-           "; they must have one size");
-  }
-  if (!same_image(source, destination) && overlap(source, destination)) {
-    refuse("source and destination overlap without being the same image");
-  }
-}
-
-bool fits(const ThinningVariant& variant, const ThinningOptions& options) {
-  if (options.technique && *options.technique != variant.technique) return false;
-  if (options.isa && *options.isa != variant.isa) return false;
-  return variant.threaded == (options.threads > 1);
-}
-
-std::string description(const ThinningOptions& options) {
-  std::string text =
-      options.technique ? std::string(technique_name(*options.technique)) : "any technique";
-  text += " at ";
-  text += options.isa ? std::string(isa_name(*options.isa)) : "any instruction set";
-  return text + (options.threads > 1 ? " with threads" : " on one thread");
-}
-
-}  // namespace
 
 const ThinningVariant& choose_variant(const ThinningOperation& operation, Index width,
                                       const ThinningOptions& options) {
-  if (options.threads < 1 || options.threads > 1024) {
-    refuse("threads is " + std::to_string(options.threads) + "; it must be in 1..1024");
+  const Border border = options.border.value_or(operation.border);
+  std::vector<const ThinningVariant*> candidates;
+  std::vector<VariantFacts> facts;
+  for (const ThinningVariant& one : operation.variants) {
+    if (!knows_border(one, border)) continue;
+    candidates.push_back(&one);
+    facts.push_back({one.technique, one.isa, one.threaded, one.max_width});
   }
-  std::string_view reason = "there is no such variant";
-  const ThinningVariant* best = nullptr;
-  for (const ThinningVariant& variant : operation.variants) {
-    if (!fits(variant, options)) continue;
-    const std::string_view why =
-        why_unavailable(variant, width, options.border.value_or(operation.border));
-    if (!why.empty()) {
-      reason = why;
-    } else if (best == nullptr || best->isa < variant.isa ||
-               (best->isa == variant.isa && best->technique < variant.technique)) {
-      best = &variant;  // the list of techniques ends with the fastest
-    }
-  }
-  if (best == nullptr) {
-    refuse(std::string(operation.name) + " by " + description(options) + ": " +
-           std::string(reason));
-  }
-  return *best;
+  return *candidates[choose_variant(operation.name, facts, width,
+                                    {options.technique, options.isa, options.threads})];
 }
 
 int thin(std::string_view operation, ConstByteView source, ByteView destination,
          const ThinningOptions& options) {
-  check_views(source, destination);
+  check_views(source, destination, InPlace::kAllowed);
   const ThinningOperation* found = find_thinning_operation(operation);
-  if (found == nullptr) refuse("no operation is named " + std::string(operation));
+  if (found == nullptr) {
+    throw std::invalid_argument("no operation is named " + std::string(operation));
+  }
   const ThinningVariant& variant = choose_variant(*found, source.width, options);
   ThinningPlan plan(*found, variant, source.width, source.height,
                     {options.threads, options.model, options.border});

@@ -65,6 +65,23 @@ int net_single_layer_cluster(const ClusterWeights& cluster, int most_passes, Con
 /// Equation (1) or (2).
 [[nodiscard]] float activation_answer(Activation activation, float x);
 
+/// Edges by steps a) to d) of section 2.1: `destination` is 255 where the scaled gradient is bigger
+/// than `p1` and the brightest pixel of the 3 x 3 neighbourhood is bigger than `p2`, else 0.
+///
+/// The magnitude is |gx| + |gy|, an integer, compared with p1 times the operator's scale, by which
+/// a vertical step of height h reads h, so that nothing is rounded. Outside the image the outermost
+/// pixels go on. `source` and `destination` have one size and do not overlap.
+using EdgeDetection = void (*)(int p1, int p2, ConstByteView source, ByteView destination);
+
+/// The reference of the edge operation of this name, or nullptr:
+///   edges_roberts4        f(x,y) - f(x+1,y+1), f(x+1,y) - f(x,y+1); scale 2
+///   edges_roberts9        NW - SE, NE - SW; scale 2
+///   edges_prewitt         weights 1 1 1 across the direction; scale 3
+///   edges_sobel           weights 1 2 1; scale 4
+///   edges_mero_vassy      the window split by either diagonal; scale 4
+///   edges_mero_vassy_5x5  the same in a window of 5 x 5; scale 12
+[[nodiscard]] EdgeDetection find_edges(std::string_view operation);
+
 using Thinning = int (*)(ConstByteView source, ByteView destination);
 
 /// The reference of the thinning operation of this name, or nullptr.

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from report.plot_style import Plot
 from report.tables import markdown_line
 
-TITLE = "Nets: the paper's experiments again"
+TITLE = "The paper's experiments again"
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from report.experiment_layout import Table, columns, counted
-from report.experiments import (KINDS, Counted, Experiments, FixedPoint, HiddenNeurons,
+from report.experiments import (KINDS, Counted, EdgeQuality, Experiments, FixedPoint, HiddenNeurons,
                                 OperationCounts, Quantisation, Trained)
 from report.formatting import NOTHING, percent
 from report.model import Study
@@ -19,6 +19,8 @@ Item = TypeVar("Item")
 def make_tables(study: Study, experiments: Experiments) -> list[Table]:
     """A table of each experiment there is, and a second one of the operation counts: gates."""
     tables: list[Table] = []
+    if experiments.edge_quality:
+        tables.append(_edge_quality(experiments.edge_quality))
     if experiments.table_two:
         tables.append(make_table_two(study, experiments.table_two))
     if experiments.quantisation:
@@ -38,6 +40,25 @@ def holding_from(items: Sequence[Item], holds: Callable[[Item], bool]) -> Item |
             break
         first = item
     return first
+
+
+def _edge_quality(data: EdgeQuality) -> Table:
+    header = columns(["Operation"], ["Noise, sigma", "Precision", "Recall", "Figure of merit",
+                                     "Precision without P2"])
+    order = list(dict.fromkeys(row.operation for row in data.rows))
+    rows = tuple((row.operation, str(row.sigma), f"{row.precision:.3f}", f"{row.recall:.3f}",
+                  f"{row.figure_of_merit:.3f}", f"{row.precision_without_p2:.3f}")
+                 for row in sorted(data.rows, key=lambda row: (order.index(row.operation),
+                                                               row.sigma)))
+    return Table("Edges against true contours", _edge_sentence(data), header, rows, data.command)
+
+
+def _edge_sentence(data: EdgeQuality) -> str:
+    return (f"P1 is {data.p1}, P2 is {data.p2}; means over {counted(data.seeds, 'seed')} of the "
+            "noise, in grey levels. True contours are the pixels on both sides of a part's border "
+            "in the scene without noise. Precision: edge pixels with a contour pixel at most one "
+            "pixel away; recall: contour pixels with an edge pixel that near; figure of merit: "
+            "Pratt's, 1 where both sets are the same.")
 
 
 def _quantisation(data: Quantisation) -> Table:

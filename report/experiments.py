@@ -115,13 +115,37 @@ class OperationCounts:
 
 
 @dataclass(frozen=True)
+class EdgeRates:
+    """How well the edges of one operation match the true contours at one noise."""
+
+    operation: str
+    sigma: int
+    precision: float
+    recall: float
+    figure_of_merit: float
+    precision_without_p2: float
+
+
+@dataclass(frozen=True)
+class EdgeQuality:
+    """Every operator at every noise."""
+
+    command: str
+    p1: int
+    p2: int
+    seeds: int
+    rows: tuple[EdgeRates, ...]
+
+
+@dataclass(frozen=True)
 class Experiments:
-    """Those of the four that were made."""
+    """Those that were made."""
 
     table_two: TableTwo | None = None
     quantisation: Quantisation | None = None
     hidden_neurons: HiddenNeurons | None = None
     operation_counts: OperationCounts | None = None
+    edge_quality: EdgeQuality | None = None
 
 
 def load_experiments(directory: Path) -> Experiments:
@@ -129,7 +153,8 @@ def load_experiments(directory: Path) -> Experiments:
     return Experiments(_load(directory, "table-2", _table_two),
                        _load(directory, "quantisation", _quantisation),
                        _load(directory, "hidden-neurons", _hidden_neurons),
-                       _load(directory, "operation-counts", _operation_counts))
+                       _load(directory, "operation-counts", _operation_counts),
+                       _load(directory, "edge-quality", _edge_quality))
 
 
 def _load(directory: Path, name: str, parse: Callable[[Fields], Loaded]) -> Loaded | None:
@@ -207,6 +232,15 @@ def _operation_counts(fields: Fields) -> OperationCounts:
     nets = {net.text("net"): _truth(net, "compiles_to_the_rule")
             for net in fields.children("nets")}
     return OperationCounts(fields.text("command"), fields.text("per"), methods, gates, nets)
+
+
+def _edge_quality(fields: Fields) -> EdgeQuality:
+    rows = tuple(EdgeRates(row.text("operation"), row.count("sigma"),
+                           *(_at_most(row, key, 1) for key in (
+                               "precision", "recall", "figure_of_merit", "precision_without_p2")))
+                 for row in _some(fields, "rows"))
+    return EdgeQuality(fields.text("command"), fields.count("p1"), fields.count("p2"),
+                       fields.count("seeds", 1), rows)
 
 
 def _counted(fields: Fields) -> Counted:

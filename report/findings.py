@@ -19,6 +19,7 @@ class Finding:
     reference: Row
     end_to_end: Row | None
     kernel: Row | None
+    peers: tuple[Row, ...] = ()
 
     @property
     def best(self) -> Row | None:
@@ -82,11 +83,12 @@ def fastest(rows: Iterable[Row]) -> Row | None:
 
 
 def _find_one(rows: list[Row], operation: str, input_name: str) -> Finding:
-    variants = [row for row in rows if not row.name.is_reference]
+    variants = [row for row in rows if not row.name.is_reference and not row.is_peer]
     best = {scope: fastest(row for row in variants if row.name.scope == scope)
             for scope in (END_TO_END, KERNEL)}
     reference = next(row for row in rows if row.name.is_reference)
-    return Finding(operation, input_name, reference, best[END_TO_END], best[KERNEL])
+    return Finding(operation, input_name, reference, best[END_TO_END], best[KERNEL],
+                   tuple(row for row in rows if row.is_peer))
 
 
 def _scope_words(row: Row) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
 from report.machine import load_machine, run_warnings
-from report.model import SCOPES, Input, Row, RowName, Skipped, Study, table_order
+from report.model import SCOPES, Input, Peer, Row, RowName, Skipped, Study, table_order
 
 NAME_FORM = "operation/technique/isa/threads/scope/input"
 NANOSECONDS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
@@ -36,7 +36,8 @@ def load_study(directory: Path) -> Study:
         inputs=inputs,
         skipped=tuple(Skipped(fields.text("row"), fields.text("reason"))
                       for fields in rows_file.children("skipped")),
-        verified=rows_file.count("verified"), warnings=run_warnings(timings))
+        verified=rows_file.count("verified"), warnings=run_warnings(timings),
+        peers=_load_peers(rows_file))
 
 
 def parse_name(text: str, where: str) -> RowName:
@@ -104,12 +105,21 @@ def _make_row(name: RowName, entries: list[Fields], samples_ns: tuple[float, ...
     if len(shapes) > 1:
         raise ReportError(f"{where}: row {name}: the repetitions disagree on (width, height, "
                           f"passes): {sorted(shapes, key=str)}; they must be equal")
-    return Row(name, *shapes.pop(), samples_ns=samples_ns, reference_ns=reference_ns)
+    return Row(name, *shapes.pop(), samples_ns=samples_ns, reference_ns=reference_ns,
+               is_peer=entries[0].data.get("peer") == 1)
 
 
 def _shape(entry: Fields) -> tuple[int, int, int | None]:
     passes = entry.count("passes") if entry.has("passes") else None
     return entry.count("width", 1), entry.count("height", 1), passes
+
+
+def _load_peers(rows_file: Fields) -> tuple[Peer, ...]:
+    """Runs from before there were peers have none."""
+    if not rows_file.has("peers"):
+        return ()
+    return tuple(Peer(fields.text("technique"), fields.text("about"))
+                 for fields in rows_file.children("peers"))
 
 
 def _load_input(fields: Fields) -> Input:

@@ -82,6 +82,8 @@ class Row:
     passes: int | None
     samples_ns: tuple[float, ...]
     reference_ns: float
+    is_peer: bool = False
+    """True for other people's code and for limits such as a copy: compared with, never quoted."""
 
     @property
     def pixels(self) -> int:
@@ -147,6 +149,14 @@ class Skipped:
 
 
 @dataclass(frozen=True)
+class Peer:
+    """What a reader must know of a technique that is not this project's."""
+
+    technique: str
+    about: str
+
+
+@dataclass(frozen=True)
 class Cache:
     """One level of data or unified cache."""
 
@@ -187,6 +197,7 @@ class Study:
     skipped: tuple[Skipped, ...]
     verified: int
     warnings: tuple[str, ...]
+    peers: tuple[Peer, ...] = ()
 
     @property
     def operations(self) -> list[str]:

@@ -111,7 +111,8 @@ def _pictures(study: Study, room: Room) -> list[list[Picture]]:
     """For each input its picture followed by the results, leaving out what was not saved."""
     groups = []
     for item in sorted(study.inputs, key=lambda item: input_order(item.name)):
-        names = [(item.name, f"{item.name}, the input: {item.object_pixels:,} object pixels")]
+        names = [(item.name, f"{item.name}, the input: {item.object_pixels:,} object pixels"),
+                 (f"{item.name}_grey", f"{item.name}, the grey input of the edge operators")]
         names += [(f"{item.name}_{operation}", f"{operation} of {item.name}")
                   for operation in study.operations]
         group = [_picture(study, name, caption, (item.width, item.height), room)
@@ -130,7 +131,7 @@ def _picture(study: Study, name: str, caption: str, size: tuple[int, int], room:
         raise ReportError(f"{path}: starts with {data[:8]!r}; a PNG file is needed")
     text = base64.b64encode(data).decode("ascii")
     source = f"data:image/png;base64,{text}" if room.take(len(text)) else ""
-    alt = f"{caption}, a binary picture of {size[0]} by {size[1]} pixels"
+    alt = f"{caption}, a picture of {size[0]} by {size[1]} pixels"
     return Picture(_path(name), caption, alt, *size, source)
 
 

@@ -97,7 +97,8 @@ def _set_limits(axes: Axes, rows: list[Row], depth: float) -> None:
 
 
 def _draw_panel(axes: Axes, bars: list[Bar], scope: str) -> None:
-    best = fastest(bar.rows[scope] for bar in bars if scope in bar.rows)
+    best = fastest(bar.rows[scope] for bar in bars
+                   if scope in bar.rows and not bar.rows[scope].is_peer)
     axes.set_title(scope_label(scope).capitalize(), pad=8)
     axes.spines["left"].set_visible(False)
     axes.axvline(1, color=INK, linewidth=1.2, zorder=3)

@@ -11,7 +11,7 @@ from report.model import Row, Study, is_sweep_input
 CSV_HEADER = (
     "operation", "technique", "isa", "threads", "scope", "input", "width", "height", "passes",
     "median_ns", "min_ns", "ns_per_pixel", "speedup_vs_reference", "verified",
-    "repetitions", "spread_percent")
+    "repetitions", "spread_percent", "peer")
 
 MARKDOWN_HEADER = (
     "operation", "input", "scope", "technique", "isa", "threads", "passes", "median µs",
@@ -49,7 +49,8 @@ def _csv_fields(row: Row) -> list[object]:
         name.operation, name.technique, name.isa, name.threads, name.scope, name.input,
         row.width, row.height, "" if row.passes is None else row.passes,
         f"{row.median_ns:.2f}", f"{row.min_ns:.2f}", f"{row.ns_per_pixel:.6f}",
-        f"{row.speedup:.4f}", 1, len(row.samples_ns), "" if spread is None else f"{spread:.2f}"]
+        f"{row.speedup:.4f}", 1, len(row.samples_ns), "" if spread is None else f"{spread:.2f}",
+        int(row.is_peer)]
 
 
 def _markdown_fields(row: Row) -> list[str]:

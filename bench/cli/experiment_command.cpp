@@ -1,8 +1,9 @@
-// thinbench experiment: what the paper says of its nets, measured again.
+// thinbench experiment: what the paper says of its methods, measured again.
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "experiments/edge_quality.hpp"
 #include "experiments/hidden_neurons.hpp"
 #include "experiments/operation_counts.hpp"
 #include "experiments/quantisation.hpp"
@@ -23,6 +24,11 @@ struct ExperimentOptions {
   std::string results;
   bool quick = false;
 };
+
+ExperimentReport edge_quality(const ExperimentOptions& options, const Console&) {
+  const EdgeQualityChoice choice = options.quick ? EdgeQualityChoice::quick() : EdgeQualityChoice{};
+  return edge_quality_report(run_edge_quality(choice), choice, options.quick ? " --quick" : "");
+}
 
 ExperimentReport quantisation(const ExperimentOptions&, const Console&) {
   return quantisation_report(run_quantisation());
@@ -81,9 +87,13 @@ AddedExperiment add(CLI::App& parent, const std::string& name, const char* what,
 
 Command add_experiment_command(CLI::App& program) {
   CLI::App* app =
-      program.add_subcommand("experiment", "Repeat what the paper says of its nets, as tables");
+      program.add_subcommand("experiment", "Repeat what the paper says of its methods, as tables");
   app->require_subcommand(1);
   app->footer(kExamples);
+  const AddedExperiment edges =
+      add(*app, "edge-quality", "Each edge operator against the scene's true contours, with noise",
+          &edge_quality);
+  edges.command.app->add_flag("--quick", edges.options->quick, "Less noise, one seed");
   const AddedExperiment fixed_point = add(
       *app, "quantisation", "Table 1 in fixed point: how many bits keep it right", &quantisation);
   const AddedExperiment hidden =
@@ -100,7 +110,8 @@ Command add_experiment_command(CLI::App& program) {
                    "Results folder of a study, whose times are set beside the paper's")
       ->check(not_empty())
       ->type_name("DIR");
-  return {app, {}, {fixed_point.command, hidden.command, counts.command, times.command}};
+  return {
+      app, {}, {edges.command, fixed_point.command, hidden.command, counts.command, times.command}};
 }
 
 }  // namespace thinbench

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
-#include "harness/operation.hpp"
+#include "peers/peers.hpp"
 
 namespace thinbench {
 namespace {
@@ -30,7 +30,7 @@ struct ListedRow {
 
 std::vector<ListedRow> all_rows() {
   std::vector<ListedRow> rows;
-  for (const Operation& operation : all_operations()) {
+  for (const Operation& operation : operations_with_peers()) {
     for (const Variant& variant : operation.variants) {
       rows.push_back({operation, variant, std::string(variant.why_unavailable(0))});
     }
@@ -47,6 +47,7 @@ void print_json(std::ostream& out) {
                     {"threads", row.threads()},
                     {"available", row.reason.empty()},
                     {"reason", row.reason},
+                    {"peer", row.variant.is_peer},
                     {"description", row.variant.description}});
   }
   out << list.dump(2) << '\n';

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -12,12 +13,18 @@
 namespace thinbench {
 namespace {
 
-using Variants = std::vector<const ThinningVariant*>;
+using Variants = std::vector<const VariantFacts*>;
+
+/// What is chosen from, and the name by which it is refused.
+struct Choice {
+  std::string operation;
+  std::span<const VariantFacts> variants;
+};
 
 template <class Condition>
-Variants variants_where(const ThinningOperation& operation, const Condition& condition) {
+Variants variants_where(const Choice& choice, const Condition& condition) {
   Variants found;
-  for (const ThinningVariant& variant : operation.variants) {
+  for (const VariantFacts& variant : choice.variants) {
     if (condition(variant)) found.push_back(&variant);
   }
   return found;
@@ -27,7 +34,7 @@ Variants variants_where(const ThinningOperation& operation, const Condition& con
 template <class NameOf>
 std::string names_of(const Variants& variants, const NameOf& name_of) {
   std::vector<std::string_view> names;
-  for (const ThinningVariant* variant : variants) {
+  for (const VariantFacts* variant : variants) {
     const std::string_view name = name_of(*variant);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
@@ -49,55 +56,67 @@ void check_isa(Isa isa) {
 }
 
 /// The variants of the wanted technique, or all.
-Variants of_technique(const ThinningOperation& operation, std::optional<Technique> technique) {
-  const auto name_of = [](const ThinningVariant& one) { return technique_name(one.technique); };
-  Variants found = variants_where(operation, [&](const ThinningVariant& variant) {
+Variants of_technique(const Choice& choice, std::optional<Technique> technique) {
+  const auto name_of = [](const VariantFacts& one) { return technique_name(one.technique); };
+  Variants found = variants_where(choice, [&](const VariantFacts& variant) {
     return variant.technique == technique.value_or(variant.technique);
   });
   if (!found.empty()) return found;
-  const Variants all = variants_where(operation, [](const ThinningVariant&) { return true; });
-  throw UsageError(std::string(operation.name) + " is not made by " +
-                   std::string(technique_name(*technique)) + ", only by " + names_of(all, name_of));
+  const Variants all = variants_where(choice, [](const VariantFacts&) { return true; });
+  throw UsageError(choice.operation + " is not made by " + std::string(technique_name(*technique)) +
+                   ", only by " + names_of(all, name_of));
 }
 
 /// The variants of the wanted kind, wherever they run. `subject` begins the refusals.
 Variants wanted_variants(const std::string& subject, const Variants& candidates,
-                         const ThinningOptions& options) {
+                         const VariantWish& wish) {
   Variants wanted;
-  std::copy_if(
-      candidates.begin(), candidates.end(), std::back_inserter(wanted),
-      [&](const ThinningVariant* one) { return one->isa == options.isa.value_or(one->isa); });
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(wanted),
+               [&](const VariantFacts* one) { return one->isa == wish.isa.value_or(one->isa); });
   if (wanted.empty()) {
-    const auto name_of = [](const ThinningVariant& one) { return isa_name(one.isa); };
-    throw UsageError(subject + " is not made for " + std::string(isa_name(*options.isa)) +
+    const auto name_of = [](const VariantFacts& one) { return isa_name(one.isa); };
+    throw UsageError(subject + " is not made for " + std::string(isa_name(*wish.isa)) +
                      ", only for " + names_of(candidates, name_of));
   }
   std::erase_if(wanted,
-                [&](const ThinningVariant* one) { return one->threaded != (options.threads > 1); });
+                [&](const VariantFacts* one) { return one->threaded != (wish.threads > 1); });
   if (!wanted.empty()) return wanted;
-  throw UsageError(subject + " runs on one thread only, not on " + std::to_string(options.threads));
+  throw UsageError(subject + " runs on one thread only, not on " + std::to_string(wish.threads));
+}
+
+std::size_t place_for(const Choice& choice, Index width, const VariantWish& wish) {
+  if (wish.isa) check_isa(*wish.isa);
+  const std::string subject(wish.technique ? std::string(technique_name(*wish.technique))
+                                           : choice.operation);
+  const Variants wanted = wanted_variants(subject, of_technique(choice, wish.technique), wish);
+  const auto fits = [&](const VariantFacts* one) { return why_unavailable(*one, width).empty(); };
+  if (std::any_of(wanted.begin(), wanted.end(), fits)) {
+    return choose_variant(choice.operation, choice.variants, width, wish);
+  }
+  const VariantFacts& first = *wanted.front();  // the lowest level
+  check_isa(first.isa);
+  throw std::runtime_error(std::string(technique_name(first.technique)) + " takes pictures up to " +
+                           std::to_string(first.max_width) + " pixels wide; this one has " +
+                           std::to_string(width));
 }
 
 }  // namespace
 
 const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
                                    const ThinningOptions& options) {
-  if (options.isa) check_isa(*options.isa);
-  const std::string subject(options.technique ? technique_name(*options.technique)
-                                              : operation.name);
-  const Variants wanted =
-      wanted_variants(subject, of_technique(operation, options.technique), options);
-  const auto fits = [&](const ThinningVariant* one) {
-    return why_unavailable(*one, width).empty();
-  };
-  if (std::any_of(wanted.begin(), wanted.end(), fits)) {
-    return choose_variant(operation, width, options);
+  std::vector<VariantFacts> facts;
+  for (const ThinningVariant& one : operation.variants) {
+    facts.push_back({one.technique, one.isa, one.threaded, one.max_width});
   }
-  const ThinningVariant& first = *wanted.front();  // the lowest level
-  check_isa(first.isa);
-  throw std::runtime_error(std::string(technique_name(first.technique)) + " takes pictures up to " +
-                           std::to_string(first.max_width) + " pixels wide; this one has " +
-                           std::to_string(width));
+  const VariantWish wish = {options.technique, options.isa, options.threads};
+  return operation.variants[place_for({std::string(operation.name), facts}, width, wish)];
+}
+
+const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
+                               const VariantWish& wish) {
+  std::vector<VariantFacts> facts;
+  for (const EdgeVariant& one : operation.variants) facts.push_back(one.facts);
+  return operation.variants[place_for({std::string(operation.name), facts}, width, wish)];
 }
 
 }  // namespace thinbench

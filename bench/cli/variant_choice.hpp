@@ -4,6 +4,7 @@
 #include <string>
 
 #include "thinbench.hpp"
+#include "thinbench_edges.hpp"
 
 namespace thinbench {
 
@@ -11,5 +12,7 @@ namespace thinbench {
 /// std::runtime_error where none of them runs here or on pictures of this width.
 [[nodiscard]] const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
                                                  const ThinningOptions& options);
+[[nodiscard]] const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
+                                             const VariantWish& wish);
 
 }  // namespace thinbench

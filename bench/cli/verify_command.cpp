@@ -11,6 +11,7 @@
 #include "cli/verify_images.hpp"
 #include "cli/verify_progress.hpp"
 #include "cli/verify_report.hpp"
+#include "peers/peers.hpp"
 
 namespace thinbench {
 namespace {
@@ -37,7 +38,7 @@ std::vector<Row> chosen_rows(const VerifyOptions& options) {
   std::sort(threads.begin(), threads.end());
   threads.erase(std::unique(threads.begin(), threads.end()), threads.end());
   try {
-    return matching_rows(options.filter, threads);
+    return matching_rows(options.filter, threads, operations_with_peers());
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string("--filter: ") + error.what());
   }

@@ -20,7 +20,8 @@ struct Variant {
   JobMaker make_job;
   /// Why it cannot run here on an image of this width; empty where it can.
   std::function<std::string_view(Index width)> why_unavailable;
-  /// Somebody else's code, or a limit: timed beside the variants, never offered by the library.
+  /// Somebody else's code, or a limit such as a copy: timed beside the variants, never offered by
+  /// the library.
   bool is_peer = false;
   /// What a peer that does less is compared with; empty for the operation's own reference.
   JobMaker own_reference = {};

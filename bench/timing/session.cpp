@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "peers/peers.hpp"
 #include "picture/objects.hpp"
 #include "picture/picture.hpp"
 #include "support/whole_file.hpp"
@@ -45,6 +46,7 @@ class CountingReporter : public benchmark::ConsoleReporter {
 nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInput>& inputs) {
   nlohmann::json json = {{"schema", 1},
                          {"inputs", nlohmann::json::array()},
+                         {"peers", nlohmann::json::array()},
                          {"skipped", nlohmann::json::array()},
                          {"verified", selection.verified},
                          {"failed", selection.mismatches.size()}};
@@ -55,6 +57,9 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
                               {"hash", pixel_hash(input.binary.view())},
                               {"grey_hash", pixel_hash(input.grey.view())},
                               {"object_pixels", object_pixels(input.binary.view())}});
+  }
+  for (const Peer& peer : peers()) {
+    json["peers"].push_back({{"technique", peer.technique}, {"about", peer.about}});
   }
   for (const SkippedRow& row : selection.skipped) {
     json["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});

@@ -22,6 +22,9 @@ enum class Technique : std::uint8_t {
   kSimdBytes,
   kSimdBitpacked,
   kSimdBitpackedRow,
+  kSimdToBits,
+  kSimd16Bit,
+  kSimd8Bit,
 };
 
 struct TechniqueInfo {
@@ -47,6 +50,12 @@ inline constexpr std::array kTechniques = {
     TechniqueInfo{Technique::kSimdBitpacked, "simd_bitpacked", "xsimd on packed words, any width"},
     TechniqueInfo{Technique::kSimdBitpackedRow, "simd_bitpacked_row",
                   "one row of up to 512 pixels in one AVX-512 register"},
+    TechniqueInfo{Technique::kSimdToBits, "simd_to_bits",
+                  "the fastest way on lanes of grey levels, result in packed bits"},
+    TechniqueInfo{Technique::kSimd16Bit, "simd_16bit",
+                  "gradients in 16-bit lanes, one fused sweep"},
+    TechniqueInfo{Technique::kSimd8Bit, "simd_8bit",
+                  "gradients in 8-bit lanes that saturate, where these are exact"},
 };
 
 consteval bool techniques_stand_in_the_order_of_the_enumeration() {

@@ -12,13 +12,15 @@
 
 namespace thinbench {
 
+bool knows_border(const ThinningVariant& variant, Border border) {
+  return border == Border::kBackground || !std::holds_alternative<const RowKernel*>(variant.engine);
+}
+
 std::string_view why_unavailable(const ThinningVariant& variant, Index width, Border border) {
   if (!cpu_supports(variant.isa)) return "this machine lacks the instruction set";
   if (!isa_available(variant.isa)) return "above the ISA cap";
   if (width > variant.max_width) return "wider than this variant's limit";
-  if (border == Border::kKeep && std::holds_alternative<const RowKernel*>(variant.engine)) {
-    return "this variant does not keep the border";
-  }
+  if (!knows_border(variant, border)) return "this variant does not keep the border";
   return {};
 }
 

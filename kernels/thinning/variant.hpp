@@ -51,6 +51,9 @@ struct ThinningOperation {
   Border border = Border::kBackground;
 };
 
+/// Whether a variant can treat the border so.
+[[nodiscard]] bool knows_border(const ThinningVariant& variant, Border border);
+
 /// Why a variant cannot run here on an image of this width; empty where it can.
 [[nodiscard]] std::string_view why_unavailable(const ThinningVariant& variant, Index width,
                                                Border border = Border::kBackground);

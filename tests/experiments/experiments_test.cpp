@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "experiments/edge_quality.hpp"
 #include "experiments/hidden_neurons.hpp"
 #include "experiments/operation_counts.hpp"
 #include "experiments/quantisation.hpp"
@@ -123,8 +124,48 @@ TEST(Table2, measured_times_are_set_against_naccache_shinghal_measured) {
             std::string::npos);
 }
 
+ByteImage image_with_column(Index column) {
+  ByteImage image(20, 10);
+  for (Index y = 0; y < 10; ++y) image.at(column, y) = 255;
+  return image;
+}
+
+TEST(EdgeQuality, contours_are_both_sides_of_a_border) {
+  ByteImage half(6, 3);
+  for (Index y = 0; y < 3; ++y) half.at(4, y) = half.at(5, y) = 255;
+  const ByteImage contours = contours_of(half.view());
+  for (Index x = 0; x < 6; ++x) EXPECT_EQ(contours.at(x, 1), x == 3 || x == 4 ? 255 : 0) << x;
+}
+
+TEST(EdgeQuality, distance_of_one_pixel_is_right_but_costs_a_tenth_of_the_merit) {
+  const ByteImage contours = image_with_column(5);
+  const EdgeQuality same = edge_quality(contours.view(), contours.view());
+  EXPECT_EQ(same.precision, 1);
+  EXPECT_EQ(same.recall, 1);
+  EXPECT_EQ(same.figure_of_merit, 1);
+  const EdgeQuality beside = edge_quality(contours.view(), image_with_column(6).view());
+  EXPECT_EQ(beside.precision, 1);
+  EXPECT_NEAR(beside.figure_of_merit, 0.9, 1e-12);
+  const EdgeQuality apart = edge_quality(contours.view(), image_with_column(8).view());
+  EXPECT_EQ(apart.precision, 0);
+  EXPECT_EQ(apart.recall, 0);
+  EXPECT_NEAR(apart.figure_of_merit, 0.5, 1e-12);
+}
+
+TEST(EdgeQuality, every_operator_finds_the_contours_of_the_clean_scene) {
+  EdgeQualityChoice choice = EdgeQualityChoice::quick();
+  choice.sigmas = {0};
+  const auto rows = run_edge_quality(choice);
+  EXPECT_EQ(rows.size(), 6U);
+  for (const EdgeQualityRow& row : rows) {
+    EXPECT_GT(row.quality.recall, 0.95) << row.operation;
+    EXPECT_GT(row.quality.precision, 0.95) << row.operation;
+  }
+}
+
 TEST(ExperimentReports, every_file_names_its_schema_experiment_and_command) {
   const std::vector<std::pair<std::string, ExperimentReport>> reports = {
+      {"edge-quality", edge_quality_report({{"edges_sobel", 8, {1, 1, 0.5}, 0.9}}, {})},
       {"quantisation", quantisation_report(run_quantisation())},
       {"operation-counts", operation_counts_report(run_operation_counts())},
       {"table-2", table_2_report(then_and_now({}))},

@@ -14,7 +14,7 @@ from report.experiment_tables import holding_from, make_tables
 from report.experiments import KINDS, load_experiments
 from report.loading import load_study
 
-NAMES = ("table-2", "quantisation", "hidden-neurons", "operation-counts")
+NAMES = ("edge-quality", "table-2", "quantisation", "hidden-neurons", "operation-counts")
 NET = "net_single_layer_cluster"
 TITLES = ("Table 2 then and now", "Recognition rate under fixed point",
           "Hidden neurons against recognition rate", "Operation counts", "The compiled circuit")
@@ -30,6 +30,9 @@ def make_experiments() -> dict[str, dict[str, Any]]:
     trained = [(2, 225, 220.5, 0), (5, 256, 240.0, 1), (9, 256, 256.0, 4)]
     counts = {kind: number for number, kind in enumerate(KINDS)}
     return {
+        "edge-quality": file("edge-quality", p1=40, p2=128, seeds=2, rows=[
+            {"operation": "edges_sobel", "sigma": sigma, "precision": 0.75, "recall": 1,
+             "figure_of_merit": 0.5, "precision_without_p2": 0.25} for sigma in (8, 0)]),
         "table-2": file("table-2", image="510 x 412", machine="Pentium II", rows=[
             {"method": m, "operation": o, "paper_seconds": s, "paper_ratio": r}
             for m, o, s, r in table]),
@@ -69,7 +72,7 @@ def write(run: Run, experiments: dict[str, dict[str, Any]]) -> Run:
 
 @pytest.fixture
 def full(run: Run) -> Run:
-    """A run with a net and with all four experiments, not yet changed nor built."""
+    """A run with a net and with all experiments, not yet changed nor built."""
     add_net(run, 4e6, 1.0)
     return write(run, make_experiments())
 
@@ -90,6 +93,7 @@ def test_tables_stand_on_the_page_and_in_markdown_beside_it(full):
     for name in NAMES:
         command = f"thinbench experiment {name}"
         assert f"<code>{command}</code>" in page and f"`{command}`" in text
+    assert "| edges_sobel | 8 | 0.750 | 1.000 | 0.500 | 0.250 |" in text
     assert r"| Holes \| found | 0.67 | 0.92 | – | – | – | – | – |" in text
     assert len(page.encode()) < 3_000_000
 

@@ -9,8 +9,10 @@ import pytest
 from conftest import OPERATION, SIZES, Run, entries, jittered
 
 from report.errors import ReportError
+from report.findings import find
 from report.loading import load_study, parse_name
 from report.model import Row, RowName
+from report.page import to_html
 
 
 def row_of(run: Run, part: str) -> Row:
@@ -191,3 +193,17 @@ def test_picture_that_is_no_picture_is_refused(run, refusal):
 def test_place_that_cannot_be_written_is_said_and_nothing_is_left(run, refusal):
     (run.write() / "plots").write_text("in the way")
     assert "plots: cannot be written" in refusal(run.directory)
+
+
+def test_peers_are_shown_but_never_the_fastest(run):
+    name = f"{OPERATION}/opencv/own/1/end_to_end/scene"
+    added = entries(name, SIZES["scene"], jittered(10.0, name))
+    for entry in added:
+        entry["peer"] = 1.0
+    run.timings["benchmarks"] += added
+    run.rows["peers"] = [{"technique": "opencv", "about": "OpenCV, 1 thread"}]
+    study = load_study(run.write())
+    finding = next(one for one in find(study) if one.input == "scene")
+    assert finding.best and not finding.best.is_peer
+    assert [row.name.technique for row in finding.peers] == ["opencv"]
+    assert "OpenCV, 1 thread" in to_html(study, [], [])

@@ -1,0 +1,190 @@
+#include "experiments/edge_quality.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/scene.hpp"
+#include "thinbench_edges.hpp"
+#include "support/text.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr std::int64_t kFar = 1 << 20;
+constexpr double kPrattScale = 9;
+constexpr std::int64_t kNearSquared = 2;  // one pixel away, diagonals included
+
+/// Squared distances to the nearest marked pixel: along columns first, then the best column of each
+/// row.
+class Distances {
+ public:
+  explicit Distances(const ConstByteView& marked)
+      : width_(marked.width), squared_(static_cast<std::size_t>(marked.width * marked.height)) {
+    std::vector<std::int64_t> along(squared_.size(), kFar);
+    for (Index x = 0; x < width_; ++x) mark_column(marked, x, along);
+    for (Index y = 0; y < marked.height; ++y) {
+      for (Index x = 0; x < width_; ++x) squared_[place(x, y)] = nearest_column(along, x, y);
+    }
+  }
+
+  [[nodiscard]] std::int64_t squared(Index x, Index y) const { return squared_[place(x, y)]; }
+
+ private:
+  [[nodiscard]] std::size_t place(Index x, Index y) const {
+    return static_cast<std::size_t>(y * width_ + x);
+  }
+
+  void mark_column(const ConstByteView& marked, Index x, std::vector<std::int64_t>& along) const {
+    std::int64_t distance = kFar;
+    const auto visit = [&](Index y) {
+      distance = marked.row(y)[x] != 0 ? 0 : distance + 1;
+      along[place(x, y)] = std::min(along[place(x, y)], distance);
+    };
+    for (Index y = 0; y < marked.height; ++y) visit(y);
+    distance = kFar;
+    for (Index y = marked.height - 1; y >= 0; --y) visit(y);
+  }
+
+  [[nodiscard]] std::int64_t nearest_column(const std::vector<std::int64_t>& along, Index x,
+                                            Index y) const {
+    std::int64_t best = kFar * kFar;
+    // Columns further away than the best so far cannot win.
+    for (Index reach = 0; reach < width_ && reach * reach < best; ++reach) {
+      for (const Index column : {x - reach, x + reach}) {
+        if (column < 0 || column >= width_) continue;
+        const std::int64_t down = along[place(column, y)];
+        best = std::min(best, reach * reach + down * down);
+      }
+    }
+    return best;
+  }
+
+  Index width_;
+  std::vector<std::int64_t> squared_;
+};
+
+struct Matches {
+  double near = 0;
+  double merit = 0;
+  double all = 0;
+};
+
+/// How the marked pixels lie to those that `distances` were measured from.
+Matches match(const ConstByteView& marked, const Distances& distances) {
+  Matches matches;
+  for (Index y = 0; y < marked.height; ++y) {
+    for (Index x = 0; x < marked.width; ++x) {
+      if (marked.row(y)[x] == 0) continue;
+      const std::int64_t squared = distances.squared(x, y);
+      matches.all += 1;
+      matches.near += squared <= kNearSquared ? 1 : 0;
+      matches.merit += 1 / (1 + static_cast<double>(squared) / kPrattScale);
+    }
+  }
+  return matches;
+}
+
+double share(double part, double all) {
+  return all > 0 ? part / all : 1;
+}
+
+ByteImage edges_of(const EdgeOperation& operation, const ConstByteView& grey,
+                   const EdgeThresholds& thresholds) {
+  ByteImage edges(grey.width, grey.height);
+  detect_edges(operation.name, grey, edges.view(), thresholds);
+  return edges;
+}
+
+/// `first_seed` and those after it, as the scene's own noise counts them.
+Scene noisy_scene(int sigma, int seed) {
+  SceneOptions options;
+  options.noise_sigma_16 = 16 * sigma;
+  options.seed += static_cast<std::uint64_t>(seed);
+  return render_scene(options);
+}
+
+EdgeQualityRow measure(const EdgeOperation& operation, int sigma, const EdgeQualityChoice& choice,
+                       const std::vector<Scene>& scenes, const ByteImage& contours) {
+  EdgeQualityRow row = {std::string(operation.name), sigma, {0, 0, 0}, 0};
+  const double weight = 1.0 / choice.seeds;
+  for (const Scene& scene : scenes) {
+    const ByteImage edges = edges_of(operation, scene.grey.view(), choice.thresholds);
+    const EdgeQuality one = edge_quality(contours.view(), edges.view());
+    row.quality.precision += weight * one.precision;
+    row.quality.recall += weight * one.recall;
+    row.quality.figure_of_merit += weight * one.figure_of_merit;
+    const ByteImage more = edges_of(operation, scene.grey.view(), {choice.thresholds.p1, 0});
+    row.precision_without_p2 += weight * edge_quality(contours.view(), more.view()).precision;
+  }
+  return row;
+}
+
+}  // namespace
+
+ByteImage contours_of(const ConstByteView& binary) {
+  ByteImage contours(binary.width, binary.height);
+  const auto differs = [&](Index x, Index y, Index other_x, Index other_y) {
+    const bool inside =
+        other_x >= 0 && other_y >= 0 && other_x < binary.width && other_y < binary.height;
+    return inside && binary.row(y)[x] != binary.row(other_y)[other_x];
+  };
+  for (Index y = 0; y < binary.height; ++y) {
+    for (Index x = 0; x < binary.width; ++x) {
+      const bool contour = differs(x, y, x - 1, y) || differs(x, y, x + 1, y) ||
+                           differs(x, y, x, y - 1) || differs(x, y, x, y + 1);
+      contours.at(x, y) = contour ? 255 : 0;
+    }
+  }
+  return contours;
+}
+
+EdgeQuality edge_quality(const ConstByteView& contours, const ConstByteView& edges) {
+  const Matches edge_pixels = match(edges, Distances(contours));
+  const Matches contour_pixels = match(contours, Distances(edges));
+  return {share(edge_pixels.near, edge_pixels.all), share(contour_pixels.near, contour_pixels.all),
+          share(edge_pixels.merit, std::max(edge_pixels.all, contour_pixels.all))};
+}
+
+std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice) {
+  const ByteImage contours = contours_of(noisy_scene(0, 0).binary.view());
+  std::vector<EdgeQualityRow> rows;
+  for (const int sigma : choice.sigmas) {
+    std::vector<Scene> scenes;
+    for (int seed = 0; seed < choice.seeds; ++seed) scenes.push_back(noisy_scene(sigma, seed));
+    for (const EdgeOperation& operation : edge_operations()) {
+      rows.push_back(measure(operation, sigma, choice, scenes, contours));
+    }
+  }
+  return rows;
+}
+
+ExperimentReport edge_quality_report(const std::vector<EdgeQualityRow>& rows,
+                                     const EdgeQualityChoice& choice, const std::string& options) {
+  nlohmann::ordered_json json = {{"p1", choice.thresholds.p1},
+                                 {"p2", choice.thresholds.p2},
+                                 {"seeds", choice.seeds},
+                                 {"rows", nlohmann::ordered_json::array()}};
+  std::vector<std::vector<std::string>> cells;
+  for (const EdgeQualityRow& row : rows) {
+    json["rows"].push_back({{"operation", row.operation},
+                            {"sigma", row.sigma},
+                            {"precision", row.quality.precision},
+                            {"recall", row.quality.recall},
+                            {"figure_of_merit", row.quality.figure_of_merit},
+                            {"precision_without_p2", row.precision_without_p2}});
+    cells.push_back({row.operation, std::to_string(row.sigma), fixed(row.quality.precision, 3),
+                     fixed(row.quality.recall, 3), fixed(row.quality.figure_of_merit, 3),
+                     fixed(row.precision_without_p2, 3)});
+  }
+  return {experiment_json("edge-quality", json, options),
+          "Edges with P1 " + std::to_string(choice.thresholds.p1) + " and P2 " +
+              std::to_string(choice.thresholds.p2) +
+              " against the true contours of the scene; a pixel beside is near enough:\n\n" +
+              markdown_table({"Operation", "Noise sigma", "Precision", "Recall",
+                              "Pratt's figure of merit", "Precision without P2"},
+                             cells)};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,49 @@
+// "This procedure assures reliable edge detection with strong rejection of false edges" (section
+// 2.1): edges of each operator against the true contours of the scene, with growing noise.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/image.hpp"
+#include "edges/thresholds.hpp"
+#include "experiments/report.hpp"
+
+namespace thinbench {
+
+struct EdgeQualityChoice {
+  std::vector<int> sigmas = {0, 2, 4, 8, 12, 16, 24, 32};  // grey levels
+  int seeds = 3;                                           // of the noise
+  EdgeThresholds thresholds = {};
+
+  [[nodiscard]] static EdgeQualityChoice quick() { return {{0, 8, 16, 32}, 1, {}}; }
+};
+
+/// How well some edges match the true contours. All rates are from 0 to 1.
+struct EdgeQuality {
+  double precision = 1;        // edge pixels with a contour pixel at most one pixel away
+  double recall = 1;           // contour pixels with an edge pixel at most one pixel away
+  double figure_of_merit = 1;  // Pratt's: mean of 1 / (1 + d^2 / 9) over the larger of both sets
+};
+
+struct EdgeQualityRow {
+  std::string operation;
+  int sigma;
+  EdgeQuality quality;          // means over the seeds
+  double precision_without_p2;  // the same with P2 = 0
+};
+
+/// 255 on the contours of a binary image: pixels with one of the four neighbours of the other kind.
+[[nodiscard]] ByteImage contours_of(const ConstByteView& binary);
+
+/// Compares edges with contours, both 255 on 0.
+[[nodiscard]] EdgeQuality edge_quality(const ConstByteView& contours, const ConstByteView& edges);
+
+/// Every operator at every noise.
+[[nodiscard]] std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice);
+
+[[nodiscard]] ExperimentReport edge_quality_report(const std::vector<EdgeQualityRow>& rows,
+                                                   const EdgeQualityChoice& choice,
+                                                   const std::string& options = "");
+
+}  // namespace thinbench

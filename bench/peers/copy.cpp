@@ -1,0 +1,39 @@
+// The limit of everything that reads a byte and writes a byte a pixel.
+#include <cstring>
+
+#include "peers/peers.hpp"
+
+namespace thinbench {
+namespace {
+
+class CopyJob final : public Job {
+ public:
+  void run(const ConstByteView& input, const ByteView& output) override {
+    const auto bytes = static_cast<std::size_t>(input.width);
+    for (Index y = 0; y < input.height && bytes > 0; ++y) {
+      std::memcpy(output.row(y), input.row(y), bytes);
+    }
+  }
+};
+
+/// Plain enough to be looked through.
+class PlainCopyJob final : public Job {
+ public:
+  void run(const ConstByteView& input, const ByteView& output) override {
+    for (Index y = 0; y < input.height; ++y) {
+      for (Index x = 0; x < input.width; ++x) output.row(y)[x] = input.row(y)[x];
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Variant> copy_peers(const Operation& operation) {
+  if (operation.takes != InputKind::kGrey) return {};
+  return {peer_variant(
+      "copy", "no operation: the same bytes copied",
+      [](Index, Index, int) { return std::make_unique<CopyJob>(); },
+      [](Index, Index, int) { return std::make_unique<PlainCopyJob>(); })};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,67 @@
+// Sobel edges by OpenCV, in the form in which it offers them: spatialGradient gives both gradients
+// in one call. Its images are allocated beforehand, it runs on one thread.
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "harness/edges_family.hpp"
+#include "peers/peers.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr int kSobelScale = 4;
+
+cv::Mat mat_of(const ConstByteView& view) {
+  // OpenCV knows no read-only images; sources are not written to.
+  return {static_cast<int>(view.height), static_cast<int>(view.width), CV_8U,
+          const_cast<std::uint8_t*>(view.data), static_cast<std::size_t>(view.stride)};
+}
+
+class SobelJob final : public Job {
+ public:
+  explicit SobelJob(bool with_p2) : with_p2_(with_p2) { cv::setNumThreads(1); }
+
+  void run(const ConstByteView& input, const ByteView& output) override {
+    if (input.width == 0 || input.height == 0) return;
+    const cv::Mat source = mat_of(input);
+    cv::Mat edges = mat_of(output);
+    cv::spatialGradient(source, gx_, gy_, 3, cv::BORDER_REPLICATE);
+    cv::absdiff(gx_, cv::Scalar(0), gx_);
+    cv::absdiff(gy_, cv::Scalar(0), gy_);
+    cv::add(gx_, gy_, gx_);
+    cv::compare(gx_, thresholds_.p1 * kSobelScale, edges, cv::CMP_GT);
+    if (!with_p2_) return;
+    cv::dilate(source, brightest_, cv::Mat());
+    cv::compare(brightest_, thresholds_.p2, brightest_, cv::CMP_GT);
+    cv::bitwise_and(edges, brightest_, edges);
+  }
+
+ private:
+  bool with_p2_;
+  EdgeThresholds thresholds_;
+  cv::Mat gx_;
+  cv::Mat gy_;
+  cv::Mat brightest_;
+};
+
+JobMaker sobel(bool with_p2) {
+  return [with_p2](Index, Index, int) { return std::make_unique<SobelJob>(with_p2); };
+}
+
+}  // namespace
+
+std::vector<Variant> opencv_edge_peers(const Operation& operation) {
+  if (operation.name != "edges_sobel") return {};
+  EdgeThresholds without_p2;
+  without_p2.p2 = -1;
+  return {peer_variant("opencv", "OpenCV: spatialGradient, dilate, both thresholds", sobel(true)),
+          peer_variant("opencv_gradient", "OpenCV: spatialGradient and the threshold P1 only",
+                       sobel(false), edges_reference(operation.name, without_p2))};
+}
+
+std::string opencv_description() {
+  return "OpenCV " + cv::getVersionString() + ", 1 thread, instruction sets of its own choice (" +
+         cv::getCPUFeaturesLine() + ")";
+}
+
+}  // namespace thinbench

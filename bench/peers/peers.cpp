@@ -1,0 +1,46 @@
+#include "peers/peers.hpp"
+
+#include <utility>
+
+namespace thinbench {
+namespace {
+
+using PeersOf = std::vector<Variant> (*)(const Operation&);
+
+constexpr PeersOf kAllPeers[] = {&copy_peers, &opencv_edge_peers};
+
+}  // namespace
+
+const std::vector<Peer>& peers() {
+  static const std::vector<Peer> all = {
+      {"copy", "the input's bytes copied to the output: a limit that no operation passes"},
+      {"opencv", opencv_description() + "; the whole operation"},
+      {"opencv_gradient", opencv_description() + "; does less: no threshold P2"}};
+  return all;
+}
+
+const std::vector<Operation>& operations_with_peers() {
+  static const std::vector<Operation> operations = [] {
+    std::vector<Operation> all = all_operations();
+    for (Operation& operation : all) {
+      for (const PeersOf peers_of : kAllPeers) {
+        for (Variant& peer : peers_of(operation)) operation.variants.push_back(std::move(peer));
+      }
+    }
+    return all;
+  }();
+  return operations;
+}
+
+Variant peer_variant(std::string_view technique, std::string_view description, JobMaker make_job,
+                     JobMaker own_reference) {
+  Variant variant = {
+      technique, description, Isa::kBaseline, false, false, std::move(make_job), [](Index) {
+        return std::string_view();
+      }};
+  variant.is_peer = true;
+  variant.own_reference = std::move(own_reference);
+  return variant;
+}
+
+}  // namespace thinbench

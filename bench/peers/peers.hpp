@@ -1,0 +1,34 @@
+// Peers: other people's code for the same work, and limits such as a copy, timed in the same run.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/operation.hpp"
+
+namespace thinbench {
+
+/// What a reader must know to compare.
+struct Peer {
+  std::string_view technique;
+  std::string about;  // version, instruction sets, threads
+};
+
+[[nodiscard]] const std::vector<Peer>& peers();
+
+/// all_operations, each followed by its peers.
+[[nodiscard]] const std::vector<Operation>& operations_with_peers();
+
+/// Peers by source file: variants for an operation, none where there are none.
+[[nodiscard]] std::vector<Variant> copy_peers(const Operation& operation);
+[[nodiscard]] std::vector<Variant> opencv_edge_peers(const Operation& operation);
+
+/// A peer with its technique and what is said of it; runs everywhere, on one thread.
+[[nodiscard]] Variant peer_variant(std::string_view technique, std::string_view description,
+                                   JobMaker make_job, JobMaker own_reference = {});
+
+/// "OpenCV 4.6.0, 1 thread, its own choice of ...".
+[[nodiscard]] std::string opencv_description();
+
+}  // namespace thinbench

@@ -1,0 +1,41 @@
+// Choosing among the variants of an operation, the same for every family.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/isa.hpp"
+#include "core/technique.hpp"
+#include "core/views.hpp"
+
+namespace thinbench {
+
+/// What a choice depends on.
+struct VariantFacts {
+  Technique technique;
+  Isa isa;
+  bool threaded;
+  Index max_width = std::numeric_limits<Index>::max();
+};
+
+/// What is asked for. What is left open is chosen: the fastest technique that this machine offers.
+struct VariantWish {
+  std::optional<Technique> technique = std::nullopt;
+  std::optional<Isa> isa = std::nullopt;
+  int threads = 1;
+};
+
+inline constexpr int kMostThreads = 1024;
+
+/// Why a variant cannot run here on an image of this width; empty where it can.
+[[nodiscard]] std::string_view why_unavailable(const VariantFacts& variant, Index width);
+
+/// The place of the variant of `operation` that fits the wish on an image of this width. Throws
+/// std::invalid_argument, naming what is wrong and what there is, where none fits.
+[[nodiscard]] std::size_t choose_variant(std::string_view operation,
+                                         std::span<const VariantFacts> variants, Index width,
+                                         const VariantWish& wish);
+
+}  // namespace thinbench

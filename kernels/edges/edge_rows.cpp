@@ -1,0 +1,50 @@
+#include "edges/variant.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr bool kThreads = true;
+constexpr bool kNoThreads = false;
+
+class Rows {
+ public:
+  explicit Rows(EdgeOperator op) : op_(op) {}
+
+  template <class Kernel>
+  void add(Technique technique, Isa isa, const EdgeTable<Kernel>& table, bool with_threads) {
+    const Kernel kernel = table[op_];
+    if (kernel == nullptr) return;
+    rows_.push_back({{technique, isa, false}, kernel});
+    if (with_threads) rows_.push_back({{technique, isa, true}, kernel});
+  }
+
+  template <Isa isa>
+  void add_level() {
+    using Level = IsaEdges<isa>;
+    const bool has_8_bits = Level::kSimd8Bit[op_] != nullptr;
+    add(Technique::kAutovec, isa, Level::kAutovec, kNoThreads);
+    add(Technique::kSimd16Bit, isa, Level::kSimd16Bit, !has_8_bits);
+    add(Technique::kSimd8Bit, isa, Level::kSimd8Bit, kThreads);
+    add(Technique::kSimdToBits, isa, Level::kSimdToBits, kThreads);
+  }
+
+  [[nodiscard]] std::vector<EdgeVariant> take() { return std::move(rows_); }
+
+ private:
+  EdgeOperator op_;
+  std::vector<EdgeVariant> rows_;
+};
+
+}  // namespace
+
+std::vector<EdgeVariant> edge_rows(EdgeOperator op) {
+  Rows rows(op);
+  rows.add(Technique::kLut, Isa::kBaseline, ScalarEdges::kLut, kThreads);
+  rows.add_level<Isa::kBaseline>();
+  rows.add_level<Isa::kSse42>();
+  rows.add_level<Isa::kAvx2>();
+  rows.add_level<Isa::kAvx512>();
+  return rows.take();
+}
+
+}  // namespace thinbench

@@ -1,0 +1,111 @@
+#include "edges/plan.hpp"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "core/convert.hpp"
+#include "core/planes.hpp"
+#include "core/thread_team.hpp"
+#include "edges/tables.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr Index kMaxPixels = Index{1} << 40;
+
+void require(bool holds, const std::string& otherwise) {
+  if (!holds) throw std::invalid_argument(otherwise);
+}
+
+void check_threshold(const char* name, int value) {
+  require(value >= 0 && value <= kLargestThreshold,
+          std::string(name) + " is " + std::to_string(value) + "; it must be in 0..255");
+}
+
+void check(const EdgeVariant& variant, Index width, Index height, const EdgePlanOptions& options) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  require(width >= 0 && height >= 0, "image size " + size + " is negative");
+  require(
+      width <= kMaxPixels && height <= kMaxPixels && (width == 0 || height <= kMaxPixels / width),
+      "image size " + size + " is larger than 2^40 pixels");
+  check_threshold("p1", options.thresholds.p1);
+  check_threshold("p2", options.thresholds.p2);
+  require(options.threads >= 1 && options.threads <= kMostThreads,
+          "threads is " + std::to_string(options.threads) + "; it must be in 1..1024");
+  const std::string_view reason = why_unavailable(variant.facts, width);
+  require(reason.empty(), std::string(technique_name(variant.facts.technique)) + " at " +
+                              std::string(isa_name(variant.facts.isa)) +
+                              " cannot run: " + std::string(reason));
+}
+
+}  // namespace
+
+struct EdgePlan::State {
+  State(const EdgeOperation& operation, const EdgeVariant& chosen, Index plan_width,
+        Index plan_height, const EdgePlanOptions& options)
+      : variant(chosen),
+        width(plan_width),
+        height(plan_height),
+        team(chosen.facts.threaded ? options.threads : 1) {
+    if (chosen.facts.technique == Technique::kLut) {
+      tables = std::make_unique<EdgeTables>(operation.op, options.thresholds);
+    }
+    if (chosen.writes_bits()) bits = BitPlane(width, height);
+    setting = {options.thresholds, tables.get()};
+  }
+
+  template <class Kernel, class Target>
+  void sweep(Kernel kernel, const ConstByteView& source, const Target& target) {
+    if (width == 0) return;
+    team.for_ranges(height, [&](Index first, Index last) {
+      kernel(setting, source, target, EdgeRows{first, last});
+    });
+  }
+
+  EdgeVariant variant;
+  Index width;
+  Index height;
+  ThreadTeam team;
+  std::unique_ptr<EdgeTables> tables;
+  EdgeSetting setting;
+  BitPlane bits;  // 0 x 0 for variants that write bytes
+};
+
+EdgePlan::EdgePlan(const EdgeOperation& operation, const EdgeVariant& variant, Index width,
+                   Index height, const EdgePlanOptions& options) {
+  check(variant, width, height, options);
+  state_ = std::make_unique<State>(operation, variant, width, height, options);
+}
+
+EdgePlan::~EdgePlan() = default;
+EdgePlan::EdgePlan(EdgePlan&&) noexcept = default;
+EdgePlan& EdgePlan::operator=(EdgePlan&&) noexcept = default;
+
+void EdgePlan::run(ConstByteView source, ByteView destination) {
+  if (const auto* kernel = std::get_if<EdgesToBytes>(&state_->variant.kernel)) {
+    state_->sweep(*kernel, source, destination);
+  } else {
+    run_to_bits(source);
+    store(destination);
+  }
+}
+
+ConstBitPlaneView EdgePlan::run_to_bits(ConstByteView source) {
+  const auto* kernel = std::get_if<EdgesToBits>(&state_->variant.kernel);
+  if (kernel == nullptr) throw std::logic_error("this variant writes bytes");
+  state_->sweep(*kernel, source, state_->bits.view());
+  return state_->bits.view();
+}
+
+void EdgePlan::store(ByteView destination) const {
+  if (!state_->variant.writes_bits()) throw std::logic_error("this variant writes bytes");
+  const BitPlane& bits = state_->bits;
+  plane_conversion<std::uint64_t>(state_->variant.facts.isa).write(bits.view(), destination);
+}
+
+bool EdgePlan::margins_are_zero() const {
+  return state_->bits.margin_is_zero();
+}
+
+}  // namespace thinbench

@@ -1,0 +1,34 @@
+// Edges in one header: detect them in a picture, let the library choose how.
+#pragma once
+
+#include <string_view>
+
+#include "catalog.hpp"
+#include "core/image.hpp"
+#include "edges/plan.hpp"
+
+namespace thinbench {
+
+/// The variant that fits the wish. Throws std::invalid_argument, naming what is wrong and what
+/// there is, where none does.
+[[nodiscard]] const EdgeVariant& choose_variant(const EdgeOperation& operation, Index width,
+                                                const VariantWish& wish = {});
+
+/// Writes the edges of `source` by the operation of this name to `destination`: 255 where
+///   |gx| + |gy| > scale * p1   and   the brightest pixel of the 3 x 3 neighbourhood > p2,
+/// else 0. The scale is the operator's own: a vertical step of height h reads h (Roberts 2, Prewitt
+/// 3, Sobel and Mero-Vassy 4, Mero-Vassy in 5 x 5 pixels 12). All in integers, nothing is rounded.
+///
+/// Outside the image its outermost pixels go on, so that no edge arises at the frame by itself.
+/// Grey levels are as files hold them, 255 for white, and p2 asks for a bright background beside
+/// the edge: invert pictures of bright parts on dark ground first. Strides are bytes from row to
+/// row and may be larger than the width. The two views have one size and do not overlap.
+///
+/// Not known to hold: that contours are closed or one pixel wide; they are two pixels wide or more.
+/// Throws std::invalid_argument for an unknown name, a threshold outside [0, 255], sizes that
+/// differ or are negative, a stride below the width, a null image, an overlap, or a wish that no
+/// variant fits. Source: section 2.1 of the paper, steps a) to d).
+void detect_edges(std::string_view operation, ConstByteView source, ByteView destination,
+                  const EdgeThresholds& thresholds = {}, const VariantWish& wish = {});
+
+}  // namespace thinbench

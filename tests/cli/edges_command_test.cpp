@@ -1,0 +1,91 @@
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "harness/grey_images.hpp"
+#include "picture/picture.hpp"
+#include "program_run.hpp"
+#include "support/temporary_folder.hpp"
+#include "thinbench_edges.hpp"
+
+namespace thinbench {
+namespace {
+
+using Names = std::set<std::string>;
+
+ByteImage picture() {
+  return grey_noise_image(90, 40, 0, 255, 4);
+}
+
+class EdgesCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_grey(in, picture().view()); }
+
+  [[nodiscard]] ProgramRun run(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"edges", in, out});
+    return run_with(more);
+  }
+  /// The failure, after which no file has appeared.
+  [[nodiscard]] std::string failure(std::vector<std::string> more, int status) const {
+    more.insert(more.begin(), {"edges", in, out});
+    std::string text = failure_of(more, status);
+    EXPECT_EQ(folder.names(), Names{"in.png"});
+    return text;
+  }
+  void expect_output(const ByteImage& grey, std::string_view operation,
+                     const EdgeThresholds& thresholds) const {
+    ByteImage expected(grey.width(), grey.height());
+    detect_edges(operation, grey.view(), expected.view(), thresholds);
+    EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
+  }
+
+  TemporaryFolder folder;
+  std::string in = folder.file("in.png");
+  std::string out = folder.file("out.png");
+};
+
+TEST_F(EdgesCommand, writes_the_edges_and_one_line) {
+  const ProgramRun result = run({"--operator", "prewitt", "--p1", "70", "--p2", "200"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const std::regex line(R"(edges_prewitt/\w+/[\w.]+/1: 90 x 40, \d+ edge pixels, \d+\.\d{3} ms\n)");
+  EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
+  expect_output(picture(), "edges_prewitt", {70, 200});
+}
+
+TEST_F(EdgesCommand, invert_makes_bright_parts_dark) {
+  ByteImage inverted = picture();
+  for (Index y = 0; y < 40; ++y) {
+    for (Index x = 0; x < 90; ++x) {
+      inverted.at(x, y) = static_cast<std::uint8_t>(255 - inverted.at(x, y));
+    }
+  }
+  EXPECT_EQ(run({"--p2", "250", "--invert"}).status, 0);
+  expect_output(inverted, "edges_sobel", {EdgeThresholds{}.p1, 250});
+}
+
+TEST_F(EdgesCommand, uses_the_variant_that_was_asked_for) {
+  const ProgramRun result = run({"--technique", "lut", "--threads", "3"});
+  EXPECT_EQ(result.out.rfind("edges_sobel/lut/baseline/3: ", 0), 0U) << result.out << result.err;
+}
+
+TEST_F(EdgesCommand, bad_arguments_are_one_line_and_no_output) {
+  EXPECT_EQ(failure({"--operator", "sobl"}, 2),
+            "no operator is named 'sobl'; did you mean 'sobel'?");
+  EXPECT_EQ(failure({"--p1", "256"}, 2),
+            "--p1: '256' is no whole number from 0 to 255; see 'thinbench edges --help'");
+  EXPECT_EQ(failure({"--p2", "-1"}, 2).find("--p2"), 0U);
+  EXPECT_EQ(failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not made by simd_8bit"),
+            0U);
+  EXPECT_EQ(failure_of({"edges", in, folder.file("a.gif")}, 1).find("cannot write '"), 0U);
+  EXPECT_EQ(failure_of({"edges", folder.file("absent.png"), out}, 1).find("cannot read '"), 0U);
+}
+
+TEST(EdgesRows, peers_are_proved_like_variants) {
+  const ProgramRun result =
+      run_with({"verify", "--quick", "--filter", "edges_sobel/(opencv|copy)"});
+  EXPECT_EQ(result.status, 0) << result.out;
+  EXPECT_EQ(result.out, "3 passed, 0 failed, 0 skipped\n");
+}
+
+}  // namespace
+}  // namespace thinbench
