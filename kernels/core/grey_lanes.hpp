@@ -31,7 +31,7 @@ struct Halves {
   return {xsimd::max(a.low, b.low), xsimd::max(a.high, b.high)};
 }
 
-/// a - b, or 0 where that is negative; for values from 0 to 32767.
+/// a - b for values from 0 to 32767; `pack` makes 0 of what is negative.
 [[gnu::always_inline]] inline Halves excess(const Halves& a, WideBatch b) {
   return {xsimd::ssub(a.low, b), xsimd::ssub(a.high, b)};
 }
