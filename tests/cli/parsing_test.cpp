@@ -51,7 +51,7 @@ std::vector<Words> all_commands() {
 
 TEST(Program, every_help_has_examples) {
   const std::vector<Words> commands = all_commands();
-  EXPECT_EQ(commands.size(), 1 + 7 + 2 + 4U);
+  EXPECT_EQ(commands.size(), 1 + 8 + 2 + 5U);
   for (Words words : commands) {
     std::string command = "thinbench";
     for (const std::string& word : words) command += " " + word;
@@ -83,7 +83,8 @@ TEST(Program, unknown_command_within_a_command_gets_the_nearest_known_name) {
   EXPECT_EQ(failure_of({"train", "two-layers"}, 2),
             "no command is named 'two-layers'; did you mean 'two-layer'?");
   EXPECT_EQ(failure_of({"experiment", "nothing"}, 2),
-            "no command is named 'nothing'; known: quantisation, hidden-neurons, operation-counts "
+            "no command is named 'nothing'; known: edge-quality, quantisation, hidden-neurons, "
+            "operation-counts "
             "and table-2");
   EXPECT_EQ(failure_of({"train"}, 2),
             "train needs one more word: two-layer or cluster; see 'thinbench train --help'");
@@ -162,10 +163,11 @@ TEST(Program, malformed_cap_stops_every_command) {
   for (Words words : all_commands()) {
     if (words.empty() || !commands_below(words).empty()) continue;
     if (words.front() == "run") words.insert(words.end(), {kOperation, "in.png", "out.png"});
+    if (words.front() == "edges") words.insert(words.end(), {"in.png", "out.png"});
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
     ++stopped;
   }
-  EXPECT_EQ(stopped, 5 + 2 + 4);
+  EXPECT_EQ(stopped, 6 + 2 + 5);
   EXPECT_EQ(run_with({"--help"}).status, 0);
 }
 
