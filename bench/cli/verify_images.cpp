@@ -11,7 +11,7 @@ namespace thinbench {
 namespace {
 
 bool is_big(const TestImageSet& set) {
-  return set.name == "four_by_four" || set.name == "sizes" || set.name == "grey_noise";
+  return set.name == "sizes" || set.name == "grey_noise";
 }
 
 TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind kind) {

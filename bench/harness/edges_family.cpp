@@ -71,6 +71,7 @@ Operation edges_operation(const EdgeOperation& operation, const EdgeThresholds& 
     result.variants.push_back(variant_of(operation, variant, thresholds));
   }
   result.reference = edges_reference(operation.name, thresholds);
+  result.in_size_series = operation.name == "edges_sobel";
   return result;
 }
 

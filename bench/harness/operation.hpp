@@ -38,9 +38,10 @@ struct Operation {
   JobMaker reference;
   /// What the first of its numbers counts, where that is worth a column: "passes".
   std::string_view counter = {};
-  /// A net: its time is that of the rule which it learned, or too long for series of sizes, and its
-  /// pictures are the rule's.
+  /// A net: its pictures are those of the rule that it learned.
   bool is_net = false;
+  /// Stands for its like in the series of sizes, which takes long.
+  bool in_size_series = false;
   /// Too slow for the big sets of test images; another operation covers the same code.
   bool small_sets_only = false;
 };

@@ -44,8 +44,28 @@ void generate_sizes(const TestImageSink& sink) {
   }
 }
 
+/// The images of 4096 numbers, 64 to a row. Cells are 7 pixels apart, so that they meet every phase
+/// of a byte and no neighbour that two cells share.
+ByteImage four_by_four_sheet(std::uint64_t first) {
+  constexpr Index pitch = 7;
+  ByteImage sheet(64 * pitch, 64 * pitch);
+  for (std::uint64_t cell = 0; cell < 4096; ++cell) {
+    const Index left = static_cast<Index>(cell % 64) * pitch;
+    const Index top = static_cast<Index>(cell / 64) * pitch;
+    for (int bit = 0; bit < 16; ++bit) {
+      const bool dark = ((first + cell) >> bit & 1) != 0;
+      sheet.at(left + bit % 4, top + bit / 4) = dark ? kDark : 0;
+    }
+  }
+  return sheet;
+}
+
+/// All of them on sheets, and some alone, where they touch the frame.
 void generate_four_by_four(const TestImageSink& sink) {
-  for (std::uint64_t bits = 0; bits < 65536; ++bits) {
+  for (std::uint64_t first = 0; first < 65536; first += 4096) {
+    sink({"4 x 4, bits from " + std::to_string(first), four_by_four_sheet(first)});
+  }
+  for (std::uint64_t bits = 0; bits < 65536; bits += 257) {
     sink({"4 x 4, bits " + std::to_string(bits), image_of_bits(4, 4, bits)});
   }
 }

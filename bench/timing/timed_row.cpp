@@ -20,7 +20,7 @@ std::vector<int> thread_counts() {
 /// left out: compiled to a circuit they take the time of the rule, evaluated they would take the
 /// time of the study.
 bool in_size_sweep(const Row& row) {
-  if (row.operation->is_net) return false;
+  if (!row.operation->in_size_series) return false;
   const auto same_kind = [&](const Variant& other) {
     return other.technique == row.variant->technique && other.threaded == row.variant->threaded;
   };

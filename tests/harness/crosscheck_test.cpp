@@ -22,7 +22,7 @@ class Crosscheck : public testing::TestWithParam<Case> {};
 /// Nets that repeat their passes are shown the smaller sets: the big ones are for single passes,
 /// which are the same code, and for rules.
 bool left_out(const TestImageSet& set, const Operation& operation) {
-  return operation.small_sets_only && (set.name == "sizes" || set.name == "four_by_four");
+  return operation.small_sets_only && set.name == "sizes";
 }
 
 /// Every operation with every set of the kind that it takes.
