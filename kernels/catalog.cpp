@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "holes/holes_rows.hpp"
 #include "nets/net_rows.hpp"
 #include "thinning/rule_rows.hpp"
 
@@ -88,8 +89,31 @@ const ThinningOperation* find_thinning_operation(std::string_view name) {
   return nullptr;
 }
 
+std::span<const HolesOperation> holes_operations() {
+  static const std::array operations = {
+      HolesOperation{"holes", "objects (8-connected) and their holes, with areas and centres",
+                     HolesTask::kHoles, region_rows()},
+      HolesOperation{"components", "objects (8-connected) alone, with areas and centres",
+                     HolesTask::kComponents, region_rows()},
+      HolesOperation{"fill_holes", "objects with all that they enclose, interior contours filled",
+                     HolesTask::kFill, fill_rows()},
+      HolesOperation{"euler_number", "8-connected objects minus 4-connected holes",
+                     HolesTask::kEulerEight, euler_rows()},
+      HolesOperation{"euler_number_4", "4-connected objects minus 8-connected holes",
+                     HolesTask::kEulerFour, euler_rows()},
+  };
+  return operations;
+}
+
 const EdgeOperation* find_edge_operation(std::string_view name) {
   for (const EdgeOperation& operation : edge_operations()) {
+    if (operation.name == name) return &operation;
+  }
+  return nullptr;
+}
+
+const HolesOperation* find_holes_operation(std::string_view name) {
+  for (const HolesOperation& operation : holes_operations()) {
     if (operation.name == name) return &operation;
   }
   return nullptr;

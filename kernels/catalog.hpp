@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "edges/variant.hpp"
+#include "holes/variant.hpp"
 #include "thinning/variant.hpp"
 
 namespace thinbench {
@@ -13,8 +14,11 @@ namespace thinbench {
 
 [[nodiscard]] std::span<const EdgeOperation> edge_operations();
 
+[[nodiscard]] std::span<const HolesOperation> holes_operations();
+
 /// The operation of this name, or nullptr.
 [[nodiscard]] const ThinningOperation* find_thinning_operation(std::string_view name);
 [[nodiscard]] const EdgeOperation* find_edge_operation(std::string_view name);
+[[nodiscard]] const HolesOperation* find_holes_operation(std::string_view name);
 
 }  // namespace thinbench

@@ -7,7 +7,8 @@ namespace {
 
 using PeersOf = std::vector<Variant> (*)(const Operation&);
 
-constexpr PeersOf kAllPeers[] = {&copy_peers, &opencv_edge_peers};
+constexpr PeersOf kAllPeers[] = {&copy_peers, &opencv_edge_peers, &copy_bits_peers,
+                                    &opencv_holes_peers};
 
 }  // namespace
 
@@ -15,7 +16,11 @@ const std::vector<Peer>& peers() {
   static const std::vector<Peer> all = {
       {"copy", "the input's bytes copied to the output: a limit that no operation passes"},
       {"opencv", opencv_description() + "; the whole operation"},
-      {"opencv_gradient", opencv_description() + "; does less: no threshold P2"}};
+      {"opencv_gradient", opencv_description() + "; does less: no threshold P2"},
+      {"copy_bits", "the packed words copied: a limit for work on packed images"},
+      {"opencv_contours", opencv_description() + "; areas and centres of polygons, not of pixels"},
+      {"opencv_stats", opencv_description() + "; does less: no holes"},
+      {"opencv_components", opencv_description() + "; labels objects, counts no holes"}};
   return all;
 }
 

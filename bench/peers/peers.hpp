@@ -23,6 +23,8 @@ struct Peer {
 /// Peers by source file: variants for an operation, none where there are none.
 [[nodiscard]] std::vector<Variant> copy_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> opencv_edge_peers(const Operation& operation);
+[[nodiscard]] std::vector<Variant> copy_bits_peers(const Operation& operation);
+[[nodiscard]] std::vector<Variant> opencv_holes_peers(const Operation& operation);
 
 /// A peer with its technique and what is said of it; runs everywhere, on one thread.
 [[nodiscard]] Variant peer_variant(std::string_view technique, std::string_view description,

@@ -34,4 +34,7 @@ void write_grey(const std::string& path, const ConstByteView& picture);
 /// Throws PictureError where the ending names no format that write_grey knows.
 void check_ending(const std::string& path);
 
+/// The same for pictures with colours.
+void check_colour_ending(const std::string& path);
+
 }  // namespace thinbench

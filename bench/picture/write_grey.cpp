@@ -9,6 +9,7 @@
 
 #include "picture/captured_stderr.hpp"
 #include "picture/picture.hpp"
+#include "picture/write_mat.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -28,14 +29,12 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-std::vector<std::uint8_t> encoded(const std::string& path, const ConstByteView& picture) {
+std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& picture) {
   const CapturedStderr captured;
   std::vector<std::uint8_t> bytes;
-  // OpenCV only reads the pixels, but has no view of constant ones.
-  const cv::Mat view(static_cast<int>(picture.height), static_cast<int>(picture.width), CV_8UC1,
-                     const_cast<std::uint8_t*>(picture.data),
-                     static_cast<std::size_t>(picture.stride));
-  if (!cv::imencode(ending_of(path), view, bytes)) refuse(path, "the picture cannot be encoded");
+  if (!cv::imencode(ending_of(path), picture, bytes)) {
+    refuse(path, "the picture cannot be encoded");
+  }
   return bytes;
 }
 
@@ -51,14 +50,13 @@ void check_ending(const std::string& path) {
   refuse(path, what + "; the known endings are " + kKnownEndings);
 }
 
-void write_grey(const std::string& path, const ConstByteView& picture) {
+void check_colour_ending(const std::string& path) {
   check_ending(path);
+  if (ending_of(path) == ".pgm") refuse(path, "PGM holds no colours");
+}
+
+void write_mat(const std::string& path, const cv::Mat& picture) {
   try {
-    check_target(path);
-    if (picture.width == 0 || picture.height == 0) refuse(path, "the picture has no pixels");
-    if (!is_writable_size(picture.width, picture.height)) {
-      refuse(path, "the picture has 2^31 pixels or more");
-    }
     const std::vector<std::uint8_t> bytes = encoded(path, picture);
     write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   } catch (const FileError& error) {
@@ -68,6 +66,23 @@ void write_grey(const std::string& path, const ConstByteView& picture) {
   } catch (const std::exception&) {  // OpenCV's own, or memory is short
     refuse(path, "the picture cannot be encoded");
   }
+}
+
+void write_grey(const std::string& path, const ConstByteView& picture) {
+  check_ending(path);
+  try {
+    check_target(path);
+  } catch (const FileError& error) {
+    throw PictureError(error.what());
+  }
+  if (picture.width == 0 || picture.height == 0) refuse(path, "the picture has no pixels");
+  if (!is_writable_size(picture.width, picture.height)) {
+    refuse(path, "the picture has 2^31 pixels or more");
+  }
+  // OpenCV only reads the pixels, but has no view of constant ones.
+  write_mat(path, cv::Mat(static_cast<int>(picture.height), static_cast<int>(picture.width),
+                          CV_8UC1, const_cast<std::uint8_t*>(picture.data),
+                          static_cast<std::size_t>(picture.stride)));
 }
 
 }  // namespace thinbench

@@ -109,12 +109,12 @@ class Selector {
   bool proved(const Row& row, const TimedInput& input, const Outcome& expected) {
     const ConstByteView view = input.view(row.operation->takes);
     const auto job = row.variant->make_job(view.width, view.height, row.threads);
-    std::optional<std::string> mismatch =
-        row.variant->own_reference
-            ? find_mismatch(*job, view, expected_of(*row.operation, *row.variant, view))
-            : find_mismatch(*job, view, expected);
+    std::optional<Outcome> own;
+    if (row.variant->own_reference) own = expected_of(*row.operation, *row.variant, view);
+    const Outcome& due = own ? *own : expected;
+    std::optional<std::string> mismatch = find_mismatch(*job, view, due);
     if (!mismatch && row.variant->has_kernel_scope) {
-      mismatch = find_kernel_mismatch(*job, view, expected);
+      mismatch = find_kernel_mismatch(*job, view, due);
     }
     if (mismatch) {
       selection_.mismatches.push_back(row.name + "/" + input.name + ": " + *mismatch);

@@ -14,17 +14,20 @@ namespace thinbench {
 enum class Technique : std::uint8_t {
   kLut,
   kLutSliding,
+  kUnionFind,
   kAutovec,
   kSimdFloatBytes,
   kSimdFloatBits,
   kSimdFixedPoint,
   kBitpacked,
+  kBitpackedRuns,
   kSimdBytes,
   kSimdBitpacked,
   kSimdBitpackedRow,
   kSimdToBits,
   kSimd16Bit,
   kSimd8Bit,
+  kSimdRuns,
 };
 
 struct TechniqueInfo {
@@ -34,9 +37,11 @@ struct TechniqueInfo {
 };
 
 inline constexpr std::array kTechniques = {
-    TechniqueInfo{Technique::kLut, "lut", "descriptor of eight gathered bytes, 256-entry table"},
+    TechniqueInfo{Technique::kLut, "lut", "bytes of a neighbourhood gathered, one table"},
     TechniqueInfo{Technique::kLutSliding, "lut_sliding",
                   "descriptor that slides along the row, 4096-entry table"},
+    TechniqueInfo{Technique::kUnionFind, "union_find",
+                  "two passes over bytes, provisional labels in a union-find forest"},
     TechniqueInfo{Technique::kAutovec, "autovec",
                   "the reference's arithmetic, vectorised by the compiler"},
     TechniqueInfo{Technique::kSimdFloatBytes, "simd_float_bytes",
@@ -46,6 +51,8 @@ inline constexpr std::array kTechniques = {
     TechniqueInfo{Technique::kSimdFixedPoint, "simd_fixed_point",
                   "xsimd, the net's sums on 8-bit integers, from packed bits"},
     TechniqueInfo{Technique::kBitpacked, "bitpacked", "64 pixels a word, the minimal circuit"},
+    TechniqueInfo{Technique::kBitpackedRuns, "bitpacked_runs",
+                  "runs of packed pixels by count-trailing-zeros, union-find over runs"},
     TechniqueInfo{Technique::kSimdBytes, "simd_bytes", "xsimd, one pixel a byte lane"},
     TechniqueInfo{Technique::kSimdBitpacked, "simd_bitpacked", "xsimd on packed words, any width"},
     TechniqueInfo{Technique::kSimdBitpackedRow, "simd_bitpacked_row",
@@ -56,6 +63,8 @@ inline constexpr std::array kTechniques = {
                   "gradients in 16-bit lanes, one fused sweep"},
     TechniqueInfo{Technique::kSimd8Bit, "simd_8bit",
                   "gradients in 8-bit lanes that saturate, where these are exact"},
+    TechniqueInfo{Technique::kSimdRuns, "simd_runs",
+                  "xsimd, one run a lane; union-find for runs that change"},
 };
 
 consteval bool techniques_stand_in_the_order_of_the_enumeration() {

@@ -75,8 +75,8 @@ TEST(Program, unknown_command_gets_the_nearest_known_name) {
   EXPECT_EQ(failure_of({"lst"}, 2), "no command is named 'lst'; did you mean 'list'?");
   EXPECT_EQ(
       failure_of({"frobnicate"}, 2),
-      "no command is named 'frobnicate'; known: list, verify, run, edges, scene, machine, train "
-      "and experiment");
+      "no command is named 'frobnicate'; known: list, verify, run, edges, holes, scene, machine, "
+      "train and experiment");
 }
 
 TEST(Program, unknown_command_within_a_command_gets_the_nearest_known_name) {

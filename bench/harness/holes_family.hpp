@@ -1,0 +1,17 @@
+// Objects, holes, Euler numbers and filling as the harness sees them: lists as rows of numbers, a
+// number, or an image.
+#pragma once
+
+#include <vector>
+
+#include "harness/operation.hpp"
+#include "holes/label_store.hpp"
+
+namespace thinbench {
+
+[[nodiscard]] std::vector<Operation> holes_family();
+
+/// Lists as numbers: how many objects and holes there are, and then every member of each.
+[[nodiscard]] std::vector<std::int64_t> numbers_of(const RegionLists& lists);
+
+}  // namespace thinbench

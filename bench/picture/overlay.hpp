@@ -1,0 +1,16 @@
+// What was found, drawn over the picture in which it was found.
+#pragma once
+
+#include <string>
+
+#include "thinbench_holes.hpp"
+
+namespace thinbench {
+
+/// Writes `grey` with the outlines of objects in green and of holes in red, a cross at each centre
+/// of mass and the id beside it. `objects` is the binary image in which `found` was found; all have
+/// one size. The file appears as a whole or not at all. Throws PictureError.
+void write_overlay(const std::string& path, const ConstByteView& grey, const ConstByteView& objects,
+                   const FoundHoles& found);
+
+}  // namespace thinbench

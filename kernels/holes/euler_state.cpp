@@ -1,0 +1,72 @@
+#include "core/convert.hpp"
+#include "core/planes.hpp"
+#include "holes/euler.hpp"
+#include "holes/states.hpp"
+
+namespace thinbench {
+namespace {
+
+class PackedState final : public HolesState {
+ public:
+  PackedState(const EulerKernels& kernels, const HolesSetting& setting)
+      : kernel_(setting.task == HolesTask::kEulerEight ? kernels.eight : kernels.four),
+        conversion_(plane_conversion<std::uint64_t>(setting.isa)),
+        image_(setting.width, setting.height) {}
+
+  void load(const ConstByteView& source) override { conversion_.read(source, image_.view()); }
+  void compute() override {
+    const ConstBitPlaneView image = image_.view();
+    number_ = kernel_(image, 0, image.height + 1);
+  }
+  [[nodiscard]] std::int64_t number() const override { return number_; }
+  [[nodiscard]] bool margins_are_zero() const override { return image_.margin_is_zero(); }
+
+ private:
+  EulerKernel kernel_;
+  const PlaneConversion<std::uint64_t>& conversion_;
+  BitPlane image_;
+  std::int64_t number_ = 0;
+};
+
+class ByteState final : public HolesState {
+ public:
+  ByteState(EulerQuads count, const HolesSetting& setting)
+      : count_(count),
+        conversion_(plane_conversion<std::uint8_t>(setting.isa)),
+        image_(setting.width, setting.height) {}
+
+  void load(const ConstByteView& source) override { conversion_.read(source, image_.view()); }
+  void compute() override { number_ = count_(image_.view()); }
+  [[nodiscard]] std::int64_t number() const override { return number_; }
+  [[nodiscard]] bool margins_are_zero() const override { return image_.margin_is_zero(); }
+
+ private:
+  EulerQuads count_;
+  const PlaneConversion<std::uint8_t>& conversion_;
+  BytePlane image_;
+  std::int64_t number_ = 0;
+};
+
+const EulerKernels& simd_kernels(Isa isa) {
+  static constexpr const EulerKernels* kByLevel[] = {
+      &IsaEuler<Isa::kBaseline>::kSimd, &IsaEuler<Isa::kSse42>::kSimd, &IsaEuler<Isa::kAvx2>::kSimd,
+      &IsaEuler<Isa::kAvx512>::kSimd, &IsaEuler<Isa::kAvx512Icl>::kSimd};
+  return *kByLevel[static_cast<std::size_t>(isa)];
+}
+
+}  // namespace
+
+std::unique_ptr<HolesState> make_euler_lut(const HolesSetting& setting) {
+  const bool eight = setting.task == HolesTask::kEulerEight;
+  return std::make_unique<ByteState>(eight ? &euler_by_quads_8 : &euler_by_quads_4, setting);
+}
+
+std::unique_ptr<HolesState> make_euler_bitpacked(const HolesSetting& setting) {
+  return std::make_unique<PackedState>(kBitpackedEuler, setting);
+}
+
+std::unique_ptr<HolesState> make_euler_simd(const HolesSetting& setting) {
+  return std::make_unique<PackedState>(simd_kernels(setting.isa), setting);
+}
+
+}  // namespace thinbench

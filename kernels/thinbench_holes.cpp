@@ -1,0 +1,44 @@
+#include "thinbench_holes.hpp"
+
+#include "core/check_views.hpp"
+
+namespace thinbench {
+namespace {
+
+HolesPlan make_plan(std::string_view name, const ConstByteView& source, const VariantWish& wish) {
+  check_views(source, source, InPlace::kAllowed);
+  const HolesOperation& operation = *find_holes_operation(name);
+  const HolesVariant& variant = choose_variant(operation, source.width, wish);
+  return {operation, variant, source.width, source.height, wish.threads};
+}
+
+}  // namespace
+
+const HolesVariant& choose_variant(const HolesOperation& operation, Index width,
+                                   const VariantWish& wish) {
+  std::vector<VariantFacts> facts;
+  for (const HolesVariant& one : operation.variants) facts.push_back(facts_of(one));
+  return operation.variants[choose_variant(operation.name, facts, width, wish)];
+}
+
+FoundHoles find_holes(ConstByteView source, const VariantWish& wish) {
+  HolesPlan plan = make_plan("holes", source, wish);
+  plan.run(source);
+  const RegionLists lists = plan.regions();
+  return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
+}
+
+std::int64_t euler_number(ConstByteView source, const VariantWish& wish) {
+  HolesPlan plan = make_plan("euler_number", source, wish);
+  plan.run(source);
+  return plan.number();
+}
+
+void fill_holes(ConstByteView source, ByteView destination, const VariantWish& wish) {
+  check_views(source, destination, InPlace::kAllowed);
+  HolesPlan plan = make_plan("fill_holes", source, wish);
+  plan.run(source);
+  plan.store(destination);
+}
+
+}  // namespace thinbench

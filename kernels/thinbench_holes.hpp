@@ -1,0 +1,37 @@
+// Objects and holes in one header: find them in a picture, let the library choose how.
+#pragma once
+
+#include <vector>
+
+#include "catalog.hpp"
+#include "core/variant_choice.hpp"
+#include "holes/plan.hpp"
+
+namespace thinbench {
+
+/// The variant that fits the wish. Throws std::invalid_argument, naming what is wrong and what
+/// there is, where none does.
+[[nodiscard]] const HolesVariant& choose_variant(const HolesOperation& operation, Index width,
+                                                 const VariantWish& wish = {});
+
+/// Lists that own their regions; see region.hpp for what they hold and how they are numbered.
+struct FoundHoles {
+  std::vector<Region> objects;
+  std::vector<Region> holes;
+};
+
+// In all of these 0 is light, anything else dark; outside the image everything is light, objects
+// are 8-connected and holes 4-connected. They throw std::invalid_argument for a negative size, a
+// stride below the width, a null image, sides above 2^29 or more than 2^32 pixels, and a wish that
+// no variant fits; std::bad_alloc where memory is short.
+
+/// All objects and all holes.
+[[nodiscard]] FoundHoles find_holes(ConstByteView source, const VariantWish& wish = {});
+
+/// Objects minus holes.
+[[nodiscard]] std::int64_t euler_number(ConstByteView source, const VariantWish& wish = {});
+
+/// Objects with all that they enclose, 255 on 0. The two are the same image or do not overlap.
+void fill_holes(ConstByteView source, ByteView destination, const VariantWish& wish = {});
+
+}  // namespace thinbench

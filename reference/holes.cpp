@@ -1,0 +1,134 @@
+#include "holes.hpp"
+
+#include <algorithm>
+
+#include "matrix.hpp"
+
+namespace thinbench::reference {
+namespace {
+
+struct Point {
+  Index x;
+  Index y;
+};
+
+enum class Neighbours : std::uint8_t { kFour, kEight };
+
+/// An image in a light frame one pixel wide, and the number of the region that took each pixel.
+class Flood {
+ public:
+  explicit Flood(const ConstByteView& source)
+      : image_(matrix_of(source)),
+        width_(source.width),
+        height_(source.height),
+        numbers_(static_cast<std::size_t>((width_ + 2) * (height_ + 2)), 0) {}
+
+  [[nodiscard]] bool dark(Index x, Index y) const { return image_.dark(x, y); }
+  [[nodiscard]] std::uint32_t& number(Index x, Index y) {
+    return numbers_[static_cast<std::size_t>((y + 1) * (width_ + 2) + x + 1)];
+  }
+
+  /// Numbers all pixels of the colour of (x, y) that can be reached from there, and sums them up.
+  Region fill(Index x, Index y, Neighbours neighbours, std::uint32_t with) {
+    const auto column = static_cast<std::int32_t>(x);
+    const auto row = static_cast<std::int32_t>(y);
+    Region region{0, 0, 0, column, row, column, row, 0};
+    std::vector<Point> waiting = {{x, y}};
+    number(x, y) = with;
+    while (!waiting.empty()) {
+      const Point here = waiting.back();
+      waiting.pop_back();
+      add(region, here);
+      for (Index dy = -1; dy <= 1; ++dy) {
+        for (Index dx = -1; dx <= 1; ++dx) {
+          if (neighbours == Neighbours::kFour && dx != 0 && dy != 0) continue;
+          const Point next = {here.x + dx, here.y + dy};
+          if (!inside_frame(next) || number(next.x, next.y) != 0) continue;
+          if (dark(next.x, next.y) != dark(x, y)) continue;
+          number(next.x, next.y) = with;
+          waiting.push_back(next);
+        }
+      }
+    }
+    return region;
+  }
+
+ private:
+  [[nodiscard]] bool inside_frame(const Point& point) const {
+    return point.x >= -1 && point.x <= width_ && point.y >= -1 && point.y <= height_;
+  }
+
+  static void add(Region& region, const Point& point) {
+    const auto x = static_cast<std::int32_t>(point.x);
+    const auto y = static_cast<std::int32_t>(point.y);
+    region.area += 1;
+    region.sum_x += x;
+    region.sum_y += y;
+    region.left = std::min(region.left, x);
+    region.top = std::min(region.top, y);
+    region.right = std::max(region.right, x);
+    region.bottom = std::max(region.bottom, y);
+  }
+
+  Matrix image_;
+  Index width_;
+  Index height_;
+  std::vector<std::uint32_t> numbers_;
+};
+
+constexpr std::uint32_t kOutside = UINT32_MAX;
+
+/// The pixel before the first one of a hole lies on the object round the hole.
+Regions find(const ConstByteView& source, Neighbours of_objects) {
+  const Neighbours of_holes =
+      of_objects == Neighbours::kEight ? Neighbours::kFour : Neighbours::kEight;
+  Flood flood(source);
+  Regions found;
+  static_cast<void>(flood.fill(-1, -1, of_holes, kOutside));
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      if (flood.number(x, y) != 0) continue;
+      const bool is_object = flood.dark(x, y);
+      std::vector<Region>& list = is_object ? found.objects : found.holes;
+      const auto id = static_cast<std::uint32_t>(list.size() + 1);
+      list.push_back(flood.fill(x, y, is_object ? of_objects : of_holes, id));
+      if (!is_object) list.back().owner = flood.number(x - 1, y);
+    }
+  }
+  return found;
+}
+
+std::int64_t objects_minus_holes(const Regions& found) {
+  return static_cast<std::int64_t>(found.objects.size()) -
+         static_cast<std::int64_t>(found.holes.size());
+}
+
+}  // namespace
+
+Regions holes(ConstByteView source) {
+  return find(source, Neighbours::kEight);
+}
+
+Regions components(ConstByteView source) {
+  return {find(source, Neighbours::kEight).objects, {}};
+}
+
+void fill_holes(ConstByteView source, ByteView destination) {
+  Flood flood(source);
+  static_cast<void>(flood.fill(-1, -1, Neighbours::kFour, kOutside));
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      destination.row(y)[x] = flood.number(x, y) == kOutside ? 0 : 255;
+    }
+  }
+}
+
+std::int64_t euler_number(ConstByteView source) {
+  return objects_minus_holes(find(source, Neighbours::kEight));
+}
+
+std::int64_t euler_number_4(ConstByteView source) {
+  return objects_minus_holes(find(source, Neighbours::kFour));
+}
+
+}  // namespace thinbench::reference

@@ -1,0 +1,60 @@
+// Section 2.2 of the paper in plain code: hole detection as printed, and the same for any picture.
+#pragma once
+
+#include <vector>
+
+#include "core/views.hpp"
+#include "holes/region.hpp"
+
+namespace thinbench::reference {
+
+/// What the relabelling scan ends with. `flag` is the smallest grey level given, 255 where there
+/// was no point at all.
+struct LiteralHoles {
+  int flag = 255;
+
+  /// Contours found, and the paper's count of holes: all contours but one, the exterior one.
+  [[nodiscard]] int contours() const { return 255 - flag; }
+  [[nodiscard]] int holes() const { return flag == 255 ? 0 : 254 - flag; }
+};
+
+/// The relabelling scan, steps a) to e) as printed, on a picture of contours (255 are points of
+/// contours, anything else is background and taken as 0). `labels` gets the grey levels; same size.
+///
+///   a) Scan line by line to the first 255 point; it and the flag become 254.
+///   b) Scan on to the next 255 point p, with the neighbours W, NW, N, NE as a, b, c, d.
+///   c) If max(a, b, c, d) is 0 the flag is decremented and p becomes the flag; else p becomes the
+///      maximum.
+///   d) For each x of a, b, c, d below the maximum: from the point of step a) on, every x becomes
+///      the maximum, all levels below x are incremented, and so is the flag.
+///   e) Back to b) until no point is 255.
+///
+/// Outside the image is background. In d) background, 0, is neither an x nor incremented (the paper
+/// does not say so, but means it: its levels are those of contours). Throws std::length_error where
+/// more than 254 levels are needed at once.
+LiteralHoles holes_literal(ConstByteView contours, ByteView labels);
+
+/// Points of objects that have a light pixel to the west, north, east or south: what the scan above
+/// is to be given for a binary image. 0 and 255.
+void contours_of(ConstByteView source, ByteView destination);
+
+/// Objects and holes as region.hpp defines them, each by flood fill from its first pixel.
+struct Regions {
+  std::vector<Region> objects;
+  std::vector<Region> holes;
+};
+[[nodiscard]] Regions holes(ConstByteView source);
+
+/// The objects alone.
+[[nodiscard]] Regions components(ConstByteView source);
+
+/// Objects (255) with everything that they enclose: light stays only what reaches the border by
+/// steps to the west, north, east or south. May be in place.
+void fill_holes(ConstByteView source, ByteView destination);
+
+/// Objects minus holes, by counting both: 8-connected objects with 4-connected holes, and the other
+/// way round.
+[[nodiscard]] std::int64_t euler_number(ConstByteView source);
+[[nodiscard]] std::int64_t euler_number_4(ConstByteView source);
+
+}  // namespace thinbench::reference

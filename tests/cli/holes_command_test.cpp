@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "picture/picture.hpp"
+#include "picture/temporary_folder.hpp"
+#include "program_run.hpp"
+
+namespace thinbench {
+namespace {
+
+using Names = std::set<std::string>;
+
+/// Two bright plates on black; the first has a hole of 4 x 3 pixels at (8, 7).
+ByteImage plates() {
+  ByteImage image(60, 30);
+  for (Index y = 2; y < 20; ++y) {
+    for (Index x = 3; x < 40; ++x) image.at(x, y) = x < 20 || x > 25 ? 200 : 0;
+  }
+  for (Index y = 7; y < 10; ++y) {
+    for (Index x = 8; x < 12; ++x) image.at(x, y) = 20;
+  }
+  return image;
+}
+
+class HolesCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_grey(in, plates().view()); }
+
+  TemporaryFolder folder;
+  std::string in = folder.file("in.png");
+  std::string overlay = folder.file("overlay.png");
+};
+
+TEST_F(HolesCommand, prints_each_object_with_its_holes_as_json) {
+  const ProgramRun run = run_with({"holes", in, "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const nlohmann::json objects = nlohmann::json::parse(run.out).at("objects");
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].at("id"), 1);
+  EXPECT_EQ(objects[0].at("area"), 17 * 18 - 12);
+  EXPECT_EQ(objects[0].at("box"), (std::vector<int>{3, 2, 17, 18}));
+  ASSERT_EQ(objects[0].at("holes").size(), 1U);
+  const nlohmann::json& hole = objects[0].at("holes")[0];
+  EXPECT_EQ(hole.at("area"), 12);
+  EXPECT_EQ(hole.at("centre"), (std::vector<double>{9.5, 8.0}));
+  EXPECT_EQ(hole.at("box"), (std::vector<int>{8, 7, 4, 3}));
+  EXPECT_EQ(objects[1].at("holes"), nlohmann::json::array());
+}
+
+TEST_F(HolesCommand, lists_the_same_for_people) {
+  const ProgramRun run = run_with({"holes", in});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("2 objects, 1 hole\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("  hole 1: area 12, centre (9.50, 8.00), box 8 7 4 3\n"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST_F(HolesCommand, threshold_and_invert_choose_the_objects) {
+  EXPECT_NE(run_with({"holes", in, "--threshold", "10"}).out.find("2 objects, 0 holes"),
+            std::string::npos);
+  EXPECT_NE(run_with({"holes", in, "--invert"}).out.find("2 objects, 2 holes"), std::string::npos);
+}
+
+TEST_F(HolesCommand, every_technique_and_threads_say_the_same) {
+  const std::string expected = run_with({"holes", in, "--json"}).out;
+  for (const char* technique : {"union_find", "bitpacked_runs", "simd_runs"}) {
+    EXPECT_EQ(run_with({"holes", in, "--json", "--technique", technique}).out, expected);
+  }
+  EXPECT_EQ(run_with({"holes", in, "--json", "--threads", "3"}).out, expected);
+}
+
+TEST_F(HolesCommand, picture_without_objects_gives_an_empty_list) {
+  write_grey(in, ByteImage(20, 10).view());
+  const ProgramRun run = run_with({"holes", in, "--json", "--overlay", overlay});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(run.out), nlohmann::json({{"objects", nlohmann::json::array()}}));
+  EXPECT_EQ(run_with({"holes", in}).out, "0 objects, 0 holes\n");
+  EXPECT_EQ(read_grey(overlay).width(), 20);
+}
+
+TEST_F(HolesCommand, overlay_changes_pixels_at_outlines_and_centres_only_round_objects) {
+  ASSERT_EQ(run_with({"holes", in, "--overlay", overlay}).status, 0);
+  const ByteImage before = plates();
+  const ByteImage after = read_grey(overlay);
+  ASSERT_EQ(after.width(), before.width());
+  EXPECT_NE(after.at(3, 10), before.at(3, 10)) << "outline of the first plate";
+  EXPECT_NE(after.at(32, 10), before.at(32, 10)) << "centre of the second plate";
+  EXPECT_EQ(after.at(55, 25), before.at(55, 25));
+}
+
+TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
+  const std::string nowhere = folder.file("nothing.png");
+  EXPECT_NE(failure_of({"holes", nowhere, "--overlay", overlay}, 1).find("nothing.png"),
+            std::string::npos);
+  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("a.jpg")}, 1).find("JPEG"),
+            std::string::npos);
+  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("a.pgm")}, 1).find("no colours"),
+            std::string::npos);
+  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("no/a.png")}, 1).find("no folder"),
+            std::string::npos);
+  EXPECT_NE(failure_of({"holes", in, "--threshold", "300"}, 2).find("300"), std::string::npos);
+  EXPECT_NE(failure_of({"holes", in, "--technique", "simd_run"}, 2).find("simd_runs"),
+            std::string::npos);
+  EXPECT_NE(failure_of({"holes", in, "--technique", "lut"}, 2).find("no such variant"),
+            std::string::npos);
+  EXPECT_EQ(folder.names(), Names{"in.png"});
+}
+
+}  // namespace
+}  // namespace thinbench
