@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "picture/picture.hpp"
-#include "picture/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 #include "program_run.hpp"
 
 namespace thinbench {
