@@ -51,7 +51,7 @@ std::vector<Words> all_commands() {
 
 TEST(Program, every_help_has_examples) {
   const std::vector<Words> commands = all_commands();
-  EXPECT_EQ(commands.size(), 1 + 8 + 2 + 5U);
+  EXPECT_EQ(commands.size(), 1 + 9 + 2 + 5U);
   for (Words words : commands) {
     std::string command = "thinbench";
     for (const std::string& word : words) command += " " + word;
@@ -163,11 +163,12 @@ TEST(Program, malformed_cap_stops_every_command) {
   for (Words words : all_commands()) {
     if (words.empty() || !commands_below(words).empty()) continue;
     if (words.front() == "run") words.insert(words.end(), {kOperation, "in.png", "out.png"});
+    if (words.front() == "holes") words.emplace_back("in.png");
     if (words.front() == "edges") words.insert(words.end(), {"in.png", "out.png"});
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
     ++stopped;
   }
-  EXPECT_EQ(stopped, 6 + 2 + 5);
+  EXPECT_EQ(stopped, 7 + 2 + 5);
   EXPECT_EQ(run_with({"--help"}).status, 0);
 }
 
