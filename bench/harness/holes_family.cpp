@@ -129,6 +129,7 @@ Operation operation_of_table(const HolesOperation& operation) {
   for (const HolesVariant& variant : operation.variants) {
     result.variants.push_back(variant_of(operation, variant));
   }
+  result.in_size_series = operation.name == "holes";
   result.reference = [task = operation.task](Index, Index, int) {
     return std::make_unique<ReferenceJob>(task);
   };

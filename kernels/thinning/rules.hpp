@@ -112,10 +112,19 @@ template <int eighths, class Word>
 struct ZhangSuen {
   static constexpr int kSubIterations = 2;
 
-  /// Eleven gates, update included. Found by simulated annealing over networks.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
     const Neighbourhood<Word> n = turned<4 * sub>(as_seen);
+    if constexpr (TernaryGate<Word>::kOneInstruction) {
+      return by_three_input_gates(n);
+    } else {
+      return by_two_input_gates(n);
+    }
+  }
+
+  /// Eleven gates, update included. Found by simulated annealing over networks.
+  template <class Word>
+  [[gnu::always_inline]] static constexpr Word by_three_input_gates(const Neighbourhood<Word>& n) {
     constexpr auto same_or_other = [](auto a, auto b, auto c) { return ~((a ^ b) & ~(a ^ c)); };
     const Word g1 = ternary(n.n1, n.n2, n.n3, same_or_other);
     const Word g2 =
@@ -133,6 +142,41 @@ struct ZhangSuen {
         ternary(g2, g6, n.n0, [](auto a, auto b, auto c) { return ~((a ^ b) | (a ^ c)); });
     const Word stays = ternary(g1, g7, g9, [](auto a, auto b, auto c) { return ~a | (b & ~c); });
     return ternary(stays, g8, n.p, [](auto a, auto b, auto c) { return c & (a | b); });
+  }
+
+  /// Twenty-nine gates, no inverter, update included: found by logic minimisation over orders of
+  /// the inputs.
+  template <class Word>
+  [[gnu::always_inline]] static constexpr Word by_two_input_gates(const Neighbourhood<Word>& n) {
+    const Word g1 = n.n2 & ~n.n7;
+    const Word g2 = g1 | n.n0;
+    const Word g3 = g2 & ~n.n5;
+    const Word g4 = n.n5 | n.n3;
+    const Word g5 = n.n4 & ~n.n7;
+    const Word g6 = g4 & g5;
+    const Word g7 = g6 | n.n6;
+    const Word g8 = g3 | g7;
+    const Word g9 = n.n1 & ~n.n6;
+    const Word g10 = n.n0 & ~g9;
+    const Word g11 = n.n6 & ~n.n5;
+    const Word g12 = g10 | g11;
+    const Word g13 = g12 & ~n.n7;
+    const Word g14 = n.n6 & ~n.n4;
+    const Word g15 = n.n0 & ~n.n2;
+    const Word g16 = g11 | g15;
+    const Word g17 = g14 | g16;
+    const Word g18 = n.n3 | n.n4;
+    const Word g19 = g17 & g18;
+    const Word g20 = g13 | g19;
+    const Word g21 = g8 & ~g20;
+    const Word g22 = n.n3 & ~g10;
+    const Word g23 = g9 & ~n.n4;
+    const Word g24 = n.n2 & ~g23;
+    const Word g25 = g24 & ~g22;
+    const Word g26 = n.n1 & ~g2;
+    const Word g27 = g25 | g26;
+    const Word g28 = g21 & ~g27;
+    return n.p & ~g28;
   }
 
   /// As published, on words that hold 0 or 1 in a whole lane.
@@ -188,10 +232,19 @@ struct SptaDirectional {
 struct GuoHall {
   static constexpr int kSubIterations = 2;
 
-  /// Ten gates, update included.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
     const Neighbourhood<Word> n = turned<4 * sub>(as_seen);
+    if constexpr (TernaryGate<Word>::kOneInstruction) {
+      return by_three_input_gates(n);
+    } else {
+      return by_two_input_gates(n);
+    }
+  }
+
+  /// Ten gates, update included.
+  template <class Word>
+  [[gnu::always_inline]] static constexpr Word by_three_input_gates(const Neighbourhood<Word>& n) {
     constexpr auto and_either = [](auto a, auto b, auto c) { return ~a & (b | c); };
     constexpr auto and_implied = [](auto a, auto b, auto c) { return ~a & (b | ~c); };
     const Word corner =
@@ -206,6 +259,31 @@ struct GuoHall {
         ternary(n.n2, n.n1, n.n7, [](auto a, auto b, auto c) { return ~(a | b) & c; });
     const Word removed = ternary(g4, south_east, g6, and_implied);
     return ternary(n.p, g2, removed, [](auto a, auto b, auto c) { return a & (b | ~c); });
+  }
+
+  /// Nineteen gates, no inverter, update included: found by logic minimisation over orders of the
+  /// inputs.
+  template <class Word>
+  [[gnu::always_inline]] static constexpr Word by_two_input_gates(const Neighbourhood<Word>& n) {
+    const Word g1 = n.n1 & n.n7;
+    const Word g2 = g1 & ~n.n5;
+    const Word g3 = g2 | n.n6;
+    const Word g4 = g3 & ~n.n3;
+    const Word g5 = n.n2 & ~n.n5;
+    const Word g6 = g4 | g5;
+    const Word g7 = n.n1 | n.n4;
+    const Word g8 = g7 & ~n.n7;
+    const Word g9 = n.n5 & ~n.n2;
+    const Word g10 = g9 & n.n7;
+    const Word g11 = g8 | g10;
+    const Word g12 = n.n0 | g11;
+    const Word g13 = n.n1 & ~n.n0;
+    const Word g14 = g13 | n.n4;
+    const Word g15 = n.n3 & ~n.n6;
+    const Word g16 = g14 & ~g15;
+    const Word g17 = g12 & ~g16;
+    const Word g18 = g6 & g17;
+    return n.p & ~g18;
   }
 
   template <int sub, class Lane>

@@ -50,15 +50,6 @@ TEST(NaccacheShinghal, circuit_equals_the_stay_table_with_176_staying_codes) {
   EXPECT_EQ(staying, 176);
 }
 
-TEST(NaccacheShinghal, both_circuits_are_one_function) {
-  for (int word = 0; word < 8; ++word) {
-    const auto input = [word](int variable) { return counting_pattern(variable, word); };
-    const Neighbourhood<std::uint64_t> n = {input(8), input(0), input(1), input(2), input(3),
-                                            input(4), input(5), input(6), input(7)};
-    EXPECT_EQ(NaccacheShinghal::by_two_input_gates(n), NaccacheShinghal::by_three_input_gates(n));
-  }
-}
-
 TEST(NaccacheShinghal, printed_form_on_bytes_equals_the_circuit) {
   for (unsigned k = 0; k < 512; ++k) {
     const auto bit = [k](int i) { return static_cast<std::uint8_t>(k >> i & 1); };
@@ -120,6 +111,26 @@ void expect_circuit_equals_printed_form() {
           << "neighbourhood " << 64 * word + bit << ", sub-iteration " << sub;
     }
   }
+}
+
+template <class Rule>
+void expect_both_circuits_are_one_function() {
+  for (int word = 0; word < 8; ++word) {
+    const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+    EXPECT_EQ(Rule::by_two_input_gates(n), Rule::by_three_input_gates(n));
+  }
+}
+
+TEST(NaccacheShinghal, both_circuits_are_one_function) {
+  expect_both_circuits_are_one_function<NaccacheShinghal>();
+}
+
+TEST(ZhangSuen, both_circuits_are_one_function) {
+  expect_both_circuits_are_one_function<ZhangSuen>();
+}
+
+TEST(GuoHall, both_circuits_are_one_function) {
+  expect_both_circuits_are_one_function<GuoHall>();
 }
 
 TEST(ZhangSuen, circuit_equals_the_printed_form) {
