@@ -1,0 +1,72 @@
+// thinbench run --border.
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/ximgproc.hpp>
+
+#include "picture/picture.hpp"
+#include "program_run.hpp"
+#include "scene/scene.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace thinbench {
+namespace {
+
+class Border : public testing::Test {
+ protected:
+  void SetUp() override { write_grey(in, picture.view()); }
+
+  [[nodiscard]] ByteImage thinned(const std::string& operation, const std::string& border) const {
+    const ProgramRun ran = run_with({"run", operation, in, out, "--border", border});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    return read_grey(out);
+  }
+  [[nodiscard]] ByteImage by_opencv(cv::ximgproc::ThinningTypes type) {
+    ByteImage result(picture.width(), picture.height());
+    cv::Mat skeleton;
+    cv::ximgproc::thinning(mat_of(picture), skeleton, type);
+    skeleton.copyTo(mat_of(result));
+    return result;
+  }
+
+  TemporaryFolder folder;
+  ByteImage picture = std::move(render_scene({SceneKind::kFrameTouching}).binary);
+  std::string in = folder.file("in.png");
+  std::string out = folder.file("out.png");
+
+ private:
+  static cv::Mat mat_of(ByteImage& image) {
+    return {static_cast<int>(image.height()), static_cast<int>(image.width()), CV_8U,
+            image.view().data, static_cast<std::size_t>(image.view().stride)};
+  }
+};
+
+TEST_F(Border, keep_equals_opencv_on_a_picture_that_touches_the_frame) {
+  EXPECT_TRUE(equal(thinned("thin_zhang_suen", "keep").view(),
+                    by_opencv(cv::ximgproc::THINNING_ZHANGSUEN).view()));
+  EXPECT_TRUE(equal(thinned("thin_guo_hall", "keep").view(),
+                    by_opencv(cv::ximgproc::THINNING_GUOHALL).view()));
+}
+
+TEST_F(Border, background_is_the_default_and_differs) {
+  const ByteImage asked = thinned("thin_zhang_suen", "background");
+  ASSERT_EQ(run_with({"run", "thin_zhang_suen", in, out}).status, 0);
+  EXPECT_TRUE(equal(read_grey(out).view(), asked.view()));
+  EXPECT_FALSE(equal(thinned("thin_zhang_suen", "keep").view(), asked.view()));
+}
+
+TEST_F(Border, unknown_names_are_refused_with_the_allowed_ones) {
+  EXPECT_EQ(failure_of({"run", "thin_zhang_suen", in, out, "--border", "mirror"}, 2),
+            "no border is named 'mirror'; known: background and keep");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"in.png"});
+}
+
+TEST_F(Border, technique_that_does_not_keep_it_is_refused) {
+  if (!isa_available(Isa::kAvx512)) GTEST_SKIP() << "needs avx512";
+  EXPECT_EQ(failure_of({"run", "thin_naccache_shinghal", in, out, "--border", "keep", "--technique",
+                        "simd_bitpacked_row"},
+                       1),
+            "simd_bitpacked_row: this variant does not keep the border");
+}
+
+}  // namespace
+}  // namespace thinbench
