@@ -34,6 +34,12 @@ class Bar:
     opens_group: bool
     rows: dict[str, Row]
 
+    @property
+    def label(self) -> str:
+        """The technique in words; other people's are marked."""
+        words = self.technique.replace("_", " ")
+        return f"{words} (peer)" if any(row.is_peer for row in self.rows.values()) else words
+
 
 def plot_speedups(study: Study, finding: Finding) -> Plot | None:
     """The figure for one operation and input, or None if there is only the reference."""
@@ -127,8 +133,8 @@ def _label_bars(axes: Axes, bars: list[Bar]) -> None:
     inches = blended_transform_factory(axes.figure.dpi_scale_trans, axes.transData)
     for bar in bars:
         if bar.opens_group:
-            axes.text(0.2, bar.y, bar.technique.replace("_", " "), transform=inches, size=9.5,
-                      weight="bold", va="center_baseline")
+            axes.text(0.2, bar.y, bar.label, transform=inches, size=9.5, weight="bold",
+                      va="center_baseline")
         threads = f", {bar.threads} threads" if bar.threads > 1 else ""
         axes.text(LEFT - 0.12, bar.y, bar.isa + threads, transform=inches, size=9, color=MUTED,
                   ha="right", va="center_baseline")

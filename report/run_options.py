@@ -16,11 +16,12 @@ class RunOptions:
     images: tuple[str, ...] = ()
     repetitions: int | None = None
     largest_square: int | None = None
+    has_peers: bool = True
 
     @property
     def is_partial(self) -> bool:
         """True if a full run would have more rows, sizes or repetitions, or another input."""
-        return self.is_quick or bool(self.filter) or bool(self.images)
+        return self.is_quick or bool(self.filter or self.images) or not self.has_peers
 
     @property
     def words(self) -> str:
@@ -29,6 +30,7 @@ class RunOptions:
         parts.append(f"only rows that match '{self.filter}'" if self.filter else "")
         parts.append(f"pictures {', '.join(self.images)} instead of the scene"
                      if self.images else "")
+        parts.append("" if self.has_peers else "no peers")
         parts.append(f"{self.repetitions} repetitions" if self.repetitions else "")
         if self.largest_square is not None:
             side = self.largest_square
@@ -45,4 +47,5 @@ def load_run_options(fields: Fields) -> RunOptions:
         filter=str(fields.data.get("filter") or ""),
         images=tuple(map(str, images)) if isinstance(images, list) else (),
         repetitions=fields.count("repetitions", 1) if fields.has("repetitions") else None,
-        largest_square=fields.count("largest_square") if fields.has("largest_square") else None)
+        largest_square=fields.count("largest_square") if fields.has("largest_square") else None,
+        has_peers=fields.data.get("peers") is not False)

@@ -56,7 +56,8 @@ def _csv_fields(row: Row) -> list[object]:
 def _markdown_fields(row: Row) -> list[str]:
     name = row.name
     return [
-        name.operation, name.input, scope_label(name.scope), name.technique, name.isa,
+        name.operation, name.input, scope_label(name.scope),
+        name.technique + (" (peer)" if row.is_peer else ""), name.isa,
         str(name.threads), "" if row.passes is None else str(row.passes),
         microseconds(row.median_ns), f"{row.ns_per_pixel:.4f}", times(row.speedup),
         percent(row.spread_percent) + (" (noisy)" if row.is_noisy else "")]

@@ -23,8 +23,11 @@ struct Variant {
   /// Somebody else's code, or a limit such as a copy: timed beside the variants, never offered by
   /// the library.
   bool is_peer = false;
-  /// What a peer that does less is compared with; empty for the operation's own reference.
+  /// What a peer that does something else is compared with; empty for the operation's own
+  /// reference.
   JobMaker own_reference = {};
+  /// False for peers so slow that a series of sizes would take longer than all else.
+  bool for_series_of_sizes = true;
 
   /// The level as rows name it; peers choose their own at run time.
   [[nodiscard]] std::string_view isa_label() const { return is_peer ? "own" : isa_name(isa); }

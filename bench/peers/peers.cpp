@@ -7,20 +7,34 @@ namespace {
 
 using PeersOf = std::vector<Variant> (*)(const Operation&);
 
-constexpr PeersOf kAllPeers[] = {&copy_peers, &opencv_edge_peers, &copy_bits_peers,
-                                    &opencv_holes_peers};
+constexpr PeersOf kAllPeers[] = {&copy_peers,         &opencv_edge_peers,     &copy_bits_peers,
+                                 &opencv_holes_peers, &opencv_thinning_peers, &leptonica_peers};
+
+class ImageOnlyJob final : public Job {
+ public:
+  explicit ImageOnlyJob(std::unique_ptr<Job> job) : job_(std::move(job)) {}
+
+  void run(const ConstByteView& input, const ByteView& output) override {
+    job_->run(input, output);
+  }
+
+ private:
+  std::unique_ptr<Job> job_;
+};
 
 }  // namespace
 
 const std::vector<Peer>& peers() {
   static const std::vector<Peer> all = {
       {"copy", "the input's bytes copied to the output: a limit that no operation passes"},
-      {"opencv", opencv_description() + "; the whole operation"},
+      {"opencv", opencv_description() + "; the whole operation; thinning keeps the border"},
       {"opencv_gradient", opencv_description() + "; does less: no threshold P2"},
       {"copy_bits", "the packed words copied: a limit for work on packed images"},
       {"opencv_contours", opencv_description() + "; areas and centres of polygons, not of pixels"},
       {"opencv_stats", opencv_description() + "; does less: no holes"},
-      {"opencv_components", opencv_description() + "; labels objects, counts no holes"}};
+      {"opencv_components", opencv_description() + "; labels objects, counts no holes"},
+      {"leptonica_4", leptonica_description()},
+      {"leptonica_8", leptonica_description()}};
   return all;
 }
 
@@ -46,6 +60,12 @@ Variant peer_variant(std::string_view technique, std::string_view description, J
   variant.is_peer = true;
   variant.own_reference = std::move(own_reference);
   return variant;
+}
+
+JobMaker image_only(JobMaker make_job) {
+  return [make_job = std::move(make_job)](Index width, Index height, int threads) {
+    return std::make_unique<ImageOnlyJob>(make_job(width, height, threads));
+  };
 }
 
 }  // namespace thinbench

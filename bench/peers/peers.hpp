@@ -22,15 +22,21 @@ struct Peer {
 
 /// Peers by source file: variants for an operation, none where there are none.
 [[nodiscard]] std::vector<Variant> copy_peers(const Operation& operation);
+[[nodiscard]] std::vector<Variant> leptonica_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> opencv_edge_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> copy_bits_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> opencv_holes_peers(const Operation& operation);
+[[nodiscard]] std::vector<Variant> opencv_thinning_peers(const Operation& operation);
 
 /// A peer with its technique and what is said of it; runs everywhere, on one thread.
 [[nodiscard]] Variant peer_variant(std::string_view technique, std::string_view description,
                                    JobMaker make_job, JobMaker own_reference = {});
 
+/// The same work without the numbers, for peers that give none.
+[[nodiscard]] JobMaker image_only(JobMaker make_job);
+
 /// "OpenCV 4.6.0, 1 thread, its own choice of ...".
 [[nodiscard]] std::string opencv_description();
+[[nodiscard]] std::string leptonica_description();
 
 }  // namespace thinbench

@@ -1,6 +1,6 @@
 """Prints, as JSON for machine.json, with what options a study was run.
 
-Usage: run_options.py yes|no FILTER REPETITIONS LARGEST_SQUARE [IMAGE...]
+Usage: run_options.py yes|no FILTER REPETITIONS LARGEST_SQUARE yes|no [IMAGE...]
 """
 
 from __future__ import annotations
@@ -12,9 +12,10 @@ from pathlib import Path
 
 def run_options(arguments: list[str]) -> dict[str, object]:
     """The options by name; pictures by their files' names, since folders are nobody's business."""
-    quick, regex, repetitions, largest, *images = arguments
+    quick, regex, repetitions, largest, peers, *images = arguments
     return {"quick": quick == "yes", "filter": regex, "repetitions": int(repetitions),
-            "largest_square": int(largest), "images": [Path(image).name for image in images]}
+            "largest_square": int(largest), "peers": peers == "yes",
+            "images": [Path(image).name for image in images]}
 
 
 if __name__ == "__main__":

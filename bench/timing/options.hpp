@@ -15,6 +15,7 @@ struct TimingOptions {
   int repetitions = 15;
   double seconds = 0.03;  // a repetition
   bool quiet = false;
+  bool no_peers = false;
 };
 
 /// Reads the options that are ours, Google Benchmark's taken out before; false where help was asked

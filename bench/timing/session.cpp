@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <map>
+#include <set>
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,26 @@ class CountingReporter : public benchmark::ConsoleReporter {
   int failed_ = 0;
 };
 
-nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInput>& inputs) {
+/// The peers among the variants, by technique.
+std::set<std::string_view> peer_techniques(const std::vector<Operation>& operations) {
+  std::set<std::string_view> techniques;
+  for (const Operation& operation : operations) {
+    for (const Variant& variant : operation.variants) {
+      if (variant.is_peer) techniques.insert(variant.technique);
+    }
+  }
+  return techniques;
+}
+
+std::vector<Operation> without_peers(std::vector<Operation> operations) {
+  for (Operation& operation : operations) {
+    std::erase_if(operation.variants, [](const Variant& variant) { return variant.is_peer; });
+  }
+  return operations;
+}
+
+nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInput>& inputs,
+                         const std::set<std::string_view>& techniques) {
   nlohmann::json json = {{"schema", 1},
                          {"inputs", nlohmann::json::array()},
                          {"peers", nlohmann::json::array()},
@@ -59,6 +79,7 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
                               {"object_pixels", object_pixels(input.binary.view())}});
   }
   for (const Peer& peer : peers()) {
+    if (techniques.count(peer.technique) == 0) continue;
     json["peers"].push_back({{"technique", peer.technique}, {"about", peer.about}});
   }
   for (const SkippedRow& row : selection.skipped) {
@@ -154,7 +175,8 @@ int run(const TimingOptions& options, const std::vector<Operation>& operations) 
     throw UsageError("no row to time; the filter is '" + options.filter + "'");
   }
   if (!options.rows_out.empty()) {
-    write_whole_file(options.rows_out, rows_json(selection, inputs).dump(2));
+    write_whole_file(options.rows_out,
+                     rows_json(selection, inputs, peer_techniques(operations)).dump(2));
   }
   if (!options.pictures_out.empty()) write_pictures(options.pictures_out, selection);
 
@@ -186,7 +208,8 @@ int run_timings(std::vector<char*> arguments, const std::vector<Operation>& oper
   try {
     const int count = initialize(arguments);
     TimingOptions options;
-    return parse_options(count, arguments.data(), options) ? run(options, operations) : kSuccess;
+    if (!parse_options(count, arguments.data(), options)) return kSuccess;
+    return options.no_peers ? run(options, without_peers(operations)) : run(options, operations);
   } catch (const UsageError& error) {
     std::cerr << "thinbench_timings: " << error.what() << '\n';
     return kUsage;

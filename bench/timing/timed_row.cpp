@@ -20,7 +20,7 @@ std::vector<int> thread_counts() {
 /// left out: compiled to a circuit they take the time of the rule, evaluated they would take the
 /// time of the study.
 bool in_size_sweep(const Row& row) {
-  if (!row.operation->in_size_series) return false;
+  if (!row.operation->in_size_series || !row.variant->for_series_of_sizes) return false;
   const auto same_kind = [&](const Variant& other) {
     return other.technique == row.variant->technique && other.threaded == row.variant->threaded;
   };
@@ -129,7 +129,8 @@ class Selector {
   }
 
   void add_timed(TimedRow row, const Outcome& expected) {
-    if (!row.operation->counter.empty()) row.counter = expected.numbers.front();
+    const bool on_its_own = row.variant != nullptr && row.variant->own_reference;
+    if (!row.operation->counter.empty() && !on_its_own) row.counter = expected.numbers.front();
     selection_.rows.push_back(std::move(row));
   }
 

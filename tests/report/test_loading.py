@@ -8,6 +8,7 @@ from statistics import median
 import pytest
 from conftest import OPERATION, SIZES, Run, entries, jittered
 
+from report.build import build
 from report.errors import ReportError
 from report.findings import find
 from report.loading import load_study, parse_name
@@ -206,4 +207,7 @@ def test_peers_are_shown_but_never_the_fastest(run):
     finding = next(one for one in find(study) if one.input == "scene")
     assert finding.best and not finding.best.is_peer
     assert [row.name.technique for row in finding.peers] == ["opencv"]
+    build(run.directory)
+    page, text = ((run.directory / name).read_text() for name in ("index.html", "timings.md"))
+    assert 'opencv <span class="flag">peer</span>' in page and "| opencv (peer) |" in text
     assert "OpenCV, 1 thread" in to_html(study, [], [])

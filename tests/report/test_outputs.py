@@ -210,7 +210,9 @@ def test_partial_runs_are_marked(run):
     page = (run.directory / "index.html").read_text()
     assert "<strong>partial run</strong>" in page and "pictures horse.png instead" in page
     run.machine["options"] = {"quick": False, "filter": "", "images": [], "repetitions": 15,
-                              "largest_square": 4096}
+                              "largest_square": 4096, "peers": False}
+    assert "This was a partial run (no peers, 15 rep" in " ".join(build(run.write()).split())
+    run.machine["options"]["peers"] = True
     assert "partial run" not in build(run.write())
     assert "full: 15 repetitions" in (run.directory / "index.html").read_text()
 

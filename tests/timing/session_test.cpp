@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "peers/peers.hpp"
 #include "support/temporary_folder.hpp"
 #include "timing/broken_operation.hpp"
 
@@ -82,6 +83,24 @@ TEST(TimingSession, files_that_cannot_be_written_are_refused_before_the_work) {
   EXPECT_EQ(session.err,
             "thinbench_timings: cannot write 'no_such_folder/rows.json': there is no folder "
             "'no_such_folder'\n");
+}
+
+TEST(TimingSession, no_peers_leaves_them_out_of_rows_and_list) {
+  const TemporaryFolder folder;
+  const std::string rows = folder.file("rows.json");
+  const std::vector<std::string> args = {
+      "--benchmark_out=", "--quiet",
+      "--largest-square", "0",
+      "--repetitions",    "1",
+      "--seconds",        "0.0001",
+      "--filter",         "^edges_sobel/(copy/own|lut/baseline)/1/",
+      "--rows-out",       rows};
+  EXPECT_EQ(run(args, operations_with_peers()).err.find("2 variants equal"), 0U);
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(rows)).at("peers").size(), peers().size());
+  std::vector<std::string> without = args;
+  without.emplace_back("--no-peers");
+  EXPECT_EQ(run(without, operations_with_peers()).err.find("1 variants equal"), 0U);
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(rows)).at("peers").size(), 0U);
 }
 
 }  // namespace

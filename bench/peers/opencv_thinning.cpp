@@ -1,0 +1,53 @@
+// Thinning by OpenCV's ximgproc module. It keeps the border, so it is compared with the references
+// that do; how many passes it took cannot be read from it.
+#include <opencv2/core.hpp>
+#include <opencv2/ximgproc.hpp>
+
+#include "peers/peers.hpp"
+
+namespace thinbench {
+namespace {
+
+class ThinningJob final : public Job {
+ public:
+  explicit ThinningJob(cv::ximgproc::ThinningTypes type) : type_(type) { cv::setNumThreads(1); }
+
+  void run(const ConstByteView& input, const ByteView& output) override {
+    if (input.width == 0 || input.height == 0) return;
+    const auto width = static_cast<int>(input.width);
+    const auto height = static_cast<int>(input.height);
+    // OpenCV knows no read-only images; sources are not written to.
+    const cv::Mat source(height, width, CV_8U, const_cast<std::uint8_t*>(input.data),
+                         static_cast<std::size_t>(input.stride));
+    cv::ximgproc::thinning(source, skeleton_, type_);
+    skeleton_.copyTo(
+        cv::Mat(height, width, CV_8U, output.data, static_cast<std::size_t>(output.stride)));
+  }
+
+ private:
+  cv::ximgproc::ThinningTypes type_;
+  cv::Mat skeleton_;
+};
+
+Variant thinning_peer(const char* keeping_operation, cv::ximgproc::ThinningTypes type) {
+  Variant peer = peer_variant(
+      "opencv", "OpenCV: ximgproc::thinning, which keeps the border",
+      [type](Index, Index, int) { return std::make_unique<ThinningJob>(type); },
+      image_only(operation_of(keeping_operation).reference));
+  peer.for_series_of_sizes = false;
+  return peer;
+}
+
+}  // namespace
+
+std::vector<Variant> opencv_thinning_peers(const Operation& operation) {
+  if (operation.name == "thin_zhang_suen") {
+    return {thinning_peer("thin_zhang_suen_keep_border", cv::ximgproc::THINNING_ZHANGSUEN)};
+  }
+  if (operation.name == "thin_guo_hall") {
+    return {thinning_peer("thin_guo_hall_keep_border", cv::ximgproc::THINNING_GUOHALL)};
+  }
+  return {};
+}
+
+}  // namespace thinbench
