@@ -1,4 +1,5 @@
 // thinbench experiment: what the paper says of its methods, measured again.
+#include <filesystem>
 #include <memory>
 
 #include "cli/arguments.hpp"
@@ -8,6 +9,7 @@
 #include "experiments/operation_counts.hpp"
 #include "experiments/quantisation.hpp"
 #include "experiments/table_2.hpp"
+#include "experiments/thinning_quality.hpp"
 #include "support/text.hpp"
 #include "support/whole_file.hpp"
 
@@ -23,7 +25,18 @@ struct ExperimentOptions {
   std::string out;
   std::string results;
   bool quick = false;
+  std::vector<std::string> images;
+  std::string pictures;
 };
+
+/// The pictures by their files' names: folders are nobody's business.
+std::string image_options(const std::vector<std::string>& images) {
+  std::string text;
+  for (const std::string& image : images) {
+    text += " --image " + std::filesystem::path(image).filename().string();
+  }
+  return text;
+}
 
 ExperimentReport edge_quality(const ExperimentOptions& options, const Console&) {
   const EdgeQualityChoice choice = options.quick ? EdgeQualityChoice::quick() : EdgeQualityChoice{};
@@ -50,6 +63,14 @@ ExperimentReport table_2(const ExperimentOptions& options, const Console&) {
   if (options.results.empty()) return table_2_report(then_and_now({}));
   return table_2_report(then_and_now(read_measured_times(options.results)),
                         " --results " + options.results);
+}
+
+ExperimentReport quality(const ExperimentOptions& options, const Console&) {
+  const std::vector<QualityInput> inputs = quality_inputs(options.images);
+  ExperimentReport report =
+      thinning_quality_report(run_thinning_quality(inputs), image_options(options.images));
+  if (!options.pictures.empty()) write_skeletons(options.pictures, inputs);
+  return report;
 }
 
 using Experiment = ExperimentReport (*)(const ExperimentOptions&, const Console&);
@@ -83,6 +104,21 @@ AddedExperiment add(CLI::App& parent, const std::string& name, const char* what,
   return {{app, work}, options};
 }
 
+AddedExperiment add_quality(CLI::App& parent) {
+  AddedExperiment added =
+      add(parent, "quality", "Skeletons of every thinning operation: topology, place, symmetry",
+          &quality);
+  added.command.app
+      ->add_option("--image", added.options->images, "Picture to thin as well (repeatable)")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  added.command.app
+      ->add_option("--pictures-out", added.options->pictures, "Write the skeletons to this folder")
+      ->check(not_empty())
+      ->type_name("DIR");
+  return added;
+}
+
 }  // namespace
 
 Command add_experiment_command(CLI::App& program) {
@@ -100,6 +136,7 @@ Command add_experiment_command(CLI::App& program) {
       add(*app, "hidden-neurons", "2 to 12 hidden neurons: how many are needed (under a minute)",
           &hidden_neurons);
   hidden.command.app->add_flag("--quick", hidden.options->quick, "Fewer and shorter trainings");
+  const AddedExperiment skeletons = add_quality(*app);
   const AddedExperiment counts =
       add(*app, "operation-counts", "Operations a pixel, counted by running each method",
           &operation_counts);
@@ -110,8 +147,10 @@ Command add_experiment_command(CLI::App& program) {
                    "Results folder of a study, whose times are set beside the paper's")
       ->check(not_empty())
       ->type_name("DIR");
-  return {
-      app, {}, {edges.command, fixed_point.command, hidden.command, counts.command, times.command}};
+  return {app,
+          {},
+          {edges.command, fixed_point.command, hidden.command, skeletons.command, counts.command,
+           times.command}};
 }
 
 }  // namespace thinbench

@@ -5,65 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/distances.hpp"
 #include "scene/scene.hpp"
-#include "thinbench_edges.hpp"
 #include "support/text.hpp"
+#include "thinbench_edges.hpp"
 
 namespace thinbench {
 namespace {
 
-constexpr std::int64_t kFar = 1 << 20;
 constexpr double kPrattScale = 9;
 constexpr std::int64_t kNearSquared = 2;  // one pixel away, diagonals included
-
-/// Squared distances to the nearest marked pixel: along columns first, then the best column of each
-/// row.
-class Distances {
- public:
-  explicit Distances(const ConstByteView& marked)
-      : width_(marked.width), squared_(static_cast<std::size_t>(marked.width * marked.height)) {
-    std::vector<std::int64_t> along(squared_.size(), kFar);
-    for (Index x = 0; x < width_; ++x) mark_column(marked, x, along);
-    for (Index y = 0; y < marked.height; ++y) {
-      for (Index x = 0; x < width_; ++x) squared_[place(x, y)] = nearest_column(along, x, y);
-    }
-  }
-
-  [[nodiscard]] std::int64_t squared(Index x, Index y) const { return squared_[place(x, y)]; }
-
- private:
-  [[nodiscard]] std::size_t place(Index x, Index y) const {
-    return static_cast<std::size_t>(y * width_ + x);
-  }
-
-  void mark_column(const ConstByteView& marked, Index x, std::vector<std::int64_t>& along) const {
-    std::int64_t distance = kFar;
-    const auto visit = [&](Index y) {
-      distance = marked.row(y)[x] != 0 ? 0 : distance + 1;
-      along[place(x, y)] = std::min(along[place(x, y)], distance);
-    };
-    for (Index y = 0; y < marked.height; ++y) visit(y);
-    distance = kFar;
-    for (Index y = marked.height - 1; y >= 0; --y) visit(y);
-  }
-
-  [[nodiscard]] std::int64_t nearest_column(const std::vector<std::int64_t>& along, Index x,
-                                            Index y) const {
-    std::int64_t best = kFar * kFar;
-    // Columns further away than the best so far cannot win.
-    for (Index reach = 0; reach < width_ && reach * reach < best; ++reach) {
-      for (const Index column : {x - reach, x + reach}) {
-        if (column < 0 || column >= width_) continue;
-        const std::int64_t down = along[place(column, y)];
-        best = std::min(best, reach * reach + down * down);
-      }
-    }
-    return best;
-  }
-
-  Index width_;
-  std::vector<std::int64_t> squared_;
-};
 
 struct Matches {
   double near = 0;

@@ -1,0 +1,195 @@
+#include "experiments/skeleton_measures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "experiments/distances.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr double kSteep = 0.8;
+constexpr Index kReach = 3;
+
+/// A light pixel all round, so that the outside is seen.
+ByteImage framed(const ConstByteView& image) {
+  ByteImage result(image.width + 2, image.height + 2);
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) result.at(x + 1, y + 1) = image.row(y)[x] != 0 ? 1 : 0;
+  }
+  return result;
+}
+
+/// Takes pixels of one level away, connected part by connected part.
+class Parts {
+ public:
+  Parts(ByteImage image, std::uint8_t level, bool diagonals)
+      : image_(std::move(image)), level_(level), diagonals_(diagonals) {}
+
+  [[nodiscard]] Index count() {
+    Index parts = 0;
+    for (Index y = 0; y < image_.height(); ++y) {
+      for (Index x = 0; x < image_.width(); ++x) parts += take(x, y) ? 1 : 0;
+    }
+    return parts;
+  }
+
+ private:
+  static constexpr std::uint8_t kTaken = 2;
+
+  bool take(Index x, Index y) {
+    if (!visit(x, y)) return false;
+    while (!open_.empty()) {
+      const auto [px, py] = open_.back();
+      open_.pop_back();
+      for (Index dy = -1; dy <= 1; ++dy) {
+        for (Index dx = -1; dx <= 1; ++dx) {
+          if (diagonals_ || dx == 0 || dy == 0) visit(px + dx, py + dy);
+        }
+      }
+    }
+    return true;
+  }
+
+  bool visit(Index x, Index y) {
+    if (x < 0 || y < 0 || x >= image_.width() || y >= image_.height()) return false;
+    if (image_.at(x, y) != level_) return false;
+    image_.at(x, y) = kTaken;
+    open_.emplace_back(x, y);
+    return true;
+  }
+
+  ByteImage image_;
+  std::uint8_t level_;
+  bool diagonals_;
+  std::vector<std::pair<Index, Index>> open_;
+};
+
+/// The eight neighbours in order round a pixel of a framed image.
+std::array<int, 8> ring_at(const ByteImage& image, Index x, Index y) {
+  return {image.at(x + 1, y), image.at(x + 1, y - 1), image.at(x, y - 1), image.at(x - 1, y - 1),
+          image.at(x - 1, y), image.at(x - 1, y + 1), image.at(x, y + 1), image.at(x + 1, y + 1)};
+}
+
+void add_pixel(SkeletonShape& shape, const std::array<int, 8>& ring) {
+  int neighbours = 0;
+  int steps = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    neighbours += ring[i];
+    steps += ring[i] == 0 && ring[(i + 1) % ring.size()] != 0 ? 1 : 0;
+  }
+  shape.pixels += 1;
+  shape.ends += neighbours == 1 ? 1 : 0;
+  shape.branches += steps >= 3 ? 1 : 0;
+  shape.blocks +=
+      ring[0] != 0 && ring[6] != 0 && ring[7] != 0 ? 1 : 0;  // the pixel at its top left
+}
+
+/// Euclidean distances to light, and 0 everywhere outside.
+class DistanceMap {
+ public:
+  explicit DistanceMap(const ConstByteView& image)
+      : width_(image.width), height_(image.height), to_light_(light_of(image).view()) {}
+
+  [[nodiscard]] double at(Index x, Index y) const {
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return 0;
+    return std::sqrt(static_cast<double>(to_light_.squared(x + 1, y + 1)));
+  }
+
+ private:
+  static ByteImage light_of(const ConstByteView& image) {
+    ByteImage light = framed(image);
+    for (Index y = 0; y < light.height(); ++y) {
+      for (Index x = 0; x < light.width(); ++x) light.at(x, y) ^= 1;
+    }
+    return light;
+  }
+
+  Index width_;
+  Index height_;
+  Distances to_light_;
+};
+
+bool rises_steeply(const DistanceMap& map, Index x, Index y) {
+  const double here = map.at(x, y);
+  for (Index dy = -kReach; dy <= kReach; ++dy) {
+    for (Index dx = -kReach; dx <= kReach; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      const double way = std::sqrt(static_cast<double>(dx * dx + dy * dy));
+      if (map.at(x + dx, y + dy) - here >= kSteep * way) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Topology topology_of(const ConstByteView& image) {
+  const ByteImage all = framed(image);
+  return {Parts(copy_of(all.view()), 1, true).count(),
+          Parts(copy_of(all.view()), 0, false).count() - 1};
+}
+
+SkeletonShape shape_of(const ConstByteView& skeleton) {
+  const ByteImage all = framed(skeleton);
+  SkeletonShape shape;
+  for (Index y = 1; y <= skeleton.height; ++y) {
+    for (Index x = 1; x <= skeleton.width; ++x) {
+      if (all.at(x, y) != 0) add_pixel(shape, ring_at(all, x, y));
+    }
+  }
+  return shape;
+}
+
+ByteImage medial_axis_of(const ConstByteView& image) {
+  const DistanceMap map(image);
+  ByteImage axis(image.width, image.height);
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) {
+      axis.at(x, y) = image.row(y)[x] != 0 && !rises_steeply(map, x, y) ? 255 : 0;
+    }
+  }
+  return axis;
+}
+
+AxisDistance distance_from(const ConstByteView& axis, const ConstByteView& skeleton) {
+  const Distances to_axis(axis);
+  AxisDistance distance;
+  double pixels = 0;
+  for (Index y = 0; y < skeleton.height; ++y) {
+    for (Index x = 0; x < skeleton.width; ++x) {
+      if (skeleton.row(y)[x] == 0) continue;
+      const double one = std::sqrt(static_cast<double>(to_axis.squared(x, y)));
+      pixels += 1;
+      distance.mean += one;
+      distance.largest = std::max(distance.largest, one);
+    }
+  }
+  if (pixels > 0) distance.mean /= pixels;
+  return distance;
+}
+
+double overlap(const ConstByteView& a, const ConstByteView& b) {
+  double both = 0;
+  double either = 0;
+  for (Index y = 0; y < a.height; ++y) {
+    for (Index x = 0; x < a.width; ++x) {
+      both += a.row(y)[x] != 0 && b.row(y)[x] != 0 ? 1 : 0;
+      either += a.row(y)[x] != 0 || b.row(y)[x] != 0 ? 1 : 0;
+    }
+  }
+  return either > 0 ? both / either : 1;
+}
+
+ByteImage quarter_turned(const ConstByteView& image) {
+  ByteImage result(image.height, image.width);
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) result.at(y, image.width - 1 - x) = image.row(y)[x];
+  }
+  return result;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,172 @@
+#include "experiments/thinning_quality.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/test_images.hpp"
+#include "picture/objects.hpp"
+#include "picture/picture.hpp"
+#include "scene/scene.hpp"
+#include "support/text.hpp"
+#include "thinbench.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr Index kBlobSide = 256;
+constexpr Index kBlobReach = 4;
+
+std::vector<std::string_view> measured_operations() {
+  std::vector<std::string_view> names;
+  for (const ThinningOperation& operation : thinning_operations()) {
+    if (operation.default_model != nullptr || operation.border == Border::kKeep) continue;
+    names.push_back(operation.name);
+  }
+  return names;
+}
+
+struct Thinned {
+  ByteImage skeleton;
+  int iterations;
+};
+
+Thinned thinned(std::string_view operation, const ConstByteView& image) {
+  Thinned result{ByteImage(image.width, image.height), 0};
+  result.iterations = thin(operation, image, result.skeleton.view());
+  return result;
+}
+
+/// The skeleton of the image turned by a quarter, turned back.
+ByteImage turned_skeleton(std::string_view operation, const ConstByteView& image) {
+  ByteImage skeleton = thinned(operation, quarter_turned(image).view()).skeleton;
+  for (int turn = 0; turn < 3; ++turn) skeleton = quarter_turned(skeleton.view());
+  return skeleton;
+}
+
+QualityRow measure(std::string_view operation, const QualityInput& input, const Topology& before,
+                   const ByteImage& axis) {
+  const ConstByteView image = input.image.view();
+  const Thinned result = thinned(operation, image);
+  const ConstByteView skeleton = result.skeleton.view();
+  return {std::string(operation),
+          input.name,
+          before,
+          topology_of(skeleton),
+          shape_of(skeleton),
+          distance_from(axis.view(), skeleton),
+          overlap(skeleton, turned_skeleton(operation, image).view()),
+          result.iterations};
+}
+
+int dark_round(const ByteImage& noise, Index x, Index y) {
+  int dark = 0;
+  for (Index row = std::max<Index>(0, y - kBlobReach);
+       row <= std::min(noise.height() - 1, y + kBlobReach); ++row) {
+    for (Index column = std::max<Index>(0, x - kBlobReach);
+         column <= std::min(noise.width() - 1, x + kBlobReach); ++column) {
+      dark += noise.at(column, row) != 0 ? 1 : 0;
+    }
+  }
+  return dark;
+}
+
+nlohmann::ordered_json json_of(const QualityRow& row) {
+  return {{"operation", row.operation},
+          {"input", row.input},
+          {"objects_before", row.before.objects},
+          {"objects_after", row.after.objects},
+          {"holes_before", row.before.holes},
+          {"holes_after", row.after.holes},
+          {"pixels", row.shape.pixels},
+          {"blocks", row.shape.blocks},
+          {"ends", row.shape.ends},
+          {"branches", row.shape.branches},
+          {"mean_distance", row.from_axis.mean},
+          {"largest_distance", row.from_axis.largest},
+          {"symmetry", row.symmetry},
+          {"iterations", row.iterations}};
+}
+
+std::vector<std::string> cells_of(const QualityRow& row) {
+  const auto change = [](Index before, Index after) {
+    return std::to_string(before) + " to " + std::to_string(after);
+  };
+  return {row.input,
+          row.operation,
+          change(row.before.objects, row.after.objects),
+          change(row.before.holes, row.after.holes),
+          std::to_string(row.shape.pixels),
+          std::to_string(row.shape.blocks),
+          std::to_string(row.shape.ends),
+          std::to_string(row.shape.branches),
+          fixed(row.from_axis.mean, 3),
+          fixed(row.from_axis.largest, 2),
+          fixed(row.symmetry, 3),
+          std::to_string(row.iterations)};
+}
+
+}  // namespace
+
+ByteImage blobs(Index width, Index height, std::uint64_t seed) {
+  constexpr int most = (2 * kBlobReach + 1) * (2 * kBlobReach + 1) / 2;
+  const ByteImage noise = noise_image(width, height, 50, 1, seed);
+  ByteImage result(width, height);
+  for (Index y = 0; y < height; ++y) {
+    for (Index x = 0; x < width; ++x) result.at(x, y) = dark_round(noise, x, y) > most ? 255 : 0;
+  }
+  return result;
+}
+
+std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures) {
+  std::vector<QualityInput> inputs;
+  inputs.push_back({"scene", std::move(render_scene().binary)});
+  inputs.push_back({"blobs", blobs(kBlobSide, kBlobSide, 1)});
+  for (const std::string& path : pictures) {
+    inputs.push_back({std::filesystem::path(path).stem().string(), objects_of(read_grey(path))});
+  }
+  return inputs;
+}
+
+std::vector<QualityRow> run_thinning_quality(const std::vector<QualityInput>& inputs) {
+  std::vector<QualityRow> rows;
+  for (const QualityInput& input : inputs) {
+    const Topology before = topology_of(input.image.view());
+    const ByteImage axis = medial_axis_of(input.image.view());
+    for (const std::string_view operation : measured_operations()) {
+      rows.push_back(measure(operation, input, before, axis));
+    }
+  }
+  return rows;
+}
+
+void write_skeletons(const std::string& folder, const std::vector<QualityInput>& inputs) {
+  for (const QualityInput& input : inputs) {
+    const std::string stem = folder + "/quality_" + input.name;
+    write_grey(stem + ".png", input.image.view());
+    for (const std::string_view operation : measured_operations()) {
+      write_grey(stem + "_" + std::string(operation) + ".png",
+                 thinned(operation, input.image.view()).skeleton.view());
+    }
+  }
+}
+
+ExperimentReport thinning_quality_report(const std::vector<QualityRow>& rows,
+                                         const std::string& options) {
+  nlohmann::ordered_json json = {{"rows", nlohmann::ordered_json::array()}};
+  std::vector<std::vector<std::string>> cells;
+  for (const QualityRow& row : rows) {
+    json["rows"].push_back(json_of(row));
+    cells.push_back(cells_of(row));
+  }
+  return {
+      experiment_json("quality", json, options),
+      "Skeletons. Distances are from the ridge of the exact distance map, in pixels; symmetry "
+      "is the overlap with the skeleton of the turned input:\n\n" +
+          markdown_table({"Input", "Operation", "Objects", "Holes", "Pixels", "2x2 blocks", "Ends",
+                          "Branches", "Mean distance", "Largest", "Symmetry", "Iterations"},
+                         cells)};
+}
+
+}  // namespace thinbench

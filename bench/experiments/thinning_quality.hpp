@@ -1,0 +1,44 @@
+// How good the skeletons of each operation are: topology, thinness, place, symmetry.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/report.hpp"
+#include "experiments/skeleton_measures.hpp"
+
+namespace thinbench {
+
+struct QualityInput {
+  std::string name;
+  ByteImage image;  // 0 and 255
+};
+
+struct QualityRow {
+  std::string operation;
+  std::string input;
+  Topology before;
+  Topology after;
+  SkeletonShape shape;
+  AxisDistance from_axis;
+  double symmetry;  // overlap of the skeleton with that of the turned input, turned back
+  int iterations;
+};
+
+/// The test scene and blobs of smoothed noise; given pictures follow, object = pixels >= 128, named
+/// as their files. Throws PictureError.
+[[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures);
+
+/// Noise of half the pixels, dark where most of the 9 x 9 pixels round it are.
+[[nodiscard]] ByteImage blobs(Index width, Index height, std::uint64_t seed);
+
+/// Every thinning operation that is no net and keeps no border, on every input.
+[[nodiscard]] std::vector<QualityRow> run_thinning_quality(const std::vector<QualityInput>& inputs);
+
+/// The inputs and their skeletons as pictures `quality_<input>[_<operation>].png` in a folder.
+void write_skeletons(const std::string& folder, const std::vector<QualityInput>& inputs);
+
+[[nodiscard]] ExperimentReport thinning_quality_report(const std::vector<QualityRow>& rows,
+                                                       const std::string& options = "");
+
+}  // namespace thinbench
