@@ -11,6 +11,7 @@ from report.experiments import (KINDS, Counted, EdgeQuality, Experiments, FixedP
 from report.formatting import NOTHING, percent
 from report.model import Study
 from report.plot_hidden import plot_hidden
+from report.quality_tables import make_quality_tables
 from report.table_two import make_table_two
 
 Item = TypeVar("Item")
@@ -21,6 +22,8 @@ def make_tables(study: Study, experiments: Experiments) -> list[Table]:
     tables: list[Table] = []
     if experiments.edge_quality:
         tables.append(_edge_quality(experiments.edge_quality))
+    if experiments.quality:
+        tables += make_quality_tables(experiments.quality, study.directory)
     if experiments.table_two:
         tables.append(make_table_two(study, experiments.table_two))
     if experiments.quantisation:

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
+from report.quality import Quality, parse_quality
 
 KINDS = ("logical", "comparisons", "additions", "multiplications", "divisions", "powers",
          "arithmetic")
@@ -146,6 +147,7 @@ class Experiments:
     hidden_neurons: HiddenNeurons | None = None
     operation_counts: OperationCounts | None = None
     edge_quality: EdgeQuality | None = None
+    quality: Quality | None = None
 
 
 def load_experiments(directory: Path) -> Experiments:
@@ -154,7 +156,8 @@ def load_experiments(directory: Path) -> Experiments:
                        _load(directory, "quantisation", _quantisation),
                        _load(directory, "hidden-neurons", _hidden_neurons),
                        _load(directory, "operation-counts", _operation_counts),
-                       _load(directory, "edge-quality", _edge_quality))
+                       _load(directory, "edge-quality", _edge_quality),
+                       _load(directory, "quality", parse_quality))
 
 
 def _load(directory: Path, name: str, parse: Callable[[Fields], Loaded]) -> Loaded | None:
@@ -169,24 +172,8 @@ def _load(directory: Path, name: str, parse: Callable[[Fields], Loaded]) -> Load
     return parse(fields)
 
 
-def _some(fields: Fields, key: str) -> list[Fields]:
-    """An array with at least one object in it."""
-    children = fields.children(key)
-    if not children:
-        raise ReportError(f"{fields.where}: {key} is []; it must hold at least one row")
-    return children
-
-
-def _at_most(fields: Fields, key: str, most: int) -> float:
-    """A number from zero to `most`, so that no rate is above 100 %."""
-    value = fields.number(key)
-    if not 0 <= value <= most:
-        raise ReportError(f"{fields.where}: {key} is {value:g}; it must be from 0 to {most}")
-    return value
-
-
 def _count_to(fields: Fields, key: str, most: int) -> int:
-    _at_most(fields, key, most)
+    fields.at_most(key, most)
     return fields.count(key)
 
 
@@ -200,7 +187,7 @@ def _truth(fields: Fields, key: str) -> bool:
 def _table_two(fields: Fields) -> TableTwo:
     rows = tuple(PaperRow(row.text("method"), row.text("operation"),
                           row.positive("paper_seconds"), row.positive("paper_ratio"))
-                 for row in _some(fields, "rows"))
+                 for row in fields.some("rows"))
     return TableTwo(fields.text("command"), fields.text("image"), fields.text("machine"), rows)
 
 
@@ -210,22 +197,22 @@ def _quantisation(fields: Fields) -> Quantisation:
                             {"sigmoid": _count_to(row, "right_sigmoid", total),
                              "linear threshold": _count_to(row, "right_linear", total)},
                             row.count("largest_integer"))
-                 for row in _some(fields, "rows"))
+                 for row in fields.some("rows"))
     return Quantisation(fields.text("command"), total, rows)
 
 
 def _hidden_neurons(fields: Fields) -> HiddenNeurons:
     total, seeds = fields.count("descriptors", 1), fields.count("seeds", 1)
     rows = [Trained(row.count("hidden"), _count_to(row, "best", total),
-                    _at_most(row, "median", total), _count_to(row, "seeds_with_all_right", seeds),
+                    row.at_most("median", total), _count_to(row, "seeds_with_all_right", seeds),
                     row.number("median_epochs_of_those"))
-            for row in _some(fields, "rows")]
+            for row in fields.some("rows")]
     return HiddenNeurons(fields.text("command"), total, seeds,
                          tuple(sorted(rows, key=lambda row: row.hidden)))
 
 
 def _operation_counts(fields: Fields) -> OperationCounts:
-    methods = tuple(_counted(method) for method in _some(fields, "methods"))
+    methods = tuple(_counted(method) for method in fields.some("methods"))
     circuit = fields.child("circuit")
     gates = {words: Gates(circuit.child(key).count("gates"), circuit.child(key).count("inverters"))
              for words, key in (("two", "two_input"), ("three", "three_input"))}
@@ -236,9 +223,9 @@ def _operation_counts(fields: Fields) -> OperationCounts:
 
 def _edge_quality(fields: Fields) -> EdgeQuality:
     rows = tuple(EdgeRates(row.text("operation"), row.count("sigma"),
-                           *(_at_most(row, key, 1) for key in (
+                           *(row.at_most(key, 1) for key in (
                                "precision", "recall", "figure_of_merit", "precision_without_p2")))
-                 for row in _some(fields, "rows"))
+                 for row in fields.some("rows"))
     return EdgeQuality(fields.text("command"), fields.count("p1"), fields.count("p2"),
                        fields.count("seeds", 1), rows)
 

@@ -56,6 +56,13 @@ class Fields:
             raise self._wrong(key, f"a whole number of at least {least}")
         return int(value)
 
+    def at_most(self, key: str, most: float) -> float:
+        """A number from zero to `most`, so that no rate is above 100 %."""
+        value = self.number(key)
+        if not 0 <= value <= most:
+            raise ReportError(f"{self.where}: {key} is {value:g}; it must be from 0 to {most}")
+        return value
+
     def listed(self, key: str) -> list[Any]:
         """An array."""
         value = self._required(key)
@@ -67,6 +74,13 @@ class Fields:
         """An array of objects."""
         return [Fields(item, f"{self.where}: {key}[{index}]")
                 for index, item in enumerate(self.listed(key))]
+
+    def some(self, key: str) -> list[Fields]:
+        """An array with at least one object in it."""
+        children = self.children(key)
+        if not children:
+            raise ReportError(f"{self.where}: {key} is []; it must hold at least one row")
+        return children
 
     def child(self, key: str) -> Fields:
         """An object."""

@@ -91,4 +91,12 @@ Isa isa_named(std::string_view name) {
   refuse_name("instruction set", name, known);
 }
 
+Border border_named(std::string_view name) {
+  for (std::size_t i = 0; i < kBorderNames.size(); ++i) {
+    if (kBorderNames[i] == name) return static_cast<Border>(i);
+  }
+  throw UsageError("no border is named '" + std::string(name) +
+                   "'; known: " + enumeration({kBorderNames.begin(), kBorderNames.end()}));
+}
+
 }  // namespace thinbench

@@ -26,5 +26,6 @@ namespace thinbench {
 [[nodiscard]] const ThinningOperation& operation_named(std::string_view name);
 [[nodiscard]] Technique technique_named(std::string_view name);
 [[nodiscard]] Isa isa_named(std::string_view name);
+[[nodiscard]] Border border_named(std::string_view name);
 
 }  // namespace thinbench

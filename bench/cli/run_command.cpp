@@ -22,6 +22,7 @@ constexpr const char* kExamples = R"(Examples:
   thinbench run thin_naccache_shinghal drawing.png skeleton.png
   thinbench run thin_naccache_shinghal parts.jpg skeleton.png --invert --threshold 100
   thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8
+  thinbench run thin_zhang_suen parts.png skeleton.png --border keep
   thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
 
 Pictures of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
@@ -33,6 +34,7 @@ struct RunOptions {
   std::string technique;
   std::string isa;
   std::string weights;
+  std::string border;
   int threads = 1;
   int threshold = kDefaultThreshold;
   bool invert = false;
@@ -43,6 +45,7 @@ ThinningOptions thinning_options(const RunOptions& options) {
   if (!options.technique.empty()) how.technique = technique_named(options.technique);
   if (!options.isa.empty()) how.isa = isa_named(options.isa);
   how.threads = options.threads;
+  if (!options.border.empty()) how.border = border_named(options.border);
   return how;
 }
 
@@ -57,7 +60,7 @@ Thinned thinned(const ThinningOperation& operation, const ThinningVariant& varia
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(how.threads));
   ThinningPlan plan(operation, variant, objects.width(), objects.height(),
-                    {how.threads, how.model});
+                    {how.threads, how.model, how.border});
   ByteImage skeleton(objects.width(), objects.height());
   const auto start = std::chrono::steady_clock::now();
   const int passes = plan.run(objects.view(), skeleton.view());
@@ -104,6 +107,11 @@ Command add_run_command(CLI::App& program) {
   app->add_option("--weights", options->weights, "Weights of a net, made by 'thinbench train'")
       ->check(not_empty())
       ->type_name("FILE");
+  app->add_option("--border", options->border,
+                  "background: all is light outside the picture; keep: the outermost rows and "
+                  "columns never change, as in OpenCV (default: the operation's own)")
+      ->check(not_empty())
+      ->type_name("NAME");
   app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
       ->check(whole_number(1, kMaxThreads))
       ->type_name("N")

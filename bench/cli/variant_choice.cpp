@@ -104,12 +104,17 @@ std::size_t place_for(const Choice& choice, Index width, const VariantWish& wish
 
 const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
                                    const ThinningOptions& options) {
+  const Border border = options.border.value_or(operation.border);
+  std::vector<const ThinningVariant*> candidates;
   std::vector<VariantFacts> facts;
   for (const ThinningVariant& one : operation.variants) {
+    if (!knows_border(one, border)) continue;
+    candidates.push_back(&one);
     facts.push_back({one.technique, one.isa, one.threaded, one.max_width});
   }
+  const std::string kept = border == Border::kKeep ? " with the border kept" : "";
   const VariantWish wish = {options.technique, options.isa, options.threads};
-  return operation.variants[place_for({std::string(operation.name), facts}, width, wish)];
+  return *candidates[place_for({std::string(operation.name) + kept, facts}, width, wish)];
 }
 
 const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,

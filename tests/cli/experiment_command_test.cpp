@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -71,6 +72,24 @@ TEST(ExperimentCommand, table_2_refuses_what_is_no_results_folder) {
   static_cast<void>(
       folder.with("timings.csv", std::string(kHeader) + "a,b,c,1,end_to_end,scene,fast\n"));
   EXPECT_EQ(failure_of(args, 1), csv + ": line 2: 'fast' is no time");
+}
+
+TEST(ExperimentCommand, quality_takes_pictures_and_leaves_skeletons) {
+  const TemporaryFolder folder;
+  const std::string picture = folder.file("spot.png");
+  ByteImage spot(20, 10);
+  for (Index x = 4; x < 15; ++x) spot.at(x, 5) = spot.at(x, 6) = spot.at(x, 7) = 255;
+  write_grey(picture, spot.view());
+  const std::string file = folder.file("quality.json");
+  const ProgramRun ran = run_with({"experiment", "quality", "--image", picture, "--pictures-out",
+                                   folder.path().string(), "--out", file});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("| spot | thin_guo_hall | 1 to 1 | 0 to 0 |"), std::string::npos);
+  EXPECT_EQ(read_grey(folder.file("quality_spot_thin_guo_hall.png")).width(), 20);
+  EXPECT_EQ(Json::parse(bytes_of(file)).at("command"),
+            "thinbench experiment quality --image spot.png");
+  EXPECT_EQ(failure_of({"experiment", "quality", "--image", "absent.png"}, 1),
+            "cannot read 'absent.png': there is no such file");
 }
 
 TEST(ExperimentCommand, files_that_cannot_be_written_are_refused_before_the_work) {

@@ -1,0 +1,58 @@
+"""How good the skeletons of each operation are, as the experiment left it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from report.json_fields import Fields
+
+
+@dataclass(frozen=True)
+class Skeleton:
+    """What was measured on the skeleton of one input by one operation."""
+
+    operation: str
+    input: str
+    objects: tuple[int, int]
+    """Before and after, as are the holes."""
+    holes: tuple[int, int]
+    pixels: int
+    blocks: int
+    ends: int
+    branches: int
+    mean_distance: float
+    largest_distance: float
+    symmetry: float
+    iterations: int
+
+    @property
+    def keeps_topology(self) -> bool:
+        """True if there are as many objects and holes as before."""
+        return self.objects[0] == self.objects[1] and self.holes[0] == self.holes[1]
+
+
+@dataclass(frozen=True)
+class Quality:
+    """Every operation on every input."""
+
+    command: str
+    rows: tuple[Skeleton, ...]
+
+    @property
+    def inputs(self) -> list[str]:
+        """Their names, in the order of the file."""
+        return list(dict.fromkeys(row.input for row in self.rows))
+
+
+def parse_quality(fields: Fields) -> Quality:
+    """The experiment's file."""
+    return Quality(fields.text("command"), tuple(map(_skeleton, fields.some("rows"))))
+
+
+def _skeleton(row: Fields) -> Skeleton:
+    def change(of: str) -> tuple[int, int]:
+        return row.count(f"{of}_before"), row.count(f"{of}_after")
+    return Skeleton(row.text("operation"), row.text("input"), change("objects"), change("holes"),
+                    *(row.count(key) for key in ("pixels", "blocks", "ends", "branches")),
+                    row.number("mean_distance"), row.number("largest_distance"),
+                    row.at_most("symmetry", 1), row.count("iterations", 1))
