@@ -29,7 +29,7 @@ TEST(VerifyCommand, ends_with_the_summary) {
 TEST(VerifyCommand, reports_each_set_once_where_there_is_no_terminal) {
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/baseline/1"});
-  const std::regex lines(R"((\w+: \d+ images in \d+\.\d s\n){4})");
+  const std::regex lines(R"((\w+: \d+ images in \d+\.\d s\n){5})");
   EXPECT_TRUE(std::regex_match(run.err, lines)) << run.err;
 }
 
