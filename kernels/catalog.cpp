@@ -4,6 +4,7 @@
 
 #include "holes/holes_rows.hpp"
 #include "nets/net_rows.hpp"
+#include "scan/scan_rows.hpp"
 #include "thinning/rule_rows.hpp"
 
 namespace thinbench {
@@ -13,6 +14,14 @@ ThinningOperation border_keeping(std::string_view name, std::string_view descrip
                                  std::span<const ThinningVariant> rows) {
   ThinningOperation operation{name, description, rows};
   operation.border = Border::kKeep;
+  return operation;
+}
+
+ThinningOperation scan(std::string_view name, std::string_view description,
+                       std::span<const ThinningVariant> rows) {
+  ThinningOperation operation{name, description, rows};
+  operation.most_passes = 1;
+  operation.takes_directions = true;
   return operation;
 }
 
@@ -38,6 +47,9 @@ std::span<const ThinningOperation> thinning_operations() {
       ThinningOperation{"thin_mb2",
                         "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology",
                         rows_of<Mb2>()},
+      scan("skeleton_scan",
+           "the paper's own method: centres of dark runs along rows, columns and both diagonals",
+           scan_rows()),
       ThinningOperation{"net_two_layer_sigmoid",
                         "thinning by the two-layer net of Table 1, sigmoid (1); hidden values "
                         "across lanes agree within 2 units in the last place, outputs within 9",
