@@ -1,20 +1,10 @@
 // How many dark pixels in a row: a counter a pixel, its bits in `bits` words.
 #pragma once
 
-#include <utility>
-
 #include "core/word.hpp"
+#include "scan/unrolled.hpp"
 
 namespace thinbench {
-
-/// Calls `body` with integral constants 0 to count - 1.
-template <int count, class Body>
-[[gnu::always_inline]] inline void unrolled(const Body& body) {
-  [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
-    (body(std::integral_constant<int, i>{}), ...);
-  }
-  (std::make_integer_sequence<int, count>{});
-}
 
 /// The second place, from 1, whose bit is fed back; the first is the last. x^bits + x^(bits -
 /// place)

@@ -1,6 +1,7 @@
 // The steps of the scanning skeleton for one word type; see sweep.hpp for what they cost.
 #pragma once
 
+#include "scan/register_turn.hpp"
 #include "scan/sweep.hpp"
 #include "scan/turning.hpp"
 
@@ -18,7 +19,7 @@ struct ScanEngine {
       const Index end =
           first + kGroupRows < work.source.height ? first + kGroupRows : work.source.height;
       if (work.directions.has(Direction::kRows)) turn_rows(work, group, first, end);
-      if (work.ring.rows > 0) make_ring(work, first, end);
+      if (work.rings.rows > 0 && !in_register(work)) make_rings(work, work.source, first, end);
       for (const Direction direction : {Direction::kDiagonals, Direction::kAntidiagonals}) {
         if (work.directions.has(direction)) turn_diagonals(work, direction, first, end);
       }
@@ -74,27 +75,47 @@ struct ScanEngine {
     }
   }
 
-  /// The source's rows, once and again behind that; the ring may be longer than a row.
-  static void make_ring(const ScanWork& work, Index first, Index end) {
-    const ConstBitPlaneView source = work.source;
-    const Sheet ring = work.ring;
-    for (Index y = first; y < end; ++y) {
-      for (Index i = 0; i < ring.words; i += kBatch) {
-        const Word word =
-            i < source.row_elements ? Traits::load(source.row(y) + i) : Traits::zero();
-        Traits::store(ring.row(y) + i, word);
-        Traits::store(ring.row(y) + i + ring.wrap, word);
+  static bool in_register(const ScanWork& work) {
+    return RegisterTurn<Word>::kAvailable && work.rings.words == kBatch;
+  }
+
+  static std::uint64_t* ring(const ScanWork& work, Index y) {
+    return work.rings.row(y % work.rings.rows);
+  }
+
+  /// Rows of a plane or a sheet, once and again behind that; a ring may be longer than a row.
+  template <class Rows>
+  static void make_rings(const ScanWork& work, const Rows& from, Index first, Index end) {
+    const Index words = work.rings.words;
+    std::uint64_t* to = ring(work, first);
+    for (Index y = first; y < end; ++y, to += work.rings.stride) {
+      for (Index i = 0; i < words; i += kBatch) {
+        const bool inside = i < row_words(from);
+        const Word word = inside ? Traits::load(from.row(y) + i) : Traits::zero();
+        Traits::store(to + i, word);
+        Traits::store(to + i + words, word);
       }
     }
   }
+  static Index row_words(const ConstBitPlaneView& plane) { return plane.row_elements; }
+  static Index row_words(const Sheet& sheet) { return sheet.words; }
 
   static void turn_diagonals(const ScanWork& work, Direction direction, Index first, Index end) {
-    const Sheet ring = work.ring;
     const Sheet sheet = sheet_of(work, direction);
-    for (Index y = first; y < end; ++y) {
-      const Index turn = turn_of(direction, y, ring.words);
-      for (Index i = 0; i < ring.words; i += kBatch) {
-        Traits::store(sheet.row(y) + i, turned_word<Word>(ring.row(y), ring.words, turn, i));
+    Turn turn(sheet, direction, first);
+    if constexpr (RegisterTurn<Word>::kAvailable) {
+      if (in_register(work)) {
+        for (Index y = first; y < end; ++y, turn.move_down()) {
+          const Word row = Traits::load(work.source.row(y));
+          Traits::store(sheet.row(y), RegisterTurn<Word>::apply(row, turn.there()));
+        }
+        return;
+      }
+    }
+    const std::uint64_t* from = ring(work, first);
+    for (Index y = first; y < end; ++y, turn.move_down(), from += work.rings.stride) {
+      for (Index i = 0; i < sheet.words; i += kBatch) {
+        Traits::store(sheet.row(y) + i, turned_word<Word>(from, sheet.words, turn.there(), i));
       }
     }
   }
@@ -103,11 +124,22 @@ struct ScanEngine {
     const Sheet sheet = sheet_of(work, direction);
     const BitPlaneView target = work.target;
     const Index words = target.row_elements < sheet.words ? target.row_elements : sheet.words;
-    for (Index y = first; y < end; ++y) {
-      const Index turn = turn_back_of(direction, y, sheet.words);
+    Turn turn(sheet, direction, first);
+    if constexpr (RegisterTurn<Word>::kAvailable) {
+      if (in_register(work)) {
+        for (Index y = first; y < end; ++y, turn.move_down()) {
+          const Word marks = RegisterTurn<Word>::apply(Traits::load(sheet.row(y)), turn.back());
+          Traits::store(target.row(y), Traits::load(target.row(y)) | marks);
+        }
+        return;
+      }
+    }
+    make_rings(work, sheet, first, end);
+    const std::uint64_t* from = ring(work, first);
+    for (Index y = first; y < end; ++y, turn.move_down(), from += work.rings.stride) {
       std::uint64_t* row = target.row(y);
       for (Index i = 0; i < words; i += kBatch) {
-        const Word marks = turned_word<Word>(sheet.row(y), sheet.words, turn, i);
+        const Word marks = turned_word<Word>(from, sheet.words, turn.back(), i);
         Traits::store(row + i, Traits::load(row + i) | marks);
       }
     }
@@ -124,9 +156,7 @@ struct ScanEngine {
       }
       blocks.transpose();
       for (Index lane = 0; lane < lanes(sheet, word); ++lane) {
-        const Index x = (word + lane) * kWordBits;
-        const Index columns = sheet.rows - x < kWordBits ? sheet.rows - x : kWordBits;
-        for (Index i = 0; i < columns; ++i) sheet.row(x + i)[group] = blocks.lane(i, lane);
+        blocks.store_lane(lane, sheet.row((word + lane) * kWordBits) + group, sheet.stride);
       }
     }
   }
@@ -135,11 +165,9 @@ struct ScanEngine {
     const Sheet sheet = sheet_of(work, Direction::kRows);
     Blocks<Word> blocks;
     for (Index word = 0; word * kWordBits < sheet.rows; word += kBatch) {
-      for (Index y = 0; y < kGroupRows; ++y) blocks.set_row(y, Traits::zero());
+      if (lanes(sheet, word) < kBatch) blocks.clear();
       for (Index lane = 0; lane < lanes(sheet, word); ++lane) {
-        const Index x = (word + lane) * kWordBits;
-        const Index columns = sheet.rows - x < kWordBits ? sheet.rows - x : kWordBits;
-        for (Index i = 0; i < columns; ++i) blocks.lane(i, lane) = sheet.row(x + i)[group];
+        blocks.load_lane(lane, sheet.row((word + lane) * kWordBits) + group, sheet.stride);
       }
       blocks.transpose();
       for (Index y = first; y < end; ++y) {

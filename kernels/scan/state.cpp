@@ -33,31 +33,34 @@ void ScanState::add_direction(Direction direction, const ScanSetting& setting) {
   const auto [isa, width, height, threads, directions] = setting;
   const Index batch = kernels_.batch_words;
   if (direction == Direction::kRows) {
-    turn(direction, width, words_for(height, batch), 0, width);
+    turn(direction, width, words_for(height, batch), width);
   } else if (direction == Direction::kColumns) {
-    turn(direction, height, words_for(width, batch), 0, height);
+    turn(direction, height, words_for(width, batch), height);
   } else {
     const Index ring = words_for(width + 1, batch);
-    if (work_.ring.rows == 0) work_.ring = make_sheet(height, ring, ring);
-    turn(direction, height, ring, ring, std::min(width, height));
+    if (work_.rings.rows == 0) {
+      work_.rings = make_sheet(threads > 1 ? round_up(height, kGroupRows) : kGroupRows, 2 * ring);
+      work_.rings.words = ring;
+    }
+    turn(direction, height, ring, std::min(width, height));
   }
 }
 
-void ScanState::turn(Direction direction, Index rows, Index words, Index wrap, Index longest) {
+void ScanState::turn(Direction direction, Index rows, Index words, Index longest) {
   Turned& turned = work_.turned[static_cast<int>(direction)];
   turned.bits = counter_bits(longest);
   const Index chunks = (rows + kChunkRows - 1) / kChunkRows;
   turned.checkpoints = make_words(chunks * turned.bits * words);
-  turned.sheet = {nullptr, rows, words, 0, 0};
-  if (direction != Direction::kColumns) turned.sheet = make_sheet(rows, words, wrap);
+  turned.sheet = {nullptr, rows, words, 0};
+  if (direction != Direction::kColumns) turned.sheet = make_sheet(rows, words);
   for (Index word = 0; word < words; word += kernels_.batch_words) {
     tasks_.push_back({direction, word});
   }
 }
 
-Sheet ScanState::make_sheet(Index rows, Index words, Index wrap) {
-  const Index stride = padded_row_bytes((words + wrap) * kWordBytes) / kWordBytes;
-  return {make_words(rows * stride), rows, words, stride, wrap};
+Sheet ScanState::make_sheet(Index rows, Index words) {
+  const Index stride = padded_row_bytes(words * kWordBytes) / kWordBytes;
+  return {make_words(round_up(rows, kGroupRows) * stride), rows, words, stride};
 }
 
 std::uint64_t* ScanState::make_words(Index count) {

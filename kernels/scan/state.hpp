@@ -33,8 +33,8 @@ class ScanState final : public PlaneState<std::uint64_t> {
   };
   using Words = AlignedArray<std::uint64_t>;
 
-  void turn(Direction direction, Index rows, Index words, Index wrap, Index longest);
-  [[nodiscard]] Sheet make_sheet(Index rows, Index words, Index wrap);
+  void turn(Direction direction, Index rows, Index words, Index longest);
+  [[nodiscard]] Sheet make_sheet(Index rows, Index words);
   [[nodiscard]] std::uint64_t* make_words(Index count);
   void add_direction(Direction direction, const ScanSetting& setting);
 

@@ -24,7 +24,6 @@ struct ScanColumn {
   Index from_stride;
   std::uint64_t* to;
   Index to_stride;
-  Index wrap;
   Index rows;
   std::uint64_t* checkpoints;
 };
@@ -71,7 +70,6 @@ struct ColumnSweep {
     for (Index y = end - 1; y >= first; --y) {
       const Word mark = centres(before + (y - first) * kCounterElements, dark(y), behind);
       Traits::store(column.to + y * column.to_stride, mark);
-      Traits::store(column.to + y * column.to_stride + column.wrap, mark);
     }
   }
 
@@ -98,13 +96,12 @@ struct ColumnSweep {
   const Index chunks = (turned.sheet.rows + kChunkRows - 1) / kChunkRows;
   std::uint64_t* checkpoints = turned.checkpoints + word * chunks * turned.bits;
   if (direction == Direction::kColumns) {
-    return {
-        work.source.data + word, work.source.stride, work.target.data + word, work.target.stride, 0,
-        work.source.height,      checkpoints};
+    return {work.source.data + word, work.source.stride, work.target.data + word,
+            work.target.stride,      work.source.height, checkpoints};
   }
   const Sheet& sheet = turned.sheet;
-  return {sheet.data + word, sheet.stride, sheet.data + word, sheet.stride,
-          sheet.wrap,        sheet.rows,   checkpoints};
+  return {sheet.data + word, sheet.stride, sheet.data + word,
+          sheet.stride,      sheet.rows,   checkpoints};
 }
 
 }  // namespace thinbench

@@ -7,14 +7,12 @@
 
 namespace thinbench {
 
-/// Packed rows without a margin. Where `wrap` is not 0, word i is stored again at i + wrap, so that
-/// a row can be read from any word as if it were a ring.
+/// Packed rows without a margin, in memory for whole groups of rows.
 struct Sheet {
   std::uint64_t* data = nullptr;
   Index rows = 0;
   Index words = 0;  // a whole number of the kernel's batches
   Index stride = 0;
-  Index wrap = 0;
 
   [[nodiscard]] std::uint64_t* row(Index y) const { return data + y * stride; }
 };
@@ -54,7 +52,9 @@ struct ScanWork {
   Directions directions;
   ConstBitPlaneView source;
   BitPlaneView target;
-  Sheet ring;                      // the source's rows, stored twice
+  /// Rows that are being turned, each stored twice, so that it can be read from any word as if it
+  /// were a ring: kGroupRows of them, or all where several threads turn. Row y is at y % rows.
+  Sheet rings;
   Turned turned[kDirectionCount];  // by direction
 };
 
