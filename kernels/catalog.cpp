@@ -6,6 +6,7 @@
 #include "nets/net_rows.hpp"
 #include "scan/scan_rows.hpp"
 #include "thinning/rule_rows.hpp"
+#include "thinning/spta.hpp"
 
 namespace thinbench {
 namespace {
@@ -25,6 +26,12 @@ ThinningOperation scan(std::string_view name, std::string_view description,
   return operation;
 }
 
+constexpr std::array kSequentialSptaRows = {
+    ThinningVariant{Technique::kLut, Isa::kBaseline, kOneThread, kAnyWidth, &SptaKernels::kLut},
+    ThinningVariant{Technique::kBitpacked, Isa::kBaseline, kOneThread, kAnyWidth,
+                    &SptaKernels::kBitpacked},
+};
+
 }  // namespace
 
 std::span<const ThinningOperation> thinning_operations() {
@@ -41,6 +48,10 @@ std::span<const ThinningOperation> thinning_operations() {
                         rows_of<GuoHall>()},
       border_keeping("thin_guo_hall_keep_border", "the same, equal to OpenCV's on every image",
                      border_keeping_rows_of<GuoHall>()),
+      ThinningOperation{"thin_spta",
+                        "Naccache and Shinghal's SPTA as published, two sequential scans a pass: "
+                        "rows depend on each other, so no threads; keeps topology",
+                        kSequentialSptaRows},
       ThinningOperation{"thin_spta_directional",
                         "Naccache and Shinghal's SPTA, one direction after another; keeps topology",
                         rows_of<SptaDirectional>()},

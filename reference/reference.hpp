@@ -41,6 +41,14 @@ int thin_guo_hall(Border border, ConstByteView source, ByteView destination);
 /// points whose expression (above) is TRUE are removed, each side on the result of the one before.
 int thin_spta_directional(Border border, ConstByteView source, ByteView destination);
 
+/// Naccache and Shinghal's SPTA as published (IEEE SMC 14(3), 1984), sequential. A pass is two
+/// scans in raster order: left and right edge points first, then top and bottom ones. A dark pixel
+/// is flagged where it is an edge point of a side whose expression (above) is TRUE; there unprimed
+/// literals read "dark and not yet flagged", the edge test and primed literals "light before the
+/// pass". Flagged pixels become light after the pass; a pass that flags nothing is the last, and
+/// counts. Outside the image everything is light. Keeps topology, is idempotent.
+int thin_spta(ConstByteView source, ByteView destination);
+
 /// Bernard and Manzanera's MB2 (1999), fully parallel, support 5 x 5: I is a dark pixel with four
 /// dark 4-neighbours; a1: I on one side and light opposite; a2: I on a diagonal and the two
 /// opposite 4-neighbours light; b: a dark diagonal between two light 4-neighbours. Removed where
