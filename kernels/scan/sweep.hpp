@@ -3,10 +3,9 @@
 // A dark pixel is the centre of its run where as many dark pixels lie before it as behind it, or
 // one more behind it. Two sweeps over columns of words count them: down, and up again with the
 // comparison. Counting and comparing take 5 gates a counter bit and row, 9 bits for runs of up to
-// 510 pixels, whatever the picture shows; a mark for each run by itself would take about 10
-// instructions and a jump that nobody can predict, for thousands of runs. Counts are stored once in
-// 32 rows and calculated again from there (2 of the 5 gates): all counts of an image would not stay
-// in the first-level cache.
+// 510 pixels, whatever the picture shows; marking run by run would be a jump that depends on the
+// picture for each of thousands of runs. Counts are stored once in 32 rows and calculated again
+// from there (2 of the 5 gates): all counts of an image would not stay in the first-level cache.
 //
 // Rows become columns by transposing blocks of 64 x 64 pixels (6 x 32 exchanges of half rows a
 // batch of blocks), diagonals by turning row y of the image by y pixels round a ring (2 loads, 3

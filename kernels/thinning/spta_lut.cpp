@@ -1,6 +1,7 @@
 // The original SPTA by table, pixel after pixel as published: 256 states of the neighbours before
-// the pass times 256 of what is still there, 64 KB, of which a picture touches little. A pixel
-// costs eight loads, their packing and one look-up a scan.
+// the pass times 256 of what is still there, 64 KB, of which a picture touches little. Eight
+// pixels at a time are asked for edge points, 3 loads and 4 operations; an edge point costs eight
+// loads, their packing and one look-up.
 #include <array>
 #include <cstring>
 
@@ -39,16 +40,32 @@ unsigned state_at(const std::uint8_t* at, Index stride) {
   return state;
 }
 
+std::uint64_t eight_pixels(const std::uint8_t* from) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, from, sizeof word);
+  return word;
+}
+
+/// Of the eight pixels from `at`, bit 0 of the byte of each that is dark, not flagged and an edge
+/// point of one of the two sides that lie `across` away.
+std::uint64_t edge_points(const std::uint8_t* at, Index across) {
+  const std::uint64_t inside = eight_pixels(at - across) & eight_pixels(at + across);
+  return eight_pixels(at) & ~(inside >> 1) & 0x0101010101010101;
+}
+
 /// True where a pixel was flagged.
 bool run_scan(SptaScan scan, const Table& table, const BytePlaneView& image) {
+  const Index across = scan == SptaScan::kLeftRight ? 1 : image.stride;
   bool flagged = false;
   for (Index y = 0; y < image.height; ++y) {
     std::uint8_t* row = image.row(y);
-    for (Index x = 0; x < image.width; ++x) {
-      if (row[x] != kDark) continue;
-      if ((table[state_at(row + x, image.stride)] >> static_cast<int>(scan) & 1) == 0) continue;
-      row[x] = kFlagged;
-      flagged = true;
+    for (Index x = 0; x < image.width; x += 8) {
+      for (std::uint64_t left = edge_points(row + x, across); left != 0; left &= left - 1) {
+        std::uint8_t* at = row + x + __builtin_ctzll(left) / 8;
+        if ((table[state_at(at, image.stride)] >> static_cast<int>(scan) & 1) == 0) continue;
+        *at = kFlagged;
+        flagged = true;
+      }
     }
   }
   return flagged;
