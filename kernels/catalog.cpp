@@ -4,7 +4,9 @@
 
 #include "holes/holes_rows.hpp"
 #include "nets/net_rows.hpp"
+#include "scan/scan_rows.hpp"
 #include "thinning/rule_rows.hpp"
+#include "thinning/spta.hpp"
 
 namespace thinbench {
 namespace {
@@ -15,6 +17,20 @@ ThinningOperation border_keeping(std::string_view name, std::string_view descrip
   operation.border = Border::kKeep;
   return operation;
 }
+
+ThinningOperation scan(std::string_view name, std::string_view description,
+                       std::span<const ThinningVariant> rows) {
+  ThinningOperation operation{name, description, rows};
+  operation.most_passes = 1;
+  operation.takes_directions = true;
+  return operation;
+}
+
+constexpr std::array kSequentialSptaRows = {
+    ThinningVariant{Technique::kLut, Isa::kBaseline, kOneThread, kAnyWidth, &SptaKernels::kLut},
+    ThinningVariant{Technique::kBitpacked, Isa::kBaseline, kOneThread, kAnyWidth,
+                    &SptaKernels::kBitpacked},
+};
 
 }  // namespace
 
@@ -32,12 +48,19 @@ std::span<const ThinningOperation> thinning_operations() {
                         rows_of<GuoHall>()},
       border_keeping("thin_guo_hall_keep_border", "the same, equal to OpenCV's on every image",
                      border_keeping_rows_of<GuoHall>()),
+      ThinningOperation{"thin_spta",
+                        "Naccache and Shinghal's SPTA as published, two sequential scans a pass: "
+                        "rows depend on each other, so no threads; keeps topology",
+                        kSequentialSptaRows},
       ThinningOperation{"thin_spta_directional",
                         "Naccache and Shinghal's SPTA, one direction after another; keeps topology",
                         rows_of<SptaDirectional>()},
       ThinningOperation{"thin_mb2",
                         "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology",
                         rows_of<Mb2>()},
+      scan("skeleton_scan",
+           "the paper's own method: centres of dark runs along rows, columns and both diagonals",
+           scan_rows()),
       ThinningOperation{"net_two_layer_sigmoid",
                         "thinning by the two-layer net of Table 1, sigmoid (1); hidden values "
                         "across lanes agree within 2 units in the last place, outputs within 9",

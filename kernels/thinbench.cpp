@@ -32,7 +32,7 @@ int thin(std::string_view operation, ConstByteView source, ByteView destination,
   }
   const ThinningVariant& variant = choose_variant(*found, source.width, options);
   ThinningPlan plan(*found, variant, source.width, source.height,
-                    {options.threads, options.model, options.border});
+                    {options.threads, options.model, options.border, options.directions});
   return plan.run(source, destination);
 }
 

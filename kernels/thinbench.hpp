@@ -19,7 +19,8 @@ struct ThinningOptions {
   int threads = 1;
   /// For nets: what make_model.hpp makes of other weights than the paper's.
   std::shared_ptr<const RuleModel> model = nullptr;
-  std::optional<Border> border = std::nullopt;  // instead of the operation's own
+  std::optional<Border> border = std::nullopt;          // instead of the operation's own
+  std::optional<Directions> directions = std::nullopt;  // of a scan; all where none are given
 };
 
 /// The variant that `options` ask for on an image of this width. Throws std::invalid_argument,

@@ -25,6 +25,10 @@ int thinning(ConstByteView source, ByteView destination) {
   return function(border, source, destination);
 }
 
+int scan_all_directions(ConstByteView source, ByteView destination) {
+  return skeleton_scan(Directions{}, source, destination);
+}
+
 struct NamedThinning {
   std::string_view operation;
   Thinning function;
@@ -38,6 +42,8 @@ constexpr std::array kThinnings = {
     NamedThinning{"thin_guo_hall_keep_border", &thinning<&thin_guo_hall, Border::kKeep>},
     NamedThinning{"thin_spta_directional", &thinning<&thin_spta_directional, Border::kBackground>},
     NamedThinning{"thin_mb2", &thinning<&thin_mb2, Border::kBackground>},
+    NamedThinning{"thin_spta", &thin_spta},
+    NamedThinning{"skeleton_scan", &scan_all_directions},
     NamedThinning{"net_two_layer_sigmoid",
                   &two_layer<kPaperTwoLayer, Activation::kSigmoid, kNoLimit>},
     NamedThinning{"net_two_layer_sigmoid_pass",

@@ -6,6 +6,7 @@
 
 #include "core/views.hpp"
 #include "nets/weights.hpp"
+#include "scan/directions.hpp"
 #include "thinning/border.hpp"
 
 namespace thinbench::reference {
@@ -40,11 +41,33 @@ int thin_guo_hall(Border border, ConstByteView source, ByteView destination);
 /// points whose expression (above) is TRUE are removed, each side on the result of the one before.
 int thin_spta_directional(Border border, ConstByteView source, ByteView destination);
 
+/// Naccache and Shinghal's SPTA as published (IEEE SMC 14(3), 1984), sequential. A pass is two
+/// scans in raster order: left and right edge points first, then top and bottom ones. A dark pixel
+/// is flagged where it is an edge point of a side whose expression (above) is TRUE; there unprimed
+/// literals read "dark and not yet flagged", the edge test and primed literals "light before the
+/// pass". Flagged pixels become light after the pass; a pass that flags nothing is the last, and
+/// counts. Outside the image everything is light. Keeps topology, is idempotent.
+int thin_spta(ConstByteView source, ByteView destination);
+
 /// Bernard and Manzanera's MB2 (1999), fully parallel, support 5 x 5: I is a dark pixel with four
 /// dark 4-neighbours; a1: I on one side and light opposite; a2: I on a diagonal and the two
 /// opposite 4-neighbours light; b: a dark diagonal between two light 4-neighbours. Removed where
 /// (a1 or a2) and not b.
 int thin_mb2(Border border, ConstByteView source, ByteView destination);
+
+/// The paper's own method, end of section 3.1: the image is scanned along each of `directions`, and
+/// the centre of every run of dark pixels, p[first ... last], is marked:
+///   centre = first + floor((last - first) / 2)
+/// The paper says "marking the centre point of the object segment" and no more. Chosen here: of the
+/// two middle pixels of an even run the first in the order of the scan (the western one in rows,
+/// else the northern one); a single pixel is the centre of itself, so that lines one pixel wide
+/// stay whole; outside the image everything is light, so that the frame ends a run. The result is
+/// the union of all marks.
+///
+/// Views as above; returns 1, there is one pass. The result is a subset of the image with at least
+/// one pixel of every 8-component. It is neither connected nor thin in general, and not
+/// idempotent: it keeps no topology.
+int skeleton_scan(Directions directions, ConstByteView source, ByteView destination);
 
 /// Thinning by the two-layer net of section 3.2: passes and stop rule as above, but a dark pixel
 /// stays where the net says 0.5 or more, equations (3) and (4) with activation (1) or (2). Single

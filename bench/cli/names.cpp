@@ -99,4 +99,11 @@ Border border_named(std::string_view name) {
                    "'; known: " + enumeration({kBorderNames.begin(), kBorderNames.end()}));
 }
 
+Direction direction_named(std::string_view name) {
+  for (const Direction direction : kAllDirections) {
+    if (kDirectionNames[static_cast<std::size_t>(direction)] == name) return direction;
+  }
+  refuse_name("direction", name, {kDirectionNames.begin(), kDirectionNames.end()});
+}
+
 }  // namespace thinbench

@@ -27,5 +27,6 @@ namespace thinbench {
 [[nodiscard]] Technique technique_named(std::string_view name);
 [[nodiscard]] Isa isa_named(std::string_view name);
 [[nodiscard]] Border border_named(std::string_view name);
+[[nodiscard]] Direction direction_named(std::string_view name);
 
 }  // namespace thinbench

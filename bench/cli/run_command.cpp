@@ -2,7 +2,9 @@
 #include <chrono>
 #include <iomanip>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <tbb/global_control.h>
 
@@ -24,6 +26,7 @@ constexpr const char* kExamples = R"(Examples:
   thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8
   thinbench run thin_zhang_suen parts.png skeleton.png --border keep
   thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
+  thinbench run skeleton_scan parts.png marks.png --directions rows,columns
 
 Pictures of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
 
@@ -35,6 +38,7 @@ struct RunOptions {
   std::string isa;
   std::string weights;
   std::string border;
+  std::vector<std::string> directions;
   int threads = 1;
   int threshold = kDefaultThreshold;
   bool invert = false;
@@ -49,6 +53,18 @@ ThinningOptions thinning_options(const RunOptions& options) {
   return how;
 }
 
+/// The directions of these names; none where none is named.
+std::optional<Directions> directions_named(const ThinningOperation& operation,
+                                           const std::vector<std::string>& names) {
+  if (names.empty()) return std::nullopt;
+  if (!operation.takes_directions) {
+    throw UsageError("--directions: " + std::string(operation.name) + " is no scan and takes none");
+  }
+  Directions directions = kNoDirections;
+  for (const std::string& name : names) directions.add(direction_named(name));
+  return directions;
+}
+
 struct Thinned {
   ByteImage skeleton;
   int passes;
@@ -60,7 +76,7 @@ Thinned thinned(const ThinningOperation& operation, const ThinningVariant& varia
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(how.threads));
   ThinningPlan plan(operation, variant, objects.width(), objects.height(),
-                    {how.threads, how.model, how.border});
+                    {how.threads, how.model, how.border, how.directions});
   ByteImage skeleton(objects.width(), objects.height());
   const auto start = std::chrono::steady_clock::now();
   const int passes = plan.run(objects.view(), skeleton.view());
@@ -72,6 +88,7 @@ int run(const RunOptions& options, std::ostream& out) {
   const ThinningOperation& operation = operation_named(options.operation);
   ThinningOptions how = thinning_options(options);
   how.model = model_from_file(operation, options.weights);
+  how.directions = directions_named(operation, options.directions);
   check_ending(options.out);
   const ByteImage objects = objects_of(read_grey(options.in), options.threshold, options.invert);
   const ThinningVariant& variant = variant_for(operation, objects.width(), how);
@@ -112,6 +129,12 @@ Command add_run_command(CLI::App& program) {
                   "columns never change, as in OpenCV (default: the operation's own)")
       ->check(not_empty())
       ->type_name("NAME");
+  app->add_option(
+         "--directions", options->directions,
+         "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)")
+      ->delimiter(',')
+      ->check(not_empty())
+      ->type_name("NAME,...");
   app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
       ->check(whole_number(1, kMaxThreads))
       ->type_name("N")

@@ -5,15 +5,19 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/convert.hpp"
-#include "core/planes.hpp"
 #include "nets/model.hpp"
+#include "scan/state.hpp"
 #include "thinning/iterate.hpp"
+#include "thinning/state.hpp"
 
 namespace thinbench {
 
 bool knows_border(const ThinningVariant& variant, Border border) {
-  return border == Border::kBackground || !std::holds_alternative<const RowKernel*>(variant.engine);
+  using ByteCycle = std::span<const Pass<std::uint8_t>>;
+  using BitCycle = std::span<const Pass<std::uint64_t>>;
+  return border == Border::kBackground || std::holds_alternative<ByteCycle>(variant.engine) ||
+         std::holds_alternative<BitCycle>(variant.engine) ||
+         std::holds_alternative<const ChangePass*>(variant.engine);
 }
 
 std::string_view why_unavailable(const ThinningVariant& variant, Index width, Border border) {
@@ -23,14 +27,6 @@ std::string_view why_unavailable(const ThinningVariant& variant, Index width, Bo
   if (!knows_border(variant, border)) return "this variant does not keep the border";
   return {};
 }
-
-struct ThinningState {
-  virtual ~ThinningState() = default;
-  virtual void load(const ConstByteView& source) = 0;
-  virtual int thin() = 0;
-  virtual void store(const ByteView& destination) const = 0;
-  [[nodiscard]] virtual bool margins_are_zero() const = 0;
-};
 
 namespace {
 
@@ -62,6 +58,7 @@ struct Setting {
   int threads;
   int most_passes;
   Border border;
+  Directions directions;
   std::shared_ptr<const RuleModel> model;
 
   [[nodiscard]] Conditions conditions() const { return {model.get(), most_passes, border}; }
@@ -93,113 +90,102 @@ const ThinningEngine& chosen_engine(const ThinningVariant& variant, const RuleMo
   return variant.engine;
 }
 
-/// Source and result planes with the conversions of one instruction-set level.
-template <class T>
-struct Planes {
-  Planes(Isa isa, Index width, Index height)
-      : conversion(plane_conversion<T>(isa)), source(width, height), result(width, height) {}
-  const PlaneConversion<T>& conversion;
-  Plane<T> source;
-  Plane<T> result;
-};
-
 /// Passes over planes of T.
 template <class T>
-struct PassState final : ThinningState {
+struct PassState final : PlaneState<T> {
+  using PlaneState<T>::planes;
+
   PassState(std::span<const Pass<T>> passes, const Setting& chosen)
-      : cycle(passes),
+      : PlaneState<T>(chosen.isa, chosen.width, chosen.height),
+        cycle(passes),
         setting(chosen),
-        planes(setting.isa, setting.width, setting.height),
         scratch(setting.width, setting.height),
         activity(setting.height, planes.result.view().row_elements, sizeof(T) == 1 ? kWordBits : 1),
         team(setting.threads) {}
 
-  void load(const ConstByteView& view) override {
-    planes.conversion.read(view, planes.source.view());
-  }
   int thin() override {
     const auto& source = planes.source;
     return iterate<T>(cycle, setting.conditions(), source.view(), planes.result.view(),
                       scratch.view(), activity, team);
   }
-  void store(const ByteView& view) const override {
-    planes.conversion.write(planes.result.view(), view);
-  }
   [[nodiscard]] bool margins_are_zero() const override {
-    return planes.source.margin_is_zero() && planes.result.margin_is_zero() &&
-           scratch.margin_is_zero();
+    return PlaneState<T>::margins_are_zero() && scratch.margin_is_zero();
   }
 
   std::span<const Pass<T>> cycle;
   Setting setting;
-  Planes<T> planes;
   Plane<T> scratch;
   TileActivity activity;
   ThreadTeam team;
 };
 
 /// One pass that sees what the last step changed.
-struct ChangeState final : ThinningState {
+struct ChangeState final : PlaneState<std::uint64_t> {
   ChangeState(ChangePass change_pass, const Setting& chosen)
-      : pass(change_pass),
+      : PlaneState(chosen.isa, chosen.width, chosen.height),
+        pass(change_pass),
         setting(chosen),
-        planes(chosen.isa, chosen.width, chosen.height),
         scratch{BitPlane(chosen.width, chosen.height), BitPlane(chosen.width, chosen.height)},
         activity(chosen.height, planes.result.view().row_elements, 1),
         team(chosen.threads) {}
 
-  void load(const ConstByteView& view) override {
-    planes.conversion.read(view, planes.source.view());
-  }
   int thin() override {
     const auto& source = planes.source;
     return iterate_changes(pass, setting.conditions(), source.view(),
                            {planes.result.view(), scratch[0].view(), scratch[1].view()}, activity,
                            team);
   }
-  void store(const ByteView& view) const override {
-    planes.conversion.write(planes.result.view(), view);
-  }
   [[nodiscard]] bool margins_are_zero() const override {
-    return planes.source.margin_is_zero() && planes.result.margin_is_zero() &&
-           scratch[0].margin_is_zero() && scratch[1].margin_is_zero();
+    return PlaneState::margins_are_zero() && scratch[0].margin_is_zero() &&
+           scratch[1].margin_is_zero();
   }
 
   ChangePass pass;
   Setting setting;
-  Planes<std::uint64_t> planes;
   std::array<BitPlane, 2> scratch;
   TileActivity activity;
   ThreadTeam team;
 };
 
 /// One kernel over rows of one register.
-struct RowState final : ThinningState {
+struct RowState final : PlaneState<std::uint64_t> {
   RowState(RowKernel row_kernel, const Setting& chosen)
-      : kernel(row_kernel),
+      : PlaneState(chosen.isa, chosen.width, chosen.height),
+        kernel(row_kernel),
         setting(chosen),
-        planes(chosen.isa, chosen.width, chosen.height),
         scratch(make_aligned<std::uint64_t>(
             static_cast<std::size_t>(row_kernel_scratch_words(chosen.height)))) {}
 
-  void load(const ConstByteView& view) override {
-    planes.conversion.read(view, planes.source.view());
-  }
   int thin() override {
     const auto& source = planes.source;
     return kernel(setting.model.get(), setting.most_passes, source.view(), planes.result.view(),
                   scratch.get());
   }
-  void store(const ByteView& view) const override {
-    planes.conversion.write(planes.result.view(), view);
-  }
-  [[nodiscard]] bool margins_are_zero() const override {
-    return planes.source.margin_is_zero() && planes.result.margin_is_zero();
-  }
 
   RowKernel kernel;
   Setting setting;
-  Planes<std::uint64_t> planes;
+  AlignedArray<std::uint64_t> scratch;
+};
+
+/// One kernel over planes of T.
+template <class T>
+struct ImageState final : PlaneState<T> {
+  using PlaneState<T>::planes;
+
+  ImageState(const ImageKernel<T>& image_kernel, const Setting& chosen)
+      : PlaneState<T>(chosen.isa, chosen.width, chosen.height),
+        kernel(image_kernel),
+        directions(chosen.directions),
+        scratch(make_aligned<std::uint64_t>(
+            static_cast<std::size_t>(kernel.scratch_words(chosen.width, chosen.height)))) {}
+
+  int thin() override {
+    const auto& source = planes.source;
+    return kernel.run(directions, source.view(), planes.result.view(), scratch.get());
+  }
+
+  const ImageKernel<T>& kernel;
+  Directions directions;
   AlignedArray<std::uint64_t> scratch;
 };
 
@@ -209,12 +195,15 @@ ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVar
                            Index width, Index height, const PlanOptions& options) {
   const Border border = options.border.value_or(operation.border);
   check(variant, width, height, options.threads, border);
+  require(operation.takes_directions || !options.directions,
+          std::string(operation.name) + " takes no directions");
   const Setting setting = {variant.isa,
                            width,
                            height,
                            variant.threaded ? options.threads : 1,
                            operation.most_passes,
                            border,
+                           options.directions.value_or(Directions{}),
                            chosen_model(operation, variant, options.model)};
   const auto make = [&](const auto& engine) -> std::unique_ptr<ThinningState> {
     using Engine = std::remove_cvref_t<decltype(engine)>;
@@ -222,6 +211,11 @@ ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVar
       return std::make_unique<RowState>(*engine, setting);
     } else if constexpr (std::is_same_v<Engine, const ChangePass*>) {
       return std::make_unique<ChangeState>(*engine, setting);
+    } else if constexpr (std::is_same_v<Engine, const ScanKernels*>) {
+      return std::make_unique<ScanState>(
+          *engine, ScanSetting{variant.isa, width, height, setting.threads, setting.directions});
+    } else if constexpr (std::is_pointer_v<Engine>) {
+      return std::make_unique<decltype(ImageState(*engine, setting))>(*engine, setting);
     } else {
       using T = std::conditional_t<std::is_same_v<Engine, std::span<const Pass<std::uint8_t>>>,
                                    std::uint8_t, std::uint64_t>;

@@ -12,9 +12,10 @@ namespace thinbench {
 struct ThinningState;  // one implementation a kind of engine, in plan.cpp
 
 struct PlanOptions {
-  int threads = 1;                                   // counts for threaded variants only
-  std::shared_ptr<const RuleModel> model = nullptr;  // instead of the operation's own
-  std::optional<Border> border = std::nullopt;       // instead of the operation's own
+  int threads = 1;                                      // counts for threaded variants only
+  std::shared_ptr<const RuleModel> model = nullptr;     // instead of the operation's own
+  std::optional<Border> border = std::nullopt;          // instead of the operation's own
+  std::optional<Directions> directions = std::nullopt;  // of a scan; all where none are given
 };
 
 /// Runs one variant on images of one size. Not for use by two threads at once.
@@ -22,7 +23,8 @@ class ThinningPlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative or has
   /// more than 2^40 pixels, threads is not in [1, 1024], a model is given to an operation that
-  /// takes none, or 8-bit sums cannot express the model; std::bad_alloc where memory is short.
+  /// takes none, directions to one that is no scan, or 8-bit sums cannot express the model;
+  /// std::bad_alloc where memory is short.
   ThinningPlan(const ThinningOperation& operation, const ThinningVariant& variant, Index width,
                Index height, const PlanOptions& options = {});
   ~ThinningPlan();

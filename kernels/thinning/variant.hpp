@@ -8,7 +8,9 @@
 
 #include "core/isa.hpp"
 #include "core/technique.hpp"
+#include "scan/work.hpp"
 #include "thinning/border.hpp"
+#include "thinning/image_kernel.hpp"
 #include "thinning/passes.hpp"
 #include "thinning/row_kernel.hpp"
 #include "thinning/rule_table.hpp"
@@ -16,10 +18,11 @@
 namespace thinbench {
 
 /// A cycle of passes over byte planes or bit planes, repeated until nothing changes; one pass that
-/// sees what changed; or one kernel that does all of it.
+/// sees what changed; one kernel that does all of it; or the steps of a scan.
 using ThinningEngine =
     std::variant<std::span<const Pass<std::uint8_t>>, std::span<const Pass<std::uint64_t>>,
-                 const ChangePass*, const RowKernel*>;
+                 const ChangePass*, const RowKernel*, const ImageKernel<std::uint8_t>*,
+                 const ImageKernel<std::uint64_t>*, const ScanKernels*>;
 
 /// A better engine for models that turn out to have the table of a known rule.
 struct KnownRule {
@@ -49,6 +52,7 @@ struct ThinningOperation {
   /// Passes at most; 1 for operations that are one pass.
   int most_passes = std::numeric_limits<int>::max();
   Border border = Border::kBackground;
+  bool takes_directions = false;  // a scan
 };
 
 /// Whether a variant can treat the border so.

@@ -92,6 +92,33 @@ TEST_F(RunCommand, may_write_over_its_input) {
   EXPECT_EQ(folder.names(), Names{"in.png"});
 }
 
+TEST_F(RunCommand, directions_choose_where_skeleton_scan_looks) {
+  const auto scan = [&](const std::string& names) {
+    EXPECT_EQ(run_with({"run", "skeleton_scan", in, out, "--directions", names}).status, 0);
+    return read_grey(out);
+  };
+  ThinningOptions how;
+  how.directions = kNoDirections;
+  how.directions->add(Direction::kRows);
+  how.directions->add(Direction::kDiagonals);
+  ByteImage expected = bars();
+  for (Index y = 0; y < expected.height(); ++y) {
+    for (Index x = 0; x < expected.width(); ++x) {
+      expected.at(x, y) = expected.at(x, y) >= 128 ? 1 : 0;
+    }
+  }
+  thin("skeleton_scan", expected.view(), expected.view(), how);
+  EXPECT_TRUE(equal(scan("rows,diagonals").view(), expected.view()));
+  EXPECT_FALSE(equal(scan("columns").view(), expected.view()));
+}
+
+TEST_F(RunCommand, unknown_and_useless_directions_are_refused) {
+  EXPECT_EQ(failure_of({"run", "skeleton_scan", in, out, "--directions", "rows,colums"}, 2),
+            "no direction is named 'colums'; did you mean 'columns'?");
+  EXPECT_EQ(failure({"--directions", "rows"}, 2),
+            "--directions: thin_naccache_shinghal is no scan and takes none");
+}
+
 TEST_F(RunCommand, unknown_operation_gets_the_nearest_known_name) {
   EXPECT_EQ(failure_of({"run", "thin_nacache", in, out}, 2),
             "no operation is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?");

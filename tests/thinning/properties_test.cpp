@@ -48,7 +48,8 @@ std::vector<ByteImage> pictures() {
 std::vector<std::string> thinning_rules() {
   std::vector<std::string> names;
   for (const ThinningOperation& operation : thinning_operations()) {
-    if (operation.default_model == nullptr) names.emplace_back(operation.name);
+    const bool is_rule = operation.default_model == nullptr && !operation.takes_directions;
+    if (is_rule) names.emplace_back(operation.name);
   }
   return names;
 }
@@ -98,7 +99,8 @@ TEST_P(KeepsTopology, on_pictures) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, KeepsTopology,
-                         testing::Values("thin_guo_hall", "thin_spta_directional", "thin_mb2"),
+                         testing::Values("thin_guo_hall", "thin_spta", "thin_spta_directional",
+                                         "thin_mb2"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 class EveryRule : public testing::TestWithParam<std::string> {};

@@ -1,0 +1,40 @@
+#include "scan/scan_rows.hpp"
+
+#include <array>
+
+namespace thinbench {
+namespace {
+
+using enum Technique;
+
+template <Isa isa>
+constexpr ThinningVariant packed(bool threaded) {
+  return {kSimdBitpacked, isa, threaded, kAnyWidth, &IsaScan<isa>::kSimdBitpacked};
+}
+
+constexpr ThinningVariant scalar(bool threaded) {
+  return {kBitpacked, Isa::kBaseline, threaded, kAnyWidth, &ScalarScan::kBitpacked};
+}
+
+constexpr std::array kRows = {
+    scalar(kOneThread),
+    scalar(kThreaded),
+    packed<Isa::kBaseline>(kOneThread),
+    packed<Isa::kBaseline>(kThreaded),
+    packed<Isa::kSse42>(kOneThread),
+    packed<Isa::kSse42>(kThreaded),
+    packed<Isa::kAvx2>(kOneThread),
+    packed<Isa::kAvx2>(kThreaded),
+    packed<Isa::kAvx512>(kOneThread),
+    packed<Isa::kAvx512>(kThreaded),
+    packed<Isa::kAvx512Icl>(kOneThread),
+    packed<Isa::kAvx512Icl>(kThreaded),
+};
+
+}  // namespace
+
+std::span<const ThinningVariant> scan_rows() {
+  return kRows;
+}
+
+}  // namespace thinbench

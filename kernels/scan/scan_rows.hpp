@@ -1,0 +1,12 @@
+// The variants of the scanning skeleton.
+#pragma once
+
+#include <span>
+
+#include "thinning/variant.hpp"
+
+namespace thinbench {
+
+[[nodiscard]] std::span<const ThinningVariant> scan_rows();
+
+}  // namespace thinbench
