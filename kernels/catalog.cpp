@@ -128,6 +128,14 @@ std::span<const HolesOperation> holes_operations() {
   return operations;
 }
 
+const LocaliseOperation& localise_operation() {
+  static const LocaliseOperation operation = {
+      "localise_objects",
+      "grey picture to Sobel's edges, contours, filled interiors and centres of objects and holes",
+      localise_rows()};
+  return operation;
+}
+
 const EdgeOperation* find_edge_operation(std::string_view name) {
   for (const EdgeOperation& operation : edge_operations()) {
     if (operation.name == name) return &operation;

@@ -6,6 +6,7 @@
 
 #include "edges/variant.hpp"
 #include "holes/variant.hpp"
+#include "localise/variant.hpp"
 #include "thinning/variant.hpp"
 
 namespace thinbench {
@@ -15,6 +16,9 @@ namespace thinbench {
 [[nodiscard]] std::span<const EdgeOperation> edge_operations();
 
 [[nodiscard]] std::span<const HolesOperation> holes_operations();
+
+/// The paper's whole chain.
+[[nodiscard]] const LocaliseOperation& localise_operation();
 
 /// The operation of this name, or nullptr.
 [[nodiscard]] const ThinningOperation* find_thinning_operation(std::string_view name);

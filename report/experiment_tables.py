@@ -9,6 +9,7 @@ from report.experiment_layout import Table, columns, counted
 from report.experiments import (KINDS, Counted, EdgeQuality, Experiments, FixedPoint, HiddenNeurons,
                                 OperationCounts, Quantisation, Trained)
 from report.formatting import NOTHING, percent
+from report.literal_holes import literal_holes_table
 from report.model import Study
 from report.plot_hidden import plot_hidden
 from report.quality_tables import make_quality_tables
@@ -22,6 +23,8 @@ def make_tables(study: Study, experiments: Experiments) -> list[Table]:
     tables: list[Table] = []
     if experiments.edge_quality:
         tables.append(_edge_quality(experiments.edge_quality))
+    if experiments.literal_holes:
+        tables.append(literal_holes_table(experiments.literal_holes))
     if experiments.quality:
         tables += make_quality_tables(experiments.quality, study.directory)
     if experiments.table_two:

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
+from report.literal_holes import LiteralHoles, parse_literal_holes
 from report.quality import Quality, parse_quality
 
 KINDS = ("logical", "comparisons", "additions", "multiplications", "divisions", "powers",
@@ -148,6 +149,7 @@ class Experiments:
     operation_counts: OperationCounts | None = None
     edge_quality: EdgeQuality | None = None
     quality: Quality | None = None
+    literal_holes: LiteralHoles | None = None
 
 
 def load_experiments(directory: Path) -> Experiments:
@@ -157,7 +159,8 @@ def load_experiments(directory: Path) -> Experiments:
                        _load(directory, "hidden-neurons", _hidden_neurons),
                        _load(directory, "operation-counts", _operation_counts),
                        _load(directory, "edge-quality", _edge_quality),
-                       _load(directory, "quality", parse_quality))
+                       _load(directory, "quality", parse_quality),
+                       _load(directory, "literal-holes", parse_literal_holes))
 
 
 def _load(directory: Path, name: str, parse: Callable[[Fields], Loaded]) -> Loaded | None:

@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "experiments/edge_quality.hpp"
 #include "experiments/hidden_neurons.hpp"
+#include "experiments/literal_holes.hpp"
 #include "experiments/operation_counts.hpp"
 #include "experiments/quantisation.hpp"
 #include "experiments/table_2.hpp"
@@ -41,6 +42,10 @@ std::string image_options(const std::vector<std::string>& images) {
 ExperimentReport edge_quality(const ExperimentOptions& options, const Console&) {
   const EdgeQualityChoice choice = options.quick ? EdgeQualityChoice::quick() : EdgeQualityChoice{};
   return edge_quality_report(run_edge_quality(choice), choice, options.quick ? " --quick" : "");
+}
+
+ExperimentReport literal_holes(const ExperimentOptions&, const Console&) {
+  return literal_holes_report(run_literal_holes());
 }
 
 ExperimentReport quantisation(const ExperimentOptions&, const Console&) {
@@ -130,6 +135,9 @@ Command add_experiment_command(CLI::App& program) {
       add(*app, "edge-quality", "Each edge operator against the scene's true contours, with noise",
           &edge_quality);
   edges.command.app->add_flag("--quick", edges.options->quick, "Less noise, one seed");
+  const AddedExperiment literal =
+      add(*app, "literal-holes", "On which pictures the printed relabelling scan counts right",
+          &literal_holes);
   const AddedExperiment fixed_point = add(
       *app, "quantisation", "Table 1 in fixed point: how many bits keep it right", &quantisation);
   const AddedExperiment hidden =
@@ -149,8 +157,8 @@ Command add_experiment_command(CLI::App& program) {
       ->type_name("DIR");
   return {app,
           {},
-          {edges.command, fixed_point.command, hidden.command, skeletons.command, counts.command,
-           times.command}};
+          {edges.command, literal.command, fixed_point.command, hidden.command, skeletons.command,
+           counts.command, times.command}};
 }
 
 }  // namespace thinbench

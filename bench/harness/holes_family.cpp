@@ -28,10 +28,7 @@ class TaskJob : public Job {
 
   [[nodiscard]] std::string name_of_number(std::size_t index) const override {
     if (task_ != HolesTask::kHoles && task_ != HolesTask::kComponents) return "Euler number";
-    if (index < kCounts) return index == 0 ? "objects" : "holes";
-    const std::size_t region = (index - kCounts) / kMembers.size();
-    return std::string(kMembers.at((index - kCounts) % kMembers.size())) + " of region " +
-           std::to_string(region + 1) + " of both lists";
+    return name_of_region_number(index);
   }
 
  protected:
@@ -144,6 +141,13 @@ std::vector<std::int64_t> numbers_of(const RegionLists& lists) {
   for (const Region& object : lists.objects) append(numbers, object);
   for (const Region& hole : lists.holes) append(numbers, hole);
   return numbers;
+}
+
+std::string name_of_region_number(std::size_t index) {
+  if (index < kCounts) return index == 0 ? "objects" : "holes";
+  const std::size_t region = (index - kCounts) / kMembers.size();
+  return std::string(kMembers.at((index - kCounts) % kMembers.size())) + " of region " +
+         std::to_string(region + 1) + " of both lists";
 }
 
 std::vector<Operation> holes_family() {

@@ -13,5 +13,7 @@ namespace thinbench {
 
 /// Lists as numbers: how many objects and holes there are, and then every member of each.
 [[nodiscard]] std::vector<std::int64_t> numbers_of(const RegionLists& lists);
+/// What number `index` of these is, in words.
+[[nodiscard]] std::string name_of_region_number(std::size_t index);
 
 }  // namespace thinbench

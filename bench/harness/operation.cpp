@@ -4,6 +4,7 @@
 
 #include "harness/edges_family.hpp"
 #include "harness/holes_family.hpp"
+#include "harness/localise_family.hpp"
 #include "harness/thinning_family.hpp"
 
 namespace thinbench {
@@ -18,7 +19,8 @@ Outcome outcome_by(const JobMaker& make_job, const ConstByteView& input) {
 const std::vector<Operation>& all_operations() {
   static const std::vector<Operation> operations = [] {
     std::vector<Operation> all;
-    for (const auto& family : {thinning_family(), edges_family(), holes_family()})
+    for (const auto& family :
+         {thinning_family(), edges_family(), holes_family(), localise_family()})
       all.insert(all.end(), family.begin(), family.end());
     return all;
   }();

@@ -31,6 +31,8 @@ void add_options(CLI::App& app, TimingOptions& options) {
       ->check(not_empty());
   app.add_option("--pictures-out", options.pictures_out, "write inputs and results to this folder")
       ->check(not_empty());
+  app.add_flag("--highest-level", options.highest_level,
+               "only the highest instruction-set level of each technique");
   app.add_flag("--no-peers", options.no_peers, "leave out other people's code and the copy");
   app.add_flag("--quiet", options.quiet, "no table on standard output");
   app.footer(

@@ -16,6 +16,7 @@ struct TimingOptions {
   double seconds = 0.03;  // a repetition
   bool quiet = false;
   bool no_peers = false;
+  bool highest_level = false;
 };
 
 /// Reads the options that are ours, Google Benchmark's taken out before; false where help was asked

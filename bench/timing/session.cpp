@@ -160,7 +160,8 @@ void report_selection(const Selection& selection) {
 Selection selected_rows(const TimingOptions& options, const std::vector<Operation>& operations,
                         const std::vector<TimedInput>& inputs) {
   try {
-    return select_rows(options.filter, operations, inputs);
+    return select_rows(options.filter, operations, inputs,
+                       options.highest_level ? Levels::kHighest : Levels::kAll);
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string("--filter: ") + error.what());
   }

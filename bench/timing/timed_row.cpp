@@ -16,11 +16,8 @@ std::vector<int> thread_counts() {
   return cores == 2 ? std::vector{2} : std::vector{2, cores};
 }
 
-/// Whether `row` is the one of its technique and threads that a series of sizes shows. Nets are
-/// left out: compiled to a circuit they take the time of the rule, evaluated they would take the
-/// time of the study.
-bool in_size_sweep(const Row& row) {
-  if (!row.operation->in_size_series || !row.variant->for_series_of_sizes) return false;
+/// Whether no higher level of the row's technique and threads runs here.
+bool is_highest_level(const Row& row) {
   const auto same_kind = [&](const Variant& other) {
     return other.technique == row.variant->technique && other.threaded == row.variant->threaded;
   };
@@ -29,6 +26,11 @@ bool in_size_sweep(const Row& row) {
     if (same_kind(other) && isa_available(other.isa)) highest = std::max(highest, other.isa);
   }
   return row.variant->isa == highest;
+}
+
+/// Series of sizes show the highest level of each technique.
+bool in_size_sweep(const Row& row) {
+  return row.operation->in_size_series && row.variant->for_series_of_sizes && is_highest_level(row);
 }
 
 std::string reference_name(const Operation& operation, const TimedInput& input) {
@@ -45,11 +47,15 @@ std::vector<Scope> scopes_of(const Row& row, const TimedInput& input) {
 class Selector {
  public:
   Selector(const std::string& filter, const std::vector<Operation>& operations,
-           const std::vector<TimedInput>& inputs)
+           const std::vector<TimedInput>& inputs, Levels levels)
       : pattern_(filter),
         operations_(operations),
         inputs_(inputs),
-        all_rows_(matching_rows("", thread_counts(), operations)) {}
+        all_rows_(matching_rows("", thread_counts(), operations)) {
+    if (levels == Levels::kHighest) {
+      std::erase_if(all_rows_, [](const Row& row) { return !is_highest_level(row); });
+    }
+  }
 
   Selection select() {
     for (const TimedInput& input : inputs_) {
@@ -144,9 +150,9 @@ class Selector {
 }  // namespace
 
 Selection select_rows(const std::string& filter, const std::vector<Operation>& operations,
-                      const std::vector<TimedInput>& inputs) {
+                      const std::vector<TimedInput>& inputs, Levels levels) {
   static_cast<void>(matching_rows(filter, {2}));  // refuses a malformed filter with a clear message
-  return Selector(filter, operations, inputs).select();
+  return Selector(filter, operations, inputs, levels).select();
 }
 
 double seconds_of_one_call(const TimedRow& row) {

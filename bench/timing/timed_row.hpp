@@ -19,6 +19,9 @@ enum class Scope {
   return scope == Scope::kKernel ? "kernel" : "end_to_end";
 }
 
+/// Which instruction-set levels of a technique are timed.
+enum class Levels { kAll, kHighest };
+
 struct TimedRow {
   std::string name;  // operation/technique/isa/threads/scope/input
   const Operation* operation;
@@ -51,7 +54,8 @@ struct Selection {
 /// the highest available level, end to end. Rows point to `operations` and `inputs`.
 [[nodiscard]] Selection select_rows(const std::string& filter,
                                     const std::vector<Operation>& operations,
-                                    const std::vector<TimedInput>& inputs);
+                                    const std::vector<TimedInput>& inputs,
+                                    Levels levels = Levels::kAll);
 
 /// Rows whose call takes longer, in seconds, are timed with fewer repetitions and not warmed up.
 inline constexpr double kSlowCall = 0.005;

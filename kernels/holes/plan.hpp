@@ -6,6 +6,9 @@
 
 namespace thinbench {
 
+/// What every plan that labels regions refuses; throws as HolesPlan does.
+void check_regions_plan(const VariantFacts& variant, Index width, Index height, int threads);
+
 /// Runs one variant on images of one size. Not for use by two threads at once.
 ///
 /// Images: 0 is light, anything else dark; outside the image everything is light.

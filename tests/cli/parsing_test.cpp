@@ -82,11 +82,9 @@ TEST(Program, unknown_command_gets_the_nearest_known_name) {
 TEST(Program, unknown_command_within_a_command_gets_the_nearest_known_name) {
   EXPECT_EQ(failure_of({"train", "two-layers"}, 2),
             "no command is named 'two-layers'; did you mean 'two-layer'?");
-  EXPECT_EQ(
-      failure_of({"experiment", "nothing"}, 2),
-      "no command is named 'nothing'; known: edge-quality, quantisation, hidden-neurons, quality, "
-      "operation-counts "
-      "and table-2");
+  EXPECT_EQ(failure_of({"experiment", "nothing"}, 2),
+            "no command is named 'nothing'; known: edge-quality, literal-holes, quantisation, "
+            "hidden-neurons, quality, operation-counts and table-2");
   EXPECT_EQ(failure_of({"train"}, 2),
             "train needs one more word: two-layer or cluster; see 'thinbench train --help'");
 }

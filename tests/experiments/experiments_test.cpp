@@ -4,6 +4,7 @@
 
 #include "experiments/edge_quality.hpp"
 #include "experiments/hidden_neurons.hpp"
+#include "experiments/literal_holes.hpp"
 #include "experiments/operation_counts.hpp"
 #include "experiments/quantisation.hpp"
 #include "experiments/table_2.hpp"
@@ -163,9 +164,37 @@ TEST(EdgeQuality, every_operator_finds_the_contours_of_the_clean_scene) {
   }
 }
 
+TEST(LiteralHoles, are_right_on_one_object_with_walls_of_three_pixels_or_more) {
+  const std::vector<LiteralHolesRow> rows = run_literal_holes();
+  ASSERT_EQ(rows.size(), 8U);
+  for (std::size_t wall = 1; wall <= 5; ++wall) {
+    const LiteralHolesRow& row = rows[wall - 1];
+    EXPECT_EQ(row.tried, 41) << wall;
+    EXPECT_EQ(row.right, wall < 3 ? 1 : 41) << "behind thin walls no holes are seen: " << wall;
+    EXPECT_EQ(row.refused, 0) << wall;
+  }
+}
+
+TEST(LiteralHoles, take_other_objects_for_holes_and_refuse_too_many_contours) {
+  const std::vector<LiteralHolesRow> rows = run_literal_holes();
+  const LiteralHolesRow& several = rows[5];
+  EXPECT_EQ(several.tried, 5 * 41);
+  EXPECT_EQ(several.right, 0);
+  EXPECT_EQ(several.true_holes, 0);
+  EXPECT_EQ(several.counted, 1) << "two plates without holes";
+  const LiteralHolesRow& scene = rows[6];
+  EXPECT_EQ(scene.true_holes, 47);
+  EXPECT_EQ(scene.counted, 47 + 21) << "22 objects";
+  const LiteralHolesRow& many = rows[7];
+  EXPECT_EQ(many.true_holes, 254);
+  EXPECT_EQ(many.counted, std::nullopt);
+  EXPECT_EQ(many.refused, 1);
+}
+
 TEST(ExperimentReports, every_file_names_its_schema_experiment_and_command) {
   const std::vector<std::pair<std::string, ExperimentReport>> reports = {
       {"edge-quality", edge_quality_report({{"edges_sobel", 8, {1, 1, 0.5}, 0.9}}, {})},
+      {"literal-holes", literal_holes_report({{"some", 2, 1, 1, 5, {}}})},
       {"quantisation", quantisation_report(run_quantisation())},
       {"operation-counts", operation_counts_report(run_operation_counts())},
       {"table-2", table_2_report(then_and_now({}))},

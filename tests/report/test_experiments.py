@@ -14,14 +14,15 @@ from report.experiment_tables import holding_from, make_tables
 from report.experiments import KINDS, load_experiments
 from report.loading import load_study
 
-NAMES = ("edge-quality", "table-2", "quantisation", "hidden-neurons", "operation-counts")
+NAMES = ("edge-quality", "table-2", "quantisation", "hidden-neurons", "operation-counts",
+         "literal-holes")
 NET = "net_single_layer_cluster"
 TITLES = ("Table 2 then and now", "Recognition rate under fixed point",
           "Hidden neurons against recognition rate", "Operation counts", "The compiled circuit")
 
 
 def make_experiments() -> dict[str, dict[str, Any]]:
-    """The four files, by name."""
+    """The files, by name."""
     def file(name: str, **more: Any) -> dict[str, Any]:
         return {"schema": 1, "experiment": name, "command": f"thinbench experiment {name}"} | more
     table = [("Holes | found", "holes", 0.67, 0.92), ("The rule", OPERATION, 0.73, 1.0),
@@ -42,6 +43,11 @@ def make_experiments() -> dict[str, dict[str, Any]]:
         "hidden-neurons": file("hidden-neurons", descriptors=256, seeds=4, rows=[
             {"hidden": h, "best": b, "median": m, "seeds_with_all_right": s,
              "median_epochs_of_those": 100.0 * s} for h, b, m, s in trained]),
+        "literal-holes": file("literal-holes", rows=[
+            {"pictures": "one plate", "tried": 41, "right": 41, "refused": 0, "true_holes": 40,
+             "counted": 40},
+            {"pictures": "many", "tried": 1, "right": 0, "refused": 1, "true_holes": 254,
+             "counted": None}]),
         "operation-counts": file(
             "operation-counts", per="dark pixel",
             methods=[{"method": "The rule", "paper": "", "sums": counts,
@@ -93,6 +99,8 @@ def test_tables_stand_on_the_page_and_in_markdown_beside_it(full):
     for name in NAMES:
         command = f"thinbench experiment {name}"
         assert f"<code>{command}</code>" in page and f"`{command}`" in text
+    assert "| many | 1 | 0 | 1 | 254 | refused |" in text
+    assert "on all pictures of 1 of 2 kinds" in text
     assert "| edges_sobel | 8 | 0.750 | 1.000 | 0.500 | 0.250 |" in text
     assert r"| Holes \| found | 0.67 | 0.92 | – | – | – | – | – |" in text
     assert len(page.encode()) < 3_000_000
@@ -140,7 +148,8 @@ def test_truncated_experiment_is_refused(full, refusal, name):
 @pytest.mark.parametrize(("name", "key", "value"), [
     ("table-2", "paper_seconds", 0), ("table-2", "operation", None),
     ("quantisation", "right_sigmoid", 257), ("quantisation", "right_linear", 2.5),
-    ("hidden-neurons", "seeds_with_all_right", 5), ("hidden-neurons", "median", -1)])
+    ("hidden-neurons", "seeds_with_all_right", 5), ("hidden-neurons", "median", -1),
+    ("literal-holes", "right", 2), ("literal-holes", "counted", -1)])
 def test_impossible_values_are_refused(run, refusal, name, key, value):
     experiments = make_experiments()
     experiments[name]["rows"][1][key] = value

@@ -47,6 +47,19 @@ TEST_F(SelectRows, reference_comes_along_with_any_row_and_nothing_else_does) {
   EXPECT_TRUE(select_rows("no_such_row", operations, inputs).rows.empty());
 }
 
+TEST_F(SelectRows, highest_level_leaves_out_the_others_of_a_technique) {
+  operations = {operation_of("thin_naccache_shinghal")};
+  const std::string filter = "simd_bitpacked/.*/1/end_to_end|simd_bitpacked_row/.*/end_to_end";
+  const Selection selection = select_rows(filter, operations, inputs, Levels::kHighest);
+  std::set<std::string> techniques;
+  for (const TimedRow& row : selection.rows) {
+    if (row.variant == nullptr) continue;
+    EXPECT_TRUE(techniques.insert(std::string(row.variant->technique)).second) << row.name;
+    EXPECT_EQ(row.variant->isa, best_isa()) << row.name;
+  }
+  EXPECT_FALSE(techniques.empty());
+}
+
 TEST_F(SelectRows, malformed_filters_are_refused) {
   EXPECT_THROW(static_cast<void>(select_rows("(", operations, inputs)), std::invalid_argument);
 }

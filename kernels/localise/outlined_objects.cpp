@@ -1,0 +1,47 @@
+#include "localise/outlined_objects.hpp"
+
+#include <algorithm>
+
+namespace thinbench {
+
+void OutlinedObjects::write(const ConstBitPlaneView& contours, const BitPlaneView& target) {
+  if (contours.height == 0) return;
+  runs_.label(contours);
+  find_outermost(contours.height);
+  find_insides();
+  for (Index y = 0; y < contours.height; ++y) {
+    std::fill_n(target.row(y), words_with_boundaries(contours.width), 0);
+    write_row(y, target.row(y));
+  }
+}
+
+/// The first pixel of an outermost contour has the outside to its west.
+void OutlinedObjects::find_outermost(Index height) {
+  const Label* const backgrounds = runs_.roots(0);
+  const Label* const contours = runs_.roots(1);
+  wanted_[1].assign(runs_.labels(1), 0);
+  for (Index y = 0; y < height; ++y) {
+    const RunRow runs = runs_.row(y);
+    for (Index i = 1; i < runs.count; i += 2) {
+      if (backgrounds[runs.labels[i - 1]] == 0) wanted_[1][contours[runs.labels[i]]] = 1;
+    }
+  }
+}
+
+void OutlinedObjects::find_insides() {
+  const Label* const contours = runs_.roots(1);
+  wanted_[0].assign(runs_.labels(0), 0);
+  for (Label label = 1; label < runs_.labels(0); ++label) {
+    wanted_[0][label] = wanted_[1][contours[runs_.owner_of_hole(label)]];
+  }
+}
+
+void OutlinedObjects::write_row(Index y, std::uint64_t* row) {
+  const RunRow runs = runs_.row(y);
+  for (Index i = 1; i < runs.count; ++i) {
+    const Label root = runs_.roots(static_cast<int>(i % 2))[runs.labels[i]];
+    if (wanted_[i % 2][root] != 0) set_run(row, runs, i);
+  }
+}
+
+}  // namespace thinbench

@@ -1,0 +1,102 @@
+#include "localise.hpp"
+
+#include "matrix.hpp"
+
+namespace thinbench::reference {
+namespace {
+
+/// What a pixel is found to be; the frame, one pixel wide, counts as light.
+enum class Kind : std::uint8_t { kUnknown, kOutside, kOutermostContour, kInside };
+
+class Outlines {
+ public:
+  explicit Outlines(const ConstByteView& contours)
+      : contours_(matrix_of(contours)),
+        width_(contours.width),
+        height_(contours.height),
+        kinds_(static_cast<std::size_t>((width_ + 2) * (height_ + 2)), Kind::kUnknown) {
+    spread(-1, -1, Kind::kOutside);
+    spread_all_beside(Kind::kOutside, Kind::kOutermostContour);
+    spread_all_beside(Kind::kOutermostContour, Kind::kInside);
+  }
+
+  [[nodiscard]] Kind& kind(Index x, Index y) {
+    return kinds_[static_cast<std::size_t>((y + 1) * (width_ + 2) + x + 1)];
+  }
+
+ private:
+  struct Point {
+    Index x;
+    Index y;
+  };
+
+  [[nodiscard]] bool takes(Kind kind, Index x, Index y) {
+    const bool inside_frame = x >= -1 && x <= width_ && y >= -1 && y <= height_;
+    if (!inside_frame || this->kind(x, y) != Kind::kUnknown) return false;
+    return contours_.dark(x, y) == (kind == Kind::kOutermostContour);
+  }
+
+  /// Gives (x, y) a kind, and all that can be reached from there: contours by eight steps, what
+  /// lies between them by four.
+  void spread(Index x, Index y, Kind kind) {
+    std::vector<Point> waiting = {{x, y}};
+    this->kind(x, y) = kind;
+    while (!waiting.empty()) {
+      const Point here = waiting.back();
+      waiting.pop_back();
+      for (Index dy = -1; dy <= 1; ++dy) {
+        for (Index dx = -1; dx <= 1; ++dx) {
+          const Point next = {here.x + dx, here.y + dy};
+          const bool is_step = kind == Kind::kOutermostContour || dx == 0 || dy == 0;
+          if (!is_step || !takes(kind, next.x, next.y)) continue;
+          this->kind(next.x, next.y) = kind;
+          waiting.push_back(next);
+        }
+      }
+    }
+  }
+
+  void spread_all_beside(Kind neighbour, Kind kind) {
+    const auto is_beside = [&](Index x, Index y) {
+      return this->kind(x - 1, y) == neighbour || this->kind(x, y - 1) == neighbour ||
+             this->kind(x + 1, y) == neighbour || this->kind(x, y + 1) == neighbour;
+    };
+    for (Index y = 0; y < height_; ++y) {
+      for (Index x = 0; x < width_; ++x) {
+        if (takes(kind, x, y) && is_beside(x, y)) spread(x, y, kind);
+      }
+    }
+  }
+
+  Matrix contours_;
+  Index width_;
+  Index height_;
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace
+
+void outlined_objects(ConstByteView contours, ByteView destination) {
+  Outlines outlines(contours);
+  for (Index y = 0; y < contours.height; ++y) {
+    for (Index x = 0; x < contours.width; ++x) {
+      const Kind kind = outlines.kind(x, y);
+      const bool is_object = kind == Kind::kOutermostContour || kind == Kind::kInside;
+      destination.row(y)[x] = is_object ? 255 : 0;
+    }
+  }
+}
+
+Regions localise_objects(EdgeDetection edges, int p1, int p2, ConstByteView source) {
+  const auto pixels = static_cast<std::size_t>(source.width * source.height);
+  std::vector<std::uint8_t> contours(pixels);
+  std::vector<std::uint8_t> objects(pixels);
+  const auto view = [&](std::vector<std::uint8_t>& image) {
+    return ByteView{image.data(), source.width, source.height, source.width};
+  };
+  edges(p1, p2, source, view(contours));
+  outlined_objects(view(contours), view(objects));
+  return holes(view(objects));
+}
+
+}  // namespace thinbench::reference
