@@ -81,8 +81,7 @@ Operation thinning_operation(const ThinningOperation& operation) {
   result.reference = [name = operation.name](Index, Index, int) { return reference_job(name); };
   result.counter = "passes";
   result.is_net = operation.default_model != nullptr;
-  result.in_size_series =
-      operation.name == "thin_naccache_shinghal" || operation.name == "thin_zhang_suen";
+  result.in_size_series = operation.name == "thin_naccache_shinghal";
   result.small_sets_only = result.is_net && operation.most_passes > 1;
   return result;
 }
