@@ -51,7 +51,7 @@ def make_table_two(study: Study, paper: TableTwo) -> Table:
 def _now(study: Study, row: PaperRow) -> Now:
     timed = _one_thread(study, row.operation, END_TO_END)
     return Now(row, next((r for r in timed if r.name.is_reference), None),
-               fastest(r for r in timed if not r.name.is_reference))
+               fastest(r for r in timed if not r.name.is_reference and not r.is_peer))
 
 
 def _one_thread(study: Study, operation: str, scope: str) -> list[Row]:

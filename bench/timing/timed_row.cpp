@@ -76,7 +76,8 @@ class Selector {
       }
       return *expected;
     };
-    if (std::regex_search(reference, pattern_)) need_reference();
+    const bool shown = !input.size_sweep || operation.in_size_series;
+    if (shown && std::regex_search(reference, pattern_)) need_reference();
     for (const Row& row : all_rows_) {
       if (row.operation != &operation) continue;
       const std::vector<Scope> scopes = wanted_scopes(row, input);
