@@ -2,9 +2,9 @@
 // where its neighbourhood changed in the last step, since equal inputs give an equal answer, and
 // pixels of many words are gathered until all lanes are full. For ISA files only.
 //
-// Cost beside the net: about 25 instructions for each word that is visited (six loads to see what
-// changed), and 30 more where something did: 8 pext, 8 shifts and ORs, one pdep. Without BMI2
-// pixels stay in their places, and only batches without any pixel to ask are passed over.
+// Cost beside the net: six loads and three XORs to see what changed in a word and its rows; where
+// something did, the eight neighbours, 8 pext, 8 shifts and ORs, one pdep. Without BMI2 pixels stay
+// in their places, and only batches without any pixel to ask are passed over.
 //
 // On the test image the printed procedure looks at 710,268 dark pixels in its 31 steps; 201,048 of
 // them have a changed neighbourhood.
