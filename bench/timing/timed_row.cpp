@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "harness/crosscheck.hpp"
+#include "timing/progress.hpp"
 #include "timing/timed_call.hpp"
 
 namespace thinbench {
@@ -58,42 +59,89 @@ class Selector {
   }
 
   Selection select() {
+    std::vector<Task> tasks;
     for (const TimedInput& input : inputs_) {
-      for (const Operation& operation : operations_) add(operation, input);
+      for (const Operation& operation : operations_) {
+        tasks.push_back(task_of(operation, input));
+      }
     }
+    double total = 0;
+    for (const Task& task : tasks) total += task.pixels();
+    Progress progress("proving", total);
+    for (const Task& task : tasks) carry_out(task, progress);
     return std::move(selection_);
   }
 
  private:
-  void add(const Operation& operation, const TimedInput& input) {
-    const std::string reference = reference_name(operation, input);
+  struct WantedRow {
+    const Row* row;
+    std::vector<Scope> scopes;
+  };
+
+  /// An operation on an input: what has to be proved and timed.
+  struct Task {
+    const Operation* operation;
+    const TimedInput* input;
+    bool reference;  // timed even without any variant
+    std::vector<WantedRow> rows;
+
+    /// The work it makes: the pixels to compute. The reference counts as one more row.
+    [[nodiscard]] double pixels() const {
+      const auto area = static_cast<double>(input->width() * input->height());
+      const bool any = reference || !rows.empty();
+      return area * static_cast<double>(rows.size() + (any ? 1 : 0));
+    }
+  };
+
+  [[nodiscard]] Task task_of(const Operation& operation, const TimedInput& input) const {
+    const bool shown = !input.size_sweep || operation.in_size_series;
+    Task task{&operation,
+              &input,
+              shown && std::regex_search(reference_name(operation, input), pattern_),
+              {}};
+    for (const Row& row : all_rows_) {
+      if (row.operation != &operation) continue;
+      std::vector<Scope> scopes = wanted_scopes(row, input);
+      if (!scopes.empty()) task.rows.push_back({&row, std::move(scopes)});
+    }
+    return task;
+  }
+
+  void carry_out(const Task& task, Progress& progress) {
+    const TimedInput& input = *task.input;
+    const double share = task.pixels() / static_cast<double>(task.rows.size() + 1);
     std::optional<Outcome> expected;
     const auto need_reference = [&]() -> const Outcome& {
       if (!expected) {
-        const ConstByteView view = input.view(operation.takes);
-        expected = outcome_of(*operation.reference(view.width, view.height, 1), view);
-        add_timed({reference, &operation, nullptr, 1, Scope::kEndToEnd, &input, {}}, *expected);
+        const ConstByteView view = input.view(task.operation->takes);
+        expected = outcome_of(*task.operation->reference(view.width, view.height, 1), view);
+        add_timed({reference_name(*task.operation, input),
+                   task.operation,
+                   nullptr,
+                   1,
+                   Scope::kEndToEnd,
+                   &input,
+                   {}},
+                  *expected);
+        progress.advance(share);
       }
       return *expected;
     };
-    const bool shown = !input.size_sweep || operation.in_size_series;
-    if (shown && std::regex_search(reference, pattern_)) need_reference();
-    for (const Row& row : all_rows_) {
-      if (row.operation != &operation) continue;
-      const std::vector<Scope> scopes = wanted_scopes(row, input);
-      if (scopes.empty()) continue;
-      if (admissible(row, input) && proved(row, input, need_reference())) {
+    if (task.reference) need_reference();
+    for (const auto& [row, scopes] : task.rows) {
+      if (admissible(*row, input) && proved(*row, input, need_reference())) {
         for (const Scope scope : scopes) {
-          add_timed({timed_name(row, scope, input),
-                     row.operation,
-                     row.variant,
-                     row.threads,
+          add_timed({timed_name(*row, scope, input),
+                     row->operation,
+                     row->variant,
+                     row->threads,
                      scope,
                      &input,
                      {}},
                     *expected);
         }
       }
+      progress.advance(share);
     }
   }
 
