@@ -24,7 +24,7 @@ CYCLE = (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILLION, YELLOW)
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "p")
 
 STYLE = {
-    "svg.hashsalt": "thinbench", "svg.fonttype": "path", "text.parse_math": False,
+    "svg.hashsalt": "thinbench", "svg.fonttype": "none", "text.parse_math": False,
     "font.family": "DejaVu Sans", "font.size": 9.5, "text.color": INK,
     "figure.facecolor": CARD, "savefig.facecolor": CARD, "axes.facecolor": CARD,
     "axes.edgecolor": GRID, "axes.labelcolor": MUTED, "axes.spines.top": False,
