@@ -201,9 +201,10 @@ class Study:
 
     @property
     def operations(self) -> list[str]:
-        """Every operation that was timed, rules before the nets that learn them."""
+        """Every operation that was timed: thinning first, nets that learn it last."""
         names = {row.name.operation for row in self.rows}
-        return sorted(names, key=lambda name: (name.startswith("net_"), name))
+        return sorted(names, key=lambda name: (name.startswith("net_"),
+                                               not name.startswith("thin_"), name))
 
     @property
     def pictures(self) -> list[str]:
