@@ -1,0 +1,107 @@
+#include "paired/measuring.hpp"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <map>
+#include <stdexcept>
+
+#include "paired/row_names.hpp"
+#include "paired/workspace.hpp"
+#include "support/splitmix64.hpp"
+#include "timing/timed_call.hpp"
+
+namespace thinbench {
+namespace {
+
+double nanoseconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+Times now() {
+  const double wall = nanoseconds(CLOCK_MONOTONIC);
+  return {nanoseconds(CLOCK_THREAD_CPUTIME_ID), wall};
+}
+
+/// The calls of a group by name: entries of the same name share one, so that controls are made of
+/// the very same memory.
+class Calls {
+ public:
+  Calls(const Group& group, const std::vector<Operation>& operations,
+        const std::vector<TimedInput>& inputs)
+      : group_(group),
+        workspace_(input_of(row_named(group.entries.front().name, operations, inputs))) {
+    for (const Entry& entry : group.entries) {
+      if (calls_.count(entry.name) == 0) add(entry, row_named(entry.name, operations, inputs));
+    }
+  }
+
+  /// Short calls are made once more before the clock starts: their caches are as the latest call of
+  /// another row left them.
+  Times visit(std::size_t index) {
+    const Entry& entry = group_.entries[index];
+    TimedCall& call = calls_.at(entry.name);
+    if (!entry.long_call) call();
+    const Times start = now();
+    for (std::int64_t i = 0; i < entry.calls; ++i) call();
+    const Times end = now();
+    return {end.thread_cpu - start.thread_cpu, end.wall - start.wall};
+  }
+
+  [[nodiscard]] std::vector<std::size_t> layout() const {
+    const auto place = [](const std::uint8_t* data) {
+      return static_cast<std::size_t>(reinterpret_cast<std::uintptr_t>(data) % kPage);
+    };
+    return {place(workspace_.source().data), place(workspace_.destination().data)};
+  }
+
+ private:
+  static ConstByteView input_of(const TimedRow& row) {
+    return row.input->view(row.operation->takes);
+  }
+
+  void add(const Entry& entry, const TimedRow& row) {
+    TimedCall& call =
+        calls_.try_emplace(entry.name, row, workspace_.source(), workspace_.destination())
+            .first->second;
+    call();
+    const std::string hash = hash_of(call.outcome());
+    if (hash != entry.hash) {
+      throw std::runtime_error(entry.name + " gave another result (" + hash +
+                               ") than was proved (" + entry.hash + ")");
+    }
+  }
+
+  const Group& group_;
+  Workspace workspace_;
+  std::map<std::string, TimedCall> calls_;
+};
+
+}  // namespace
+
+std::string hash_of(const Outcome& outcome) {
+  std::uint64_t hash = std::stoull(pixel_hash(outcome.image.view()), nullptr, 16);
+  for (const std::int64_t number : outcome.numbers) {
+    hash = splitmix64(hash ^ static_cast<std::uint64_t>(number));
+  }
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+void measure(const Order& order, std::uint64_t seed, const std::vector<Operation>& operations,
+             const LineSink& answer) {
+  const std::vector<TimedInput> inputs = timed_inputs({order.pictures, 0});
+  for (const std::size_t index : shuffled(order.groups.size(), seed)) {
+    const Group& group = order.groups[index];
+    Calls calls(group, operations, inputs);
+    const auto visit = [&](std::size_t entry) { return calls.visit(entry); };
+    const std::uint64_t group_seed = splitmix64(seed, index);
+    answer(to_line(
+        {index, measure_rounds(group.entries, group.rounds, group_seed, visit), calls.layout()}));
+  }
+}
+
+}  // namespace thinbench

@@ -1,0 +1,110 @@
+#include "paired/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace thinbench {
+namespace {
+
+using Rows = std::vector<CalibratedRow>;
+using Wanted = std::function<bool(const TimedRow&)>;
+
+std::int64_t calls_an_epoch(double seconds) {
+  return std::max<std::int64_t>(1, std::llround(kEpoch / std::max(seconds, 1e-8)));
+}
+
+Entry entry_of(const CalibratedRow& row) {
+  const bool long_call = row.seconds > kLongCall;
+  const std::int64_t calls = long_call ? 1 : calls_an_epoch(row.seconds);
+  return {row.row->name, Role::kRow, calls, calls, long_call, row.row->threads > 1, row.hash};
+}
+
+bool is_own_variant(const TimedRow& row) {
+  return row.variant != nullptr && !row.variant->is_peer;
+}
+
+bool is_scalar(const TimedRow& row) {
+  return row.variant->isa == Isa::kBaseline && !row.variant->technique.starts_with("simd") &&
+         row.variant->technique != "autovec";
+}
+
+/// The fastest of the project's own rows on one thread that are wanted.
+std::optional<std::size_t> fastest(const Rows& rows, const Wanted& is_wanted) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const TimedRow& row = *rows[i].row;
+    if (!is_own_variant(row) || row.threads > 1 || !is_wanted(row)) continue;
+    if (!best || rows[i].seconds < rows[*best].seconds) best = i;
+  }
+  return best;
+}
+
+/// Pairs of all rows of a scope with the fastest of them that is wanted.
+void pair_with_best(const Rows& rows, Scope scope, const std::string& against,
+                    const Wanted& is_wanted, Group& group) {
+  const auto best =
+      fastest(rows, [&](const TimedRow& row) { return row.scope == scope && is_wanted(row); });
+  for (std::size_t i = 1; best && i < rows.size(); ++i) {
+    const TimedRow& row = *rows[i].row;
+    if (i != *best && row.scope == scope && is_own_variant(row)) {
+      group.pairs.push_back({i, *best, against});
+    }
+  }
+}
+
+void add_pairs(const Rows& rows, Group& group) {
+  for (std::size_t i = 1; i < rows.size(); ++i) group.pairs.push_back({i, 0, "reference"});
+  for (const Scope scope : {Scope::kKernel, Scope::kEndToEnd}) {
+    pair_with_best(rows, scope, "best_scalar", is_scalar, group);
+    pair_with_best(
+        rows, scope, "best_autovec",
+        [](const TimedRow& row) { return row.variant->technique == "autovec"; }, group);
+  }
+}
+
+void add_controls(const Rows& rows, Group& group) {
+  const std::size_t base = fastest(rows, [](const TimedRow&) { return true; }).value_or(0);
+  Entry same = group.entries[base];
+  same.role = Role::kSame;
+  Entry slowed = same;
+  slowed.role = Role::kSlowed;
+  slowed.counted = 10 * std::max<std::int64_t>(1, same.calls / 10);
+  slowed.calls = slowed.counted / 10 * 11;
+  for (Entry& control : {std::ref(same), std::ref(slowed)}) {
+    group.pairs.push_back(
+        {group.entries.size(), base, control.role == Role::kSame ? "same" : "slowed"});
+    group.entries.push_back(std::move(control));
+  }
+}
+
+/// What one round costs. Short calls are visited twice, each time after an untimed call.
+double seconds_a_round(const Rows& rows, const Group& group) {
+  double seconds = 0;
+  for (const Entry& entry : group.entries) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const CalibratedRow& candidate) {
+      return candidate.row->name == entry.name;
+    });
+    const std::int64_t calls = entry.long_call ? entry.calls : 2 * (entry.calls + 1);
+    seconds += static_cast<double>(calls) * row->seconds;
+  }
+  return seconds;
+}
+
+}  // namespace
+
+Group plan_group(const Rows& rows, const PlanLimits& limits) {
+  Group group;
+  for (const CalibratedRow& row : rows) group.entries.push_back(entry_of(row));
+  add_pairs(rows, group);
+  add_controls(rows, group);
+  const double round = seconds_a_round(rows, group);
+  const double budget = limits.seconds_per_pair * static_cast<double>(rows.size() - 1);
+  const double affordable = std::min(budget / round, static_cast<double>(limits.rounds));
+  group.rounds = std::max(std::min(kFewestRounds, limits.rounds), static_cast<int>(affordable));
+  group.seconds = group.rounds * round;
+  return group;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,145 @@
+#include "paired/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <stdexcept>
+
+#include "cli/command.hpp"
+#include "paired/options.hpp"
+#include "paired/output.hpp"
+#include "support/whole_file.hpp"
+#include "timing/progress.hpp"
+#include "timing/row_selection.hpp"
+#include "timing/timed_call.hpp"
+
+namespace thinbench {
+namespace {
+
+CalibratedRow calibrated(const TimedRow& row) {
+  TimedCall call(row);
+  call();
+  return {&row, seconds_of_one_call(row), hash_of(call.outcome())};
+}
+
+/// Rows by operation and input, in the order of the selection; reference first.
+std::vector<std::vector<CalibratedRow>> calibrated_rows(const std::vector<TimedRow>& rows) {
+  std::vector<std::vector<CalibratedRow>> groups;
+  Progress progress("calibrating", static_cast<double>(rows.size()));
+  for (const TimedRow& row : rows) {
+    if (row.variant == nullptr) groups.emplace_back();
+    groups.back().push_back(calibrated(row));
+    progress.advance(1);
+  }
+  return groups;
+}
+
+/// Whether the same technique at a higher level is among the rows.
+bool is_below_another(const CalibratedRow& row, const std::vector<CalibratedRow>& group) {
+  const TimedRow& low = *row.row;
+  return std::any_of(group.begin(), group.end(), [&](const CalibratedRow& other) {
+    const TimedRow& high = *other.row;
+    return high.variant != nullptr && low.variant != nullptr && high.scope == low.scope &&
+           high.threads == low.threads && high.variant->technique == low.variant->technique &&
+           high.variant->isa > low.variant->isa;
+  });
+}
+
+void leave_out_slow(std::vector<CalibratedRow>& group) {
+  const std::vector<CalibratedRow> all = group;
+  std::erase_if(group, [&](const CalibratedRow& row) {
+    return row.seconds > kLongCall && is_below_another(row, all);
+  });
+}
+
+std::vector<Group> planned(const Selection& selection, const PairedOptions& options) {
+  std::vector<Group> groups;
+  for (std::vector<CalibratedRow>& rows : calibrated_rows(selection.rows)) {
+    if (options.skip_slow) leave_out_slow(rows);
+    if (rows.size() > 1) groups.push_back(plan_group(rows, options.limits));
+  }
+  if (groups.empty()) {
+    throw UsageError("no pair to measure; the filter is '" + options.filter + "'");
+  }
+  return groups;
+}
+
+std::vector<GroupTimes> measured_by_one(const Order& order, std::uint64_t seed,
+                                        const Measurer& measurer, Progress& progress) {
+  std::vector<GroupTimes> result(order.groups.size());
+  std::size_t answers = 0;
+  measurer(to_line(order), seed, [&](const std::string& line) {
+    GroupTimes times = group_times_from(line);
+    progress.advance(order.groups.at(times.group).seconds);
+    result.at(times.group) = std::move(times);
+    ++answers;
+  });
+  if (answers != result.size()) throw std::runtime_error("a process left out measurements");
+  return result;
+}
+
+std::vector<std::vector<GroupTimes>> measured(const Order& order, int processes,
+                                              const Measurer& measurer) {
+  double seconds = 0;
+  for (const Group& group : order.groups) seconds += group.seconds * processes;
+  std::cerr << "measuring " << order.groups.size() << " operations in " << processes
+            << " processes, about " << std::lround(seconds) << " s\n";
+  Progress progress("measuring", seconds);
+  std::vector<std::vector<GroupTimes>> result;
+  for (int process = 0; process < processes; ++process) {
+    result.push_back(
+        measured_by_one(order, static_cast<std::uint64_t>(process), measurer, progress));
+  }
+  return result;
+}
+
+int run(const PairedOptions& options, const std::vector<Operation>& operations,
+        const Measurer& measurer) {
+  for (const std::string& path : {options.csv_out, options.samples_out}) {
+    if (!path.empty()) check_target(path);
+  }
+  const std::vector<TimedInput> inputs = timed_inputs({options.pictures, 0});
+  const Selection selection = rows_asked_for(
+      options.filter, operations, inputs, options.highest_level ? Levels::kHighest : Levels::kAll);
+  const Order order{options.pictures, planned(selection, options)};
+  const auto processes = measured(order, options.processes, measurer);
+  const std::vector<PairResult> results = results_of(order.groups, processes);
+  if (!options.csv_out.empty()) write_whole_file(options.csv_out, to_csv(results));
+  if (!options.samples_out.empty()) {
+    write_whole_file(options.samples_out, to_json_lines(order.groups, processes, results));
+  }
+  if (!options.quiet) std::cout << to_table(results);
+  std::cerr << verdict_line(results) << '\n';
+  if (!selection.mismatches.empty()) return kUsage;
+  return controls_of(results).failed == 0 ? kSuccess : kInconclusive;
+}
+
+int measure_and_answer(std::uint64_t seed, const std::vector<Operation>& operations) {
+  std::string line;
+  std::getline(std::cin, line);
+  measure(order_from(line), seed, operations,
+          [](const std::string& answer) { std::cout << answer << std::flush; });
+  return kSuccess;
+}
+
+}  // namespace
+
+int run_paired(const std::vector<std::string>& arguments, const std::vector<Operation>& operations,
+               const Measurer& measurer) {
+  try {
+    PairedOptions options;
+    if (!parse_options(arguments, options)) return kSuccess;
+    if (options.measure_with_seed)
+      return measure_and_answer(*options.measure_with_seed, operations);
+    return options.no_peers ? run(options, without_peers(operations), measurer)
+                            : run(options, operations, measurer);
+  } catch (const UsageError& error) {
+    std::cerr << "thinbench_paired: " << error.what() << '\n';
+    return kUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "thinbench_paired: " << error.what() << '\n';
+    return kFailure;
+  }
+}
+
+}  // namespace thinbench
