@@ -15,8 +15,10 @@ void add_choice_of_rows(CLI::App& app, PairedOptions& options) {
                  "rows whose name operation/technique/isa/threads/scope/input matches");
   app.add_flag("--highest-level", options.highest_level,
                "only the highest instruction-set level of each technique");
-  app.add_flag("--skip-slow", options.skip_slow,
-               "leave out rows below the highest level whose call takes more than 1 ms");
+  app.add_option("--slowest", options.slowest_ms,
+                 "leave out rows whose call takes more milliseconds; references stay")
+      ->check(real_number(0, 1e9))
+      ->type_name("MS");
   app.add_flag("--no-peers", options.no_peers, "leave out other people's code and the copy");
 }
 
@@ -46,16 +48,19 @@ void add_options(CLI::App& app, PairedOptions& options) {
   app.add_flag("--quiet", options.quiet, "no table on standard output");
   app.add_option("--measure-with-seed", options.measure_with_seed)->group("");
   app.footer(
-      "A round visits all rows of an operation on an input forwards and backwards, so that every\n"
-      "two stand as A B B A; calls of more than 1 ms are visited once, in the middle. An epoch of\n"
-      "a shorter call lasts 0.3 ms. A process gives the median over its rounds of ln(t_ref / t);\n"
-      "the ratio is the median over processes. Controls: a row against itself, and one slowed by\n"
+      "The rows of an operation on an input are measured beside its fastest, the anchor A, in "
+      "epochs\n"
+      "of about 0.3 ms: A B A C A ...; calls of more than 1 ms once a round, beside all its "
+      "epochs\n"
+      "of A. A process gives the median of ln(t / t_A) of each row; the ratio of two is the "
+      "median\n"
+      "of the difference over fresh processes. Controls: the anchor against itself, and slowed by\n"
       "10 %. Exit status: 0 done, 1 failure, 2 wrong usage or a row that is not equal to its\n"
       "reference, 3 inconclusive, as a control failed.\n"
       "Examples:\n"
       "  thinbench_paired --filter '^thin_guo_hall/.*bitpacked' --csv-out speedups.csv\n"
       "  thinbench_paired --image horse.png --highest-level --processes 3\n"
-      "  thinbench_paired --skip-slow --seconds-per-pair 0.1 --samples-out samples.jsonl");
+      "  thinbench_paired --slowest 1 --seconds-per-pair 0.1 --samples-out samples.jsonl");
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct PairedOptions {
   std::string csv_out;
   int processes = 9;
   PlanLimits limits;
+  double slowest_ms = 1e9;  // a call
   bool highest_level = false;
-  bool skip_slow = false;
   bool no_peers = false;
   bool quiet = false;
   /// Set in a process that measures: it takes its order from standard input.

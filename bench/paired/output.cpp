@@ -67,6 +67,10 @@ json run_json(const std::vector<PairResult>& results) {
           {"verdict", controls.failed == 0 ? "PASS" : "INCONCLUSIVE"}};
 }
 
+json clock_json(const ClockTimes& times) {
+  return {{"ns", std::round(times.ns * 10) / 10}, {"logs", times.logs}};
+}
+
 bool is_base_of_threads(const Group& group, std::size_t entry) {
   return std::any_of(group.pairs.begin(), group.pairs.end(), [&](const Pair& pair) {
     return pair.base == entry && group.entries[pair.row].threaded;
@@ -80,14 +84,17 @@ const char* role_name(Role role) {
 json sample_json(const Group& group, std::size_t index, const GroupTimes& times,
                  std::size_t process) {
   const Entry& entry = group.entries[index];
-  json sample = {
-      {"kind", role_name(entry.role)}, {"row", entry.name},      {"process", process},
-      {"calls", entry.calls},          {"rounds", group.rounds}, {"output_hash", entry.hash},
-      {"layout", times.layout}};
+  json sample = {{"kind", role_name(entry.role)},
+                 {"row", entry.name},
+                 {"process", process},
+                 {"calls", entry.calls},
+                 {"anchor", group.entries[group.anchor].name},
+                 {"output_hash", entry.hash},
+                 {"layout", times.layout}};
   if (entry.calls != entry.counted) sample["counted"] = entry.counted;
-  if (!entry.threaded) sample["thread_cpu_ns"] = times.entries[index].thread_cpu;
+  if (!entry.threaded) sample["thread_cpu"] = clock_json(times.entries[index].thread_cpu);
   if (entry.threaded || is_base_of_threads(group, index)) {
-    sample["wall_ns"] = times.entries[index].wall;
+    sample["wall"] = clock_json(times.entries[index].wall);
   }
   return sample;
 }

@@ -13,8 +13,9 @@ namespace thinbench {
 [[nodiscard]] std::string to_csv(const std::vector<PairResult>& results);
 
 /// Raw samples as JSON lines: first what was done, then one object for each row and process with
-/// the nanoseconds of a call in every round. A pair's log ratios follow from two of them. Rows on
-/// one thread have thread CPU time, rows with threads wall time, what these are compared with both.
+/// ln(time / anchor's time) of every visit. The value of a process for a pair is the difference of
+/// two medians. Rows on one thread have thread CPU time, rows with threads wall time, what these
+/// are compared with both.
 [[nodiscard]] std::string to_json_lines(const std::vector<Group>& groups,
                                         const std::vector<std::vector<GroupTimes>>& processes,
                                         const std::vector<PairResult>& results);

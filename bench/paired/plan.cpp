@@ -18,7 +18,9 @@ std::int64_t calls_an_epoch(double seconds) {
 Entry entry_of(const CalibratedRow& row) {
   const bool long_call = row.seconds > kLongCall;
   const std::int64_t calls = long_call ? 1 : calls_an_epoch(row.seconds);
-  return {row.row->name, Role::kRow, calls, calls, long_call, row.row->threads > 1, row.hash};
+  return {row.row->name, Role::kRow, calls,
+          calls,         long_call,  row.seconds<kSlowCall, row.row->threads> 1,
+          row.hash};
 }
 
 bool is_own_variant(const TimedRow& row) {
@@ -64,9 +66,8 @@ void add_pairs(const Rows& rows, Group& group) {
   }
 }
 
-void add_controls(const Rows& rows, Group& group) {
-  const std::size_t base = fastest(rows, [](const TimedRow&) { return true; }).value_or(0);
-  Entry same = group.entries[base];
+void add_controls(Group& group) {
+  Entry same = group.entries[group.anchor];
   same.role = Role::kSame;
   Entry slowed = same;
   slowed.role = Role::kSlowed;
@@ -74,22 +75,35 @@ void add_controls(const Rows& rows, Group& group) {
   slowed.calls = slowed.counted / 10 * 11;
   for (Entry& control : {std::ref(same), std::ref(slowed)}) {
     group.pairs.push_back(
-        {group.entries.size(), base, control.role == Role::kSame ? "same" : "slowed"});
+        {group.entries.size(), group.anchor, control.role == Role::kSame ? "same" : "slowed"});
     group.entries.push_back(std::move(control));
   }
 }
 
-/// What one round costs. Short calls are visited twice, each time after an untimed call.
-double seconds_a_round(const Rows& rows, const Group& group) {
-  double seconds = 0;
+/// An epoch, warm-up included.
+double seconds_of(const Entry& entry, const Rows& rows) {
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const CalibratedRow& candidate) {
+    return candidate.row->name == entry.name;
+  });
+  return static_cast<double>(entry.calls + (entry.warm_up ? 1 : 0)) * row->seconds;
+}
+
+/// Chooses sweeps and rounds such that all rounds take `budget` seconds.
+void schedule(const Rows& rows, double budget, int most_rounds, Group& group) {
+  const double anchor = seconds_of(group.entries[group.anchor], rows);
+  double long_calls = 0;
+  double sweep = 0;
   for (const Entry& entry : group.entries) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const CalibratedRow& candidate) {
-      return candidate.row->name == entry.name;
-    });
-    const std::int64_t calls = entry.long_call ? entry.calls : 2 * (entry.calls + 1);
-    seconds += static_cast<double>(calls) * row->seconds;
+    (entry.long_call ? long_calls : sweep) +=
+        seconds_of(entry, rows) + (entry.long_call ? 0 : anchor);
   }
-  return seconds;
+  sweep = std::max(sweep, anchor);
+  const auto sweeps = static_cast<int>(std::min(long_calls / sweep, 1.0 * kMostSweeps));
+  group.sweeps = std::max(kFewestSweeps, sweeps);
+  const double round = long_calls + group.sweeps * sweep;
+  const double affordable = std::min(budget / round, 1.0 * most_rounds);
+  group.rounds = std::max(std::min(kFewestRounds, most_rounds), static_cast<int>(affordable));
+  group.seconds = group.rounds * round;
 }
 
 }  // namespace
@@ -98,12 +112,10 @@ Group plan_group(const Rows& rows, const PlanLimits& limits) {
   Group group;
   for (const CalibratedRow& row : rows) group.entries.push_back(entry_of(row));
   add_pairs(rows, group);
-  add_controls(rows, group);
-  const double round = seconds_a_round(rows, group);
+  group.anchor = fastest(rows, [](const TimedRow&) { return true; }).value_or(0);
+  add_controls(group);
   const double budget = limits.seconds_per_pair * static_cast<double>(rows.size() - 1);
-  const double affordable = std::min(budget / round, static_cast<double>(limits.rounds));
-  group.rounds = std::max(std::min(kFewestRounds, limits.rounds), static_cast<int>(affordable));
-  group.seconds = group.rounds * round;
+  schedule(rows, budget, limits.rounds, group);
   return group;
 }
 

@@ -15,6 +15,9 @@ inline constexpr double kEpoch = 0.0003;
 inline constexpr double kLongCall = 0.001;
 /// Fewer rounds are not made, however slow the rows are.
 inline constexpr int kFewestRounds = 3;
+/// Short calls are visited more often in a round where long ones take most of its time.
+inline constexpr int kFewestSweeps = 2;
+inline constexpr int kMostSweeps = 12;
 
 /// A row with what has to be known of it to plan: its time was taken and its result hashed.
 struct CalibratedRow {
@@ -36,6 +39,7 @@ struct Entry {
   std::int64_t calls = 1;    // an epoch
   std::int64_t counted = 1;  // by what its time is divided
   bool long_call = false;
+  bool warm_up = true;  // one more call, untimed, before each epoch
   bool threaded = false;
   std::string hash;  // of the result
 };
@@ -51,8 +55,10 @@ struct Pair {
 struct Group {
   std::vector<Entry> entries;
   std::vector<Pair> pairs;
+  std::size_t anchor = 0;  // the entry that all others are measured beside
   int rounds = 0;
-  double seconds = 0;  // expected, for all rounds
+  int sweeps = kFewestSweeps;  // over the short calls, in a round
+  double seconds = 0;          // expected, for all rounds
 };
 
 struct PlanLimits {
@@ -60,8 +66,8 @@ struct PlanLimits {
   double seconds_per_pair = 0.02;  // in each process
 };
 
-/// Puts rows of one operation and input, the reference first, into a plan. The controls are made of
-/// the fastest row on one thread.
+/// Puts rows of one operation and input, the reference first, into a plan. Anchor, and what the
+/// controls are made of, is the fastest row on one thread.
 [[nodiscard]] Group plan_group(const std::vector<CalibratedRow>& rows, const PlanLimits& limits);
 
 }  // namespace thinbench

@@ -1,5 +1,5 @@
-// Rounds: all entries of a group visited forwards and backwards, so that every two of them stand as
-// A B B A and a drift of the machine cancels.
+// Rounds: every epoch of a short call stands between two epochs of the anchor, A B A, so that
+// neither a drift nor a neighbour who comes and goes stays in the ratio.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace thinbench {
 
-/// A visit on both clocks, in nanoseconds.
+/// On both clocks, in nanoseconds.
 struct Times {
   double thread_cpu = 0;
   double wall = 0;
@@ -19,22 +19,25 @@ struct Times {
 /// Makes the calls of an epoch and returns how long they took together.
 using Visit = std::function<Times(std::size_t entry)>;
 
-/// Nanoseconds a counted call of one entry, round by round.
+/// One entry on one clock.
+struct ClockTimes {
+  std::vector<double> logs;  // ln(time / anchor's time), visit by visit; one 0 for the anchor
+  double ns = 0;             // a counted call, median over the visits
+};
+
 struct EntryTimes {
-  std::vector<double> thread_cpu;
-  std::vector<double> wall;
+  ClockTimes thread_cpu;
+  ClockTimes wall;
 };
 
 /// 0 .. n - 1 in an order that depends on the seed alone.
 [[nodiscard]] std::vector<std::size_t> shuffled(std::size_t n, std::uint64_t seed);
 
-/// The entries in the order of one round: short calls in random order, then the long ones, once,
-/// in random order, then the short ones backwards. Twice the long calls would double the time of
-/// most groups; the epochs before and after a long one already lie symmetrically round it.
-[[nodiscard]] std::vector<std::size_t> order_of_round(const std::vector<Entry>& entries,
-                                                      std::uint64_t seed);
-
-[[nodiscard]] std::vector<EntryTimes> measure_rounds(const std::vector<Entry>& entries, int rounds,
-                                                     std::uint64_t seed, const Visit& visit);
+/// A round is half of the sweeps, the long calls, once, and the other half. A sweep visits the
+/// short calls in random order, the anchor before, between and after. What takes longer than the
+/// neighbourhood that two epochs could tell of, a long call, is compared with the median of all
+/// epochs of the anchor in its round.
+[[nodiscard]] std::vector<EntryTimes> measure_rounds(const Group& group, std::uint64_t seed,
+                                                     const Visit& visit);
 
 }  // namespace thinbench

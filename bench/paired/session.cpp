@@ -1,6 +1,6 @@
 #include "paired/session.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <stdexcept>
@@ -16,10 +16,17 @@
 namespace thinbench {
 namespace {
 
+/// Slow rows are called once, the others a second time, when every page was touched.
 CalibratedRow calibrated(const TimedRow& row) {
   TimedCall call(row);
-  call();
-  return {&row, seconds_of_one_call(row), hash_of(call.outcome())};
+  const auto timed = [&] {
+    const auto start = std::chrono::steady_clock::now();
+    call();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const double cold = timed();
+  std::string hash = hash_of(call.outcome());
+  return {&row, cold > kSlowCall ? cold : timed(), std::move(hash)};
 }
 
 /// Rows by operation and input, in the order of the selection; reference first.
@@ -34,28 +41,12 @@ std::vector<std::vector<CalibratedRow>> calibrated_rows(const std::vector<TimedR
   return groups;
 }
 
-/// Whether the same technique at a higher level is among the rows.
-bool is_below_another(const CalibratedRow& row, const std::vector<CalibratedRow>& group) {
-  const TimedRow& low = *row.row;
-  return std::any_of(group.begin(), group.end(), [&](const CalibratedRow& other) {
-    const TimedRow& high = *other.row;
-    return high.variant != nullptr && low.variant != nullptr && high.scope == low.scope &&
-           high.threads == low.threads && high.variant->technique == low.variant->technique &&
-           high.variant->isa > low.variant->isa;
-  });
-}
-
-void leave_out_slow(std::vector<CalibratedRow>& group) {
-  const std::vector<CalibratedRow> all = group;
-  std::erase_if(group, [&](const CalibratedRow& row) {
-    return row.seconds > kLongCall && is_below_another(row, all);
-  });
-}
-
 std::vector<Group> planned(const Selection& selection, const PairedOptions& options) {
   std::vector<Group> groups;
   for (std::vector<CalibratedRow>& rows : calibrated_rows(selection.rows)) {
-    if (options.skip_slow) leave_out_slow(rows);
+    std::erase_if(rows, [&](const CalibratedRow& row) {
+      return row.row->variant != nullptr && row.seconds > options.slowest_ms / 1000;
+    });
     if (rows.size() > 1) groups.push_back(plan_group(rows, options.limits));
   }
   if (groups.empty()) {

@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace thinbench {
 namespace {
 
-const std::vector<double>& times_of(const EntryTimes& times, bool wall) {
+const ClockTimes& on_clock(const EntryTimes& times, bool wall) {
   return wall ? times.wall : times.thread_cpu;
-}
-
-/// The median over rounds of ln(base time / row time).
-double log_ratio(const std::vector<double>& row, const std::vector<double>& base) {
-  std::vector<double> logs;
-  for (std::size_t round = 0; round < row.size(); ++round) {
-    logs.push_back(std::log(base.at(round) / row[round]));
-  }
-  return median(std::move(logs));
 }
 
 bool control_failed(const PairResult& result) {
@@ -45,11 +38,11 @@ PairResult result_of(const Group& group, const Pair& pair,
   std::vector<double> row_ns;
   std::vector<double> base_ns;
   for (const GroupTimes* times : processes) {
-    const std::vector<double>& of_row = times_of(times->entries.at(pair.row), wall);
-    const std::vector<double>& of_base = times_of(times->entries.at(pair.base), wall);
-    logs.push_back(log_ratio(of_row, of_base));
-    row_ns.push_back(median(of_row));
-    base_ns.push_back(median(of_base));
+    const ClockTimes& of_row = on_clock(times->entries.at(pair.row), wall);
+    const ClockTimes& of_base = on_clock(times->entries.at(pair.base), wall);
+    logs.push_back(median(of_base.logs) - median(of_row.logs));
+    row_ns.push_back(of_row.ns);
+    base_ns.push_back(of_base.ns);
   }
   PairResult result{&row,
                     &base,
@@ -57,12 +50,18 @@ PairResult result_of(const Group& group, const Pair& pair,
                     estimate_of(std::move(logs)),
                     median(std::move(row_ns)),
                     median(std::move(base_ns)),
-                    group.rounds,
+                    (row.long_call || base.long_call ? 1 : group.sweeps) * group.rounds,
                     processes.size(),
                     processes.front()->layout,
                     {}};
   result.flags = flags_of(result);
+  const bool direct = pair.row == group.anchor || pair.base == group.anchor;
+  if (!direct) result.flags.emplace_back("via");
   return result;
+}
+
+void flag_all(std::vector<PairResult>& results, const std::string& flag) {
+  for (PairResult& result : results) result.flags.push_back(flag);
 }
 
 }  // namespace
@@ -77,9 +76,12 @@ std::vector<PairResult> results_of(const std::vector<Group>& groups,
   for (std::size_t i = 0; i < groups.size(); ++i) {
     std::vector<const GroupTimes*> of_group;
     for (const std::vector<GroupTimes>& process : processes) of_group.push_back(&process.at(i));
+    std::vector<PairResult> of_pairs;
     for (const Pair& pair : groups[i].pairs) {
-      results.push_back(result_of(groups[i], pair, of_group));
+      of_pairs.push_back(result_of(groups[i], pair, of_group));
     }
+    if (controls_of(of_pairs).failed > 0) flag_all(of_pairs, "inconclusive");
+    std::move(of_pairs.begin(), of_pairs.end(), std::back_inserter(results));
   }
   return results;
 }

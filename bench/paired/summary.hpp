@@ -24,9 +24,9 @@ struct PairResult {
   const Entry* base;
   std::string against;
   Estimate estimate;  // base time / row time
-  double row_ns;      // median over processes of medians over rounds
+  double row_ns;      // median over processes of medians over visits
   double base_ns;
-  int rounds;
+  int rounds;  // visits in a process of the side that was visited less often
   std::size_t processes;
   std::vector<std::size_t> layout;
   std::vector<std::string> flags;

@@ -18,8 +18,9 @@ json parsed(const std::string& line) {
 }  // namespace
 
 void to_json(json& object, const Entry& entry) {
-  object = {{"name", entry.name},      {"calls", entry.calls},       {"counted", entry.counted},
-            {"long", entry.long_call}, {"threaded", entry.threaded}, {"hash", entry.hash}};
+  object = {{"name", entry.name},      {"calls", entry.calls},     {"counted", entry.counted},
+            {"long", entry.long_call}, {"warm_up", entry.warm_up}, {"threaded", entry.threaded},
+            {"hash", entry.hash}};
 }
 
 void from_json(const json& object, Entry& entry) {
@@ -27,17 +28,32 @@ void from_json(const json& object, Entry& entry) {
   object.at("calls").get_to(entry.calls);
   object.at("counted").get_to(entry.counted);
   object.at("long").get_to(entry.long_call);
+  object.at("warm_up").get_to(entry.warm_up);
   object.at("threaded").get_to(entry.threaded);
   object.at("hash").get_to(entry.hash);
 }
 
 void to_json(json& object, const Group& group) {
-  object = {{"rounds", group.rounds}, {"entries", group.entries}};
+  object = {{"rounds", group.rounds},
+            {"sweeps", group.sweeps},
+            {"anchor", group.anchor},
+            {"entries", group.entries}};
 }
 
 void from_json(const json& object, Group& group) {
   object.at("rounds").get_to(group.rounds);
+  object.at("sweeps").get_to(group.sweeps);
+  object.at("anchor").get_to(group.anchor);
   object.at("entries").get_to(group.entries);
+}
+
+void to_json(json& object, const ClockTimes& times) {
+  object = {{"logs", times.logs}, {"ns", times.ns}};
+}
+
+void from_json(const json& object, ClockTimes& times) {
+  object.at("logs").get_to(times.logs);
+  object.at("ns").get_to(times.ns);
 }
 
 void to_json(json& object, const EntryTimes& times) {
