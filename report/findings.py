@@ -64,7 +64,22 @@ def main_sentence(findings: list[Finding]) -> str:
     top = max(rows, key=lambda row: row.speedup)
     return (f"Fastest: {top.name.variant_label} runs {top.name.operation} on {top.name.input} in "
             f"{duration(top.median_ns)} {_scope_words(top)}, {three_digits(top.speedup)} times as "
-            f"fast as the scalar reference ({duration(top.reference_ns)}).")
+            f"fast as the scalar reference ({duration(top.reference_ns)}){_interval_words(top)}.")
+
+
+def speedup_sentence(study: Study) -> str:
+    """How the speed-ups were measured."""
+    rows = [row for row in study.rows if not row.name.is_reference]
+    paired = [row.paired for row in rows if row.paired]
+    if not paired:
+        return ("Speed-ups are ratios of medians: this run has no speedups.csv, so no intervals "
+                "are known.")
+    doubtful = sum(ratio.is_inconclusive for ratio in paired)
+    controls = "all controls passed" if not doubtful else (
+        f"{doubtful} are inconclusive, as a control failed")
+    return (f"Speed-ups of {len(paired)} of {len(rows)} rows were measured in pairs by "
+            f"{max(ratio.processes for ratio in paired)} processes, {controls}; the others are "
+            "ratios of medians.")
 
 
 def noise_sentence(noise: Noise) -> str:
@@ -89,6 +104,12 @@ def _find_one(rows: list[Row], operation: str, input_name: str) -> Finding:
     reference = next(row for row in rows if row.name.is_reference)
     return Finding(operation, input_name, reference, best[END_TO_END], best[KERNEL],
                    tuple(row for row in rows if row.is_peer))
+
+
+def _interval_words(row: Row) -> str:
+    if row.paired is None:
+        return ""
+    return f", interval {three_digits(row.paired.low)} to {three_digits(row.paired.high)}"
 
 
 def _scope_words(row: Row) -> str:

@@ -40,11 +40,11 @@ class Calls {
     }
   }
 
-  /// The untimed call is made because the caches are as the call of another row left them.
+  /// Untimed calls come first because caches are as the calls of another row left them.
   Times visit(std::size_t index) {
     const Entry& entry = group_.entries[index];
     TimedCall& call = calls_.at(entry.name);
-    if (entry.warm_up) call();
+    for (std::int64_t i = 0; i < entry.warm_up; ++i) call();
     const Times start = now();
     for (std::int64_t i = 0; i < entry.calls; ++i) call();
     const Times end = now();

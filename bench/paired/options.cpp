@@ -54,7 +54,7 @@ void add_options(CLI::App& app, PairedOptions& options) {
       "epochs\n"
       "of A. A process gives the median of ln(t / t_A) of each row; the ratio of two is the "
       "median\n"
-      "of the difference over fresh processes. Controls: the anchor against itself, and slowed by\n"
+      "of the difference over fresh processes. Controls: a row against itself, and slowed by\n"
       "10 %. Exit status: 0 done, 1 failure, 2 wrong usage or a row that is not equal to its\n"
       "reference, 3 inconclusive, as a control failed.\n"
       "Examples:\n"

@@ -52,6 +52,14 @@ std::vector<std::string> csv_fields(const PairResult& result) {
   return fields;
 }
 
+const char* verdict_of(const Controls& controls) {
+  return controls.pass() ? "PASS" : "INCONCLUSIVE";
+}
+
+json estimate_json(const Estimate& estimate) {
+  return {{"ratio", estimate.ratio}, {"low", estimate.low}, {"high", estimate.high}};
+}
+
 json run_json(const std::vector<PairResult>& results) {
   const std::size_t processes = results.front().processes;
   const Ranks ranks = interval_ranks(processes);
@@ -62,9 +70,11 @@ json run_json(const std::vector<PairResult>& results) {
           {"interval_ranks", {ranks.low, ranks.high}},
           {"coverage", ranks.coverage},
           {"epoch_seconds", kEpoch},
-          {"controls_passed", controls.passed},
-          {"controls_failed", controls.failed},
-          {"verdict", controls.failed == 0 ? "PASS" : "INCONCLUSIVE"}};
+          {"control_same", estimate_json(controls.same)},
+          {"control_slowed", estimate_json(controls.slowed)},
+          {"groups", controls.groups},
+          {"groups_with_failed_control", controls.failed_groups},
+          {"verdict", verdict_of(controls)}};
 }
 
 json clock_json(const ClockTimes& times) {
@@ -145,12 +155,12 @@ std::string verdict_line(const std::vector<PairResult>& results) {
   const std::size_t processes = results.front().processes;
   const Ranks ranks = interval_ranks(processes);
   const Controls controls = controls_of(results);
-  return std::string(controls.failed == 0 ? "PASS" : "INCONCLUSIVE") + ": " +
-         std::to_string(controls.passed) + " of " +
-         std::to_string(controls.passed + controls.failed) + " controls passed; intervals from " +
-         std::to_string(ranks.low) + " to " + std::to_string(ranks.high) + " of " +
-         std::to_string(processes) + " ordered process values, coverage " +
-         fixed(100 * ranks.coverage, 1) + " %";
+  return std::string(verdict_of(controls)) + ": a row against itself " +
+         digits(controls.same.ratio) + ", slowed by 10 % " + digits(controls.slowed.ratio) + "; " +
+         std::to_string(controls.failed_groups) + " of " + std::to_string(controls.groups) +
+         " operations flagged by their own controls; intervals from " + std::to_string(ranks.low) +
+         " to " + std::to_string(ranks.high) + " of " + std::to_string(processes) +
+         " ordered process values, coverage " + fixed(100 * ranks.coverage, 1) + " %";
 }
 
 }  // namespace thinbench

@@ -38,8 +38,8 @@ struct Entry {
   Role role = Role::kRow;
   std::int64_t calls = 1;    // an epoch
   std::int64_t counted = 1;  // by what its time is divided
+  std::int64_t warm_up = 0;  // calls before each epoch that are not timed
   bool long_call = false;
-  bool warm_up = true;  // one more call, untimed, before each epoch
   bool threaded = false;
   std::string hash;  // of the result
 };
@@ -66,8 +66,8 @@ struct PlanLimits {
   double seconds_per_pair = 0.02;  // in each process
 };
 
-/// Puts rows of one operation and input, the reference first, into a plan. Anchor, and what the
-/// controls are made of, is the fastest row on one thread.
+/// Puts rows of one operation and input, the reference first, into a plan. The anchor is
+/// the fastest row on one thread, the controls are made of the next.
 [[nodiscard]] Group plan_group(const std::vector<CalibratedRow>& rows, const PlanLimits& limits);
 
 }  // namespace thinbench

@@ -102,7 +102,7 @@ int run(const PairedOptions& options, const std::vector<Operation>& operations,
   if (!options.quiet) std::cout << to_table(results);
   std::cerr << verdict_line(results) << '\n';
   if (!selection.mismatches.empty()) return kUsage;
-  return controls_of(results).failed == 0 ? kSuccess : kInconclusive;
+  return controls_of(results).pass() ? kSuccess : kInconclusive;
 }
 
 int measure_and_answer(std::uint64_t seed, const std::vector<Operation>& operations) {

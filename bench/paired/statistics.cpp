@@ -30,12 +30,12 @@ Ranks interval_ranks(std::size_t n) {
 }
 
 Estimate estimate_of(std::vector<double> logs) {
-  const double middle = median(logs);
-  std::sort(logs.begin(), logs.end());
+  std::vector<double> ordered = logs;
+  std::sort(ordered.begin(), ordered.end());
   const Ranks ranks = interval_ranks(logs.size());
-  const double low = logs[ranks.low - 1];
-  const double high = logs[ranks.high - 1];
-  return {std::move(logs), std::exp(middle), std::exp(low), std::exp(high)};
+  const double low = ordered[ranks.low - 1];
+  const double high = ordered[ranks.high - 1];
+  return {std::move(logs), std::exp(median(ordered)), std::exp(low), std::exp(high)};
 }
 
 }  // namespace thinbench

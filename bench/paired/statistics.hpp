@@ -23,7 +23,7 @@ struct Ranks {
 
 /// A ratio measured by several processes, each of which gave the logarithm of one.
 struct Estimate {
-  std::vector<double> ordered_logs;
+  std::vector<double> logs;  // a process each, in their order
   double ratio;
   double low;
   double high;

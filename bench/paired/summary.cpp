@@ -12,16 +12,27 @@ const ClockTimes& on_clock(const EntryTimes& times, bool wall) {
   return wall ? times.wall : times.thread_cpu;
 }
 
-bool control_failed(const PairResult& result) {
-  const Estimate& estimate = result.estimate;
-  if (result.row->role == Role::kSame) return std::abs(std::log(estimate.ratio)) > kSameWithin;
-  return std::log(estimate.ratio) > -kSlowedBeyond || estimate.high >= 1;
+bool is_slow_down_missed(const Estimate& slowed) {
+  return std::log(slowed.ratio) > -kSlowedBeyond || slowed.high >= 1;
+}
+
+/// The controls of one role, over groups: a median for each process.
+Estimate pooled(const std::vector<PairResult>& results, Role role) {
+  std::vector<double> logs;
+  for (std::size_t process = 0; process < results.front().processes; ++process) {
+    std::vector<double> of_groups;
+    for (const PairResult& result : results) {
+      if (result.row->role == role) of_groups.push_back(result.estimate.logs[process]);
+    }
+    logs.push_back(median(std::move(of_groups)));
+  }
+  return estimate_of(std::move(logs));
 }
 
 std::vector<std::string> flags_of(const PairResult& result) {
   std::vector<std::string> flags;
   if (result.is_control()) {
-    flags.emplace_back(control_failed(result) ? "control_failed" : "control_passed");
+    flags.emplace_back(result.failed() ? "control_failed" : "control_passed");
   }
   if (result.estimate.high / result.estimate.low > 1 + kNoisyWidth) flags.emplace_back("noisy");
   if (result.row->long_call || result.base->long_call) flags.emplace_back("long_call");
@@ -61,13 +72,23 @@ PairResult result_of(const Group& group, const Pair& pair,
 }
 
 void flag_all(std::vector<PairResult>& results, const std::string& flag) {
-  for (PairResult& result : results) result.flags.push_back(flag);
+  for (PairResult& result : results) {
+    const bool has = std::count(result.flags.begin(), result.flags.end(), flag) > 0;
+    if (!has) result.flags.push_back(flag);
+  }
 }
 
 }  // namespace
 
 bool PairResult::failed() const {
-  return is_control() && control_failed(*this);
+  if (row->role == Role::kSlowed) return is_slow_down_missed(estimate);
+  const bool is_off =
+      std::log(estimate.low) > kSameWithin || std::log(estimate.high) < -kSameWithin;
+  return row->role == Role::kSame && is_off;
+}
+
+bool Controls::pass() const {
+  return std::abs(std::log(same.ratio)) <= kSameWithin && !is_slow_down_missed(slowed);
 }
 
 std::vector<PairResult> results_of(const std::vector<Group>& groups,
@@ -80,16 +101,21 @@ std::vector<PairResult> results_of(const std::vector<Group>& groups,
     for (const Pair& pair : groups[i].pairs) {
       of_pairs.push_back(result_of(groups[i], pair, of_group));
     }
-    if (controls_of(of_pairs).failed > 0) flag_all(of_pairs, "inconclusive");
+    if (controls_of(of_pairs).failed_groups > 0) flag_all(of_pairs, "inconclusive");
     std::move(of_pairs.begin(), of_pairs.end(), std::back_inserter(results));
   }
+  if (!controls_of(results).pass()) flag_all(results, "inconclusive");
   return results;
 }
 
 Controls controls_of(const std::vector<PairResult>& results) {
-  Controls controls;
+  Controls controls{pooled(results, Role::kSame), pooled(results, Role::kSlowed)};
+  bool same_failed = false;
   for (const PairResult& result : results) {
-    if (result.is_control()) ++(result.failed() ? controls.failed : controls.passed);
+    if (result.row->role == Role::kSame) same_failed = result.failed();
+    if (result.row->role != Role::kSlowed) continue;  // the last of its group
+    ++controls.groups;
+    controls.failed_groups += same_failed || result.failed() ? 1 : 0;
   }
   return controls;
 }

@@ -9,8 +9,8 @@
 
 namespace thinbench {
 
-/// How far from 1 a row may be from itself, and how far a row that is slowed by 10 % has to be from
-/// itself: half of the 10 %.
+/// How far from 1 a row may be from itself (logarithms), and how far a row slowed by 10 % has to be
+/// from itself: half of the 10 %.
 inline constexpr double kSameWithin = 0.01;
 inline constexpr double kSlowedBeyond = 0.05;
 /// An interval wider than this is called noisy.
@@ -32,6 +32,8 @@ struct PairResult {
   std::vector<std::string> flags;
 
   [[nodiscard]] bool is_control() const { return row->role != Role::kRow; }
+  /// For a control: its interval does not come within 1 % of 1, or does not exclude 1 where the row
+  /// was slowed.
   [[nodiscard]] bool failed() const;
   /// One clock for both sides: thread CPU time, which other processes hardly disturb, unless one
   /// side has threads.
@@ -40,15 +42,23 @@ struct PairResult {
   }
 };
 
+/// Rows of a group with a failed control are flagged `inconclusive`, all rows where the controls of
+/// the run do not pass.
 /// `processes[p]` holds what process p found, a group each, in the order of `groups`. Results point
 /// to `groups`.
 [[nodiscard]] std::vector<PairResult> results_of(
     const std::vector<Group>& groups, const std::vector<std::vector<GroupTimes>>& processes);
 
-/// The controls among the results.
+/// What the controls of all groups together say of a run; each process gives the median over
+/// groups.
 struct Controls {
-  int passed = 0;
-  int failed = 0;
+  Estimate same;
+  Estimate slowed;
+  int groups = 0;
+  int failed_groups = 0;  // whose rows are flagged
+
+  /// A row is itself within 1 %, and a slow-down by 10 % is seen: else nothing is concluded.
+  [[nodiscard]] bool pass() const;
 };
 
 [[nodiscard]] Controls controls_of(const std::vector<PairResult>& results);
