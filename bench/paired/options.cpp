@@ -16,7 +16,8 @@ void add_choice_of_rows(CLI::App& app, PairedOptions& options) {
   app.add_flag("--highest-level", options.highest_level,
                "only the highest instruction-set level of each technique");
   app.add_option("--slowest", options.slowest_ms,
-                 "leave out rows whose call takes more milliseconds; references stay")
+                 "leave out rows whose call takes more milliseconds, and operations whose "
+                 "reference takes 100 times as much")
       ->check(real_number(0, 1e9))
       ->type_name("MS");
   app.add_flag("--no-peers", options.no_peers, "leave out other people's code and the copy");

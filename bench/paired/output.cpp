@@ -30,6 +30,12 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
+/// Without operation and input, which the row says: technique/isa/threads/scope.
+std::string short_name(const Entry& entry) {
+  const std::vector<std::string> fields = fields_of(entry.name);
+  return joined({fields.begin() + 1, fields.end() - 1}, "/");
+}
+
 std::vector<std::string> csv_fields(const PairResult& result) {
   std::vector<std::string> fields = fields_of(result.row->name);
   const std::vector<std::string> more = {
@@ -46,7 +52,7 @@ std::vector<std::string> csv_fields(const PairResult& result) {
       result.row->hash,
       joined(result.flags, ";"),
       "1",
-      result.base->name};
+      short_name(*result.base)};
   fields.insert(fields.end(), more.begin(), more.end());
   for (std::string& field : fields) field = csv_field(field);
   return fields;

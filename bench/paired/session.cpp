@@ -41,14 +41,25 @@ std::vector<std::vector<CalibratedRow>> calibrated_rows(const std::vector<TimedR
   return groups;
 }
 
+/// Takes away what is too slow for the limit; returns how many rows that is.
+std::size_t leave_out_slow(double slowest_ms, std::vector<CalibratedRow>& rows) {
+  const std::size_t before = rows.size();
+  const bool slow_reference = rows.front().seconds > kSlowReference * slowest_ms / 1000;
+  std::erase_if(rows, [&](const CalibratedRow& row) {
+    const bool slow = row.seconds > slowest_ms / 1000;
+    return row.row->variant != nullptr && (slow || slow_reference);
+  });
+  return before - rows.size();
+}
+
 std::vector<Group> planned(const Selection& selection, const PairedOptions& options) {
   std::vector<Group> groups;
+  std::size_t left_out = 0;
   for (std::vector<CalibratedRow>& rows : calibrated_rows(selection.rows)) {
-    std::erase_if(rows, [&](const CalibratedRow& row) {
-      return row.row->variant != nullptr && row.seconds > options.slowest_ms / 1000;
-    });
+    left_out += leave_out_slow(options.slowest_ms, rows);
     if (rows.size() > 1) groups.push_back(plan_group(rows, options.limits));
   }
+  if (left_out > 0) std::cerr << "rows left out: " << left_out << " (too slow for --slowest)\n";
   if (groups.empty()) {
     throw UsageError("no pair to measure; the filter is '" + options.filter + "'");
   }

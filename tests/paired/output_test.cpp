@@ -40,7 +40,7 @@ TEST_F(Output, csv_has_the_columns_that_readers_know) {
             "reference_ns,variant_ns,clock,layout,output_hash,flags,verified,against_row");
   EXPECT_EQ(lines[1],
             "copy,lut,baseline,1,end_to_end,scene,reference,2,1.994,2.006,9,18,1000000,500000,"
-            "thread_cpu,0+2048,0123456789abcdef,via,1,copy/reference/baseline/1/end_to_end/scene");
+            "thread_cpu,0+2048,0123456789abcdef,via,1,reference/baseline/1/end_to_end");
   EXPECT_EQ(lines.size(), 1 + results.size());
 }
 

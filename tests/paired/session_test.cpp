@@ -82,6 +82,14 @@ TEST(PairedSession, wrong_use_is_one_line_and_2) {
             "thinbench_paired: no pair to measure; the filter is 'copy/reference'\n");
 }
 
+TEST(PairedSession, rows_slower_than_the_limit_are_left_out_and_counted) {
+  const Session session = run({"--filter", "copy/good/", "--slowest", "0"}, {});
+  EXPECT_EQ(session.status, 2);
+  EXPECT_EQ(session.err,
+            "rows left out: 1 (too slow for --slowest)\n"
+            "thinbench_paired: no pair to measure; the filter is 'copy/good/'\n");
+}
+
 TEST(PairedSession, files_that_cannot_be_written_are_refused_before_the_work) {
   const Session session = run({"--csv-out", "no_such_folder/s.csv"}, {});
   EXPECT_EQ(session.status, 1);
