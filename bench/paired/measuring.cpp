@@ -30,12 +30,14 @@ Times now() {
 /// the very same memory.
 class Calls {
  public:
-  Calls(const Group& group, const std::vector<Operation>& operations,
+  Calls(const Group& group, std::uint64_t seed, const std::vector<Operation>& operations,
         const std::vector<TimedInput>& inputs)
       : group_(group),
         workspace_(input_of(row_named(group.entries.front().name, operations, inputs))) {
-    for (const Entry& entry : group.entries) {
-      calls_.try_emplace(entry.name, row_named(entry.name, operations, inputs), workspace_.source(),
+    for (const std::size_t i : shuffled(group.entries.size(), seed)) {
+      const std::string& name = group.entries[i].name;
+      gaps_.push_back(make_aligned<std::uint8_t>(kAlignment * (splitmix64(seed, i) % 64)));
+      calls_.try_emplace(name, row_named(name, operations, inputs), workspace_.source(),
                          workspace_.destination());
     }
   }
@@ -73,6 +75,9 @@ class Calls {
 
   const Group& group_;
   Workspace workspace_;
+  /// Between the memory of rows: without them it would lie at the same place of a page in every
+  /// process, and by chance at a good or a bad one.
+  std::vector<AlignedArray<std::uint8_t>> gaps_;
   std::map<std::string, TimedCall> calls_;
   std::set<std::size_t> checked_;
 };
@@ -94,9 +99,9 @@ void measure(const Order& order, std::uint64_t seed, const std::vector<Operation
   const std::vector<TimedInput> inputs = timed_inputs({order.pictures, 0});
   for (const std::size_t index : shuffled(order.groups.size(), seed)) {
     const Group& group = order.groups[index];
-    Calls calls(group, operations, inputs);
-    const auto visit = [&](std::size_t entry) { return calls.visit(entry); };
     const std::uint64_t group_seed = splitmix64(seed, index);
+    Calls calls(group, group_seed, operations, inputs);
+    const auto visit = [&](std::size_t entry) { return calls.visit(entry); };
     answer(to_line({index, measure_rounds(group, group_seed, visit), calls.layout()}));
   }
 }
