@@ -88,6 +88,7 @@ std::vector<std::vector<GroupTimes>> measured(const Order& order, int processes,
             << " processes, about " << std::lround(seconds) << " s\n";
   Progress progress("measuring", seconds);
   std::vector<std::vector<GroupTimes>> result;
+  result.reserve(static_cast<std::size_t>(processes));
   for (int process = 0; process < processes; ++process) {
     result.push_back(
         measured_by_one(order, static_cast<std::uint64_t>(process), measurer, progress));

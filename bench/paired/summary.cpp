@@ -96,6 +96,7 @@ std::vector<PairResult> results_of(const std::vector<Group>& groups,
   std::vector<PairResult> results;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     std::vector<const GroupTimes*> of_group;
+    of_group.reserve(processes.size());
     for (const std::vector<GroupTimes>& process : processes) of_group.push_back(&process.at(i));
     std::vector<PairResult> of_pairs;
     for (const Pair& pair : groups[i].pairs) {
