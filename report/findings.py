@@ -68,7 +68,22 @@ def main_sentence(findings: list[Finding]) -> str:
               key=lambda row: row.speedup)
     return (f"Fastest: {top.name.variant_label} runs {top.name.operation} on {top.name.input} in "
             f"{duration(top.median_ns)} {_scope_words(top)}, {three_digits(top.speedup)} times as "
-            f"fast as the scalar reference ({duration(top.reference_ns)}).")
+            f"fast as the scalar reference ({duration(top.reference_ns)}){_interval_words(top)}.")
+
+
+def speedup_sentence(study: Study) -> str:
+    """How the speed-ups were measured."""
+    rows = [row for row in study.rows if not row.name.is_reference]
+    paired = [row.paired for row in rows if row.paired]
+    if not paired:
+        return ("Speed-ups are ratios of medians: this run has no speedups.csv, so no intervals "
+                "are known.")
+    doubtful = sum(ratio.is_inconclusive for ratio in paired)
+    controls = "all controls passed" if not doubtful else (
+        f"{doubtful} are inconclusive, as a control failed")
+    return (f"Speed-ups of {len(paired)} of {len(rows)} rows were measured in pairs by "
+            f"{max(ratio.processes for ratio in paired)} processes, {controls}; the others are "
+            "ratios of medians.")
 
 
 def noise_sentence(noise: Noise) -> str:
@@ -101,6 +116,12 @@ def _place_in_headline(row: Row) -> int:
     wanted = (operation == PAPER_THINNING, operation.startswith("thin_"),
               not operation.startswith("net_"))
     return wanted.index(True) if True in wanted else len(wanted)
+
+
+def _interval_words(row: Row) -> str:
+    if row.paired is None:
+        return ""
+    return f", interval {three_digits(row.paired.low)} to {three_digits(row.paired.high)}"
 
 
 def _scope_words(row: Row) -> str:

@@ -15,7 +15,7 @@ from PIL import Image
 from report import formatting
 from report.errors import ReportError
 from report.experiment_layout import TITLE, Table
-from report.findings import find, main_sentence, noise_of, noise_sentence
+from report.findings import find, main_sentence, noise_of, noise_sentence, speedup_sentence
 from report.model import NOISY_PERCENT, Study, input_order
 from report.plot_style import CARD, GRID, INK, MUTED, Plot
 
@@ -71,7 +71,8 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table]) -> str:
     findings = find(study)
     return _environment().get_template("page.html.j2").render(
         study=study, findings=findings, main_sentence=main_sentence(findings),
-        noise_sentence=noise_sentence(noise_of(study)), pictures=_pictures(study, room),
+        noise_sentence=noise_sentence(noise_of(study)),
+        speedup_sentence=speedup_sentence(study), pictures=_pictures(study, room),
         figures=[_figure(plot, number, room) for number, plot in enumerate(plots)],
         experiments_title=TITLE,
         experiments=[(table, table.plot and _figure(table.plot, len(plots) + number, room))
@@ -83,7 +84,7 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table]) -> str:
 def _environment() -> Environment:
     environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    filters = (formatting.microseconds, formatting.times, formatting.percent,
+    filters = (formatting.microseconds, formatting.times, formatting.percent, formatting.speedup_text,
                formatting.scope_label, formatting.duration, formatting.kibibytes)
     environment.filters.update({function.__name__: function for function in filters})
     return environment
