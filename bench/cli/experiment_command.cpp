@@ -4,6 +4,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "experiments/cluster_runs.hpp"
 #include "experiments/edge_quality.hpp"
 #include "experiments/hidden_neurons.hpp"
 #include "experiments/literal_holes.hpp"
@@ -46,6 +47,10 @@ ExperimentReport edge_quality(const ExperimentOptions& options, const Console&) 
 
 ExperimentReport literal_holes(const ExperimentOptions&, const Console&) {
   return literal_holes_report(run_literal_holes());
+}
+
+ExperimentReport cluster_runs(const ExperimentOptions&, const Console&) {
+  return cluster_runs_report(run_cluster_runs());
 }
 
 ExperimentReport quantisation(const ExperimentOptions&, const Console&) {
@@ -138,6 +143,8 @@ Command add_experiment_command(CLI::App& program) {
   const AddedExperiment literal =
       add(*app, "literal-holes", "On which pictures the printed relabelling scan counts right",
           &literal_holes);
+  const AddedExperiment cluster =
+      add(*app, "cluster-runs", "How many single-layer nets the rule needs", &cluster_runs);
   const AddedExperiment fixed_point = add(
       *app, "quantisation", "Table 1 in fixed point: how many bits keep it right", &quantisation);
   const AddedExperiment hidden =
@@ -157,8 +164,8 @@ Command add_experiment_command(CLI::App& program) {
       ->type_name("DIR");
   return {app,
           {},
-          {edges.command, literal.command, fixed_point.command, hidden.command, skeletons.command,
-           counts.command, times.command}};
+          {edges.command, literal.command, cluster.command, fixed_point.command, hidden.command,
+           skeletons.command, counts.command, times.command}};
 }
 
 }  // namespace thinbench

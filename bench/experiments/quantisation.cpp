@@ -59,8 +59,14 @@ std::vector<QuantisationRow> run_quantisation() {
 }
 
 ExperimentReport quantisation_report(const std::vector<QuantisationRow>& rows) {
-  nlohmann::ordered_json json = {{"descriptors", kDescriptors},
-                                 {"rows", nlohmann::ordered_json::array()}};
+  const StayTable rule = stay_table_of_rule();
+  const HiddenLayerNet printed = to_net(kPaperTwoLayer);
+  nlohmann::ordered_json json = {
+      {"descriptors", kDescriptors},
+      {"as_printed",
+       {{"right_sigmoid", agreement(table_of(printed, Activation::kSigmoid), rule)},
+        {"right_linear", agreement(table_of(printed, Activation::kLinear), rule)}}},
+      {"rows", nlohmann::ordered_json::array()}};
   std::vector<std::vector<std::string>> cells;
   for (const QuantisationRow& row : rows) {
     json["rows"].push_back({{"weights", name_of(row.way)},

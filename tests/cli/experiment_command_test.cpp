@@ -21,7 +21,8 @@ TEST(ExperimentCommand, prints_a_table_and_writes_the_data) {
 }
 
 TEST(ExperimentCommand, every_experiment_prints_a_table) {
-  for (const char* name : {"literal-holes", "quantisation", "operation-counts", "table-2"}) {
+  for (const char* name :
+       {"cluster-runs", "literal-holes", "quantisation", "operation-counts", "table-2"}) {
     EXPECT_NE(run_with({"experiment", name}).out.find("| --- |"), std::string::npos) << name;
   }
   const ProgramRun ran = run_with({"experiment", "hidden-neurons", "--quick"});

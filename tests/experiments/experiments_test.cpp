@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "experiments/cluster_runs.hpp"
 #include "experiments/edge_quality.hpp"
 #include "experiments/hidden_neurons.hpp"
 #include "experiments/literal_holes.hpp"
@@ -66,6 +67,16 @@ TEST(HiddenNeurons, quick_run_learns_with_ten_but_not_with_two) {
   EXPECT_EQ(rows[1].best, 256);
   EXPECT_EQ(fewest_hidden_neurons(rows), 10);
   EXPECT_EQ(reports, 2);
+}
+
+TEST(ClusterRuns, rule_needs_the_papers_twelve_nets) {
+  const std::vector<TrainedRun> runs = run_cluster_runs();
+  ASSERT_EQ(runs.size(), 12U);
+  EXPECT_EQ(runs.front().run.first, 0);
+  EXPECT_EQ(runs.back().run.last, 255);
+  const Json json = Json::parse(cluster_runs_report(runs).json);
+  EXPECT_EQ(json.at("nets"), 12);
+  EXPECT_EQ(json.at("rows").size(), 12U);
 }
 
 TEST(OperationCounts, rule_takes_the_papers_40_logical_and_3_arithmetic_operations) {
@@ -212,6 +223,7 @@ TEST(ExperimentReports, numbers_of_the_tables_stand_in_the_files) {
   EXPECT_EQ(counts.at("/methods/0/sums/logical"_json_pointer), 40);
   EXPECT_EQ(counts.at("/methods/4/sums/arithmetic"_json_pointer), 39);
   const Json quantisation = Json::parse(quantisation_report(run_quantisation()).json);
+  EXPECT_EQ(quantisation.at("/as_printed/right_linear"_json_pointer), 256);
   EXPECT_EQ(quantisation.at("/rows/0/right_sigmoid"_json_pointer), 251);
   const Json hidden = Json::parse(
       hidden_neurons_report({{7, 9, 250, 240, 0, 0}, {8, 9, 256, 256, 5, 200}}, {}).json);
