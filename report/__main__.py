@@ -1,4 +1,4 @@
-"""The command line: `python3 -m report build DIR`."""
+"""The command line: `python3 -m report build DIR` and `python3 -m report claims DIR`."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import io
 import sys
 from pathlib import Path
 
-from report.build import build
+from report.build import build, claims_text
 from report.errors import ReportError
 
 EXAMPLE = """example:
@@ -16,7 +16,7 @@ EXAMPLE = """example:
 DIR must hold timings.json, machine.json and rows.json. Written beside them:
 timings.csv, timings.md, plots/*.svg, plots/*.png and index.html, a page that
 needs no network. If DIR/experiments holds JSON files of the paper's experiments,
-the page shows them too and experiments.md is written. A summary goes to
+the page shows them too and experiments.md and claims.md are written. A summary goes to
 standard output. Exit status: 0 done, 1 the data was refused (one line on
 standard error says why), 2 wrong usage.
 """
@@ -32,6 +32,12 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         "build", help="write tables, plots and page", description="Writes tables, plots and page.",
         epilog=EXAMPLE, formatter_class=argparse.RawDescriptionHelpFormatter)
     command.add_argument("directory", metavar="DIR", type=Path, help="the files of one run")
+    command.set_defaults(work=build)
+    command = commands.add_parser(
+        "claims", help="print the paper's claims, judged", description="Prints the paper's claims "
+        "with what this run says of them, as Markdown; report/CLAIMS.md is made so.")
+    command.add_argument("directory", metavar="DIR", type=Path, help="the files of one run")
+    command.set_defaults(work=claims_text)
     return parser.parse_args(arguments)
 
 
@@ -39,7 +45,7 @@ def main(arguments: list[str]) -> int:
     """Runs the command and returns the exit status."""
     options = parse(arguments)
     try:
-        print(build(options.directory))
+        print(options.work(options.directory).rstrip("\n"))
     except ReportError as error:
         print(f"report: {error}", file=sys.stderr)
         return 1

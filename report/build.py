@@ -6,17 +6,21 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
+from report.claims import Claim, judge
+from report.claims import to_markdown as to_claims_markdown
 from report.errors import ReportError
 from report.experiment_layout import to_experiments_markdown
 from report.experiment_tables import make_tables
 from report.experiments import load_experiments
 from report.loading import load_study
+from report.model import Study
 from report.page import to_html
 from report.plots import make_plots
 from report.summary import to_text
 from report.tables import to_csv, to_markdown
 
 PAGE, CSV, MARKDOWN, EXPERIMENTS = "index.html", "timings.csv", "timings.md", "experiments.md"
+CLAIMS = "claims.md"
 
 
 def build(directory: Path) -> str:
@@ -26,7 +30,9 @@ def build(directory: Path) -> str:
     name before all of them are complete.
     """
     study = load_study(directory)
-    tables = make_tables(study, load_experiments(directory))
+    experiments = load_experiments(directory)
+    tables = make_tables(study, experiments)
+    claims = judge(study, experiments)
     plots = make_plots(study)
     outputs: dict[str, bytes] = {}
     for plot in [*plots, *(table.plot for table in tables if table.plot)]:
@@ -36,10 +42,24 @@ def build(directory: Path) -> str:
     outputs[MARKDOWN] = to_markdown(study).encode()
     if tables:
         outputs[EXPERIMENTS] = to_experiments_markdown(tables).encode()
-    outputs[PAGE] = to_html(study, plots, tables).encode()
+    outputs[CLAIMS] = to_markdown_claims(claims, study).encode()
+    outputs[PAGE] = to_html(study, plots, tables, claims).encode()
     summary = to_text(study)
     _write_all(directory, outputs)
     return f"{summary}\nPage: {directory / PAGE}\nCSV:  {directory / CSV}"
+
+
+def claims_text(directory: Path) -> str:
+    """The judged claims of the run in `directory`, as Markdown."""
+    study = load_study(directory)
+    return to_markdown_claims(judge(study, load_experiments(directory)), study)
+
+
+def to_markdown_claims(claims: list[Claim], study: Study) -> str:
+    """The claims, under a line that says which run they come from."""
+    machine = study.machine
+    return to_claims_markdown(claims, f"Run of commit {machine.commit} on {machine.cpu_name} "
+                                      f"({machine.fingerprint}).")
 
 
 def _write_all(directory: Path, outputs: dict[str, bytes]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
+from report.cluster_runs import cluster_runs_table
 from report.experiment_layout import Table, columns, counted
 from report.experiments import (KINDS, Counted, EdgeQuality, Experiments, FixedPoint, HiddenNeurons,
                                 OperationCounts, Quantisation, Trained)
@@ -29,6 +30,8 @@ def make_tables(study: Study, experiments: Experiments) -> list[Table]:
         tables += make_quality_tables(experiments.quality, study.directory)
     if experiments.table_two:
         tables.append(make_table_two(study, experiments.table_two))
+    if experiments.cluster_runs:
+        tables.append(cluster_runs_table(experiments.cluster_runs))
     if experiments.quantisation:
         tables.append(_quantisation(experiments.quantisation))
     if experiments.hidden_neurons:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
+from report.cluster_runs import ClusterRuns, parse_cluster_runs
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
 from report.literal_holes import LiteralHoles, parse_literal_holes
@@ -57,6 +58,8 @@ class Quantisation:
     command: str
     descriptors: int
     rows: tuple[FixedPoint, ...]
+    as_printed: dict[str, int]
+    """With the weights of Table 1 themselves, by the activation's name; empty in older files."""
 
 
 @dataclass(frozen=True)
@@ -150,6 +153,7 @@ class Experiments:
     edge_quality: EdgeQuality | None = None
     quality: Quality | None = None
     literal_holes: LiteralHoles | None = None
+    cluster_runs: ClusterRuns | None = None
 
 
 def load_experiments(directory: Path) -> Experiments:
@@ -160,7 +164,8 @@ def load_experiments(directory: Path) -> Experiments:
                        _load(directory, "operation-counts", _operation_counts),
                        _load(directory, "edge-quality", _edge_quality),
                        _load(directory, "quality", parse_quality),
-                       _load(directory, "literal-holes", parse_literal_holes))
+                       _load(directory, "literal-holes", parse_literal_holes),
+                       _load(directory, "cluster-runs", parse_cluster_runs))
 
 
 def _load(directory: Path, name: str, parse: Callable[[Fields], Loaded]) -> Loaded | None:
@@ -196,12 +201,16 @@ def _table_two(fields: Fields) -> TableTwo:
 
 def _quantisation(fields: Fields) -> Quantisation:
     total = fields.count("descriptors", 1)
-    rows = tuple(FixedPoint(row.text("weights"), row.count("fractional_bits"),
-                            {"sigmoid": _count_to(row, "right_sigmoid", total),
-                             "linear threshold": _count_to(row, "right_linear", total)},
+    rows = tuple(FixedPoint(row.text("weights"), row.count("fractional_bits"), _right(row, total),
                             row.count("largest_integer"))
                  for row in fields.some("rows"))
-    return Quantisation(fields.text("command"), total, rows)
+    printed = _right(fields.child("as_printed"), total) if fields.has("as_printed") else {}
+    return Quantisation(fields.text("command"), total, rows, printed)
+
+
+def _right(fields: Fields, total: int) -> dict[str, int]:
+    return {"sigmoid": _count_to(fields, "right_sigmoid", total),
+            "linear threshold": _count_to(fields, "right_linear", total)}
 
 
 def _hidden_neurons(fields: Fields) -> HiddenNeurons:

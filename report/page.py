@@ -13,6 +13,7 @@ from markupsafe import Markup
 from PIL import Image
 
 from report import formatting
+from report.claims.claim import Claim, to_table
 from report.errors import ReportError
 from report.experiment_layout import TITLE, Table
 from report.findings import find, main_sentence, noise_of, noise_sentence, speedup_sentence
@@ -64,7 +65,7 @@ class Room:
         return fits
 
 
-def to_html(study: Study, plots: list[Plot], tables: list[Table]) -> str:
+def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[Claim]) -> str:
     """The finished page; `tables` are of the paper's experiments."""
     cells = sum(len(row) for table in tables for row in table.rows)
     room = Room(PAGE_BYTES - FIXED_BYTES - ROW_BYTES * len(study.rows) - CELL_BYTES * cells)
@@ -74,7 +75,7 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table]) -> str:
         noise_sentence=noise_sentence(noise_of(study)),
         speedup_sentence=speedup_sentence(study), pictures=_pictures(study, room),
         figures=[_figure(plot, number, room) for number, plot in enumerate(plots)],
-        experiments_title=TITLE,
+        claims=to_table(claims), experiments_title=TITLE,
         experiments=[(table, table.plot and _figure(table.plot, len(plots) + number, room))
                      for number, table in enumerate(tables)],
         noisy_percent=NOISY_PERCENT, nothing=formatting.NOTHING,

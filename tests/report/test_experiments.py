@@ -118,7 +118,7 @@ def test_plot_is_on_the_page_and_the_same_every_time(full):
 def test_run_without_experiments_has_no_such_section(run):
     build(run.write())
     page = (run.directory / "index.html").read_text()
-    assert TITLE not in page and "experiment" not in page
+    assert TITLE not in page and 'id="experiments"' not in page
     assert not (run.directory / "experiments.md").exists()
 
 

@@ -210,4 +210,4 @@ def test_peers_are_shown_but_never_the_fastest(run):
     build(run.directory)
     page, text = ((run.directory / name).read_text() for name in ("index.html", "timings.md"))
     assert 'opencv <span class="flag">peer</span>' in page and "| opencv (peer) |" in text
-    assert "OpenCV, 1 thread" in to_html(study, [], [])
+    assert "OpenCV, 1 thread" in to_html(study, [], [], [])
