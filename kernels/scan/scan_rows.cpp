@@ -12,11 +12,22 @@ constexpr ThinningVariant packed(bool threaded) {
   return {kSimdBitpacked, isa, threaded, kAnyWidth, &IsaScan<isa>::kSimdBitpacked};
 }
 
+template <Isa isa>
+constexpr ThinningVariant autovec() {
+  return {kAutovec, isa, kOneThread, kAnyWidth, &IsaScan<isa>::kAutovec};
+}
+
 constexpr ThinningVariant scalar(bool threaded) {
   return {kBitpacked, Isa::kBaseline, threaded, kAnyWidth, &ScalarScan::kBitpacked};
 }
 
+// No look-up table: what makes a centre may lie as far away as the run is long.
 constexpr std::array kRows = {
+    autovec<Isa::kBaseline>(),
+    autovec<Isa::kSse42>(),
+    autovec<Isa::kAvx2>(),
+    autovec<Isa::kAvx512>(),
+    autovec<Isa::kAvx512Icl>(),
     scalar(kOneThread),
     scalar(kThreaded),
     packed<Isa::kBaseline>(kOneThread),

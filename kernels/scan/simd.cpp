@@ -7,8 +7,8 @@
 namespace thinbench {
 
 #ifdef __AVX512F__
-// Two permutations, two shifts and an OR. Through a ring in memory a diagonal of the test image
-// took 1.26 times as long.
+// Two permutations and a funnel shift (without VBMI2 two shifts and an OR). Through a ring in
+// memory a diagonal of the test image took 1.26 times as long.
 template <>
 struct RegisterTurn<WordBatch> {
   static constexpr bool kAvailable = true;
@@ -19,9 +19,14 @@ struct RegisterTurn<WordBatch> {
     const __m512i here = _mm512_sub_epi64(lanes, _mm512_set1_epi64(pixels / kWordBits));
     const __m512i before = _mm512_sub_epi64(here, _mm512_set1_epi64(1));
     const __m512i up = _mm512_set1_epi64(pixels % kWordBits);
+    const __m512i high = _mm512_permutexvar_epi64(here, row);
+    const __m512i low = _mm512_permutexvar_epi64(before, row);
+#ifdef __AVX512VBMI2__
+    return _mm512_shldv_epi64(high, low, up);
+#else
     const __m512i down = _mm512_sub_epi64(_mm512_set1_epi64(kWordBits), up);  // 64 gives 0
-    return _mm512_or_si512(_mm512_sllv_epi64(_mm512_permutexvar_epi64(here, row), up),
-                           _mm512_srlv_epi64(_mm512_permutexvar_epi64(before, row), down));
+    return _mm512_or_si512(_mm512_sllv_epi64(high, up), _mm512_srlv_epi64(low, down));
+#endif
   }
 };
 #endif

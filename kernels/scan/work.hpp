@@ -4,6 +4,7 @@
 #include "core/isa.hpp"
 #include "core/views.hpp"
 #include "scan/directions.hpp"
+#include "thinning/image_kernel.hpp"
 
 namespace thinbench {
 
@@ -77,6 +78,7 @@ struct ScalarScan {
 template <Isa isa>
 struct IsaScan {
   static const ScanKernels kSimdBitpacked;
+  static const ImageKernel<std::uint8_t> kAutovec;
 };
 
 }  // namespace thinbench
