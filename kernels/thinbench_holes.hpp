@@ -10,7 +10,7 @@
 namespace thinbench {
 
 /// The variant that fits the wish. Throws std::invalid_argument, naming what is wrong and what
-/// there is, where none does.
+/// there is instead, where none does.
 [[nodiscard]] const HolesVariant& choose_variant(const HolesOperation& operation, Index width,
                                                  const VariantWish& wish = {});
 

@@ -1,7 +1,10 @@
 #include "picture/overlay.hpp"
 
+#include <algorithm>
+
 #include <opencv2/imgproc.hpp>
 
+#include "picture/mat_of.hpp"
 #include "picture/picture.hpp"
 #include "picture/write_mat.hpp"
 
@@ -11,12 +14,6 @@ namespace {
 // Blue, green, red.
 const cv::Scalar kObjectColour(0, 170, 0);
 const cv::Scalar kHoleColour(40, 40, 255);
-
-/// OpenCV only reads the pixels, but has no view of constant ones.
-cv::Mat mat_of(const ConstByteView& view) {
-  return {static_cast<int>(view.height), static_cast<int>(view.width), CV_8UC1,
-          const_cast<std::uint8_t*>(view.data), static_cast<std::size_t>(view.stride)};
-}
 
 void draw_outlines(cv::Mat& picture, const ConstByteView& objects) {
   std::vector<std::vector<cv::Point>> contours;
@@ -28,14 +25,61 @@ void draw_outlines(cv::Mat& picture, const ConstByteView& objects) {
   }
 }
 
-void draw_centres(cv::Mat& picture, const std::vector<Region>& regions, const cv::Scalar& colour) {
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const cv::Point centre(cvRound(regions[i].centre_x()), cvRound(regions[i].centre_y()));
-    constexpr int cross = 5;
-    cv::drawMarker(picture, centre, colour, cv::MARKER_CROSS, cross);
-    constexpr double font_scale = 0.35;
-    cv::putText(picture, std::to_string(i + 1), centre + cv::Point(3, -3), cv::FONT_HERSHEY_SIMPLEX,
-                font_scale, colour, 1, cv::LINE_AA);
+constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+constexpr double kFontScale = 0.35;
+
+cv::Rect box_of(const Region& region) {
+  return {region.left, region.top, region.right - region.left + 1, region.bottom - region.top + 1};
+}
+
+cv::Point centre_of(const Region& region) {
+  return {cvRound(region.centre_x()), cvRound(region.centre_y())};
+}
+
+/// The number of a region; `place` is the lower left corner of its text.
+struct Label {
+  std::string text;
+  cv::Size size;
+
+  explicit Label(std::size_t id)
+      : text(std::to_string(id)), size(cv::getTextSize(text, kFont, kFontScale, 1, nullptr)) {}
+
+  [[nodiscard]] bool fits(const cv::Rect& box) const {
+    return size.width < box.width && size.height < box.height;
+  }
+  /// Moved so far that all of it lies in the picture.
+  void draw(cv::Mat& picture, cv::Point place, const cv::Scalar& colour) const {
+    place.x = std::clamp(place.x, 0, std::max(0, picture.cols - size.width));
+    place.y = std::clamp(place.y, size.height, std::max(size.height, picture.rows - 1));
+    cv::putText(picture, text, place, kFont, kFontScale, colour, 1, cv::LINE_AA);
+  }
+};
+
+/// A cross, or a point where a cross would hide the region.
+void draw_centre(cv::Mat& picture, const Region& region, const cv::Scalar& colour) {
+  constexpr int cross = 5;
+  const cv::Rect box = box_of(region);
+  const bool is_large = std::min(box.width, box.height) > 2 * cross;
+  cv::drawMarker(picture, centre_of(region), colour, cv::MARKER_CROSS, is_large ? cross : 1);
+}
+
+/// Numbers of objects stand at the upper left corner of their box, where no hole's can be.
+void draw_objects(cv::Mat& picture, const std::vector<Region>& objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    draw_centre(picture, objects[i], kObjectColour);
+    const Label label(i + 1);
+    const cv::Rect box = box_of(objects[i]);
+    if (label.fits(box)) label.draw(picture, box.tl() - cv::Point(0, 2), kObjectColour);
+  }
+}
+
+/// Those of holes stand beside the centre.
+void draw_holes(cv::Mat& picture, const std::vector<Region>& holes) {
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    draw_centre(picture, holes[i], kHoleColour);
+    const Label label(i + 1);
+    if (!label.fits(box_of(holes[i]))) continue;
+    label.draw(picture, centre_of(holes[i]) + cv::Point(3, -3), kHoleColour);
   }
 }
 
@@ -47,8 +91,8 @@ void write_overlay(const std::string& path, const ConstByteView& grey, const Con
   cv::Mat picture;
   cv::cvtColor(mat_of(grey), picture, cv::COLOR_GRAY2BGR);
   draw_outlines(picture, objects);
-  draw_centres(picture, found.objects, kObjectColour);
-  draw_centres(picture, found.holes, kHoleColour);
+  draw_objects(picture, found.objects);
+  draw_holes(picture, found.holes);
   write_mat(path, picture);
 }
 

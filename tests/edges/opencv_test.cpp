@@ -1,16 +1,15 @@
 // The references against OpenCV's filters with kernels written down here: another implementation of
 // the same formulae. Pictures of one's own join in by THINBENCH_TEST_IMAGES, a folder.
-#include <cstdlib>
-#include <filesystem>
-
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "harness/edges_family.hpp"
 #include "harness/grey_images.hpp"
+#include "picture/mat_of.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
+#include "support/given_pictures.hpp"
 
 namespace thinbench {
 namespace {
@@ -48,15 +47,10 @@ Kernels kernels_of(const std::string& operation) {
       12};
 }
 
-cv::Mat mat_of(ByteImage& image) {
-  return {static_cast<int>(image.height()), static_cast<int>(image.width()), CV_8U,
-          image.view().data, static_cast<std::size_t>(image.view().stride)};
-}
-
 ByteImage edges_by_opencv(const std::string& operation, ByteImage& image,
                           const EdgeThresholds& thresholds) {
   const Kernels kernels = kernels_of(operation);
-  const cv::Mat source = mat_of(image);
+  const cv::Mat source = mat_of(image.view());
   const auto filtered = [&](const cv::Mat& kernel) {
     cv::Mat result;
     cv::filter2D(source, result, CV_32F, kernel, {-1, -1}, 0, cv::BORDER_REPLICATE);
@@ -67,7 +61,7 @@ ByteImage edges_by_opencv(const std::string& operation, ByteImage& image,
   cv::dilate(source, brightest, cv::Mat());
   ByteImage result(image.width(), image.height());
   cv::Mat edges = (magnitude > thresholds.p1 * kernels.scale) & (brightest > thresholds.p2);
-  edges.copyTo(mat_of(result));
+  edges.copyTo(mat_of(result.view()));
   return result;
 }
 
@@ -98,13 +92,11 @@ TEST_P(EdgesAgainstOpenCv, equal_on_noise_of_odd_sizes) {
 }
 
 TEST_P(EdgesAgainstOpenCv, equal_on_given_pictures) {
-  const char* folder = std::getenv("THINBENCH_TEST_IMAGES");
-  if (folder == nullptr) GTEST_SKIP() << "THINBENCH_TEST_IMAGES names no folder";
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string ending = entry.path().extension().string();
-    if (ending != ".png" && ending != ".jpg") continue;
-    ByteImage image = read_grey(entry.path().string());
-    expect_equal(image, entry.path().string());
+  const std::vector<std::string> paths = given_pictures();
+  if (paths.empty()) GTEST_SKIP() << "no pictures in " << folder_of_given_pictures();
+  for (const std::string& path : paths) {
+    ByteImage image = read_grey(path);
+    expect_equal(image, path);
   }
 }
 

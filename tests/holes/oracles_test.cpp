@@ -1,7 +1,6 @@
 // Oracles that share no code with the kernels: Euler's formula, OpenCV, the scene's true geometry.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include "harness/test_images.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
+#include "support/given_pictures.hpp"
 #include "thinbench_holes.hpp"
 
 namespace thinbench {
@@ -186,9 +186,9 @@ TEST(HolesOracle, every_hole_of_the_noisy_scene_is_within_half_a_pixel) {
 }
 
 TEST(HolesOracle, plate_of_a_drawn_picture_has_exactly_seven_holes) {
-  const char* folder = std::getenv("THINBENCH_TEST_IMAGES");
-  if (folder == nullptr) GTEST_SKIP() << "THINBENCH_TEST_IMAGES names no folder of pictures";
-  const ByteImage grey = read_grey(std::string(folder) + "/pic1.png");
+  const std::filesystem::path path = folder_of_given_pictures() / "pic1.png";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
+  const ByteImage grey = read_grey(path.string());
   for (const int threshold : {64, 128, 200}) {
     const FoundHoles found = find_holes(threshold_dark(grey.view(), threshold).view());
     const auto of_plate = std::count_if(found.holes.begin(), found.holes.end(),
