@@ -19,6 +19,17 @@ namespace thinbench {
 /// else 0. The scale is the operator's own: a vertical step of height h reads h (Roberts 2, Prewitt
 /// 3, Sobel and Mero-Vassy 4, Mero-Vassy in 5 x 5 pixels 12). All in integers, nothing is rounded.
 ///
+/// gx and gy, by rows of the window ("/" between them):
+///   roberts4     1 0 / 0 -1               and  0 1 / -1 0, the pixel at the upper left
+///   roberts9     1 0 0 / 0 0 0 / 0 0 -1   and  0 0 1 / 0 0 0 / -1 0 0
+///   prewitt      -1 0 1 / -1 0 1 / -1 0 1 and  -1 -1 -1 / 0 0 0 / 1 1 1
+///   sobel        -1 0 1 / -2 0 2 / -1 0 1 and  -1 -2 -1 / 0 0 0 / 1 2 1
+///   mero_vassy   0 1 1 / -1 0 1 / -1 -1 0 and  -1 -1 0 / -1 0 1 / 0 1 1; in 5 x 5 pixels likewise
+///                the right less the left side of the falling and of the rising diagonal
+/// The paper names its operators and prints no masks. Chosen here: |gx| + |gy| as the magnitude;
+/// the corners of the window for Roberts' 9 points, of which there is no standard; and the split
+/// along both diagonals, as no text that quotes Mero and Vassy's masks was found.
+///
 /// Outside the image its outermost pixels go on, so that no edge arises at the frame by itself.
 /// Grey levels are as files hold them, 255 for white, and p2 asks for a bright background beside
 /// the edge: invert pictures of bright parts on dark ground first. Strides are bytes from row to

@@ -86,8 +86,7 @@ int find(const HolesCommandOptions& options, std::ostream& out) {
   wish.threads = options.threads;
   if (!options.overlay.empty()) check_colour_ending(options.overlay);
   const ByteImage grey = read_grey(options.in);
-  const HolesVariant& variant =
-      variant_for(*find_holes_operation("holes"), grey.width(), wish);
+  const HolesVariant& variant = variant_for(*find_holes_operation("holes"), grey.width(), wish);
   const ByteImage objects = objects_of(copy_of(grey.view()), options.threshold, options.invert);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.threads));

@@ -22,8 +22,7 @@ std::vector<Variant> copy_peers(const Operation& operation) {
   if (operation.takes != InputKind::kGrey) return {};
   return {peer_variant(
       "copy", "no operation: the same bytes copied",
-      [](Index, Index, int) { return std::make_unique<CopyJob>(); },
-      plain_copy())};
+      [](Index, Index, int) { return std::make_unique<CopyJob>(); }, plain_copy())};
 }
 
 }  // namespace thinbench

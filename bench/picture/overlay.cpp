@@ -1,6 +1,7 @@
 #include "picture/overlay.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <opencv2/imgproc.hpp>
 
@@ -15,14 +16,25 @@ namespace {
 const cv::Scalar kObjectColour(0, 170, 0);
 const cv::Scalar kHoleColour(40, 40, 255);
 
-void draw_outlines(cv::Mat& picture, const ConstByteView& objects) {
+bool comes_before(const cv::Point& a, const cv::Point& b) {
+  return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+}
+
+/// Draws all outlines and returns the first pixel of each object, in the order of their ids.
+std::vector<cv::Point> draw_outlines(cv::Mat& picture, const ConstByteView& objects) {
   std::vector<std::vector<cv::Point>> contours;
   std::vector<cv::Vec4i> hierarchy;
   cv::findContours(mat_of(objects), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+  std::vector<cv::Point> first_pixels;
   for (std::size_t i = 0; i < contours.size(); ++i) {
+    const auto& contour = contours[i];
     const bool is_hole = hierarchy[i][3] >= 0;
-    cv::polylines(picture, contours[i], true, is_hole ? kHoleColour : kObjectColour);
+    cv::polylines(picture, contour, true, is_hole ? kHoleColour : kObjectColour);
+    if (is_hole) continue;
+    first_pixels.push_back(*std::min_element(contour.begin(), contour.end(), comes_before));
   }
+  std::sort(first_pixels.begin(), first_pixels.end(), comes_before);
+  return first_pixels;
 }
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
@@ -36,24 +48,25 @@ cv::Point centre_of(const Region& region) {
   return {cvRound(region.centre_x()), cvRound(region.centre_y())};
 }
 
-/// The number of a region; `place` is the lower left corner of its text.
-struct Label {
-  std::string text;
-  cv::Size size;
+cv::Size size_of(const std::string& text) {
+  return cv::getTextSize(text, kFont, kFontScale, 1, nullptr);
+}
 
-  explicit Label(std::size_t id)
-      : text(std::to_string(id)), size(cv::getTextSize(text, kFont, kFontScale, 1, nullptr)) {}
+/// Whether a region is so large that numbers of its like leave the picture readable.
+bool is_numbered(const Region& region) {
+  const cv::Size digit = size_of("0");
+  const cv::Rect box = box_of(region);
+  return box.width > digit.width && box.height > digit.height;
+}
 
-  [[nodiscard]] bool fits(const cv::Rect& box) const {
-    return size.width < box.width && size.height < box.height;
-  }
-  /// Moved so far that all of it lies in the picture.
-  void draw(cv::Mat& picture, cv::Point place, const cv::Scalar& colour) const {
-    place.x = std::clamp(place.x, 0, std::max(0, picture.cols - size.width));
-    place.y = std::clamp(place.y, size.height, std::max(size.height, picture.rows - 1));
-    cv::putText(picture, text, place, kFont, kFontScale, colour, 1, cv::LINE_AA);
-  }
-};
+/// Writes an id with its lower left corner at `place`, moved so far that all lies in the picture.
+void write_id(cv::Mat& picture, std::size_t id, cv::Point place, const cv::Scalar& colour) {
+  const std::string text = std::to_string(id);
+  const cv::Size size = size_of(text);
+  place.x = std::clamp(place.x, 0, std::max(0, picture.cols - size.width));
+  place.y = std::clamp(place.y, size.height, std::max(size.height, picture.rows - 1));
+  cv::putText(picture, text, place, kFont, kFontScale, colour, 1, cv::LINE_AA);
+}
 
 /// A cross, or a point where a cross would hide the region.
 void draw_centre(cv::Mat& picture, const Region& region, const cv::Scalar& colour) {
@@ -63,13 +76,13 @@ void draw_centre(cv::Mat& picture, const Region& region, const cv::Scalar& colou
   cv::drawMarker(picture, centre_of(region), colour, cv::MARKER_CROSS, is_large ? cross : 1);
 }
 
-/// Numbers of objects stand at the upper left corner of their box, where no hole's can be.
-void draw_objects(cv::Mat& picture, const std::vector<Region>& objects) {
+/// Numbers of objects stand above their first pixels, where no hole of theirs is.
+void draw_objects(cv::Mat& picture, const std::vector<Region>& objects,
+                  const std::vector<cv::Point>& first_pixels) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     draw_centre(picture, objects[i], kObjectColour);
-    const Label label(i + 1);
-    const cv::Rect box = box_of(objects[i]);
-    if (label.fits(box)) label.draw(picture, box.tl() - cv::Point(0, 2), kObjectColour);
+    if (!is_numbered(objects[i])) continue;
+    write_id(picture, i + 1, first_pixels[i] - cv::Point(0, 2), kObjectColour);
   }
 }
 
@@ -77,9 +90,8 @@ void draw_objects(cv::Mat& picture, const std::vector<Region>& objects) {
 void draw_holes(cv::Mat& picture, const std::vector<Region>& holes) {
   for (std::size_t i = 0; i < holes.size(); ++i) {
     draw_centre(picture, holes[i], kHoleColour);
-    const Label label(i + 1);
-    if (!label.fits(box_of(holes[i]))) continue;
-    label.draw(picture, centre_of(holes[i]) + cv::Point(3, -3), kHoleColour);
+    if (!is_numbered(holes[i])) continue;
+    write_id(picture, i + 1, centre_of(holes[i]) + cv::Point(3, -3), kHoleColour);
   }
 }
 
@@ -90,8 +102,8 @@ void write_overlay(const std::string& path, const ConstByteView& grey, const Con
   check_colour_ending(path);
   cv::Mat picture;
   cv::cvtColor(mat_of(grey), picture, cv::COLOR_GRAY2BGR);
-  draw_outlines(picture, objects);
-  draw_objects(picture, found.objects);
+  const std::vector<cv::Point> first_pixels = draw_outlines(picture, objects);
+  draw_objects(picture, found.objects, first_pixels);
   draw_holes(picture, found.holes);
   write_mat(path, picture);
 }

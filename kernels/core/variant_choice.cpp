@@ -51,7 +51,8 @@ std::string what_there_is(std::span<const VariantFacts> variants, const VariantW
   };
   if (std::none_of(variants.begin(), variants.end(), has_technique)) {
     const auto name_of = [](const VariantFacts& one) { return technique_name(one.technique); };
-    return "its techniques are " + names_of(variants, [](const auto&) { return true; }, name_of);
+    return "its techniques are " + names_of(
+                                       variants, [](const auto&) { return true; }, name_of);
   }
   const auto has_level = [&](const VariantFacts& one) {
     return has_technique(one) && one.isa == wish.isa.value_or(one.isa);

@@ -1,6 +1,7 @@
 #include "holes/label_store.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace thinbench {
 namespace {
@@ -48,7 +49,10 @@ void LabelStore::make_room(Index labels) {
   for (int colour = 0; colour < 2; ++colour) {
     const LabelTable& table = tables_.of_colour[colour];
     const Label needed = table.count + static_cast<Label>(labels) + 1;
-    if (needed > table.capacity) grow(colour, std::max(needed, 2 * table.capacity));
+    if (needed <= table.capacity) continue;
+    constexpr Label most = std::numeric_limits<Label>::max();
+    const Label doubled = table.capacity > most / 2 ? most : 2 * table.capacity;
+    grow(colour, std::max(needed, doubled));
   }
 }
 
