@@ -21,8 +21,8 @@ void check_regions_plan(const VariantFacts& variant, Index width, Index height, 
 class HolesPlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative, a side
-  /// is above 2^29 or the image above 2^32 pixels, or threads is not in [1, 1024]; std::bad_alloc
-  /// where memory is short.
+  /// is above 2^29 or the image above 2^32 pixels, or threads is not in [1, kMostThreads];
+  /// std::bad_alloc where memory is short.
   HolesPlan(const HolesOperation& operation, const HolesVariant& variant, Index width, Index height,
             int threads = 1);
 
