@@ -24,7 +24,7 @@ namespace thinbench::reference {
 ///
 /// Outside the image everything is light. `source`: 0 is light, anything else dark; `destination`:
 /// 0 and 255, same size, may be the source. Returns the number of scans, the last, which changed
-/// nothing, included. Topology is not kept: see NaccacheShinghal in kernels/thinning/rules.hpp.
+/// nothing, included. Topology is not kept: see kernels/thinning/rules/naccache_shinghal.hpp.
 int thin_naccache_shinghal(ConstByteView source, ByteView destination);
 
 /// Zhang and Suen's thinning (CACM 27(3), 1984): two sub-iterations a cycle. The neighbours p2 ...

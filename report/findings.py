@@ -9,10 +9,13 @@ from statistics import median
 from report.formatting import duration, percent, scope_label, three_digits
 from report.model import END_TO_END, KERNEL, NOISY_PERCENT, SCENE, Row, Study
 
+PAPER_THINNING = "thin_naccache_shinghal"
+
 
 @dataclass(frozen=True)
 class Finding:
-    """The reference and the fastest variants of one operation on one input."""
+    """The reference and the fastest variants of one operation on one input, and the peers in the
+    scope of the best."""
 
     operation: str
     input: str
@@ -51,20 +54,36 @@ def noise_of(study: Study) -> Noise:
 
 
 def main_sentence(findings: list[Finding]) -> str:
-    """What is fastest and by how much, for the rule (or else the net) that gains most on the scene.
+    """How fast the paper's thinning is now, or else, in this order, any thinning, any operation.
 
-    A net's reference is slow arithmetic, so its speed-ups are larger and say less.
+    A net's reference is slow arithmetic, so its speed-ups are larger and say less: nets come last.
     """
     rows = [finding.best for finding in findings if finding.best]
     rows = [row for row in rows if row.name.input == SCENE] or rows
     if not rows:
         return ("Only reference rows or the size sweep were timed, so no variant can be named "
                 "fastest.")
-    rows = [row for row in rows if not row.name.operation.startswith("net_")] or rows
-    top = max(rows, key=lambda row: row.speedup)
+    place = min(_place_in_headline(row) for row in rows)
+    top = max((row for row in rows if _place_in_headline(row) == place),
+              key=lambda row: row.speedup)
     return (f"Fastest: {top.name.variant_label} runs {top.name.operation} on {top.name.input} in "
             f"{duration(top.median_ns)} {_scope_words(top)}, {three_digits(top.speedup)} times as "
-            f"fast as the scalar reference ({duration(top.reference_ns)}).")
+            f"fast as the scalar reference ({duration(top.reference_ns)}){_interval_words(top)}.")
+
+
+def speedup_sentence(study: Study) -> str:
+    """How the speed-ups were measured."""
+    rows = [row for row in study.rows if not row.name.is_reference]
+    paired = [row.paired for row in rows if row.paired]
+    if not paired:
+        return ("Speed-ups are ratios of medians: this run has no speedups.csv, so no intervals "
+                "are known.")
+    doubtful = sum(ratio.is_inconclusive for ratio in paired)
+    controls = "all controls passed" if not doubtful else (
+        f"{doubtful} are inconclusive, as a control failed")
+    return (f"Speed-ups of {len(paired)} of {len(rows)} rows were measured in pairs by "
+            f"{max(ratio.processes for ratio in paired)} processes, {controls}; the others are "
+            "ratios of medians.")
 
 
 def noise_sentence(noise: Noise) -> str:
@@ -87,8 +106,22 @@ def _find_one(rows: list[Row], operation: str, input_name: str) -> Finding:
     best = {scope: fastest(row for row in variants if row.name.scope == scope)
             for scope in (END_TO_END, KERNEL)}
     reference = next(row for row in rows if row.name.is_reference)
-    return Finding(operation, input_name, reference, best[END_TO_END], best[KERNEL],
-                   tuple(row for row in rows if row.is_peer))
+    quoted = END_TO_END if best[END_TO_END] else KERNEL
+    peers = tuple(row for row in rows if row.is_peer and row.name.scope == quoted)
+    return Finding(operation, input_name, reference, best[END_TO_END], best[KERNEL], peers)
+
+
+def _place_in_headline(row: Row) -> int:
+    operation = row.name.operation
+    wanted = (operation == PAPER_THINNING, operation.startswith("thin_"),
+              not operation.startswith("net_"))
+    return wanted.index(True) if True in wanted else len(wanted)
+
+
+def _interval_words(row: Row) -> str:
+    if row.paired is None:
+        return ""
+    return f", interval {three_digits(row.paired.low)} to {three_digits(row.paired.high)}"
 
 
 def _scope_words(row: Row) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.model import END_TO_END
+from report.model import END_TO_END, Row
 
 NOTHING = "\N{EN DASH}"
 
@@ -21,6 +21,15 @@ def three_digits(value: float) -> str:
 def times(factor: float) -> str:
     """A speed-up, such as 38.1×."""
     return f"{three_digits(factor)}×"
+
+
+def speedup_text(row: Row) -> str:
+    """A speed-up with its interval where one was measured, such as 254× (251 to 258)."""
+    if row.paired is None:
+        return times(row.speedup)
+    interval = f"{three_digits(row.paired.low)} to {three_digits(row.paired.high)}"
+    doubt = ", inconclusive" if row.paired.is_inconclusive else ""
+    return f"{times(row.speedup)} ({interval}{doubt})"
 
 
 def percent(value: float | None) -> str:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import gzip
 import json
+import lzma
 import math
-import zlib
 from pathlib import Path
 from typing import Any
 
@@ -102,11 +101,11 @@ class Fields:
 
 
 def read_object(path: Path) -> Fields:
-    """Parses a file that holds one JSON object, or the same file packed by gzip beside it."""
-    packed = path.with_name(path.name + ".gz")
+    """Parses a file that holds one JSON object, or the same file packed by xz beside it."""
+    packed = path.with_name(path.name + ".xz")
     try:
         if not path.exists() and packed.exists():
-            text = gzip.decompress(packed.read_bytes()).decode("utf-8")
+            text = lzma.decompress(packed.read_bytes()).decode("utf-8")
         else:
             text = path.read_text(encoding="utf-8")
         return Fields(json.loads(text), str(path))
@@ -114,7 +113,7 @@ def read_object(path: Path) -> Fields:
         raise ReportError(f"{path}: no such file; a finished run leaves it here") from None
     except OSError as error:
         raise ReportError(f"{path}: cannot be read: {error.strerror}") from None
-    except (ValueError, RecursionError, EOFError, zlib.error) as error:
+    except (ValueError, RecursionError, EOFError, lzma.LZMAError) as error:
         raise ReportError(f"{path}: not complete JSON: {error}; run the benchmark again") from None
 
 

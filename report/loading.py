@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from report.errors import ReportError
 from report.json_fields import Fields, read_object
 from report.machine import load_machine, run_warnings
 from report.model import SCOPES, Input, Peer, Row, RowName, Skipped, Study, table_order
+from report.speedups import load_speedups
 
 NAME_FORM = "operation/technique/isa/threads/scope/input"
 NANOSECONDS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
@@ -29,7 +31,8 @@ def load_study(directory: Path) -> Study:
     rows_file.check_schema()
     _refuse_failures(rows_file)
     inputs = tuple(_load_input(fields) for fields in rows_file.children("inputs"))
-    rows = _load_rows(timings)
+    speedups = load_speedups(directory)
+    rows = [replace(row, paired=speedups.get(row.name)) for row in _load_rows(timings)]
     _check_sizes(rows, inputs)
     return Study(
         directory=directory, machine=machine, rows=tuple(sorted(rows, key=table_order)),

@@ -73,6 +73,22 @@ class RowName:
 
 
 @dataclass(frozen=True)
+class PairedRatio:
+    """A speed-up that was measured in pairs by several processes, with its interval."""
+
+    ratio: float
+    low: float
+    high: float
+    processes: int
+    flags: tuple[str, ...] = ()
+
+    @property
+    def is_inconclusive(self) -> bool:
+        """True if a control beside it failed: the ratio says nothing."""
+        return "inconclusive" in self.flags
+
+
+@dataclass(frozen=True)
 class Row:
     """All repetitions of one variant on one input, with the time they are compared to."""
 
@@ -84,6 +100,8 @@ class Row:
     reference_ns: float
     is_peer: bool = False
     """True for other people's code and for limits such as a copy: compared with, never quoted."""
+    paired: PairedRatio | None = None
+    """The speed-up as measured in pairs; rows of the size sweep have none."""
 
     @property
     def pixels(self) -> int:
@@ -107,7 +125,12 @@ class Row:
 
     @property
     def speedup(self) -> float:
-        """How many times as fast as the reference on the same operation and input."""
+        """How many times as fast as the reference on the same operation and input.
+
+        As measured in pairs where it was; else the ratio of two medians.
+        """
+        if self.paired:
+            return self.paired.ratio
         return self.reference_ns / self.median_ns
 
     @cached_property
@@ -201,9 +224,15 @@ class Study:
 
     @property
     def operations(self) -> list[str]:
-        """Every operation that was timed, rules before the nets that learn them."""
+        """Every operation that was timed: thinning first, nets that learn it last."""
         names = {row.name.operation for row in self.rows}
-        return sorted(names, key=lambda name: (name.startswith("net_"), name))
+        return sorted(names, key=lambda name: (name.startswith("net_"),
+                                               not name.startswith("thin_"), name))
+
+    @property
+    def has_pairs(self) -> bool:
+        """True if any speed-up was measured in pairs."""
+        return any(row.paired for row in self.rows)
 
     @property
     def pictures(self) -> list[str]:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import base64
+import io
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
+from PIL import Image
 
 from report import formatting
 from report.errors import ReportError
 from report.experiment_layout import TITLE, Table
-from report.findings import find, main_sentence, noise_of, noise_sentence
+from report.findings import find, main_sentence, noise_of, noise_sentence, speedup_sentence
 from report.model import NOISY_PERCENT, Study, input_order
 from report.plot_style import CARD, GRID, INK, MUTED, Plot
 
@@ -21,6 +23,9 @@ TEMPLATES = Path(__file__).parent / "templates"
 PAGE_BYTES = 2_900_000
 FIXED_BYTES, ROW_BYTES, CELL_BYTES = 70_000, 520, 90
 """The page stays below 3 MB: what texts and table rows leave is for pictures and plots."""
+
+LARGE_PICTURE = 100_000
+"""Bytes of a PNG file from which a JPEG stands for it on the page."""
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 THEME_VARIABLES = {INK: "--ink", MUTED: "--muted", GRID: "--line", CARD: "--card"}
@@ -66,7 +71,8 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table]) -> str:
     findings = find(study)
     return _environment().get_template("page.html.j2").render(
         study=study, findings=findings, main_sentence=main_sentence(findings),
-        noise_sentence=noise_sentence(noise_of(study)), pictures=_pictures(study, room),
+        noise_sentence=noise_sentence(noise_of(study)),
+        speedup_sentence=speedup_sentence(study), pictures=_pictures(study, room),
         figures=[_figure(plot, number, room) for number, plot in enumerate(plots)],
         experiments_title=TITLE,
         experiments=[(table, table.plot and _figure(table.plot, len(plots) + number, room))
@@ -78,7 +84,7 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table]) -> str:
 def _environment() -> Environment:
     environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    filters = (formatting.microseconds, formatting.times, formatting.percent,
+    filters = (formatting.microseconds, formatting.times, formatting.percent, formatting.speedup_text,
                formatting.scope_label, formatting.duration, formatting.kibibytes)
     environment.filters.update({function.__name__: function for function in filters})
     return environment
@@ -129,10 +135,21 @@ def _picture(study: Study, name: str, caption: str, size: tuple[int, int], room:
         raise ReportError(f"{path}: cannot be read: {error.strerror}") from None
     if not data.startswith(PNG_SIGNATURE):
         raise ReportError(f"{path}: starts with {data[:8]!r}; a PNG file is needed")
+    kind, data = _embedded(data)
     text = base64.b64encode(data).decode("ascii")
-    source = f"data:image/png;base64,{text}" if room.take(len(text)) else ""
+    source = f"data:image/{kind};base64,{text}" if room.take(len(text)) else ""
     alt = f"{caption}, a picture of {size[0]} by {size[1]} pixels"
     return Picture(_path(name), caption, alt, *size, source)
+
+
+def _embedded(png: bytes) -> tuple[str, bytes]:
+    """The picture as the page shows it: grey noise is large as PNG, so it becomes JPEG."""
+    if len(png) <= LARGE_PICTURE:
+        return "png", png
+    small = io.BytesIO()
+    with Image.open(io.BytesIO(png)) as picture:
+        picture.convert("L").save(small, format="jpeg", quality=85)
+    return "jpeg", small.getvalue()
 
 
 def _path(name: str) -> str:

@@ -113,13 +113,13 @@ def _draw_panel(axes: Axes, bars: list[Bar], scope: str) -> None:
             axes.axhline(bar.y - (1 + GROUP_GAP) / 2, color=GRID, linewidth=0.8)
         row = bar.rows.get(scope)
         if row is None:
-            _write(axes, 1, bar.y, f" {NOTHING}", color=MUTED)
+            _write(axes, 1, bar.y, f"\u00a0{NOTHING}", color=MUTED)
             continue
         colour, hatch = look_of(bar.isa)
         axes.barh(bar.y, row.speedup - 1, left=1, height=0.78, color=colour, hatch=hatch,
                   edgecolor=CARD, linewidth=0)
         note = times(row.speedup) + (" (noisy)" if row.is_noisy else "")
-        _write(axes, max(row.speedup, 1), bar.y, f" {note}", color=INK,
+        _write(axes, max(row.speedup, 1), bar.y, f"\u00a0{note}", color=INK,
                weight="bold" if row is best else "normal")
     axes.set_xlabel("times as fast as the reference")
 

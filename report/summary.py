@@ -5,12 +5,13 @@ from __future__ import annotations
 import textwrap
 from dataclasses import dataclass
 
-from report.findings import Finding, find, main_sentence, noise_of, noise_sentence
+from report.findings import (Finding, find, main_sentence, noise_of, noise_sentence,
+                             speedup_sentence)
 from report.formatting import NOTHING, microseconds, times
 from report.model import END_TO_END, KERNEL, Row, Study
 
 WIDTH = 100
-LEGEND = "* fastest   ~ noisy   times: median of the repetitions   x: speed-up over the reference"
+LEGEND = "* fastest   ~ noisy   times: median of the repetitions   x: speed-up   ? inconclusive"
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,8 @@ def to_text(study: Study) -> str:
     findings = find(study)
     blocks = [_block(study, finding) for finding in findings]
     notes = [LEGEND] if blocks else []
-    for sentence in (main_sentence(findings), noise_sentence(noise_of(study))):
+    for sentence in (main_sentence(findings), speedup_sentence(study),
+                     noise_sentence(noise_of(study))):
         notes += textwrap.wrap(sentence, WIDTH)
     if study.machine.run.is_partial:
         notes += textwrap.wrap(f"This was a partial run ({study.machine.run.words}).", WIDTH)
@@ -79,7 +81,9 @@ def _time(row: Row | None) -> str:
 
 
 def _gain(row: Row | None) -> str:
-    return times(row.speedup) if row else NOTHING
+    if row is None:
+        return NOTHING
+    return times(row.speedup) + ("?" if row.paired and row.paired.is_inconclusive else "")
 
 
 def _cut(text: str, width: int) -> str:

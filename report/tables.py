@@ -5,13 +5,13 @@ from __future__ import annotations
 import csv
 import io
 
-from report.formatting import microseconds, percent, scope_label, times
+from report.formatting import microseconds, percent, scope_label, speedup_text
 from report.model import Row, Study, is_sweep_input
 
 CSV_HEADER = (
     "operation", "technique", "isa", "threads", "scope", "input", "width", "height", "passes",
     "median_ns", "min_ns", "ns_per_pixel", "speedup_vs_reference", "verified",
-    "repetitions", "spread_percent", "peer")
+    "repetitions", "spread_percent", "peer", "speedup_low", "speedup_high", "speedup_from")
 
 MARKDOWN_HEADER = (
     "operation", "input", "scope", "technique", "isa", "threads", "passes", "median µs",
@@ -24,6 +24,9 @@ def to_csv(study: Study) -> str:
 
     Times are nanoseconds; spread_percent is the interquartile range in percent
     of the median, and empty where a single repetition leaves it unknown.
+    speedup_vs_reference is the ratio measured in pairs where speedup_from is
+    "paired", with its interval; where it is "medians", reference and row were
+    timed apart and their medians divided, and no interval is known.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -50,7 +53,9 @@ def _csv_fields(row: Row) -> list[object]:
         row.width, row.height, "" if row.passes is None else row.passes,
         f"{row.median_ns:.2f}", f"{row.min_ns:.2f}", f"{row.ns_per_pixel:.6f}",
         f"{row.speedup:.4f}", 1, len(row.samples_ns), "" if spread is None else f"{spread:.2f}",
-        int(row.is_peer)]
+        int(row.is_peer),
+        *((f"{row.paired.low:.4f}", f"{row.paired.high:.4f}", "paired") if row.paired
+          else ("", "", "medians"))]
 
 
 def _markdown_fields(row: Row) -> list[str]:
@@ -59,7 +64,7 @@ def _markdown_fields(row: Row) -> list[str]:
         name.operation, name.input, scope_label(name.scope),
         name.technique + (" (peer)" if row.is_peer else ""), name.isa,
         str(name.threads), "" if row.passes is None else str(row.passes),
-        microseconds(row.median_ns), f"{row.ns_per_pixel:.4f}", times(row.speedup),
+        microseconds(row.median_ns), f"{row.ns_per_pixel:.4f}", speedup_text(row),
         percent(row.spread_percent) + (" (noisy)" if row.is_noisy else "")]
 
 

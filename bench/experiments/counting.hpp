@@ -1,13 +1,13 @@
-// Numbers and words that count what is done with them: operation counts come from running the
-// equations, not from reading them.
+// Numbers, truth values and words that count what is done with them: operation counts come from
+// running the references' equations, not from reading them.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/word.hpp"
+#include "decisions.hpp"
 #include "nets/weights.hpp"
-#include "training/two_layer_net.hpp"
 
 namespace thinbench {
 
@@ -67,9 +67,15 @@ class CountedFloat {
   friend bool operator>(CountedFloat a, CountedFloat b) { return compared(a.value_ > b.value_); }
   friend bool operator<(CountedFloat a, CountedFloat b) { return compared(a.value_ < b.value_); }
   friend bool operator>=(CountedFloat a, CountedFloat b) { return compared(a.value_ >= b.value_); }
-  friend CountedFloat exponential_of(CountedFloat x) {
+  friend bool operator!=(CountedFloat a, CountedFloat b) { return compared(a.value_ != b.value_); }
+  friend CountedFloat exp(CountedFloat x) {
     ++tally.current().powers;
-    return CountedFloat(exponential_of(x.value_));
+    return CountedFloat(std::exp(x.value_));
+  }
+  /// Taken for a power of two: x is 1 wherever the equations have it.
+  friend CountedFloat ldexp(CountedFloat x, int exponent) {
+    ++tally.current().powers;
+    return CountedFloat(std::ldexp(x.value_, exponent));
   }
   [[nodiscard]] float value() const { return value_; }
 
@@ -82,44 +88,37 @@ class CountedFloat {
   float value_;
 };
 
-/// The activation function, counted apart.
-inline CountedFloat activate(CountedFloat x, Activation activation) {
+/// The activation function, counted apart: the reference's equations find this one for counted
+/// numbers.
+template <Activation activation>
+CountedFloat activated(CountedFloat x) {
   tally.in_activation = true;
-  const CountedFloat y = activate<CountedFloat>(x, activation);
+  const CountedFloat y = reference::activated<activation, CountedFloat>(x);
   tally.in_activation = false;
   return y;
 }
 
-/// A truth value in a lane, 0 or 1, that counts; + is arithmetic, `^ 1` a negation. Rules assign it
-/// 0 and 1, hence the implicit constructor.
-class CountedLane {
+/// A truth value that counts. Both sides of `and` and `or` are evaluated, as the paper counts them.
+class CountedTruth {
  public:
-  CountedLane(int value) : value_(value) {}
+  explicit CountedTruth(bool value) : value_(value) {}
 
-  friend CountedLane operator&(CountedLane a, CountedLane b) {
-    return logical(a.value_ & b.value_);
+  friend CountedTruth operator&&(CountedTruth a, CountedTruth b) {
+    return logical(a.value_ && b.value_);
   }
-  friend CountedLane operator|(CountedLane a, CountedLane b) {
-    return logical(a.value_ | b.value_);
+  friend CountedTruth operator||(CountedTruth a, CountedTruth b) {
+    return logical(a.value_ || b.value_);
   }
-  friend CountedLane operator^(CountedLane a, int b) { return logical(a.value_ ^ b); }
-  friend CountedLane operator+(CountedLane a, CountedLane b) {
-    ++tally.current().additions;
-    return CountedLane(a.value_ + b.value_);
-  }
-  friend bool operator==(CountedLane a, int b) {
-    ++tally.current().comparisons;
-    return a.value_ == b;
-  }
-  [[nodiscard]] int value() const { return value_; }
+  friend CountedTruth operator!(CountedTruth a) { return logical(!a.value_); }
+  explicit operator bool() const { return value_; }
 
  private:
-  static CountedLane logical(int value) {
+  static CountedTruth logical(bool value) {
     ++tally.current().logical;
-    return CountedLane(value);
+    return CountedTruth(value);
   }
 
-  int value_;
+  bool value_;
 };
 
 /// Gates of a circuit with at most `inputs` (2 or 3) inputs each. Inverters are counted apart: most

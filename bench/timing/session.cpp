@@ -1,7 +1,6 @@
 #include "timing/session.hpp"
 
 #include <iostream>
-#include <map>
 #include <set>
 
 #include <benchmark/benchmark.h>
@@ -15,6 +14,7 @@
 #include "timing/inputs.hpp"
 #include "timing/options.hpp"
 #include "timing/progress.hpp"
+#include "timing/row_selection.hpp"
 #include "timing/schedule.hpp"
 #include "timing/timed_call.hpp"
 #include "timing/timed_row.hpp"
@@ -53,13 +53,6 @@ std::set<std::string_view> peer_techniques(const std::vector<Operation>& operati
     }
   }
   return techniques;
-}
-
-std::vector<Operation> without_peers(std::vector<Operation> operations) {
-  for (Operation& operation : operations) {
-    std::erase_if(operation.variants, [](const Variant& variant) { return variant.is_peer; });
-  }
-  return operations;
 }
 
 nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInput>& inputs,
@@ -140,41 +133,11 @@ double register_rows(const std::vector<TimedRow>& rows, const TimingOptions& opt
   return total;
 }
 
-void report_selection(const Selection& selection) {
-  for (const std::string& mismatch : selection.mismatches) {
-    std::cerr << "not equal to the reference, not timed: " << mismatch << '\n';
-  }
-  if (!selection.skipped.empty()) {
-    std::cerr << "rows skipped: ";
-    std::map<std::string, int> reasons;
-    for (const SkippedRow& row : selection.skipped) ++reasons[row.reason];
-    const char* separator = "";
-    for (const auto& [reason, count] : reasons) {
-      std::cerr << separator << count << " (" << reason << ')';
-      separator = ", ";
-    }
-    std::cerr << '\n';
-  }
-}
-
-Selection selected_rows(const TimingOptions& options, const std::vector<Operation>& operations,
-                        const std::vector<TimedInput>& inputs) {
-  try {
-    return select_rows(options.filter, operations, inputs,
-                       options.highest_level ? Levels::kHighest : Levels::kAll);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--filter: ") + error.what());
-  }
-}
-
 int run(const TimingOptions& options, const std::vector<Operation>& operations) {
   if (!options.rows_out.empty()) check_target(options.rows_out);
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
-  const Selection selection = selected_rows(options, operations, inputs);
-  report_selection(selection);
-  if (selection.rows.empty()) {
-    throw UsageError("no row to time; the filter is '" + options.filter + "'");
-  }
+  const Selection selection = rows_asked_for(
+      options.filter, operations, inputs, options.highest_level ? Levels::kHighest : Levels::kAll);
   if (!options.rows_out.empty()) {
     write_whole_file(options.rows_out,
                      rows_json(selection, inputs, peer_techniques(operations)).dump(2));

@@ -2,19 +2,24 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "timing/timed_row.hpp"
 
 namespace thinbench {
 
-/// Holds job, input and output of a row. Calling allocates nothing, unless the row is a reference
-/// or a peer.
+/// Holds the job of a row. Calling allocates nothing, unless the row is a reference or a peer.
 class TimedCall {
  public:
   explicit TimedCall(const TimedRow& row)
-      : input_(row.input->view(row.operation->takes)),
-        output_(input_.width, input_.height),
-        job_(row.maker()(input_.width, input_.height, row.threads)),
+      : TimedCall(row, row.input->view(row.operation->takes),
+                  ByteImage(row.input->width(), row.input->height())) {}
+
+  /// For who lays out input and output: copies of the row's input and somewhere to write.
+  TimedCall(const TimedRow& row, const ConstByteView& input, const ByteView& output)
+      : input_(input),
+        output_(output),
+        job_(row.maker()(input.width, input.height, row.threads)),
         kernel_only_(row.scope == Scope::kKernel) {
     if (kernel_only_) job_->load(input_);
   }
@@ -23,13 +28,25 @@ class TimedCall {
     if (kernel_only_) {
       job_->kernel();
     } else {
-      job_->run(input_, output_.view());
+      job_->run(input_, output_);
     }
   }
 
+  /// What the latest call gave.
+  [[nodiscard]] Outcome outcome() const {
+    if (kernel_only_) job_->store(output_);
+    return {job_->gives_image() ? copy_of(output_) : ByteImage(), job_->numbers()};
+  }
+
  private:
+  TimedCall(const TimedRow& row, const ConstByteView& input, ByteImage own)
+      : TimedCall(row, input, own.view()) {
+    own_output_ = std::move(own);
+  }
+
   ConstByteView input_;
-  ByteImage output_;
+  ByteView output_;
+  ByteImage own_output_;  // empty where the output is somebody else's
   std::unique_ptr<Job> job_;
   bool kernel_only_;
 };

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "training/portable_math.hpp"
 #include "training/two_layer_net.hpp"
 
 namespace thinbench {

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "training/portable_math.hpp"
+
 namespace thinbench {
 
 HiddenLayerNet to_net(const TwoLayerWeights& weights) {
@@ -24,6 +26,25 @@ TwoLayerWeights to_weights(const HiddenLayerNet& net) {
   std::copy(net.output_weight.begin(), net.output_weight.end(), weights.output.weight);
   weights.output.bias = net.output_bias;
   return weights;
+}
+
+float activate(float x, Activation activation) {
+  if (activation == Activation::kSigmoid) {
+    return 1.0F / (1.0F + static_cast<float>(portable_exp(static_cast<double>(-x))));
+  }
+  if (x > 3.0F) return 1.0F;
+  if (x < -3.0F) return 0.0F;
+  return 0.166F * x + 0.5F;
+}
+
+bool net_keeps(const HiddenLayerNet& net, const float (&n)[kNetInputs], Activation activation) {
+  float out = net.output_bias;
+  for (std::size_t j = 0; j < net.hidden.size(); ++j) {
+    float sum = net.hidden[j].bias;
+    for (int i = 0; i < kNetInputs; ++i) sum += net.hidden[j].weight[i] * n[i];
+    out += net.output_weight[j] * activate(sum, activation);
+  }
+  return activate(out, activation) >= 0.5F;
 }
 
 StayTable table_of(const HiddenLayerNet& net, Activation activation) {

@@ -1,10 +1,9 @@
 // The two-layer net of section 3.2 with any number of hidden neurons, for training and experiments.
-// The equations are written once, over any number type: float, or one that counts operations.
 #pragma once
 
 #include <vector>
 
-#include "training/portable_math.hpp"
+#include "nets/weights.hpp"
 #include "training/stay_table.hpp"
 
 namespace thinbench {
@@ -20,31 +19,13 @@ struct HiddenLayerNet {
 /// Throws std::invalid_argument unless the net has eight hidden neurons.
 [[nodiscard]] TwoLayerWeights to_weights(const HiddenLayerNet& net);
 
-inline float exponential_of(float x) {
-  return static_cast<float>(portable_exp(static_cast<double>(x)));
-}
-
-/// Equation (1) or (2).
-template <class Number>
-Number activate(Number x, Activation activation) {
-  if (activation == Activation::kSigmoid) return Number(1.0F) / (Number(1.0F) + exponential_of(-x));
-  if (x > Number(3.0F)) return Number(1.0F);
-  if (x < Number(-3.0F)) return Number(0.0F);
-  return Number(0.166F) * x + Number(0.5F);
-}
+/// Equation (1) or (2), with an exponential that is the same on every machine.
+[[nodiscard]] float activate(float x, Activation activation);
 
 /// Equation (3) and the step function (4): whether a dark pixel with these neighbours, 0 or 1,
 /// stays.
-template <class Number>
-bool net_keeps(const HiddenLayerNet& net, const Number (&n)[kNetInputs], Activation activation) {
-  Number out(net.output_bias);
-  for (std::size_t j = 0; j < net.hidden.size(); ++j) {
-    Number sum(net.hidden[j].bias);
-    for (int i = 0; i < kNetInputs; ++i) sum = sum + Number(net.hidden[j].weight[i]) * n[i];
-    out = out + Number(net.output_weight[j]) * activate(sum, activation);
-  }
-  return activate(out, activation) >= Number(0.5F);
-}
+[[nodiscard]] bool net_keeps(const HiddenLayerNet& net, const float (&n)[kNetInputs],
+                             Activation activation);
 
 /// What the net says of each descriptor.
 [[nodiscard]] StayTable table_of(const HiddenLayerNet& net, Activation activation);

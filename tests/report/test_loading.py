@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import gzip
+import lzma
 from statistics import median
 
 import pytest
@@ -108,8 +108,8 @@ def test_truncated_json_is_refused(run, refusal, name):
 
 def test_packed_files_are_read_and_truncated_ones_are_refused(run, refusal):
     path = run.write() / "timings.json"
-    packed = path.with_name("timings.json.gz")
-    whole = gzip.compress(path.read_bytes())
+    packed = path.with_name("timings.json.xz")
+    whole = lzma.compress(path.read_bytes())
     path.unlink()
     packed.write_bytes(whole)
     assert load_study(run.directory).rows

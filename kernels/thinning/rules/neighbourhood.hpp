@@ -1,0 +1,54 @@
+// What rules are written over: a pixel and its neighbours, as words of any kind.
+//
+// Neighbours are numbered as in the paper (Fig. 6), anticlockwise from the east:
+//     n3 n2 n1
+//     n4  p n0
+//     n5 n6 n7
+// Dark is 1. The descriptor of a neighbourhood is k = sum of n_i 2^i.
+#pragma once
+
+#include "core/word.hpp"
+
+namespace thinbench {
+
+template <class Word>
+struct Neighbourhood {
+  Word p, n0, n1, n2, n3, n4, n5, n6, n7;
+};
+
+/// The neighbourhood as seen after turning by `eighths` of a full turn: n_i becomes n_(i +
+/// eighths).
+template <int eighths, class Word>
+[[gnu::always_inline]] constexpr Neighbourhood<Word> turned(const Neighbourhood<Word>& n) {
+  static_assert(eighths % 2 == 0 && 0 <= eighths && eighths < 8);
+  if constexpr (eighths == 0) {
+    return n;
+  } else {
+    return turned<eighths - 2>(
+        Neighbourhood<Word>{n.p, n.n2, n.n3, n.n4, n.n5, n.n6, n.n7, n.n0, n.n1});
+  }
+}
+
+/// Of the two circuits of a rule the one for this word: gates of three inputs where they are one
+/// instruction, else of two.
+template <class Rule, class Word>
+[[gnu::always_inline]] constexpr Word by_fewest_instructions(const Neighbourhood<Word>& n) {
+  if constexpr (TernaryGate<Word>::kOneInstruction) {
+    return Rule::by_three_input_gates(n);
+  } else {
+    return Rule::by_two_input_gates(n);
+  }
+}
+
+/// A pixel and its four direct neighbours.
+template <class Word>
+struct Cross {
+  Word p, n0, n2, n4, n6;
+};
+
+/// Rules with a support of 5 x 5 pixels in two stages: a feature of every pixel from its Cross,
+/// then the new pixel from the neighbourhoods of pixels and of features.
+template <class Rule>
+concept TwoStageRule = Rule::kTwoStages;
+
+}  // namespace thinbench

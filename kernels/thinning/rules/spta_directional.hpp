@@ -1,0 +1,38 @@
+// The safe-point thinning algorithm in parallel sub-iterations.
+#pragma once
+
+#include "thinning/rules/neighbourhood.hpp"
+
+namespace thinbench {
+
+/// One direction a sub-iteration, each on the result of the one before: left, right, top, bottom
+/// edge points of Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), that is, dark pixels with a
+/// light neighbour on that side whose expression (B4, B0, B2 or B6) is TRUE, are removed.
+///
+/// Invariants: topology (8-connected objects, 4-connected background), idempotent, subset.
+struct SptaDirectional {
+  static constexpr int kSubIterations = 4;
+  static constexpr int kTurns[kSubIterations] = {0, 4, 6, 2};
+
+  /// Five gates, update included.
+  template <int sub, class Word>
+  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
+    const Neighbourhood<Word> n = turned<kTurns[sub]>(as_seen);
+    const Word u = ternary(n.n2, n.n3, n.n0, [](auto a, auto b, auto c) { return (a | ~b) & c; });
+    const Word v = ternary(n.n6, n.n5, n.n4, [](auto a, auto b, auto c) { return (a | ~b) & ~c; });
+    const Word w = ternary(n.n1, n.n2, n.n7, [](auto a, auto b, auto c) { return a | b | c; });
+    const Word x = ternary(w, n.n6, u, [](auto a, auto b, auto c) { return (a | b) & c; });
+    return ternary(n.p, x, v, [](auto a, auto b, auto c) { return a & ~(b & c); });
+  }
+
+  template <int sub, class Lane>
+  [[gnu::always_inline]] static constexpr Lane printed(const Neighbourhood<Lane>& as_seen) {
+    const Neighbourhood<Lane> n = turned<kTurns[sub]>(as_seen);
+    const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
+    const Lane b4 = static_cast<Lane>(n.n0 & (n.n1 | n.n2 | n.n6 | n.n7) & (n.n2 | negated(n.n3)) &
+                                      (negated(n.n5) | n.n6));
+    return static_cast<Lane>(n.p & negated(static_cast<Lane>(negated(n.n4) & b4)));
+  }
+};
+
+}  // namespace thinbench

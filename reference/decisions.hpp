@@ -1,0 +1,85 @@
+// What decides on one dark pixel, as printed. Over any kind of truth value and number, because two
+// things run it: the references, on bool and float, and the count of operations, on types that
+// count what is done with them.
+#pragma once
+
+#include <cmath>
+
+#include "nets/weights.hpp"
+
+namespace thinbench::reference {
+
+/// Section 3.1: TRUE where the pixel is no edge point of the side, or a break or end point.
+template <class Truth>
+struct Expressions {
+  Truth b0, b2, b4, b6;
+};
+
+/// The four expressions over the neighbours, n[0] east, then anticlockwise, dark is TRUE.
+template <class Truth>
+Expressions<Truth> expressions_of(const Truth (&n)[8]) {
+  return {n[4] && (n[2] || n[3] || n[5] || n[6]) && (n[6] || !n[7]) && (!n[1] || n[2]),
+          n[6] && (n[0] || n[4] || n[5] || n[7]) && (n[0] || !n[1]) && (!n[3] || n[4]),
+          n[0] && (n[1] || n[2] || n[6] || n[7]) && (n[2] || !n[3]) && (!n[5] || n[6]),
+          n[2] && (n[0] || n[1] || n[3] || n[4]) && (n[4] || !n[5]) && (!n[7] || n[0])};
+}
+
+template <class Number, class Truth>
+Number false_count(const Expressions<Truth>& b) {
+  const auto one_if_false = [](const Truth& truth) { return truth ? Number(0) : Number(1); };
+  return one_if_false(b.b0) + one_if_false(b.b2) + one_if_false(b.b4) + one_if_false(b.b6);
+}
+
+/// A dark pixel stays unless one or two of its expressions are FALSE.
+template <class Number>
+bool stays_with(Number false_count) {
+  return false_count != Number(1) && false_count != Number(2);
+}
+
+/// bias + w0 n0 + w1 n1 + ... + w7 n7, in this order.
+template <class Number>
+Number net_input(const Neuron& neuron, const Number (&n)[8]) {
+  Number sum(neuron.bias);
+  for (int i = 0; i < 8; ++i) sum = sum + Number(neuron.weight[i]) * n[i];
+  return sum;
+}
+
+/// Equation (1) or (2).
+template <Activation activation, class Number>
+Number activated(Number x) {
+  using std::exp;
+  if constexpr (activation == Activation::kSigmoid) {
+    return Number(1.0F) / (Number(1.0F) + exp(-x));
+  } else {
+    if (x > Number(3.0F)) return Number(1.0F);
+    if (x < Number(-3.0F)) return Number(0.0F);
+    return Number(0.166F) * x + Number(0.5F);
+  }
+}
+
+/// Equation (3), once for each hidden neuron and once for the output.
+template <Activation activation, class Number>
+Number two_layer_output(const TwoLayerWeights& net, const Number (&n)[8]) {
+  Number hidden[8];
+  for (int j = 0; j < 8; ++j) hidden[j] = activated<activation>(net_input(net.hidden[j], n));
+  return activated<activation>(net_input(net.output, hidden));
+}
+
+/// The step (4): whether a dark pixel stays.
+template <Activation activation, class Number>
+bool two_layer_keeps(const TwoLayerWeights& net, const Number (&n)[8]) {
+  return two_layer_output<activation>(net, n) >= Number(0.5F);
+}
+
+/// Equations (5) to (7): the descriptor picks the net, which says whether a dark pixel stays.
+template <class Number>
+bool cluster_keeps(const ClusterWeights& cluster, const Number (&n)[8]) {
+  using std::ldexp;
+  Number k = n[0] * ldexp(Number(1.0F), 0);
+  for (int i = 1; i < 8; ++i) k = k + n[i] * ldexp(Number(1.0F), i);
+  const ClusterNet* net = cluster.nets;
+  while (k > Number(static_cast<float>(net->last))) ++net;
+  return net_input(net->neuron, n) >= Number(0.0F);
+}
+
+}  // namespace thinbench::reference
