@@ -51,6 +51,9 @@ class CombinedJob : public Job {
   [[nodiscard]] bool gives_image() const final { return false; }
 
  protected:
+  void give(std::uint64_t combined) { combined_ = combined; }
+
+ private:
   std::uint64_t combined_ = 0;
 };
 
@@ -72,7 +75,7 @@ class ReadBitsJob final : public CombinedJob {
       const std::uint64_t* row = from.row(y);
       for (Index i = 0; i < words; ++i) combined ^= row[i];
     }
-    combined_ = combined;
+    give(combined);
   }
 
  private:
@@ -84,12 +87,13 @@ class ReadBitsJob final : public CombinedJob {
 class PlainReadJob final : public CombinedJob {
  public:
   void run(const ConstByteView& input, const ByteView&) override {
-    combined_ = 0;
+    std::uint64_t combined = 0;
     for (Index y = 0; y < input.height; ++y) {
       for (Index x = 0; x < input.width; ++x) {
-        if (input.row(y)[x] != 0) combined_ ^= std::uint64_t{1} << x % kWordBits;
+        if (input.row(y)[x] != 0) combined ^= std::uint64_t{1} << x % kWordBits;
       }
     }
+    give(combined);
   }
 };
 

@@ -1,7 +1,6 @@
 #include "holes/label_store.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace thinbench {
 namespace {
@@ -49,10 +48,8 @@ void LabelStore::make_room(Index labels) {
   for (int colour = 0; colour < 2; ++colour) {
     const LabelTable& table = tables_.of_colour[colour];
     const Label needed = table.count + static_cast<Label>(labels) + 1;
-    if (needed <= table.capacity) continue;
-    constexpr Label most = std::numeric_limits<Label>::max();
-    const Label doubled = table.capacity > most / 2 ? most : 2 * table.capacity;
-    grow(colour, std::max(needed, doubled));
+    const Label doubled = table.capacity + std::min(table.capacity, ~table.capacity);  // saturates
+    if (needed > table.capacity) grow(colour, std::max(needed, doubled));
   }
 }
 
