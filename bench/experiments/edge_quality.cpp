@@ -110,6 +110,7 @@ std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice) {
   std::vector<EdgeQualityRow> rows;
   for (const int sigma : choice.sigmas) {
     std::vector<Scene> scenes;
+    scenes.reserve(static_cast<std::size_t>(choice.seeds));
     for (int seed = 0; seed < choice.seeds; ++seed) scenes.push_back(noisy_scene(sigma, seed));
     for (const EdgeOperation& operation : edge_operations()) {
       rows.push_back(measure(operation, sigma, choice, scenes, contours));

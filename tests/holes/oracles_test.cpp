@@ -20,6 +20,7 @@ using Summary = std::tuple<std::int64_t, int, int, int, int, double, double>;
 
 std::vector<Summary> summaries(const std::vector<Region>& regions) {
   std::vector<Summary> all;
+  all.reserve(regions.size());
   for (const Region& region : regions) {
     all.emplace_back(region.area, region.left, region.top, region.right - region.left + 1,
                      region.bottom - region.top + 1, region.centre_x(), region.centre_y());
