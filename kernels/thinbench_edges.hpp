@@ -35,10 +35,10 @@ namespace thinbench {
 /// the edge: invert pictures of bright parts on dark ground first. Strides are bytes from row to
 /// row and may be larger than the width. The two views have one size and do not overlap.
 ///
-/// Not known to hold: that contours are closed or one pixel wide; they are two pixels wide or more.
-/// Throws std::invalid_argument for an unknown name, a threshold outside [0, 255], sizes that
-/// differ or are negative, a stride below the width, a null image, an overlap, or a wish that no
-/// variant fits. Source: section 2.1 of the paper, steps a) to d).
+/// Not known to hold: that contours are closed or one pixel wide; at a step they are two pixels
+/// wide or more, but for roberts4. Throws std::invalid_argument for an unknown name, a threshold
+/// outside [0, 255], sizes that differ or are negative, a stride below the width, a null image, an
+/// overlap, or a wish that no variant fits. Source: section 2.1 of the paper, steps a) to d).
 void detect_edges(std::string_view operation, ConstByteView source, ByteView destination,
                   const EdgeThresholds& thresholds = {}, const VariantWish& wish = {});
 
