@@ -17,7 +17,7 @@ const ThinningVariant& choose_variant(const ThinningOperation& operation, Index 
   for (const ThinningVariant& one : operation.variants) {
     if (!knows_border(one, border)) continue;
     candidates.push_back(&one);
-    facts.push_back({one.technique, one.isa, one.threaded, one.max_width});
+    facts.push_back(facts_of(one));
   }
   return *candidates[choose_variant(operation.name, facts, width,
                                     {options.technique, options.isa, options.threads})];

@@ -12,6 +12,13 @@ HolesPlan make_plan(std::string_view name, const ConstByteView& source, const Va
   return {operation, variant, source.width, source.height, wish.threads};
 }
 
+std::int64_t number_of(std::string_view name, const ConstByteView& source,
+                       const VariantWish& wish) {
+  HolesPlan plan = make_plan(name, source, wish);
+  plan.run(source);
+  return plan.number();
+}
+
 }  // namespace
 
 const HolesVariant& choose_variant(const HolesOperation& operation, Index width,
@@ -28,10 +35,19 @@ FoundHoles find_holes(ConstByteView source, const VariantWish& wish) {
   return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
 }
 
-std::int64_t euler_number(ConstByteView source, const VariantWish& wish) {
-  HolesPlan plan = make_plan("euler_number", source, wish);
+std::vector<Region> find_components(ConstByteView source, const VariantWish& wish) {
+  HolesPlan plan = make_plan("components", source, wish);
   plan.run(source);
-  return plan.number();
+  const RegionLists lists = plan.regions();
+  return {lists.objects.begin(), lists.objects.end()};
+}
+
+std::int64_t euler_number(ConstByteView source, const VariantWish& wish) {
+  return number_of("euler_number", source, wish);
+}
+
+std::int64_t euler_number_4(ConstByteView source, const VariantWish& wish) {
+  return number_of("euler_number_4", source, wish);
 }
 
 void fill_holes(ConstByteView source, ByteView destination, const VariantWish& wish) {

@@ -7,7 +7,7 @@
 namespace thinbench {
 
 /// The variant that fits the wish. Throws std::invalid_argument, naming what is wrong and what
-/// there is, where none does.
+/// there is instead, where none does.
 [[nodiscard]] const LocaliseVariant& choose_variant(const LocaliseOperation& operation, Index width,
                                                     const VariantWish& wish = {});
 

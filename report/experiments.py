@@ -128,6 +128,8 @@ class EdgeRates:
     precision: float
     recall: float
     figure_of_merit: float
+    marked: float
+    """Edge pixels of all pixels."""
     precision_without_p2: float
 
 
@@ -236,7 +238,8 @@ def _operation_counts(fields: Fields) -> OperationCounts:
 def _edge_quality(fields: Fields) -> EdgeQuality:
     rows = tuple(EdgeRates(row.text("operation"), row.count("sigma"),
                            *(row.at_most(key, 1) for key in (
-                               "precision", "recall", "figure_of_merit", "precision_without_p2")))
+                               "precision", "recall", "figure_of_merit", "marked",
+                               "precision_without_p2")))
                  for row in fields.some("rows"))
     return EdgeQuality(fields.text("command"), fields.count("p1"), fields.count("p2"),
                        fields.count("seeds", 1), rows)

@@ -53,5 +53,7 @@ def literal_holes_table(data: LiteralHoles) -> Table:
     sentence = (f"The relabelling scan as printed counts right on all pictures of {always} of "
                 f"{counted(len(data.rows), 'kind')}. Holes and Counted are of the first picture on "
                 "which it is not right, or of the last one; refused are pictures that need more "
-                "than 254 grey levels.")
+                "than 254 grey levels. It counts every contour but one as a hole, so each object "
+                "beyond the first adds one. Behind walls of one or two pixels the contours of a "
+                "hole and of its object touch and count as one.")
     return Table("Holes by the printed scan", sentence, header, rows, data.command)

@@ -4,6 +4,8 @@
 #include <optional>
 #include <sstream>
 
+#include "core/variant_choice.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -44,6 +46,13 @@ CLI::Validator real_number(double lowest, double highest) {
 CLI::Validator not_empty() {
   return {[](std::string& text) { return text.empty() ? "its value is empty" : std::string(); },
           ""};
+}
+
+void add_threads_option(CLI::App& app, int& threads) {
+  app.add_option("--threads", threads, "Number of threads, 1 to " + std::to_string(kMostThreads))
+      ->check(whole_number(1, kMostThreads))
+      ->type_name("N")
+      ->capture_default_str();
 }
 
 }  // namespace thinbench

@@ -15,6 +15,7 @@ namespace thinbench {
 /// Refuses "", which stands for "not given" behind the options.
 [[nodiscard]] CLI::Validator not_empty();
 
-inline constexpr std::uint64_t kMaxThreads = 1024;
+/// `--threads N`, one thread by default.
+void add_threads_option(CLI::App& app, int& threads);
 
 }  // namespace thinbench

@@ -58,7 +58,8 @@ VariantWish wish_of(const EdgesOptions& options) {
 
 /// The picture with a bright background.
 ByteImage bright_ground(ByteImage grey, bool invert) {
-  for (Index y = 0; y < grey.height() && invert; ++y) {
+  if (!invert) return grey;
+  for (Index y = 0; y < grey.height(); ++y) {
     std::uint8_t* row = grey.view().row(y);
     for (Index x = 0; x < grey.width(); ++x) row[x] = static_cast<std::uint8_t>(255 - row[x]);
   }
@@ -111,13 +112,12 @@ Command add_edges_command(CLI::App& program) {
   add_threshold(*app, "--p2", options->thresholds.p2, "Grey level that the background exceeds");
   app->add_flag("--invert", options->invert, "Parts are brighter than the background");
   app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
+      ->check(not_empty())
       ->type_name("NAME");
   app->add_option("--isa", options->isa, "Instruction set (default: the highest)")
+      ->check(not_empty())
       ->type_name("NAME");
-  app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
-      ->check(whole_number(1, kMaxThreads))
-      ->type_name("N")
-      ->capture_default_str();
+  add_threads_option(*app, options->threads);
   app->footer(kExamples);
   return {app, [options](const Console& console) { return run(*options, console.out); }};
 }

@@ -1,7 +1,6 @@
 // thinbench holes: the objects of a picture and their holes, as a list, as JSON and drawn.
 #include <iomanip>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
+#include "cli/variant_choice.hpp"
 #include "picture/objects.hpp"
 #include "picture/overlay.hpp"
 #include "picture/picture.hpp"
@@ -79,15 +79,6 @@ void print_list(const FoundHoles& found, std::ostream& out) {
   }
 }
 
-/// Throws UsageError where no variant is as wished.
-void check_wish(const VariantWish& wish, Index width) {
-  try {
-    static_cast<void>(choose_variant(*find_holes_operation("holes"), width, wish));
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-}
-
 int find(const HolesCommandOptions& options, std::ostream& out) {
   VariantWish wish;
   if (!options.technique.empty()) wish.technique = technique_named(options.technique);
@@ -95,11 +86,12 @@ int find(const HolesCommandOptions& options, std::ostream& out) {
   wish.threads = options.threads;
   if (!options.overlay.empty()) check_colour_ending(options.overlay);
   const ByteImage grey = read_grey(options.in);
-  check_wish(wish, grey.width());
+  const HolesVariant& variant = variant_for(*find_holes_operation("holes"), grey.width(), wish);
   const ByteImage objects = objects_of(copy_of(grey.view()), options.threshold, options.invert);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.threads));
-  const FoundHoles found = find_holes(objects.view(), wish);
+  const FoundHoles found =
+      find_holes(objects.view(), {variant.technique, variant.isa, options.threads});
   if (!options.overlay.empty()) {
     write_overlay(options.overlay, grey.view(), objects.view(), found);
   }
@@ -119,15 +111,15 @@ Command add_holes_command(CLI::App& program) {
   app->add_option("IN", options->in, "Picture to read")->required()->type_name("");
   app->add_flag("--json", options->json, "Print JSON");
   app->add_option("--overlay", options->overlay, "Picture to write with all that was found")
+      ->check(not_empty())
       ->type_name("OUT");
   app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
+      ->check(not_empty())
       ->type_name("NAME");
   app->add_option("--isa", options->isa, "Instruction set (default: the highest)")
+      ->check(not_empty())
       ->type_name("NAME");
-  app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
-      ->check(whole_number(1, kMaxThreads))
-      ->type_name("N")
-      ->capture_default_str();
+  add_threads_option(*app, options->threads);
   app->add_option("--threshold", options->threshold, "Objects are pixels >= T, 0 to 255")
       ->check(whole_number(0, 255))
       ->type_name("T")

@@ -135,10 +135,7 @@ Command add_run_command(CLI::App& program) {
       ->delimiter(',')
       ->check(not_empty())
       ->type_name("NAME,...");
-  app->add_option("--threads", options->threads, "Number of threads, 1 to 1024")
-      ->check(whole_number(1, kMaxThreads))
-      ->type_name("N")
-      ->capture_default_str();
+  add_threads_option(*app, options->threads);
   app->add_option("--threshold", options->threshold, "Objects are pixels >= T, 0 to 255")
       ->check(whole_number(0, 255))
       ->type_name("T")

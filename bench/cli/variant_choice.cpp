@@ -110,7 +110,7 @@ const ThinningVariant& variant_for(const ThinningOperation& operation, Index wid
   for (const ThinningVariant& one : operation.variants) {
     if (!knows_border(one, border)) continue;
     candidates.push_back(&one);
-    facts.push_back({one.technique, one.isa, one.threaded, one.max_width});
+    facts.push_back(facts_of(one));
   }
   const std::string kept = border == Border::kKeep ? " with the border kept" : "";
   const VariantWish wish = {options.technique, options.isa, options.threads};
@@ -121,6 +121,13 @@ const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
                                const VariantWish& wish) {
   std::vector<VariantFacts> facts;
   for (const EdgeVariant& one : operation.variants) facts.push_back(one.facts);
+  return operation.variants[place_for({std::string(operation.name), facts}, width, wish)];
+}
+
+const HolesVariant& variant_for(const HolesOperation& operation, Index width,
+                                const VariantWish& wish) {
+  std::vector<VariantFacts> facts;
+  for (const HolesVariant& one : operation.variants) facts.push_back(facts_of(one));
   return operation.variants[place_for({std::string(operation.name), facts}, width, wish)];
 }
 

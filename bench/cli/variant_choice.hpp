@@ -5,6 +5,7 @@
 
 #include "thinbench.hpp"
 #include "thinbench_edges.hpp"
+#include "thinbench_holes.hpp"
 
 namespace thinbench {
 
@@ -14,5 +15,7 @@ namespace thinbench {
                                                  const ThinningOptions& options);
 [[nodiscard]] const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
                                              const VariantWish& wish);
+[[nodiscard]] const HolesVariant& variant_for(const HolesOperation& operation, Index width,
+                                              const VariantWish& wish);
 
 }  // namespace thinbench

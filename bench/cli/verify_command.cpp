@@ -11,6 +11,7 @@
 #include "cli/verify_images.hpp"
 #include "cli/verify_progress.hpp"
 #include "cli/verify_report.hpp"
+#include "core/variant_choice.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {
@@ -96,8 +97,9 @@ Command add_verify_command(CLI::App& program) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app->add_option("--threads", options->threads,
-                  "Threads of threaded rows, 1 to 1024 (repeatable; default: 2 and 7)")
-      ->check(whole_number(1, kMaxThreads))
+                  "Threads of threaded rows, 1 to " + std::to_string(kMostThreads) +
+                      " (repeatable; default: 2 and 7)")
+      ->check(whole_number(1, kMostThreads))
       ->type_name("N")
       ->allow_extra_args(false);
   app->add_flag("--quick", options->quick, "Leave out the sets that take longest");

@@ -24,6 +24,7 @@ struct EdgeQuality {
   double precision = 1;        // edge pixels with a contour pixel at most one pixel away
   double recall = 1;           // contour pixels with an edge pixel at most one pixel away
   double figure_of_merit = 1;  // Pratt's: mean of 1 / (1 + d^2 / 9) over the larger of both sets
+  double marked = 0;           // edge pixels of all pixels
 };
 
 struct EdgeQualityRow {
@@ -33,11 +34,17 @@ struct EdgeQualityRow {
   double precision_without_p2;  // the same with P2 = 0
 };
 
-/// 255 on the contours of a binary image: pixels with one of the four neighbours of the other kind.
-[[nodiscard]] ByteImage contours_of(const ConstByteView& binary);
+/// The contours of a binary image, both 255 on 0.
+struct TrueContours {
+  ByteImage both_sides;  // pixels with one of the four neighbours of the other kind
+  ByteImage inner;       // those of objects: one pixel wide
+};
+[[nodiscard]] TrueContours true_contours(const ConstByteView& binary);
 
-/// Compares edges with contours, both 255 on 0.
-[[nodiscard]] EdgeQuality edge_quality(const ConstByteView& contours, const ConstByteView& edges);
+/// Compares edges, 255 on 0, with contours. Precision and recall take either side of a border for
+/// right. Pratt's figure wants contours one pixel wide: with both sides it would ask for edges two
+/// pixels wide; so edges that are lose by their second pixel.
+[[nodiscard]] EdgeQuality edge_quality(const TrueContours& contours, const ConstByteView& edges);
 
 /// Every operator at every noise.
 [[nodiscard]] std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice);

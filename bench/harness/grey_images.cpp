@@ -39,6 +39,10 @@ void generate_noise(const TestImageSink& sink) {
   };
   for (Index width = 1; width <= 200; ++width) show(width);
   for (const Index width : {509, 510, 511, 512, 513, 514, 1023, 1024, 1025}) show(width);
+  // Narrower than vectors and so high that engines take more than one band of rows.
+  for (const auto& [width, height] : {std::pair<Index, Index>{5, 100}, {31, 65}, {63, 130}}) {
+    for (const Levels& levels : kLevels) sink(noise(width, height, levels, seed++));
+  }
 }
 
 template <class Level>
@@ -95,7 +99,9 @@ ByteImage grey_noise_image(Index width, Index height, std::uint8_t lowest, std::
 std::vector<TestImageSet> grey_image_sets() {
   return {{"grey_shapes", "constant images, ramps, steps, checkerboards of extremes, tiny images",
            generate_shapes, InputKind::kGrey},
-          {"grey_noise", "noise at widths 1..200, 509..514, 1023..1025 by heights 1 to 5 and 17",
+          {"grey_noise",
+           "noise at widths 1..200, 509..514, 1023..1025 by heights 1 to 5 and 17; narrow ones "
+           "up to 130 high",
            generate_noise, InputKind::kGrey}};
 }
 

@@ -1,4 +1,5 @@
-// The limit of everything that reads packed images: the packed words copied.
+// The limits of everything that reads packed images: the packed words copied, where an operation
+// gives an image, and the packed words read, where it gives numbers.
 #include <cstring>
 
 #include "core/convert.hpp"
@@ -7,6 +8,10 @@
 
 namespace thinbench {
 namespace {
+
+Index words_of(const BitPlaneView& plane) {
+  return (plane.width + kWordBits - 1) / kWordBits;
+}
 
 class CopyBitsJob final : public Job {
  public:
@@ -23,7 +28,7 @@ class CopyBitsJob final : public Job {
   void load(const ConstByteView& input) override { conversion_.read(input, source_.view()); }
   void kernel() override {
     const BitPlaneView from = source_.view();
-    const auto bytes = static_cast<std::size_t>((from.width + kWordBits - 1) / kWordBits * 8);
+    const auto bytes = static_cast<std::size_t>(words_of(from) * 8);
     for (Index y = 0; y < from.height && bytes > 0; ++y) {
       std::memcpy(target_.view().row(y), from.row(y), bytes);
     }
@@ -36,26 +41,84 @@ class CopyBitsJob final : public Job {
   BitPlane target_;
 };
 
-/// Plain enough to be looked through.
-class PlainCopyJob final : public Job {
+/// Jobs that give all words combined by exclusive or: what must look at every word.
+class CombinedJob : public Job {
  public:
-  void run(const ConstByteView& input, const ByteView& output) override {
-    for (Index y = 0; y < input.height; ++y) {
-      for (Index x = 0; x < input.width; ++x) output.row(y)[x] = input.row(y)[x];
+  [[nodiscard]] std::vector<std::int64_t> numbers() const final {
+    return {static_cast<std::int64_t>(combined_)};
+  }
+  [[nodiscard]] std::string name_of_number(std::size_t) const final { return "words combined"; }
+  [[nodiscard]] bool gives_image() const final { return false; }
+
+ protected:
+  void give(std::uint64_t combined) { combined_ = combined; }
+
+ private:
+  std::uint64_t combined_ = 0;
+};
+
+class ReadBitsJob final : public CombinedJob {
+ public:
+  ReadBitsJob(Index width, Index height)
+      : conversion_(plane_conversion<std::uint64_t>(best_isa())), source_(width, height) {}
+
+  void run(const ConstByteView& input, const ByteView&) override {
+    load(input);
+    kernel();
+  }
+  void load(const ConstByteView& input) override { conversion_.read(input, source_.view()); }
+  void kernel() override {
+    const BitPlaneView from = source_.view();
+    const Index words = words_of(from);
+    std::uint64_t combined = 0;
+    for (Index y = 0; y < from.height; ++y) {
+      const std::uint64_t* row = from.row(y);
+      for (Index i = 0; i < words; ++i) combined ^= row[i];
     }
+    give(combined);
+  }
+
+ private:
+  const PlaneConversion<std::uint64_t>& conversion_;
+  BitPlane source_;
+};
+
+/// Plain enough to be looked through.
+class PlainReadJob final : public CombinedJob {
+ public:
+  void run(const ConstByteView& input, const ByteView&) override {
+    std::uint64_t combined = 0;
+    for (Index y = 0; y < input.height; ++y) {
+      for (Index x = 0; x < input.width; ++x) {
+        if (input.row(y)[x] != 0) combined ^= std::uint64_t{1} << x % kWordBits;
+      }
+    }
+    give(combined);
   }
 };
+
+std::vector<Variant> with_kernel_scope(Variant peer) {
+  peer.has_kernel_scope = true;
+  return {peer};
+}
 
 }  // namespace
 
 std::vector<Variant> copy_bits_peers(const Operation& operation) {
-  if (operation.name != "holes" && operation.name != "euler_number") return {};
-  Variant copy = peer_variant(
-      "copy_bits", "no operation: the packed words copied",
-      [](Index width, Index height, int) { return std::make_unique<CopyBitsJob>(width, height); },
-      [](Index, Index, int) { return std::make_unique<PlainCopyJob>(); });
-  copy.has_kernel_scope = true;
-  return {copy};
+  if (operation.name == "fill_holes") {
+    return with_kernel_scope(peer_variant(
+        "copy_bits", "no operation: the packed words copied",
+        [](Index width, Index height, int) { return std::make_unique<CopyBitsJob>(width, height); },
+        plain_copy()));
+  }
+  for (const char* name : {"holes", "components", "euler_number", "euler_number_4"}) {
+    if (operation.name != name) continue;
+    return with_kernel_scope(peer_variant(
+        "read_bits", "no operation: the image packed, its words read",
+        [](Index width, Index height, int) { return std::make_unique<ReadBitsJob>(width, height); },
+        [](Index, Index, int) { return std::make_unique<PlainReadJob>(); }));
+  }
+  return {};
 }
 
 }  // namespace thinbench

@@ -5,17 +5,12 @@
 
 #include "harness/edges_family.hpp"
 #include "peers/peers.hpp"
+#include "picture/mat_of.hpp"
 
 namespace thinbench {
 namespace {
 
 constexpr int kSobelScale = 4;
-
-cv::Mat mat_of(const ConstByteView& view) {
-  // OpenCV knows no read-only images; sources are not written to.
-  return {static_cast<int>(view.height), static_cast<int>(view.width), CV_8U,
-          const_cast<std::uint8_t*>(view.data), static_cast<std::size_t>(view.stride)};
-}
 
 class SobelJob final : public Job {
  public:

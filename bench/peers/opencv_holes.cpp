@@ -8,17 +8,12 @@
 
 #include "holes.hpp"
 #include "peers/peers.hpp"
+#include "picture/mat_of.hpp"
 
 namespace thinbench {
 namespace {
 
 constexpr int kEight = 8;
-
-cv::Mat mat_of(const ConstByteView& view) {
-  // OpenCV knows no read-only images; sources are not written to.
-  return {static_cast<int>(view.height), static_cast<int>(view.width), CV_8U,
-          const_cast<std::uint8_t*>(view.data), static_cast<std::size_t>(view.stride)};
-}
 
 /// A job that gives numbers; images without pixels are not shown to OpenCV.
 class CountingJob : public Job {

@@ -4,6 +4,7 @@
 #include <opencv2/ximgproc.hpp>
 
 #include "peers/peers.hpp"
+#include "picture/mat_of.hpp"
 
 namespace thinbench {
 namespace {
@@ -14,14 +15,8 @@ class ThinningJob final : public Job {
 
   void run(const ConstByteView& input, const ByteView& output) override {
     if (input.width == 0 || input.height == 0) return;
-    const auto width = static_cast<int>(input.width);
-    const auto height = static_cast<int>(input.height);
-    // OpenCV knows no read-only images; sources are not written to.
-    const cv::Mat source(height, width, CV_8U, const_cast<std::uint8_t*>(input.data),
-                         static_cast<std::size_t>(input.stride));
-    cv::ximgproc::thinning(source, skeleton_, type_);
-    skeleton_.copyTo(
-        cv::Mat(height, width, CV_8U, output.data, static_cast<std::size_t>(output.stride)));
+    cv::ximgproc::thinning(mat_of(input), skeleton_, type_);
+    skeleton_.copyTo(mat_of(output));
   }
 
  private:

@@ -10,6 +10,16 @@ using PeersOf = std::vector<Variant> (*)(const Operation&);
 constexpr PeersOf kAllPeers[] = {&copy_peers,         &opencv_edge_peers,     &copy_bits_peers,
                                  &opencv_holes_peers, &opencv_thinning_peers, &leptonica_peers};
 
+/// Plain enough to be looked through.
+class PlainCopyJob final : public Job {
+ public:
+  void run(const ConstByteView& input, const ByteView& output) override {
+    for (Index y = 0; y < input.height; ++y) {
+      for (Index x = 0; x < input.width; ++x) output.row(y)[x] = input.row(y)[x];
+    }
+  }
+};
+
 class ImageOnlyJob final : public Job {
  public:
   explicit ImageOnlyJob(std::unique_ptr<Job> job) : job_(std::move(job)) {}
@@ -30,6 +40,7 @@ const std::vector<Peer>& peers() {
       {"opencv", opencv_description() + "; the whole operation; thinning keeps the border"},
       {"opencv_gradient", opencv_description() + "; does less: no threshold P2"},
       {"copy_bits", "the packed words copied: a limit for work on packed images"},
+      {"read_bits", "the packed words read: a limit for work that gives numbers"},
       {"opencv_contours", opencv_description() + "; areas and centres of polygons, not of pixels"},
       {"opencv_stats", opencv_description() + "; does less: no holes"},
       {"opencv_components", opencv_description() + "; labels objects, counts no holes"},
@@ -60,6 +71,10 @@ Variant peer_variant(std::string_view technique, std::string_view description, J
   variant.is_peer = true;
   variant.own_reference = std::move(own_reference);
   return variant;
+}
+
+JobMaker plain_copy() {
+  return [](Index, Index, int) { return std::make_unique<PlainCopyJob>(); };
 }
 
 JobMaker image_only(JobMaker make_job) {

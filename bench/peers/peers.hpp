@@ -32,6 +32,9 @@ struct Peer {
 [[nodiscard]] Variant peer_variant(std::string_view technique, std::string_view description,
                                    JobMaker make_job, JobMaker own_reference = {});
 
+/// The reference of every copy.
+[[nodiscard]] JobMaker plain_copy();
+
 /// The same work without the numbers, for peers that give none.
 [[nodiscard]] JobMaker image_only(JobMaker make_job);
 

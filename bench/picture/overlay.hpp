@@ -8,8 +8,10 @@
 namespace thinbench {
 
 /// Writes `grey` with the outlines of objects in green and of holes in red, a cross at each centre
-/// of mass and the id beside it. `objects` is the binary image in which `found` was found; all have
-/// one size. The file appears as a whole or not at all. Throws PictureError.
+/// of mass (a point where the region is small) and the ids: of objects above their first pixel, of
+/// holes beside the centre. Regions smaller than a digit have none. `objects` is the binary
+/// image in which `found` was found; all have one size. The file appears as a whole or not at all.
+/// Throws PictureError.
 void write_overlay(const std::string& path, const ConstByteView& grey, const ConstByteView& objects,
                    const FoundHoles& found);
 

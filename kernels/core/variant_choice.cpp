@@ -1,7 +1,10 @@
 #include "core/variant_choice.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 #include <string>
+#include <vector>
+
+#include "core/plan_checks.hpp"
 
 namespace thinbench {
 namespace {
@@ -25,6 +28,42 @@ std::string description(const VariantWish& wish) {
   return text + (wish.threads > 1 ? " with threads" : " on one thread");
 }
 
+/// Names in the order of the variants, each once.
+template <class Keep, class NameOf>
+std::string names_of(std::span<const VariantFacts> variants, const Keep& keep,
+                     const NameOf& name_of) {
+  std::vector<std::string_view> names;
+  std::string text;
+  for (const VariantFacts& variant : variants) {
+    const std::string_view name = name_of(variant);
+    if (!keep(variant) || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    text.append(names.empty() ? "" : ", ").append(name);
+    names.push_back(name);
+  }
+  return text;
+}
+
+/// Why no variant is as wished, whatever the machine and the image: the first of technique, level
+/// and threads that does not fit.
+std::string what_there_is(std::span<const VariantFacts> variants, const VariantWish& wish) {
+  const auto has_technique = [&](const VariantFacts& one) {
+    return one.technique == wish.technique.value_or(one.technique);
+  };
+  if (std::none_of(variants.begin(), variants.end(), has_technique)) {
+    const auto name_of = [](const VariantFacts& one) { return technique_name(one.technique); };
+    return "its techniques are " + names_of(
+                                       variants, [](const auto&) { return true; }, name_of);
+  }
+  const auto has_level = [&](const VariantFacts& one) {
+    return has_technique(one) && one.isa == wish.isa.value_or(one.isa);
+  };
+  if (std::none_of(variants.begin(), variants.end(), has_level)) {
+    const auto name_of = [](const VariantFacts& one) { return isa_name(one.isa); };
+    return "its instruction sets are " + names_of(variants, has_technique, name_of);
+  }
+  return "it runs on one thread only";
+}
+
 }  // namespace
 
 std::string_view why_unavailable(const VariantFacts& variant, Index width) {
@@ -34,26 +73,31 @@ std::string_view why_unavailable(const VariantFacts& variant, Index width) {
   return {};
 }
 
+std::string obstacle(const VariantFacts& variant, Index width) {
+  std::string text(why_unavailable(variant, width));
+  const bool is_too_wide = isa_available(variant.isa) && width > variant.max_width;
+  if (is_too_wide) text += " of " + std::to_string(variant.max_width) + " pixels";
+  return text;
+}
+
 std::size_t choose_variant(std::string_view operation, std::span<const VariantFacts> variants,
                            Index width, const VariantWish& wish) {
-  if (wish.threads < 1 || wish.threads > kMostThreads) {
-    throw std::invalid_argument("threads is " + std::to_string(wish.threads) +
-                                "; it must be in 1..1024");
-  }
-  std::string_view reason = "there is no such variant";
+  require_threads(wish.threads);
+  std::string reason;
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < variants.size(); ++i) {
     if (!fits(variants[i], wish)) continue;
-    const std::string_view why = why_unavailable(variants[i], width);
-    if (!why.empty()) {
-      reason = why;
+    if (std::string why = obstacle(variants[i], width); !why.empty()) {
+      reason = std::move(why);
     } else if (!best || is_faster(variants[i], variants[*best])) {
       best = i;
     }
   }
-  if (best) return *best;
-  throw std::invalid_argument(std::string(operation) + " by " + description(wish) + ": " +
-                              std::string(reason));
+  if (!best && reason.empty()) {
+    reason = "there is no such variant; " + what_there_is(variants, wish);
+  }
+  require(best.has_value(), std::string(operation) + " by " + description(wish) + ": " + reason);
+  return *best;
 }
 
 }  // namespace thinbench

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/isa.hpp"
@@ -31,9 +32,12 @@ inline constexpr int kMostThreads = 1024;
 
 /// Why a variant cannot run here on an image of this width; empty where it can.
 [[nodiscard]] std::string_view why_unavailable(const VariantFacts& variant, Index width);
+/// The same with numbers, for messages: "wider than this variant's limit of 512 pixels".
+[[nodiscard]] std::string obstacle(const VariantFacts& variant, Index width);
 
 /// The place of the variant of `operation` that fits the wish on an image of this width. Throws
-/// std::invalid_argument, naming what is wrong and what there is, where none fits.
+/// std::invalid_argument where none fits, naming what keeps the last that would; where there is
+/// none at all, the techniques there are, or the levels of the technique.
 [[nodiscard]] std::size_t choose_variant(std::string_view operation,
                                          std::span<const VariantFacts> variants, Index width,
                                          const VariantWish& wish);

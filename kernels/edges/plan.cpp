@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/convert.hpp"
+#include "core/plan_checks.hpp"
 #include "core/planes.hpp"
 #include "core/thread_team.hpp"
 #include "edges/tables.hpp"
@@ -12,31 +13,18 @@
 namespace thinbench {
 namespace {
 
-constexpr Index kMaxPixels = Index{1} << 40;
-
-void require(bool holds, const std::string& otherwise) {
-  if (!holds) throw std::invalid_argument(otherwise);
-}
-
 void check_threshold(const char* name, int value) {
   require(value >= 0 && value <= kLargestThreshold,
           std::string(name) + " is " + std::to_string(value) + "; it must be in 0..255");
 }
 
 void check(const EdgeVariant& variant, Index width, Index height, const EdgePlanOptions& options) {
-  const std::string size = std::to_string(width) + " x " + std::to_string(height);
-  require(width >= 0 && height >= 0, "image size " + size + " is negative");
-  require(
-      width <= kMaxPixels && height <= kMaxPixels && (width == 0 || height <= kMaxPixels / width),
-      "image size " + size + " is larger than 2^40 pixels");
+  require_size(width, height);
+  require_few_pixels(width, height);
   check_threshold("p1", options.thresholds.p1);
   check_threshold("p2", options.thresholds.p2);
-  require(options.threads >= 1 && options.threads <= kMostThreads,
-          "threads is " + std::to_string(options.threads) + "; it must be in 1..1024");
-  const std::string_view reason = why_unavailable(variant.facts, width);
-  require(reason.empty(), std::string(technique_name(variant.facts.technique)) + " at " +
-                              std::string(isa_name(variant.facts.isa)) +
-                              " cannot run: " + std::string(reason));
+  require_threads(options.threads);
+  require_available(variant.facts, width);
 }
 
 }  // namespace

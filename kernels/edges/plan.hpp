@@ -19,7 +19,7 @@ struct EdgePlanOptions {
 class EdgePlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative or has
-  /// more than 2^40 pixels, a threshold is not in [0, 255] or threads is not in [1, 1024];
+  /// more than 2^40 pixels, a threshold is not in [0, 255] or threads is not in [1, kMostThreads];
   /// std::bad_alloc where memory is short.
   EdgePlan(const EdgeOperation& operation, const EdgeVariant& variant, Index width, Index height,
            const EdgePlanOptions& options = {});

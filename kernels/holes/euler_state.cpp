@@ -1,5 +1,8 @@
+#include <atomic>
+
 #include "core/convert.hpp"
 #include "core/planes.hpp"
+#include "core/thread_team.hpp"
 #include "holes/euler.hpp"
 #include "holes/states.hpp"
 
@@ -11,12 +14,16 @@ class PackedState final : public HolesState {
   PackedState(const EulerKernels& kernels, const HolesSetting& setting)
       : kernel_(setting.task == HolesTask::kEulerEight ? kernels.eight : kernels.four),
         conversion_(plane_conversion<std::uint64_t>(setting.isa)),
-        image_(setting.width, setting.height) {}
+        image_(setting.width, setting.height),
+        team_(setting.threads) {}
 
   void load(const ConstByteView& source) override { conversion_.read(source, image_.view()); }
   void compute() override {
     const ConstBitPlaneView image = image_.view();
-    number_ = kernel_(image, 0, image.height + 1);
+    number_ = 0;
+    team_.for_ranges(image.height + 1, [&](Index first, Index last) {
+      number_.fetch_add(kernel_(image, first, last), std::memory_order_relaxed);
+    });
   }
   [[nodiscard]] std::int64_t number() const override { return number_; }
   [[nodiscard]] bool margins_are_zero() const override { return image_.margin_is_zero(); }
@@ -25,7 +32,8 @@ class PackedState final : public HolesState {
   EulerKernel kernel_;
   const PlaneConversion<std::uint64_t>& conversion_;
   BitPlane image_;
-  std::int64_t number_ = 0;
+  ThreadTeam team_;
+  std::atomic<std::int64_t> number_ = 0;
 };
 
 class ByteState final : public HolesState {

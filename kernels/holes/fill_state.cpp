@@ -2,6 +2,10 @@
 //
 // Cost: that of labelled_runs.hpp, and for each light run a look-up and, in a hole, the words it
 // covers. The image is copied first: a load and a store a word.
+//
+// There is no variant with lanes or threads: simd_runs gains where it sums up matching runs without
+// a label for each, while here every run keeps its label; and bands of rows labelled apart would
+// need their kept labels renumbered after the seams are joined, another pass over all runs.
 #include <cstring>
 
 #include "core/convert.hpp"

@@ -19,8 +19,8 @@ constexpr HolesVariant simd_runs(Isa isa, bool threaded = false) {
   return row(Technique::kSimdRuns, &make_simd_runs, isa, threaded, kSimdRunsWidth);
 }
 
-constexpr HolesVariant simd_euler(Isa isa) {
-  return row(Technique::kSimdBitpacked, &make_euler_simd, isa);
+constexpr HolesVariant simd_euler(Isa isa, bool threaded = false) {
+  return row(Technique::kSimdBitpacked, &make_euler_simd, isa, threaded);
 }
 
 constexpr std::array kRegionRows = {
@@ -33,17 +33,24 @@ constexpr std::array kRegionRows = {
     simd_runs(Isa::kAvx512),
     simd_runs(Isa::kAvx512Icl),
     simd_runs(Isa::kBaseline, true),
+    simd_runs(Isa::kSse42, true),
     simd_runs(Isa::kAvx2, true),
+    simd_runs(Isa::kAvx512, true),
     simd_runs(Isa::kAvx512Icl, true),
 };
 
 constexpr std::array kEulerRows = {
     row(Technique::kLut, &make_euler_lut),
     row(Technique::kBitpacked, &make_euler_bitpacked),
+    row(Technique::kBitpacked, &make_euler_bitpacked, Isa::kBaseline, true),
     simd_euler(Isa::kSse42),
     simd_euler(Isa::kAvx2),
     simd_euler(Isa::kAvx512),
     simd_euler(Isa::kAvx512Icl),
+    simd_euler(Isa::kSse42, true),
+    simd_euler(Isa::kAvx2, true),
+    simd_euler(Isa::kAvx512, true),
+    simd_euler(Isa::kAvx512Icl, true),
 };
 
 constexpr std::array kFillRows = {

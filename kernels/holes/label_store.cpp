@@ -48,7 +48,8 @@ void LabelStore::make_room(Index labels) {
   for (int colour = 0; colour < 2; ++colour) {
     const LabelTable& table = tables_.of_colour[colour];
     const Label needed = table.count + static_cast<Label>(labels) + 1;
-    if (needed > table.capacity) grow(colour, std::max(needed, 2 * table.capacity));
+    const Label doubled = table.capacity + std::min(table.capacity, ~table.capacity);  // saturates
+    if (needed > table.capacity) grow(colour, std::max(needed, doubled));
   }
 }
 

@@ -1,5 +1,5 @@
 // A plan owns the memory that one variant needs for images of one size. This is the fast way into
-// the library for objects and holes; thinbench.hpp has the convenient one.
+// the library for objects and holes; thinbench_holes.hpp has the convenient one.
 #pragma once
 
 #include "holes/variant.hpp"
@@ -13,15 +13,16 @@ void check_regions_plan(const VariantFacts& variant, Index width, Index height, 
 ///
 /// Images: 0 is light, anything else dark; outside the image everything is light.
 ///
-/// Memory: two bits a pixel for packed images, one byte for `lut`, five bytes for `union_find`,
-/// and 52 bytes for each provisional label of a region (at most one in two pixels, one in some
-/// thousand on pictures of parts). Labels grow by need: an image with more of them than any before
+/// Memory: one bit a pixel for packed images, one byte for `lut`, five bytes for `union_find`;
+/// filling takes one bit or byte a pixel more, and from packed images 8 bytes for each run. Regions
+/// take 52 bytes for each provisional label (at most one in two pixels, one in some thousand on
+/// pictures of parts). Labels and runs grow by need: an image with more of them than any before
 /// makes run() allocate, a second run on it does not.
 class HolesPlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative, a side
-  /// is above 2^29 or the image above 2^32 pixels, or threads is not in [1, 1024]; std::bad_alloc
-  /// where memory is short.
+  /// is above 2^29 or the image above 2^32 pixels, or threads is not in [1, kMostThreads];
+  /// std::bad_alloc where memory is short.
   HolesPlan(const HolesOperation& operation, const HolesVariant& variant, Index width, Index height,
             int threads = 1);
 
@@ -38,7 +39,8 @@ class HolesPlan {
   void compute() { state_->compute(); }
 
   /// What the latest run found, by the operation's task: lists of regions that are valid until the
-  /// next run, a number, or an image (0 and 255) of the plan's size.
+  /// next run, a number, or an image (0 and 255) of the plan's size. The others throw
+  /// std::logic_error.
   [[nodiscard]] RegionLists regions() const { return state_->regions(); }
   [[nodiscard]] std::int64_t number() const { return state_->number(); }
   void store(const ByteView& destination) const { state_->store(destination); }

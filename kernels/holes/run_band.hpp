@@ -6,7 +6,7 @@
 
 namespace thinbench {
 
-/// Owns what one thread needs to label a band: for rows of width w 40 (w + 80) bytes and labels.
+/// Owns what one thread needs to label a band: 44 bytes a column, a few thousand, and labels.
 class RunBand {
  public:
   explicit RunBand(Index width);

@@ -6,8 +6,8 @@
 
 namespace thinbench {
 
-/// What simd_runs sums up for run i while the runs of neighbouring rows match one to one, modulo
-/// 2^32.
+/// What simd_runs sums up for run i while the runs of neighbouring rows match one to one. Sums are
+/// unsigned; it empties them before any reaches 2^32.
 struct RunSlots {
   Key* length = nullptr;   // sum of lengths
   Key* squares = nullptr;  // sum of end^2 - begin^2, columns counted from 1

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 #include "core/variant_choice.hpp"
@@ -35,10 +36,16 @@ class HolesState {
 
   virtual void load(const ConstByteView& source) = 0;
   virtual void compute() = 0;
-  [[nodiscard]] virtual RegionLists regions() const { return {}; }
-  [[nodiscard]] virtual std::int64_t number() const { return 0; }
-  virtual void store(const ByteView& /*destination*/) const {}
+  /// What the task asked for; the two others throw std::logic_error.
+  [[nodiscard]] virtual RegionLists regions() const { refuse_result(); }
+  [[nodiscard]] virtual std::int64_t number() const { refuse_result(); }
+  virtual void store(const ByteView& /*destination*/) const { refuse_result(); }
   [[nodiscard]] virtual bool margins_are_zero() const = 0;
+
+ private:
+  [[noreturn]] static void refuse_result() {
+    throw std::logic_error("the operation gives another kind of result");
+  }
 };
 
 using MakeHolesState = std::unique_ptr<HolesState> (*)(const HolesSetting& setting);

@@ -15,11 +15,13 @@ EdgePlan edge_plan(const VariantFacts& facts, Index width, Index height,
   const auto operations = edge_operations();
   const auto operation = std::find_if(operations.begin(), operations.end(),
                                       [&](const auto& one) { return one.op == options.edges; });
+  if (operation == operations.end()) throw std::invalid_argument("there is no such edge operator");
   const EdgeVariant* best = nullptr;
   for (const EdgeVariant& variant : operation->variants) {
     const bool fits = variant.writes_bits() && variant.facts.threaded == facts.threaded;
     if (fits && variant.facts.isa <= facts.isa) best = &variant;
   }
+  if (best == nullptr) throw std::logic_error("no variant of this operator writes bits here");
   return {*operation, *best, width, height, {options.thresholds, options.threads}};
 }
 

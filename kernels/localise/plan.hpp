@@ -25,7 +25,7 @@ class LocalisePlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative, a side
   /// is above 2^29 or the image above 2^32 pixels, a threshold is not in [0, 255] or threads is not
-  /// in [1, 1024]; std::bad_alloc where memory is short.
+  /// in [1, kMostThreads]; std::bad_alloc where memory is short.
   LocalisePlan(const LocaliseVariant& variant, Index width, Index height,
                const LocaliseOptions& options = {});
 

@@ -18,7 +18,10 @@ constexpr std::array kRows = {
     simd_runs(Isa::kAvx2),
     simd_runs(Isa::kAvx512),
     simd_runs(Isa::kAvx512Icl),
+    simd_runs(Isa::kBaseline, true),
+    simd_runs(Isa::kSse42, true),
     simd_runs(Isa::kAvx2, true),
+    simd_runs(Isa::kAvx512, true),
     simd_runs(Isa::kAvx512Icl, true),
 };
 

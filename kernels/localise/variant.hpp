@@ -10,6 +10,7 @@ namespace thinbench {
 
 /// Edges as packed bits, the objects that they outline, and the regions of these: each row names
 /// the technique by which the regions are found; edges are those of simd_to_bits at its level.
+/// Threads share edges and regions; what the edges outline is found on one.
 struct LocaliseVariant {
   VariantFacts facts;
 };

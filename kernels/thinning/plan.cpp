@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
 
+#include "core/plan_checks.hpp"
 #include "nets/model.hpp"
 #include "scan/state.hpp"
 #include "thinning/iterate.hpp"
 #include "thinning/state.hpp"
 
 namespace thinbench {
+namespace {
+
+constexpr const char* kDoesNotKeepBorder = "this variant does not keep the border";
+
+}  // namespace
 
 bool knows_border(const ThinningVariant& variant, Border border) {
   using ByteCycle = std::span<const Pass<std::uint8_t>>;
@@ -21,33 +26,21 @@ bool knows_border(const ThinningVariant& variant, Border border) {
 }
 
 std::string_view why_unavailable(const ThinningVariant& variant, Index width, Border border) {
-  if (!cpu_supports(variant.isa)) return "this machine lacks the instruction set";
-  if (!isa_available(variant.isa)) return "above the ISA cap";
-  if (width > variant.max_width) return "wider than this variant's limit";
-  if (!knows_border(variant, border)) return "this variant does not keep the border";
-  return {};
+  const std::string_view reason = why_unavailable(facts_of(variant), width);
+  if (!reason.empty()) return reason;
+  return knows_border(variant, border) ? "" : kDoesNotKeepBorder;
 }
 
 namespace {
 
-constexpr Index kMaxPixels = Index{1} << 40;
-
-void require(bool holds, const std::string& otherwise) {
-  if (!holds) throw std::invalid_argument(otherwise);
-}
-
 void check(const ThinningVariant& variant, Index width, Index height, int threads, Border border) {
-  const std::string size = std::to_string(width) + " x " + std::to_string(height);
-  require(width >= 0 && height >= 0, "image size " + size + " is negative");
-  require(
-      width <= kMaxPixels && height <= kMaxPixels && (width == 0 || height <= kMaxPixels / width),
-      "image size " + size + " is larger than 2^40 pixels");
-  require(threads >= 1 && threads <= 1024,
-          "threads is " + std::to_string(threads) + "; it must be in 1..1024");
-  const std::string_view reason = why_unavailable(variant, width, border);
-  require(reason.empty(), std::string(technique_name(variant.technique)) + " at " +
-                              std::string(isa_name(variant.isa)) +
-                              " cannot run: " + std::string(reason));
+  require_size(width, height);
+  require_few_pixels(width, height);
+  require_threads(threads);
+  require_available(facts_of(variant), width);
+  require(knows_border(variant, border), std::string(technique_name(variant.technique)) + " at " +
+                                             std::string(isa_name(variant.isa)) +
+                                             " cannot run: " + kDoesNotKeepBorder);
 }
 
 /// What a state needs to know beside its engine.

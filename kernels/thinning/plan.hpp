@@ -22,8 +22,8 @@ struct PlanOptions {
 class ThinningPlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative or has
-  /// more than 2^40 pixels, threads is not in [1, 1024], a model is given to an operation that
-  /// takes none, directions to one that is no scan, or 8-bit sums cannot express the model;
+  /// more than 2^40 pixels, threads is not in [1, kMostThreads], a model is given to an operation
+  /// that takes none, directions to one that is no scan, or 8-bit sums cannot express the model;
   /// std::bad_alloc where memory is short.
   ThinningPlan(const ThinningOperation& operation, const ThinningVariant& variant, Index width,
                Index height, const PlanOptions& options = {});

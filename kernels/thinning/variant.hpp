@@ -6,8 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "core/isa.hpp"
-#include "core/technique.hpp"
+#include "core/variant_choice.hpp"
 #include "scan/work.hpp"
 #include "thinning/border.hpp"
 #include "thinning/image_kernel.hpp"
@@ -54,6 +53,10 @@ struct ThinningOperation {
   Border border = Border::kBackground;
   bool takes_directions = false;  // a scan
 };
+
+[[nodiscard]] inline VariantFacts facts_of(const ThinningVariant& variant) {
+  return {variant.technique, variant.isa, variant.threaded, variant.max_width};
+}
 
 /// Whether a variant can treat the border so.
 [[nodiscard]] bool knows_border(const ThinningVariant& variant, Border border);

@@ -3,6 +3,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
+#include "picture/mat_of.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "scene/scene.hpp"
@@ -23,8 +24,8 @@ class Border : public testing::Test {
   [[nodiscard]] ByteImage by_opencv(cv::ximgproc::ThinningTypes type) {
     ByteImage result(picture.width(), picture.height());
     cv::Mat skeleton;
-    cv::ximgproc::thinning(mat_of(picture), skeleton, type);
-    skeleton.copyTo(mat_of(result));
+    cv::ximgproc::thinning(mat_of(picture.view()), skeleton, type);
+    skeleton.copyTo(mat_of(result.view()));
     return result;
   }
 
@@ -32,12 +33,6 @@ class Border : public testing::Test {
   ByteImage picture = std::move(render_scene({SceneKind::kFrameTouching}).binary);
   std::string in = folder.file("in.png");
   std::string out = folder.file("out.png");
-
- private:
-  static cv::Mat mat_of(ByteImage& image) {
-    return {static_cast<int>(image.height()), static_cast<int>(image.width()), CV_8U,
-            image.view().data, static_cast<std::size_t>(image.view().stride)};
-  }
 };
 
 TEST_F(Border, keep_equals_opencv_on_a_picture_that_touches_the_frame) {

@@ -74,6 +74,8 @@ TEST_F(EdgesCommand, bad_arguments_are_one_line_and_no_output) {
   EXPECT_EQ(failure({"--p1", "256"}, 2),
             "--p1: '256' is no whole number from 0 to 255; see 'thinbench edges --help'");
   EXPECT_EQ(failure({"--p2", "-1"}, 2).find("--p2"), 0U);
+  EXPECT_EQ(failure({"--technique", ""}, 2).find("--technique: its value is empty"), 0U);
+  EXPECT_EQ(failure({"--isa", ""}, 2).find("--isa: its value is empty"), 0U);
   EXPECT_EQ(failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not made by simd_8bit"),
             0U);
   EXPECT_EQ(failure_of({"edges", in, folder.file("a.gif")}, 1).find("cannot write '"), 0U);

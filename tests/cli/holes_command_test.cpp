@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "picture/picture.hpp"
-#include "support/temporary_folder.hpp"
 #include "program_run.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace thinbench {
 namespace {
@@ -102,9 +102,28 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
   EXPECT_NE(failure_of({"holes", in, "--threshold", "300"}, 2).find("300"), std::string::npos);
   EXPECT_NE(failure_of({"holes", in, "--technique", "simd_run"}, 2).find("simd_runs"),
             std::string::npos);
-  EXPECT_NE(failure_of({"holes", in, "--technique", "lut"}, 2).find("no such variant"),
-            std::string::npos);
+  EXPECT_EQ(failure_of({"holes", in, "--technique", "lut"}, 2),
+            "holes is not made by lut, only by union_find, bitpacked_runs and simd_runs");
   EXPECT_EQ(folder.names(), Names{"in.png"});
+}
+
+TEST_F(HolesCommand, empty_values_are_refused) {
+  for (const char* option : {"--overlay", "--technique", "--isa"}) {
+    EXPECT_EQ(failure_of({"holes", in, option, ""}, 2),
+              std::string(option) + ": its value is empty; see 'thinbench holes --help'");
+  }
+}
+
+TEST_F(HolesCommand, variants_that_cannot_run_are_explained_as_by_the_other_commands) {
+  EXPECT_EQ(failure_of({"holes", in, "--technique", "union_find", "--threads", "2"}, 2),
+            "union_find runs on one thread only, not on 2");
+  write_grey(in, ByteImage(65535, 1).view());
+  EXPECT_EQ(failure_of({"holes", in, "--technique", "simd_runs"}, 1),
+            "simd_runs takes pictures up to 65534 pixels wide; this one has 65535");
+  const IsaCap cap("baseline");
+  if (!cpu_supports(Isa::kAvx2)) GTEST_SKIP() << "needs avx2";
+  EXPECT_EQ(failure_of({"holes", in, "--isa", "avx2"}, 1),
+            "avx2 is above the cap THINBENCH_MAX_ISA=baseline");
 }
 
 }  // namespace

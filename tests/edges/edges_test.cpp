@@ -28,8 +28,8 @@ TEST(EdgeThresholds, every_variant_equals_its_reference_at_every_kind) {
           EdgeThresholds{128, 254}, EdgeThresholds{255, 0}, EdgeThresholds{0, 255}}) {
       const Operation operation = edges_operation(edges, thresholds);
       for (const Variant& variant : operation.variants) {
-        if (!variant.why_unavailable(199).empty() || variant.threaded) continue;
-        const auto job = variant.make_job(199, 41, 1);
+        if (!variant.why_unavailable(199).empty()) continue;
+        const auto job = variant.make_job(199, 41, variant.threaded ? 3 : 1);
         EXPECT_EQ(find_mismatch(*job, image.view(), expected_of(operation, variant, image.view())),
                   std::nullopt)
             << operation.name << " " << variant.technique << " " << isa_name(variant.isa);
@@ -130,6 +130,44 @@ TEST(DetectEdges, refuses_what_it_cannot_do_and_says_why) {
             "no edge operation is named edges_canny");
   EXPECT_EQ(refusal(a.view(), b.view(), {}, kSobel, 0), "threads is 0; it must be in 1..1024");
   EXPECT_EQ(refusal(a.view(), b.view()), "");
+}
+
+TEST(DetectEdges, refuses_views_that_are_no_images_or_overlap_in_part) {
+  ByteImage a(20, 10);
+  ByteImage b(20, 10);
+  const ByteView to = b.view();
+  EXPECT_EQ(refusal({nullptr, 20, 10, 64}, to), "source has no data");
+  EXPECT_EQ(refusal(a.view(), {nullptr, 20, 10, 64}), "destination has no data");
+  EXPECT_EQ(refusal({a.view().data, 20, 10, 19}, to),
+            "source has a stride of 19 bytes, below its width of 20");
+  EXPECT_EQ(refusal({a.view().data, -1, 10, 64}, to), "source has the size -1 x 10");
+  ByteImage both(50, 12);
+  const ByteView view = both.view();
+  EXPECT_EQ(refusal({view.data, 20, 10, view.stride}, {view.row(2) + 3, 20, 10, view.stride}),
+            "source and destination overlap");
+  EXPECT_EQ(refusal({view.data, 20, 10, view.stride}, {view.data + 25, 20, 10, view.stride}), "")
+      << "side by side";
+}
+
+TEST(DetectEdges, refuses_what_there_is_not_and_lists_what_there_is) {
+  const auto refusal_of = [](const VariantWish& wish) -> std::string {
+    try {
+      static_cast<void>(choose_variant(*find_edge_operation(kSobel), 100, wish));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string none = ": there is no such variant; ";
+  EXPECT_EQ(refusal_of({Technique::kUnionFind, {}, 1}),
+            "edges_sobel by union_find at any instruction set on one thread" + none +
+                "its techniques are lut, autovec, simd_16bit, simd_to_bits");
+  EXPECT_EQ(
+      refusal_of({Technique::kLut, Isa::kAvx2, 1}),
+      "edges_sobel by lut at avx2 on one thread" + none + "its instruction sets are baseline");
+  EXPECT_EQ(refusal_of({Technique::kAutovec, {}, 2}),
+            "edges_sobel by autovec at any instruction set with threads" + none +
+                "it runs on one thread only");
 }
 
 }  // namespace

@@ -142,26 +142,53 @@ ByteImage image_with_column(Index column) {
   return image;
 }
 
-TEST(EdgeQuality, contours_are_both_sides_of_a_border) {
+TEST(EdgeQuality, contours_are_both_sides_of_a_border_or_the_inner_one) {
   ByteImage half(6, 3);
   for (Index y = 0; y < 3; ++y) half.at(4, y) = half.at(5, y) = 255;
-  const ByteImage contours = contours_of(half.view());
-  for (Index x = 0; x < 6; ++x) EXPECT_EQ(contours.at(x, 1), x == 3 || x == 4 ? 255 : 0) << x;
+  const TrueContours contours = true_contours(half.view());
+  for (Index x = 0; x < 6; ++x) {
+    EXPECT_EQ(contours.both_sides.at(x, 1), x == 3 || x == 4 ? 255 : 0) << x;
+    EXPECT_EQ(contours.inner.at(x, 1), x == 4 ? 255 : 0) << x;
+  }
 }
 
 TEST(EdgeQuality, distance_of_one_pixel_is_right_but_costs_a_tenth_of_the_merit) {
-  const ByteImage contours = image_with_column(5);
-  const EdgeQuality same = edge_quality(contours.view(), contours.view());
+  const TrueContours contours{image_with_column(5), image_with_column(5)};
+  const EdgeQuality same = edge_quality(contours, contours.inner.view());
   EXPECT_EQ(same.precision, 1);
   EXPECT_EQ(same.recall, 1);
   EXPECT_EQ(same.figure_of_merit, 1);
-  const EdgeQuality beside = edge_quality(contours.view(), image_with_column(6).view());
+  const EdgeQuality beside = edge_quality(contours, image_with_column(6).view());
   EXPECT_EQ(beside.precision, 1);
   EXPECT_NEAR(beside.figure_of_merit, 0.9, 1e-12);
-  const EdgeQuality apart = edge_quality(contours.view(), image_with_column(8).view());
+  const EdgeQuality apart = edge_quality(contours, image_with_column(8).view());
   EXPECT_EQ(apart.precision, 0);
   EXPECT_EQ(apart.recall, 0);
   EXPECT_NEAR(apart.figure_of_merit, 0.5, 1e-12);
+}
+
+TEST(EdgeQuality, merit_is_measured_against_a_contour_one_pixel_wide) {
+  ByteImage both = image_with_column(5);
+  for (Index y = 0; y < 10; ++y) both.at(6, y) = 255;
+  const TrueContours contours{copy_of(both.view()), image_with_column(5)};
+  const EdgeQuality thin = edge_quality(contours, image_with_column(5).view());
+  EXPECT_EQ(thin.figure_of_merit, 1);
+  EXPECT_EQ(thin.marked, 0.05);
+  const EdgeQuality thick = edge_quality(contours, both.view());
+  EXPECT_NEAR(thick.figure_of_merit, 0.95, 1e-12) << "half of its pixels are one pixel away";
+  EXPECT_EQ(thick.marked, 0.1);
+}
+
+TEST(EdgeQuality, recall_means_little_where_much_is_marked) {
+  ByteImage everything(20, 10);
+  for (Index y = 0; y < 10; ++y) {
+    for (Index x = 0; x < 20; ++x) everything.at(x, y) = 255;
+  }
+  const TrueContours contours{image_with_column(5), image_with_column(5)};
+  const EdgeQuality quality = edge_quality(contours, everything.view());
+  EXPECT_EQ(quality.recall, 1);
+  EXPECT_EQ(quality.marked, 1);
+  EXPECT_EQ(quality.precision, 0.15);
 }
 
 TEST(EdgeQuality, every_operator_finds_the_contours_of_the_clean_scene) {
@@ -204,7 +231,7 @@ TEST(LiteralHoles, take_other_objects_for_holes_and_refuse_too_many_contours) {
 
 TEST(ExperimentReports, every_file_names_its_schema_experiment_and_command) {
   const std::vector<std::pair<std::string, ExperimentReport>> reports = {
-      {"edge-quality", edge_quality_report({{"edges_sobel", 8, {1, 1, 0.5}, 0.9}}, {})},
+      {"edge-quality", edge_quality_report({{"edges_sobel", 8, {1, 1, 0.5, 0.1}, 0.9}}, {})},
       {"literal-holes", literal_holes_report({{"some", 2, 1, 1, 5, {}}})},
       {"quantisation", quantisation_report(run_quantisation())},
       {"operation-counts", operation_counts_report(run_operation_counts())},

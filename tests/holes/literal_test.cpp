@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/literal_holes.hpp"
 #include "holes/pictures.hpp"
 
 namespace thinbench {
@@ -77,20 +78,10 @@ TEST(HolesLiteral, more_than_254_levels_are_refused_and_never_wrap) {
   EXPECT_THROW((void)scan(one_more), std::length_error);
 }
 
-/// A plate with holes of one pixel, `wall` pixels from its border and from each other.
-ByteImage plate(Index holes, Index wall) {
-  ByteImage image(wall + holes * (wall + 1), 2 * wall + 1);
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = 255;
-  }
-  for (Index i = 0; i < holes; ++i) image.at(wall + i * (wall + 1), wall) = 0;
-  return image;
-}
-
 TEST(HolesLiteral, is_right_on_one_object_whose_walls_are_at_least_three_pixels_thick) {
   for (const Index holes : {0, 1, 2, 7, 40}) {
     for (const Index wall : {3, 4, 9}) {
-      const ByteImage image = plate(holes, wall);
+      const ByteImage image = plate_with_holes(holes, wall);
       ASSERT_EQ(reference::holes(image.view()).holes.size(), static_cast<std::size_t>(holes));
       EXPECT_EQ(holes_of_object(image), holes) << wall;
     }
@@ -105,8 +96,8 @@ TEST(HolesLiteral, takes_every_object_beyond_the_first_for_a_hole) {
 
 TEST(HolesLiteral, loses_holes_behind_walls_of_one_or_two_pixels) {
   for (const Index wall : {1, 2}) {
-    EXPECT_EQ(reference::holes(plate(5, wall).view()).holes.size(), 5U);
-    EXPECT_EQ(holes_of_object(plate(5, wall)), 0) << "the contours on both sides touch";
+    EXPECT_EQ(reference::holes(plate_with_holes(5, wall).view()).holes.size(), 5U);
+    EXPECT_EQ(holes_of_object(plate_with_holes(5, wall)), 0) << "the contours on both sides touch";
   }
 }
 

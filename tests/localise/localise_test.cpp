@@ -129,6 +129,8 @@ TEST(LocaliseObjects, has_areas_that_are_too_large_by_the_width_of_edges) {
 TEST(LocaliseObjects, refuses_what_edges_or_holes_refuse) {
   const ByteImage image(10, 4);
   EXPECT_THROW((void)localise_objects({nullptr, 10, 4, 64}), std::invalid_argument);
+  EXPECT_THROW((void)localise_objects({image.view().data, 10, 4, 9}), std::invalid_argument);
+  EXPECT_THROW((void)localise_objects({image.view().data, 10, -4, 64}), std::invalid_argument);
   EXPECT_THROW((void)localise_objects(image.view(), {256, 0}), std::invalid_argument);
   EXPECT_THROW((void)localise_objects(image.view(), {0, -1}), std::invalid_argument);
   EXPECT_THROW((void)localise_objects(image.view(), {}, {Technique::kLut}), std::invalid_argument);
@@ -140,6 +142,26 @@ TEST(LocaliseObjects, has_nothing_to_say_of_images_without_edges) {
     const ByteImage image(width, height);
     EXPECT_TRUE(localise_objects(image.view()).objects.empty());
     EXPECT_TRUE(localise_objects(image.view(), {}, {{}, {}, 4}).holes.empty());
+  }
+}
+
+TEST(LocalisePlan, takes_every_edge_operator_and_gives_what_the_reference_gives) {
+  const Scene scene = render_scene();
+  const ConstByteView grey = scene.grey.view();
+  for (const EdgeOperation& edges : edge_operations()) {
+    const reference::Regions expected =
+        reference::localise_objects(reference::find_edges(edges.name), 40, 128, grey);
+    for (const LocaliseVariant& variant : localise_rows()) {
+      if (!why_unavailable(variant.facts, grey.width).empty()) continue;
+      LocalisePlan plan(variant, grey.width, grey.height, {edges.op, {40, 128}, 3});
+      const RegionLists found = plan.run(grey);
+      EXPECT_TRUE(std::equal(found.objects.begin(), found.objects.end(), expected.objects.begin(),
+                             expected.objects.end()))
+          << edges.name << " at " << isa_name(variant.facts.isa);
+      EXPECT_TRUE(std::equal(found.holes.begin(), found.holes.end(), expected.holes.begin(),
+                             expected.holes.end()))
+          << edges.name << " at " << isa_name(variant.facts.isa);
+    }
   }
 }
 

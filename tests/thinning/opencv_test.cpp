@@ -5,6 +5,7 @@
 
 #include "harness/operation.hpp"
 #include "harness/test_images.hpp"
+#include "picture/mat_of.hpp"
 #include "scene/scene.hpp"
 #include "thinbench.hpp"
 
@@ -16,16 +17,11 @@ struct Pair {
   cv::ximgproc::ThinningTypes type;
 };
 
-cv::Mat mat_of(ByteImage& image) {
-  return {static_cast<int>(image.height()), static_cast<int>(image.width()), CV_8U,
-          image.view().data, static_cast<std::size_t>(image.view().stride)};
-}
-
 ByteImage by_opencv(const Pair& pair, ByteImage& image) {
   cv::Mat skeleton;
-  cv::ximgproc::thinning(mat_of(image), skeleton, pair.type);
+  cv::ximgproc::thinning(mat_of(image.view()), skeleton, pair.type);
   ByteImage result(image.width(), image.height());
-  skeleton.copyTo(mat_of(result));
+  skeleton.copyTo(mat_of(result.view()));
   return result;
 }
 

@@ -63,7 +63,8 @@ TEST(ChooseVariant, names_what_does_not_exist) {
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),
-                 "thin_naccache_shinghal by lut at avx2 on one thread: there is no such variant");
+                 "thin_naccache_shinghal by lut at avx2 on one thread: there is no such variant; "
+                 "its instruction sets are baseline");
   }
 }
 

@@ -1,0 +1,83 @@
+#include "picture/overlay.hpp"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "support/temporary_folder.hpp"
+
+namespace thinbench {
+namespace {
+
+const cv::Vec3b kGreen(0, 170, 0);
+const cv::Vec3b kRed(40, 40, 255);
+constexpr std::uint8_t kGrey = 100;
+
+/// What is drawn over an even grey picture in which `objects` are looked for.
+cv::Mat3b overlay_of(const ByteImage& objects) {
+  const TemporaryFolder folder;
+  ByteImage grey(objects.width(), objects.height());
+  for (Index y = 0; y < grey.height(); ++y) {
+    for (Index x = 0; x < grey.width(); ++x) grey.at(x, y) = kGrey;
+  }
+  const std::string path = folder.file("overlay.png");
+  write_overlay(path, grey.view(), objects.view(), find_holes(objects.view()));
+  return cv::imread(path, cv::IMREAD_COLOR);
+}
+
+void fill(ByteImage& image, const cv::Rect& area, std::uint8_t level) {
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    for (int x = area.x; x < area.x + area.width; ++x) image.at(x, y) = level;
+  }
+}
+
+/// Whether anything was drawn in an area.
+bool is_drawn(const cv::Mat3b& overlay, const cv::Rect& area) {
+  const cv::Mat3b ground(area.size(), cv::Vec3b(kGrey, kGrey, kGrey));
+  return cv::norm(overlay(area), ground, cv::NORM_INF) > 0;
+}
+
+/// An object of 40 x 40 pixels at (20, 20) with a hole of 20 x 20 in its middle.
+ByteImage ring() {
+  ByteImage image(80, 80);
+  fill(image, {20, 20, 40, 40}, 255);
+  fill(image, {30, 30, 20, 20}, 0);
+  return image;
+}
+
+TEST(Overlay, outlines_of_objects_are_green_and_those_of_holes_red) {
+  const cv::Mat3b overlay = overlay_of(ring());
+  for (const cv::Point& at : {cv::Point(20, 25), cv::Point(59, 59), cv::Point(40, 20)}) {
+    EXPECT_EQ(overlay(at), kGreen) << at;
+  }
+  for (const cv::Point& at : {cv::Point(29, 40), cv::Point(50, 45), cv::Point(40, 50)}) {
+    EXPECT_EQ(overlay(at), kRed) << at;
+  }
+}
+
+TEST(Overlay, number_of_an_object_stands_above_it_and_that_of_its_hole_in_the_hole) {
+  const cv::Mat3b overlay = overlay_of(ring());
+  EXPECT_TRUE(is_drawn(overlay, {20, 10, 10, 9})) << "the object's number";
+  EXPECT_TRUE(is_drawn(overlay, {43, 30, 7, 8})) << "the hole's number";
+  EXPECT_FALSE(is_drawn(overlay, {31, 43, 17, 6})) << "the rest of the hole";
+  EXPECT_FALSE(is_drawn(overlay, {0, 62, 80, 18})) << "the ground below";
+}
+
+TEST(Overlay, numbers_stay_in_the_picture) {
+  ByteImage corner(60, 30);
+  fill(corner, {48, 0, 12, 30}, 255);
+  const cv::Mat3b overlay = overlay_of(corner);
+  EXPECT_TRUE(is_drawn(overlay, {49, 1, 10, 9})) << "within the object, as there is nothing above";
+}
+
+TEST(Overlay, regions_smaller_than_a_digit_have_a_point_and_no_number) {
+  ByteImage plate(60, 40);
+  fill(plate, {5, 15, 50, 20}, 255);
+  plate.at(20, 25) = 0;
+  const cv::Mat3b overlay = overlay_of(plate);
+  EXPECT_EQ(overlay(25, 20), kRed) << "the hole's centre";
+  EXPECT_EQ(overlay(25, 19), kRed) << "its outline";
+  EXPECT_FALSE(is_drawn(overlay, {7, 17, 20, 7})) << "nothing beside it";
+}
+
+}  // namespace
+}  // namespace thinbench
