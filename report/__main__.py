@@ -1,17 +1,21 @@
-"""The command line: `python3 -m report build DIR` and `python3 -m report claims DIR`."""
+"""The command line: `python3 -m report build|claims|readme DIR`."""
 
 from __future__ import annotations
 
 import argparse
 import io
 import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from report.build import build, claims_text
 from report.errors import ReportError
+from report.readme import fill_readme
 
-EXAMPLE = """example:
+EXAMPLE = """examples:
   python3 -m report build results/intel-6-143-8-1a2b3c4d/2026-11-21-abc1234
+  python3 -m report claims results/intel-6-143-8-1a2b3c4d/2026-11-21-abc1234 > report/CLAIMS.md
 
 DIR must hold timings.json, machine.json and rows.json. Written beside them:
 timings.csv, timings.md, plots/*.svg, plots/*.png and index.html, a page that
@@ -28,24 +32,31 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         prog="python3 -m report", description="Tables, plots and a page of one benchmark run.",
         epilog=EXAMPLE, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    command = commands.add_parser(
-        "build", help="write tables, plots and page", description="Writes tables, plots and page.",
-        epilog=EXAMPLE, formatter_class=argparse.RawDescriptionHelpFormatter)
-    command.add_argument("directory", metavar="DIR", type=Path, help="the files of one run")
-    command.set_defaults(work=build)
-    command = commands.add_parser(
-        "claims", help="print the paper's claims, judged", description="Prints the paper's claims "
-        "with what this run says of them, as Markdown; report/CLAIMS.md is made so.")
-    command.add_argument("directory", metavar="DIR", type=Path, help="the files of one run")
-    command.set_defaults(work=claims_text)
+    _add(commands, "build", "write tables, plots and page", lambda options: build(options.directory))
+    _add(commands, "claims", "print the paper's claims with what this run says of them",
+         lambda options: claims_text(options.directory))
+    readme = _add(commands, "readme", "fill the marked tables of a README with this run's figures",
+                  lambda options: fill_readme(options.directory, options.file))
+    readme.add_argument("--file", type=Path, default=Path("README.md"), help="default README.md")
     return parser.parse_args(arguments)
+
+
+def _add(commands: Any, name: str, what: str,
+         work: Callable[[argparse.Namespace], str]) -> argparse.ArgumentParser:
+    """A command that works on the folder of a run."""
+    command: argparse.ArgumentParser = commands.add_parser(
+        name, help=what, description=f"{what[0].upper()}{what[1:]}.", epilog=EXAMPLE,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    command.add_argument("directory", metavar="DIR", type=Path, help="the files of one run")
+    command.set_defaults(work=work)
+    return command
 
 
 def main(arguments: list[str]) -> int:
     """Runs the command and returns the exit status."""
     options = parse(arguments)
     try:
-        print(options.work(options.directory).rstrip("\n"))
+        print(options.work(options).rstrip("\n"))
     except ReportError as error:
         print(f"report: {error}", file=sys.stderr)
         return 1
