@@ -1,6 +1,9 @@
 // Arithmetic on grey levels in lanes, beyond what xsimd offers alike in all its versions: a level a
 // byte lane, or 16 bits a lane in two halves. For ISA files only.
 //
+// These types have one name and another meaning at every level, so they stand in an inline namespace
+// of the level: the linker would merge whatever a compiler does not inline.
+//
 // Halves are interleaved as the processor's unpack instructions have it, within 128 bits on AVX2
 // and AVX-512. `pack` undoes that; nothing between may depend on the order of lanes.
 #pragma once
@@ -8,6 +11,7 @@
 #include "core/batch.hpp"
 
 namespace thinbench {
+inline namespace THINBENCH_ISA {
 
 using WideBatch = xsimd::batch<std::int16_t, Architecture>;
 
@@ -159,4 +163,5 @@ struct Halves {
   return interleaved(a, ByteBatch(std::uint8_t{0}));
 }
 
+}  // namespace THINBENCH_ISA
 }  // namespace thinbench

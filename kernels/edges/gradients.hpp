@@ -5,6 +5,7 @@
 #include "edges/sweep.hpp"
 
 namespace thinbench {
+inline namespace THINBENCH_ISA {
 
 /// P1 times the operator's scale, against which 16-bit magnitudes stand.
 [[gnu::always_inline]] inline WideBatch scaled(int p1, int scale) {
@@ -193,4 +194,5 @@ struct MeroVassy5x5In16Bits {
   Halves d2[4] = {};
 };
 
+}  // namespace THINBENCH_ISA
 }  // namespace thinbench

@@ -12,6 +12,7 @@
 #include "edges/kernels.hpp"
 
 namespace thinbench {
+inline namespace THINBENCH_ISA {
 
 inline constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
 
@@ -232,4 +233,5 @@ void sweep_to_bits(const EdgeThresholds& thresholds, ConstByteView source, BitPl
   });
 }
 
+}  // namespace THINBENCH_ISA
 }  // namespace thinbench

@@ -66,6 +66,13 @@ struct Matching {
   }
 }
 
+/// Sums wrap round like unsigned numbers: runs that reach the frame have keys without meaning.
+[[gnu::always_inline]] inline KeyBatch product(KeyBatch a, KeyBatch b) {
+  using Unsigned = xsimd::batch<std::uint32_t, Architecture>;
+  return xsimd::bitwise_cast<KeyBatch>(xsimd::bitwise_cast<Unsigned>(a) *
+                                       xsimd::bitwise_cast<Unsigned>(b));
+}
+
 [[gnu::always_inline]] inline void add_row(const RunSlots& slots, const Key* keys, Index count,
                                            Index rows_since_start) {
   const KeyBatch row(static_cast<Key>(rows_since_start));
@@ -77,8 +84,8 @@ struct Matching {
     const KeyBatch end = end_key >> 1;
     const KeyBatch length = end - begin;
     (load(slots.length) + length).store_unaligned(slots.length + i);
-    (load(slots.squares) + length * (begin + end)).store_unaligned(slots.squares + i);
-    (load(slots.rows) + length * row).store_unaligned(slots.rows + i);
+    (load(slots.squares) + product(length, begin + end)).store_unaligned(slots.squares + i);
+    (load(slots.rows) + product(length, row)).store_unaligned(slots.rows + i);
     xsimd::min(load(slots.least), begin_key).store_unaligned(slots.least + i);
     xsimd::max(load(slots.largest), end_key).store_unaligned(slots.largest + i);
   }
