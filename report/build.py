@@ -7,16 +7,18 @@ from contextlib import suppress
 from pathlib import Path
 
 from report.errors import ReportError
-from report.experiment_layout import to_experiments_markdown
+from report.experiment_layout import table_block, to_experiments_markdown
 from report.experiment_tables import make_tables
 from report.experiments import load_experiments
+from report.limits import limits_table, load_limits
 from report.loading import load_study
 from report.page import to_html
 from report.plots import make_plots
 from report.summary import to_text
 from report.tables import to_csv, to_markdown
 
-PAGE, CSV, MARKDOWN, EXPERIMENTS = "index.html", "timings.csv", "timings.md", "experiments.md"
+PAGE, CSV, MARKDOWN = "index.html", "timings.csv", "timings.md"
+EXPERIMENTS, LIMITS = "experiments.md", "limits.md"
 
 
 def build(directory: Path) -> str:
@@ -27,6 +29,7 @@ def build(directory: Path) -> str:
     """
     study = load_study(directory)
     tables = make_tables(study, load_experiments(directory))
+    limits = limits_table(study, load_limits(directory))
     plots = make_plots(study)
     outputs: dict[str, bytes] = {}
     for plot in [*plots, *(table.plot for table in tables if table.plot)]:
@@ -36,7 +39,9 @@ def build(directory: Path) -> str:
     outputs[MARKDOWN] = to_markdown(study).encode()
     if tables:
         outputs[EXPERIMENTS] = to_experiments_markdown(tables).encode()
-    outputs[PAGE] = to_html(study, plots, tables).encode()
+    if limits:
+        outputs[LIMITS] = table_block(limits).encode()
+    outputs[PAGE] = to_html(study, plots, tables, limits).encode()
     summary = to_text(study)
     _write_all(directory, outputs)
     return f"{summary}\nPage: {directory / PAGE}\nCSV:  {directory / CSV}"

@@ -39,14 +39,14 @@ struct InstructionsOptions {
   std::string out;
   std::string against;
   std::uint64_t most_steps = 0;  // 0 for what suits the input
-  double issue_width = 4;
+  double issue_width = 6;
   bool json = false;
   bool limits = false;
   bool quick = false;
 
   [[nodiscard]] std::uint64_t steps() const {
     if (most_steps > 0) return most_steps;
-    return limits ? 600000 : 30000;
+    return limits ? 800000 : 30000;
   }
 };
 
@@ -138,7 +138,7 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
       ->check(not_empty())
       ->type_name("FILE");
   app.add_option("--most-steps", options.most_steps,
-                 "Skip rows that take more (default: 30000, with --limits 600000)")
+                 "Skip rows that take more (default: 30000, with --limits 800000)")
       ->check(whole_number(1, 1000000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");

@@ -72,8 +72,8 @@ bool is_known(const Json& document) {
 }  // namespace
 
 std::size_t Comparison::more() const {
-  return static_cast<std::size_t>(std::count_if(
-      moved.begin(), moved.end(), [](const MovedRow& row) { return row.is_more(); }));
+  return static_cast<std::size_t>(
+      std::count_if(moved.begin(), moved.end(), [](const MovedRow& row) { return row.is_more(); }));
 }
 
 Json read_counts(const std::string& file) {

@@ -117,9 +117,9 @@ Json limits_json(const TimedInput& input, const Limits& limits, double issue_wid
 std::string counts_table(const RowCounts& counts) {
   std::string text = line("%-80s %12s %8s\n", "row", "instructions", "counter");
   for (const RowCount& count : counts.rows) {
-    text += line("%-80s %12llu %8s\n", count.row->name.c_str(),
-                 static_cast<unsigned long long>(count.instructions),
-                 counter_of(*count.row).c_str());
+    text +=
+        line("%-80s %12llu %8s\n", count.row->name.c_str(),
+             static_cast<unsigned long long>(count.instructions), counter_of(*count.row).c_str());
   }
   return text;
 }
@@ -128,11 +128,11 @@ std::string limits_table(const Limits& limits, double issue_width) {
   std::string text = line("%-80s %12s %10s %8s %10s %9s\n", "row", "instructions", "us", "a cycle",
                           "limit us", "of limit");
   for (const RowLimit& limit : limits.rows) {
-    text += line("%-80s %12llu %10.2f %8.2f %10.2f %7.0f %%\n", limit.count.row->name.c_str(),
-                 static_cast<unsigned long long>(limit.count.instructions),
-                 limit.time.seconds * 1e6, limit.instructions_a_cycle(),
-                 limit.limit_seconds(issue_width) * 1e6,
-                 100 * limit.instructions_a_cycle() / issue_width);
+    text +=
+        line("%-80s %12llu %10.2f %8.2f %10.2f %7.0f %%\n", limit.count.row->name.c_str(),
+             static_cast<unsigned long long>(limit.count.instructions), limit.time.seconds * 1e6,
+             limit.instructions_a_cycle(), limit.limit_seconds(issue_width) * 1e6,
+             100 * limit.instructions_a_cycle() / issue_width);
   }
   return text;
 }
