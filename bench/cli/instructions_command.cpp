@@ -46,7 +46,8 @@ struct InstructionsOptions {
 
   [[nodiscard]] std::uint64_t steps() const {
     if (most_steps > 0) return most_steps;
-    return limits ? 800000 : 30000;
+    if (!limits) return 30000;
+    return quick ? 100000 : 800000;
   }
 };
 
@@ -102,7 +103,7 @@ Results limited(const InstructionsOptions& options) {
           limits_table(limits, options.issue_width), limits.skipped.size()};
 }
 
-int compare_and_print(const nlohmann::ordered_json& before, const nlohmann::ordered_json& now,
+int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
                       const Console& console) {
   const Comparison comparison = compare(before, now);
   console.out << to_text(comparison);
@@ -120,7 +121,7 @@ void check(const InstructionsOptions& options) {
 
 int run(const InstructionsOptions& options, const Console& console) {
   check(options);
-  nlohmann::ordered_json before;
+  nlohmann::json before;
   if (!options.against.empty()) before = read_counts(options.against);
   const Results results = options.limits ? limited(options) : counted(options);
   const std::string json = results.document.dump(1) + "\n";
@@ -138,7 +139,7 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
       ->check(not_empty())
       ->type_name("FILE");
   app.add_option("--most-steps", options.most_steps,
-                 "Skip rows that take more (default: 30000, with --limits 800000)")
+                 "Skip rows that take more (default: 30000, with --limits 800000, quick 100000)")
       ->check(whole_number(1, 1000000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");

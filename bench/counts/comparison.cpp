@@ -12,7 +12,7 @@
 namespace thinbench {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why) {
   throw std::runtime_error("'" + file + "' " + why);

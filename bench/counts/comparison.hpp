@@ -31,11 +31,10 @@ struct Comparison {
 
 /// The document of counts in a file. Throws std::runtime_error with one line that names the file
 /// where there is none, or one of another schema.
-[[nodiscard]] nlohmann::ordered_json read_counts(const std::string& file);
+[[nodiscard]] nlohmann::json read_counts(const std::string& file);
 
 /// Rows that both documents have. They are comparable where build and input are the same.
-[[nodiscard]] Comparison compare(const nlohmann::ordered_json& before,
-                                 const nlohmann::ordered_json& now);
+[[nodiscard]] Comparison compare(const nlohmann::json& before, const nlohmann::json& now);
 
 /// What moved, a line each, and a line that sums up.
 [[nodiscard]] std::string to_text(const Comparison& comparison);

@@ -9,7 +9,7 @@
 namespace thinbench {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 Json document(const std::string& row, std::uint64_t instructions) {
   return {{"schema", 1},
