@@ -21,6 +21,7 @@ constexpr const char* kExamples = R"(Examples:
   thinbench holes parts.png --invert --overlay found.png
   thinbench verify --quick
   thinbench train cluster
+  thinbench instructions --out counts.json
   thinbench list
 
 THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)";
