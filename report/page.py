@@ -64,7 +64,8 @@ class Room:
         return fits
 
 
-def to_html(study: Study, plots: list[Plot], tables: list[Table], limits: Table | None) -> str:
+def to_html(study: Study, plots: list[Plot], tables: list[Table],
+            limits: Table | None = None) -> str:
     """The finished page; `tables` are of the paper's experiments."""
     shown = [*tables, limits] if limits else tables
     cells = sum(len(row) for table in shown for row in table.rows)
