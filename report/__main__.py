@@ -20,9 +20,9 @@ EXAMPLE = """examples:
 DIR must hold timings.json, machine.json and rows.json. Written beside them:
 timings.csv, timings.md, plots/*.svg, plots/*.png and index.html, a page that
 needs no network. If DIR/experiments holds JSON files of the paper's experiments,
-the page shows them too and experiments.md and claims.md are written. A summary goes to
-standard output. Exit status: 0 done, 1 the data was refused (one line on
-standard error says why), 2 wrong usage.
+the page shows them too and experiments.md and claims.md are written; of
+DIR/limits.json, limits.md. A summary goes to standard output. Exit status: 0 done,
+1 the data was refused (one line on standard error says why), 2 wrong usage.
 """
 
 

@@ -9,9 +9,10 @@ from pathlib import Path
 from report.claims import Claim, judge
 from report.claims import to_markdown as to_claims_markdown
 from report.errors import ReportError
-from report.experiment_layout import to_experiments_markdown
+from report.experiment_layout import table_block, to_experiments_markdown
 from report.experiment_tables import make_tables
 from report.experiments import load_experiments
+from report.limits import limits_table, load_limits
 from report.loading import load_study
 from report.model import Study
 from report.page import to_html
@@ -19,8 +20,8 @@ from report.plots import make_plots
 from report.summary import to_text
 from report.tables import to_csv, to_markdown
 
-PAGE, CSV, MARKDOWN, EXPERIMENTS = "index.html", "timings.csv", "timings.md", "experiments.md"
-CLAIMS = "claims.md"
+PAGE, CSV, MARKDOWN = "index.html", "timings.csv", "timings.md"
+EXPERIMENTS, CLAIMS, LIMITS = "experiments.md", "claims.md", "limits.md"
 
 
 def build(directory: Path) -> str:
@@ -33,6 +34,7 @@ def build(directory: Path) -> str:
     experiments = load_experiments(directory)
     tables = make_tables(study, experiments)
     claims = judge(study, experiments)
+    limits = limits_table(study, load_limits(directory))
     plots = make_plots(study)
     outputs: dict[str, bytes] = {}
     for plot in [*plots, *(table.plot for table in tables if table.plot)]:
@@ -43,7 +45,9 @@ def build(directory: Path) -> str:
     if tables:
         outputs[EXPERIMENTS] = to_experiments_markdown(tables).encode()
     outputs[CLAIMS] = to_markdown_claims(claims, study).encode()
-    outputs[PAGE] = to_html(study, plots, tables, claims).encode()
+    if limits:
+        outputs[LIMITS] = table_block(limits).encode()
+    outputs[PAGE] = to_html(study, plots, tables, claims, limits).encode()
     summary = to_text(study)
     _write_all(directory, outputs)
     return f"{summary}\nPage: {directory / PAGE}\nCSV:  {directory / CSV}"

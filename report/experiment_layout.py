@@ -45,10 +45,11 @@ def counted(number: int, noun: str) -> str:
 
 def to_experiments_markdown(tables: list[Table]) -> str:
     """All tables as Markdown, each under its sentences and above its command."""
-    return "\n".join([f"# {TITLE}\n", *map(_block, tables)])
+    return "\n".join([f"# {TITLE}\n", *map(table_block, tables)])
 
 
-def _block(table: Table) -> str:
+def table_block(table: Table) -> str:
+    """A table as Markdown, under its sentences and above its command."""
     rule = ["---:" if column.is_number else "---" for column in table.header]
     lines = [f"## {table.title}", "", table.sentence, ""]
     lines += [table.verdict, ""] if table.verdict else []

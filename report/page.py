@@ -65,9 +65,11 @@ class Room:
         return fits
 
 
-def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[Claim]) -> str:
+def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[Claim],
+            limits: Table | None = None) -> str:
     """The finished page; `tables` are of the paper's experiments."""
-    cells = sum(len(row) for table in tables for row in table.rows)
+    shown = [*tables, limits] if limits else tables
+    cells = sum(len(row) for table in shown for row in table.rows)
     room = Room(PAGE_BYTES - FIXED_BYTES - ROW_BYTES * len(study.rows) - CELL_BYTES * cells)
     findings = find(study)
     return _environment().get_template("page.html.j2").render(
@@ -75,7 +77,7 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[C
         noise_sentence=noise_sentence(noise_of(study)),
         speedup_sentence=speedup_sentence(study), pictures=_pictures(study, room),
         figures=[_figure(plot, number, room) for number, plot in enumerate(plots)],
-        claims=to_table(claims), experiments_title=TITLE,
+        claims=to_table(claims), limits=limits, experiments_title=TITLE,
         experiments=[(table, table.plot and _figure(table.plot, len(plots) + number, room))
                      for number, table in enumerate(tables)],
         noisy_percent=NOISY_PERCENT, nothing=formatting.NOTHING,

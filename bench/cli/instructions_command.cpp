@@ -1,0 +1,173 @@
+// thinbench instructions: what rows execute, counted exactly, and how near that comes to a limit.
+#include <memory>
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "counts/comparison.hpp"
+#include "counts/counted_input.hpp"
+#include "counts/documents.hpp"
+#include "peers/peers.hpp"
+#include "support/whole_file.hpp"
+#include "timing/row_selection.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  thinbench instructions --filter 'simd_.*/avx2' --out counts.json
+  thinbench instructions --against counts.json
+  thinbench instructions --limits --filter '^thin_guo_hall/.*_row/' --issue-width 6
+
+Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted, each
+instruction by a trap of the processor, which takes microseconds. So the input is small: every 5th
+pixel of every 16th row of the picture. Rows that take more than --most-steps are skipped.
+
+--limits takes the whole picture, times the rows too, and measures the core's frequency. The limit
+of a row is the time in which --issue-width instructions a cycle would be issued; how many a core
+can issue is not measured but assumed, and more than 100 % shows that it can issue more.
+
+Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions, 4 nothing could be
+compared: no row in common, or another compiler, flags, C library, processor level or input.)";
+
+constexpr int kNothingCompared = 4;
+constexpr Index kQuickRows = 24;
+
+struct InstructionsOptions {
+  std::string filter;
+  std::string image;
+  std::string out;
+  std::string against;
+  std::uint64_t most_steps = 0;  // 0 for what suits the input
+  double issue_width = 6;
+  bool json = false;
+  bool limits = false;
+  bool quick = false;
+
+  [[nodiscard]] std::uint64_t steps() const {
+    if (most_steps > 0) return most_steps;
+    if (!limits) return 30000;
+    return quick ? 100000 : 800000;
+  }
+};
+
+TimedInput input_for(const InstructionsOptions& options) {
+  std::vector<std::string> pictures;
+  if (!options.image.empty()) pictures.push_back(options.image);
+  TimedInput whole = std::move(timed_inputs({pictures, 0}).front());
+  if (!options.limits) return small_copy(whole);
+  return options.quick ? middle_rows(whole, kQuickRows) : std::move(whole);
+}
+
+/// The one input in the form that rows are selected by.
+std::vector<TimedInput> inputs_for(const InstructionsOptions& options) {
+  std::vector<TimedInput> inputs;
+  inputs.push_back(input_for(options));
+  return inputs;
+}
+
+/// The rows on one thread, proved equal to their references.
+Selection selected(const InstructionsOptions& options, const std::vector<TimedInput>& inputs) {
+  const Levels levels = options.limits ? Levels::kHighest : Levels::kAll;
+  Selection selection = rows_asked_for(options.filter, all_operations(), inputs, levels);
+  if (!selection.mismatches.empty()) {
+    throw std::runtime_error("rows that are not equal to their references are not counted");
+  }
+  std::erase_if(selection.rows, [](const TimedRow& row) {
+    return row.variant == nullptr || row.variant->threaded;
+  });
+  if (selection.rows.empty()) throw UsageError("only references or rows with threads match");
+  return selection;
+}
+
+struct Results {
+  nlohmann::ordered_json document;
+  std::string table;
+  std::size_t skipped;
+};
+
+Results counted(const InstructionsOptions& options) {
+  const std::vector<TimedInput> inputs = inputs_for(options);
+  const Selection selection = selected(options, inputs);
+  const RowCounts counts = counts_of(selection.rows, options.steps());
+  return {counts_json(inputs.front(), counts, options.steps()), counts_table(counts),
+          counts.skipped.size()};
+}
+
+Results limited(const InstructionsOptions& options) {
+  const std::vector<TimedInput> inputs = inputs_for(options);
+  std::vector<TimedRow> rows = selected(options, inputs).rows;
+  if (options.quick) rows = fastest_rows(rows);
+  const Limits limits = limits_of(rows, options.steps());
+  return {limits_json(inputs.front(), limits, options.issue_width),
+          limits_table(limits, options.issue_width), limits.skipped.size()};
+}
+
+int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
+                      const Console& console) {
+  const Comparison comparison = compare(before, now);
+  console.out << to_text(comparison);
+  if (comparison.compared == 0) return kNothingCompared;
+  return comparison.more() > 0 ? kFailure : kSuccess;
+}
+
+void check(const InstructionsOptions& options) {
+  if (!options.against.empty() && (options.json || options.limits)) {
+    throw UsageError("--against goes with neither --json nor --limits");
+  }
+  if (options.quick && !options.limits) throw UsageError("--quick goes with --limits only");
+  if (!options.out.empty()) check_target(options.out);
+}
+
+int run(const InstructionsOptions& options, const Console& console) {
+  check(options);
+  nlohmann::json before;
+  if (!options.against.empty()) before = read_counts(options.against);
+  const Results results = options.limits ? limited(options) : counted(options);
+  const std::string json = results.document.dump(1) + "\n";
+  if (!options.out.empty()) write_whole_file(options.out, json);
+  if (!options.against.empty()) return compare_and_print(before, results.document, console);
+  console.out << (options.json ? json : results.table);
+  console.err << results.skipped << " rows take more than " << options.steps() << " steps\n";
+  return kSuccess;
+}
+
+void add_options(CLI::App& app, InstructionsOptions& options) {
+  app.add_option("--filter", options.filter, "Only rows whose name contains a match")
+      ->type_name("REGEX");
+  app.add_option("--image", options.image, "Picture to take instead of the scene")
+      ->check(not_empty())
+      ->type_name("FILE");
+  app.add_option("--most-steps", options.most_steps,
+                 "Skip rows that take more (default: 30000, with --limits 800000, quick 100000)")
+      ->check(whole_number(1, 1000000000))
+      ->type_name("N");
+  app.add_flag("--json", options.json, "Print JSON instead of a table");
+  app.add_option("--out", options.out, "Write the data here, as JSON")
+      ->check(not_empty())
+      ->type_name("FILE");
+  app.add_option("--against", options.against, "Compare with the counts in this file")
+      ->check(not_empty())
+      ->type_name("FILE");
+  app.add_flag("--limits", options.limits, "Time rows as well, and say what bounds them");
+  app.add_flag("--quick", options.quick,
+               "With --limits: 24 rows of the picture, the fastest row of each operation");
+  app.add_option("--issue-width", options.issue_width,
+                 "Instructions that the core is assumed to issue in a cycle")
+      ->check(real_number(1, 100))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+Command add_instructions_command(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("instructions", "Count what rows execute, and what bounds them");
+  const auto options = std::make_shared<InstructionsOptions>();
+  add_options(*app, *options);
+  app->footer(kExamples);
+  return {app, [options](const Console& console) { return run(*options, console); }};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,140 @@
+#include "counts/documents.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include <gnu/libc-version.h>
+
+#include "machine/machine.hpp"
+
+namespace thinbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string processor_level() {
+  Isa highest = Isa::kBaseline;
+  for (const Isa isa : kAllIsas) {
+    if (cpu_supports(isa)) highest = isa;
+  }
+  return std::string(isa_name(highest));
+}
+
+Json document_of(const char* kind, const TimedInput& input,
+                 const std::vector<SkippedRow>& skipped) {
+  Json document = {{"schema", kCountsSchema},
+                   {"kind", kind},
+                   {"build", build_json()},
+                   {"input",
+                    {{"name", input.name},
+                     {"width", input.width()},
+                     {"height", input.height()},
+                     {"hash", pixel_hash(input.binary.view())},
+                     {"grey_hash", pixel_hash(input.grey.view())}}},
+                   {"rows", Json::array()},
+                   {"skipped", Json::array()}};
+  for (const SkippedRow& row : skipped) {
+    document["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
+  }
+  return document;
+}
+
+Json row_json(const RowCount& count) {
+  const TimedRow& row = *count.row;
+  Json json = {{"row", row.name},
+               {"operation", row.operation->name},
+               {"technique", row.variant->technique},
+               {"isa", row.variant->isa_label()},
+               {"threads", row.threads},
+               {"scope", scope_name(row.scope)},
+               {"input", row.input->name},
+               {"instructions", count.instructions}};
+  if (row.counter) json[std::string(row.operation->counter)] = *row.counter;
+  return json;
+}
+
+/// What a technique of rows does for one row in one pass; empty where passes are not counted.
+std::optional<double> instructions_a_row_and_pass(const RowCount& count) {
+  const TimedRow& row = *count.row;
+  if (row.operation->counter != "passes" || row.counter.value_or(0) <= 0) return std::nullopt;
+  return static_cast<double>(count.instructions) /
+         static_cast<double>(*row.counter * row.input->height());
+}
+
+double rounded(double value, double scale) {
+  return std::round(value * scale) / scale;
+}
+
+Json limit_json(const RowLimit& limit, double issue_width) {
+  Json json = row_json(limit.count);
+  json["ns"] = rounded(limit.time.seconds * 1e9, 10);
+  json["cycle_ns"] = rounded(limit.time.seconds_a_cycle * 1e9, 1e5);
+  json["instructions_a_cycle"] = rounded(limit.instructions_a_cycle(), 1000);
+  json["limit_ns"] = rounded(limit.limit_seconds(issue_width) * 1e9, 10);
+  json["percent_of_limit"] = rounded(100 * limit.instructions_a_cycle() / issue_width, 10);
+  if (const auto each = instructions_a_row_and_pass(limit.count)) {
+    json["instructions_a_row_and_pass"] = rounded(*each, 10);
+  }
+  return json;
+}
+
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  std::array<char, 240> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+std::string counter_of(const TimedRow& row) {
+  return row.counter ? std::to_string(*row.counter) : "";
+}
+
+}  // namespace
+
+Json build_json() {
+  return {{"compiler", machine_json("", {}).at("compiler")},
+          {"libc", gnu_get_libc_version()},
+          {"processor_level", processor_level()}};
+}
+
+Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t most_steps) {
+  Json document = document_of(kInstructionsKind, input, counts.skipped);
+  document["most_steps"] = most_steps;
+  for (const RowCount& count : counts.rows) document["rows"].push_back(row_json(count));
+  return document;
+}
+
+Json limits_json(const TimedInput& input, const Limits& limits, double issue_width) {
+  Json document = document_of("limits", input, limits.skipped);
+  document["issue_width"] = issue_width;
+  for (const RowLimit& limit : limits.rows) {
+    document["rows"].push_back(limit_json(limit, issue_width));
+  }
+  return document;
+}
+
+std::string counts_table(const RowCounts& counts) {
+  std::string text = line("%-80s %12s %8s\n", "row", "instructions", "counter");
+  for (const RowCount& count : counts.rows) {
+    text +=
+        line("%-80s %12llu %8s\n", count.row->name.c_str(),
+             static_cast<unsigned long long>(count.instructions), counter_of(*count.row).c_str());
+  }
+  return text;
+}
+
+std::string limits_table(const Limits& limits, double issue_width) {
+  std::string text = line("%-80s %12s %10s %8s %10s %9s\n", "row", "instructions", "us", "a cycle",
+                          "limit us", "of limit");
+  for (const RowLimit& limit : limits.rows) {
+    text +=
+        line("%-80s %12llu %10.2f %8.2f %10.2f %7.0f %%\n", limit.count.row->name.c_str(),
+             static_cast<unsigned long long>(limit.count.instructions), limit.time.seconds * 1e6,
+             limit.instructions_a_cycle(), limit.limit_seconds(issue_width) * 1e6,
+             100 * limit.instructions_a_cycle() / issue_width);
+  }
+  return text;
+}
+
+}  // namespace thinbench

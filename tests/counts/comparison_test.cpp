@@ -1,0 +1,81 @@
+#include "counts/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "counts/documents.hpp"
+#include "counts/row_counts.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace thinbench {
+namespace {
+
+using Json = nlohmann::json;
+
+Json document(const std::string& row, std::uint64_t instructions) {
+  return {{"schema", 1},
+          {"kind", "instructions"},
+          {"build", build_json()},
+          {"input", {{"name", "scene_small"}}},
+          {"most_steps", 5000},
+          {"rows", {{{"row", row}, {"instructions", instructions}}}},
+          {"skipped", Json::array()}};
+}
+
+TEST(Comparison, one_percent_more_is_the_same_and_two_are_more) {
+  const Json before = document("a", 1000);
+  EXPECT_EQ(to_text(compare(before, document("a", 1010))),
+            "1 rows compared: 0 take more instructions, 0 fewer (tolerance 1 %)\n");
+  EXPECT_EQ(compare(before, document("a", 1020)).more(), 1U);
+  EXPECT_EQ(to_text(compare(before, document("a", 1020))),
+            "a: 1000 instructions before, 1020 now (+2.0 %)\n"
+            "1 rows compared: 1 take more instructions, 0 fewer (tolerance 1 %)\n");
+}
+
+TEST(Comparison, fewer_instructions_are_told_and_no_failure) {
+  const Comparison comparison = compare(document("a", 1000), document("a", 900));
+  EXPECT_EQ(comparison.moved.size(), 1U);
+  EXPECT_EQ(comparison.more(), 0U);
+}
+
+TEST(Comparison, a_row_that_became_too_long_to_be_counted_takes_more) {
+  Json now = document("b", 1);
+  now["skipped"].push_back({{"row", "a"}, {"reason", kTooManySteps}});
+  EXPECT_EQ(compare(document("a", 1000), now).more(), 1U);
+  EXPECT_EQ(compare(document("a", 6000), now).compared, 0U);  // it was counted with more steps
+}
+
+TEST(Comparison, another_compiler_or_input_or_no_row_in_common_compares_nothing) {
+  Json other = document("a", 1000);
+  other["build"]["compiler"]["version"] = "1";
+  EXPECT_EQ(to_text(compare(other, document("a", 1000))),
+            "nothing compared: they are of another compiler\n");
+  other = document("a", 1000);
+  other["input"]["name"] = "else";
+  EXPECT_EQ(compare(other, document("a", 1000)).why_not, "they are of another input");
+  EXPECT_EQ(compare(document("b", 1000), document("a", 1000)).compared, 0U);
+}
+
+std::string refusal_of(const std::string& file) {
+  try {
+    static_cast<void>(read_counts(file));
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(Comparison, files_that_hold_no_counts_are_refused_by_name) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(refusal_of("absent.json"), "'absent.json' cannot be read");
+  const std::string cut = folder.with("cut.json", R"({"schema": 1,)");
+  EXPECT_EQ(refusal_of(cut), "'" + cut + "' is no complete JSON");
+  for (const char* text : {"[]", "{}", R"({"schema": 2})", R"({"schema": 1, "rows": [7]})"}) {
+    const std::string file = folder.with("x.json", text);
+    EXPECT_EQ(refusal_of(file), "'" + file + "' holds no counts that this version knows") << text;
+  }
+  const std::string good = folder.with("good.json", document("a", 1).dump());
+  EXPECT_EQ(read_counts(good).at("rows").size(), 1U);
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,53 @@
+"""The table of what bounds rows."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from conftest import OPERATION, Run, entries
+
+from report.build import build
+
+
+def make_limits(**changed: Any) -> dict[str, Any]:
+    """Two scopes of a row, of which one has passes."""
+    row = {"operation": OPERATION, "technique": "simd_bitpacked", "isa": "avx512",
+           "scope": "end_to_end", "instructions": 300000, "ns": 45000.0,
+           "instructions_a_cycle": 3.25, "limit_ns": 25000.0, "percent_of_limit": 54.2}
+    kernel = row | {"scope": "kernel", "ns": 30000.0, "instructions_a_row_and_pass": 52.04}
+    return {"schema": 1, "kind": "limits", "issue_width": 6.0,
+            "input": {"name": "scene", "width": 510, "height": 412},
+            "rows": [kernel, row | changed], "skipped": [{"row": "x", "reason": "y"}]}
+
+
+def write(run: Run, limits: dict[str, Any]) -> Run:
+    """The run with limits beside it."""
+    (run.write() / "limits.json").write_text(json.dumps(limits))
+    return run
+
+
+def test_limits_stand_on_the_page_and_in_a_file_of_their_own(run):
+    run.timings["benchmarks"] += [entry | {"peer": 1} for entry in entries(
+        f"{OPERATION}/copy/own/1/end_to_end/scene", (510, 412), [7000.0])]
+    build(write(run, make_limits()).directory)
+    page, text = ((run.directory / name).read_text() for name in ("index.html", "limits.md"))
+    assert 'id="limits"' in page and 'href="#limits"' in page
+    assert "issues 6 instructions in every cycle" in page and "1 rows execute too many" in page
+    assert (f"| {OPERATION} | end to end | simd_bitpacked | avx512 | 300,000 | 3.25 | 45.00 | 25.00 "
+            "| 54 % | \N{EN DASH} | 7.00 |") in text
+    assert "| 30.00 | 25.00 | 54 % | 52.0 | \N{EN DASH} |" in text
+
+
+def test_run_without_limits_has_no_such_section(run):
+    build(run.write())
+    assert 'id="limits"' not in (run.directory / "index.html").read_text()
+    assert not (run.directory / "limits.md").exists()
+
+
+def test_limits_that_cannot_be_are_refused(run, refusal):
+    assert "schema is 2; it must be 1" in refusal(write(run, make_limits() | {"schema": 2}).directory)
+    assert "rows[1]: ns is 0; it must be a number above zero" in refusal(
+        write(run, make_limits(ns=0)).directory)
+    assert "scope is 'all'; it must be end_to_end or kernel" in refusal(
+        write(run, make_limits(scope="all")).directory)
