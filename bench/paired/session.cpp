@@ -26,7 +26,11 @@ CalibratedRow calibrated(const TimedRow& row) {
   };
   const double cold = timed();
   std::string hash = hash_of(call.outcome());
-  return {&row, cold > kSlowCall ? cold : timed(), std::move(hash)};
+  const ConstByteView input = row.input->view(row.operation->takes);
+  return {&row,
+          cold > kSlowCall ? cold : timed(),
+          std::move(hash),
+          {pixel_hash(input), input.width * input.height}};
 }
 
 /// Rows by operation and input, in the order of the selection; reference first.
@@ -80,8 +84,9 @@ std::vector<GroupTimes> measured_by_one(const Order& order, std::uint64_t seed,
   return result;
 }
 
-std::vector<std::vector<GroupTimes>> measured(const Order& order, int processes,
+std::vector<std::vector<GroupTimes>> measured(const Order& order, const PairedOptions& options,
                                               const Measurer& measurer) {
+  const int processes = options.processes;
   double seconds = 0;
   for (const Group& group : order.groups) seconds += group.seconds * processes;
   std::cerr << "measuring " << order.groups.size() << " operations in " << processes
@@ -90,8 +95,8 @@ std::vector<std::vector<GroupTimes>> measured(const Order& order, int processes,
   std::vector<std::vector<GroupTimes>> result;
   result.reserve(static_cast<std::size_t>(processes));
   for (int process = 0; process < processes; ++process) {
-    result.push_back(
-        measured_by_one(order, static_cast<std::uint64_t>(process), measurer, progress));
+    const auto seed = options.first_seed + static_cast<std::uint64_t>(process);
+    result.push_back(measured_by_one(order, seed, measurer, progress));
   }
   return result;
 }
@@ -105,7 +110,7 @@ int run(const PairedOptions& options, const std::vector<Operation>& operations,
   const Selection selection = rows_asked_for(
       options.filter, operations, inputs, options.highest_level ? Levels::kHighest : Levels::kAll);
   const Order order{options.pictures, planned(selection, options)};
-  const auto processes = measured(order, options.processes, measurer);
+  const auto processes = measured(order, options, measurer);
   const std::vector<PairResult> results = results_of(order.groups, processes);
   if (!options.csv_out.empty()) write_whole_file(options.csv_out, to_csv(results));
   if (!options.samples_out.empty()) {
