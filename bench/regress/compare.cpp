@@ -85,7 +85,7 @@ void doubt_new_neighbours(const RowsBefore& before, const MeasuredRun& run,
     if (row.verdict != Verdict::kFail) continue;
     const std::string group = group_of(row.name);
     if (then.at(group) == now.at(group)) continue;
-    row.verdict = Verdict::kInconclusive;
+    row.verdict = Verdict::kUndecided;
     row.reason = "measured beside other rows than before";
   }
 }
@@ -165,7 +165,7 @@ void doubt(const ControlVerdicts& controls, std::vector<RowVerdict>& rows) {
   for (RowVerdict& row : rows) {
     const bool failed = !controls.pass || controls.failed_groups.count(group_of(row.name)) > 0;
     if (!failed || row.verdict == Verdict::kSkipped) continue;
-    row.verdict = Verdict::kInconclusive;
+    row.verdict = Verdict::kUndecided;
     row.reason = "a control failed";
   }
 }

@@ -100,7 +100,7 @@ Verdict overall_of(const Findings& found) {
   const Verdict changes = overall(verdicts_of(found.changes));
   const Verdict simd = overall(verdicts_of(found.simd));
   if (simd == Verdict::kFail) return simd;
-  return changes == Verdict::kPass && simd == Verdict::kInconclusive ? simd : changes;
+  return changes == Verdict::kPass && simd == Verdict::kUndecided ? simd : changes;
 }
 
 /// Whole operations, since the rows of one are measured side by side.
@@ -118,7 +118,7 @@ std::string operations_in_doubt(const Findings& found) {
 void print(const Findings& found, bool all) {
   std::cout << to_table(found.changes, all) << "rows against before: " << counts(found.changes)
             << "\n\n"
-            << to_table(found.simd, all) << "SIMD against scalar code: " << counts(found.simd)
+            << to_simd_table(found.simd, all) << "SIMD against scalar code: " << counts(found.simd)
             << "\n\n";
 }
 
@@ -149,7 +149,7 @@ int update(const RegressOptions& options, json machine) {
   std::cout << "controls " << to_line(controls) << '\n';
   if (!controls.pass) {
     std::cout << "INCONCLUSIVE: no baseline is made of a run whose controls failed\n";
-    return exit_status(Verdict::kInconclusive);
+    return exit_status(Verdict::kUndecided);
   }
   machine["commit"] = options.commit;
   const fs::path file = baseline_file(options.baselines, machine);

@@ -1,8 +1,6 @@
 #include "regress/table.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "support/text.hpp"
@@ -11,6 +9,7 @@ namespace thinbench {
 namespace {
 
 constexpr double kMoved = 0.03;
+constexpr std::size_t kIndent = 14;
 
 std::string moved(const char* side, double before, double now) {
   const double percent = 100 * (now / before - 1);
@@ -28,17 +27,44 @@ std::string interval_text(const Change& change) {
          ")";
 }
 
-std::string lines_of(const RowVerdict& row) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(),
-                "%-12s  %s\n              speed-up changed by %s, limit %.2f; row %.1f -> %.1f us, "
-                "reference %.0f -> %.0f us: %s%s%s\n",
-                std::string(name_of(row.verdict)).c_str(), row.name.c_str(),
-                interval_text(row.change).c_str(), 1 - row.tolerance, row.before.row_ns / 1000,
-                row.now.row_ns / 1000, row.before.reference_ns / 1000, row.now.reference_ns / 1000,
-                what_moved(row.before, row.now).c_str(), row.reason.empty() ? "" : "; ",
-                row.reason.c_str());
-  return text.data();
+std::string heading(const RowVerdict& row) {
+  std::string verdict(name_of(row.verdict));
+  verdict.resize(kIndent, ' ');
+  return verdict + row.name + "\n" + std::string(kIndent, ' ');
+}
+
+std::string reason_of(const RowVerdict& row) {
+  return row.reason.empty() ? "\n" : "; " + row.reason + "\n";
+}
+
+std::string us(double ns) {
+  return fixed(ns / 1000, 1);
+}
+
+std::string change_text(const RowVerdict& row) {
+  return heading(row) + "speed-up x " + interval_text(row.change) + ", limit " +
+         fixed(1 - row.tolerance, 2) + "; row " + us(row.before.row_ns) + " -> " +
+         us(row.now.row_ns) + " us, reference " + us(row.before.reference_ns) + " -> " +
+         us(row.now.reference_ns) + " us: " + what_moved(row.before, row.now) + reason_of(row);
+}
+
+std::string simd_text(const RowVerdict& row) {
+  return heading(row) + interval_text(row.change) + " times as fast as scalar code, limit " +
+         fixed(1 - row.tolerance, 2) + "; " + us(row.now.row_ns) + " us, scalar " +
+         us(row.before.row_ns) + " us" + reason_of(row);
+}
+
+/// One line for each reason.
+std::string skipped_text(const std::vector<RowVerdict>& rows) {
+  std::map<std::string, int> numbers;
+  for (const RowVerdict& row : rows) {
+    if (row.verdict == Verdict::kSkipped) ++numbers[row.reason];
+  }
+  std::string text;
+  for (const auto& [reason, number] : numbers) {
+    text += "SKIPPED       " + std::to_string(number) + " rows: " + reason + "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -54,18 +80,20 @@ std::string what_moved(const PairTimes& before, const PairTimes& now) {
 
 std::string to_table(const std::vector<RowVerdict>& rows, bool all) {
   std::string text;
-  std::map<std::string, int> skipped;
   for (const RowVerdict& row : rows) {
-    if (row.verdict == Verdict::kSkipped) {
-      ++skipped[row.reason];
-    } else if (all || row.verdict != Verdict::kPass || is_faster(row)) {
-      text += lines_of(row);
-    }
+    const bool shown = all || row.verdict != Verdict::kPass || is_faster(row);
+    if (shown && row.verdict != Verdict::kSkipped) text += change_text(row);
   }
-  for (const auto& [reason, number] : skipped) {
-    text += "SKIPPED       " + std::to_string(number) + " rows: " + reason + "\n";
+  return text + skipped_text(rows);
+}
+
+std::string to_simd_table(const std::vector<RowVerdict>& rows, bool all) {
+  std::string text;
+  for (const RowVerdict& row : rows) {
+    const bool shown = all || row.verdict != Verdict::kPass;
+    if (shown && row.verdict != Verdict::kSkipped) text += simd_text(row);
   }
-  return text;
+  return text + skipped_text(rows);
 }
 
 std::string counts(const std::vector<RowVerdict>& rows) {

@@ -16,6 +16,9 @@ namespace thinbench {
 /// sides; reasons of skipped rows with their number. With `all`, every row.
 [[nodiscard]] std::string to_table(const std::vector<RowVerdict>& rows, bool all);
 
+/// SIMD rows that are not PASS, with times of both sides; with `all`, every one.
+[[nodiscard]] std::string to_simd_table(const std::vector<RowVerdict>& rows, bool all);
+
 /// How many rows have which verdict: "PASS 90, FAIL 1".
 [[nodiscard]] std::string counts(const std::vector<RowVerdict>& rows);
 

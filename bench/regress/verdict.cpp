@@ -17,7 +17,7 @@ std::string_view name_of(Verdict verdict) {
       return "PASS";
     case Verdict::kFail:
       return "FAIL";
-    case Verdict::kInconclusive:
+    case Verdict::kUndecided:
       return "INCONCLUSIVE";
     case Verdict::kSkipped:
       return "SKIPPED";
@@ -33,18 +33,17 @@ double tolerance_of(double usual, std::int64_t pixels, std::int64_t cache_kib) {
 Verdict judge(const Change& change, double tolerance) {
   const double limit = 1 - tolerance;
   if (change.high < limit) return Verdict::kFail;
-  return change.low < limit ? Verdict::kInconclusive : Verdict::kPass;
+  return change.low < limit ? Verdict::kUndecided : Verdict::kPass;
 }
 
 Verdict confirmed(Verdict first, Verdict again) {
   if (first == again || first == Verdict::kSkipped) return first;
   const bool one_fails = has({first, again}, Verdict::kFail);
-  return !one_fails && has({first, again}, Verdict::kPass) ? Verdict::kPass
-                                                           : Verdict::kInconclusive;
+  return !one_fails && has({first, again}, Verdict::kPass) ? Verdict::kPass : Verdict::kUndecided;
 }
 
 Verdict overall(const std::vector<Verdict>& verdicts) {
-  for (const Verdict worst : {Verdict::kFail, Verdict::kInconclusive, Verdict::kPass}) {
+  for (const Verdict worst : {Verdict::kFail, Verdict::kUndecided, Verdict::kPass}) {
     if (has(verdicts, worst)) return worst;
   }
   return Verdict::kSkipped;
@@ -56,7 +55,7 @@ int exit_status(Verdict verdict) {
       return 0;
     case Verdict::kFail:
       return 1;
-    case Verdict::kInconclusive:
+    case Verdict::kUndecided:
       return 3;
     case Verdict::kSkipped:
       break;

@@ -7,7 +7,7 @@
 
 namespace thinbench {
 
-enum class Verdict { kPass, kFail, kInconclusive, kSkipped };
+enum class Verdict { kPass, kFail, kUndecided, kSkipped };
 
 /// How far a speed-up may fall: two builds in one job; against a baseline stored earlier on the
 /// same kind of machine; against such a baseline on an image that does not fit the cache.

@@ -87,10 +87,8 @@ trap 'exit 2' INT TERM
 check_out_other() {
   git -C "$root" worktree add --quiet --detach "$work/old" "$against" ||
     fail 2 "regress: cannot check out $against"
-  [ -e "$work/old/bench/paired/main.cpp" ] || {
-    say "SKIPPED: commit $against has no program of paired speed-ups, so nothing was compared"
-    exit 4
-  }
+  [ -e "$work/old/bench/paired/main.cpp" ] ||
+    fail 4 "regress: nothing was compared: commit $against has no program of paired speed-ups"
 }
 
 # A build that fails is no verdict.
@@ -104,7 +102,7 @@ build_both() {
 # measure PROGRAM SAMPLES FILTER OPTION...: whether its controls passed is judged later.
 measure() {
   local status=0
-  "$1" --quiet --no-peers --seconds-per-pair 0.01 "${pictures[@]}" --samples-out "$2" --filter "$3" \
+  "$1" --quiet --no-peers --seconds-per-pair 0.02 "${pictures[@]}" --samples-out "$2" --filter "$3" \
     "${@:4}" 2>"$work/said" || status=$?
   case $status in 0 | 3) ;; *) fail 2 "regress: $(tail -n 1 "$work/said")" ;; esac
 }
