@@ -14,13 +14,15 @@ namespace thinbench {
 enum class Neighbour { kSameProcess, kNextProcess };
 
 struct ControlVerdicts {
-  Change same;    // over all groups: a process gives the median of its groups
-  Change slowed;  // judged as a change between two builds would be
+  Change same;  // over all groups: a process gives the median of its groups
+  Change slowed;
   std::set<std::string> failed_groups;
   bool pass = false;  // for the run as a whole
 };
 
-/// Throws std::runtime_error where controls are missing.
+/// A row against itself has to come within 1 % of 1; one slowed by 10 % has to be beyond the 5 %
+/// allowed between two builds, with an interval that excludes 1. Throws std::runtime_error where
+/// controls are missing.
 [[nodiscard]] ControlVerdicts judge_controls(const MeasuredRun& run, Neighbour neighbour);
 
 }  // namespace thinbench

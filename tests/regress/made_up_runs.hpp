@@ -31,10 +31,11 @@ class Noise {
   std::uint64_t index_ = 0;
 };
 
+/// Standard deviations of logarithms, about as a busy virtual machine shows them.
 struct Machine {
-  double row_noise = 0.012;        // from process to process, standard deviation of the logarithm
-  double reference_noise = 0.010;  // common to all rows of a process
-  double layout_noise = 0.04;      // of one process in eight
+  double row_noise = 0.009;        // from process to process
+  double reference_noise = 0.012;  // common to all rows of a process
+  double layout_noise = 0.03;      // of one process in eight
 };
 
 inline std::string row_for_tests(int index) {
