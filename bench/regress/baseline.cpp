@@ -13,14 +13,15 @@ using nlohmann::json;
 
 constexpr int kSchema = 1;
 
-double rounded(double value, double unit) {
-  return std::round(value / unit) * unit;
+/// To the nearest of so many parts of 1.
+double rounded(double value, double parts) {
+  return std::round(value * parts) / parts;
 }
 
 json to_json(const BaselineRow& row) {
-  return {{"ratio", row.speedup.ratio},
-          {"low", row.speedup.low},
-          {"high", row.speedup.high},
+  return {{"ratio", rounded(row.speedup.ratio, 1e3)},
+          {"low", rounded(row.speedup.low, 1e3)},
+          {"high", rounded(row.speedup.high, 1e3)},
           {"reference_ns", rounded(row.times.reference_ns, 1)},
           {"variant_ns", rounded(row.times.row_ns, 1)},
           {"input_hash", row.input_hash}};
@@ -68,7 +69,7 @@ json mean_change(const std::map<std::string, BaselineRow>& before,
     logs += std::log(row.speedup.ratio / earlier->second.speedup.ratio);
     ++common;
   }
-  return common == 0 ? json() : json(rounded(std::exp(logs / common), 1e-4));
+  return common == 0 ? json() : json(rounded(std::exp(logs / common), 1e4));
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ std::string counts(const std::vector<RowVerdict>& rows) {
   std::map<Verdict, int> numbers;
   for (const RowVerdict& row : rows) ++numbers[row.verdict];
   std::vector<std::string> parts;
+  parts.reserve(numbers.size());
   for (const auto& [verdict, number] : numbers) {
     parts.push_back(std::string(name_of(verdict)) + " " + std::to_string(number));
   }
