@@ -28,6 +28,11 @@ void add_amounts(CLI::App& app, PairedOptions& options) {
       ->capture_default_str()
       ->check(whole_number(1, 99))
       ->type_name("N");
+  app.add_option("--first-seed", options.first_seed,
+                 "of the order and layout in the first process; the others count on")
+      ->capture_default_str()
+      ->check(whole_number(0, 1'000'000))
+      ->type_name("N");
   app.add_option("--rounds", options.limits.rounds, "at most, in each process")
       ->capture_default_str()
       ->check(whole_number(1, 1001))

@@ -20,6 +20,7 @@ struct PairedOptions {
   std::string samples_out;
   std::string csv_out;
   int processes = 9;
+  std::uint64_t first_seed = 0;
   PlanLimits limits;
   double slowest_ms = 1e9;  // a call
   bool highest_level = false;

@@ -106,6 +106,8 @@ json sample_json(const Group& group, std::size_t index, const GroupTimes& times,
                  {"calls", entry.calls},
                  {"anchor", group.entries[group.anchor].name},
                  {"output_hash", entry.hash},
+                 {"input_hash", entry.input.hash},
+                 {"pixels", entry.input.pixels},
                  {"layout", times.layout}};
   if (entry.calls != entry.counted) sample["counted"] = entry.counted;
   if (!entry.threaded) sample["thread_cpu"] = clock_json(times.entries[index].thread_cpu);

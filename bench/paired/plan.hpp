@@ -19,11 +19,18 @@ inline constexpr int kFewestRounds = 3;
 inline constexpr int kFewestSweeps = 2;
 inline constexpr int kMostSweeps = 12;
 
+/// Names what a row works on.
+struct InputFacts {
+  std::string hash;
+  std::int64_t pixels = 0;
+};
+
 /// A row with what has to be known of it to plan: its time was taken and its result hashed.
 struct CalibratedRow {
   const TimedRow* row;
   double seconds;  // a call
   std::string hash;
+  InputFacts input = {};
 };
 
 enum class Role {
@@ -42,6 +49,7 @@ struct Entry {
   bool long_call = false;
   bool threaded = false;
   std::string hash;  // of the result
+  InputFacts input = {};
 };
 
 /// Two entries to be compared.

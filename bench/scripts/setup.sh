@@ -49,11 +49,13 @@ by hand and use --no-install: ${packages[*]}"
     --no-install-recommends "${missing[@]}" >/dev/null || fail 1 "apt-get could not install: ${missing[*]}"
 }
 
-# build PRESET: configures and builds; the log is shown only if something fails.
+# build PRESET [TARGET...]: configures and builds; the log is shown only if something fails.
 build() {
   local log="$root/build/$1.log"
   mkdir -p "$root/build"
-  (cd "$root" && cmake --preset "$1" && cmake --build --preset "$1" --parallel) >"$log" 2>&1 || {
+  local targets=()
+  [ $# -eq 1 ] || targets=(--target "${@:2}")
+  (cd "$root" && cmake --preset "$1" && cmake --build --preset "$1" --parallel "${targets[@]}") >"$log" 2>&1 || {
     tail -n 40 "$log" >&2
     fail 1 "the build failed; the whole log is $log"
   }

@@ -82,6 +82,24 @@ TEST(PairedSession, wrong_use_is_one_line_and_2) {
             "thinbench_paired: no pair to measure; the filter is 'copy/reference'\n");
 }
 
+TEST(PairedSession, processes_count_on_from_the_first_seed_and_samples_name_the_input) {
+  const TemporaryFolder folder;
+  std::vector<std::uint64_t> seeds;
+  const Measurer measurer = [&](const std::string& order, std::uint64_t seed,
+                                const LineSink& answer) {
+    seeds.push_back(seed);
+    made_up(0.095)(order, seed, answer);
+  };
+  run({"--filter", "copy/good/", "--processes", "3", "--first-seed", "7", "--samples-out",
+       folder.file("s.jsonl")},
+      measurer);
+  EXPECT_EQ(seeds, (std::vector<std::uint64_t>{7, 8, 9}));
+  const std::string samples = bytes_of(folder.file("s.jsonl"));
+  EXPECT_NE(samples.find("\"pixels\":210120"), std::string::npos);
+  EXPECT_NE(samples.find("\"input_hash\":\""), std::string::npos);
+  EXPECT_EQ(samples.find("\"input_hash\":\"\""), std::string::npos);
+}
+
 TEST(PairedSession, rows_slower_than_the_limit_are_left_out_and_counted) {
   const Session session = run({"--filter", "copy/good/", "--slowest", "0"}, {});
   EXPECT_EQ(session.status, 2);

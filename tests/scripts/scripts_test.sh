@@ -33,6 +33,22 @@ done
 expect 1 "study: cannot read the picture '$work/absent.png'" "$root/study" --image absent.png
 expect 2 "check: 'fast' is neither an option nor a preset; see ./check --help" "$root/check" fast
 
+regress() { "$root/study" regress --no-install "$@"; }
+expect 0 'Usage: ./study regress' "$root/study" regress --help
+expect 2 "study: regress: '--agianst' is no option; see ./study regress --help" regress --agianst HEAD
+expect 2 "study: regress: --against needs a value; see ./study regress --help" regress --against
+expect 2 'study: regress: --update needs --reason "...", which the history keeps' regress --update
+expect 2 'study: regress: --reason goes with --update' regress --reason why
+expect 2 'study: regress: there is no commit' regress --against no_such_commit
+oldest=$(git -C "$root" rev-list --max-parents=0 HEAD 2>/dev/null | tail -n 1) || oldest=
+if [ -n "$oldest" ] && ! git -C "$root" cat-file -e "$oldest:bench/paired/main.cpp" 2>/dev/null; then
+  expect 2 'study: regress: --update makes a baseline; it does not go with --against' \
+    regress --update --reason why --against HEAD
+  mkdir scratch
+  TMPDIR="$work/scratch" expect 4 'has no program of paired speed-ups' regress --against "$oldest"
+  [ -z "$(ls -A scratch)" ] && ! git -C "$root" worktree list | grep -qF "$work/scratch"
+fi
+
 # A user who may not install: no package is there, and sudo asks in vain.
 mkdir bin
 printf '#!/bin/sh\nexit 1\n' >bin/dpkg-query
