@@ -12,13 +12,9 @@ namespace thinbench {
 const ThinningVariant& choose_variant(const ThinningOperation& operation, Index width,
                                       const ThinningOptions& options) {
   const Border border = options.border.value_or(operation.border);
-  std::vector<const ThinningVariant*> candidates;
+  const std::vector<const ThinningVariant*> candidates = variants_for_border(operation, border);
   std::vector<VariantFacts> facts;
-  for (const ThinningVariant& one : operation.variants) {
-    if (!knows_border(one, border)) continue;
-    candidates.push_back(&one);
-    facts.push_back(facts_of(one));
-  }
+  for (const ThinningVariant* one : candidates) facts.push_back(facts_of(*one));
   return *candidates[choose_variant(operation.name, facts, width,
                                     {options.technique, options.isa, options.threads})];
 }

@@ -100,18 +100,22 @@ std::size_t place_for(const Choice& choice, Index width, const VariantWish& wish
                            std::to_string(width));
 }
 
+std::vector<const ThinningVariant*> with_border(const ThinningOperation& operation, Border border) {
+  try {
+    return variants_for_border(operation, border);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--border: ") + error.what());
+  }
+}
+
 }  // namespace
 
 const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
                                    const ThinningOptions& options) {
   const Border border = options.border.value_or(operation.border);
-  std::vector<const ThinningVariant*> candidates;
+  const std::vector<const ThinningVariant*> candidates = with_border(operation, border);
   std::vector<VariantFacts> facts;
-  for (const ThinningVariant& one : operation.variants) {
-    if (!knows_border(one, border)) continue;
-    candidates.push_back(&one);
-    facts.push_back(facts_of(one));
-  }
+  for (const ThinningVariant* one : candidates) facts.push_back(facts_of(*one));
   const std::string kept = border == Border::kKeep ? " with the border kept" : "";
   const VariantWish wish = {options.technique, options.isa, options.threads};
   return *candidates[place_for({std::string(operation.name) + kept, facts}, width, wish)];

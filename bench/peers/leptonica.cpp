@@ -3,6 +3,7 @@
 // topology as it does, and is compared with itself, on fresh memory.
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include <leptonica/allheaders.h>
 
@@ -37,12 +38,12 @@ class ThinConnectedJob final : public Job {
         source_(pixCreate(static_cast<int>(width), static_cast<int>(height), 1)) {}
 
   void run(const ConstByteView& input, const ByteView& output) override {
-    if (!source_) return;
     load(input);
     kernel();
     store(output);
   }
   void load(const ConstByteView& input) override {
+    if (!source_) return;
     for (Index y = 0; y < input.height; ++y) {
       l_uint32* words = row(*source_, y);
       for (Index x = 0; x < input.width; x += kWordPixels) {
@@ -51,9 +52,12 @@ class ThinConnectedJob final : public Job {
     }
   }
   void kernel() override {
+    if (!source_) return;
     skeleton_.reset(pixThinConnected(source_.get(), L_THIN_FG, connectivity_, 0));
+    if (!skeleton_) throw std::runtime_error("Leptonica gave no skeleton");
   }
   void store(const ByteView& output) const override {
+    if (!skeleton_) return;
     for (Index y = 0; y < output.height; ++y) {
       const l_uint32* words = row(*skeleton_, y);
       for (Index x = 0; x < output.width; x += kWordPixels) {

@@ -13,28 +13,33 @@ namespace {
 
 using Bytes = const std::uint8_t* __restrict;
 
-/// Memory for one image. Rows of counts have a light pixel on either side; the first and the last
-/// two rows are for what lies outside and for the counts from below.
+/// Memory for one image. Rows of counts have a light pixel on either side; a row before the first
+/// is for what lies outside, two behind the last are for the counts from below.
 struct Scratch {
-  static constexpr Index kExtraRows = 4;
+  static constexpr Index kExtraRows = 3;
 
-  Index turned_bytes;  // of a transposed image
+  Index turned_stride;  // of a transposed image
+  Index turned_bytes;
   Index count_bytes;
 
-  static constexpr bool has_short_runs(Index width, Index height) {
-    return std::max(width, height) < std::numeric_limits<std::uint16_t>::max();
-  }
   static Scratch of(Index width, Index height) {
-    const Index turned = round_up(width * height, static_cast<Index>(kAlignment));
+    const Index stride = padded_row_bytes(height);
     const Index counts =
         std::max((width + 2) * (height + kExtraRows), (height + 2) * (width + kExtraRows));
-    const Index size =
-        has_short_runs(width, height) ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
-    return {turned, round_up(counts * size, static_cast<Index>(kAlignment))};
+    const Index size = count_size(std::max(width, height));
+    return {stride, stride * width, round_up(counts * size, static_cast<Index>(kAlignment))};
   }
-  [[nodiscard]] Index words() const {
-    return (2 * turned_bytes + count_bytes) / static_cast<Index>(sizeof(std::uint64_t));
+  /// Bytes of a count that holds one more than the longest run.
+  static constexpr Index count_size(Index longest) {
+    if (longest < std::numeric_limits<std::uint16_t>::max()) return sizeof(std::uint16_t);
+    return longest < std::numeric_limits<std::uint32_t>::max() ? sizeof(std::uint32_t)
+                                                               : sizeof(std::uint64_t);
   }
+  [[nodiscard]] Index turned_words() const { return turned_bytes / kWordBytes; }
+  [[nodiscard]] Index words() const { return (2 * turned_bytes + count_bytes) / kWordBytes; }
+
+ private:
+  static constexpr Index kWordBytes = sizeof(std::uint64_t);
 };
 
 /// Columns of an image that lean by `lean` pixels to the east a row.
@@ -48,12 +53,16 @@ struct Columns {
   [[nodiscard]] Count* row(Index y) const { return counts + (y + 1) * (source.width + 2) + 1; }
 
   void mark() const {
-    const Index stride = source.width + 2;
     const Index height = source.height;
-    std::fill_n(counts, stride * (height + Scratch::kExtraRows), Count{0});
-    for (Index y = 0; y < height; ++y) count(source.row(y), row(y - 1) - lean, row(y));
-    Count* behind = row(height + 1);
-    Count* spare = row(height + 2);
+    clear(-1);
+    for (Index y = 0; y < height; ++y) {
+      clear_margins(y);
+      count(source.row(y), row(y - 1) - lean, row(y));
+    }
+    Count* behind = row(height);
+    Count* spare = row(height + 1);
+    clear(height);
+    clear(height + 1);
     for (Index y = height - 1; y >= 0; --y) {
       count(source.row(y), behind + lean, spare);
       mark_row(source.row(y), row(y), spare, target.row(y));
@@ -62,6 +71,9 @@ struct Columns {
   }
 
  private:
+  void clear(Index y) const { std::fill_n(row(y) - 1, source.width + 2, Count{0}); }
+  void clear_margins(Index y) const { row(y)[-1] = row(y)[source.width] = 0; }
+
   void count(Bytes dark, const Count* __restrict before, Count* __restrict here) const {
     for (Index x = 0; x < source.width; ++x) {
       here[x] = static_cast<Count>((before[x] + 1) * dark[x]);
@@ -78,44 +90,60 @@ struct Columns {
   }
 };
 
-/// Blocks that fit the first-level cache, however long the rows are.
-template <class Combine>
-void transpose(const ConstBytePlaneView& from, const BytePlaneView& to, const Combine& combine) {
-  constexpr Index kBlock = 32;
-  for (Index top = 0; top < from.height; top += kBlock) {
-    for (Index left = 0; left < from.width; left += kBlock) {
-      const Index right = std::min(left + kBlock, from.width);
-      const Index bottom = std::min(top + kBlock, from.height);
-      for (Index x = left; x < right; ++x) {
-        std::uint8_t* row = to.row(x);
-        for (Index y = top; y < bottom; ++y) row[y] = combine(row[y], from.row(y)[x]);
-      }
+constexpr Index kBlock = 16;
+
+struct Block {
+  std::uint8_t row[kBlock][kBlock];
+};
+
+/// `copy` moves a row of a whole block, whose length the compiler knows, or of a part.
+template <class Copy>
+[[gnu::always_inline]] inline void for_each_block(Index width, Index height, const Copy& copy) {
+  for (Index top = 0; top < height; top += kBlock) {
+    for (Index left = 0; left < width; left += kBlock) {
+      copy(left, top, std::min(kBlock, width - left), std::min(kBlock, height - top));
     }
   }
 }
 
-BytePlaneView turned_plane(std::uint64_t* memory, Index width, Index height) {
-  return {reinterpret_cast<std::uint8_t*>(memory), width, height, width, width};
+/// Row x of `to` takes column x of `from` by `combine`. Views by value: stores of bytes through a
+/// reference would make the compiler read them again and again.
+template <class Combine>
+void transpose(ConstBytePlaneView from, BytePlaneView to, const Combine& combine) {
+  for_each_block(from.width, from.height, [=](Index left, Index top, Index width, Index height) {
+    Block block = {};
+    for (Index y = 0; y < height; ++y) std::copy_n(from.row(top + y) + left, width, block.row[y]);
+    Block turned;
+    for (Index x = 0; x < kBlock; ++x) {
+      for (Index y = 0; y < kBlock; ++y) turned.row[x][y] = block.row[y][x];
+    }
+    for (Index x = 0; x < width; ++x) {
+      std::uint8_t* row = to.row(left + x) + top;
+      for (Index y = 0; y < height; ++y) row[y] = combine(row[y], turned.row[x][y]);
+    }
+  });
 }
 
 template <class Count>
 void scan(Directions directions, const ConstBytePlaneView& source, const BytePlaneView& target,
           std::uint64_t* scratch) {
   const Scratch sizes = Scratch::of(source.width, source.height);
-  const Index turned_words = sizes.turned_bytes / static_cast<Index>(sizeof(std::uint64_t));
-  auto* counts = reinterpret_cast<Count*>(scratch + 2 * turned_words);
+  auto* counts = reinterpret_cast<Count*>(scratch + 2 * sizes.turned_words());
   if (directions.has(Direction::kColumns)) Columns<Count>{source, target, 0, counts}.mark();
   if (directions.has(Direction::kDiagonals)) Columns<Count>{source, target, 1, counts}.mark();
   if (directions.has(Direction::kAntidiagonals)) Columns<Count>{source, target, -1, counts}.mark();
-  if (directions.has(Direction::kRows)) {
-    const BytePlaneView turned = turned_plane(scratch, source.height, source.width);
-    const BytePlaneView marks = turned_plane(scratch + turned_words, source.height, source.width);
-    transpose(source, turned, [](std::uint8_t, std::uint8_t pixel) { return pixel; });
-    std::fill_n(marks.data, marks.width * marks.height, std::uint8_t{0});
-    Columns<Count>{turned, marks, 0, counts}.mark();
-    transpose(marks, target,
-              [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
-  }
+  if (!directions.has(Direction::kRows)) return;
+  const auto turned_plane = [&](std::uint64_t* memory) {
+    return BytePlaneView{reinterpret_cast<std::uint8_t*>(memory), source.height, source.width,
+                         sizes.turned_stride, source.height};
+  };
+  const BytePlaneView turned = turned_plane(scratch);
+  const BytePlaneView marks = turned_plane(scratch + sizes.turned_words());
+  transpose(source, turned, [](std::uint8_t, std::uint8_t pixel) { return pixel; });
+  std::fill_n(marks.data, sizes.turned_bytes, std::uint8_t{0});
+  Columns<Count>{turned, marks, 0, counts}.mark();
+  transpose(marks, target,
+            [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
 }
 
 int thin(Directions directions, const ConstBytePlaneView& source, const BytePlaneView& target,
@@ -123,10 +151,15 @@ int thin(Directions directions, const ConstBytePlaneView& source, const BytePlan
   for (Index y = 0; y < target.height; ++y) {
     std::fill_n(target.row(y), target.row_elements, std::uint8_t{0});
   }
-  if (Scratch::has_short_runs(source.width, source.height)) {
-    scan<std::uint16_t>(directions, source, target, scratch);
-  } else {
-    scan<std::uint32_t>(directions, source, target, scratch);
+  switch (Scratch::count_size(std::max(source.width, source.height))) {
+    case sizeof(std::uint16_t):
+      scan<std::uint16_t>(directions, source, target, scratch);
+      break;
+    case sizeof(std::uint32_t):
+      scan<std::uint32_t>(directions, source, target, scratch);
+      break;
+    default:
+      scan<std::uint64_t>(directions, source, target, scratch);
   }
   return 1;
 }

@@ -21,7 +21,9 @@ constexpr ThinningVariant scalar(bool threaded) {
   return {kBitpacked, Isa::kBaseline, threaded, kAnyWidth, &ScalarScan::kBitpacked};
 }
 
-// No look-up table: what makes a centre may lie as far away as the run is long.
+// No look-up table: what makes a centre may lie as far away as the run is long. No lanes of bytes
+// by hand: they would do what autovec does. No row in one register of its own: the packed engine's
+// batch is one already.
 constexpr std::array kRows = {
     autovec<Isa::kBaseline>(),
     autovec<Isa::kSse42>(),

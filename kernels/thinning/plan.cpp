@@ -13,26 +13,6 @@
 namespace thinbench {
 namespace {
 
-constexpr const char* kDoesNotKeepBorder = "this variant does not keep the border";
-
-}  // namespace
-
-bool knows_border(const ThinningVariant& variant, Border border) {
-  using ByteCycle = std::span<const Pass<std::uint8_t>>;
-  using BitCycle = std::span<const Pass<std::uint64_t>>;
-  return border == Border::kBackground || std::holds_alternative<ByteCycle>(variant.engine) ||
-         std::holds_alternative<BitCycle>(variant.engine) ||
-         std::holds_alternative<const ChangePass*>(variant.engine);
-}
-
-std::string_view why_unavailable(const ThinningVariant& variant, Index width, Border border) {
-  const std::string_view reason = why_unavailable(facts_of(variant), width);
-  if (!reason.empty()) return reason;
-  return knows_border(variant, border) ? "" : kDoesNotKeepBorder;
-}
-
-namespace {
-
 void check(const ThinningVariant& variant, Index width, Index height, int threads, Border border) {
   require_size(width, height);
   require_few_pixels(width, height);
@@ -40,7 +20,7 @@ void check(const ThinningVariant& variant, Index width, Index height, int thread
   require_available(facts_of(variant), width);
   require(knows_border(variant, border), std::string(technique_name(variant.technique)) + " at " +
                                              std::string(isa_name(variant.isa)) +
-                                             " cannot run: " + kDoesNotKeepBorder);
+                                             " cannot run: " + std::string(kDoesNotKeepBorder));
 }
 
 /// What a state needs to know beside its engine.

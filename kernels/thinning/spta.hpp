@@ -1,4 +1,8 @@
-// The original SPTA: what decides over one pixel, and the kernels that run its scans in order.
+// The original SPTA: what decides over one pixel, and the kernels that run its scans in order. A
+// pixel's decision depends on those before it in the scan, so there are no lanes of bytes and no
+// threads; packed words resolve the dependence along a row by carries.
+//
+// Invariants: topology (8-connected objects, 4-connected background), idempotent, subset.
 #pragma once
 
 #include "thinning/image_kernel.hpp"

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/variant_choice.hpp"
 #include "scan/work.hpp"
@@ -60,6 +61,12 @@ struct ThinningOperation {
 
 /// Whether a variant can treat the border so.
 [[nodiscard]] bool knows_border(const ThinningVariant& variant, Border border);
+
+/// The variants that can. Throws std::invalid_argument where there are none.
+[[nodiscard]] std::vector<const ThinningVariant*> variants_for_border(
+    const ThinningOperation& operation, Border border);
+
+inline constexpr std::string_view kDoesNotKeepBorder = "this variant does not keep the border";
 
 /// Why a variant cannot run here on an image of this width; empty where it can.
 [[nodiscard]] std::string_view why_unavailable(const ThinningVariant& variant, Index width,

@@ -59,5 +59,14 @@ TEST_F(Border, unknown_names_are_refused_with_the_allowed_ones) {
       << text;
 }
 
+TEST_F(Border, operations_that_cannot_keep_it_say_so) {
+  for (const std::string operation : {"thin_spta", "skeleton_scan"}) {
+    EXPECT_EQ(failure_of({"run", operation, in, out, "--border", "keep"}, 2),
+              "--border: " + operation + " cannot keep the border");
+    EXPECT_EQ(failure_of({"run", operation, in, out, "--border", "keep", "--threads", "2"}, 2),
+              "--border: " + operation + " cannot keep the border");
+  }
+}
+
 }  // namespace
 }  // namespace thinbench

@@ -76,7 +76,7 @@ TEST(ThinningQuality, invariants_of_the_rules_show_on_scene_and_blobs) {
     const bool kept =
         row.before.objects == row.after.objects && row.before.holes == row.after.holes;
     const bool claimed = row.operation == "thin_guo_hall" || row.operation == "thin_mb2" ||
-                         row.operation == "thin_spta_directional";
+                         row.operation == "thin_spta" || row.operation == "thin_spta_directional";
     EXPECT_TRUE(kept || !claimed) << row.operation << " on " << row.input;
     const bool symmetric = row.operation == "thin_mb2" || row.operation == "thin_naccache_shinghal";
     EXPECT_EQ(row.symmetry == 1, symmetric) << row.operation << " on " << row.input;

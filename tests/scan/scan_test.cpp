@@ -100,6 +100,28 @@ TEST(SkeletonScan, every_variant_takes_every_set_of_directions) {
   }
 }
 
+TEST(SkeletonScan, runs_longer_than_short_counters_keep_their_centres) {
+  const ThinningOperation& operation = *find_thinning_operation("skeleton_scan");
+  constexpr std::pair<Index, Index> kSizes[] = {{70000, 2}, {2, 70000},  {65534, 1},
+                                                {65535, 1}, {32767, 1},  {1, 65535},
+                                                {2100, 40}, {130, 2100}, {512, 520}};
+  for (const auto& [width, height] : kSizes) {
+    ByteImage dark(width, height);
+    for (Index y = 0; y < height; ++y) std::fill_n(dark.view().row(y), width, std::uint8_t{255});
+    ByteImage expected(width, height);
+    ByteImage found(width, height);
+    reference::skeleton_scan(Directions{}, dark.view(), expected.view());
+    for (const ThinningVariant& variant : operation.variants) {
+      if (!why_unavailable(variant, width).empty() || variant.threaded) continue;
+      ThinningPlan plan(operation, variant, width, height, {});
+      plan.run(dark.view(), found.view());
+      EXPECT_TRUE(equal(found.view(), expected.view()))
+          << technique_name(variant.technique) << " at " << isa_name(variant.isa) << ", " << width
+          << " x " << height;
+    }
+  }
+}
+
 TEST(SkeletonScan, other_operations_take_no_directions) {
   ByteImage image(5, 5);
   ThinningOptions options;
