@@ -34,7 +34,7 @@ class TimedCall {
 
   /// What the latest call gave.
   [[nodiscard]] Outcome outcome() const {
-    if (kernel_only_) job_->store(output_);
+    if (kernel_only_ && job_->gives_image()) job_->store(output_);
     return {job_->gives_image() ? copy_of(output_) : ByteImage(), job_->numbers()};
   }
 

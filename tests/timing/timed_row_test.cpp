@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "timing/broken_operation.hpp"
+#include "timing/timed_call.hpp"
 
 namespace thinbench {
 namespace {
@@ -71,6 +72,17 @@ TEST(Rows, every_row_has_a_name_of_its_own) {
     EXPECT_EQ(std::count(row.name.begin(), row.name.end(), '/'), 3) << row.name;
   }
   EXPECT_GT(names.size(), 100U);
+}
+
+TEST_F(SelectRows, kernels_that_give_numbers_alone_have_an_outcome_too) {
+  const Selection selection = select_rows("^(holes|components|euler_number)/(bitpacked|union).*/1/",
+                                          all_operations(), inputs);
+  ASSERT_FALSE(selection.rows.empty());
+  for (const TimedRow& row : selection.rows) {
+    TimedCall call(row);
+    call();
+    EXPECT_FALSE(call.outcome().numbers.empty()) << row.name;
+  }
 }
 
 }  // namespace
