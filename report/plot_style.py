@@ -39,7 +39,7 @@ STYLE = {
 WIDTH = 11.5
 """Inches, for every figure, so that letters are equally large on the page."""
 
-PNG_DPI = 100
+PNG_DPI = 72
 
 
 @dataclass(frozen=True)

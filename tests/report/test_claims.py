@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-import pytest
-from conftest import OPERATION, Run, entries, jittered
+import re
+from pathlib import Path
 
+import pytest
+from conftest import OPERATION, ROOT, Run, entries, jittered
+
+from report.build import claims_text
 from report.claims import Verdict, judge
 from report.claims import of_experiments as experiments
 from report.claims import of_times as times
@@ -142,3 +146,11 @@ def test_bounds_of_a_median_are_second_and_eighth_of_nine():
     assert median_bounds(values) == (2, 8)
     assert median_bounds(values[:3]) == (1, 3)
     assert median_bounds((5.0,)) == (5, 5)
+
+
+def test_committed_claims_are_what_the_committed_run_gives():
+    text = (ROOT / "report" / "CLAIMS.md").read_text(encoding="utf-8")
+    commit = re.search(r"Run of commit (\S+) on", text).group(1)
+    runs = [path for path in Path(ROOT, "results").glob(f"*/*-{commit}") if path.is_dir()]
+    assert len(runs) == 1, commit
+    assert claims_text(runs[0]).rstrip() == text.rstrip()
