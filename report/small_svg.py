@@ -8,17 +8,20 @@ from zlib import crc32
 FALLBACK_FONTS = "'DejaVu Sans', Verdana, sans-serif"
 """Letters stay letters; Verdana is as wide as DejaVu Sans."""
 
-DIGITS = 2
-"""Behind the point, of lengths in points: a hundredth cannot be seen."""
+DIGITS = 1
+"""Behind the point, of lengths in points: a tenth of a point is less than a pixel of most screens."""
 
 
 def small_svg(svg: bytes) -> bytes:
-    """Drops white space, empty groups, names of groups and needless digits."""
+    """Drops white space, empty groups, names of groups, needless digits, and clipping.
+
+    No figure draws beyond its axes: their limits follow from what they show.
+    """
     text = svg.decode("utf-8")
     text = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
     text = re.sub(r"<[^>]*>", lambda tag: _small_tag(tag.group()), text)
     text = re.sub(r">\s+<", "><", text)
-    text = re.sub(r"(?:<g/>)+", "", text)
+    text = re.sub(r"(?:<g/>)+|<clipPath.*?</clipPath>|<defs></defs>", "", text)
     return _with_classes(text).encode("utf-8")
 
 
@@ -40,6 +43,7 @@ def _small_tag(tag: str) -> str:
     tag = re.sub(r"\s+", " ", tag)
     tag = re.sub(r'\b(?:d|x|y)="[^"]*"', lambda places: _rounded(places.group()), tag)
     tag = re.sub(r'^<g id="[^"]*"', "<g", tag)
+    tag = re.sub(r' clip-path="[^"]*"', "", tag)
     tag = re.sub(r' transform="rotate\(-?0 [^"]*\)"', "", tag)
     return tag.replace("'DejaVu Sans'", FALLBACK_FONTS)
 

@@ -23,7 +23,7 @@ NAMESPACE = "{http://www.w3.org/2000/svg}"
 
 def test_places_are_rounded_and_words_and_scales_are_not():
     root = ElementTree.fromstring(small_svg(SVG))
-    assert root.find(f".//{NAMESPACE}path").get("d") == "M 1.23 2 L 3 4.57"
+    assert root.find(f".//{NAMESPACE}path").get("d") == "M 1.2 2 L 3 4.6"
     assert root.find(f".//{NAMESPACE}text").text == "0.12345 s"
     assert root.find(f".//{NAMESPACE}use").get("transform") == "scale(0.000123)"
 
