@@ -1,9 +1,11 @@
 #include "cli/parse_errors.hpp"
 
 #include <algorithm>
+#include <iostream>
 #include <string_view>
 #include <vector>
 
+#include "cli/command.hpp"
 #include "cli/names.hpp"
 
 namespace thinbench {
@@ -48,6 +50,18 @@ std::string parse_error_text(const CLI::ParseError& error, const CLI::App& app) 
   std::string text = unexpected ? unexpected_text(app) : plain_text(error);
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text + (text.back() == '?' ? " See '" : "; see '") + full_name(app) + " --help'";
+}
+
+bool parse_or_help(CLI::App& app, const std::vector<std::string>& arguments) {
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // last one first
+    return true;
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return false;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(parse_error_text(error, app));
+  }
 }
 
 }  // namespace thinbench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -9,5 +10,9 @@ namespace thinbench {
 
 /// `app` is the command that was being parsed, or the program itself.
 [[nodiscard]] std::string parse_error_text(const CLI::ParseError& error, const CLI::App& app);
+
+/// Parses the words after the program's name. False where help was asked for, and printed. Throws
+/// UsageError.
+[[nodiscard]] bool parse_or_help(CLI::App& app, const std::vector<std::string>& arguments);
 
 }  // namespace thinbench

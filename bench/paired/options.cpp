@@ -1,9 +1,6 @@
 #include "paired/options.hpp"
 
-#include <iostream>
-
 #include "cli/arguments.hpp"
-#include "cli/command.hpp"
 #include "cli/parse_errors.hpp"
 
 namespace thinbench {
@@ -75,15 +72,7 @@ bool parse_options(const std::vector<std::string>& arguments, PairedOptions& opt
   CLI::App app("Speed-ups over the references, measured in pairs by fresh processes",
                "thinbench_paired");
   add_options(app, options);
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // last one first
-    return true;
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return false;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(parse_error_text(error, app));
-  }
+  return parse_or_help(app, arguments);
 }
 
 }  // namespace thinbench

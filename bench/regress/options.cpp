@@ -1,9 +1,6 @@
 #include "regress/options.hpp"
 
-#include <iostream>
-
 #include "cli/arguments.hpp"
-#include "cli/command.hpp"
 #include "cli/parse_errors.hpp"
 
 namespace thinbench {
@@ -54,16 +51,9 @@ bool parse_options(const std::vector<std::string>& arguments, RegressOptions& op
       "  thinbench_regress compare --run new.jsonl --old old.jsonl --all\n"
       "  thinbench_regress update --run samples.jsonl --baselines results/baselines \\\n"
       "      --commit 0123456789 --reason 'first baseline'");
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // last one first
-    options.update = app.got_subcommand("update");
-    return true;
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return false;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(parse_error_text(error, app));
-  }
+  if (!parse_or_help(app, arguments)) return false;
+  options.update = app.got_subcommand("update");
+  return true;
 }
 
 }  // namespace thinbench

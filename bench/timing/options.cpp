@@ -1,9 +1,6 @@
 #include "timing/options.hpp"
 
-#include <iostream>
-
 #include "cli/arguments.hpp"
-#include "cli/command.hpp"
 #include "cli/parse_errors.hpp"
 
 namespace thinbench {
@@ -49,15 +46,7 @@ bool parse_options(int count, char** arguments, TimingOptions& options) {
   CLI::App app("Time every operation, each way proved equal to its reference first",
                "thinbench_timings");
   add_options(app, options);
-  try {
-    app.parse(count, arguments);
-    return true;
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return false;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(parse_error_text(error, app));
-  }
+  return parse_or_help(app, {arguments + 1, arguments + count});
 }
 
 }  // namespace thinbench

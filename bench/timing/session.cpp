@@ -1,5 +1,6 @@
 #include "timing/session.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 
@@ -156,6 +157,12 @@ int run(const TimingOptions& options, const std::vector<Operation>& operations) 
   return good ? kSuccess : kUsage;
 }
 
+/// Google Benchmark would print its own help and end the program.
+bool asks_for_help(const std::vector<char*>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [](const std::string_view word) { return word == "--help" || word == "-h"; });
+}
+
 /// Hands the options of Google Benchmark over; the rest stays in `arguments`.
 int initialize(std::vector<char*>& arguments) {
   // Ours first, so that the user's own --benchmark_ options win.
@@ -170,7 +177,8 @@ int initialize(std::vector<char*>& arguments) {
 
 int run_timings(std::vector<char*> arguments, const std::vector<Operation>& operations) {
   try {
-    const int count = initialize(arguments);
+    const int count =
+        asks_for_help(arguments) ? static_cast<int>(arguments.size()) : initialize(arguments);
     TimingOptions options;
     if (!parse_options(count, arguments.data(), options)) return kSuccess;
     return options.no_peers ? run(options, without_peers(operations)) : run(options, operations);

@@ -14,6 +14,7 @@ namespace {
 struct Session {
   int status;
   std::string err;
+  std::string out;
 };
 
 Session run(std::vector<std::string> args, const std::vector<Operation>& operations) {
@@ -24,8 +25,8 @@ Session run(std::vector<std::string> args, const std::vector<Operation>& operati
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int status = run_timings(pointers, operations);
-  static_cast<void>(testing::internal::GetCapturedStdout());
-  return {status, testing::internal::GetCapturedStderr()};
+  const std::string out = testing::internal::GetCapturedStdout();
+  return {status, testing::internal::GetCapturedStderr(), out};
 }
 
 Session run_copies(const std::vector<std::string>& more, const std::string& filter) {
@@ -58,6 +59,15 @@ TEST(TimingSession, unproved_row_is_untimed_and_the_exit_status_is_2) {
   const auto json = nlohmann::json::parse(bytes_of(rows));
   EXPECT_EQ(json.at("failed"), 1);
   EXPECT_EQ(json.at("/skipped/0/row"_json_pointer), "copy/absent/baseline/1/scene");
+}
+
+TEST(TimingSession, help_is_our_own_and_has_examples) {
+  for (const char* word : {"--help", "-h"}) {
+    const Session session = run({word}, copy_operations());
+    EXPECT_EQ(session.status, 0) << session.err;
+    EXPECT_NE(session.out.find("--largest-square"), std::string::npos);
+    EXPECT_NE(session.out.find("Examples:"), std::string::npos);
+  }
 }
 
 TEST(TimingSession, filter_that_matches_nothing_ends_with_2) {
