@@ -42,6 +42,31 @@ template <class T, class A>
   return xsimd::any(batch != xsimd::batch<T, A>(T{0}));
 }
 
+/// Packed pixels moved by `pixels` towards high bits in each lane; the bits that come in are the
+/// highest of `before`.
+template <int pixels, class T, class A>
+[[gnu::always_inline]] inline xsimd::batch<T, A> westwards(const xsimd::batch<T, A>& centre,
+                                                           const xsimd::batch<T, A>& before) {
+#ifdef __AVX512VBMI2__
+  if constexpr (sizeof(T) == 8) return _mm512_shldi_epi64(centre, before, pixels);
+  if constexpr (sizeof(T) == 4) return _mm512_shldi_epi32(centre, before, pixels);
+#else
+  return (centre << pixels) | (before >> (8 * static_cast<int>(sizeof(T)) - pixels));
+#endif
+}
+
+/// The same towards low bits; the lowest of `after` come in.
+template <int pixels, class T, class A>
+[[gnu::always_inline]] inline xsimd::batch<T, A> eastwards(const xsimd::batch<T, A>& centre,
+                                                           const xsimd::batch<T, A>& after) {
+#ifdef __AVX512VBMI2__
+  if constexpr (sizeof(T) == 8) return _mm512_shrdi_epi64(centre, after, pixels);
+  if constexpr (sizeof(T) == 4) return _mm512_shrdi_epi32(centre, after, pixels);
+#else
+  return (centre >> pixels) | (after << (8 * static_cast<int>(sizeof(T)) - pixels));
+#endif
+}
+
 /// Byte lanes, one pixel each: neighbours are one element away.
 template <class A>
 struct WordTraits<xsimd::batch<std::uint8_t, A>> {
@@ -73,37 +98,19 @@ struct WordTraits<xsimd::batch<std::uint64_t, A>> {
   }
   [[gnu::always_inline]] static void store(Element* to, Word word) { word.store_unaligned(to); }
   [[gnu::always_inline]] static Word west(Word centre, const Element* from) {
-    return westwards<1>(centre, from);
+    return westwards<1>(centre, load(from - 1));
   }
   [[gnu::always_inline]] static Word east(Word centre, const Element* from) {
-    return eastwards<1>(centre, from);
+    return eastwards<1>(centre, load(from + 1));
   }
   [[gnu::always_inline]] static Word west2(Word centre, const Element* from) {
-    return westwards<2>(centre, from);
+    return westwards<2>(centre, load(from - 1));
   }
   [[gnu::always_inline]] static Word east2(Word centre, const Element* from) {
-    return eastwards<2>(centre, from);
+    return eastwards<2>(centre, load(from + 1));
   }
   [[gnu::always_inline]] static Word zero() { return Word(Element{0}); }
   [[gnu::always_inline]] static bool any(Word word) { return any_bit(word); }
-
- private:
-  template <int pixels>
-  [[gnu::always_inline]] static Word westwards(Word centre, const Element* from) {
-#ifdef __AVX512VBMI2__
-    return _mm512_shldi_epi64(centre, load(from - 1), pixels);
-#else
-    return (centre << pixels) | (load(from - 1) >> (64 - pixels));
-#endif
-  }
-  template <int pixels>
-  [[gnu::always_inline]] static Word eastwards(Word centre, const Element* from) {
-#ifdef __AVX512VBMI2__
-    return _mm512_shrdi_epi64(centre, load(from + 1), pixels);
-#else
-    return (centre >> pixels) | (load(from + 1) << (64 - pixels));
-#endif
-  }
 };
 
 #ifdef __AVX512F__

@@ -1,8 +1,8 @@
 // Arithmetic on grey levels in lanes, beyond what xsimd offers alike in all its versions: a level a
 // byte lane, or 16 bits a lane in two halves. For ISA files only.
 //
-// These types have one name and another meaning at every level, so they stand in an inline namespace
-// of the level: the linker would merge whatever a compiler does not inline.
+// These types have one name and another meaning at every level, so they stand in an inline
+// namespace of the level: the linker would merge whatever a compiler does not inline.
 //
 // Halves are interleaved as the processor's unpack instructions have it, within 128 bits on AVX2
 // and AVX-512. `pack` undoes that; nothing between may depend on the order of lanes.

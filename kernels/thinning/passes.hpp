@@ -79,18 +79,22 @@ consteval int first_step(RuleList<Rules...>) {
   return step;
 }
 
-/// The passes of one engine, all rules in the order of AllRules, each with all its sub-iterations.
-template <class T>
-struct PassTable {
-  Pass<T> passes[step_count(AllRules{})];
+/// The functions of one engine: all rules in the order of AllRules, each with all its
+/// sub-iterations.
+template <class Function>
+struct StepTable {
+  Function passes[step_count(AllRules{})];
 };
+
+template <class T>
+using PassTable = StepTable<Pass<T>>;
 
 namespace detail {
 
-template <class Engine, class Rule, int... subs>
-consteval void fill_rule(PassTable<typename Engine::Element>& table, int& step,
+template <class Engine, class Rule, class Function, int... subs>
+consteval void fill_rule(StepTable<Function>& table, int& step,
                          std::integer_sequence<int, subs...>) {
-  const auto pass_of = []<int sub>() -> Pass<typename Engine::Element> {
+  const auto pass_of = []<int sub>() -> Function {
     if constexpr (requires { &Engine::template pass<Rule, sub>; }) {
       return &Engine::template pass<Rule, sub>;
     } else {
@@ -100,9 +104,9 @@ consteval void fill_rule(PassTable<typename Engine::Element>& table, int& step,
   ((table.passes[step++] = pass_of.template operator()<subs>()), ...);
 }
 
-template <class Engine, class... Rules>
-consteval PassTable<typename Engine::Element> fill_table(RuleList<Rules...>) {
-  PassTable<typename Engine::Element> table{};
+template <class Function, class Engine, class... Rules>
+consteval StepTable<Function> fill_table(RuleList<Rules...>) {
+  StepTable<Function> table{};
   int step = 0;
   (fill_rule<Engine, Rules>(table, step, std::make_integer_sequence<int, Rules::kSubIterations>{}),
    ...);
@@ -111,10 +115,16 @@ consteval PassTable<typename Engine::Element> fill_table(RuleList<Rules...>) {
 
 }  // namespace detail
 
-/// The table of an engine: a struct with `Element` and `template <class Rule, int sub> pass`.
+/// The table of an engine: a struct with `template <class Rule, int sub> static ... pass`.
+template <class Function, class Engine>
+consteval StepTable<Function> make_step_table() {
+  return detail::fill_table<Function, Engine>(AllRules{});
+}
+
+/// The same for an engine over planes of its `Element`.
 template <class Engine>
 consteval PassTable<typename Engine::Element> make_pass_table() {
-  return detail::fill_table<Engine>(AllRules{});
+  return make_step_table<Pass<typename Engine::Element>, Engine>();
 }
 
 /// Engines that are compiled once, for the baseline.

@@ -8,6 +8,7 @@
 #include "nets/model.hpp"
 #include "scan/state.hpp"
 #include "thinning/iterate.hpp"
+#include "thinning/iterate_tiles.hpp"
 #include "thinning/state.hpp"
 
 namespace thinbench {
@@ -120,6 +121,26 @@ struct ChangeState final : PlaneState<std::uint64_t> {
   ThreadTeam team;
 };
 
+/// A cycle over tiles.
+struct TileState final : PlaneState<std::uint64_t> {
+  TileState(const TileEngine& tile_engine, const Setting& chosen)
+      : PlaneState(chosen.isa, chosen.width, chosen.height),
+        engine(tile_engine),
+        setting(chosen),
+        workspace(chosen.width, chosen.height, chosen.threads),
+        team(chosen.threads) {}
+
+  int thin() override {
+    return iterate_tiles(engine, setting.conditions(), source(), planes.result.view(), workspace,
+                         team);
+  }
+
+  const TileEngine engine;
+  Setting setting;
+  TileWorkspace workspace;
+  ThreadTeam team;
+};
+
 /// One kernel over rows of one register.
 struct RowState final : PlaneState<std::uint64_t> {
   RowState(RowKernel row_kernel, const Setting& chosen)
@@ -182,6 +203,8 @@ ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVar
     using Engine = std::remove_cvref_t<decltype(engine)>;
     if constexpr (std::is_same_v<Engine, const RowKernel*>) {
       return std::make_unique<RowState>(*engine, setting);
+    } else if constexpr (std::is_same_v<Engine, TileEngine>) {
+      return std::make_unique<TileState>(engine, setting);
     } else if constexpr (std::is_same_v<Engine, const ChangePass*>) {
       return std::make_unique<ChangeState>(*engine, setting);
     } else if constexpr (std::is_same_v<Engine, const ScanKernels*>) {

@@ -18,6 +18,17 @@ constexpr std::span<const Pass<T>> cycle(const PassTable<T>& table) {
   return {&table.passes[first_step<Rule>(AllRules{})], Rule::kSubIterations};
 }
 
+template <class... Arrays>
+constexpr auto joined(const Arrays&... arrays) {
+  std::array<ThinningVariant, (std::tuple_size_v<Arrays> + ...)> all{};
+  std::size_t next = 0;
+  const auto append = [&](const auto& rows) {
+    for (const ThinningVariant& row : rows) all[next++] = row;
+  };
+  (append(arrays), ...);
+  return all;
+}
+
 /// For rules of one stage: a neighbourhood of nine pixels is the index of a table.
 template <class Rule>
 constexpr auto table_rows() {
@@ -57,22 +68,33 @@ constexpr auto isa_rows() {
   };
 }
 
+/// The sub-iterations of one rule over tiles.
+template <class Rule, Isa isa>
+constexpr TileEngine tile_cycle() {
+  static_assert(Rule::kSubIterations <= TileGridView::kLongestCycle);
+  const TileVisit* first = &TilePasses<isa>::kTable.passes[first_step<Rule>(AllRules{})];
+  return {{first, Rule::kSubIterations}, &TilePasses<isa>::kListActive};
+}
+
+template <class Rule, Isa isa>
+constexpr auto tile_rows() {
+  constexpr Technique tiles = Technique::kSimdBitpackedTiles;
+  return std::array{ThinningVariant{tiles, isa, kOneThread, kAnyWidth, tile_cycle<Rule, isa>()},
+                    ThinningVariant{tiles, isa, kThreaded, kAnyWidth, tile_cycle<Rule, isa>()}};
+}
+
+template <class Rule>
+constexpr auto all_tile_rows() {
+  return joined(tile_rows<Rule, Isa::kBaseline>(), tile_rows<Rule, Isa::kSse42>(),
+                tile_rows<Rule, Isa::kAvx2>(), tile_rows<Rule, Isa::kAvx512>(),
+                tile_rows<Rule, Isa::kAvx512Icl>());
+}
+
 template <class Rule, Isa isa>
 constexpr auto row_kernel_rows() {
   return std::array{
       ThinningVariant{Technique::kSimdBitpackedRow, isa, kOneThread, kRowKernelWidth,
                       &RowKernels<isa>::kTable.kernels[rule_index<Rule>(AllRules{})]}};
-}
-
-template <class... Arrays>
-constexpr auto joined(const Arrays&... arrays) {
-  std::array<ThinningVariant, (std::tuple_size_v<Arrays> + ...)> all{};
-  std::size_t next = 0;
-  const auto append = [&](const auto& rows) {
-    for (const ThinningVariant& row : rows) all[next++] = row;
-  };
-  (append(arrays), ...);
-  return all;
 }
 
 /// Techniques that know either way of treating the border.
@@ -91,9 +113,16 @@ constexpr auto rows_of_either_border() {
 /// All techniques for one rule: what a new operation gets for free.
 template <class Rule>
 const auto& rows_of() {
-  static constexpr auto rows =
-      joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
-             row_kernel_rows<Rule, Isa::kAvx512Icl>());
+  static constexpr auto rows = [] {
+    constexpr auto wide =
+        joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
+               row_kernel_rows<Rule, Isa::kAvx512Icl>());
+    if constexpr (TwoStageRule<Rule>) {
+      return wide;
+    } else {
+      return joined(wide, all_tile_rows<Rule>());
+    }
+  }();
   return rows;
 }
 

@@ -14,14 +14,15 @@
 #include "thinning/passes.hpp"
 #include "thinning/row_kernel.hpp"
 #include "thinning/rule_table.hpp"
+#include "thinning/tile_passes.hpp"
 
 namespace thinbench {
 
 /// A cycle of passes over byte planes or bit planes, repeated until nothing changes; one pass that
-/// sees what changed; one kernel that does all of it; or the steps of a scan.
+/// sees what changed; a cycle over tiles; one kernel that does all of it; or the steps of a scan.
 using ThinningEngine =
     std::variant<std::span<const Pass<std::uint8_t>>, std::span<const Pass<std::uint64_t>>,
-                 const ChangePass*, const RowKernel*, const ImageKernel<std::uint8_t>*,
+                 const ChangePass*, TileEngine, const RowKernel*, const ImageKernel<std::uint8_t>*,
                  const ImageKernel<std::uint64_t>*, const ScanKernels*>;
 
 /// A better engine for models that turn out to have the table of a known rule.

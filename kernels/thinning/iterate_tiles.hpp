@@ -1,0 +1,30 @@
+// Repeats the sub-iterations of a rule on the tiles that may still change.
+#pragma once
+
+#include "thinning/iterate.hpp"
+#include "thinning/tile_passes.hpp"
+
+namespace thinbench {
+
+/// Memory of one repetition: the grid and the tiles that are not written yet.
+class TileWorkspace {
+ public:
+  TileWorkspace(Index width, Index height, int threads);
+
+  [[nodiscard]] TileGrid& grid() { return grid_; }
+  /// Room for the share of each thread, so that none writes what another still reads.
+  [[nodiscard]] PendingTile* pending() { return pending_.get(); }
+  [[nodiscard]] Index capacity() const { return capacity_; }
+
+ private:
+  TileGrid grid_;
+  Index capacity_;
+  AlignedArray<PendingTile> pending_;
+};
+
+/// As `iterate`, for the background as border. Reads `source` and writes `target` once.
+int iterate_tiles(const TileEngine& engine, const Conditions& conditions,
+                  const ConstBitPlaneView& source, const BitPlaneView& target,
+                  TileWorkspace& workspace, ThreadTeam& team);
+
+}  // namespace thinbench

@@ -1,0 +1,192 @@
+// Sub-iterations on tiles of 16 x 32 packed pixels, only those in whose reach something changed
+// since the sub-iteration last ran. Compiled once for every instruction-set level.
+//
+// Cost a tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's gates,
+// 1 to see the change, 3 for its flags, 1 store to the ring and 1 load and 1 store from it to the
+// grid. An image is in the grid once: new pixels wait in the ring until no neighbour needs the old
+// ones.
+#include "thinning/tile_passes.hpp"
+
+#include "core/lane_bits.hpp"
+#include "nets/mux_rule.hpp"
+#include "thinning/sweep.hpp"
+
+namespace thinbench {
+namespace {
+
+using Rows = Lanes32;   // a row of a tile in each lane
+using Flags = Lanes16;  // a tile in each lane
+constexpr Index kRowLanes = static_cast<Index>(Rows::size);
+constexpr Index kFlagLanes = static_cast<Index>(Flags::size);
+constexpr std::uint16_t kFirstRow = 1;
+constexpr std::uint16_t kLastRow = 0x8000;
+
+[[gnu::always_inline]] inline RowOfThree<Rows> rows_at(const std::uint32_t* words, Index strip) {
+  const Rows centre = Rows::load_unaligned(words);
+  return {westwards<1>(centre, Rows::load_unaligned(words - strip)), centre,
+          eastwards<1>(centre, Rows::load_unaligned(words + strip))};
+}
+
+/// What changed in the rows of one register, see TileGridView.
+struct ChangedRows {
+  std::uint32_t anywhere, west, east;
+};
+
+[[gnu::always_inline]] inline ChangedRows changed_rows(Rows before, Rows after) {
+  const Rows changed = before ^ after;
+  return {nonzero_lanes(changed), lowest_bits(changed), highest_bits(changed)};
+}
+
+template <class Rule, int sub>
+[[gnu::always_inline]] inline ChangedRows visit_tile(const Rule& rule, const std::uint32_t* tile,
+                                                     Index strip, PendingTile& pending) {
+  ChangedRows all{};
+  for (Index row = 0; row < kTileRows; row += kRowLanes) {
+    const std::uint32_t* words = tile + row;
+    const RowOfThree<Rows> here = rows_at(words, strip);
+    const Rows next = rule.template next<sub>(
+        neighbourhood(rows_at(words - 1, strip), here, rows_at(words + 1, strip)));
+    next.store_aligned(pending.words + row);
+    const ChangedRows some = changed_rows(here.centre, next);
+    all.anywhere |= some.anywhere << row;
+    all.west |= some.west << row;
+    all.east |= some.east << row;
+  }
+  return all;
+}
+
+template <class Rule, int sub>
+[[gnu::always_inline]] inline void visit_tiles(const Rule& rule, const TileGridView& shared,
+                                               const TileVisits& visits) {
+  const TileGridView grid = shared;  // a store could otherwise be taken to change its fields
+  const Index strip = grid.strip_tiles * kTileRows;
+  PendingTile* pending = visits.pending;
+  const std::uint32_t* tiles = visits.tiles;
+  const Index capacity = visits.capacity;
+  const auto visit = [&](Index i) __attribute__((always_inline)) {
+    const Index tile = tiles[i];
+    const ChangedRows changed = visit_tile<Rule, sub>(rule, grid.words + tile * kTileRows, strip,
+                                                      pending[i & (capacity - 1)]);
+    grid.changed_rows[tile] = static_cast<std::uint16_t>(changed.anywhere);
+    grid.changed_west[tile] = static_cast<std::uint16_t>(changed.west);
+    grid.changed_east[tile] = static_cast<std::uint16_t>(changed.east);
+  };
+  const auto commit = [&](Index i) __attribute__((always_inline)) {
+    const PendingTile& from = pending[i & (capacity - 1)];
+    std::uint32_t* to = grid.words + Index{tiles[i]} * kTileRows;
+    for (Index row = 0; row < kTileRows; row += kRowLanes) {
+      Rows::load_aligned(from.words + row).store_aligned(to + row);
+    }
+  };
+  const Index first = visits.count < capacity ? visits.count : capacity;
+  for (Index i = 0; i < first; ++i) visit(i);
+  for (Index i = first; i < visits.count; ++i) {
+    commit(i - capacity);
+    visit(i);
+  }
+}
+
+/// Tiles of a group whose pixels, or pixels beside them, changed.
+[[gnu::always_inline]] inline std::uint32_t wanted_tiles(const TileGridView& grid, Index first) {
+  const auto any_of = [&](Index tile) {
+    return Flags::load_unaligned(grid.changed_rows + tile) |
+           Flags::load_unaligned(grid.changed_west + tile + grid.strip_tiles) |
+           Flags::load_unaligned(grid.changed_east + tile - grid.strip_tiles);
+  };
+  std::uint32_t wanted = 0;
+  for (Index part = 0; part < kTileGroup; part += kFlagLanes) {
+    const Index tile = first + part;
+    const Flags any =
+        any_of(tile) | (any_of(tile - 1) & Flags(kLastRow)) | (any_of(tile + 1) & Flags(kFirstRow));
+    wanted |= nonzero_lanes(any) << part;
+  }
+  return wanted;
+}
+
+[[gnu::always_inline]] inline Index append_tiles(std::uint32_t* list, Index first,
+                                                 std::uint32_t tiles) {
+#ifdef __AVX512F__
+  const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const __m512i low = _mm512_add_epi32(lanes, _mm512_set1_epi32(static_cast<int>(first)));
+  const __m512i high = _mm512_add_epi32(low, _mm512_set1_epi32(16));
+  const auto low_tiles = static_cast<__mmask16>(tiles);
+  const auto high_tiles = static_cast<__mmask16>(tiles >> 16);
+  _mm512_storeu_si512(list, _mm512_maskz_compress_epi32(low_tiles, low));
+  _mm512_storeu_si512(list + __builtin_popcount(low_tiles),
+                      _mm512_maskz_compress_epi32(high_tiles, high));
+#else
+  for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
+    *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(left));
+  }
+#endif
+  return __builtin_popcount(tiles);
+}
+
+/// Bits [64 i + offset, 64 i + offset + 64) of a bit set of `words` words; zeros outside.
+std::uint64_t bits_from(const std::uint64_t* bits, Index words, Index i, Index offset) {
+  const Index from = i * kWordBits + offset;
+  const Index word = from >> 6;
+  const Index shift = from & 63;
+  const auto at = [&](Index w) { return 0 <= w && w < words ? bits[w] : 0; };
+  return shift == 0 ? at(word) : at(word) >> shift | at(word + 1) << (kWordBits - shift);
+}
+
+/// Occupied groups in whose reach tiles were visited: only they can hold active tiles.
+void find_candidates(const TileGridView& grid, Index words) {
+  const Index strip = grid.strip_tiles / kTileGroup;
+  for (Index i = 0; i < words; ++i) {
+    std::uint64_t near = 0;
+    for (const Index column : {-strip, Index{0}, strip}) {
+      for (const Index row : {-1, 0, 1}) near |= bits_from(grid.visited, words, i, column + row);
+    }
+    grid.candidates[i] = near & grid.occupied_groups[i];
+  }
+}
+
+Index list_active(const TileGridView& grid, int step, int length) {
+  const Index words = (grid.groups + kWordBits - 1) / kWordBits;
+  find_candidates(grid, words);
+  Index count = 0;
+  for (Index i = 0; i < words; ++i) {
+    std::uint64_t visited = 0;
+    for (std::uint64_t left = grid.candidates[i]; left != 0; left &= left - 1) {
+      const Index group = i * kWordBits + __builtin_ctzll(left);
+      grid.wanted[static_cast<std::size_t>(step)][group] = wanted_tiles(grid, group * kTileGroup);
+      std::uint32_t active = 0;
+      for (int one = 0; one < length; ++one) {
+        active |= grid.wanted[static_cast<std::size_t>(one)][group];
+      }
+      active &= grid.occupied[group];
+      count += append_tiles(grid.active + count, group * kTileGroup, active);
+      if (active != 0) visited |= left & (~left + 1);
+    }
+    grid.visited[i] = visited;
+  }
+  return count;
+}
+
+struct Tiles {
+  template <class Rule, int sub>
+  requires(!TwoStageRule<Rule>) static void pass(const RuleModel*, const TileGridView& grid,
+                                                 const TileVisits& visits) {
+    visit_tiles<Rule, sub>(Rule{}, grid, visits);
+  }
+};
+
+void model_visit(const RuleModel* model, const TileGridView& grid, const TileVisits& visits) {
+  visit_tiles<MuxRule, 0>(MuxRule{model->program}, grid, visits);
+}
+
+}  // namespace
+
+template <>
+constinit const StepTable<TileVisit> TilePasses<kThisIsa>::kTable =
+    make_step_table<TileVisit, Tiles>();
+
+template <>
+constinit const TileVisit TilePasses<kThisIsa>::kModel = &model_visit;
+
+template <>
+constinit const ListActive TilePasses<kThisIsa>::kListActive = &list_active;
+
+}  // namespace thinbench

@@ -1,0 +1,48 @@
+// The interface of the engine over tiles, see tile_grid.hpp: passes that visit listed tiles.
+#pragma once
+
+#include <span>
+
+#include "thinning/passes.hpp"
+#include "thinning/tile_grid.hpp"
+
+namespace thinbench {
+
+/// New pixels of a tile, until no neighbour needs the old ones any more.
+struct alignas(64) PendingTile {
+  std::uint32_t words[kTileRows];
+};
+
+/// A range of the active tiles. `pending` is a ring of `capacity` tiles, a power of two and more
+/// than `TileGridView::strip_tiles` + 1, so that what falls out of it has no neighbours ahead.
+struct TileVisits {
+  const std::uint32_t* tiles;
+  Index count;
+  PendingTile* pending;
+  Index capacity;
+};
+
+/// Applies one sub-iteration to the tiles of a range and notes what changed. The last `capacity` of
+/// them stay pending: commit() writes them.
+using TileVisit = void (*)(const RuleModel* model, const TileGridView& grid,
+                           const TileVisits& visits);
+
+/// Makes the list of the next step from what step `step` of a cycle of `length` changed; returns
+/// its length.
+using ListActive = Index (*)(const TileGridView& grid, int step, int length);
+
+/// What iterates over tiles: the sub-iterations of a rule at one level.
+struct TileEngine {
+  std::span<const TileVisit> cycle;
+  const ListActive* list_active;
+};
+
+/// Compiled once for every instruction-set level.
+template <Isa isa>
+struct TilePasses {
+  static const StepTable<TileVisit> kTable;
+  static const TileVisit kModel;  // any rule of eight neighbours, from a model
+  static const ListActive kListActive;
+};
+
+}  // namespace thinbench
