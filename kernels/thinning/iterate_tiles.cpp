@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 namespace thinbench {
 namespace {
@@ -9,19 +10,18 @@ namespace {
 /// A thread's share below which waiting for each other costs more than it saves.
 constexpr Index kLeastShare = 512;
 
-Index ring_capacity(Index width, Index height, const TileGridView& grid, int threads) {
-  const Index ring = grid.strip_tiles + 2;
-  const Index tiles =
-      (round_up(width, kTileColumns) / kTileColumns) * (round_up(height, kTileRows) / kTileRows);
-  const Index least = threads == 1 ? ring : std::max(ring, tiles);
-  return static_cast<Index>(std::bit_ceil(static_cast<std::size_t>(least)));
+/// Tiles that wait to be written. Two more than needed: the next write is then not a multiple of
+/// 4096 bytes away from what is read meanwhile.
+Index kept_tiles(const TileGridView& grid, int threads) {
+  const Index beside = grid.strip_tiles + 4;
+  return threads == 1 ? beside : std::max(beside, grid.groups * kTileGroup);
 }
 
 /// Writes what is still pending of a range.
 void commit(const TileGridView& grid, const TileVisits& visits) {
-  for (Index i = std::max<Index>(0, visits.count - visits.capacity); i < visits.count; ++i) {
-    const PendingTile& from = visits.pending[i & (visits.capacity - 1)];
-    std::copy_n(from.words, kTileRows, grid.words + Index{visits.tiles[i]} * kTileRows);
+  for (Index i = std::max<Index>(0, visits.count - visits.kept); i < visits.count; ++i) {
+    const PendingTile& from = visits.pending[i & (visits.ring - 1)];
+    std::memcpy(grid.words + Index{visits.tiles[i]} * kTileRows, from.words, sizeof(from.words));
   }
 }
 
@@ -31,7 +31,7 @@ void visit_all(TileVisit visit, const RuleModel* model, Index active, TileWorksp
   const TileGridView& grid = workspace.grid().view();
   const auto range = [&](Index first, Index last) {
     return TileVisits{grid.active + first, last - first, workspace.pending() + first,
-                      workspace.capacity()};
+                      workspace.kept(), workspace.ring()};
   };
   if (team.threads() == 1 || active < team.threads() * kLeastShare) {
     visit(model, grid, range(0, active));
@@ -46,8 +46,9 @@ void visit_all(TileVisit visit, const RuleModel* model, Index active, TileWorksp
 
 TileWorkspace::TileWorkspace(Index width, Index height, int threads)
     : grid_(width, height),
-      capacity_(ring_capacity(width, height, grid_.view(), threads)),
-      pending_(make_aligned<PendingTile>(static_cast<std::size_t>(capacity_))) {}
+      kept_(kept_tiles(grid_.view(), threads)),
+      ring_(static_cast<Index>(std::bit_ceil(static_cast<std::size_t>(kept_)))),
+      pending_(make_aligned<PendingTile>(static_cast<std::size_t>(ring_))) {}
 
 int iterate_tiles(const TileEngine& engine, const Conditions& conditions,
                   const ConstBitPlaneView& source, const BitPlaneView& target,

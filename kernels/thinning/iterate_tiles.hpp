@@ -14,11 +14,13 @@ class TileWorkspace {
   [[nodiscard]] TileGrid& grid() { return grid_; }
   /// Room for the share of each thread, so that none writes what another still reads.
   [[nodiscard]] PendingTile* pending() { return pending_.get(); }
-  [[nodiscard]] Index capacity() const { return capacity_; }
+  [[nodiscard]] Index kept() const { return kept_; }
+  [[nodiscard]] Index ring() const { return ring_; }
 
  private:
   TileGrid grid_;
-  Index capacity_;
+  Index kept_;
+  Index ring_;
   AlignedArray<PendingTile> pending_;
 };
 

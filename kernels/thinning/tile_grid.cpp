@@ -22,8 +22,9 @@ TileGrid::TileGrid(Index width, Index height)
     : strips_((width + kTileColumns - 1) / kTileColumns),
       tile_rows_((height + kTileRows - 1) / kTileRows),
       view_{} {
-  view_.strip_tiles = round_up(tile_rows_ + 1, kTileGroup);
-  const Index tiles = (strips_ + 2) * view_.strip_tiles;
+  // Odd, so that tiles of neighbouring strips never compete for one cache set.
+  view_.strip_tiles = (tile_rows_ + 1) | 1;
+  const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
   view_.groups = tiles / kTileGroup;
   words_ = make_aligned<std::uint32_t>(count_of((tiles + 2) * kTileRows));
   view_.words = words_.get() + kTileRows;

@@ -23,7 +23,7 @@ inline constexpr Index kTileGroup = 32;
 struct TileGridView {
   static constexpr int kLongestCycle = 4;
 
-  Index strip_tiles;  // from a tile to its neighbour in the next strip; whole groups
+  Index strip_tiles;  // from a tile to its neighbour in the next strip
   Index groups;       // margins included
 
   std::uint32_t* words;  // row r of tile i is words[kTileRows * i + r], low bit first

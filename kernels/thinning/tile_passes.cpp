@@ -43,11 +43,11 @@ template <class Rule, int sub>
   ChangedRows all{};
   for (Index row = 0; row < kTileRows; row += kRowLanes) {
     const std::uint32_t* words = tile + row;
-    const RowOfThree<Rows> here = rows_at(words, strip);
+    const Rows before = Rows::load_unaligned(words);
     const Rows next = rule.template next<sub>(
-        neighbourhood(rows_at(words - 1, strip), here, rows_at(words + 1, strip)));
+        neighbourhood(rows_at(words - 1, strip), rows_at(words, strip), rows_at(words + 1, strip)));
     next.store_aligned(pending.words + row);
-    const ChangedRows some = changed_rows(here.centre, next);
+    const ChangedRows some = changed_rows(before, next);
     all.anywhere |= some.anywhere << row;
     all.west |= some.west << row;
     all.east |= some.east << row;
@@ -62,26 +62,27 @@ template <class Rule, int sub>
   const Index strip = grid.strip_tiles * kTileRows;
   PendingTile* pending = visits.pending;
   const std::uint32_t* tiles = visits.tiles;
-  const Index capacity = visits.capacity;
+  const Index kept = visits.kept;
+  const Index ring = visits.ring - 1;
   const auto visit = [&](Index i) __attribute__((always_inline)) {
     const Index tile = tiles[i];
-    const ChangedRows changed = visit_tile<Rule, sub>(rule, grid.words + tile * kTileRows, strip,
-                                                      pending[i & (capacity - 1)]);
+    const ChangedRows changed =
+        visit_tile<Rule, sub>(rule, grid.words + tile * kTileRows, strip, pending[i & ring]);
     grid.changed_rows[tile] = static_cast<std::uint16_t>(changed.anywhere);
     grid.changed_west[tile] = static_cast<std::uint16_t>(changed.west);
     grid.changed_east[tile] = static_cast<std::uint16_t>(changed.east);
   };
   const auto commit = [&](Index i) __attribute__((always_inline)) {
-    const PendingTile& from = pending[i & (capacity - 1)];
+    const PendingTile& from = pending[i & ring];
     std::uint32_t* to = grid.words + Index{tiles[i]} * kTileRows;
     for (Index row = 0; row < kTileRows; row += kRowLanes) {
       Rows::load_aligned(from.words + row).store_aligned(to + row);
     }
   };
-  const Index first = visits.count < capacity ? visits.count : capacity;
+  const Index first = visits.count < kept ? visits.count : kept;
   for (Index i = 0; i < first; ++i) visit(i);
   for (Index i = first; i < visits.count; ++i) {
-    commit(i - capacity);
+    commit(i - kept);
     visit(i);
   }
 }
@@ -133,10 +134,10 @@ std::uint64_t bits_from(const std::uint64_t* bits, Index words, Index i, Index o
 
 /// Occupied groups in whose reach tiles were visited: only they can hold active tiles.
 void find_candidates(const TileGridView& grid, Index words) {
-  const Index strip = grid.strip_tiles / kTileGroup;
+  const Index strip = grid.strip_tiles / kTileGroup;  // rounded down
   for (Index i = 0; i < words; ++i) {
     std::uint64_t near = 0;
-    for (const Index column : {-strip, Index{0}, strip}) {
+    for (const Index column : {-strip - 1, -strip, Index{0}, strip, strip + 1}) {
       for (const Index row : {-1, 0, 1}) near |= bits_from(grid.visited, words, i, column + row);
     }
     grid.candidates[i] = near & grid.occupied_groups[i];

@@ -13,17 +13,19 @@ struct alignas(64) PendingTile {
   std::uint32_t words[kTileRows];
 };
 
-/// A range of the active tiles. `pending` is a ring of `capacity` tiles, a power of two and more
-/// than `TileGridView::strip_tiles` + 1, so that what falls out of it has no neighbours ahead.
+/// A range of the active tiles. The last `kept` of them stay pending: more than
+/// `TileGridView::strip_tiles` + 1, so that a tile is written when it has no neighbours ahead.
+/// `pending` is a ring of `ring` tiles, a power of two and at least `kept`.
 struct TileVisits {
   const std::uint32_t* tiles;
   Index count;
   PendingTile* pending;
-  Index capacity;
+  Index kept;
+  Index ring;
 };
 
-/// Applies one sub-iteration to the tiles of a range and notes what changed. The last `capacity` of
-/// them stay pending: commit() writes them.
+/// Applies one sub-iteration to the tiles of a range and notes what changed. The last `kept`
+/// of them are left to commit().
 using TileVisit = void (*)(const RuleModel* model, const TileGridView& grid,
                            const TileVisits& visits);
 
