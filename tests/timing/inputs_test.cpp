@@ -41,6 +41,8 @@ TEST(TimedInputs, pictures_never_take_the_name_of_the_scene_or_of_a_square) {
                    "square_64"}));
   EXPECT_EQ(names_of({"scene_picture.png", "scene.png"}),
             (Names{"scene_picture", "scene_picture_2"}));
+  EXPECT_EQ(names_of({"square.png", "a/square.png", "b/square.png"}, 0),
+            (Names{"square", "square_picture", "square_picture_2"}));
 }
 
 TEST(TimedInputs, squares_alone_belong_to_the_series_of_sizes) {
