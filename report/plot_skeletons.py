@@ -33,7 +33,7 @@ def plot_skeletons(name: str, operations: list[str], folder: Path) -> Plot | Non
             "left": 0.02, "right": 0.98, "bottom": 0.1 / height, "top": 1 - (TOP + 0.2) / height,
             "wspace": 0.06, "hspace": 0.12})
         title(figure, f"Skeletons of {name}", f"the {DETAIL} x {DETAIL} pixels with most contour; "
-              "light: the object, dark: its skeleton")
+              "grey: the object, dark: its skeleton")
         for axes in panels.flat:
             axes.set_axis_off()
         for axes, operation, skeleton in zip(panels.flat, operations, skeletons):
