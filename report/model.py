@@ -89,6 +89,26 @@ class PairedRatio:
 
 
 @dataclass(frozen=True)
+class Interval:
+    """A ratio with its interval."""
+
+    ratio: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Controls:
+    """What paired speed-ups were checked with: a row against itself, and one slowed by 10 %."""
+
+    same: Interval
+    slowed: Interval
+    processes: int
+    failed_groups: int
+    verdict: str
+
+
+@dataclass(frozen=True)
 class Row:
     """All repetitions of one variant on one input, with the time they are compared to."""
 
@@ -221,6 +241,8 @@ class Study:
     verified: int
     warnings: tuple[str, ...]
     peers: tuple[Peer, ...] = ()
+    controls: Controls | None = None
+    """None where no speed-up was measured in pairs."""
 
     @property
     def operations(self) -> list[str]:

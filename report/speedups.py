@@ -8,12 +8,13 @@ import math
 from pathlib import Path
 
 from report.errors import ReportError
-from report.model import SCOPES, PairedRatio, RowName
+from report.json_fields import Fields, read_line
+from report.model import SCOPES, Controls, Interval, PairedRatio, RowName
 
-CSV = "speedups.csv"
+CSV, SAMPLES = "speedups.csv", "samples.jsonl"
 REFERENCE = "reference"
 COLUMNS = ("operation", "technique", "isa", "threads", "scope", "input", "against", "ratio", "low",
-           "high", "processes", "flags")
+           "high", "processes", "flags", "clock", "layout", "output_hash", "verified")
 
 
 def load_speedups(directory: Path) -> dict[RowName, PairedRatio]:
@@ -35,12 +36,33 @@ def load_speedups(directory: Path) -> dict[RowName, PairedRatio]:
                 if line["against"] == REFERENCE)
 
 
+def load_controls(directory: Path) -> Controls:
+    """What the controls gave: the first line of the samples behind the speed-ups."""
+    run = read_line(directory / SAMPLES)
+    run.check_schema()
+    if run.text("kind") != "run":
+        raise ReportError(f"{run.where}: kind is '{run.text('kind')}'; the first line must be "
+                          "of kind 'run', with the controls")
+    return Controls(_interval(run.child("control_same")), _interval(run.child("control_slowed")),
+                    run.count("processes", 1), run.count("groups_with_failed_control"),
+                    run.text("verdict"))
+
+
+def _interval(fields: Fields) -> Interval:
+    return Interval(*(fields.positive(key) for key in ("ratio", "low", "high")))
+
+
 def _read(line: dict[str, str], where: str) -> tuple[RowName, PairedRatio]:
     if any(line[column] is None for column in COLUMNS):
         raise ReportError(f"{where}: fields are missing; measure it again")
     if line["scope"] not in SCOPES:
         raise ReportError(f"{where}: scope is '{line['scope']}'; it must be "
                           f"{' or '.join(SCOPES)}")
+    for column in ("clock", "layout", "output_hash"):
+        if not line[column]:
+            raise ReportError(f"{where}: {column} is ''; it must be given")
+    if line["verified"] != "1":
+        raise ReportError(f"{where}: verified is '{line['verified']}'; it must be 1")
     name = RowName(line["operation"], line["technique"], line["isa"],
                    int(_positive(line, "threads", where)), line["scope"], line["input"])
     low, ratio, high = (_positive(line, column, where) for column in ("low", "ratio", "high"))
