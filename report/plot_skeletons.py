@@ -12,14 +12,17 @@ from PIL import Image
 
 from report.errors import ReportError
 from report.plot_style import BLUE, WIDTH, Plot, rendered, styled, title
+from report.quality import Skeleton
+from report.tables import csv_text
 
 ACROSS, DETAIL, STEP = 3, 120, 20
 PITCH, TOP = WIDTH / ACROSS, 0.8
 SHAPE, PAPER = "#c9ced5", "#f4f5f7"
 
 
-def plot_skeletons(name: str, operations: list[str], folder: Path) -> Plot | None:
+def plot_skeletons(name: str, rows: list[Skeleton], folder: Path) -> Plot | None:
     """The figure, or None if the pictures were not written."""
+    operations = [row.operation for row in rows]
     paths = [folder / f"quality_{name}{end}.png" for end in ("", *(f"_{o}" for o in operations))]
     if not all(path.is_file() for path in paths):
         return None
@@ -39,7 +42,7 @@ def plot_skeletons(name: str, operations: list[str], folder: Path) -> Plot | Non
         for axes, operation, skeleton in zip(panels.flat, operations, skeletons):
             _draw(axes, operation, shape[detail], skeleton[detail])
         return rendered(figure, f"skeletons_{name}", _caption(name),
-                        f"{_caption(name)} Operations: {', '.join(operations)}.")
+                        f"{_caption(name)} Operations: {', '.join(operations)}.", _csv(rows))
 
 
 def busiest(shape: np.ndarray) -> tuple[slice, slice]:
@@ -65,6 +68,16 @@ def _draw(axes: Axes, operation: str, shape: np.ndarray, skeleton: np.ndarray) -
     colours = np.array([to_rgb(colour) for colour in (PAPER, SHAPE, BLUE)])
     axes.imshow(colours[np.where(skeleton, 2, shape.astype(int))], interpolation="none")
     axes.set_title(operation, pad=4)
+
+
+def _csv(rows: list[Skeleton]) -> str:
+    header = ("operation", "input", "objects_before", "objects_after", "holes_before",
+              "holes_after", "pixels", "blocks", "ends", "branches", "mean_distance",
+              "largest_distance", "least_symmetry", "iterations")
+    return csv_text(header, ((row.operation, row.input, *row.objects, *row.holes, row.pixels,
+                              row.blocks, row.ends, row.branches, row.mean_distance,
+                              row.largest_distance, row.least_symmetry, row.iterations)
+                             for row in rows))
 
 
 def _caption(name: str) -> str:
