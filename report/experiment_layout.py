@@ -61,5 +61,5 @@ def table_block(table: Table) -> str:
 def markdown_table(header: tuple[Column, ...], rows: tuple[tuple[str, ...], ...]) -> str:
     """Header, rule and rows."""
     rule = ["---:" if column.is_number else "---" for column in header]
-    lines = [[column.label for column in header], rule, *rows]
+    lines: list[Sequence[str]] = [[column.label for column in header], rule, *rows]
     return "".join(markdown_line(line) + "\n" for line in lines)

@@ -15,6 +15,8 @@ SYMBOLS = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "%": r"\%", "_": r
            "→": r"$\rightarrow$", "\N{EN DASH}": "--", "\N{NO-BREAK SPACE}": "~", "\n": " "}
 """A line must not begin with [ or *, which the end of the line before would take as its own."""
 
+TRANSLATION: dict[int, str] = {ord(symbol): text for symbol, text in SYMBOLS.items()}
+
 CLAIMS_LAYOUT = r"p{0.40\linewidth}p{0.16\linewidth}p{0.36\linewidth}"
 
 
@@ -43,7 +45,7 @@ def tabular(header: tuple[Column, ...], rows: tuple[tuple[str, ...], ...], layou
 
 def escaped(text: str) -> str:
     """Text as LaTeX prints it; what stands between `back quotes` is set like a typewriter's."""
-    parts = text.translate(str.maketrans(SYMBOLS)).split("`")
+    parts = text.translate(TRANSLATION).split("`")
     if len(parts) % 2 == 0:  # one quote is left over
         parts[-2:] = [r"\textasciigrave{}".join(parts[-2:])]
     return "".join(rf"\texttt{{{part}}}" if place % 2 else part

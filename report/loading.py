@@ -9,13 +9,14 @@ from pathlib import Path
 
 import numpy as np
 
+from report.controls import load_controls
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
 from report.machine import load_machine, run_warnings
 from report.model import (SCOPES, Input, PairedRatio, Peer, Row, RowName, Skipped, Study,
                           table_order)
 from report.provenance import check_provenance
-from report.speedups import load_controls, load_speedups
+from report.speedups import load_speedups
 
 NAME_FORM = "operation/technique/isa/threads/scope/input"
 NANOSECONDS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from report.controls import Controls
 from report.run_options import RunOptions
 
 REFERENCE = "reference"
@@ -86,26 +87,6 @@ class PairedRatio:
     def is_inconclusive(self) -> bool:
         """True if a control beside it failed: the ratio says nothing."""
         return "inconclusive" in self.flags
-
-
-@dataclass(frozen=True)
-class Interval:
-    """A ratio with its interval."""
-
-    ratio: float
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
-class Controls:
-    """What paired speed-ups were checked with: a row against itself, and one slowed by 10 %."""
-
-    same: Interval
-    slowed: Interval
-    processes: int
-    failed_groups: int
-    verdict: str
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from report.plot_style import (BLUE, GREY, GRID, INK, MUTED, ORANGE, WIDTH, Plot
                                log_ticks, rendered, styled, title)
 from report.tables import csv_text
 
-LEFT, RIGHT, TOP, BOTTOM, PITCH = 3.1, 0.3, 1.45, 0.62, 0.27
+LEFT, RIGHT, TOP, BOTTOM, PITCH = 2.5, 0.3, 1.45, 0.62, 0.27
 TIME = {"marker": "o", "color": BLUE, "markersize": 6.5}
 LIMIT = {"marker": "|", "color": INK, "markersize": 11, "markeredgewidth": 2}
 COPY = {"marker": "D", "color": ORANGE, "markersize": 5.5, "markeredgecolor": INK,
@@ -115,8 +115,8 @@ def _explain(figure: Figure, limits: Limits) -> None:
 def _caption(limits: Limits) -> str:
     return ("The fastest counted row of each operation: its time (dot), the time in which its "
             f"instructions would be issued at {limits.issue_width:g} a cycle (bar), and a copy "
-            "of the same memory, or a read where numbers come out (diamond), where one was timed. The number is the limit in percent of "
-            "the time.")
+            "of the same memory, or a read where numbers come out (diamond), where one was timed. "
+            "The number is the limit in percent of the time.")
 
 
 def _csv(dots: list[Dot]) -> str:

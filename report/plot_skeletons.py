@@ -20,8 +20,9 @@ PITCH, TOP = WIDTH / ACROSS, 0.8
 SHAPE, PAPER = "#c9ced5", "#f4f5f7"
 
 
-def plot_skeletons(name: str, rows: list[Skeleton], folder: Path) -> Plot | None:
-    """The figure, or None if the pictures were not written."""
+def plot_skeletons(name: str, rows: list[Skeleton], folder: Path,
+                   symmetry: str) -> Plot | None:
+    """The figure, or None if the pictures were not written; `symmetry` heads a column of its CSV."""
     operations = [row.operation for row in rows]
     paths = [folder / f"quality_{name}{end}.png" for end in ("", *(f"_{o}" for o in operations))]
     if not all(path.is_file() for path in paths):
@@ -42,7 +43,7 @@ def plot_skeletons(name: str, rows: list[Skeleton], folder: Path) -> Plot | None
         for axes, operation, skeleton in zip(panels.flat, operations, skeletons):
             _draw(axes, operation, shape[detail], skeleton[detail])
         return rendered(figure, f"skeletons_{name}", _caption(name),
-                        f"{_caption(name)} Operations: {', '.join(operations)}.", _csv(rows))
+                        f"{_caption(name)} Operations: {', '.join(operations)}.", _csv(rows, symmetry))
 
 
 def busiest(shape: np.ndarray) -> tuple[slice, slice]:
@@ -70,10 +71,10 @@ def _draw(axes: Axes, operation: str, shape: np.ndarray, skeleton: np.ndarray) -
     axes.set_title(operation, pad=4)
 
 
-def _csv(rows: list[Skeleton]) -> str:
+def _csv(rows: list[Skeleton], symmetry: str) -> str:
     header = ("operation", "input", "objects_before", "objects_after", "holes_before",
               "holes_after", "pixels", "blocks", "ends", "branches", "mean_distance",
-              "largest_distance", "least_symmetry", "iterations")
+              "largest_distance", symmetry, "iterations")
     return csv_text(header, ((row.operation, row.input, *row.objects, *row.holes, row.pixels,
                               row.blocks, row.ends, row.branches, row.mean_distance,
                               row.largest_distance, row.least_symmetry, row.iterations)

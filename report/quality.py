@@ -44,6 +44,11 @@ class Quality:
     """By how many quarters the input was turned at most; files of older versions: by one."""
 
     @property
+    def symmetry_field(self) -> str:
+        """What the file calls the overlap."""
+        return ONE_TURN if self.turns == 1 else LEAST
+
+    @property
     def inputs(self) -> list[str]:
         """Their names, in the order of the file."""
         return list(dict.fromkeys(row.input for row in self.rows))

@@ -20,7 +20,7 @@ def make_quality_tables(quality: Quality, directory: Path) -> list[Table]:
 
 def _table(quality: Quality, name: str, directory: Path) -> Table:
     rows = [row for row in quality.rows if row.input == name]
-    plot = plot_skeletons(name, rows, directory / "pictures")
+    plot = plot_skeletons(name, rows, directory / "pictures", quality.symmetry_field)
     return Table(f"Skeletons of {name}", _sentence(rows, quality.turns), HEADER, tuple(map(_cells, rows)),
                  quality.command, plot=plot)
 

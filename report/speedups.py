@@ -8,10 +8,9 @@ import math
 from pathlib import Path
 
 from report.errors import ReportError
-from report.json_fields import Fields, read_line
-from report.model import SCOPES, Controls, Interval, PairedRatio, RowName
+from report.model import SCOPES, PairedRatio, RowName
 
-CSV, SAMPLES = "speedups.csv", "samples.jsonl"
+CSV = "speedups.csv"
 REFERENCE = "reference"
 COLUMNS = ("operation", "technique", "isa", "threads", "scope", "input", "against", "ratio", "low",
            "high", "processes", "flags", "clock", "layout", "output_hash", "verified")
@@ -34,22 +33,6 @@ def load_speedups(directory: Path) -> dict[RowName, PairedRatio]:
         raise ReportError(f"{path}: column '{missing[0]}' is missing; it must be given")
     return dict(_read(line, f"{path}: line {number}") for number, line in enumerate(lines, 2)
                 if line["against"] == REFERENCE)
-
-
-def load_controls(directory: Path) -> Controls:
-    """What the controls gave: the first line of the samples behind the speed-ups."""
-    run = read_line(directory / SAMPLES)
-    run.check_schema()
-    if run.text("kind") != "run":
-        raise ReportError(f"{run.where}: kind is '{run.text('kind')}'; the first line must be "
-                          "of kind 'run', with the controls")
-    return Controls(_interval(run.child("control_same")), _interval(run.child("control_slowed")),
-                    run.count("processes", 1), run.count("groups_with_failed_control"),
-                    run.text("verdict"))
-
-
-def _interval(fields: Fields) -> Interval:
-    return Interval(*(fields.positive(key) for key in ("ratio", "low", "high")))
 
 
 def _read(line: dict[str, str], where: str) -> tuple[RowName, PairedRatio]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from report.formatting import microseconds, percent, scope_label, speedup_text
 from report.model import Row, Study, is_sweep_input
@@ -74,6 +74,6 @@ def _markdown_fields(row: Row) -> list[str]:
         percent(row.spread_percent) + (" (noisy)" if row.is_noisy else "")]
 
 
-def markdown_line(fields: tuple[str, ...] | list[str]) -> str:
+def markdown_line(fields: Sequence[str]) -> str:
     """A row of a Markdown table."""
     return "| " + " | ".join(field.replace("|", "\\|") for field in fields) + " |"

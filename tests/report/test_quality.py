@@ -68,6 +68,8 @@ def test_files_of_one_turn_are_read_and_called_so(run):
     for row in quality["rows"]:
         row["symmetry"] = row.pop("least_symmetry")
     build(write(run, quality).directory)
+    csv = run.directory / "plots/skeletons_blobs.csv"
+    assert csv.read_text().splitlines()[0].endswith(",largest_distance,symmetry,iterations")
     assert "over one turn, by 90 degrees" in (run.directory / "experiments.md").read_text()
     build(write(Run(run.directory.parent / "new"), make_quality()).directory)
     new = (run.directory.parent / "new/experiments.md").read_text()
