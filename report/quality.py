@@ -67,6 +67,7 @@ def _skeleton(row: Fields, symmetry: str) -> Skeleton:
     def change(of: str) -> tuple[int, int]:
         return row.count(f"{of}_before"), row.count(f"{of}_after")
     return Skeleton(row.text("operation"), row.text("input"), change("objects"), change("holes"),
-                    *(row.count(key) for key in ("pixels", "blocks", "ends", "branches")),
+                    row.count("pixels"), row.count("blocks"), row.count("ends"),
+                    row.count("branches"),
                     row.number("mean_distance"), row.number("largest_distance"),
                     row.at_most(symmetry, 1), row.count("iterations", 1))

@@ -142,9 +142,7 @@ std::vector<QualityInput> quality_inputs(const std::vector<std::string>& picture
   inputs.push_back({"blobs", blobs(kBlobSide, kBlobSide, 1)});
   const std::regex reserved = reserved_names();
   for (const std::string& path : pictures) {
-    std::vector<std::string> taken;
-    for (const QualityInput& input : inputs) taken.push_back(input.name);
-    inputs.push_back({picture_name(path, taken, reserved), objects_of(read_grey(path))});
+    inputs.push_back({picture_name(path, names_of(inputs), reserved), objects_of(read_grey(path))});
   }
   return inputs;
 }

@@ -23,9 +23,7 @@ ByteImage tiled_square(const ByteImage& tile, Index size) {
 /// Never that of the scene or of a square of the series of sizes, on this run or another.
 std::string name_of(const std::string& picture, const std::vector<TimedInput>& before) {
   static const std::regex reserved("scene|square_[0-9]+");
-  std::vector<std::string> taken;
-  for (const TimedInput& input : before) taken.push_back(input.name);
-  return picture_name(picture, taken, reserved);
+  return picture_name(picture, names_of(before), reserved);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(SkeletonMeasures, four_quarter_turns_are_none) {
   EXPECT_TRUE(equal(turned.view(), image.view()));
 }
 
-std::vector<std::string> names_of(const std::vector<std::string>& files) {
+std::vector<std::string> names_from(const std::vector<std::string>& files) {
   const TemporaryFolder folder;
   std::vector<std::string> pictures;
   for (const std::string& file : files) {
@@ -93,13 +93,13 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
 }
 
 TEST(ThinningQuality, pictures_get_names_unlike_each_other_the_scene_and_the_blobs) {
-  EXPECT_EQ(names_of({"horse.png", "a/horse.png", "scene.png", "blobs.png", "b/blobs.png"}),
+  EXPECT_EQ(names_from({"horse.png", "a/horse.png", "scene.png", "blobs.png", "b/blobs.png"}),
             (std::vector<std::string>{"scene", "blobs", "horse", "horse_2", "scene_picture",
                                       "blobs_picture", "blobs_picture_2"}));
 }
 
 TEST(ThinningQuality, pictures_never_get_the_name_of_the_file_of_a_skeleton) {
-  EXPECT_EQ(names_of({"scene_thin_mb2.png", "x_skeleton_scan.png", "thin_mb2.png"}),
+  EXPECT_EQ(names_from({"scene_thin_mb2.png", "x_skeleton_scan.png", "thin_mb2.png"}),
             (std::vector<std::string>{"scene", "blobs", "scene_thin_mb2_picture",
                                       "x_skeleton_scan_picture", "thin_mb2"}));
 }

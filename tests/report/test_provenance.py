@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import lzma
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -42,11 +43,7 @@ TABLE_TWO = {"schema": 1, "experiment": "table-2", "command": "c", "image": "510
 
 @pytest.mark.parametrize("path", COMMITTED, ids=lambda path: path.parent.name)
 def test_committed_runs_are_accepted(path, tmp_path):
-    copy = tmp_path / "run"
-    copy.mkdir()
-    for file in [*path.parent.glob("*.json*"), *path.parent.glob("*.csv"),
-                 *path.parent.glob("*.xz")]:
-        (copy / file.name).write_bytes(file.read_bytes())
+    copy = shutil.copytree(path.parent, tmp_path / "run")
     assert "Page:" in build(copy)
 
 
