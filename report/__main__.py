@@ -18,10 +18,11 @@ EXAMPLE = """examples:
   python3 -m report claims results/intel-6-143-8-1a2b3c4d/2026-11-21-abc1234 > report/CLAIMS.md
 
 DIR must hold timings.json, machine.json and rows.json. Written beside them:
-timings.csv, timings.md, plots/*.svg, plots/*.png and index.html, a page that
-needs no network. If DIR/experiments holds JSON files of the paper's experiments,
+timings.csv, timings.md, *.tex, plots/* (SVG, PNG and CSV) and index.html, a page
+that needs no network. If DIR/experiments holds JSON files of the paper's experiments,
 the page shows them too and experiments.md and claims.md are written; of
-DIR/limits.json, limits.md. A summary goes to standard output. Exit status: 0 done,
+DIR/limits.json, limits.md. Where DIR/files.json stands, every measured file must be
+one that it lists, unchanged. A summary goes to standard output. Exit status: 0 done,
 1 the data was refused (one line on standard error says why), 2 wrong usage.
 """
 

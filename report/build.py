@@ -12,7 +12,9 @@ from report.errors import ReportError
 from report.experiment_layout import table_block, to_experiments_markdown
 from report.experiment_tables import make_tables
 from report.experiments import load_experiments
-from report.limits import limits_table, load_limits
+from report.latex import latex_tables
+from report.limit_rows import load_limits
+from report.limits import limits_table
 from report.loading import load_study
 from report.model import Study
 from report.page import to_html
@@ -37,17 +39,21 @@ def build(directory: Path) -> str:
     limits = limits_table(study, load_limits(directory))
     plots = make_plots(study)
     outputs: dict[str, bytes] = {}
-    for plot in [*plots, *(table.plot for table in tables if table.plot)]:
+    shown = [*tables, *([limits] if limits else [])]
+    for plot in [*plots, *(table.plot for table in shown if table.plot)]:
         outputs[f"plots/{plot.stem}.svg"] = plot.svg
         outputs[f"plots/{plot.stem}.png"] = plot.png
-    outputs[CSV] = to_csv(study).encode()
+        outputs[f"plots/{plot.stem}.csv"] = plot.csv.encode()
+    outputs[CSV] = to_csv(study.rows).encode()
     outputs[MARKDOWN] = to_markdown(study).encode()
     if tables:
         outputs[EXPERIMENTS] = to_experiments_markdown(tables).encode()
     outputs[CLAIMS] = to_markdown_claims(claims, study).encode()
     if limits:
         outputs[LIMITS] = table_block(limits).encode()
-    outputs[PAGE] = to_html(study, plots, tables, claims, limits).encode()
+    latex = latex_tables(study, tables, claims)
+    outputs |= {name: text.encode() for name, text in latex.items()}
+    outputs[PAGE] = to_html(study, plots, tables, claims, limits, list(latex)).encode()
     summary = to_text(study)
     _write_all(directory, outputs)
     return f"{summary}\nPage: {directory / PAGE}\nCSV:  {directory / CSV}"

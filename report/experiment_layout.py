@@ -50,11 +50,16 @@ def to_experiments_markdown(tables: list[Table]) -> str:
 
 def table_block(table: Table) -> str:
     """A table as Markdown, under its sentences and above its command."""
-    rule = ["---:" if column.is_number else "---" for column in table.header]
     lines = [f"## {table.title}", "", table.sentence, ""]
     lines += [table.verdict, ""] if table.verdict else []
-    lines += [markdown_line([column.label for column in table.header]), markdown_line(rule)]
-    lines += [markdown_line(row) for row in table.rows]
+    lines += [markdown_table(table.header, table.rows).rstrip("\n")]
     if table.plot:
         lines += ["", f"![{table.plot.alt}](plots/{table.plot.stem}.svg)"]
     return "\n".join([*lines, "", f"Made by `{table.command}`.", ""])
+
+
+def markdown_table(header: tuple[Column, ...], rows: tuple[tuple[str, ...], ...]) -> str:
+    """Header, rule and rows."""
+    rule = ["---:" if column.is_number else "---" for column in header]
+    lines: list[Sequence[str]] = [[column.label for column in header], rule, *rows]
+    return "".join(markdown_line(line) + "\n" for line in lines)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import lzma
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -28,14 +29,14 @@ class Fields:
 
     def text(self, key: str) -> str:
         """A non-empty string."""
-        value = self._required(key)
+        value = self.required(key)
         if not isinstance(value, str) or not value.strip():
             raise self._wrong(key, "a non-empty string")
         return value
 
     def number(self, key: str) -> float:
         """A finite number."""
-        value = self._required(key)
+        value = self.required(key)
         is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
         if not is_number or not math.isfinite(value):
             raise self._wrong(key, "a finite number")
@@ -64,7 +65,7 @@ class Fields:
 
     def listed(self, key: str) -> list[Any]:
         """An array."""
-        value = self._required(key)
+        value = self.required(key)
         if not isinstance(value, list):
             raise self._wrong(key, "an array")
         return value
@@ -83,14 +84,15 @@ class Fields:
 
     def child(self, key: str) -> Fields:
         """An object."""
-        return Fields(self._required(key), f"{self.where}: {key}")
+        return Fields(self.required(key), f"{self.where}: {key}")
 
     def check_schema(self) -> None:
         """Refuses a layout that this version does not know."""
         if self.data.get("schema") != SCHEMA:
             raise self._wrong("schema", str(SCHEMA))
 
-    def _required(self, key: str) -> Any:
+    def required(self, key: str) -> Any:
+        """Whatever is there; not null."""
         if not self.has(key):
             raise ReportError(f"{self.where}: field '{key}' is missing; it must be given")
         return self.data[key]
@@ -102,13 +104,22 @@ class Fields:
 
 def read_object(path: Path) -> Fields:
     """Parses a file that holds one JSON object, or the same file packed by xz beside it."""
+    return _parsed(path, lambda text: text)
+
+
+def read_line(path: Path) -> Fields:
+    """Parses the first line of a file of JSON objects, or of the same file packed by xz."""
+    return _parsed(path, lambda text: text.partition("\n")[0])
+
+
+def _parsed(path: Path, part: Callable[[str], str]) -> Fields:
     packed = path.with_name(path.name + ".xz")
     try:
         if not path.exists() and packed.exists():
             text = lzma.decompress(packed.read_bytes()).decode("utf-8")
         else:
             text = path.read_text(encoding="utf-8")
-        return Fields(json.loads(text), str(path))
+        return Fields(json.loads(part(text)), str(path))
     except FileNotFoundError:
         raise ReportError(f"{path}: no such file; a finished run leaves it here") from None
     except OSError as error:

@@ -9,10 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
+from report.controls import load_controls
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
 from report.machine import load_machine, run_warnings
-from report.model import SCOPES, Input, Peer, Row, RowName, Skipped, Study, table_order
+from report.model import (SCOPES, Input, PairedRatio, Peer, Row, RowName, Skipped, Study,
+                          table_order)
+from report.provenance import check_provenance
 from report.speedups import load_speedups
 
 NAME_FORM = "operation/technique/isa/threads/scope/input"
@@ -31,16 +34,19 @@ def load_study(directory: Path) -> Study:
     rows_file.check_schema()
     _refuse_failures(rows_file)
     inputs = tuple(_load_input(fields) for fields in rows_file.children("inputs"))
+    check_provenance(directory, machine, timings, inputs)
     speedups = load_speedups(directory)
-    rows = [replace(row, paired=speedups.get(row.name)) for row in _load_rows(timings)]
-    _check_sizes(rows, inputs)
+    timed = _load_rows(timings)
+    _check_sizes(timed, inputs)
+    _check_pairs(speedups, timed)
+    rows = [replace(row, paired=speedups.get(row.name)) for row in timed]
     return Study(
         directory=directory, machine=machine, rows=tuple(sorted(rows, key=table_order)),
         inputs=inputs,
         skipped=tuple(Skipped(fields.text("row"), fields.text("reason"))
                       for fields in rows_file.children("skipped")),
         verified=rows_file.count("verified"), warnings=run_warnings(timings),
-        peers=_load_peers(rows_file))
+        peers=_load_peers(rows_file), controls=load_controls(directory) if speedups else None)
 
 
 def parse_name(text: str, where: str) -> RowName:
@@ -137,12 +143,22 @@ def _refuse_failures(rows_file: Fields) -> None:
                           "reference; it must be 0 before times are reported")
 
 
+def _check_pairs(speedups: dict[RowName, PairedRatio], rows: list[Row]) -> None:
+    """A speed-up of a row that was not timed comes from another run."""
+    strange = speedups.keys() - {row.name for row in rows}
+    if strange:
+        raise ReportError(f"speedups.csv: row {min(map(str, strange))} is not in timings.json; "
+                          "all files must come from one run")
+
+
 def _check_sizes(rows: list[Row], inputs: tuple[Input, ...]) -> None:
     """A row timed on another size than its input has would be a wrong ns per pixel."""
     known = {item.name: (item.width, item.height) for item in inputs}
     for row in rows:
-        size = (row.width, row.height)
-        right = known.get(row.name.input, size)
+        size, right = (row.width, row.height), known.get(row.name.input)
+        if right is None:
+            raise ReportError(f"timings.json: row {row.name}: rows.json has no input "
+                              f"'{row.name.input}'; its size and hash are needed")
         if size != right:
             raise ReportError(f"timings.json: row {row.name} says {size[0]} x {size[1]} pixels; "
                               f"rows.json says {right[0]} x {right[1]} for this input")

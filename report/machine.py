@@ -8,13 +8,16 @@ from report.model import Cache, Machine
 from report.run_options import load_run_options
 
 COMPILER_FIELDS = ("id", "version", "flags", "build_type")
+LABELS = {"Cores": "cores", "Memory, GiB": "memory_gib", "Operating system": "os",
+          "Kernel": "kernel", "Date": "date", "Instruction set capped at": "isa_cap"}
+NEEDED = ("cores", "os", "kernel", "date")
+"""Facts that every run must give; "unknown" is an answer."""
 
 
 def load_machine(fields: Fields) -> Machine:
     """The machine, compiler and commit of a run; what identifies them must be there."""
     fields.check_schema()
     cpu = fields.child("cpu")
-    options = fields.child("options") if fields.has("options") else Fields({}, fields.where)
     compiler = fields.child("compiler")
     return Machine(
         fingerprint=fields.text("fingerprint"), commit=fields.text("commit"),
@@ -23,9 +26,9 @@ def load_machine(fields: Fields) -> Machine:
         cpu_name=cpu.text("name"),
         cpu_flags=_texts(cpu, "flags"),
         caches=_caches(fields),
-        isa_available=_texts(fields, "isa_available"),
+        isa_available=_levels(fields),
         facts=_facts(fields, cpu),
-        run=load_run_options(options))
+        run=load_run_options(fields.child("options")))
 
 
 def run_warnings(timings: Fields) -> tuple[str, ...]:
@@ -58,22 +61,27 @@ def _libraries(fields: Fields) -> dict[str, str]:
 
 
 def _texts(fields: Fields, key: str) -> tuple[str, ...]:
-    return tuple(map(str, fields.listed(key))) if fields.has(key) else ()
+    return tuple(map(str, fields.listed(key)))
+
+
+def _levels(fields: Fields) -> tuple[str, ...]:
+    levels = _texts(fields, "isa_available")
+    if not levels:
+        raise ReportError(f"{fields.where}: isa_available is []; it must name an instruction set")
+    return levels
 
 
 def _caches(fields: Fields) -> tuple[Cache, ...]:
-    if not fields.has("caches"):
-        return ()
     data = [item for item in fields.children("caches") if item.data.get("type") != "Instruction"]
     return tuple(sorted((Cache(item.count("level", 1), item.count("size_kib", 1))
                          for item in data), key=lambda cache: cache.level))
 
 
 def _facts(fields: Fields, cpu: Fields) -> dict[str, str]:
-    """Optional facts, each under the label that the page prints."""
+    """Further facts, each under the label that the page prints."""
     model = "-".join(str(cpu.data[key]) for key in ("vendor", "family", "model", "stepping")
                      if cpu.has(key))
-    labels = {"Cores": "cores", "Memory, GiB": "memory_gib", "Operating system": "os",
-              "Kernel": "kernel", "Date": "date", "Instruction set capped at": "isa_cap"}
-    given = {label: str(fields.data[key]) for label, key in labels.items() if fields.has(key)}
+    for key in NEEDED:
+        fields.required(key)
+    given = {label: str(fields.data[key]) for label, key in LABELS.items() if fields.has(key)}
     return ({"Vendor, family, model, stepping": model} if model else {}) | given

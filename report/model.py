@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from report.controls import Controls
 from report.run_options import RunOptions
 
 REFERENCE = "reference"
@@ -221,6 +222,8 @@ class Study:
     verified: int
     warnings: tuple[str, ...]
     peers: tuple[Peer, ...] = ()
+    controls: Controls | None = None
+    """None where no speed-up was measured in pairs."""
 
     @property
     def operations(self) -> list[str]:

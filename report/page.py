@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -66,8 +67,8 @@ class Room:
 
 
 def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[Claim],
-            limits: Table | None = None) -> str:
-    """The finished page; `tables` are of the paper's experiments."""
+            limits: Table | None = None, latex: Sequence[str] = ()) -> str:
+    """The finished page; `tables` are of the paper's experiments, `latex` names files."""
     shown = [*tables, limits] if limits else tables
     cells = sum(len(row) for table in shown for row in table.rows)
     room = Room(PAGE_BYTES - FIXED_BYTES - ROW_BYTES * len(study.rows) - CELL_BYTES * cells)
@@ -77,7 +78,9 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[C
         noise_sentence=noise_sentence(noise_of(study)),
         speedup_sentence=speedup_sentence(study), pictures=_pictures(study, room),
         figures=[_figure(plot, number, room) for number, plot in enumerate(plots)],
-        claims=to_table(claims), limits=limits, experiments_title=TITLE,
+        claims=to_table(claims), limits=limits,
+        limits_figure=limits and limits.plot and _figure(limits.plot, len(plots) + len(tables), room),
+        latex=latex, experiments_title=TITLE,
         experiments=[(table, table.plot and _figure(table.plot, len(plots) + number, room))
                      for number, table in enumerate(tables)],
         noisy_percent=NOISY_PERCENT, nothing=formatting.NOTHING,
@@ -105,7 +108,7 @@ def inline_svg(plot: Plot, prefix: str) -> Markup:
     """
     text = plot.svg.decode("utf-8")
     text = text[text.index("<svg"):]
-    text = re.sub(r"<!--.*?-->\s*|<title>.*?</title>\s*", "", text, flags=re.DOTALL)
+    text = re.sub(r"<!--.*?-->\s*", "", text, flags=re.DOTALL)
     text = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{prefix}", text)
     text = re.sub(r"\s*\n\s*", " ", text)
     for colour, variable in THEME_VARIABLES.items():

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from report.experiments import HiddenNeurons
 from report.formatting import percent
 from report.plot_style import BLUE, GREEN, ORANGE, WIDTH, Plot, rendered, styled, title
+from report.tables import csv_text
 
 HEIGHT = 3.6
 LEFT, RIGHT, TOP, BOTTOM = 0.75, 0.3, 1.15, 0.6
@@ -24,7 +25,7 @@ def plot_hidden(data: HiddenNeurons) -> Plot:
               f"{data.seeds} seeds each, {data.descriptors} neighbourhoods")
         _draw_rates(rates, data)
         _draw_share(share, data)
-        return rendered(figure, "hidden_neurons", _caption(data), _alt(data))
+        return rendered(figure, "hidden_neurons", _caption(data), _alt(data), _csv(data))
 
 
 def _draw_rates(axes: Axes, data: HiddenNeurons) -> None:
@@ -57,6 +58,12 @@ def _set_numbers(axes: Axes, hidden: list[int]) -> None:
 def _caption(data: HiddenNeurons) -> str:
     return (f"Hidden neurons: best and median rate of recognition over {data.seeds} seeds, and "
             f"the share of seeds that get all {data.descriptors} neighbourhoods right.")
+
+
+def _csv(data: HiddenNeurons) -> str:
+    header = ("hidden", "best", "median", "seeds_with_all_right", "seeds", "descriptors")
+    return csv_text(header, ((row.hidden, row.best, row.median, row.seeds_with_all_right,
+                              data.seeds, data.descriptors) for row in data.rows))
 
 
 def _alt(data: HiddenNeurons) -> str:

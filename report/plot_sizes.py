@@ -12,8 +12,9 @@ from matplotlib.transforms import blended_transform_factory
 
 from report.formatting import kibibytes, round_duration, scope_label, three_digits
 from report.model import REFERENCE, Cache, Row, Study
-from report.plot_style import (CYCLE, INK, MARKERS, MUTED, WIDTH, Plot, label_ticks, log_ticks,
-                               rendered, spread_out, title)
+from report.plot_style import (CYCLE, INK, MARKERS, MUTED, WIDTH, Plot, hover, label_ticks,
+                               log_ticks, rendered, spread_out, title)
+from report.tables import to_csv
 
 HEIGHT = 5.6
 LEFT, BETWEEN, RIGHT, TOP, BOTTOM = 0.75, 2.3, 1.6, 1.3, 0.6
@@ -59,7 +60,7 @@ def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
     for axes in panels:
         _mark_caches(axes, study.machine.caches)
     return rendered(figure, f"sizes_{operation}_{scope}", _caption(operation, scope),
-                    _alt(operation, scope, lines))
+                    _alt(operation, scope, lines), to_csv(row for line in lines for row in line.rows))
 
 
 def choose_lines(sweep: list[Row], scope: str) -> list[list[Row]]:
@@ -113,8 +114,11 @@ def _draw_panel(axes: Axes, lines: list[Line], measure: Measure, heading: str,
     axes.set_yscale("log")
     axes.set_title(heading, pad=20)
     for line in lines:
-        axes.plot([_side(row) for row in line.rows], [measure(row) for row in line.rows],
-                  linewidth=1.7, markersize=4.5, **line.look)
+        [drawn] = axes.plot([_side(row) for row in line.rows], [measure(row) for row in line.rows],
+                            linewidth=1.7, markersize=4.5, **line.look)
+        hover(drawn, f"{line.rows[0].name.variant_label}: " + ", ".join(
+            f"{_side(row):.0f}² {text(float(three_digits(measure(row)).replace(',', '')))}"
+            for row in line.rows))
     sides = sorted({_side(row) for line in lines for row in line.rows})
     label_ticks(axes, "x", sides, lambda side: f"{side:.0f}²")
     axes.set_xlim(sides[0] * 0.85, sides[-1] * 1.18)

@@ -12,14 +12,18 @@ from PIL import Image
 
 from report.errors import ReportError
 from report.plot_style import BLUE, WIDTH, Plot, rendered, styled, title
+from report.quality import Skeleton
+from report.tables import csv_text
 
 ACROSS, DETAIL, STEP = 3, 120, 20
 PITCH, TOP = WIDTH / ACROSS, 0.8
 SHAPE, PAPER = "#c9ced5", "#f4f5f7"
 
 
-def plot_skeletons(name: str, operations: list[str], folder: Path) -> Plot | None:
-    """The figure, or None if the pictures were not written."""
+def plot_skeletons(name: str, rows: list[Skeleton], folder: Path,
+                   symmetry: str) -> Plot | None:
+    """The figure, or None if the pictures were not written; `symmetry` heads a column of its CSV."""
+    operations = [row.operation for row in rows]
     paths = [folder / f"quality_{name}{end}.png" for end in ("", *(f"_{o}" for o in operations))]
     if not all(path.is_file() for path in paths):
         return None
@@ -33,13 +37,13 @@ def plot_skeletons(name: str, operations: list[str], folder: Path) -> Plot | Non
             "left": 0.02, "right": 0.98, "bottom": 0.1 / height, "top": 1 - (TOP + 0.2) / height,
             "wspace": 0.06, "hspace": 0.12})
         title(figure, f"Skeletons of {name}", f"the {DETAIL} x {DETAIL} pixels with most contour; "
-              "light: the object, dark: its skeleton")
+              "grey: the object, dark: its skeleton")
         for axes in panels.flat:
             axes.set_axis_off()
         for axes, operation, skeleton in zip(panels.flat, operations, skeletons):
             _draw(axes, operation, shape[detail], skeleton[detail])
         return rendered(figure, f"skeletons_{name}", _caption(name),
-                        f"{_caption(name)} Operations: {', '.join(operations)}.")
+                        f"{_caption(name)} Operations: {', '.join(operations)}.", _csv(rows, symmetry))
 
 
 def busiest(shape: np.ndarray) -> tuple[slice, slice]:
@@ -65,6 +69,16 @@ def _draw(axes: Axes, operation: str, shape: np.ndarray, skeleton: np.ndarray) -
     colours = np.array([to_rgb(colour) for colour in (PAPER, SHAPE, BLUE)])
     axes.imshow(colours[np.where(skeleton, 2, shape.astype(int))], interpolation="none")
     axes.set_title(operation, pad=4)
+
+
+def _csv(rows: list[Skeleton], symmetry: str) -> str:
+    header = ("operation", "input", "objects_before", "objects_after", "holes_before",
+              "holes_after", "pixels", "blocks", "ends", "branches", "mean_distance",
+              "largest_distance", symmetry, "iterations")
+    return csv_text(header, ((row.operation, row.input, *row.objects, *row.holes, row.pixels,
+                              row.blocks, row.ends, row.branches, row.mean_distance,
+                              row.largest_distance, row.least_symmetry, row.iterations)
+                             for row in rows))
 
 
 def _caption(name: str) -> str:

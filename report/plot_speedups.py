@@ -10,10 +10,11 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import blended_transform_factory
 
 from report.findings import Finding, fastest
-from report.formatting import NOTHING, duration, scope_label, times
+from report.formatting import NOTHING, duration, scope_label, speedup_text, times
 from report.model import BASELINE, SCOPES, Row, Study
 from report.plot_style import (CARD, CYCLE, GREEN, GREY, GRID, INK, MUTED, ORANGE, PURPLE, SKY,
-                               WIDTH, Plot, label_ticks, log_ticks, rendered, title)
+                               WIDTH, Plot, hover, label_ticks, log_ticks, rendered, title)
+from report.tables import to_csv
 
 LEFT, RIGHT, TOP, BOTTOM = 3.1, 0.3, 1.15, 0.62
 BAR_PITCH, GROUP_GAP = 0.25, 0.45
@@ -62,7 +63,8 @@ def plot_speedups(study: Study, finding: Finding) -> Plot | None:
         _draw_panel(axes, bars, scope)
     _label_bars(panels[0], bars)
     return rendered(figure, f"speedup_{finding.operation}_{finding.input}",
-                    _caption(finding), _alt(finding, rows))
+                    _caption(finding), _alt(finding, rows),
+                    to_csv(study.select(finding.operation, finding.input)))
 
 
 def look_of(isa: str) -> tuple[str, str]:
@@ -116,8 +118,10 @@ def _draw_panel(axes: Axes, bars: list[Bar], scope: str) -> None:
             _write(axes, 1, bar.y, f"\u00a0{NOTHING}", color=MUTED)
             continue
         colour, hatch = look_of(bar.isa)
-        axes.barh(bar.y, row.speedup - 1, left=1, height=0.78, color=colour, hatch=hatch,
-                  edgecolor=CARD, linewidth=0)
+        [patch] = axes.barh(bar.y, row.speedup - 1, left=1, height=0.78, color=colour, hatch=hatch,
+                            edgecolor=CARD, linewidth=0)
+        hover(patch, f"{row.name.variant_label}, {scope_label(scope)}: {speedup_text(row)}, "
+                     f"{duration(row.median_ns)}")
         note = times(row.speedup) + (" (noisy)" if row.is_noisy else "")
         _write(axes, max(row.speedup, 1), bar.y, f"\u00a0{note}", color=INK,
                weight="bold" if row is best else "normal")

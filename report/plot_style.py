@@ -6,12 +6,13 @@ import io
 from dataclasses import dataclass
 
 import matplotlib.style
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from PIL import Image
 
-from report.small_svg import small_svg
+from report.small_svg import HOVER, small_svg
 
 INK = "#1b1f24"
 MUTED = "#59626d"
@@ -51,6 +52,8 @@ class Plot:
     alt: str
     svg: bytes
     png: bytes
+    csv: str
+    """What is drawn, as numbers."""
 
 
 def styled():
@@ -58,13 +61,18 @@ def styled():
     return matplotlib.style.context(STYLE, after_reset=True)
 
 
-def rendered(figure: Figure, stem: str, caption: str, alt: str) -> Plot:
+def hover(artist: Artist, text: str) -> None:
+    """What a page shows where the pointer rests on the artist; small_svg makes a title of it."""
+    artist.set_gid(HOVER + " ".join(text.split()))
+
+
+def rendered(figure: Figure, stem: str, caption: str, alt: str, csv: str) -> Plot:
     """Both formats, without dates, versions or random identifiers in them."""
     svg, png = io.BytesIO(), io.BytesIO()
     nameless = dict.fromkeys(("Date", "Creator", "Format", "Type"))
     figure.savefig(svg, format="svg", metadata=nameless)
     figure.savefig(png, format="png", dpi=PNG_DPI, metadata={"Software": None})
-    return Plot(stem, caption, alt, small_svg(svg.getvalue()), _with_palette(png))
+    return Plot(stem, caption, alt, small_svg(svg.getvalue()), _with_palette(png), csv)
 
 
 def _with_palette(png: io.BytesIO) -> bytes:

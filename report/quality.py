@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from report.json_fields import Fields
 
+LEAST, ONE_TURN = "least_symmetry", "symmetry"
+
 
 @dataclass(frozen=True)
 class Skeleton:
@@ -22,7 +24,8 @@ class Skeleton:
     branches: int
     mean_distance: float
     largest_distance: float
-    symmetry: float
+    least_symmetry: float
+    """The smallest overlap with the skeletons of the turned input."""
     iterations: int
 
     @property
@@ -37,6 +40,13 @@ class Quality:
 
     command: str
     rows: tuple[Skeleton, ...]
+    turns: int = 3
+    """By how many quarters the input was turned at most; files of older versions: by one."""
+
+    @property
+    def symmetry_field(self) -> str:
+        """What the file calls the overlap."""
+        return ONE_TURN if self.turns == 1 else LEAST
 
     @property
     def inputs(self) -> list[str]:
@@ -46,13 +56,18 @@ class Quality:
 
 def parse_quality(fields: Fields) -> Quality:
     """The experiment's file."""
-    return Quality(fields.text("command"), tuple(map(_skeleton, fields.some("rows"))))
+    rows = fields.some("rows")
+    older = not any(row.has(LEAST) for row in rows)
+    return Quality(fields.text("command"),
+                   tuple(_skeleton(row, ONE_TURN if older else LEAST) for row in rows),
+                   1 if older else 3)
 
 
-def _skeleton(row: Fields) -> Skeleton:
+def _skeleton(row: Fields, symmetry: str) -> Skeleton:
     def change(of: str) -> tuple[int, int]:
         return row.count(f"{of}_before"), row.count(f"{of}_after")
     return Skeleton(row.text("operation"), row.text("input"), change("objects"), change("holes"),
-                    *(row.count(key) for key in ("pixels", "blocks", "ends", "branches")),
+                    row.count("pixels"), row.count("blocks"), row.count("ends"),
+                    row.count("branches"),
                     row.number("mean_distance"), row.number("largest_distance"),
-                    row.at_most("symmetry", 1), row.count("iterations", 1))
+                    row.at_most(symmetry, 1), row.count("iterations", 1))

@@ -9,7 +9,8 @@ from report.plot_skeletons import plot_skeletons
 from report.quality import Quality, Skeleton
 
 HEADER = columns(["Operation"], ["Objects", "Holes", "Pixels", "2×2 blocks", "Ends", "Branches",
-                                 "Mean distance", "Largest", "Symmetry", "Iterations"])
+                                 "Mean distance", "Largest", "Least symmetry", "Iterations"])
+TURNS = {1: "one turn, by 90 degrees", 3: "turns by 90, 180 and 270 degrees"}
 
 
 def make_quality_tables(quality: Quality, directory: Path) -> list[Table]:
@@ -19,25 +20,25 @@ def make_quality_tables(quality: Quality, directory: Path) -> list[Table]:
 
 def _table(quality: Quality, name: str, directory: Path) -> Table:
     rows = [row for row in quality.rows if row.input == name]
-    plot = plot_skeletons(name, [row.operation for row in rows], directory / "pictures")
-    return Table(f"Skeletons of {name}", _sentence(rows), HEADER, tuple(map(_cells, rows)),
+    plot = plot_skeletons(name, rows, directory / "pictures", quality.symmetry_field)
+    return Table(f"Skeletons of {name}", _sentence(rows, quality.turns), HEADER, tuple(map(_cells, rows)),
                  quality.command, plot=plot)
 
 
-def _sentence(rows: list[Skeleton]) -> str:
+def _sentence(rows: list[Skeleton], turns: int) -> str:
     broken = [row.operation for row in rows if not row.keeps_topology]
     said = (f"Objects or holes are not as many as before with {', '.join(broken)}." if broken else
             "Every operation leaves as many objects and holes as there were.")
     return (f"{said} Objects are 8-connected, holes 4-connected. Distances, in pixels, are from "
             "the medial axis: the ridge of the exact Euclidean distance to light, where it rises "
-            "by less than 0.8 a pixel in every direction. Symmetry: the overlap with the skeleton "
-            "of the input turned by 90 degrees, turned back; 1 is none lost.")
+            "by less than 0.8 a pixel in every direction. Least symmetry: the smallest overlap with "
+            f"the skeleton of the turned input, turned back, over {TURNS[turns]}; 1 is none lost.")
 
 
 def _cells(row: Skeleton) -> tuple[str, ...]:
     return (row.operation, _change(row.objects), _change(row.holes), f"{row.pixels:,}",
             f"{row.blocks:,}", f"{row.ends:,}", f"{row.branches:,}", f"{row.mean_distance:.3f}",
-            f"{row.largest_distance:.2f}", f"{row.symmetry:.3f}", str(row.iterations))
+            f"{row.largest_distance:.2f}", f"{row.least_symmetry:.3f}", str(row.iterations))
 
 
 def _change(counts: tuple[int, int]) -> str:

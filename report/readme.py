@@ -4,58 +4,27 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
 from report.errors import ReportError
-from report.findings import fastest
-from report.formatting import microseconds, speedup_text, three_digits, times
+from report.experiment_layout import markdown_table
 from report.loading import load_study
-from report.model import END_TO_END, KERNEL, SCENE, Row, Study
-from report.table_two import ARITHMETIC, CIRCUIT, RULE
-from report.tables import markdown_line
-
-
-@dataclass(frozen=True)
-class Headline:
-    """An operation worth a line on the first screen, and the peer that people know."""
-
-    operation: str
-    words: str
-    peer: str = ""
-    peer_words: str = ""
-
-
-HEADLINES = (
-    Headline(RULE, f"the paper's thinning, `{RULE}`"),
-    Headline("thin_zhang_suen", "`thin_zhang_suen`", "opencv", "OpenCV's"),
-    Headline("thin_guo_hall", "`thin_guo_hall`", "opencv", "OpenCV's"),
-    Headline("thin_spta_directional", "`thin_spta_directional`"),
-    Headline("skeleton_scan", "`skeleton_scan`, the paper's other method"),
-    Headline("net_two_layer_linear", "thinning by the two-layer net, as a circuit"),
-    Headline("edges_sobel", "`edges_sobel`, both thresholds", "opencv_gradient",
-             "OpenCV's gradient with one"),
-    Headline("holes", "`holes`: areas, centres, boxes", "opencv_contours",
-             "OpenCV's contours and moments"),
-    Headline("localise_objects", "`localise_objects`: grey picture to centres"))
-
-NETS = (("net_two_layer_sigmoid", "two layers, sigmoid"),
-        ("net_two_layer_linear", "two layers, linear threshold"),
-        ("net_single_layer_cluster", "cluster of single layers"))
+from report.model import Study
+from report.short_tables import SHORT_TABLES
 
 
 def fill_readme(directory: Path, readme: Path) -> str:
     """Writes the tables of the run in `directory` into `readme`; returns what was done."""
     study = load_study(directory)
     text = _read(readme)
-    for name, make in TABLES.items():
-        text = _replaced(text, name, make(study), readme)
+    for name, make in SHORT_TABLES.items():
+        table = make(study)
+        text = _replaced(text, name, markdown_table(table.header, table.rows), readme)
     text = _replaced(text, "run", _run_line(study, readme), readme)
     temporary = readme.with_name(f".{readme.name}.{os.getpid()}.tmp")
     temporary.write_text(text, encoding="utf-8")
     temporary.replace(readme)
-    return f"{readme}: {len(TABLES)} tables of {directory}"
+    return f"{readme}: {len(SHORT_TABLES)} tables of {directory}"
 
 
 def _read(readme: Path) -> str:
@@ -78,76 +47,3 @@ def _run_line(study: Study, readme: Path) -> str:
     return (f"Run of commit {study.machine.commit} on {study.machine.cpu_name} "
             f"({study.machine.fingerprint}), one thread: [page]({where}/index.html) (open it from a "
             f"clone), [all rows]({where}/timings.md), [the paper's claims, judged](report/CLAIMS.md).\n")
-
-
-def _headline_table(study: Study) -> str:
-    lines = [["operation", "µs", "technique", "against"], ["---", "---:", "---", "---"]]
-    for headline in HEADLINES:
-        best = fastest(row for row in _variants(study, headline.operation, END_TO_END)
-                       if row.name.technique not in ARITHMETIC)
-        if best:
-            lines.append([headline.words, _microseconds(best), _variant(best),
-                          _against(study, headline, best)])
-    return _markdown(lines)
-
-
-def _against(study: Study, headline: Headline, best: Row) -> str:
-    own = f"{speedup_text(best)} its plain reference"
-    peer = next((row for row in study.select(headline.operation, SCENE)
-                 if row.name.technique == headline.peer and row.name.scope == END_TO_END), None)
-    if peer is None:
-        return own
-    return f"{times(peer.median_ns / best.median_ns)} {headline.peer_words}, {own}"
-
-
-def _ladder_table(study: Study) -> str:
-    lines = [["technique", "instruction set", "kernel µs", "", "end to end µs", ""],
-             ["---", "---", "---:", "---:", "---:", "---:"]]
-    kernels = {row.name.variant: row for row in _variants(study, RULE, KERNEL)}
-    for row in study.select(RULE, SCENE):
-        if row.name.scope != END_TO_END or row.name.threads > 1 or row.is_peer:
-            continue
-        kernel = kernels.get(row.name.variant)
-        lines.append([row.name.technique, row.name.isa,
-                      _microseconds(kernel) if kernel else "",
-                      speedup_text(kernel) if kernel else "",
-                      _microseconds(row), speedup_text(row)])
-    return _markdown(lines)
-
-
-def _nets_table(study: Study) -> str:
-    lines = [["net", "reference ms", "arithmetic µs", "", "circuit µs", ""],
-             ["---", "---:", "---:", "---:", "---:", "---:"]]
-    for operation, words in NETS:
-        rows = _variants(study, operation, END_TO_END)
-        sums = fastest(row for row in rows if row.name.technique in ARITHMETIC)
-        circuit = fastest(row for row in rows if row.name.technique in CIRCUIT)
-        if sums and circuit:
-            lines.append([words, three_digits(sums.reference_ns / 1e6),
-                          f"{_microseconds(sums)} ({_variant(sums)})", times(sums.speedup),
-                          _microseconds(circuit), times(circuit.speedup)])
-    return _markdown(lines)
-
-
-TABLES: dict[str, Callable[[Study], str]] = {
-    "headline": _headline_table, "ladder": _ladder_table, "nets": _nets_table}
-
-
-def _variants(study: Study, operation: str, scope: str) -> list[Row]:
-    return [row for row in study.select(operation, SCENE)
-            if row.name.threads == 1 and row.name.scope == scope
-            and not row.name.is_reference and not row.is_peer]
-
-
-def _variant(row: Row) -> str:
-    return f"{row.name.technique}, {row.name.isa}"
-
-
-def _microseconds(row: Row) -> str:
-    """A median time, without decimals that nobody needs."""
-    return three_digits(row.median_ns / 1e3) if row.median_ns < 1e6 else \
-        microseconds(row.median_ns).split(".", maxsplit=1)[0]
-
-
-def _markdown(lines: list[list[str]]) -> str:
-    return "".join(markdown_line(line) + "\n" for line in lines)

@@ -8,6 +8,9 @@ from zlib import crc32
 FALLBACK_FONTS = "'DejaVu Sans', Verdana, sans-serif"
 """Letters stay letters; Verdana is as wide as DejaVu Sans."""
 
+HOVER = "hover: "
+"""With what the name of a group begins that is a title for whoever points at it."""
+
 DIGITS = 1
 """Behind the point, of lengths in points: a tenth of a point is less than a pixel of most screens."""
 
@@ -42,6 +45,7 @@ def _with_classes(text: str) -> str:
 def _small_tag(tag: str) -> str:
     tag = re.sub(r"\s+", " ", tag)
     tag = re.sub(r'\b(?:d|x|y)="[^"]*"', lambda places: _rounded(places.group()), tag)
+    tag = re.sub(rf'^<g id="{HOVER}([^"]*)"(.*)', r"<g\2<title>\1</title>", tag)
     tag = re.sub(r'^<g id="[^"]*"', "<g", tag)
     tag = re.sub(r' clip-path="[^"]*"', "", tag)
     tag = re.sub(r' transform="rotate\(-?0 [^"]*\)"', "", tag)

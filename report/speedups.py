@@ -13,7 +13,7 @@ from report.model import SCOPES, PairedRatio, RowName
 CSV = "speedups.csv"
 REFERENCE = "reference"
 COLUMNS = ("operation", "technique", "isa", "threads", "scope", "input", "against", "ratio", "low",
-           "high", "processes", "flags")
+           "high", "processes", "flags", "clock", "layout", "output_hash", "verified")
 
 
 def load_speedups(directory: Path) -> dict[RowName, PairedRatio]:
@@ -41,6 +41,11 @@ def _read(line: dict[str, str], where: str) -> tuple[RowName, PairedRatio]:
     if line["scope"] not in SCOPES:
         raise ReportError(f"{where}: scope is '{line['scope']}'; it must be "
                           f"{' or '.join(SCOPES)}")
+    for column in ("clock", "layout", "output_hash"):
+        if not line[column]:
+            raise ReportError(f"{where}: {column} is ''; it must be given")
+    if line["verified"] != "1":
+        raise ReportError(f"{where}: verified is '{line['verified']}'; it must be 1")
     name = RowName(line["operation"], line["technique"], line["isa"],
                    int(_positive(line, "threads", where)), line["scope"], line["input"])
     low, ratio, high = (_positive(line, column, where) for column in ("low", "ratio", "high"))

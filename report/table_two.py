@@ -12,12 +12,13 @@ from report.findings import fastest
 from report.formatting import NOTHING, duration, microseconds, three_digits
 from report.model import END_TO_END, KERNEL, SCENE, Row, Study
 
+TITLE = "Table 2 then and now"
 RULE = "thin_naccache_shinghal"
 ARITHMETIC = ("simd_float_bits", "simd_float_bytes", "simd_fixed_point", "autovec")
 """Techniques that evaluate a net's sums and activations for every pixel."""
 CIRCUIT = ("simd_bitpacked", "simd_bitpacked_row")
-UNKNOWN_RULE = "net_two_layer_rounded"
 """Techniques that evaluate the gates to which a net was compiled."""
+UNKNOWN_RULE = "net_two_layer_rounded"
 
 HEADER = (
     Column("Method", False), Column("Paper, s"), Column("Paper, ratio"),
@@ -43,7 +44,7 @@ def make_table_two(study: Study, paper: TableTwo) -> Table:
     """Then and now: scalar code against scalar code, best variant against best variant."""
     rows = [_now(study, row) for row in paper.rows]
     rule = _now(study, PaperRow("", RULE, 1, 1))
-    return Table("Table 2 then and now", _sentence(paper, rows, rule), HEADER,
+    return Table(TITLE, _sentence(paper, rows, rule), HEADER,
                  tuple(_cells(row, rule) for row in rows), paper.command,
                  verdict=_verdict(study, rows, rule))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Iterable, Sequence
 
 from report.formatting import microseconds, percent, scope_label, speedup_text
 from report.model import Row, Study, is_sweep_input
@@ -19,7 +20,16 @@ MARKDOWN_HEADER = (
 MARKDOWN_NUMBERS = MARKDOWN_HEADER.index("threads")
 
 
-def to_csv(study: Study) -> str:
+def csv_text(header: Iterable[object], lines: Iterable[Iterable[object]]) -> str:
+    """Lines of comma-separated values, quoted where they need it."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(header)
+    writer.writerows(lines)
+    return text.getvalue()
+
+
+def to_csv(rows: Iterable[Row]) -> str:
     """Every row; columns are only ever added at the right.
 
     Times are nanoseconds; spread_percent is the interquartile range in percent
@@ -28,11 +38,7 @@ def to_csv(study: Study) -> str:
     "paired", with its interval; where it is "medians", reference and row were
     timed apart and their medians divided, and no interval is known.
     """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(CSV_HEADER)
-    writer.writerows(_csv_fields(row) for row in study.rows)
-    return text.getvalue()
+    return csv_text(CSV_HEADER, (_csv_fields(row) for row in rows))
 
 
 def to_markdown(study: Study) -> str:
@@ -68,6 +74,6 @@ def _markdown_fields(row: Row) -> list[str]:
         percent(row.spread_percent) + (" (noisy)" if row.is_noisy else "")]
 
 
-def markdown_line(fields: tuple[str, ...] | list[str]) -> str:
+def markdown_line(fields: Sequence[str]) -> str:
     """A row of a Markdown table."""
     return "| " + " | ".join(field.replace("|", "\\|") for field in fields) + " |"

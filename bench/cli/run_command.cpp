@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <tbb/global_control.h>
 
@@ -38,7 +37,7 @@ struct RunOptions {
   std::string isa;
   std::string weights;
   std::string border;
-  std::vector<std::string> directions;
+  std::string directions;
   int threads = 1;
   int threshold = kDefaultThreshold;
   bool invert = false;
@@ -53,15 +52,24 @@ ThinningOptions thinning_options(const RunOptions& options) {
   return how;
 }
 
-/// The directions of these names; none where none is named.
+/// The directions named in a list such as "rows,columns"; none where the list is empty.
 std::optional<Directions> directions_named(const ThinningOperation& operation,
-                                           const std::vector<std::string>& names) {
-  if (names.empty()) return std::nullopt;
+                                           const std::string& list) {
+  if (list.empty()) return std::nullopt;
   if (!operation.takes_directions) {
     throw UsageError("--directions: " + std::string(operation.name) + " is no scan and takes none");
   }
   Directions directions = kNoDirections;
-  for (const std::string& name : names) directions.add(direction_named(name));
+  std::size_t end = 0;
+  for (std::size_t start = 0; end != std::string::npos; start = end + 1) {
+    end = list.find(',', start);
+    const std::string name = list.substr(start, end - start);
+    if (name.empty()) {
+      throw UsageError("--directions: '" + list + "' names none at one of its commas; known: " +
+                       enumeration({kDirectionNames.begin(), kDirectionNames.end()}));
+    }
+    directions.add(direction_named(name));
+  }
   return directions;
 }
 
@@ -132,7 +140,6 @@ Command add_run_command(CLI::App& program) {
   app->add_option(
          "--directions", options->directions,
          "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)")
-      ->delimiter(',')
       ->check(not_empty())
       ->type_name("NAME,...");
   add_threads_option(*app, options->threads);

@@ -1,7 +1,7 @@
 #include "experiments/thinning_quality.hpp"
 
 #include <algorithm>
-#include <filesystem>
+#include <regex>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +9,7 @@
 #include "picture/objects.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
+#include "support/picture_names.hpp"
 #include "support/text.hpp"
 #include "thinbench.hpp"
 
@@ -27,6 +28,12 @@ std::vector<std::string_view> measured_operations() {
   return names;
 }
 
+/// The inputs that are always there, and names that the skeleton of another input would have.
+std::regex reserved_names() {
+  const auto operations = measured_operations();
+  return std::regex("scene|blobs|.*_(" + joined({operations.begin(), operations.end()}, "|") + ")");
+}
+
 struct Thinned {
   ByteImage skeleton;
   int iterations;
@@ -38,11 +45,21 @@ Thinned thinned(std::string_view operation, const ConstByteView& image) {
   return result;
 }
 
-/// The skeleton of the image turned by a quarter, turned back.
-ByteImage turned_skeleton(std::string_view operation, const ConstByteView& image) {
-  ByteImage skeleton = thinned(operation, quarter_turned(image).view()).skeleton;
-  for (int turn = 0; turn < 3; ++turn) skeleton = quarter_turned(skeleton.view());
-  return skeleton;
+ByteImage turned(const ConstByteView& image, int quarters) {
+  ByteImage result = copy_of(image);
+  for (int turn = 0; turn < quarters; ++turn) result = quarter_turned(result.view());
+  return result;
+}
+
+/// With the skeletons of the image turned by one, two and three quarters, each turned back.
+double least_overlap(std::string_view operation, const ConstByteView& image,
+                     const ConstByteView& skeleton) {
+  double least = 1;
+  for (int quarters = 1; quarters < 4; ++quarters) {
+    const ByteImage other = thinned(operation, turned(image, quarters).view()).skeleton;
+    least = std::min(least, overlap(skeleton, turned(other.view(), 4 - quarters).view()));
+  }
+  return least;
 }
 
 QualityRow measure(std::string_view operation, const QualityInput& input, const Topology& before,
@@ -56,7 +73,7 @@ QualityRow measure(std::string_view operation, const QualityInput& input, const 
           topology_of(skeleton),
           shape_of(skeleton),
           distance_from(axis.view(), skeleton),
-          overlap(skeleton, turned_skeleton(operation, image).view()),
+          least_overlap(operation, image, skeleton),
           result.iterations};
 }
 
@@ -85,7 +102,7 @@ nlohmann::ordered_json json_of(const QualityRow& row) {
           {"branches", row.shape.branches},
           {"mean_distance", row.from_axis.mean},
           {"largest_distance", row.from_axis.largest},
-          {"symmetry", row.symmetry},
+          {"least_symmetry", row.least_symmetry},
           {"iterations", row.iterations}};
 }
 
@@ -103,7 +120,7 @@ std::vector<std::string> cells_of(const QualityRow& row) {
           std::to_string(row.shape.branches),
           fixed(row.from_axis.mean, 3),
           fixed(row.from_axis.largest, 2),
-          fixed(row.symmetry, 3),
+          fixed(row.least_symmetry, 3),
           std::to_string(row.iterations)};
 }
 
@@ -123,8 +140,9 @@ std::vector<QualityInput> quality_inputs(const std::vector<std::string>& picture
   std::vector<QualityInput> inputs;
   inputs.push_back({"scene", std::move(render_scene().binary)});
   inputs.push_back({"blobs", blobs(kBlobSide, kBlobSide, 1)});
+  const std::regex reserved = reserved_names();
   for (const std::string& path : pictures) {
-    inputs.push_back({std::filesystem::path(path).stem().string(), objects_of(read_grey(path))});
+    inputs.push_back({picture_name(path, names_of(inputs), reserved), objects_of(read_grey(path))});
   }
   return inputs;
 }
@@ -162,10 +180,11 @@ ExperimentReport thinning_quality_report(const std::vector<QualityRow>& rows,
   }
   return {
       experiment_json("quality", json, options),
-      "Skeletons. Distances are from the ridge of the exact distance map, in pixels; symmetry "
-      "is the overlap with the skeleton of the turned input:\n\n" +
+      "Skeletons. Distances are from the ridge of the exact distance map, in pixels; least "
+      "symmetry is the smallest overlap with the skeletons of the input turned by 90, 180 and "
+      "270 degrees:\n\n" +
           markdown_table({"Input", "Operation", "Objects", "Holes", "Pixels", "2x2 blocks", "Ends",
-                          "Branches", "Mean distance", "Largest", "Symmetry", "Iterations"},
+                          "Branches", "Mean distance", "Largest", "Least symmetry", "Iterations"},
                          cells)};
 }
 

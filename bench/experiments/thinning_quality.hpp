@@ -21,12 +21,12 @@ struct QualityRow {
   Topology after;
   SkeletonShape shape;
   AxisDistance from_axis;
-  double symmetry;  // overlap of the skeleton with that of the turned input, turned back
+  double least_symmetry;  // smallest overlap with the skeletons of the turned input, turned back
   int iterations;
 };
 
 /// The test scene and blobs of smoothed noise; given pictures follow, object = pixels >= 128, named
-/// as their files. Throws PictureError.
+/// as their files, each unlike all other inputs and files of skeletons. Throws PictureError.
 [[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures);
 
 /// Noise of half the pixels, dark where most of the 9 x 9 pixels round it are.

@@ -1,14 +1,13 @@
 #include "timing/inputs.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <regex>
 
 #include "picture/objects.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
+#include "support/picture_names.hpp"
 
 namespace thinbench {
 namespace {
@@ -21,23 +20,10 @@ ByteImage tiled_square(const ByteImage& tile, Index size) {
   return image;
 }
 
-/// Whether the scene or a square of the series of sizes is called so, on this run or another.
-bool is_reserved(const std::string& name) {
+/// Never that of the scene or of a square of the series of sizes, on this run or another.
+std::string name_of(const std::string& picture, const std::vector<TimedInput>& before) {
   static const std::regex reserved("scene|square_[0-9]+");
-  return std::regex_match(name, reserved);
-}
-
-/// The file's name without folder and ending, made unique and fit for a row name.
-std::string input_name(const std::string& path, const std::vector<TimedInput>& taken) {
-  std::string stem = std::filesystem::path(path).stem().string();
-  if (is_reserved(stem)) stem += "_picture";
-  const auto is_taken = [&](const std::string& name) {
-    return std::any_of(taken.begin(), taken.end(),
-                       [&](const TimedInput& input) { return input.name == name; });
-  };
-  std::string name = stem;
-  for (int i = 2; is_taken(name); ++i) name = stem + "_" + std::to_string(i);
-  return name;
+  return picture_name(picture, names_of(before), reserved);
 }
 
 }  // namespace
@@ -48,7 +34,7 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice) {
   for (const std::string& path : choice.pictures) {
     ByteImage grey = read_grey(path);
     ByteImage objects = objects_of(copy_of(grey.view()));
-    inputs.push_back({input_name(path, inputs), std::move(objects), std::move(grey), false});
+    inputs.push_back({name_of(path, inputs), std::move(objects), std::move(grey), false});
   }
   if (inputs.empty()) {
     inputs.push_back({"scene", copy_of(scene.binary.view()), copy_of(scene.grey.view()), false});

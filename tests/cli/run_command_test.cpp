@@ -119,6 +119,16 @@ TEST_F(RunCommand, unknown_and_useless_directions_are_refused) {
             "--directions: thin_naccache_shinghal is no scan and takes none");
 }
 
+TEST_F(RunCommand, a_direction_left_empty_is_refused_with_the_list) {
+  for (const std::string list : {"rows,,columns", ",rows", "rows,", ","}) {
+    EXPECT_EQ(failure_of({"run", "skeleton_scan", in, out, "--directions", list}, 2),
+              "--directions: '" + list +
+                  "' names none at one of its commas; known: rows, columns, "
+                  "diagonals and antidiagonals");
+  }
+  EXPECT_EQ(folder.names(), Names{"in.png"});
+}
+
 TEST_F(RunCommand, unknown_operation_gets_the_nearest_known_name) {
   EXPECT_EQ(failure_of({"run", "thin_nacache", in, out}, 2),
             "no operation is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?");

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from typing import Any
 
@@ -37,6 +38,33 @@ def test_limits_stand_on_the_page_and_in_a_file_of_their_own(run):
     assert (f"| {OPERATION} | end to end | simd_bitpacked | avx512 | 300,000 | 3.25 | 45.00 | 25.00 "
             "| 54 % | \N{EN DASH} | 7.00 |") in text
     assert "| 30.00 | 25.00 | 54 % | 52.0 | \N{EN DASH} |" in text
+
+
+def test_bit_packed_rows_are_set_beside_a_copy_of_packed_bits(run):
+    fill = [f"fill_holes/{what}/1/end_to_end/scene" for what in ("reference/baseline", "copy_bits/own")]
+    run.timings["benchmarks"] += entries(fill[0], (510, 412), [9000.0])
+    run.timings["benchmarks"] += [entry | {"peer": 1}
+                                  for entry in entries(fill[1], (510, 412), [8000.0])]
+    build(write(run, make_limits()).directory)
+    text = (run.directory / "limits.md").read_text()
+    assert "| simd_bitpacked | avx512 | 300,000 | 3.25 | 45.00 | 25.00 | 54 % | \N{EN DASH} | 8.00 |" in text
+    write(run, make_limits(technique="simd_bytes"))
+    build(run.directory)
+    assert "54 % | \N{EN DASH} | \N{EN DASH} |" in (run.directory / "limits.md").read_text()
+
+
+def test_figure_shows_the_fastest_row_of_each_operation_and_scope(run):
+    limits = make_limits()
+    limits["rows"].append(limits["rows"][1] | {"technique": "lut", "ns": 90000.0})
+    build(write(run, limits).directory)
+    rows = list(csv.DictReader((run.directory / "plots/limits.csv").read_text().splitlines()))
+    assert [(row["scope"], row["ns"], row["limit_ns"]) for row in rows] == [
+        ("end_to_end", "45000.0", "25000.0"), ("kernel", "30000.0", "25000.0")]
+    drawing = (run.directory / "plots/limits.svg").read_text()
+    assert "54 %" in drawing and "45.0 µs, limit 25.0 µs</title>" in drawing
+    assert len(drawing) < 20_000
+    page = (run.directory / "index.html").read_text()
+    assert 'href="plots/limits.csv"' in page and "![" in (run.directory / "limits.md").read_text()
 
 
 def test_run_without_limits_has_no_such_section(run):

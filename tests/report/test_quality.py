@@ -22,7 +22,7 @@ def make_quality(**changed: Any) -> dict[str, Any]:
     """Two operations on one input; the second loses objects."""
     rows = [{"operation": operation, "input": "blobs", "objects_before": 5, "objects_after": after,
              "holes_before": 2, "holes_after": 2, "pixels": 1234, "blocks": 1, "ends": 7,
-             "branches": 3, "mean_distance": 0.25, "largest_distance": 2.0, "symmetry": 0.5,
+             "branches": 3, "mean_distance": 0.25, "largest_distance": 2.0, "least_symmetry": 0.5,
              "iterations": 9} for operation, after in zip(OPERATIONS, (5, 4))]
     rows[1] |= changed
     return {"schema": 1, "experiment": "quality", "command": "thinbench experiment quality",
@@ -58,9 +58,22 @@ def test_without_pictures_there_is_a_table_and_no_sheet(run):
     assert table.plot is None and table.sentence.startswith("Every operation leaves as many")
 
 
-@pytest.mark.parametrize(("key", "value"), [("symmetry", 1.5), ("pixels", -1), ("ends", None)])
+@pytest.mark.parametrize(("key", "value"), [("least_symmetry", 1.5), ("pixels", -1), ("ends", None)])
 def test_impossible_values_are_refused(run, refusal, key, value):
     assert key in refusal(write(run, make_quality(**{key: value})).directory)
+
+
+def test_files_of_one_turn_are_read_and_called_so(run):
+    quality = make_quality()
+    for row in quality["rows"]:
+        row["symmetry"] = row.pop("least_symmetry")
+    build(write(run, quality).directory)
+    csv = run.directory / "plots/skeletons_blobs.csv"
+    assert csv.read_text().splitlines()[0].endswith(",largest_distance,symmetry,iterations")
+    assert "over one turn, by 90 degrees" in (run.directory / "experiments.md").read_text()
+    build(write(Run(run.directory.parent / "new"), make_quality()).directory)
+    new = (run.directory.parent / "new/experiments.md").read_text()
+    assert "over turns by 90, 180 and 270 degrees" in new
 
 
 def test_file_that_is_no_picture_is_refused(run, refusal):

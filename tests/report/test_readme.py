@@ -6,9 +6,10 @@ import pytest
 from conftest import Run
 
 from report.errors import ReportError
-from report.readme import TABLES, fill_readme
+from report.readme import fill_readme
+from report.short_tables import SHORT_TABLES
 
-NAMES = (*TABLES, "run")
+NAMES = (*SHORT_TABLES, "run")
 
 
 def page_with(names: tuple[str, ...]) -> str:

@@ -42,3 +42,10 @@ def test_letters_have_a_font_to_fall_back_on():
 def test_empty_groups_names_and_comments_go():
     small = small_svg(SVG)
     assert b"<g/>" not in small and b"patch_1" not in small and b"12 -->" not in small
+
+
+def test_hover_names_of_groups_become_titles_and_stay_escaped():
+    svg = b'<svg><g id="hover: 3 &lt; 4, &quot;x&quot;"><path d="M 1 2"/></g><g id="a"><path/></g></svg>'
+    root = ElementTree.fromstring(small_svg(svg))
+    assert [title.text for title in root.iter("title")] == ['3 < 4, "x"']
+    assert root.find("g/title/../path") is not None

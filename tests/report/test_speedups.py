@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import csv
+import json
+from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import OPERATION, Run
@@ -22,7 +25,16 @@ def with_speedups(run: Run, ratios: str = "123.4,120.1,125.9", flags: str = "via
     directory = run.write()
     lines = [HEADER, f"{ROW},{against},{ratios},{REST},{flags},1,{OPERATION}/reference"]
     (directory / "speedups.csv").write_text("\n".join(lines) + "\n")
+    write_controls(directory)
     return run
+
+
+def write_controls(directory: Path, **changed: Any) -> None:
+    """The first line of the samples, and the beginning of another."""
+    same, slowed = ({"ratio": r, "low": r - 0.01, "high": r + 0.01} for r in (1.0, 0.91))
+    first = {"schema": 1, "kind": "run", "processes": 9, "control_same": same,
+             "control_slowed": slowed, "groups_with_failed_control": 0, "verdict": "PASS"} | changed
+    (directory / "samples.jsonl").write_text(json.dumps(first) + '\n{"kind": "row", ')
 
 
 def row_in_csv(run: Run) -> dict[str, str]:
@@ -85,3 +97,39 @@ def test_table_without_a_column_or_cut_short_is_refused(run, refusal):
     assert "line 2: fields are missing; measure it again" in refusal(run.directory)
     path.write_bytes(b"\xff\xfe")
     assert "not a table" in refusal(run.directory)
+
+
+def test_noise_controls_stand_on_the_page(run):
+    build(with_speedups(run).directory)
+    page = (run.directory / "index.html").read_text()
+    assert ("a row against itself 1.000 (0.990 to 1.010), a row slowed by 10 % 0.910 "
+            "(0.900 to 0.920), 0 groups with a failed control: PASS") in page
+
+
+@pytest.mark.parametrize(("changed", "complaint"), [
+    ({"schema": 2}, "samples.jsonl: schema is 2; it must be 1"),
+    ({"kind": "row"}, "samples.jsonl: kind is 'row'; the first line must be of kind 'run'"),
+    ({"control_same": None}, "samples.jsonl: field 'control_same' is missing; it must be given"),
+    ({"control_slowed": None}, "field 'control_slowed' is missing; it must be given"),
+])
+def test_speedups_without_noise_controls_are_refused(run, refusal, changed, complaint):
+    write_controls(with_speedups(run).directory, **changed)
+    assert complaint in refusal(run.directory)
+    (run.directory / "samples.jsonl").unlink()
+    assert "samples.jsonl: no such file; a finished run leaves it here" in refusal(run.directory)
+
+
+@pytest.mark.parametrize(("right", "wrong", "complaint"), [
+    (",0+2048,", ",,", "line 2: layout is ''; it must be given"),
+    (",wall,", ",,", "line 2: clock is ''; it must be given"),
+    (",0123456789abcdef,", ",,", "line 2: output_hash is ''; it must be given"),
+    (",1,thin", ",0,thin", "line 2: verified is '0'; it must be 1"),
+    (",layout,", ",place,", "column 'layout' is missing; it must be given"),
+    (",avx512,", ",sve2,", "speedups.csv: row thin_naccache_shinghal/simd_bitpacked/sve2/2/"
+     "end_to_end/scene is not in timings.json; all files must come from one run"),
+])
+def test_speedups_without_provenance_or_of_another_run_are_refused(run, refusal, right, wrong,
+                                                                   complaint):
+    path = with_speedups(run).directory / "speedups.csv"
+    path.write_text(path.read_text().replace(right, wrong))
+    assert complaint in refusal(run.directory)

@@ -26,11 +26,12 @@ expect() {
 expect 0 'Usage: ./study [--quick]' "$root/study" --help
 expect 0 'Usage: ./check' "$root/check" -h
 expect 2 "study: '--quik' is no option; see ./study --help" "$root/study" --quik
-for option in --image --filter --out; do
+for option in --image --quality-image --filter --out; do
   expect 2 "study: $option needs a value; see ./study --help" "$root/study" "$option"
   expect 2 "study: $option needs a value; see ./study --help" "$root/study" "$option" ''
 done
 expect 1 "study: cannot read the picture '$work/absent.png'" "$root/study" --image absent.png
+expect 1 "study: cannot read the picture '$work/absent.png'" "$root/study" --quality-image absent.png
 expect 2 "check: 'fast' is neither an option nor a preset; see ./check --help" "$root/check" fast
 
 regress() { "$root/study" regress --no-install "$@"; }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/crosscheck.hpp"
+#include "harness/test_images.hpp"
 #include "scene/components.hpp"
 #include "scene/scene.hpp"
 
@@ -49,23 +50,82 @@ TEST(ThinningPeers, opencv_differs_from_the_plain_reference_at_the_frame) {
   EXPECT_FALSE(equal(outcome_of(*job, scene.binary.view()).image.view(), plain.image.view()));
 }
 
-TEST(ThinningPeers, leptonica_gives_the_same_again_a_subset_and_as_many_objects) {
-  const Scene scene = render_scene();
-  for (const char* technique : {"leptonica_4", "leptonica_8"}) {
-    EXPECT_FALSE(difference("thin_guo_hall", technique, scene.binary)) << technique;
-    const auto job = peer("thin_guo_hall", technique).make_job(510, 412, 1);
-    const ByteImage skeleton = std::move(outcome_of(*job, scene.binary.view()).image);
-    EXPECT_EQ(scene_test::objects_of(skeleton.view()).list.size(),
-              scene_test::objects_of(scene.binary.view()).list.size());
-    Index outside = 0;
-    for (Index y = 0; y < 412; ++y) {
-      for (Index x = 0; x < 510; ++x) {
-        outside += skeleton.at(x, y) != 0 && scene.binary.at(x, y) == 0 ? 1 : 0;
-      }
+Index outside(const ByteImage& skeleton, const ByteImage& image) {
+  Index count = 0;
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) {
+      count += skeleton.at(x, y) != 0 && image.at(x, y) == 0 ? 1 : 0;
     }
-    EXPECT_EQ(outside, 0);
+  }
+  return count;
+}
+
+/// Objects by one connectivity, holes by the other.
+struct Counts {
+  std::size_t objects;
+  std::size_t holes;
+
+  bool operator==(const Counts&) const = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Counts& counts) {
+  return out << counts.objects << " objects, " << counts.holes << " holes";
+}
+
+/// A light frame makes one part of all light that reaches the border.
+ByteImage framed(const ByteImage& image) {
+  ByteImage result(image.width() + 2, image.height() + 2);
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) result.at(x + 1, y + 1) = image.at(x, y);
+  }
+  return result;
+}
+
+Counts counts_of(const ByteImage& image, int connectivity) {
+  const bool diagonals = connectivity == 8;
+  const ByteImage all = framed(image);
+  const auto parts = [&](int value, bool with_diagonals) {
+    return scene_test::FloodFill(all.view(), value, with_diagonals).take().list.size();
+  };
+  return {parts(255, diagonals), parts(0, !diagonals) - 1};
+}
+
+std::vector<ByteImage> leptonica_pictures() {
+  std::vector<ByteImage> images;
+  images.push_back(std::move(render_scene().binary));
+  images.push_back(std::move(render_scene({SceneKind::kFrameTouching}).binary));
+  std::uint64_t seed = 700;
+  for (const int percent : {50, 70, 90}) {
+    for (const Index granularity : {1, 2, 4}) {
+      images.push_back(noise_image(131, 77, percent, granularity, ++seed));
+    }
+  }
+  return images;
+}
+
+class Leptonica : public testing::TestWithParam<int> {
+ protected:
+  [[nodiscard]] static std::string technique() { return "leptonica_" + std::to_string(GetParam()); }
+  [[nodiscard]] static ByteImage thinned(const ByteImage& image) {
+    const auto job = peer("thin_guo_hall", technique()).make_job(image.width(), image.height(), 1);
+    return std::move(outcome_of(*job, image.view()).image);
+  }
+};
+
+TEST_P(Leptonica, gives_the_same_again_and_a_subset) {
+  for (const ByteImage& image : leptonica_pictures()) {
+    EXPECT_FALSE(difference("thin_guo_hall", technique(), image));
+    EXPECT_EQ(outside(thinned(image), image), 0);
   }
 }
+
+TEST_P(Leptonica, keeps_objects_of_its_connectivity_and_holes_of_the_other) {
+  for (const ByteImage& image : leptonica_pictures()) {
+    EXPECT_EQ(counts_of(thinned(image), GetParam()), counts_of(image, GetParam()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Connectivity, Leptonica, testing::Values(4, 8));
 
 }  // namespace
 }  // namespace thinbench

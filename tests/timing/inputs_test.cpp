@@ -12,7 +12,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 /// The names that inputs get from pictures with these names.
-Names names_of(const Names& files, Index largest_square = 0) {
+Names names_from(const Names& files, Index largest_square = 0) {
   const TemporaryFolder folder;
   InputChoice choice{{}, largest_square};
   for (const std::string& file : files) {
@@ -27,20 +27,22 @@ Names names_of(const Names& files, Index largest_square = 0) {
 }
 
 TEST(TimedInputs, are_the_scene_and_squares_where_no_picture_is_given) {
-  EXPECT_EQ(names_of({}, 256), (Names{"scene", "square_64", "square_128", "square_256"}));
+  EXPECT_EQ(names_from({}, 256), (Names{"scene", "square_64", "square_128", "square_256"}));
 }
 
 TEST(TimedInputs, pictures_take_the_names_of_their_files_and_each_its_own) {
-  EXPECT_EQ(names_of({"horse.png", "a/horse.pgm", "b/horse.png"}),
+  EXPECT_EQ(names_from({"horse.png", "a/horse.pgm", "b/horse.png"}),
             (Names{"horse", "horse_2", "horse_3"}));
 }
 
 TEST(TimedInputs, pictures_never_take_the_name_of_the_scene_or_of_a_square) {
-  EXPECT_EQ(names_of({"scene.png", "square_64.png", "square_9.png", "square_root.png"}, 64),
+  EXPECT_EQ(names_from({"scene.png", "square_64.png", "square_9.png", "square_root.png"}, 64),
             (Names{"scene_picture", "square_64_picture", "square_9_picture", "square_root",
                    "square_64"}));
-  EXPECT_EQ(names_of({"scene_picture.png", "scene.png"}),
+  EXPECT_EQ(names_from({"scene_picture.png", "scene.png"}),
             (Names{"scene_picture", "scene_picture_2"}));
+  EXPECT_EQ(names_from({"square.png", "a/square.png", "b/square.png"}, 0),
+            (Names{"square", "square_picture", "square_picture_2"}));
 }
 
 TEST(TimedInputs, squares_alone_belong_to_the_series_of_sizes) {

@@ -1,0 +1,80 @@
+"""Reads limits.json, what bounds rows, where a run has it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from report.errors import ReportError
+from report.json_fields import Fields, read_object
+from report.model import SCOPES, Study
+
+FILE = "limits.json"
+COPY_BITS = "copy_bits"
+COPIES = ("copy", COPY_BITS, "read_bits")
+
+
+@dataclass(frozen=True)
+class Limit:
+    """One call of a row: what it executes, how long it takes, and how long it must."""
+
+    operation: str
+    scope: str
+    technique: str
+    isa: str
+    instructions: int
+    instructions_a_cycle: float
+    ns: float
+    limit_ns: float
+    percent: float
+    a_row_and_pass: float | None
+
+
+@dataclass(frozen=True)
+class Limits:
+    """All rows whose instructions were counted, on one input."""
+
+    input: str
+    size: tuple[int, int]
+    issue_width: float
+    rows: tuple[Limit, ...]
+    skipped: int
+
+
+def load_limits(directory: Path) -> Limits | None:
+    """None for runs without limits."""
+    if not (directory / FILE).exists():
+        return None
+    fields = read_object(directory / FILE)
+    fields.check_schema()
+    shape = fields.child("input")
+    return Limits(shape.text("name"), (shape.count("width", 1), shape.count("height", 1)),
+                  fields.positive("issue_width"), tuple(map(_limit, fields.children("rows"))),
+                  len(fields.listed("skipped")))
+
+
+def copy_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
+    """The time of a copy in the row's representation.
+
+    A bit-packed row whose operation has none is as well compared with any operation's copy of
+    packed bits: both take and leave the same memory.
+    """
+    rows = [row for operation in (limit.operation, *study.operations)
+            for row in study.select(operation, limits.input)
+            if row.is_peer and row.name.scope == limit.scope]
+    own = (row for row in rows
+           if row.name.operation == limit.operation and row.name.technique in COPIES)
+    packed = (row for row in rows
+              if "bitpacked" in limit.technique and row.name.technique == COPY_BITS)
+    return next((row.median_ns for row in (*own, *packed)), None)
+
+
+def _limit(row: Fields) -> Limit:
+    scope = row.text("scope")
+    if scope not in SCOPES:
+        raise ReportError(f"{row.where}: scope is '{scope}'; it must be {' or '.join(SCOPES)}")
+    key = "instructions_a_row_and_pass"
+    return Limit(row.text("operation"), scope, row.text("technique"), row.text("isa"),
+                 row.count("instructions"), row.number("instructions_a_cycle"),
+                 row.positive("ns"), row.number("limit_ns"), row.number("percent_of_limit"),
+                 row.number(key) if row.has(key) else None)
