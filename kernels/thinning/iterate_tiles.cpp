@@ -26,19 +26,18 @@ void commit(const TileGridView& grid, const TileVisits& visits) {
 }
 
 /// One step on all active tiles.
-void visit_all(TileVisit visit, const RuleModel* model, Index active, TileWorkspace& workspace,
-               ThreadTeam& team) {
+void visit_all(TileVisit visit, Index active, TileWorkspace& workspace, ThreadTeam& team) {
   const TileGridView& grid = workspace.grid().view();
   const auto range = [&](Index first, Index last) {
     return TileVisits{grid.active + first, last - first, workspace.pending() + first,
                       workspace.kept(), workspace.ring()};
   };
   if (team.threads() == 1 || active < team.threads() * kLeastShare) {
-    visit(model, grid, range(0, active));
+    visit(grid, range(0, active));
     commit(grid, range(0, active));
     return;
   }
-  team.for_ranges(active, [&](Index first, Index last) { visit(model, grid, range(first, last)); });
+  team.for_ranges(active, [&](Index first, Index last) { visit(grid, range(first, last)); });
   team.for_ranges(active, [&](Index first, Index last) { commit(grid, range(first, last)); });
 }
 
@@ -50,21 +49,19 @@ TileWorkspace::TileWorkspace(Index width, Index height, int threads)
       ring_(static_cast<Index>(std::bit_ceil(static_cast<std::size_t>(kept_)))),
       pending_(make_aligned<PendingTile>(static_cast<std::size_t>(ring_))) {}
 
-int iterate_tiles(const TileEngine& engine, const Conditions& conditions,
-                  const ConstBitPlaneView& source, const BitPlaneView& target,
-                  TileWorkspace& workspace, ThreadTeam& team) {
+int iterate_tiles(const TileEngine& engine, int most_cycles, const ConstBitPlaneView& source,
+                  const BitPlaneView& target, TileWorkspace& workspace, ThreadTeam& team) {
   TileGrid& grid = workspace.grid();
   const int length = static_cast<int>(engine.cycle.size());
   Index active = grid.load(source);
   int cycles = 0;
   do {
     for (int step = 0; step < length; ++step) {
-      visit_all(engine.cycle[static_cast<std::size_t>(step)], conditions.model, active, workspace,
-                team);
+      visit_all(engine.cycle[static_cast<std::size_t>(step)], active, workspace, team);
       active = (*engine.list_active)(grid.view(), step, length);
     }
     ++cycles;
-  } while (active != 0 && cycles < conditions.most_cycles);
+  } while (active != 0 && cycles < most_cycles);
   grid.store(target);
   return cycles;
 }

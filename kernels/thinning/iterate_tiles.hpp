@@ -1,7 +1,7 @@
 // Repeats the sub-iterations of a rule on the tiles that may still change.
 #pragma once
 
-#include "thinning/iterate.hpp"
+#include "core/thread_team.hpp"
 #include "thinning/tile_passes.hpp"
 
 namespace thinbench {
@@ -24,9 +24,10 @@ class TileWorkspace {
   AlignedArray<PendingTile> pending_;
 };
 
-/// As `iterate`, for the background as border. Reads `source` and writes `target` once.
-int iterate_tiles(const TileEngine& engine, const Conditions& conditions,
-                  const ConstBitPlaneView& source, const BitPlaneView& target,
-                  TileWorkspace& workspace, ThreadTeam& team);
+/// Repeats a cycle until it changes nothing or `most_cycles` are done; returns how many ran, the
+/// last one included. The background goes on outside the image. Reads `source` and writes `target`
+/// once. No allocation.
+int iterate_tiles(const TileEngine& engine, int most_cycles, const ConstBitPlaneView& source,
+                  const BitPlaneView& target, TileWorkspace& workspace, ThreadTeam& team);
 
 }  // namespace thinbench

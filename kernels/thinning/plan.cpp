@@ -131,7 +131,7 @@ struct TileState final : PlaneState<std::uint64_t> {
         team(chosen.threads) {}
 
   int thin() override {
-    return iterate_tiles(engine, setting.conditions(), source(), planes.result.view(), workspace,
+    return iterate_tiles(engine, setting.most_passes, source(), planes.result.view(), workspace,
                          team);
   }
 

@@ -26,8 +26,7 @@ struct TileVisits {
 
 /// Applies one sub-iteration to the tiles of a range and notes what changed. The last `kept`
 /// of them are left to commit().
-using TileVisit = void (*)(const RuleModel* model, const TileGridView& grid,
-                           const TileVisits& visits);
+using TileVisit = void (*)(const TileGridView& grid, const TileVisits& visits);
 
 /// Makes the list of the next step from what step `step` of a cycle of `length` changed; returns
 /// its length.
@@ -43,7 +42,7 @@ struct TileEngine {
 template <Isa isa>
 struct TilePasses {
   static const StepTable<TileVisit> kTable;
-  static const TileVisit kModel;  // any rule of eight neighbours, from a model
+
   static const ListActive kListActive;
 };
 
