@@ -53,6 +53,26 @@ std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
   return pack_word(buffer);
 }
 
+/// From here on images are written past the caches: a store would first read what it overwrites.
+constexpr Index kStreamedBytes = Index{8} << 20;
+
+/// A store past the caches; `bytes` is aligned to the lanes.
+[[gnu::always_inline]] inline void stream(ByteBatch lanes, std::uint8_t* bytes) {
+#if defined(__AVX512BW__)
+  _mm512_stream_si512(reinterpret_cast<__m512i*>(bytes), lanes);
+#elif defined(__AVX2__)
+  _mm256_stream_si256(reinterpret_cast<__m256i*>(bytes), lanes);
+#else
+  _mm_stream_si128(reinterpret_cast<__m128i*>(bytes), lanes);
+#endif
+}
+
+bool is_streamed(const ByteView& target) {
+  const auto misaligned =
+      reinterpret_cast<std::uintptr_t>(target.data) | static_cast<std::uintptr_t>(target.stride);
+  return target.width * target.height >= kStreamedBytes && misaligned % kLanes == 0;
+}
+
 /// `word` points to the last word, which holds `tail` pixels.
 void unpack_tail(const std::uint64_t* word, std::uint8_t* row, Index width, Index tail) {
   if (width >= kWordBits) {
@@ -81,12 +101,20 @@ void write_bits(const ConstBitPlaneView& source, const ByteView& target) {
   const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
+  const bool streamed = is_streamed(target);
   for (Index y = 0; y < height; ++y) {
     const std::uint64_t* row = source.row(y);
     std::uint8_t* bytes = target.row(y);
-    for (Index word = 0; word < words; ++word) unpack_word(row[word], bytes + word * kWordBits);
+    if (streamed) {
+      for (Index x = 0; x < words * kWordBits; x += kLanes) {
+        stream(spread_bits(row[x / kWordBits] >> (x % kWordBits)), bytes + x);
+      }
+    } else {
+      for (Index word = 0; word < words; ++word) unpack_word(row[word], bytes + word * kWordBits);
+    }
     if (tail > 0) unpack_tail(row + words, bytes, source.width, tail);
   }
+  if (streamed) _mm_sfence();
 }
 
 void read_bytes(const ConstByteView& source, const BytePlaneView& target) {

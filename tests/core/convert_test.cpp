@@ -68,6 +68,17 @@ TEST_P(Convert, there_and_back_is_the_same_image_and_nothing_else_is_written) {
   }
 }
 
+TEST_P(Convert, images_larger_than_caches_come_back_the_same) {
+  for (const Index width : {4096, 4100}) {  // rows on cache lines; ByteImage pads both
+    const ByteImage image = noise_image(width, 2100, 50, 8, 4);
+    BitPlane plane(width, 2100);
+    plane_conversion<std::uint64_t>(GetParam()).read(image.view(), plane.view());
+    ByteImage result(width, 2100);
+    plane_conversion<std::uint64_t>(GetParam()).write(std::as_const(plane).view(), result.view());
+    EXPECT_TRUE(equal(result.view(), image.view())) << width;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Levels, Convert, testing::ValuesIn(kAllIsas), [](const auto& tested) {
   return "level" + std::to_string(static_cast<int>(tested.param));
 });

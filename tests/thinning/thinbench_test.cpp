@@ -44,7 +44,7 @@ TEST(Thin, empty_images_take_one_pass) {
 TEST(ChooseVariant, takes_the_highest_available_level) {
   const auto& operation = *find_thinning_operation(kOperation);
   EXPECT_EQ(choose_variant(operation, 2000).isa, best_isa());
-  EXPECT_EQ(choose_variant(operation, 2000).technique, Technique::kSimdBitpacked);
+  EXPECT_EQ(choose_variant(operation, 2000).technique, Technique::kSimdBitpackedTiles);
 }
 
 TEST(ChooseVariant, follows_the_options) {
