@@ -39,7 +39,7 @@ ThreadTeam::ThreadTeam(int threads)
 
 ThreadTeam::~ThreadTeam() = default;
 
-void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) {
+void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
   if (threads_ == 1 || count < 2) {
     if (count > 0) invoke_body(body, 0, count);
     return;

@@ -24,7 +24,7 @@ class ThreadTeam {
   /// Calls `body(first, last)` on as many disjoint ranges as there are threads, covering [0,
   /// count), and returns when all are done.
   template <class Body>
-  void for_ranges(Index count, const Body& body) {
+  void for_ranges(Index count, const Body& body) const {
     run(count, &invoke<Body>, &body);
   }
 
@@ -34,7 +34,7 @@ class ThreadTeam {
   static void invoke(const void* body, Index first, Index last) {
     (*static_cast<const Body*>(body))(first, last);
   }
-  void run(Index count, Invoke invoke_body, const void* body);
+  void run(Index count, Invoke invoke_body, const void* body) const;
 
   struct Arena;
   std::unique_ptr<Arena> arena_;

@@ -26,7 +26,7 @@ void commit(const TileGridView& grid, const TileVisits& visits) {
 }
 
 /// One step on all active tiles.
-void visit_all(TileVisit visit, Index active, TileWorkspace& workspace, ThreadTeam& team) {
+void visit_all(TileVisit visit, Index active, TileWorkspace& workspace, const ThreadTeam& team) {
   const TileGridView& grid = workspace.grid().view();
   const auto range = [&](Index first, Index last) {
     return TileVisits{grid.active + first, last - first, workspace.pending() + first,
@@ -50,10 +50,13 @@ TileWorkspace::TileWorkspace(Index width, Index height, int threads)
       pending_(make_aligned<PendingTile>(static_cast<std::size_t>(ring_))) {}
 
 int iterate_tiles(const TileEngine& engine, int most_cycles, const ConstBitPlaneView& source,
-                  const BitPlaneView& target, TileWorkspace& workspace, ThreadTeam& team) {
+                  const BitPlaneView& target, TileWorkspace& workspace, const ThreadTeam& team) {
   TileGrid& grid = workspace.grid();
+  const ThreadTeam alone(1);
+  const ThreadTeam& sharing =
+      grid.view().groups * kTileGroup < team.threads() * kLeastShare ? alone : team;
   const int length = static_cast<int>(engine.cycle.size());
-  Index active = grid.load(source);
+  Index active = grid.load(source, sharing);
   int cycles = 0;
   do {
     for (int step = 0; step < length; ++step) {
@@ -62,7 +65,7 @@ int iterate_tiles(const TileEngine& engine, int most_cycles, const ConstBitPlane
     }
     ++cycles;
   } while (active != 0 && cycles < most_cycles);
-  grid.store(target);
+  grid.store(target, sharing);
   return cycles;
 }
 

@@ -28,6 +28,6 @@ class TileWorkspace {
 /// last one included. The background goes on outside the image. Reads `source` and writes `target`
 /// once. No allocation.
 int iterate_tiles(const TileEngine& engine, int most_cycles, const ConstBitPlaneView& source,
-                  const BitPlaneView& target, TileWorkspace& workspace, ThreadTeam& team);
+                  const BitPlaneView& target, TileWorkspace& workspace, const ThreadTeam& team);
 
 }  // namespace thinbench

@@ -68,14 +68,15 @@ const ThinningEngine& chosen_engine(const ThinningVariant& variant, const RuleMo
 template <class T>
 struct PassState final : PlaneState<T> {
   using PlaneState<T>::planes;
+  using PlaneState<T>::team;
 
   PassState(std::span<const Pass<T>> passes, const Setting& chosen)
-      : PlaneState<T>(chosen.isa, chosen.width, chosen.height),
+      : PlaneState<T>(chosen.isa, chosen.width, chosen.height, chosen.threads),
         cycle(passes),
         setting(chosen),
         scratch(setting.width, setting.height),
-        activity(setting.height, planes.result.view().row_elements, sizeof(T) == 1 ? kWordBits : 1),
-        team(setting.threads) {}
+        activity(setting.height, planes.result.view().row_elements,
+                 sizeof(T) == 1 ? kWordBits : 1) {}
 
   int thin() override {
     const auto& source = planes.source;
@@ -90,18 +91,16 @@ struct PassState final : PlaneState<T> {
   Setting setting;
   Plane<T> scratch;
   TileActivity activity;
-  ThreadTeam team;
 };
 
 /// One pass that sees what the last step changed.
 struct ChangeState final : PlaneState<std::uint64_t> {
   ChangeState(ChangePass change_pass, const Setting& chosen)
-      : PlaneState(chosen.isa, chosen.width, chosen.height),
+      : PlaneState(chosen.isa, chosen.width, chosen.height, chosen.threads),
         pass(change_pass),
         setting(chosen),
         scratch{BitPlane(chosen.width, chosen.height), BitPlane(chosen.width, chosen.height)},
-        activity(chosen.height, planes.result.view().row_elements, 1),
-        team(chosen.threads) {}
+        activity(chosen.height, planes.result.view().row_elements, 1) {}
 
   int thin() override {
     const auto& source = planes.source;
@@ -118,17 +117,15 @@ struct ChangeState final : PlaneState<std::uint64_t> {
   Setting setting;
   std::array<BitPlane, 2> scratch;
   TileActivity activity;
-  ThreadTeam team;
 };
 
 /// A cycle over tiles.
 struct TileState final : PlaneState<std::uint64_t> {
   TileState(const TileEngine& tile_engine, const Setting& chosen)
-      : PlaneState(chosen.isa, chosen.width, chosen.height),
+      : PlaneState(chosen.isa, chosen.width, chosen.height, chosen.threads),
         engine(tile_engine),
         setting(chosen),
-        workspace(chosen.width, chosen.height, chosen.threads),
-        team(chosen.threads) {}
+        workspace(chosen.width, chosen.height, chosen.threads) {}
 
   int thin() override {
     return iterate_tiles(engine, setting.most_passes, source(), planes.result.view(), workspace,
@@ -138,7 +135,6 @@ struct TileState final : PlaneState<std::uint64_t> {
   const TileEngine engine;
   Setting setting;
   TileWorkspace workspace;
-  ThreadTeam team;
 };
 
 /// One kernel over rows of one register.

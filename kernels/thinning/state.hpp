@@ -3,6 +3,7 @@
 
 #include "core/convert.hpp"
 #include "core/planes.hpp"
+#include "core/thread_team.hpp"
 
 namespace thinbench {
 
@@ -24,16 +25,34 @@ struct Planes {
   Plane<T> result;
 };
 
-/// A state that keeps its planes in `planes`.
+/// Rows [first, last) of any view.
+template <class View>
+[[nodiscard]] View rows_of_view(View view, Index first, Index last) {
+  view.data = view.row(first);
+  view.height = last - first;
+  return view;
+}
+
+/// A state that keeps its planes in `planes`. Bands of rows are converted on as many threads as the
+/// rest runs on.
 template <class T>
 struct PlaneState : ThinningState {
-  PlaneState(Isa isa, Index width, Index height) : planes(isa, width, height) {}
+  PlaneState(Isa isa, Index width, Index height, int threads = 1)
+      : planes(isa, width, height),
+        team(threads),
+        parts(width * height < kLeastPixelsForThreads ? 1 : threads) {}
 
   void load(const ConstByteView& view) override {
-    planes.conversion.read(view, planes.source.view());
+    for_bands(view.height, [&](Index first, Index last) {
+      planes.conversion.read(rows_of_view(view, first, last),
+                             rows_of_view(planes.source.view(), first, last));
+    });
   }
   void store(const ByteView& view) const override {
-    planes.conversion.write(planes.result.view(), view);
+    for_bands(view.height, [&](Index first, Index last) {
+      planes.conversion.write(rows_of_view(source_of_result(), first, last),
+                              rows_of_view(view, first, last));
+    });
   }
   [[nodiscard]] bool margins_are_zero() const override {
     return planes.source.margin_is_zero() && planes.result.margin_is_zero();
@@ -42,6 +61,23 @@ struct PlaneState : ThinningState {
   [[nodiscard]] ConstPlaneView<T> source() const { return planes.source.view(); }
 
   Planes<T> planes;
+  ThreadTeam team;
+
+ private:
+  /// Below, waiting for each other costs more than sharing saves.
+  static constexpr Index kLeastPixelsForThreads = Index{1} << 20;
+
+  template <class Body>
+  void for_bands(Index height, const Body& body) const {
+    if (parts == 1) {
+      body(Index{0}, height);
+    } else {
+      team.for_ranges(height, body);
+    }
+  }
+  [[nodiscard]] ConstPlaneView<T> source_of_result() const { return planes.result.view(); }
+
+  int parts;
 };
 
 }  // namespace thinbench

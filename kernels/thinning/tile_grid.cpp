@@ -51,15 +51,27 @@ TileGrid::TileGrid(Index width, Index height)
   view_.active = active_.get();
 }
 
-bool TileGrid::load_tile(const ConstBitPlaneView& plane, Index strip, Index row) {
-  std::uint32_t* to = view_.words + tile_at(strip, row) * kTileRows;
+/// Leaves in `changed_rows` whether the tile has dark pixels.
+void TileGrid::load_tile(const ConstBitPlaneView& plane, Index strip, Index row) {
+  const Index tile = tile_at(strip, row);
+  std::uint32_t* to = view_.words + tile * kTileRows;
   const Index rows = std::min(kTileRows, plane.height - row * kTileRows);
   std::uint32_t any = 0;
   for (Index y = 0; y < rows; ++y) {
     to[y] = strip_word(plane.row(row * kTileRows + y), strip);
     any |= to[y];
   }
-  return any != 0;
+  view_.changed_rows[tile] = any != 0 ? 1 : 0;
+}
+
+void TileGrid::find_occupied() {
+  for (Index group = 0; group < view_.groups; ++group) {
+    std::uint32_t tiles = 0;
+    for (Index i = 0; i < kTileGroup; ++i) {
+      tiles |= std::uint32_t{view_.changed_rows[group * kTileGroup + i]} << i;
+    }
+    occupied_[count_of(group)] = tiles;
+  }
 }
 
 Index TileGrid::list_occupied() {
@@ -78,16 +90,15 @@ Index TileGrid::list_occupied() {
   return count;
 }
 
-Index TileGrid::load(const ConstBitPlaneView& plane) {
-  std::fill_n(occupied_.get(), view_.groups, 0);
-  for (Index row = 0; row < tile_rows_; ++row) {
-    for (Index strip = 0; strip < strips_; ++strip) {
-      const Index tile = tile_at(strip, row);
-      if (!load_tile(plane, strip, row)) continue;
-      occupied_[count_of(tile / kTileGroup)] |= std::uint32_t{1} << (tile % kTileGroup);
-    }
-  }
+Index TileGrid::load(const ConstBitPlaneView& plane, const ThreadTeam& team) {
   const Index tiles = view_.groups * kTileGroup;
+  std::fill_n(view_.changed_rows, tiles, 0);
+  team.for_ranges(tile_rows_, [&](Index first, Index last) {
+    for (Index row = first; row < last; ++row) {
+      for (Index strip = 0; strip < strips_; ++strip) load_tile(plane, strip, row);
+    }
+  });
+  find_occupied();
   for (std::uint16_t* flags : {view_.changed_rows, view_.changed_west, view_.changed_east}) {
     std::fill_n(flags, tiles, 0);
   }
@@ -95,17 +106,20 @@ Index TileGrid::load(const ConstBitPlaneView& plane) {
   return list_occupied();
 }
 
-void TileGrid::store(const BitPlaneView& plane) const {
-  for (Index y = 0; y < plane.height; ++y) {
-    const std::uint32_t* from = view_.words + tile_at(0, y / kTileRows) * kTileRows + y % kTileRows;
-    const Index next_strip = view_.strip_tiles * kTileRows;
-    for (Index strip = 0; strip < strips_; strip += kWordsOf64) {
-      // The strip behind the last is light.
-      const std::uint64_t low = from[strip * next_strip];
-      const std::uint64_t high = from[(strip + 1) * next_strip];
-      plane.row(y)[strip / kWordsOf64] = low | high << kTileColumns;
+void TileGrid::store(const BitPlaneView& plane, const ThreadTeam& team) const {
+  const Index next_strip = view_.strip_tiles * kTileRows;
+  team.for_ranges(plane.height, [&](Index first, Index last) {
+    for (Index y = first; y < last; ++y) {
+      const std::uint32_t* from =
+          view_.words + tile_at(0, y / kTileRows) * kTileRows + y % kTileRows;
+      for (Index strip = 0; strip < strips_; strip += kWordsOf64) {
+        // The strip behind the last is light.
+        const std::uint64_t low = from[strip * next_strip];
+        const std::uint64_t high = from[(strip + 1) * next_strip];
+        plane.row(y)[strip / kWordsOf64] = low | high << kTileColumns;
+      }
     }
-  }
+  });
 }
 
 }  // namespace thinbench

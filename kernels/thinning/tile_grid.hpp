@@ -11,6 +11,7 @@
 
 #include "core/image.hpp"
 #include "core/layout.hpp"
+#include "core/thread_team.hpp"
 #include "core/views.hpp"
 
 namespace thinbench {
@@ -51,14 +52,15 @@ class TileGrid {
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
   /// Takes the pixels of `plane`; all tiles with dark ones are active. Returns how many.
-  Index load(const ConstBitPlaneView& plane);
-  void store(const BitPlaneView& plane) const;
+  Index load(const ConstBitPlaneView& plane, const ThreadTeam& team);
+  void store(const BitPlaneView& plane, const ThreadTeam& team) const;
 
  private:
   [[nodiscard]] Index tile_at(Index strip, Index row) const {
     return (strip + 1) * view_.strip_tiles + row;
   }
-  bool load_tile(const ConstBitPlaneView& plane, Index strip, Index row);
+  void load_tile(const ConstBitPlaneView& plane, Index strip, Index row);
+  void find_occupied();
   Index list_occupied();
 
   Index strips_;

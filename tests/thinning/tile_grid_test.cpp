@@ -32,8 +32,8 @@ TEST(TileGrid, gives_back_the_pixels_of_every_size) {
       const BitPlane plane = noise(width, height);
       BitPlane result(width, height);
       TileGrid grid(width, height);
-      grid.load(plane.view());
-      grid.store(result.view());
+      grid.load(plane.view(), ThreadTeam(1));
+      grid.store(result.view(), ThreadTeam(1));
       EXPECT_TRUE(equal_planes(plane.view(), std::as_const(result).view()))
           << width << " x " << height;
       EXPECT_TRUE(result.margin_is_zero()) << width << " x " << height;
@@ -46,7 +46,7 @@ TEST(TileGrid, lists_the_tiles_that_have_dark_pixels) {
   plane.view().row(kTileRows - 1)[0] = 1;                           // strip 0, tile 0
   plane.view().row(2 * kTileRows - 1)[1] = std::uint64_t{1} << 31;  // strip 2, tile 1
   TileGrid grid(3 * kTileColumns, 2 * kTileRows);
-  ASSERT_EQ(grid.load(std::as_const(plane).view()), 2);
+  ASSERT_EQ(grid.load(std::as_const(plane).view(), ThreadTeam(1)), 2);
   const TileGridView& view = grid.view();
   EXPECT_EQ(view.active[0], view.strip_tiles);
   EXPECT_EQ(view.active[1], 3 * view.strip_tiles + 1);
@@ -57,9 +57,9 @@ TEST(TileGrid, a_second_image_leaves_nothing_of_the_first) {
   const BitPlane light(100, 50);
   BitPlane result(100, 50);
   TileGrid grid(100, 50);
-  grid.load(first.view());
-  EXPECT_EQ(grid.load(light.view()), 0);
-  grid.store(result.view());
+  grid.load(first.view(), ThreadTeam(1));
+  EXPECT_EQ(grid.load(light.view(), ThreadTeam(1)), 0);
+  grid.store(result.view(), ThreadTeam(1));
   EXPECT_TRUE(equal_planes(light.view(), std::as_const(result).view()));
 }
 
@@ -67,7 +67,7 @@ TEST(TileGrid, neighbours_of_every_tile_lie_inside_and_are_light_beyond_the_imag
   TileGrid grid(40, 20);
   BitPlane dark(40, 20);
   for (Index y = 0; y < 20; ++y) dark.view().row(y)[0] = (std::uint64_t{1} << 40) - 1;
-  grid.load(std::as_const(dark).view());
+  grid.load(std::as_const(dark).view(), ThreadTeam(1));
   const TileGridView& view = grid.view();
   const std::uint32_t* first = view.words + view.strip_tiles * kTileRows;
   EXPECT_EQ(first[0], 0xFFFFFFFFU);
