@@ -81,8 +81,10 @@ std::string bytes_of_file(const std::string& path) {
 
 void check_header(const std::string& path, const std::string& line, const json& header) {
   const json found = json::parse(line, nullptr, false);
-  if (!found.is_object() || found.value("kind", "") != "header" || !found.contains("machine") ||
-      !found.at("machine").is_object()) {
+  const bool is_header = found.is_object() && found.contains("kind") &&
+                         found.at("kind") == "header" && found.contains("machine") &&
+                         found.at("machine").is_object();
+  if (!is_header) {
     refuse(path, "is no journal of sweeps: its first line is no header");
   }
   const json there = lasting(found);
