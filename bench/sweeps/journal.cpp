@@ -63,9 +63,14 @@ json lasting(json header) {
   return header;
 }
 
-/// "machine/commit is "a" there and "b" here", for the first field that differs.
+/// "machine/commit is "a" there and "b" here", for a field that differs; of machine and options
+/// where these do, since other options mean other points.
 std::string first_difference(const json& there, const json& here) {
-  const json change = json::diff(there, here).front();
+  const json changes = json::diff(there, here);
+  json change = changes.front();
+  for (const json& other : changes) {
+    if (other.at("path").get<std::string>().starts_with("/machine")) change = other;
+  }
   const json::json_pointer place(change.at("path").get<std::string>());
   const auto value = [&](const json& header) {
     return header.contains(place) ? header.at(place).dump() : std::string("missing");

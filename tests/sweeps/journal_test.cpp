@@ -95,6 +95,8 @@ TEST_F(SweepJournal, another_run_is_refused_with_what_differs) {
   other = header_;
   other["definition"] = "0";
   EXPECT_NE(refusal(other).find("definition is"), std::string::npos);
+  other["machine"]["commit"] = "def";
+  EXPECT_NE(refusal(other).find("machine/commit is"), std::string::npos) << "what the user chose";
   other = header_;
   other["machine"]["date"] = "tomorrow";
   EXPECT_EQ(refusal(other), "");
