@@ -53,7 +53,7 @@ def load_section(directory: Path, fingerprint: str | None = None) -> Section | N
         plots = _plots(main) if main else []
     tables = (levels_table(main.of("isa"), main.machine.isa_available) if main else None,
               compiler_table(builds))
-    return Section(_sentence(main or builds[0]), tuple(plots),
+    return Section(_sentence([main] if main else builds), tuple(plots),
                    tuple(table for table in tables if table), to_csv(journals))
 
 
@@ -65,17 +65,20 @@ def _plots(journal: Journal) -> list[Plot]:
     return [plot for plot in found if plot]
 
 
-def _sentence(journal: Journal) -> str:
+def _sentence(journals: list[Journal]) -> str:
+    """Of what was measured and how; journals of several builds have the same points."""
+    journal = journals[0]
     by_reference = sum(point.proved_against == REFERENCE for point in journal.points)
     others = len(journal.points) - by_reference
+    compilers = " and by ".join(each.compiler for each in journals)
     partly = (f" The run was interrupted: {len(journal.points)} of {journal.planned} points were "
-              "reached, not all in every round." if journal.is_partial else "")
+              "reached, not all in every round." if any(each.is_partial for each in journals) else "")
     proofs = (f" {by_reference} points were proved against their references, {others} against "
               "another row, as the reference would take long; sweeps.csv says which."
               if others else " Every point was proved against its reference.")
     return (f"{len(journal.points)} points{' of the quick plan' if journal.is_quick else ''}, end "
             f"to end, each measured once in each of {journal.rounds} rounds in random order, at "
-            f"commit {journal.machine.commit} built by {journal.compiler}. Values are medians over "
+            f"commit {journal.machine.commit} built by {compilers}. Values are medians over "
             "the rounds; bands and bars reach from the 2nd to the 8th of 9 ordered samples, or to "
             "the outermost of less than 6. Times are processor time on one thread, and wall time "
             f"where threads are compared.{partly}{proofs}")
