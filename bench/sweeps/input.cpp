@@ -53,12 +53,14 @@ ByteImage make_input(const SweepInput& input, InputKind kind) {
 const ByteImage& InputStore::get(const SweepInput& input, InputKind kind) {
   const auto found = images_.find({input, kind});
   if (found != images_.end()) return found->second;
-  if (bytes_ + input.pixels() > most_) {
-    images_.clear();
-    bytes_ = 0;
-  }
-  bytes_ += input.pixels();
+  if (bytes() + input.pixels() > most_) images_.clear();
   return images_.emplace(std::pair(input, kind), make_input(input, kind)).first->second;
+}
+
+std::int64_t InputStore::bytes() const {
+  std::int64_t sum = 0;
+  for (const auto& [key, image] : images_) sum += key.first.pixels();
+  return sum;
 }
 
 }  // namespace thinbench

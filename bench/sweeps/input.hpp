@@ -40,10 +40,11 @@ class InputStore {
 
   /// The image stays until the next call.
   const ByteImage& get(const SweepInput& input, InputKind kind);
+  /// Of all images that are kept.
+  [[nodiscard]] std::int64_t bytes() const;
 
  private:
   std::int64_t most_;
-  std::int64_t bytes_ = 0;
   std::map<std::pair<SweepInput, InputKind>, ByteImage> images_;
 };
 

@@ -56,6 +56,7 @@ TEST(SweepInputStore, gives_the_same_image_again_after_it_made_room) {
   const ByteImage before = copy_of(store.get(first, InputKind::kBinary).view());
   for (int percent = 10; percent < 50; percent += 10) {
     store.get({Picture::kNoise, 64, 64, 1, percent}, InputKind::kBinary);
+    EXPECT_LE(store.bytes(), 3 * 64 * 64);
   }
   EXPECT_TRUE(equal(store.get(first, InputKind::kBinary).view(), before.view()));
 }
