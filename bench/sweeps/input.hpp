@@ -1,10 +1,10 @@
 // The images of the sweeps: made when they are needed, from a recipe that a journal can name.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "harness/job.hpp"
@@ -24,10 +24,16 @@ struct SweepInput {
   Index grain = 0;  // side of a block of noise or of a square (pixels)
   int percent = 0;  // of the noise's blocks that are dark
 
-  auto operator<=>(const SweepInput&) const = default;
+  bool operator==(const SweepInput&) const = default;
+  bool operator<(const SweepInput& other) const { return fields() < other.fields(); }
   [[nodiscard]] std::int64_t pixels() const { return width * height; }
   /// "noise 2048x2048 50 % in blocks of 4".
   [[nodiscard]] std::string name() const;
+
+ private:
+  [[nodiscard]] std::tuple<Picture, Index, Index, Index, int> fields() const {
+    return {picture, width, height, grain, percent};
+  }
 };
 
 /// Throws std::logic_error for grey noise or squares: they exist in two colours only.

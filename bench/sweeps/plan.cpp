@@ -161,7 +161,7 @@ class Planner {
     point.operation = &operation;
     point.variant = variant;
     point.threads = threads;
-    if (std::regex_search(point.row(), pattern_)) points_.push_back(std::move(point));
+    if (std::regex_search(point.row(), pattern_)) points_.push_back(point);
   }
 
   const PlanOptions& options_;

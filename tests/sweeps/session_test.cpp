@@ -117,6 +117,7 @@ TEST(SweepsSession, row_that_is_not_equal_is_not_timed_and_the_status_is_2) {
 pid_t started(std::vector<std::string> arguments, const std::string& err) {
   arguments.insert(arguments.begin(), THINBENCH_SWEEPS_PROGRAM);
   std::vector<char*> words;
+  words.reserve(arguments.size() + 1);
   for (std::string& word : arguments) words.push_back(word.data());
   words.push_back(nullptr);
   const pid_t child = fork();
