@@ -28,9 +28,9 @@ class SweepJournal : public testing::Test {
   void append(const std::string& text) const { std::ofstream(path, std::ios::app) << text; }
 
   /// What resuming is refused with; empty where it is not.
-  std::string refusal(const json& header) {
+  std::string refusal(const json& other) {
     try {
-      static_cast<void>(Journal::resume(path, header, points));
+      static_cast<void>(Journal::resume(path, other, points));
       return {};
     } catch (const FileError& error) {
       return error.what();
