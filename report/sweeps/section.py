@@ -71,8 +71,9 @@ def _sentence(journals: list[Journal]) -> str:
     by_reference = sum(point.proved_against == REFERENCE for point in journal.points)
     others = len(journal.points) - by_reference
     compilers = " and by ".join(each.compiler for each in journals)
-    partly = (f" The run was interrupted: {len(journal.points)} of {journal.planned} points were "
-              "reached, not all in every round." if any(each.is_partial for each in journals) else "")
+    is_partial = any(each.is_partial for each in journals)
+    partly = (f" The run is not complete: {len(journal.points)} of {journal.planned} points were "
+              "reached, not all in every round." if is_partial else "")
     proofs = (f" {by_reference} points were proved against their references, {others} against "
               "another row, as the reference would take long; sweeps.csv says which."
               if others else " Every point was proved against its reference.")

@@ -176,14 +176,14 @@ def test_partial_journal_draws_what_is_there_and_says_so(written):
     folder = written(text_of(lines[:40], header(lines)))
     build_sweeps(folder)
     text = (folder / "sweeps.md").read_text()
-    assert "The run was interrupted: 5 of 23 points were reached" in text
+    assert "The run is not complete: 5 of 23 points were reached" in text
     assert (folder / "plots" / "sweep_density.svg").exists()
     assert not (folder / "plots" / "sweep_depth.svg").exists()
 
 
 def test_whole_journal_is_not_called_partial_and_counts_its_proofs(written):
     text = load_section(written()).sentence
-    assert "interrupted" not in text
+    assert "not complete" not in text
     assert "19 points were proved against their references, 4 against another row" in text
 
 
