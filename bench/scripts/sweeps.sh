@@ -6,8 +6,9 @@ Usage: ./study sweeps [--quick] [--only NAME]... [--rounds N] [--resume] [--out 
        ./study sweeps --compiler clang [--rounds N] [--resume] [--out DIR] [--no-install]
 
 Measures how times depend on the density and granularity of noise, the size of the image, threads, the
-depth of strokes and the instruction-set level; about five minutes. Every row is proved on every input
-first. Ctrl-C leaves what was measured, with a report of it, and --resume goes on.
+depth of strokes and the instruction-set level; about four minutes. Every row is proved on every input
+first, which takes 2 GiB of memory for the largest. Ctrl-C leaves what was measured, with a report of it,
+and --resume goes on.
 
   --quick           smaller images and coarser steps: about half a minute
   --only NAME       this sweep, not all: density, size, threads, depth or isa; repeatable

@@ -77,7 +77,7 @@ class Planner {
                           static_cast<double>(percent),
                           static_cast<double>(grain),
                           {Picture::kNoise, side, side, grain, percent}};
-        add_fastest(point, names);
+        add_chosen(point, names);
       }
     }
   }
@@ -90,7 +90,7 @@ class Planner {
     for (const Index side : sides) {
       if (side > largest + 1) continue;
       const Point point{"size", static_cast<double>(side), {}, {Picture::kScene, side, side}};
-      add_fastest(point, drawn_operations());
+      add_chosen(point, drawn_operations());
       add_scalar(point, drawn_operations());
     }
   }
@@ -103,7 +103,7 @@ class Planner {
         const Point point{"threads", static_cast<double>(threads),
                           static_cast<double>(input.pixels()), input};
         for_each(drawn_operations(), [&](const Operation& operation) {
-          const Variant* variant = fastest_variant(operation, input.width, true);
+          const Variant* variant = chosen_variant(operation, input.width, true);
           const Variant* alone = variant == nullptr ? nullptr : on_one_thread(operation, *variant);
           add(point, operation, threads == 1 ? alone : variant, threads);
         });
@@ -116,8 +116,8 @@ class Planner {
     for (Index depth = 4; depth <= side / 4; depth *= 2) {
       const Point point{
           "depth", static_cast<double>(depth), {}, {Picture::kSquares, side, side, depth}};
-      add_fastest(point, {"thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal",
-                          "thin_spta_directional", "thin_mb2", "skeleton_scan"});
+      add_chosen(point, {"thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal",
+                         "thin_spta_directional", "thin_mb2", "skeleton_scan"});
     }
   }
 
@@ -134,16 +134,16 @@ class Planner {
     });
   }
 
-  void add_fastest(const Point& point, const Names& names) {
+  void add_chosen(const Point& point, const Names& names) {
     for_each(names, [&](const Operation& operation) {
-      add(point, operation, fastest_variant(operation, point.input.width, false), 1);
+      add(point, operation, chosen_variant(operation, point.input.width, false), 1);
     });
   }
 
   void add_scalar(const Point& point, const Names& names) {
     for_each(names, [&](const Operation& operation) {
       const Variant* scalar = scalar_variant(operation, point.input.width);
-      if (scalar == fastest_variant(operation, point.input.width, false)) return;
+      if (scalar == chosen_variant(operation, point.input.width, false)) return;
       add(point, operation, scalar, 1);
     });
   }

@@ -10,11 +10,11 @@
 namespace thinbench {
 namespace {
 
-/// The best scalar row; where that is the point's own, or there is none, the fastest row.
+/// The best scalar row; where that is the point's own, or there is none, the library's choice.
 const Variant& stand_in_of(const Point& point) {
   const Variant* scalar = scalar_variant(*point.operation, point.input.width);
   if (scalar != nullptr && scalar != point.variant) return *scalar;
-  return *fastest_variant(*point.operation, point.input.width, false);
+  return *chosen_variant(*point.operation, point.input.width, false);
 }
 
 std::string short_name(const Variant& variant) {

@@ -26,7 +26,7 @@ const Variant* best(const Operation& operation, Index width,
 
 }  // namespace
 
-const Variant* fastest_variant(const Operation& operation, Index width, bool threaded, Isa cap) {
+const Variant* chosen_variant(const Operation& operation, Index width, bool threaded, Isa cap) {
   return best(operation, width, [&](const Variant& variant) {
     return variant.threaded == threaded && variant.isa <= cap;
   });

@@ -7,8 +7,8 @@ namespace thinbench {
 
 /// What the library would choose on an image of this width were `cap` the highest level here;
 /// nullptr where nothing runs.
-[[nodiscard]] const Variant* fastest_variant(const Operation& operation, Index width, bool threaded,
-                                             Isa cap = kAllIsas.back());
+[[nodiscard]] const Variant* chosen_variant(const Operation& operation, Index width, bool threaded,
+                                            Isa cap = kAllIsas.back());
 
 /// The best that needs neither SIMD nor a vectorising compiler, on one thread; nullptr for none.
 [[nodiscard]] const Variant* scalar_variant(const Operation& operation, Index width);

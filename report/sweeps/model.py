@@ -48,6 +48,13 @@ class Point:
         """Between which the median lies: the 2nd and the 8th of nine ordered samples."""
         return median_bounds(self.samples)
 
+    @property
+    def words(self) -> str:
+        """For whoever points at it in a figure."""
+        low, high = self.bounds
+        row = f"{self.place.operation}, {self.place.technique}, {self.place.isa}"
+        return f"{row}: {self.median:.4g} ns per pixel ({low:.4g} to {high:.4g})"
+
 
 @dataclass(frozen=True)
 class Journal:

@@ -15,6 +15,7 @@ from report.model import Cache
 from report.plot_style import (BLUE, CYCLE, GREEN, MARKERS, MUTED, ORANGE, PURPLE, WIDTH, Plot,
                                label_ticks, log_ticks, rendered, title)
 from report.sweeps.model import Point, operations_of
+from report.sweeps.tables import points_csv
 
 LEFT, RIGHT, TOP, BOTTOM = 0.7, 0.25, 1.2, 0.6
 PANEL_HEIGHT, BETWEEN = 2.2, 0.95
@@ -40,7 +41,7 @@ def plot_sizes(points: list[Point], caches: tuple[Cache, ...]) -> Plot | None:
         return None
     figure, panels = _panels(len(operations), 2)
     title(figure, "Image size, powers of two and awkward ones",
-          "nanoseconds per pixel of the fastest row and the best scalar row on one thread; both "
+          "nanoseconds per pixel of the library's choice and the best scalar row on one thread; both "
           "axes log, lower is faster")
     sides = {point.place.x for point in points}
     for axes, operation in zip(panels, operations):
@@ -54,7 +55,7 @@ def plot_sizes(points: list[Point], caches: tuple[Cache, ...]) -> Plot | None:
     return rendered(figure, "sweep_size", (
         "Squares cut from the scene laid out like tiles. Hollow marks are sides that are no power "
         "of two. Dotted lines mark where one image of bytes fills a cache. The row kernel ends at "
-        "512 pixels."), _alt("image size", points))
+        "512 pixels."), _alt("image size", points), points_csv(points))
 
 
 def plot_depths(points: list[Point]) -> Plot | None:
@@ -65,7 +66,7 @@ def plot_depths(points: list[Point]) -> Plot | None:
     figure, (axes,) = _panels(1, 1, 3.6, 0.9)
     side = round(points[0].pixels**0.5)
     title(figure, f"Depth of strokes, {side} x {side} pixels",
-          "nanoseconds per pixel of the fastest row on one thread, a quarter of the image dark in "
+          "nanoseconds per pixel of the library's choice on one thread, a quarter of the image dark in "
           "squares; both axes log, lower is faster")
     curves = [_times([point for point in points if point.place.operation == name], None, name)
               for name in operations]
@@ -76,7 +77,7 @@ def plot_depths(points: list[Point]) -> Plot | None:
     axes.legend(frameon=False, fontsize=8, loc="upper left")
     return rendered(figure, "sweep_depth", (
         "Dark squares of growing side. Each pass takes a layer off, so that deep squares take more "
-        "passes; skeleton_scan has none."), _alt("side of squares", points))
+        "passes; skeleton_scan has none."), _alt("side of squares", points), points_csv(points))
 
 
 def plot_threads(points: list[Point]) -> Plot | None:
@@ -102,7 +103,7 @@ def plot_threads(points: list[Point]) -> Plot | None:
     panels[0].legend(frameon=False, fontsize=8, loc="upper left")
     return rendered(figure, "sweep_threads", (
         "The scene, and the scene laid out ten times in both directions. Where other programs use "
-        "the cores, too, bars are long."), _alt("threads", points))
+        "the cores, too, bars are long."), _alt("threads", points), points_csv(points))
 
 
 def _panels(count: int, columns: int, panel_height: float = PANEL_HEIGHT,

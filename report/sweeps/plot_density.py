@@ -9,18 +9,20 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from report.formatting import three_digits
-from report.plot_style import WIDTH, Plot, rendered, title
+from report.plot_style import WIDTH, Plot, hover, rendered, title
 from report.sweeps.model import Point, operations_of
+from report.sweeps.tables import points_csv
 
 LEFT, RIGHT, TOP, BOTTOM = 0.6, 0.2, 1.1, 0.55
 PANEL_HEIGHT, BETWEEN = 2.35, 0.85
 COLUMNS = 2
 
-# Eight steps of cividis, which reads alike with any colour vision and in grey. Few, so that they
-# survive the palette of the PNG file. Letters on them keep their colour in dark mode.
+# Eight steps of cividis, which reads alike with any colour vision and in grey. Few, so that
+# the drawing stays small. Letters on them keep their colour in dark mode.
 STEPS = ("#00224e", "#123570", "#434e6c", "#61656f", "#7d7c78", "#9b9476", "#c2b56a", "#fde737")
 ON_DARK, ON_LIGHT = "#ffffff", "#101010"
 FIRST_LIGHT_STEP = 5
+PNG_COLOURS = 64
 LEAST_SPAN = 4.0
 
 
@@ -37,13 +39,14 @@ def plot_density(points: list[Point]) -> Plot | None:
         "hspace": BETWEEN / PANEL_HEIGHT, "top": 1 - TOP / height, "bottom": BOTTOM / height})
     side = round(points[0].pixels**0.5)
     title(figure, f"Density and granularity of noise, {side} x {side} pixels",
-          "nanoseconds per pixel of the fastest row on one thread; each map has its own colours, "
+          "nanoseconds per pixel of the library's choice on one thread; each map has its own colours, "
           "in equal ratios from dark, fast, to light, slow")
     for axes, operation in zip(panels.flat, operations):
         _draw_map(axes, [point for point in points if point.place.operation == operation])
     for axes in panels.flat[len(operations):]:
         axes.set_axis_off()
-    return rendered(figure, "sweep_density", _caption(), _alt(points, operations))
+    return rendered(figure, "sweep_density", _caption(), _alt(points, operations),
+                    points_csv(points), PNG_COLOURS)
 
 
 def cell_text(value: float) -> str:
@@ -67,7 +70,8 @@ def _draw_map(axes: Axes, points: list[Point]) -> None:
     for point in points:
         step = step_of(point.median, low, high)
         x, y = across.index(point.place.x), up.index(point.place.y or 0)
-        axes.add_patch(Rectangle((x, y), 1, 1, facecolor=STEPS[step], linewidth=0))
+        cell = axes.add_patch(Rectangle((x, y), 1, 1, facecolor=STEPS[step], linewidth=0))
+        hover(cell, point.words)
         axes.text(x + 0.5, y + 0.5, cell_text(point.median), size=7, ha="center",
                   va="center_baseline", color=ON_LIGHT if step >= FIRST_LIGHT_STEP else ON_DARK)
     axes.set_xlim(0, len(across))

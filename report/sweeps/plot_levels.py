@@ -7,9 +7,10 @@ from matplotlib.figure import Figure
 
 from report.formatting import three_digits
 from report.plot_speedups import look_of
-from report.plot_style import CARD, INK, WIDTH, Plot, label_ticks, log_ticks, rendered, title
+from report.plot_style import (CARD, INK, WIDTH, Plot, hover, label_ticks, log_ticks, rendered,
+                               title)
 from report.sweeps.model import Point, operations_of
-from report.sweeps.tables import fastest_of
+from report.sweeps.tables import fastest_of, points_csv
 
 HEIGHT = 4.2
 LEFT, RIGHT, TOP, BOTTOM = 0.75, 0.3, 0.9, 0.5
@@ -43,7 +44,7 @@ def plot_levels(points: list[Point], levels: tuple[str, ...]) -> Plot | None:
     return rendered(figure, "sweep_isa", (
         "A level may use the techniques of those below it; a bar is the fastest that is compiled "
         "for the level itself. Levels that a technique lacks have no bar."),
-        _alt(points, operations, levels))
+        _alt(points, operations, levels), points_csv(points))
 
 
 def _limits(points: list[Point], operations: list[str],
@@ -61,10 +62,12 @@ def _draw_bars(axes: Axes, level: str, found: list[tuple[int, Point]], shift: fl
     middles = [point.median for _, point in found]
     errors = [[point.median - point.bounds[0] for _, point in found],
               [point.bounds[1] - point.median for _, point in found]]
-    axes.bar([place + shift * GROUP_WIDTH for place, _ in found],
+    bars = axes.bar([place + shift * GROUP_WIDTH for place, _ in found],
              [middle - bottom for middle in middles], bottom=bottom, width=BAR_WIDTH, color=colour,
              hatch=hatch, edgecolor=CARD, linewidth=0, label=level, yerr=errors, ecolor=INK,
              error_kw={"elinewidth": 1})
+    for bar, (_, point) in zip(bars, found):
+        hover(bar, point.words)
 
 
 def _alt(points: list[Point], operations: list[str], levels: tuple[str, ...]) -> str:

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-import csv
-import io
-
 from report.errors import ReportError
 from report.experiment_layout import Table, columns
 from report.formatting import NOTHING
 from report.intervals import Interval
 from report.sweeps.model import Journal, Place, Point, operations_of
+from report.tables import csv_text
 
-CSV_HEADER = ("sweep", "x", "y", "operation", "technique", "isa", "threads", "compiler", "pixels",
-              "ns_per_pixel", "low", "high", "rounds", "clock", "proved_against")
+CSV_HEADER = ("sweep", "x", "y", "operation", "technique", "isa", "threads", "pixels",
+              "ns_per_pixel", "low", "high", "rounds", "clock", "proved_against", "compiler")
 
 
 def to_csv(journals: list[Journal]) -> str:
     """A line a point: the median, and between which bounds it lies; y is empty where there is
     none. Columns are only ever added at the right."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(CSV_HEADER)
-    for journal in journals:
-        for point in sorted(journal.points, key=_order):
-            writer.writerow(_fields(journal, point))
-    return text.getvalue()
+    return csv_text(CSV_HEADER, (
+        (*_fields(point), journal.compiler) for journal in journals
+        for point in sorted(journal.points, key=_order)))
+
+
+def points_csv(points: list[Point]) -> str:
+    """What a figure draws, as numbers."""
+    return csv_text(CSV_HEADER[:-1], map(_fields, sorted(points, key=_order)))
 
 
 def levels_table(points: list[Point], levels: tuple[str, ...]) -> Table | None:
@@ -67,10 +66,10 @@ def _order(point: Point) -> tuple:
     return (place.sweep, place.operation, place.x, place.y or 0, place.technique, place.isa)
 
 
-def _fields(journal: Journal, point: Point) -> list[object]:
+def _fields(point: Point) -> list[object]:
     place, (low, high) = point.place, point.bounds
     return [place.sweep, f"{place.x:g}", "" if place.y is None else f"{place.y:g}",
-            place.operation, place.technique, place.isa, place.threads, journal.compiler,
+            place.operation, place.technique, place.isa, place.threads,
             point.pixels, f"{point.median:.6g}", f"{low:.6g}", f"{high:.6g}", len(point.samples),
             point.clock, point.proved_against]
 

@@ -108,11 +108,11 @@ def test_csv_has_a_line_a_point_and_says_what_proved_it(written):
     folder = written()
     build_sweeps(folder)
     head, *lines = (folder / "sweeps.csv").read_text().splitlines()
-    assert head.startswith("sweep,x,y,operation,technique,isa,threads,compiler,pixels,ns_per_pixel,")
+    assert head.startswith("sweep,x,y,operation,technique,isa,threads,pixels,ns_per_pixel,")
     assert len(lines) == journal_of(folder).planned
-    assert ("depth,16,,thin_guo_hall,simd_bitpacked,avx512,1,GNU 12.2.0,100,2,1.94,2.06,9,"
-            "thread_cpu,reference") in lines
-    assert sum(line.endswith(",simd_bitpacked/avx512") for line in lines) == 4
+    assert ("depth,16,,thin_guo_hall,simd_bitpacked,avx512,1,100,2,1.94,2.06,9,"
+            "thread_cpu,reference,GNU 12.2.0") in lines
+    assert sum(line.endswith(",simd_bitpacked/avx512,GNU 12.2.0") for line in lines) == 4
 
 
 def texts_of(svg: bytes) -> list[str]:
@@ -128,7 +128,10 @@ def plot_named(folder: Path, stem: str):
 
 
 def test_heat_map_shows_the_value_of_every_cell(written):
-    words = texts_of(plot_named(written(), "sweep_density").svg)
+    plot = plot_named(written(), "sweep_density")
+    assert "<title>thin_guo_hall, simd_bitpacked, avx512: 16.1 ns per pixel (15.6" in plot.svg.decode()
+    assert "density,100,16,thin_guo_hall,simd_bitpacked,avx512,1,100,16.1," in plot.csv
+    words = texts_of(plot.svg)
     for value in ("0.10", "0.60", "1.10", "8.10", "16.1"):
         assert value in words
     assert words.count("0.10") == 2, "density 0 with both granularities"
