@@ -1,4 +1,4 @@
-"""The command line: `python3 -m report build|claims|readme DIR`."""
+"""The command line: `python3 -m report build|claims|readme|sweeps DIR`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from report.build import build, claims_text
+from report.build import build, build_sweeps, claims_text
 from report.errors import ReportError
 from report.readme import fill_readme
 
@@ -21,8 +21,9 @@ DIR must hold timings.json, machine.json and rows.json. Written beside them:
 timings.csv, timings.md, *.tex, plots/* (SVG, PNG and CSV) and index.html, a page
 that needs no network. If DIR/experiments holds JSON files of the paper's experiments,
 the page shows them too and experiments.md and claims.md are written; of
-DIR/limits.json, limits.md. Where DIR/files.json stands, every measured file must be
-one that it lists, unchanged. A summary goes to standard output. Exit status: 0 done,
+DIR/limits.json, limits.md; of DIR/sweeps.jsonl, sweeps.csv and sweeps.md. Where
+DIR/files.json stands, every measured file must be one that it lists, unchanged.
+A summary goes to standard output. Exit status: 0 done,
 1 the data was refused (one line on standard error says why), 2 wrong usage.
 """
 
@@ -36,6 +37,8 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     _add(commands, "build", "write tables, plots and page", lambda options: build(options.directory))
     _add(commands, "claims", "print the paper's claims with what this run says of them",
          lambda options: claims_text(options.directory))
+    _add(commands, "sweeps", "write tables and plots of the sweeps alone",
+         lambda options: build_sweeps(options.directory))
     readme = _add(commands, "readme", "fill the marked tables of a README with this run's figures",
                   lambda options: fill_readme(options.directory, options.file))
     readme.add_argument("--file", type=Path, default=Path("README.md"), help="default README.md")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -18,8 +19,13 @@ from report.limits import limits_table
 from report.loading import load_study
 from report.model import Study
 from report.page import to_html
+from report.plot_style import Plot
 from report.plots import make_plots
 from report.summary import to_text
+from report.sweeps import Section, load_section
+from report.sweeps.journal import MAIN
+from report.sweeps.section import CSV as SWEEPS_CSV
+from report.sweeps.section import MARKDOWN as SWEEPS_MARKDOWN
 from report.tables import to_csv, to_markdown
 
 PAGE, CSV, MARKDOWN = "index.html", "timings.csv", "timings.md"
@@ -37,13 +43,10 @@ def build(directory: Path) -> str:
     tables = make_tables(study, experiments)
     claims = judge(study, experiments)
     limits = limits_table(study, load_limits(directory))
+    sweeps = load_section(directory, study.machine.fingerprint)
     plots = make_plots(study)
-    outputs: dict[str, bytes] = {}
     shown = [*tables, *([limits] if limits else [])]
-    for plot in [*plots, *(table.plot for table in shown if table.plot)]:
-        outputs[f"plots/{plot.stem}.svg"] = plot.svg
-        outputs[f"plots/{plot.stem}.png"] = plot.png
-        outputs[f"plots/{plot.stem}.csv"] = plot.csv.encode()
+    outputs = _plot_files([*plots, *(table.plot for table in shown if table.plot)])
     outputs[CSV] = to_csv(study.rows).encode()
     outputs[MARKDOWN] = to_markdown(study).encode()
     if tables:
@@ -51,12 +54,24 @@ def build(directory: Path) -> str:
     outputs[CLAIMS] = to_markdown_claims(claims, study).encode()
     if limits:
         outputs[LIMITS] = table_block(limits).encode()
+    if sweeps:
+        outputs |= _sweep_files(sweeps)
     latex = latex_tables(study, tables, claims)
     outputs |= {name: text.encode() for name, text in latex.items()}
-    outputs[PAGE] = to_html(study, plots, tables, claims, limits, list(latex)).encode()
+    outputs[PAGE] = to_html(study, plots, tables, claims, limits, list(latex), sweeps).encode()
     summary = to_text(study)
     _write_all(directory, outputs)
     return f"{summary}\nPage: {directory / PAGE}\nCSV:  {directory / CSV}"
+
+
+def build_sweeps(directory: Path) -> str:
+    """Writes tables and plots of the sweeps in `directory`, which needs no study."""
+    sweeps = load_section(directory)
+    if sweeps is None:
+        raise ReportError(f"{directory}: holds no samples of sweeps; thinbench_sweeps --out "
+                          f"{directory / MAIN} makes some")
+    _write_all(directory, _sweep_files(sweeps))
+    return f"CSV:    {directory / SWEEPS_CSV}\nTables: {directory / SWEEPS_MARKDOWN}"
 
 
 def claims_text(directory: Path) -> str:
@@ -70,6 +85,19 @@ def to_markdown_claims(claims: list[Claim], study: Study) -> str:
     machine = study.machine
     return to_claims_markdown(claims, f"Run of commit {machine.commit} on {machine.cpu_name} "
                                       f"({machine.fingerprint}).")
+
+
+def _plot_files(plots: Iterable[Plot]) -> dict[str, bytes]:
+    files: dict[str, bytes] = {}
+    for plot in plots:
+        files[f"plots/{plot.stem}.svg"] = plot.svg
+        files[f"plots/{plot.stem}.png"] = plot.png
+        files[f"plots/{plot.stem}.csv"] = plot.csv.encode()
+    return files
+
+
+def _sweep_files(sweeps: Section) -> dict[str, bytes]:
+    return _plot_files(sweeps.plots) | sweeps.outputs
 
 
 def _write_all(directory: Path, outputs: dict[str, bytes]) -> None:

@@ -20,6 +20,8 @@ from report.experiment_layout import TITLE, Table
 from report.findings import find, main_sentence, noise_of, noise_sentence, speedup_sentence
 from report.model import NOISY_PERCENT, Study, input_order
 from report.plot_style import CARD, GRID, INK, MUTED, Plot
+from report.sweeps import Section
+from report.sweeps.section import TITLE as SWEEPS
 
 TEMPLATES = Path(__file__).parent / "templates"
 PAGE_BYTES = 2_900_000
@@ -67,9 +69,10 @@ class Room:
 
 
 def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[Claim],
-            limits: Table | None = None, latex: Sequence[str] = ()) -> str:
+            limits: Table | None = None, latex: Sequence[str] = (),
+            sweeps: Section | None = None) -> str:
     """The finished page; `tables` are of the paper's experiments, `latex` names files."""
-    shown = [*tables, limits] if limits else tables
+    shown = [*tables, *([limits] if limits else []), *(sweeps.tables if sweeps else ())]
     cells = sum(len(row) for table in shown for row in table.rows)
     room = Room(PAGE_BYTES - FIXED_BYTES - ROW_BYTES * len(study.rows) - CELL_BYTES * cells)
     findings = find(study)
@@ -83,6 +86,9 @@ def to_html(study: Study, plots: list[Plot], tables: list[Table], claims: list[C
         latex=latex, experiments_title=TITLE,
         experiments=[(table, table.plot and _figure(table.plot, len(plots) + number, room))
                      for number, table in enumerate(tables)],
+        sweeps=sweeps, sweeps_title=SWEEPS, sweep_figures=[
+            _figure(plot, len(plots) + len(tables) + 1 + number, room)
+            for number, plot in enumerate(sweeps.plots if sweeps else ())],
         noisy_percent=NOISY_PERCENT, nothing=formatting.NOTHING,
         input_names=sorted({row.name.input for row in study.rows}, key=input_order))
 

@@ -66,20 +66,21 @@ def hover(artist: Artist, text: str) -> None:
     artist.set_gid(HOVER + " ".join(text.split()))
 
 
-def rendered(figure: Figure, stem: str, caption: str, alt: str, csv: str) -> Plot:
-    """Both formats, without dates, versions or random identifiers in them."""
+def rendered(figure: Figure, stem: str, caption: str, alt: str, csv: str,
+             colours: int = 16) -> Plot:
+    """Both formats, without dates, versions or random identifiers; `colours` of the PNG file."""
     svg, png = io.BytesIO(), io.BytesIO()
     nameless = dict.fromkeys(("Date", "Creator", "Format", "Type"))
     figure.savefig(svg, format="svg", metadata=nameless)
     figure.savefig(png, format="png", dpi=PNG_DPI, metadata={"Software": None})
-    return Plot(stem, caption, alt, small_svg(svg.getvalue()), _with_palette(png), csv)
+    return Plot(stem, caption, alt, small_svg(svg.getvalue()), _with_palette(png, colours), csv)
 
 
-def _with_palette(png: io.BytesIO) -> bytes:
-    """The same picture in 16 colours, which flat drawings need at most: a quarter of the bytes."""
+def _with_palette(png: io.BytesIO, colours: int) -> bytes:
+    """The same picture in few colours; flat drawings need 16 at most: a quarter of the bytes."""
     small = io.BytesIO()
     with Image.open(png) as picture:
-        picture.convert("RGB").quantize(16, dither=Image.Dither.NONE).save(
+        picture.convert("RGB").quantize(colours, dither=Image.Dither.NONE).save(
             small, format="png", optimize=True)
     return small.getvalue()
 

@@ -12,14 +12,6 @@
 namespace thinbench {
 namespace {
 
-ByteImage tiled_square(const ByteImage& tile, Index size) {
-  ByteImage image(size, size);
-  for (Index y = 0; y < size; ++y) {
-    for (Index x = 0; x < size; ++x) image.at(x, y) = tile.at(x % tile.width(), y % tile.height());
-  }
-  return image;
-}
-
 /// Never that of the scene or of a square of the series of sizes, on this run or another.
 std::string name_of(const std::string& picture, const std::vector<TimedInput>& before) {
   static const std::regex reserved("scene|square_[0-9]+");
@@ -27,6 +19,18 @@ std::string name_of(const std::string& picture, const std::vector<TimedInput>& b
 }
 
 }  // namespace
+
+ByteImage tiled(const ByteImage& tile, Index width, Index height) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    const std::uint8_t* source = tile.view().row(y % tile.height());
+    std::uint8_t* row = image.view().row(y);
+    for (Index x = 0; x < width; x += tile.width()) {
+      std::copy_n(source, std::min(tile.width(), width - x), row + x);
+    }
+  }
+  return image;
+}
 
 std::vector<TimedInput> timed_inputs(const InputChoice& choice) {
   const Scene scene = render_scene();
@@ -40,8 +44,8 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice) {
     inputs.push_back({"scene", copy_of(scene.binary.view()), copy_of(scene.grey.view()), false});
   }
   for (Index size = 64; size <= choice.largest_square; size *= 2) {
-    inputs.push_back({"square_" + std::to_string(size), tiled_square(scene.binary, size),
-                      tiled_square(scene.grey, size), true});
+    inputs.push_back({"square_" + std::to_string(size), tiled(scene.binary, size, size),
+                      tiled(scene.grey, size, size), true});
   }
   return inputs;
 }

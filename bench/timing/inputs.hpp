@@ -31,6 +31,9 @@ struct InputChoice {
 /// gets the name of the scene or of a square, which reports treat apart. Throws PictureError.
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice);
 
+/// The image laid out again and again, from its top left corner on.
+[[nodiscard]] ByteImage tiled(const ByteImage& tile, Index width, Index height);
+
 /// FNV-1a over the pixels, row by row, as 16 hexadecimal digits: names what was timed.
 [[nodiscard]] std::string pixel_hash(ConstByteView image);
 

@@ -50,6 +50,15 @@ if [ -n "$oldest" ] && ! git -C "$root" cat-file -e "$oldest:bench/paired/main.c
   [ -z "$(ls -A scratch)" ] && ! git -C "$root" worktree list | grep -qF "$work/scratch"
 fi
 
+sweeps() { "$root/study" sweeps --no-install "$@"; }
+expect 0 'Usage: ./study sweeps' "$root/study" sweeps --help
+expect 2 "study: sweeps: '--onyl' is no option; see ./study sweeps --help" sweeps --onyl size
+expect 2 "study: sweeps: --out needs a value; see ./study sweeps --help" sweeps --out
+expect 2 "study: sweeps: --rounds: 'many' is no whole number above 0" sweeps --rounds many
+expect 2 "study: sweeps: --compiler: 'icc' is unknown; clang is compared with GCC" sweeps --compiler icc
+expect 2 'sweeps: --compiler measures the levels and nothing else; leave out --quick' \
+  sweeps --quick --compiler clang
+
 # A user who may not install: no package is there, and sudo asks in vain.
 mkdir bin
 printf '#!/bin/sh\nexit 1\n' >bin/dpkg-query

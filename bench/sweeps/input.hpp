@@ -1,0 +1,57 @@
+// The images of the sweeps: made when they are needed, from a recipe that a journal can name.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "harness/job.hpp"
+
+namespace thinbench {
+
+enum class Picture : std::uint8_t {
+  kNoise,    // random blocks, see noise_image
+  kScene,    // the scene, laid out like tiles
+  kSquares,  // dark squares as far apart as they are wide
+};
+
+struct SweepInput {
+  Picture picture = Picture::kScene;
+  Index width = 0;
+  Index height = 0;
+  Index grain = 0;  // side of a block of noise or of a square (pixels)
+  int percent = 0;  // of the noise's blocks that are dark
+
+  bool operator==(const SweepInput&) const = default;
+  bool operator<(const SweepInput& other) const { return fields() < other.fields(); }
+  [[nodiscard]] std::int64_t pixels() const { return width * height; }
+  /// "noise 2048x2048 50 % in blocks of 4".
+  [[nodiscard]] std::string name() const;
+
+ private:
+  [[nodiscard]] std::tuple<Picture, Index, Index, Index, int> fields() const {
+    return {picture, width, height, grain, percent};
+  }
+};
+
+/// Throws std::logic_error for grey noise or squares: they exist in two colours only.
+[[nodiscard]] ByteImage make_input(const SweepInput& input, InputKind kind);
+
+/// Makes images and keeps them as long as they fit into a limit together.
+class InputStore {
+ public:
+  explicit InputStore(std::int64_t most_bytes = std::int64_t{512} << 20) : most_(most_bytes) {}
+
+  /// The image stays until the next call.
+  const ByteImage& get(const SweepInput& input, InputKind kind);
+  /// Of all images that are kept.
+  [[nodiscard]] std::int64_t bytes() const;
+
+ private:
+  std::int64_t most_;
+  std::map<std::pair<SweepInput, InputKind>, ByteImage> images_;
+};
+
+}  // namespace thinbench

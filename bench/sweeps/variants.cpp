@@ -1,0 +1,50 @@
+#include "sweeps/variants.hpp"
+
+#include <functional>
+#include <utility>
+
+#include "core/technique.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Levels first, then the order of techniques, which ends with the fastest.
+std::pair<Isa, int> rank_of(const Variant& variant) {
+  const auto technique = technique_from_name(variant.technique);
+  return {variant.isa, technique ? static_cast<int>(*technique) : -1};
+}
+
+const Variant* best(const Operation& operation, Index width,
+                    const std::function<bool(const Variant&)>& is_wanted) {
+  const Variant* found = nullptr;
+  for (const Variant& variant : operation.variants) {
+    if (variant.is_peer || !is_wanted(variant) || !variant.why_unavailable(width).empty()) continue;
+    if (found == nullptr || rank_of(variant) > rank_of(*found)) found = &variant;
+  }
+  return found;
+}
+
+}  // namespace
+
+const Variant* chosen_variant(const Operation& operation, Index width, bool threaded, Isa cap) {
+  return best(operation, width, [&](const Variant& variant) {
+    return variant.threaded == threaded && variant.isa <= cap;
+  });
+}
+
+const Variant* scalar_variant(const Operation& operation, Index width) {
+  return best(operation, width, [](const Variant& variant) {
+    return !variant.threaded && variant.isa == Isa::kBaseline &&
+           !variant.technique.starts_with("simd") && variant.technique != "autovec";
+  });
+}
+
+const Variant* on_one_thread(const Operation& operation, const Variant& threaded) {
+  for (const Variant& variant : operation.variants) {
+    const bool same = variant.technique == threaded.technique && variant.isa == threaded.isa;
+    if (same && !variant.threaded) return &variant;
+  }
+  return nullptr;
+}
+
+}  // namespace thinbench
