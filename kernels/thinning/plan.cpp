@@ -128,8 +128,12 @@ struct TileState final : PlaneState<std::uint64_t> {
         workspace(chosen.width, chosen.height, chosen.threads) {}
 
   int thin() override {
-    return iterate_tiles(engine, setting.most_passes, source(), planes.result.view(), workspace,
-                         team);
+    int passes = 0;
+    team.stay_awake([&] {
+      passes = iterate_tiles(engine, setting.most_passes, source(), planes.result.view(), workspace,
+                             team);
+    });
+    return passes;
   }
 
   const TileEngine engine;
@@ -236,10 +240,7 @@ bool ThinningPlan::margins_are_zero() const {
 }
 
 int ThinningPlan::run(ConstByteView source, ByteView destination) {
-  state_->load(source);
-  const int passes = state_->thin();
-  state_->store(destination);
-  return passes;
+    return state_->run(source, destination);
 }
 
 }  // namespace thinbench
