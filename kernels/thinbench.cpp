@@ -1,5 +1,6 @@
 #include "thinbench.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ const ThinningVariant& choose_variant(const ThinningOperation& operation, Index 
                                     {options.technique, options.isa, options.threads})];
 }
 
+int worthwhile_threads(const ThinningOptions& options, Index width, Index height) {
+  const bool is_small = width < kLeastPixelsForThreads && width * height < kLeastPixelsForThreads;
+  return !options.technique && is_small ? std::min(options.threads, 1) : options.threads;
+}
+
 int thin(std::string_view operation, ConstByteView source, ByteView destination,
          const ThinningOptions& options) {
   check_views(source, destination, InPlace::kAllowed);
@@ -26,9 +32,11 @@ int thin(std::string_view operation, ConstByteView source, ByteView destination,
   if (found == nullptr) {
     throw std::invalid_argument("no operation is named " + std::string(operation));
   }
-  const ThinningVariant& variant = choose_variant(*found, source.width, options);
+  ThinningOptions worthwhile = options;
+  worthwhile.threads = worthwhile_threads(options, source.width, source.height);
+  const ThinningVariant& variant = choose_variant(*found, source.width, worthwhile);
   ThinningPlan plan(*found, variant, source.width, source.height,
-                    {options.threads, options.model, options.border, options.directions});
+                    {worthwhile.threads, options.model, options.border, options.directions});
   return plan.run(source, destination);
 }
 

@@ -16,12 +16,16 @@ namespace thinbench {
 struct ThinningOptions {
   std::optional<Technique> technique = std::nullopt;
   std::optional<Isa> isa = std::nullopt;
-  int threads = 1;
+  int threads = 1;  // at most, where the technique is left open: see worthwhile_threads
   /// For nets: what make_model.hpp makes of other weights than the paper's.
   std::shared_ptr<const RuleModel> model = nullptr;
   std::optional<Border> border = std::nullopt;          // instead of the operation's own
   std::optional<Directions> directions = std::nullopt;  // of a scan; all where none are given
 };
+
+/// How many of the threads of `options` an image of this size is given: all where a technique is
+/// asked for, else one below kLeastPixelsForThreads.
+[[nodiscard]] int worthwhile_threads(const ThinningOptions& options, Index width, Index height);
 
 /// The variant that `options` ask for on an image of this width. Throws std::invalid_argument,
 /// naming what is wrong and what there is, where no variant fits.

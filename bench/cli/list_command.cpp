@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "peers/peers.hpp"
+#include "thinbench.hpp"
 
 namespace thinbench {
 namespace {
@@ -45,6 +46,7 @@ void print_json(std::ostream& out) {
                     {"technique", row.variant.technique},
                     {"isa", row.variant.isa_label()},
                     {"threads", row.threads()},
+                    {"least_pixels", row.variant.threaded ? kLeastPixelsForThreads : 0},
                     {"available", row.reason.empty()},
                     {"reason", row.reason},
                     {"peer", row.variant.is_peer},
@@ -74,6 +76,9 @@ void print_table(std::ostream& out) {
                      row.reason.empty() ? "yes" : "no: " + row.reason});
   }
   print_aligned(lines, out);
+  out << "\nThinning with --threads: pictures of fewer than " << kLeastPixelsForThreads
+      << " pixels run on one thread all the same,\nwhich is faster, unless --technique asks for "
+         "one with threads.\n";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ struct ThinningState {
   virtual void load(const ConstByteView& source) = 0;
   virtual int thin() = 0;
   virtual void store(const ByteView& destination) const = 0;
-    [[nodiscard]] virtual bool margins_are_zero() const = 0;
+  [[nodiscard]] virtual bool margins_are_zero() const = 0;
   /// All three.
   virtual int run(const ConstByteView& from, const ByteView& to) {
     load(from);
@@ -61,7 +61,7 @@ struct PlaneState : ThinningState {
                               rows_of_view(view, first, last));
     });
   }
-    int run(const ConstByteView& from, const ByteView& to) override {
+  int run(const ConstByteView& from, const ByteView& to) override {
     int passes = 0;
     team.stay_awake([&] { passes = ThinningState::run(from, to); });
     return passes;
@@ -76,9 +76,6 @@ struct PlaneState : ThinningState {
   ThreadTeam team;
 
  private:
-  /// Below, waiting for each other costs more than sharing saves.
-  static constexpr Index kLeastPixelsForThreads = Index{1} << 20;
-
   template <class Body>
   void for_bands(Index height, const Body& body) const {
     if (parts == 1) {

@@ -55,6 +55,13 @@ TEST(ChooseVariant, follows_the_options) {
   EXPECT_TRUE(variant.threaded);
 }
 
+TEST(WorthwhileThreads, small_images_get_one_unless_a_technique_is_asked_for) {
+  EXPECT_EQ(worthwhile_threads({.threads = 4}, 510, 412), 1);
+  EXPECT_EQ(worthwhile_threads({.threads = 4}, 1024, 1024), 4);
+  EXPECT_EQ(worthwhile_threads({.technique = Technique::kBitpacked, .threads = 4}, 510, 412), 4);
+  EXPECT_EQ(worthwhile_threads({.threads = 0}, 510, 412), 0) << "refused later, by its value";
+}
+
 TEST(ChooseVariant, names_what_does_not_exist) {
   const auto& operation = *find_thinning_operation(kOperation);
   try {
