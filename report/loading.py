@@ -115,7 +115,8 @@ def _make_row(name: RowName, entries: list[Fields], samples_ns: tuple[float, ...
         raise ReportError(f"{where}: row {name}: the repetitions disagree on (width, height, "
                           f"passes): {sorted(shapes, key=str)}; they must be equal")
     return Row(name, *shapes.pop(), samples_ns=samples_ns, reference_ns=reference_ns,
-               is_peer=entries[0].data.get("peer") == 1)
+               is_peer=entries[0].data.get("peer") == 1,
+               plan_bytes=entries[0].count("plan_bytes") if entries[0].has("plan_bytes") else None)
 
 
 def _shape(entry: Fields) -> tuple[int, int, int | None]:

@@ -103,6 +103,8 @@ class Row:
     """True for other people's code and for limits such as a copy: compared with, never quoted."""
     paired: PairedRatio | None = None
     """The speed-up as measured in pairs; rows of the size sweep have none."""
+    plan_bytes: int | None = None
+    """Memory that the variant holds; nothing is known of references and peers."""
 
     @property
     def pixels(self) -> int:

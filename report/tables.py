@@ -12,11 +12,12 @@ from report.model import Row, Study, is_sweep_input
 CSV_HEADER = (
     "operation", "technique", "isa", "threads", "scope", "input", "width", "height", "passes",
     "median_ns", "min_ns", "ns_per_pixel", "speedup_vs_reference", "verified",
-    "repetitions", "spread_percent", "peer", "speedup_low", "speedup_high", "speedup_from")
+    "repetitions", "spread_percent", "peer", "speedup_low", "speedup_high", "speedup_from",
+    "plan_bytes")
 
 MARKDOWN_HEADER = (
     "operation", "input", "scope", "technique", "isa", "threads", "passes", "median µs",
-    "ns/pixel", "speed-up", "spread")
+    "ns/pixel", "speed-up", "spread", "memory KiB")
 MARKDOWN_NUMBERS = MARKDOWN_HEADER.index("threads")
 
 
@@ -36,7 +37,10 @@ def to_csv(rows: Iterable[Row]) -> str:
     of the median, and empty where a single repetition leaves it unknown.
     speedup_vs_reference is the ratio measured in pairs where speedup_from is
     "paired", with its interval; where it is "medians", reference and row were
-    timed apart and their medians divided, and no interval is known.
+    timed apart and their medians divided, and no interval is known. plan_bytes
+    is the memory that a variant holds for an input of this size, its planes
+    included; it asks for none while it runs.
+
     """
     return csv_text(CSV_HEADER, (_csv_fields(row) for row in rows))
 
@@ -61,7 +65,8 @@ def _csv_fields(row: Row) -> list[object]:
         f"{row.speedup:.4f}", 1, len(row.samples_ns), "" if spread is None else f"{spread:.2f}",
         int(row.is_peer),
         *((f"{row.paired.low:.4f}", f"{row.paired.high:.4f}", "paired") if row.paired
-          else ("", "", "medians"))]
+          else ("", "", "medians")),
+        "" if row.plan_bytes is None else row.plan_bytes]
 
 
 def _markdown_fields(row: Row) -> list[str]:
@@ -71,7 +76,8 @@ def _markdown_fields(row: Row) -> list[str]:
         name.technique + (" (peer)" if row.is_peer else ""), name.isa,
         str(name.threads), "" if row.passes is None else str(row.passes),
         microseconds(row.median_ns), f"{row.ns_per_pixel:.4f}", speedup_text(row),
-        percent(row.spread_percent) + (" (noisy)" if row.is_noisy else "")]
+        percent(row.spread_percent) + (" (noisy)" if row.is_noisy else ""),
+        "" if row.plan_bytes is None else f"{row.plan_bytes / 1024:,.0f}"]
 
 
 def markdown_line(fields: Sequence[str]) -> str:

@@ -27,6 +27,11 @@ struct ListedRow {
   std::string reason;  // empty where it runs
 
   [[nodiscard]] std::string threads() const { return variant.threaded ? "n" : "1"; }
+  /// Of pictures for which the library chooses the row by itself.
+  [[nodiscard]] Index least_pixels() const {
+    const bool is_thinning = find_thinning_operation(operation.name) != nullptr;
+    return is_thinning && variant.threaded ? kLeastPixelsForThreads : 0;
+  }
 };
 
 std::vector<ListedRow> all_rows() {
@@ -46,7 +51,7 @@ void print_json(std::ostream& out) {
                     {"technique", row.variant.technique},
                     {"isa", row.variant.isa_label()},
                     {"threads", row.threads()},
-                    {"least_pixels", row.variant.threaded ? kLeastPixelsForThreads : 0},
+                    {"least_pixels", row.least_pixels()},
                     {"available", row.reason.empty()},
                     {"reason", row.reason},
                     {"peer", row.variant.is_peer},

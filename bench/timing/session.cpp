@@ -108,6 +108,7 @@ void run_row(benchmark::State& state, const TimedRow& row, bool warm_up) {
   if (row.counter) {
     state.counters[std::string(row.operation->counter)] = static_cast<double>(*row.counter);
   }
+  if (row.plan_bytes) state.counters["plan_bytes"] = static_cast<double>(*row.plan_bytes);
   if (row.variant != nullptr && row.variant->is_peer) state.counters["peer"] = 1;
   state.counters["verified"] = 1;
 }

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "harness/crosscheck.hpp"
+#include "support/heap.hpp"
 #include "timing/progress.hpp"
 #include "timing/timed_call.hpp"
 
@@ -129,7 +130,8 @@ class Selector {
     };
     if (task.reference) need_reference();
     for (const auto& [row, scopes] : task.rows) {
-      if (admissible(*row, input) && proved(*row, input, need_reference())) {
+      std::optional<std::int64_t> plan_bytes;
+      if (admissible(*row, input) && proved(*row, input, need_reference(), plan_bytes)) {
         for (const Scope scope : scopes) {
           add_timed({timed_name(*row, scope, input),
                      row->operation,
@@ -137,7 +139,8 @@ class Selector {
                      row->threads,
                      scope,
                      &input,
-                     {}},
+                     {},
+                     plan_bytes},
                     *expected);
         }
       }
@@ -160,10 +163,15 @@ class Selector {
     return false;
   }
 
-  /// `expected` is what the operation's own reference gave.
-  bool proved(const Row& row, const TimedInput& input, const Outcome& expected) {
+  /// `expected` is what the operation's own reference gave; `plan_bytes` is set.
+  bool proved(const Row& row, const TimedInput& input, const Outcome& expected,
+              std::optional<std::int64_t>& plan_bytes) {
     const ConstByteView view = input.view(row.operation->takes);
+    const std::optional<std::int64_t> before = heap_bytes_in_use();
     const auto job = row.variant->make_job(view.width, view.height, row.threads);
+    const std::optional<std::int64_t> after = heap_bytes_in_use();
+    // References and peers ask for memory while they run.
+    if (before && after && !row.variant->is_peer) plan_bytes = *after - *before;
     std::optional<Outcome> own;
     if (row.variant->own_reference) own = expected_of(*row.operation, *row.variant, view);
     const Outcome& due = own ? *own : expected;

@@ -30,6 +30,8 @@ struct TimedRow {
   Scope scope;
   const TimedInput* input;
   std::optional<std::int64_t> counter;  // see Operation::counter
+  /// Memory that the row's job holds, its planes included; calls ask for no more.
+  std::optional<std::int64_t> plan_bytes = std::nullopt;
 
   [[nodiscard]] const JobMaker& maker() const {
     return variant != nullptr ? variant->make_job : operation->reference;

@@ -32,26 +32,15 @@ class ThreadTeam {
     run(count, &invoke<Body>, &body);
   }
 
-  /// Calls `body()`; until it returns, the other threads stay awake and look for the next loop
-  /// instead of being woken for each. For many short loops: waking a thread takes longer than most.
-  template <class Body>
-  void stay_awake(const Body& body) const {
-    run_awake(&invoke_all<Body>, &body);
-  }
-
  private:
   using Invoke = void (*)(const void* body, Index first, Index last);
-  using InvokeAll = void (*)(const void* body);
+
   template <class Body>
   static void invoke(const void* body, Index first, Index last) {
     (*static_cast<const Body*>(body))(first, last);
   }
-  template <class Body>
-  static void invoke_all(const void* body) {
-    (*static_cast<const Body*>(body))();
-  }
+
   void run(Index count, Invoke invoke_body, const void* body) const;
-  void run_awake(InvokeAll invoke_body, const void* body) const;
 
   struct Arena;
   std::unique_ptr<Arena> arena_;

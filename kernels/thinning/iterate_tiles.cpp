@@ -8,7 +8,7 @@ namespace thinbench {
 namespace {
 
 /// A thread's share below which waiting for each other costs more than it saves.
-constexpr Index kLeastShare = 128;
+constexpr Index kLeastShare = 512;
 
 /// Tiles that wait to be written. Two more than needed: the next write is then not a multiple of
 /// 4096 bytes away from what is read meanwhile.

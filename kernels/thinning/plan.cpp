@@ -128,12 +128,8 @@ struct TileState final : PlaneState<std::uint64_t> {
         workspace(chosen.width, chosen.height, chosen.threads) {}
 
   int thin() override {
-    int passes = 0;
-    team.stay_awake([&] {
-      passes = iterate_tiles(engine, setting.most_passes, source(), planes.result.view(), workspace,
-                             team);
-    });
-    return passes;
+    return iterate_tiles(engine, setting.most_passes, source(), planes.result.view(), workspace,
+                         team);
   }
 
   const TileEngine engine;
@@ -240,7 +236,10 @@ bool ThinningPlan::margins_are_zero() const {
 }
 
 int ThinningPlan::run(ConstByteView source, ByteView destination) {
-    return state_->run(source, destination);
+  state_->load(source);
+  const int passes = state_->thin();
+  state_->store(destination);
+  return passes;
 }
 
 }  // namespace thinbench

@@ -13,13 +13,6 @@ struct ThinningState {
   virtual int thin() = 0;
   virtual void store(const ByteView& destination) const = 0;
   [[nodiscard]] virtual bool margins_are_zero() const = 0;
-  /// All three.
-  virtual int run(const ConstByteView& from, const ByteView& to) {
-    load(from);
-    const int passes = thin();
-    store(to);
-    return passes;
-  }
 };
 
 /// Source and result planes with the conversions of one instruction-set level.
@@ -61,11 +54,7 @@ struct PlaneState : ThinningState {
                               rows_of_view(view, first, last));
     });
   }
-  int run(const ConstByteView& from, const ByteView& to) override {
-    int passes = 0;
-    team.stay_awake([&] { passes = ThinningState::run(from, to); });
-    return passes;
-  }
+
   [[nodiscard]] bool margins_are_zero() const override {
     return planes.source.margin_is_zero() && planes.result.margin_is_zero();
   }

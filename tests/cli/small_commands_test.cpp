@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/thread_team.hpp"
 #include "peers/peers.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
@@ -27,7 +28,7 @@ TEST(ListCommand, prints_an_aligned_line_for_every_row) {
   std::getline(lines, header);
   const std::size_t column = header.find("available");
   std::size_t rows = 0;
-  for (std::string line; std::getline(lines, line); ++rows) {
+  for (std::string line; std::getline(lines, line) && !line.empty(); ++rows) {
     const std::string cell = line.substr(column);
     EXPECT_TRUE(cell == "yes" || cell.rfind("no: ", 0) == 0) << line;
   }
@@ -41,7 +42,8 @@ TEST(ListCommand, json_says_why_a_row_is_not_available) {
   const Json list = Json::parse(run.out);
   EXPECT_EQ(list.size(), catalogue_size());
   for (const Json& row : list) {
-    EXPECT_EQ(row.size(), 8U);
+    EXPECT_EQ(row.size(), 9U);
+    EXPECT_LE(row["least_pixels"], row["threads"] == "n" ? kLeastPixelsForThreads : 0);
     EXPECT_EQ(row["available"], row["isa"] == "baseline" || row["peer"]);
     EXPECT_EQ(row["available"], row["reason"] == "");
     EXPECT_TRUE(row["threads"] == "1" || row["threads"] == "n");
