@@ -60,7 +60,8 @@ std::span<const ThinningOperation> thinning_operations() {
       thinning<SptaDirectional>(
           "thin_spta_directional",
           "Naccache and Shinghal's SPTA, one direction after another; keeps topology"),
-      thinning<Mb2>("thin_mb2", "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology"),
+      thinning<Mb2>("thin_mb2",
+                    "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology"),
       scan("skeleton_scan",
            "the paper's own method: centres of dark runs along rows, columns and both diagonals",
            scan_rows()),

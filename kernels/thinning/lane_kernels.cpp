@@ -175,30 +175,28 @@ void read_group(const ConstStackView& source, Index first, Index images,
   const Index height = source.height;
   const Index stride = source.stride;
   if (images < Lanes::kImages) clear(rows, 0, height);
-  for_parts<Lanes>(images, source.width,
-                   [&](Index image, Index element, Index x, Index width)
-                       __attribute__((always_inline)) {
-                         const std::uint8_t* from =
-                             source.data + (first + image) * source.image_stride + x;
-                         for (Index y = 0; y < height; ++y) {
-                           rows.at(y)[element] =
-                               pack_pixels<typename Lanes::Element>(from + y * stride, width);
-                         }
-                       });
+  for_parts<Lanes>(
+      images, source.width,
+      [&](Index image, Index element, Index x, Index width) __attribute__((always_inline)) {
+        const std::uint8_t* from = source.data + (first + image) * source.image_stride + x;
+        for (Index y = 0; y < height; ++y) {
+          rows.at(y)[element] = pack_pixels<typename Lanes::Element>(from + y * stride, width);
+        }
+      });
 }
 
 template <class Lanes>
 void write_group(const LaneRows<Lanes>& rows, Index first, Index images, const StackView& target) {
   const Index height = target.height;
   const Index stride = target.stride;
-  for_parts<Lanes>(images, target.width,
-                   [&](Index image, Index element, Index x, Index width)
-                       __attribute__((always_inline)) {
-                         std::uint8_t* to = target.data + (first + image) * target.image_stride + x;
-                         for (Index y = 0; y < height; ++y) {
-                           unpack_pixels(rows.at(y)[element], to + y * stride, width);
-                         }
-                       });
+  for_parts<Lanes>(
+      images, target.width,
+      [&](Index image, Index element, Index x, Index width) __attribute__((always_inline)) {
+        std::uint8_t* to = target.data + (first + image) * target.image_stride + x;
+        for (Index y = 0; y < height; ++y) {
+          unpack_pixels(rows.at(y)[element], to + y * stride, width);
+        }
+      });
 }
 
 /// Pixels of a row that may change: all, or all but the outermost of each image.
@@ -245,9 +243,8 @@ template <class Rule, int sub, class Lanes>
   Window<Rule, LaneRows<Lanes>> window(rows, inside.first);
   for (Index y = inside.first; y < inside.last; ++y) {
     const Word before = window.centre();
-    const Word next =
-        ternary(window.template next<sub>(rule, rows, y), before, pixels,
-                [](auto a, auto b, auto c) { return b ^ ((a ^ b) & c); });
+    const Word next = ternary(window.template next<sub>(rule, rows, y), before, pixels,
+                              [](auto a, auto b, auto c) { return b ^ ((a ^ b) & c); });
     next.store_aligned(rows.at(y));
     changed = ternary(changed, before, next, [](auto a, auto b, auto c) { return a | (b ^ c); });
     window.move_down();
