@@ -1,6 +1,7 @@
 #include "thinbench_batch.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -147,9 +148,10 @@ ThinningBatch& ThinningBatch::operator=(ThinningBatch&&) noexcept = default;
 
 int ThinningBatch::run(const ConstStackView& source, const StackView& destination) {
   check_stacks(source, destination);
-  require(source.width == width_ && source.height == height_,
-          "the batch is for images of " + size_text(width_, height_) + ", these are " +
-              size_text(source.width, source.height));
+  if (source.width != width_ || source.height != height_) {
+    throw std::invalid_argument("the batch is for images of " + size_text(width_, height_) +
+                                ", these are " + size_text(source.width, source.height));
+  }
   if (source.count == 0) return 0;
   if (source.width == 0 || source.height == 0) return 1;
   return engine_->run(source, destination);

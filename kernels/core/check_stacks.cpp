@@ -1,6 +1,7 @@
 #include "core/check_stacks.hpp"
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include "core/plan_checks.hpp"
@@ -22,25 +23,40 @@ bool has_pixels(const ConstStackView& stack) {
   return stack.count > 0 && image_bytes(stack) > 0;
 }
 
-void check_strides(const ConstStackView& stack, const std::string& name) {
-  require(stack.stride >= stack.width, name + " has a stride of " + std::to_string(stack.stride) +
-                                           " bytes, below its width of " +
-                                           std::to_string(stack.width));
-  const std::string too_much = name + " spans more memory than there is: " + text_of(stack) +
-                               ", strides " + std::to_string(stack.stride) + " and " +
-                               std::to_string(stack.image_stride);
-  require(stack.height == 0 || stack.stride <= PTRDIFF_MAX / stack.height, too_much);
-  require(stack.image_stride >= image_bytes(stack),
-          name + " has an image stride of " + std::to_string(stack.image_stride) +
-              " bytes; its images take " + std::to_string(image_bytes(stack)));
-  require(stack.count == 0 || stack.image_stride <= PTRDIFF_MAX / stack.count, too_much);
+// Texts are made where they are thrown: stacks are checked in every run, which allocates nothing.
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument(why);
 }
 
-void check_stack(const ConstStackView& stack, const std::string& name) {
-  require(stack.count >= 0 && stack.width >= 0 && stack.height >= 0,
-          name + " is " + text_of(stack) + "; counts and sizes cannot be negative");
+[[noreturn]] void refuse_as_too_large(const ConstStackView& stack, const char* name) {
+  refuse(name + (" spans more memory than there is: " + text_of(stack)) + ", strides " +
+         std::to_string(stack.stride) + " and " + std::to_string(stack.image_stride));
+}
+
+void check_strides(const ConstStackView& stack, const char* name) {
+  if (stack.stride < stack.width) {
+    refuse(name + (" has a stride of " + std::to_string(stack.stride)) +
+           " bytes, below its width of " + std::to_string(stack.width));
+  }
+  if (stack.height > 0 && stack.stride > PTRDIFF_MAX / stack.height) {
+    refuse_as_too_large(stack, name);
+  }
+  if (stack.image_stride < image_bytes(stack)) {
+    refuse(name + (" has an image stride of " + std::to_string(stack.image_stride)) +
+           " bytes; its images take " + std::to_string(image_bytes(stack)));
+  }
+  if (stack.count > 0 && stack.image_stride > PTRDIFF_MAX / stack.count) {
+    refuse_as_too_large(stack, name);
+  }
+}
+
+void check_stack(const ConstStackView& stack, const char* name) {
+  if (stack.count < 0 || stack.width < 0 || stack.height < 0) {
+    refuse(name + (" is " + text_of(stack)) + "; counts and sizes cannot be negative");
+  }
   check_strides(stack, name);
-  require(stack.data != nullptr || !has_pixels(stack), name + " has no data");
+  if (stack.data == nullptr && has_pixels(stack)) refuse(name + std::string(" has no data"));
 }
 
 bool same_stack(const ConstStackView& a, const ConstStackView& b) {
@@ -63,12 +79,14 @@ bool overlap(const ConstStackView& a, const ConstStackView& b) {
 void check_stacks(const ConstStackView& source, const ConstStackView& destination) {
   check_stack(source, "source");
   check_stack(destination, "destination");
-  require(source.count == destination.count && source.width == destination.width &&
-              source.height == destination.height,
-          "source is " + text_of(source) + " and destination " + text_of(destination) +
-              "; they must be alike");
-  require(!overlap(source, destination) || same_stack(source, destination),
-          "source and destination overlap without being the same images");
+  if (source.count != destination.count || source.width != destination.width ||
+      source.height != destination.height) {
+    refuse("source is " + text_of(source) + " and destination " + text_of(destination) +
+           "; they must be alike");
+  }
+  if (overlap(source, destination) && !same_stack(source, destination)) {
+    refuse("source and destination overlap without being the same images");
+  }
 }
 
 }  // namespace thinbench
