@@ -105,7 +105,9 @@ namespace {
 
 const ThinningOperation& operation_named(std::string_view name) {
   const ThinningOperation* found = find_thinning_operation(name);
-  require(found != nullptr, "no operation is named " + std::string(name));
+  if (found == nullptr) {
+    throw std::invalid_argument("no operation is named " + std::string(name));
+  }
   return *found;
 }
 
