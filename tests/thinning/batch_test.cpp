@@ -225,6 +225,16 @@ TEST(ThinBatch, source_and_destination_may_be_one_stack) {
   }
 }
 
+TEST(ThinBatch, threads_share_the_images_of_either_way) {
+  for (const Index width : {28, 140}) {
+    Stack source = random_stack(100, width, 12, 4);
+    Expected expected = expected_of_stack("thin_guo_hall", source);
+    for (const int threads : {2, 3, 7, 64}) {
+      expect_batch("thin_guo_hall", source, {.threads = threads}, expected);
+    }
+  }
+}
+
 TEST(ThinBatch, no_images_take_no_pass_and_images_without_pixels_one) {
   EXPECT_EQ(thin_batch("thin_guo_hall", ConstStackView{}, StackView{}), 0);
   EXPECT_EQ(
