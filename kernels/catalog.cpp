@@ -11,10 +11,18 @@
 namespace thinbench {
 namespace {
 
-ThinningOperation border_keeping(std::string_view name, std::string_view description,
-                                 std::span<const ThinningVariant> rows) {
-  ThinningOperation operation{name, description, rows};
+template <class Rule>
+ThinningOperation thinning(std::string_view name, std::string_view description) {
+  ThinningOperation operation{name, description, rows_of<Rule>()};
+  operation.lane_kernels = &lane_kernels_of<Rule>();
+  return operation;
+}
+
+template <class Rule>
+ThinningOperation border_keeping(std::string_view name, std::string_view description) {
+  ThinningOperation operation{name, description, border_keeping_rows_of<Rule>()};
   operation.border = Border::kKeep;
+  operation.lane_kernels = &lane_kernels_of<Rule>();
   return operation;
 }
 
@@ -36,28 +44,24 @@ constexpr std::array kSequentialSptaRows = {
 
 std::span<const ThinningOperation> thinning_operations() {
   static const std::array operations = {
-      ThinningOperation{
+      thinning<NaccacheShinghal>(
           "thin_naccache_shinghal",
-          "modified Naccache-Shinghal rule, all removals of a pass at once, as printed",
-          rows_of<NaccacheShinghal>()},
-      ThinningOperation{"thin_zhang_suen", "Zhang and Suen 1984, two sub-iterations",
-                        rows_of<ZhangSuen>()},
-      border_keeping("thin_zhang_suen_keep_border", "the same, equal to OpenCV's on every image",
-                     border_keeping_rows_of<ZhangSuen>()),
-      ThinningOperation{"thin_guo_hall", "Guo and Hall 1989, two sub-iterations; keeps topology",
-                        rows_of<GuoHall>()},
-      border_keeping("thin_guo_hall_keep_border", "the same, equal to OpenCV's on every image",
-                     border_keeping_rows_of<GuoHall>()),
+          "modified Naccache-Shinghal rule, all removals of a pass at once, as printed"),
+      thinning<ZhangSuen>("thin_zhang_suen", "Zhang and Suen 1984, two sub-iterations"),
+      border_keeping<ZhangSuen>("thin_zhang_suen_keep_border",
+                                "the same, equal to OpenCV's on every image"),
+      thinning<GuoHall>("thin_guo_hall", "Guo and Hall 1989, two sub-iterations; keeps topology"),
+      border_keeping<GuoHall>("thin_guo_hall_keep_border",
+                              "the same, equal to OpenCV's on every image"),
       ThinningOperation{"thin_spta",
                         "Naccache and Shinghal's SPTA as published, two sequential scans a pass: "
                         "rows depend on each other, so no threads; keeps topology",
                         kSequentialSptaRows},
-      ThinningOperation{"thin_spta_directional",
-                        "Naccache and Shinghal's SPTA, one direction after another; keeps topology",
-                        rows_of<SptaDirectional>()},
-      ThinningOperation{"thin_mb2",
-                        "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology",
-                        rows_of<Mb2>()},
+      thinning<SptaDirectional>(
+          "thin_spta_directional",
+          "Naccache and Shinghal's SPTA, one direction after another; keeps topology"),
+      thinning<Mb2>("thin_mb2",
+                    "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology"),
       scan("skeleton_scan",
            "the paper's own method: centres of dark runs along rows, columns and both diagonals",
            scan_rows()),

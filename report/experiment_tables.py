@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
+from report.batches import batches_table
 from report.cluster_runs import cluster_runs_table
 from report.experiment_layout import Table, columns, counted
 from report.experiments import (KINDS, Counted, EdgeQuality, Experiments, FixedPoint, HiddenNeurons,
@@ -28,6 +29,8 @@ def make_tables(study: Study, experiments: Experiments) -> list[Table]:
         tables.append(literal_holes_table(experiments.literal_holes))
     if experiments.quality:
         tables += make_quality_tables(experiments.quality, study.directory)
+    if experiments.batches:
+        tables.append(batches_table(experiments.batches))
     if experiments.table_two:
         tables.append(make_table_two(study, experiments.table_two))
     if experiments.cluster_runs:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
+from report.batches import Batches, parse_batches
 from report.cluster_runs import ClusterRuns, parse_cluster_runs
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
@@ -156,6 +157,7 @@ class Experiments:
     quality: Quality | None = None
     literal_holes: LiteralHoles | None = None
     cluster_runs: ClusterRuns | None = None
+    batches: Batches | None = None
 
 
 def load_experiments(directory: Path) -> Experiments:
@@ -167,7 +169,8 @@ def load_experiments(directory: Path) -> Experiments:
                        _load(directory, "edge-quality", _edge_quality),
                        _load(directory, "quality", parse_quality),
                        _load(directory, "literal-holes", parse_literal_holes),
-                       _load(directory, "cluster-runs", parse_cluster_runs))
+                       _load(directory, "cluster-runs", parse_cluster_runs),
+                       _load(directory, "batches", parse_batches))
 
 
 def _load(directory: Path, name: str, parse: Callable[[Fields], Loaded]) -> Loaded | None:

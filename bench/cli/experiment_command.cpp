@@ -4,6 +4,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "experiments/batches.hpp"
 #include "experiments/cluster_runs.hpp"
 #include "experiments/edge_quality.hpp"
 #include "experiments/hidden_neurons.hpp"
@@ -47,6 +48,11 @@ ExperimentReport edge_quality(const ExperimentOptions& options, const Console&) 
 
 ExperimentReport literal_holes(const ExperimentOptions&, const Console&) {
   return literal_holes_report(run_literal_holes());
+}
+
+ExperimentReport batches(const ExperimentOptions& options, const Console&) {
+  const BatchesChoice choice = options.quick ? BatchesChoice::quick() : BatchesChoice{};
+  return batches_report(run_batches(choice), choice, options.quick ? " --quick" : "");
 }
 
 ExperimentReport cluster_runs(const ExperimentOptions&, const Console&) {
@@ -162,10 +168,13 @@ Command add_experiment_command(CLI::App& program) {
                    "Results folder of a study, whose times are set beside the paper's")
       ->check(not_empty())
       ->type_name("DIR");
+  const AddedExperiment many =
+      add(*app, "batches", "Many small images at once against one by one", &batches);
+  many.command.app->add_flag("--quick", many.options->quick, "Fewer images and turns");
   return {app,
           {},
           {edges.command, literal.command, cluster.command, fixed_point.command, hidden.command,
-           skeletons.command, counts.command, times.command}};
+           skeletons.command, counts.command, times.command, many.command}};
 }
 
 }  // namespace thinbench

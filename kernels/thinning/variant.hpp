@@ -11,6 +11,7 @@
 #include "scan/work.hpp"
 #include "thinning/border.hpp"
 #include "thinning/image_kernel.hpp"
+#include "thinning/lane_kernels.hpp"
 #include "thinning/passes.hpp"
 #include "thinning/row_kernel.hpp"
 #include "thinning/rule_table.hpp"
@@ -54,6 +55,8 @@ struct ThinningOperation {
   int most_passes = std::numeric_limits<int>::max();
   Border border = Border::kBackground;
   bool takes_directions = false;  // a scan
+  /// For many small images at once; nullptr where there are none.
+  const LaneKernelRows* lane_kernels = nullptr;
 };
 
 [[nodiscard]] inline VariantFacts facts_of(const ThinningVariant& variant) {

@@ -51,7 +51,7 @@ std::vector<Words> all_commands() {
 
 TEST(Program, every_help_has_examples) {
   const std::vector<Words> commands = all_commands();
-  EXPECT_EQ(commands.size(), 1 + 10 + 2 + 8U);
+  EXPECT_EQ(commands.size(), 1 + 10 + 2 + 9U);
   for (Words words : commands) {
     std::string command = "thinbench";
     for (const std::string& word : words) command += " " + word;
@@ -84,7 +84,7 @@ TEST(Program, unknown_command_within_a_command_gets_the_nearest_known_name) {
             "no command is named 'two-layers'; did you mean 'two-layer'?");
   EXPECT_EQ(failure_of({"experiment", "nothing"}, 2),
             "no command is named 'nothing'; known: edge-quality, literal-holes, cluster-runs, "
-            "quantisation, hidden-neurons, quality, operation-counts and table-2");
+            "quantisation, hidden-neurons, quality, operation-counts, table-2 and batches");
   EXPECT_EQ(failure_of({"train"}, 2),
             "train needs one more word: two-layer or cluster; see 'thinbench train --help'");
 }
@@ -167,7 +167,7 @@ TEST(Program, malformed_cap_stops_every_command) {
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
     ++stopped;
   }
-  EXPECT_EQ(stopped, 8 + 2 + 8);
+  EXPECT_EQ(stopped, 8 + 2 + 9);
   EXPECT_EQ(run_with({"--help"}).status, 0);
 }
 

@@ -15,7 +15,7 @@ from report.experiments import KINDS, load_experiments
 from report.loading import load_study
 
 NAMES = ("edge-quality", "table-2", "quantisation", "hidden-neurons", "operation-counts",
-         "literal-holes")
+         "literal-holes", "batches")
 NET = "net_single_layer_cluster"
 TITLES = ("Table 2 then and now", "Recognition rate under fixed point",
           "Hidden neurons against recognition rate", "Operation counts", "The compiled circuit")
@@ -49,6 +49,11 @@ def make_experiments() -> dict[str, dict[str, Any]]:
              "counted": 40},
             {"pictures": "many", "tried": 1, "right": 0, "refused": 1, "true_holes": 254,
              "counted": None}]),
+        "batches": file("batches", images=2000, rounds=9, rows=[
+            {"operation": OPERATION, "side": side, "dark": 0.2, "passes": 9, "single": "lut (avx2)",
+             "level": "avx2", "single_per_second": 1e6, "batch_per_second": 1e6 * ratio,
+             "ratio": ratio, "ratio_low": ratio - 0.25, "ratio_high": ratio + 0.5}
+            for side, ratio in ((28, 7.5), (64, 2.25))]),
         "operation-counts": file(
             "operation-counts", per="dark pixel",
             methods=[{"method": "The rule", "paper": "", "sums": counts,
@@ -152,7 +157,8 @@ def test_truncated_experiment_is_refused(full, refusal, name):
     ("table-2", "paper_seconds", 0), ("table-2", "operation", None),
     ("quantisation", "right_sigmoid", 257), ("quantisation", "right_linear", 2.5),
     ("hidden-neurons", "seeds_with_all_right", 5), ("hidden-neurons", "median", -1),
-    ("literal-holes", "right", 2), ("literal-holes", "counted", -1)])
+    ("literal-holes", "right", 2), ("literal-holes", "counted", -1),
+    ("batches", "single_per_second", 0), ("batches", "ratio", 3), ("batches", "dark", 1.5)])
 def test_impossible_values_are_refused(run, refusal, name, key, value):
     experiments = make_experiments()
     experiments[name]["rows"][1][key] = value
@@ -170,6 +176,13 @@ def test_net_of_which_it_is_not_said_whether_it_is_the_rule_is_refused(run, refu
     experiments = make_experiments()
     experiments["operation-counts"]["nets"][0]["compiles_to_the_rule"] = "yes"
     assert "must be true or false" in refusal(write(run, experiments).directory)
+
+
+def test_batches_say_their_ratios_by_size(full):
+    table = tables_of(full)["Many small images"]
+    assert table.rows[0][-1] == "7.50× (7.25 to 8.00)"
+    assert "7.5 to 7.5 times at 28 x 28 pixels, 2.2 to 2.2 times at 64 x 64" in table.verdict
+    assert table.plot and "1,000,000, 7,500,000" in table.plot.alt
 
 
 def test_ratios_are_to_the_rule_in_the_same_column(full):

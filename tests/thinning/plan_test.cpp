@@ -3,11 +3,13 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "catalog.hpp"
 #include "harness/test_images.hpp"
+#include "thinbench_batch.hpp"
 
 namespace {
 // Of all threads, counted by the replaced operators below. oneTBB takes the memory of its tasks
@@ -59,6 +61,20 @@ TEST(ThinningPlan, running_allocates_nothing) {
       const long before = allocations;
       plan.run(image.view(), out.view());
       EXPECT_EQ(allocations, before) << technique_name(variant.technique);
+    }
+  }
+}
+
+TEST(ThinningBatch, running_allocates_nothing) {
+  std::vector<std::uint8_t> pixels(50 * 28 * 28, 255);
+  const StackView stack = {pixels.data(), 50, 28, 28, 28, 28 * 28};
+  for (const ThinningOperation& operation : thinning_operations()) {
+    for (const int threads : {1, 3}) {
+      ThinningBatch batch(operation, 28, 28, {.threads = threads});
+      batch.run(stack, stack);  // wakes the threads
+      const long before = allocations;
+      batch.run(stack, stack);
+      EXPECT_EQ(allocations, before) << operation.name;
     }
   }
 }
