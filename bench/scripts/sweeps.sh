@@ -11,7 +11,8 @@ first, which takes 2 GiB of memory for the largest. Ctrl-C leaves what was measu
 and --resume goes on.
 
   --quick           smaller images and coarser steps: about half a minute
-  --only NAME       this sweep, not all: density, size, threads, depth or isa; repeatable
+  --only NAME       this sweep, not all: density, size, threads, depth, enlarged or
+                    isa; repeatable
   --rounds N        samples of every point; default 9
   --resume          go on with a run that was interrupted: the same command with this option
   --compiler clang  build with Clang, too, and measure the levels with both builds, round by round in turns

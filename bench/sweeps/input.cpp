@@ -24,6 +24,16 @@ ByteImage squares(Index width, Index height, Index side) {
   return image;
 }
 
+ByteImage enlarged(const ByteImage& original, const SweepInput& input) {
+  ByteImage image(input.width, input.height);
+  for (Index y = 0; y < input.height; ++y) {
+    for (Index x = 0; x < input.width; ++x) {
+      image.at(x, y) = original.at(x / input.grain, y / input.grain);
+    }
+  }
+  return image;
+}
+
 }  // namespace
 
 std::string SweepInput::name() const {
@@ -31,6 +41,8 @@ std::string SweepInput::name() const {
   switch (picture) {
     case Picture::kScene:
       return joined({"scene", size}, " ");
+    case Picture::kEnlarged:
+      return joined({"scene", size, "enlarged", std::to_string(grain), "times"}, " ");
     case Picture::kSquares:
       return joined({"squares", size, "of", std::to_string(grain)}, " ");
     case Picture::kNoise:
@@ -46,6 +58,7 @@ ByteImage make_input(const SweepInput& input, InputKind kind) {
     return tiled(kind == InputKind::kGrey ? scene.grey : scene.binary, input.width, input.height);
   }
   if (kind == InputKind::kGrey) throw std::logic_error("there is no grey " + input.name());
+  if (input.picture == Picture::kEnlarged) return enlarged(render_scene().binary, input);
   if (input.picture == Picture::kSquares) return squares(input.width, input.height, input.grain);
   return noise_image(input.width, input.height, input.percent, input.grain, kNoiseSeed);
 }

@@ -12,16 +12,17 @@
 namespace thinbench {
 
 enum class Picture : std::uint8_t {
-  kNoise,    // random blocks, see noise_image
-  kScene,    // the scene, laid out like tiles
-  kSquares,  // dark squares as far apart as they are wide
+  kNoise,     // random blocks, see noise_image
+  kScene,     // the scene, laid out like tiles
+  kEnlarged,  // the scene, every pixel a square of pixels
+  kSquares,   // dark squares as far apart as they are wide
 };
 
 struct SweepInput {
   Picture picture = Picture::kScene;
   Index width = 0;
   Index height = 0;
-  Index grain = 0;  // side of a block of noise or of a square (pixels)
+  Index grain = 0;  // side of a block of noise, of a square or of an enlarged pixel (pixels)
   int percent = 0;  // of the noise's blocks that are dark
 
   bool operator==(const SweepInput&) const = default;
@@ -36,7 +37,7 @@ struct SweepInput {
   }
 };
 
-/// Throws std::logic_error for grey noise or squares: they exist in two colours only.
+/// Throws std::logic_error for grey noise, squares or enlargements: they exist in two colours only.
 [[nodiscard]] ByteImage make_input(const SweepInput& input, InputKind kind);
 
 /// Makes images and keeps them as long as they fit into a limit together.

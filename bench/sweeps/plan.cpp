@@ -16,6 +16,7 @@ constexpr std::array kSweeps = {
     SweepInfo{"size", "side of a square of the scene, awkward ones too"},
     SweepInfo{"threads", "1 to all, on the scene and on 10 x 10 of it"},
     SweepInfo{"depth", "side of dark squares, which passes have to eat up"},
+    SweepInfo{"enlarged", "times that the scene is enlarged, strokes to 580 pixels"},
     SweepInfo{"isa", "instruction-set level, every technique, on the scene"},
 };
 
@@ -61,6 +62,7 @@ class Planner {
     if (sweep == "size") add_sizes();
     if (sweep == "threads") add_threads();
     if (sweep == "depth") add_depths();
+    if (sweep == "enlarged") add_enlargements();
     if (sweep == "isa") add_levels();
   }
 
@@ -118,6 +120,18 @@ class Planner {
           "depth", static_cast<double>(depth), {}, {Picture::kSquares, side, side, depth}};
       add_chosen(point, {"thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal",
                          "thin_spta_directional", "thin_mb2", "skeleton_scan"});
+    }
+  }
+
+  void add_enlargements() {
+    for (const Index times :
+         options_.quick ? std::vector<Index>{1, 2} : std::vector<Index>{1, 2, 5, 10}) {
+      const Point point{"enlarged",
+                        static_cast<double>(times),
+                        {},
+                        {Picture::kEnlarged, times * kSceneWidth, times * kSceneHeight, times}};
+      add_chosen(point, {"thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal",
+                         "thin_spta_directional", "holes"});
     }
   }
 

@@ -10,7 +10,7 @@ import numpy as np
 from report.intervals import median_bounds
 from report.model import Machine
 
-SWEEPS = ("density", "size", "threads", "depth", "isa")
+SWEEPS = ("density", "size", "threads", "depth", "enlarged", "isa")
 REFERENCE = "reference"
 
 

@@ -10,7 +10,7 @@ from report.experiment_layout import Table, table_block
 from report.plot_style import Plot, styled
 from report.sweeps.journal import load_journals
 from report.sweeps.model import REFERENCE, Journal
-from report.sweeps.plot_curves import plot_depths, plot_sizes, plot_threads
+from report.sweeps.plot_curves import plot_depths, plot_enlargements, plot_sizes, plot_threads
 from report.sweeps.plot_density import plot_density
 from report.sweeps.plot_levels import plot_levels
 from report.sweeps.tables import compiler_table, levels_table, to_csv
@@ -60,7 +60,7 @@ def load_section(directory: Path, fingerprint: str | None = None) -> Section | N
 def _plots(journal: Journal) -> list[Plot]:
     caches = journal.machine.caches
     found = (plot_density(journal.of("density")), plot_sizes(journal.of("size"), caches),
-             plot_threads(journal.of("threads")), plot_depths(journal.of("depth")),
+             plot_threads(journal.of("threads")), plot_depths(journal.of("depth")), plot_enlargements(journal.of("enlarged")),
              plot_levels(journal.of("isa"), journal.machine.isa_available))
     return [plot for plot in found if plot]
 

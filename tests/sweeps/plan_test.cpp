@@ -89,6 +89,16 @@ TEST(SweepPlan, depths_double_up_to_512) {
   EXPECT_EQ(places(points_of("depth")), (std::set<double>{4, 8, 16, 32, 64, 128, 256, 512}));
 }
 
+TEST(SweepPlan, the_scene_is_enlarged_up_to_ten_times) {
+  EXPECT_EQ(places(points_of("enlarged")), (std::set<double>{1, 2, 5, 10}));
+  const SweepInput five{Picture::kEnlarged, 2550, 2060, 5};
+  const ByteImage large = make_input(five, InputKind::kBinary);
+  const ByteImage scene = make_input({Picture::kScene, 510, 412}, InputKind::kBinary);
+  for (const Index y : {0, 4, 5, 2059}) {
+    for (Index x = 0; x < 2550; ++x) ASSERT_EQ(large.at(x, y), scene.at(x / 5, y / 5));
+  }
+}
+
 TEST(SweepPlan, quick_plan_is_smaller_and_has_all_sweeps) {
   for (const SweepInfo& info : all_sweeps()) {
     const std::string name(info.name);

@@ -79,7 +79,7 @@ TEST(SweepsSession, wrong_use_is_one_line_and_2) {
   const std::string see = "; see 'thinbench_sweeps --help'\n";
   EXPECT_EQ(run({"--only", "densty"}).err,
             "thinbench_sweeps: --only: there is no sweep 'densty'; choose from density, size, "
-            "threads, depth, isa" +
+            "threads, depth, enlarged, isa" +
                 see);
   EXPECT_EQ(run({}).err, "thinbench_sweeps: --out FILE or --resume FILE is needed" + see);
   EXPECT_EQ(run({"--rounds", "0"}).err,
