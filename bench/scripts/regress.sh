@@ -38,8 +38,8 @@ TEXT
 
 processes=9 seconds=0.05
 filter='^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|edges_sobel|holes|'
-filter+='localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_row|simd_16bit|'
-filter+='simd_to_bits|simd_runs)/[a-z0-9.]+/1/'
+filter+='localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_tiles|simd_bitpacked_row|'
+filter+='simd_16bit|simd_to_bits|simd_runs)/[a-z0-9.]+/1/'
 against='' update=no reason='' baselines="$root/results/baselines" install=yes
 pictures=() judging=()
 
