@@ -1,6 +1,5 @@
 #include "thinbench.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,8 +20,9 @@ const ThinningVariant& choose_variant(const ThinningOperation& operation, Index 
 }
 
 int worthwhile_threads(const ThinningOptions& options, Index width, Index height) {
-  const bool is_small = width < kLeastPixelsForThreads && width * height < kLeastPixelsForThreads;
-  return !options.technique && is_small ? std::min(options.threads, 1) : options.threads;
+  const bool is_small = height <= 0 || width < (kLeastPixelsForThreads + height - 1) / height;
+  const bool is_refused_later = options.threads < 1 || options.threads > kMostThreads;
+  return options.technique || !is_small || is_refused_later ? options.threads : 1;
 }
 
 int thin(std::string_view operation, ConstByteView source, ByteView destination,

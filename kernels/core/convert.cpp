@@ -53,7 +53,8 @@ std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
   return pack_word(buffer);
 }
 
-/// From here on images are written past the caches: a store would first read what it overwrites.
+/// From here on images, or the bands of them that threads write, go past the caches: a store would
+/// first read what it overwrites.
 constexpr Index kStreamedBytes = Index{8} << 20;
 
 /// A store past the caches; `bytes` is aligned to the lanes.
@@ -73,15 +74,19 @@ bool is_streamed(const ByteView& target) {
   return target.width * target.height >= kStreamedBytes && misaligned % kLanes == 0;
 }
 
+void unpack_some(std::uint64_t word, std::uint8_t* bytes, Index count) {
+  std::uint8_t buffer[kWordBits];
+  unpack_word(word, buffer);
+  for (Index i = 0; i < count; ++i) bytes[i] = buffer[i];
+}
+
 /// `word` points to the last word, which holds `tail` pixels.
 void unpack_tail(const std::uint64_t* word, std::uint8_t* row, Index width, Index tail) {
   if (width >= kWordBits) {
     unpack_word(word[-1] >> tail | word[0] << (kWordBits - tail), row + width - kWordBits);
     return;
   }
-  std::uint8_t buffer[kWordBits];
-  unpack_word(*word, buffer);
-  for (Index i = 0; i < tail; ++i) row[i] = buffer[i];
+  unpack_some(*word, row, tail);
 }
 
 // Sizes are copied to locals: a store of bytes could otherwise be taken to change them.
@@ -109,10 +114,12 @@ void write_bits(const ConstBitPlaneView& source, const ByteView& target) {
       for (Index x = 0; x < words * kWordBits; x += kLanes) {
         stream(spread_bits(row[x / kWordBits] >> (x % kWordBits)), bytes + x);
       }
+      // Nothing that was streamed is touched again.
+      if (tail > 0) unpack_some(row[words], bytes + words * kWordBits, tail);
     } else {
       for (Index word = 0; word < words; ++word) unpack_word(row[word], bytes + word * kWordBits);
+      if (tail > 0) unpack_tail(row + words, bytes, source.width, tail);
     }
-    if (tail > 0) unpack_tail(row + words, bytes, source.width, tail);
   }
   if (streamed) _mm_sfence();
 }

@@ -12,7 +12,8 @@ class TileWorkspace {
   TileWorkspace(Index width, Index height, int threads);
 
   [[nodiscard]] TileGrid& grid() { return grid_; }
-  /// Room for the share of each thread, so that none writes what another still reads.
+  /// Room for the share of each thread, as many as the workspace was made for, so that none writes
+  /// what another still reads.
   [[nodiscard]] PendingTile* pending() { return pending_.get(); }
   [[nodiscard]] Index kept() const { return kept_; }
   [[nodiscard]] Index ring() const { return ring_; }

@@ -33,14 +33,14 @@ template <class View>
   return view;
 }
 
-/// A state that keeps its planes in `planes`. Bands of rows are converted on as many threads as the
-/// rest runs on.
+/// A state that keeps its planes in `planes`. Bands of rows of large images are converted on as
+/// many threads as the rest runs on.
 template <class T>
 struct PlaneState : ThinningState {
   PlaneState(Isa isa, Index width, Index height, int threads = 1)
       : planes(isa, width, height),
         team(threads),
-        parts(width * height < kLeastPixelsForThreads ? 1 : threads) {}
+        shares_bands(width * height >= kLeastPixelsForThreads) {}
 
   void load(const ConstByteView& view) override {
     for_bands(view.height, [&](Index first, Index last) {
@@ -67,15 +67,15 @@ struct PlaneState : ThinningState {
  private:
   template <class Body>
   void for_bands(Index height, const Body& body) const {
-    if (parts == 1) {
-      body(Index{0}, height);
-    } else {
+    if (shares_bands) {
       team.for_ranges(height, body);
+    } else {
+      body(Index{0}, height);
     }
   }
   [[nodiscard]] ConstPlaneView<T> source_of_result() const { return planes.result.view(); }
 
-  int parts;
+  bool shares_bands;
 };
 
 }  // namespace thinbench

@@ -152,6 +152,8 @@ void find_candidates(const TileGridView& grid, Index words) {
   }
 }
 
+/// Every tile that changed is in the next list, so its flags are written again, and those of a tile
+/// that is left out are zero since its last visit: a list may not leave out more.
 Index list_active(const TileGridView& grid, int step, int length) {
   const Index words = (grid.groups + kWordBits - 1) / kWordBits;
   find_candidates(grid, words);

@@ -39,7 +39,7 @@ inline constexpr bool kOneThread = false;
 struct ThinningVariant {
   Technique technique;
   Isa isa;
-  bool threaded;    // runs on bands of rows with as many threads as asked for
+  bool threaded;    // shares bands of rows, or tiles, among the threads asked for
   Index max_width;  // wider images need another variant
   ThinningEngine engine;
   std::span<const KnownRule> known_rules = {};  // for operations with a model

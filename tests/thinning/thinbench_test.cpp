@@ -60,6 +60,9 @@ TEST(WorthwhileThreads, small_images_get_one_unless_a_technique_is_asked_for) {
   EXPECT_EQ(worthwhile_threads({.threads = 4}, 1024, 1024), 4);
   EXPECT_EQ(worthwhile_threads({.technique = Technique::kBitpacked, .threads = 4}, 510, 412), 4);
   EXPECT_EQ(worthwhile_threads({.threads = 0}, 510, 412), 0) << "refused later, by its value";
+  EXPECT_EQ(worthwhile_threads({.threads = 5000}, 510, 412), 5000) << "refused later, too";
+  EXPECT_EQ(worthwhile_threads({.threads = 4}, Index{1} << 40, 0), 1);
+  EXPECT_EQ(worthwhile_threads({.threads = 4}, Index{1} << 19, Index{1} << 44), 4);
 }
 
 TEST(ChooseVariant, names_what_does_not_exist) {
