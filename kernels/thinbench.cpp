@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/check_views.hpp"
+#include "core/thread_team.hpp"
 #include "core/variant_choice.hpp"
 
 namespace thinbench {

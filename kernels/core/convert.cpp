@@ -53,10 +53,6 @@ std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
   return pack_word(buffer);
 }
 
-/// From here on images, or the bands of them that threads write, go past the caches: a store would
-/// first read what it overwrites.
-constexpr Index kStreamedBytes = Index{8} << 20;
-
 /// A store past the caches; `bytes` is aligned to the lanes.
 [[gnu::always_inline]] inline void stream(ByteBatch lanes, std::uint8_t* bytes) {
 #if defined(__AVX512BW__)
@@ -68,10 +64,10 @@ constexpr Index kStreamedBytes = Index{8} << 20;
 #endif
 }
 
-bool is_streamed(const ByteView& target) {
+bool can_be_streamed(const ByteView& target) {
   const auto misaligned =
       reinterpret_cast<std::uintptr_t>(target.data) | static_cast<std::uintptr_t>(target.stride);
-  return target.width * target.height >= kStreamedBytes && misaligned % kLanes == 0;
+  return misaligned % kLanes == 0;
 }
 
 void unpack_some(std::uint64_t word, std::uint8_t* bytes, Index count) {
@@ -102,11 +98,10 @@ void read_bits(const ConstByteView& source, const BitPlaneView& target) {
   }
 }
 
-void write_bits(const ConstBitPlaneView& source, const ByteView& target) {
+void write_bits(const ConstBitPlaneView& source, const ByteView& target, bool streamed) {
   const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
-  const bool streamed = is_streamed(target);
   for (Index y = 0; y < height; ++y) {
     const std::uint64_t* row = source.row(y);
     std::uint8_t* bytes = target.row(y);
@@ -122,6 +117,15 @@ void write_bits(const ConstBitPlaneView& source, const ByteView& target) {
     }
   }
   if (streamed) _mm_sfence();
+}
+
+void write_streamed_bits(const ConstBitPlaneView& source, const ByteView& target) {
+  write_bits(source, target, can_be_streamed(target));
+}
+
+void write_bits_by_size(const ConstBitPlaneView& source, const ByteView& target) {
+  const bool large = target.width * target.height >= kStreamedBytes;
+  write_bits(source, target, large && can_be_streamed(target));
 }
 
 void read_bytes(const ConstByteView& source, const BytePlaneView& target) {
@@ -147,11 +151,11 @@ void write_bytes(const ConstBytePlaneView& source, const ByteView& target) {
 }  // namespace
 
 template <>
-constinit const PlaneConversion<std::uint8_t> IsaConversions<kThisIsa>::kBytes = {&read_bytes,
-                                                                                  &write_bytes};
+constinit const PlaneConversion<std::uint8_t> IsaConversions<kThisIsa>::kBytes = {
+    &read_bytes, &write_bytes, &write_bytes};
 
 template <>
-constinit const PlaneConversion<std::uint64_t> IsaConversions<kThisIsa>::kBits = {&read_bits,
-                                                                                  &write_bits};
+constinit const PlaneConversion<std::uint64_t> IsaConversions<kThisIsa>::kBits = {
+    &read_bits, &write_bits_by_size, &write_streamed_bits};
 
 }  // namespace thinbench

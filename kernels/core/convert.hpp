@@ -7,12 +7,17 @@
 
 namespace thinbench {
 
+/// From here on bytes are written past the caches: a store would first read what it overwrites.
+inline constexpr Index kStreamedBytes = Index{8} << 20;
+
 /// Source and target have the same size. Reading writes whole rows of the plane up to the last word
 /// or byte of the image, bits past the width 0; writing touches `width` bytes a row and no more.
 template <class T>
 struct PlaneConversion {
   void (*read)(const ConstByteView& source, const PlaneView<T>& target);
   void (*write)(const ConstPlaneView<T>& source, const ByteView& target);
+  /// As `write`, for a few rows of an image of kStreamedBytes and more.
+  void (*write_streamed)(const ConstPlaneView<T>& source, const ByteView& target);
 };
 
 /// The conversions of one instruction-set level.

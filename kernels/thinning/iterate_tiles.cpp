@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
+
+#include "core/variant_choice.hpp"
 
 namespace thinbench {
 namespace {
@@ -12,9 +15,8 @@ constexpr Index kLeastShare = 512;
 
 /// Tiles that wait to be written. Two more than needed: the next write is then not a multiple of
 /// 4096 bytes away from what is read meanwhile.
-Index kept_tiles(const TileGridView& grid, int threads) {
-  const Index beside = grid.strip_tiles + 4;
-  return threads == 1 ? beside : std::max(beside, grid.groups * kTileGroup);
+Index kept_tiles(const TileGridView& grid) {
+  return grid.strip_tiles + 4;
 }
 
 /// Writes what is still pending of a range.
@@ -25,47 +27,138 @@ void commit(const TileGridView& grid, const TileVisits& visits) {
   }
 }
 
-/// One step on all active tiles.
-void visit_all(TileVisit visit, Index active, TileWorkspace& workspace, const ThreadTeam& team) {
-  const TileGridView& grid = workspace.grid().view();
-  const auto range = [&](Index first, Index last) {
-    return TileVisits{grid.active + first, last - first, workspace.pending() + first,
-                      workspace.kept(), workspace.ring()};
-  };
-  if (team.threads() == 1 || active < team.threads() * kLeastShare) {
-    visit(grid, range(0, active));
-    commit(grid, range(0, active));
-    return;
-  }
-  team.for_ranges(active, [&](Index first, Index last) { visit(grid, range(first, last)); });
-  team.for_ranges(active, [&](Index first, Index last) { commit(grid, range(first, last)); });
+/// Part `part` of [0, count) in `parts` equal ones begins here.
+Index part_begin(Index count, Index part, Index parts) {
+  return count * part / parts;
 }
 
 }  // namespace
 
 TileWorkspace::TileWorkspace(Index width, Index height, int threads)
     : grid_(width, height),
-      kept_(kept_tiles(grid_.view(), threads)),
+      kept_(kept_tiles(grid_.view())),
       ring_(static_cast<Index>(std::bit_ceil(static_cast<std::size_t>(kept_)))),
-      pending_(make_aligned<PendingTile>(static_cast<std::size_t>(ring_))) {}
+      pending_(make_aligned<PendingTile>(static_cast<std::size_t>(ring_ * 2 * threads))) {
+  const Index list = (grid_.view().groups + threads) * kTileGroup;
+  lists_[0] = make_aligned<std::uint32_t>(static_cast<std::size_t>(list));
+  if (threads > 1) lists_[1] = make_aligned<std::uint32_t>(static_cast<std::size_t>(list));
+  for (auto& visited : visited_) {
+    visited = make_aligned<std::uint64_t>(static_cast<std::size_t>(grid_.group_words()));
+  }
+}
 
-int iterate_tiles(const TileEngine& engine, int most_cycles, const ConstBitPlaneView& source,
-                  const BitPlaneView& target, TileWorkspace& workspace, const ThreadTeam& team) {
-  TileGrid& grid = workspace.grid();
-  const ThreadTeam alone(1);
-  const ThreadTeam& sharing =
-      grid.view().groups * kTileGroup < team.threads() * kLeastShare ? alone : team;
-  const int length = static_cast<int>(engine.cycle.size());
-  Index active = grid.load(source, sharing);
+/// The steps of one repetition. Two barriers a step: after it new pixels are visited, before
+/// others' pending tiles are written, and after they are, with the list of the next step.
+class TileIteration {
+ public:
+  TileIteration(const TileEngine& engine, TileWorkspace& workspace, const ThreadTeam& team)
+      : engine_(engine),
+        team_(team),
+        workspace_(workspace),
+        grid_(workspace.grid().view()),
+        words_(workspace.grid().group_words()),
+        list_(workspace.lists_[0].get()),
+        next_list_(team.threads() == 1 ? list_ : workspace.lists_[1].get()),
+        visited_(workspace.visited_[0].get()),
+        next_visited_(workspace.visited_[1].get()),
+        active_(workspace.grid().begin(list_, visited_)) {}
+
+  [[nodiscard]] bool any_active() const { return active_ != 0; }
+
+  void step(int step) {
+    const Index shares = active_ < team_.threads() * kLeastShare ? 1 : team_.threads();
+    const Index lists = std::min(shares, words_);
+    const TileVisit visit = engine_.cycle[static_cast<std::size_t>(step)];
+    Index counts[kMostThreads];
+    for_each_share(shares, [&](Index share) {
+      visit(grid_, held(share, shares));
+      visit(grid_, free(share, shares));
+    });
+    for_each_share(shares, [&](Index share) {
+      commit(grid_, held(share, shares));
+      commit(grid_, free(share, shares));
+      if (share < lists) counts[share] = list_share(step, share, lists);
+    });
+    join_lists(counts, lists);
+    std::swap(list_, next_list_);
+    std::swap(visited_, next_visited_);
+  }
+
+ private:
+  template <class Body>
+  void for_each_share(Index shares, const Body& body) const {
+    if (shares == 1) return body(Index{0});
+    team_.for_ranges(shares, [&](Index first, Index last) {
+      for (Index share = first; share < last; ++share) body(share);
+    });
+  }
+
+  /// Where the tiles of a share begin that no thread of an earlier share may still read.
+  [[nodiscard]] Index free_begin(Index share, Index shares) const {
+    const Index first = part_begin(active_, share, shares);
+    if (share == 0) return first;
+    const Index last = part_begin(active_, share + 1, shares);
+    const auto beyond = static_cast<std::uint32_t>(list_[first] + grid_.strip_tiles + 1);
+    return std::lower_bound(list_ + first, list_ + last, beyond) - list_;
+  }
+
+  /// The tiles before it: none is written before all threads have visited theirs.
+  [[nodiscard]] TileVisits held(Index share, Index shares) const {
+    const Index first = part_begin(active_, share, shares);
+    return visits(first, free_begin(share, shares), 2 * share);
+  }
+  /// The others: all but the last, which a thread of a later share may read, are written on the
+  /// way.
+  [[nodiscard]] TileVisits free(Index share, Index shares) const {
+    const Index last = part_begin(active_, share + 1, shares);
+    return visits(free_begin(share, shares), last, 2 * share + 1);
+  }
+  [[nodiscard]] TileVisits visits(Index first, Index last, Index ring) const {
+    return {list_ + first, last - first, workspace_.pending_.get() + ring * workspace_.ring_,
+            workspace_.kept_, workspace_.ring_};
+  }
+
+  /// A share of the groups has room for its tiles in the next list, and for those that are written
+  /// behind the last.
+  [[nodiscard]] std::uint32_t* list_of_share(Index share, Index shares) const {
+    const Index tiles = part_begin(words_, share, shares) * kWordBits * kTileGroup;
+    return next_list_ + tiles + share * kTileGroup;
+  }
+  [[nodiscard]] Index list_share(int step, Index share, Index shares) const {
+    return (*engine_.list_active)(
+        grid_, {step, static_cast<int>(engine_.cycle.size()), part_begin(words_, share, shares),
+                part_begin(words_, share + 1, shares), visited_, next_visited_,
+                list_of_share(share, shares)});
+  }
+  void join_lists(const Index* counts, Index shares) {
+    active_ = counts[0];
+    for (Index share = 1; share < shares; ++share) {
+      const std::uint32_t* from = list_of_share(share, shares);
+      std::copy(from, from + counts[share], next_list_ + active_);
+      active_ += counts[share];
+    }
+  }
+
+  const TileEngine& engine_;
+  const ThreadTeam& team_;
+  TileWorkspace& workspace_;
+  const TileGridView& grid_;
+  Index words_;
+  std::uint32_t* list_;
+  std::uint32_t* next_list_;
+  std::uint64_t* visited_;
+  std::uint64_t* next_visited_;
+  Index active_;
+};
+
+int iterate_tiles(const TileEngine& engine, int most_cycles, TileWorkspace& workspace,
+                  const ThreadTeam& team) {
+  TileIteration iteration(engine, workspace, team);
   int cycles = 0;
   do {
-    for (int step = 0; step < length; ++step) {
-      visit_all(engine.cycle[static_cast<std::size_t>(step)], active, workspace, team);
-      active = (*engine.list_active)(grid.view(), step, length);
-    }
+    for (int step = 0; step < static_cast<int>(engine.cycle.size()); ++step) iteration.step(step);
     ++cycles;
-  } while (active != 0 && cycles < most_cycles);
-  grid.store(target, sharing);
+  } while (iteration.any_active() && cycles < most_cycles);
   return cycles;
 }
 

@@ -1,34 +1,38 @@
 // Repeats the sub-iterations of a rule on the tiles that may still change.
 #pragma once
 
+#include <array>
+
 #include "core/thread_team.hpp"
 #include "thinning/tile_passes.hpp"
 
 namespace thinbench {
 
-/// Memory of one repetition: the grid and the tiles that are not written yet.
+/// Memory of one repetition: the grid, the list of active tiles and those that are not written yet.
 class TileWorkspace {
  public:
   TileWorkspace(Index width, Index height, int threads);
 
   [[nodiscard]] TileGrid& grid() { return grid_; }
-  /// Room for the share of each thread, as many as the workspace was made for, so that none writes
-  /// what another still reads.
-  [[nodiscard]] PendingTile* pending() { return pending_.get(); }
-  [[nodiscard]] Index kept() const { return kept_; }
-  [[nodiscard]] Index ring() const { return ring_; }
+  [[nodiscard]] const TileGrid& grid() const { return grid_; }
 
  private:
+  friend class TileIteration;
+
   TileGrid grid_;
   Index kept_;
   Index ring_;
-  AlignedArray<PendingTile> pending_;
+  AlignedArray<PendingTile> pending_;  // two rings a thread
+  // What a step reads and what it writes for the next; the lists are one where one thread runs.
+  std::array<AlignedArray<std::uint32_t>, 2> lists_;
+  std::array<AlignedArray<std::uint64_t>, 2> visited_;
 };
 
-/// Repeats a cycle until it changes nothing or `most_cycles` are done; returns how many ran, the
-/// last one included. The background goes on outside the image. Reads `source` and writes `target`
-/// once. No allocation.
-int iterate_tiles(const TileEngine& engine, int most_cycles, const ConstBitPlaneView& source,
-                  const BitPlaneView& target, TileWorkspace& workspace, const ThreadTeam& team);
+/// Repeats a cycle on the pixels that were loaded into the grid, until it changes nothing or
+/// `most_cycles` are done; returns how many ran, the last one included. The background goes on
+/// outside the image. The workspace was made for as many threads as the team has, or more. No
+/// allocation.
+int iterate_tiles(const TileEngine& engine, int most_cycles, TileWorkspace& workspace,
+                  const ThreadTeam& team);
 
 }  // namespace thinbench

@@ -8,8 +8,8 @@
 #include "nets/model.hpp"
 #include "scan/state.hpp"
 #include "thinning/iterate.hpp"
-#include "thinning/iterate_tiles.hpp"
 #include "thinning/state.hpp"
+#include "thinning/tile_state.hpp"
 
 namespace thinbench {
 namespace {
@@ -119,24 +119,6 @@ struct ChangeState final : PlaneState<std::uint64_t> {
   TileActivity activity;
 };
 
-/// A cycle over tiles.
-struct TileState final : PlaneState<std::uint64_t> {
-  TileState(const TileEngine& tile_engine, const Setting& chosen)
-      : PlaneState(chosen.isa, chosen.width, chosen.height, chosen.threads),
-        engine(tile_engine),
-        setting(chosen),
-        workspace(chosen.width, chosen.height, chosen.threads) {}
-
-  int thin() override {
-    return iterate_tiles(engine, setting.most_passes, source(), planes.result.view(), workspace,
-                         team);
-  }
-
-  const TileEngine engine;
-  Setting setting;
-  TileWorkspace workspace;
-};
-
 /// One kernel over rows of one register.
 struct RowState final : PlaneState<std::uint64_t> {
   RowState(RowKernel row_kernel, const Setting& chosen)
@@ -200,7 +182,8 @@ ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVar
     if constexpr (std::is_same_v<Engine, const RowKernel*>) {
       return std::make_unique<RowState>(*engine, setting);
     } else if constexpr (std::is_same_v<Engine, TileEngine>) {
-      return std::make_unique<TileState>(engine, setting);
+      return std::make_unique<TileState>(
+          engine, TileSetting{variant.isa, width, height, setting.threads, setting.most_passes});
     } else if constexpr (std::is_same_v<Engine, const ChangePass*>) {
       return std::make_unique<ChangeState>(*engine, setting);
     } else if constexpr (std::is_same_v<Engine, const ScanKernels*>) {
@@ -236,10 +219,7 @@ bool ThinningPlan::margins_are_zero() const {
 }
 
 int ThinningPlan::run(ConstByteView source, ByteView destination) {
-  state_->load(source);
-  const int passes = state_->thin();
-  state_->store(destination);
-  return passes;
+  return state_->run(source, destination);
 }
 
 }  // namespace thinbench

@@ -73,7 +73,7 @@ template <class Rule, Isa isa>
 constexpr TileEngine tile_cycle() {
   static_assert(Rule::kSubIterations <= TileGridView::kLongestCycle);
   const TileVisit* first = &TilePasses<isa>::kTable.passes[first_step<Rule>(AllRules{})];
-  return {{first, Rule::kSubIterations}, &TilePasses<isa>::kListActive};
+  return {{first, Rule::kSubIterations}, &TilePasses<isa>::kListActive, &TilePasses<isa>::kLayout};
 }
 
 template <class Rule, Isa isa>

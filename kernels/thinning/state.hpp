@@ -12,6 +12,13 @@ struct ThinningState {
   virtual void load(const ConstByteView& source) = 0;
   virtual int thin() = 0;
   virtual void store(const ByteView& destination) const = 0;
+  /// All three.
+  virtual int run(const ConstByteView& source, const ByteView& destination) {
+    load(source);
+    const int passes = thin();
+    store(destination);
+    return passes;
+  }
   [[nodiscard]] virtual bool margins_are_zero() const = 0;
 };
 
@@ -64,7 +71,7 @@ struct PlaneState : ThinningState {
   Planes<T> planes;
   ThreadTeam team;
 
- private:
+  /// Calls `body(first, last)` on ranges of [0, height), on all threads where the image is large.
   template <class Body>
   void for_bands(Index height, const Body& body) const {
     if (shares_bands) {
@@ -73,6 +80,8 @@ struct PlaneState : ThinningState {
       body(Index{0}, height);
     }
   }
+
+ private:
   [[nodiscard]] ConstPlaneView<T> source_of_result() const { return planes.result.view(); }
 
   bool shares_bands;

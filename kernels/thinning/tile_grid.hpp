@@ -11,7 +11,6 @@
 
 #include "core/image.hpp"
 #include "core/layout.hpp"
-#include "core/thread_team.hpp"
 #include "core/views.hpp"
 
 namespace thinbench {
@@ -39,9 +38,6 @@ struct TileGridView {
   /// Bit a tile: it or a pixel beside it changed in that step of the cycle.
   std::array<std::uint32_t*, kLongestCycle> wanted;
   const std::uint64_t* occupied_groups;  // bit a group: one of its tiles is occupied
-  std::uint64_t* visited;                // bit a group: tiles of it are in the list
-  std::uint64_t* candidates;             // room for as many
-  std::uint32_t* active;                 // the list: ascending
 };
 
 /// Owns a grid. No allocation after construction.
@@ -51,17 +47,19 @@ class TileGrid {
 
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
-  /// Takes the pixels of `plane`; all tiles with dark ones are active. Returns how many.
-  Index load(const ConstBitPlaneView& plane, const ThreadTeam& team);
-  void store(const BitPlaneView& plane, const ThreadTeam& team) const;
+  /// Rows of tiles.
+  [[nodiscard]] Index tile_rows() const { return tile_rows_; }
+  /// Words of a bit set with a bit a group.
+  [[nodiscard]] Index group_words() const { return (view_.groups + kWordBits - 1) / kWordBits; }
+
+  /// After all rows were loaded, see TileLayout: lists the tiles with dark pixels, ascending, in
+  /// `list`, which has room for all tiles, and sets the bits of their groups in `visited`. Returns
+  /// how many.
+  Index begin(std::uint32_t* list, std::uint64_t* visited);
 
  private:
-  [[nodiscard]] Index tile_at(Index strip, Index row) const {
-    return (strip + 1) * view_.strip_tiles + row;
-  }
-  void load_tile(const ConstBitPlaneView& plane, Index strip, Index row);
   void find_occupied();
-  Index list_occupied();
+  Index list_occupied(std::uint32_t* list);
 
   Index strips_;
   Index tile_rows_;
@@ -70,8 +68,7 @@ class TileGrid {
   std::array<AlignedArray<std::uint16_t>, 3> changed_;
   AlignedArray<std::uint32_t> occupied_;
   AlignedArray<std::uint32_t> wanted_;
-  AlignedArray<std::uint64_t> groups_;
-  AlignedArray<std::uint32_t> active_;
+  AlignedArray<std::uint64_t> occupied_groups_;
 };
 
 }  // namespace thinbench

@@ -140,38 +140,36 @@ std::uint64_t bits_from(const std::uint64_t* bits, Index words, Index i, Index o
   return shift == 0 ? at(word) : at(word) >> shift | at(word + 1) << (kWordBits - shift);
 }
 
-/// Occupied groups in whose reach tiles were visited: only they can hold active tiles.
-void find_candidates(const TileGridView& grid, Index words) {
+/// Occupied groups of a word in whose reach tiles were visited: only they can hold active tiles.
+std::uint64_t candidates(const TileGridView& grid, const std::uint64_t* visited, Index i) {
   const Index strip = grid.strip_tiles / kTileGroup;  // rounded down
-  for (Index i = 0; i < words; ++i) {
-    std::uint64_t near = 0;
-    for (const Index column : {-strip - 1, -strip, Index{0}, strip, strip + 1}) {
-      for (const Index row : {-1, 0, 1}) near |= bits_from(grid.visited, words, i, column + row);
-    }
-    grid.candidates[i] = near & grid.occupied_groups[i];
+  const Index words = (grid.groups + kWordBits - 1) / kWordBits;
+  std::uint64_t near = 0;
+  for (const Index column : {-strip - 1, -strip, Index{0}, strip, strip + 1}) {
+    for (const Index row : {-1, 0, 1}) near |= bits_from(visited, words, i, column + row);
   }
+  return near & grid.occupied_groups[i];
 }
 
 /// Every tile that changed is in the next list, so its flags are written again, and those of a tile
 /// that is left out are zero since its last visit: a list may not leave out more.
-Index list_active(const TileGridView& grid, int step, int length) {
-  const Index words = (grid.groups + kWordBits - 1) / kWordBits;
-  find_candidates(grid, words);
+Index list_active(const TileGridView& grid, const TileListing& listing) {
   Index count = 0;
-  for (Index i = 0; i < words; ++i) {
+  for (Index i = listing.first_word; i < listing.last_word; ++i) {
     std::uint64_t visited = 0;
-    for (std::uint64_t left = grid.candidates[i]; left != 0; left &= left - 1) {
+    for (std::uint64_t left = candidates(grid, listing.visited, i); left != 0; left &= left - 1) {
       const Index group = i * kWordBits + __builtin_ctzll(left);
-      grid.wanted[static_cast<std::size_t>(step)][group] = wanted_tiles(grid, group * kTileGroup);
+      grid.wanted[static_cast<std::size_t>(listing.step)][group] =
+          wanted_tiles(grid, group * kTileGroup);
       std::uint32_t active = 0;
-      for (int one = 0; one < length; ++one) {
+      for (int one = 0; one < listing.length; ++one) {
         active |= grid.wanted[static_cast<std::size_t>(one)][group];
       }
       active &= grid.occupied[group];
-      count += append_tiles(grid.active + count, group * kTileGroup, active);
+      count += append_tiles(listing.list + count, group * kTileGroup, active);
       if (active != 0) visited |= left & (~left + 1);
     }
-    grid.visited[i] = visited;
+    listing.next_visited[i] = visited;
   }
   return count;
 }

@@ -28,14 +28,33 @@ struct TileVisits {
 /// of them are left to commit().
 using TileVisit = void (*)(const TileGridView& grid, const TileVisits& visits);
 
-/// Makes the list of the next step from what step `step` of a cycle of `length` changed; returns
-/// its length.
-using ListActive = Index (*)(const TileGridView& grid, int step, int length);
+/// Where to look for tiles that the next step must visit, and where to list them.
+struct TileListing {
+  int step;  // the one that ran, of a cycle of `length`
+  int length;
+  Index first_word;              // of the bit sets with a bit a group
+  Index last_word;               // the word after the last
+  const std::uint64_t* visited;  // groups that the step visited, all of them
+  std::uint64_t* next_visited;   // those of the list, in the words asked for
+  std::uint32_t* list;           // ascending; kTileGroup entries behind the last may be written
+};
+
+/// Lists the tiles in whose reach something changed; returns how many.
+using ListActive = Index (*)(const TileGridView& grid, const TileListing& listing);
+
+/// Pixels of one row of tiles, into the grid and back: `rows` are its rows of pixels, kTileRows
+/// except at the lower end of the image. Loading leaves in `changed_rows` which tiles have dark
+/// pixels, for TileGrid::begin.
+struct TileLayout {
+  void (*load_rows)(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row);
+  void (*store_rows)(const TileGridView& grid, const BitPlaneView& rows, Index tile_row);
+};
 
 /// What iterates over tiles: the sub-iterations of a rule at one level.
 struct TileEngine {
   std::span<const TileVisit> cycle;
   const ListActive* list_active;
+  const TileLayout* layout;
 };
 
 /// Compiled once for every instruction-set level.
@@ -44,6 +63,8 @@ struct TilePasses {
   static const StepTable<TileVisit> kTable;
 
   static const ListActive kListActive;
+
+  static const TileLayout kLayout;
 };
 
 }  // namespace thinbench

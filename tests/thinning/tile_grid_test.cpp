@@ -1,9 +1,14 @@
 #include "thinning/tile_grid.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "core/planes.hpp"
 #include "support/splitmix64.hpp"
+#include "thinning/state.hpp"
+#include "thinning/tile_passes.hpp"
 
 namespace thinbench {
 namespace {
@@ -26,14 +31,82 @@ bool equal_planes(const ConstBitPlaneView& a, const ConstBitPlaneView& b) {
   return true;
 }
 
+/// A grid with the lists that it fills.
+struct LoadedGrid {
+  LoadedGrid(Index width, Index height,
+             const TileLayout& chosen = TilePasses<Isa::kBaseline>::kLayout)
+      : layout(chosen),
+        grid(width, height),
+        list(static_cast<std::size_t>(grid.view().groups * kTileGroup)),
+        visited(static_cast<std::size_t>(grid.group_words())) {}
+
+  /// How many tiles have dark pixels.
+  Index load(const BitPlane& plane) {
+    for (Index row = 0; row < grid.tile_rows(); ++row) {
+      layout.load_rows(grid.view(), rows_of(plane.view(), row), row);
+    }
+    return grid.begin(list.data(), visited.data());
+  }
+  void store(BitPlane& plane) const {
+    for (Index row = 0; row < grid.tile_rows(); ++row) {
+      layout.store_rows(grid.view(), rows_of(plane.view(), row), row);
+    }
+  }
+  template <class View>
+  static View rows_of(const View& view, Index row) {
+    return rows_of_view(view, row * kTileRows, std::min((row + 1) * kTileRows, view.height));
+  }
+
+  const TileLayout& layout;
+  TileGrid grid;
+  std::vector<std::uint32_t> list;
+  std::vector<std::uint64_t> visited;
+};
+
+const TileLayout& layout_of(Isa isa) {
+  switch (isa) {
+    case Isa::kAvx512Icl:
+      return TilePasses<Isa::kAvx512Icl>::kLayout;
+    case Isa::kAvx512:
+      return TilePasses<Isa::kAvx512>::kLayout;
+    case Isa::kAvx2:
+      return TilePasses<Isa::kAvx2>::kLayout;
+    case Isa::kSse42:
+      return TilePasses<Isa::kSse42>::kLayout;
+    default:
+      return TilePasses<Isa::kBaseline>::kLayout;
+  }
+}
+
+TEST(TileGrid, every_level_lays_pixels_out_alike) {
+  const Index width = 1100;  // two squares of 16 tiles and some strips
+  const Index height = 40;
+  const BitPlane plane = noise(width, height);
+  LoadedGrid expected(width, height);
+  const Index tiles = expected.load(plane);
+  for (const Isa isa : {Isa::kSse42, Isa::kAvx2, Isa::kAvx512, Isa::kAvx512Icl}) {
+    if (!isa_available(isa)) continue;
+    LoadedGrid loaded(width, height, layout_of(isa));
+    EXPECT_EQ(loaded.load(plane), tiles);
+    const Index words = expected.grid.view().groups * kTileGroup * kTileRows;
+    EXPECT_TRUE(std::equal(loaded.grid.view().words, loaded.grid.view().words + words,
+                           expected.grid.view().words))
+        << isa_name(isa);
+    BitPlane result(width, height);
+    loaded.store(result);
+    EXPECT_TRUE(equal_planes(plane.view(), std::as_const(result).view())) << isa_name(isa);
+    EXPECT_TRUE(result.margin_is_zero()) << isa_name(isa);
+  }
+}
+
 TEST(TileGrid, gives_back_the_pixels_of_every_size) {
   for (const Index width : {1, 31, 32, 33, 64, 65, 127, 510, 513}) {
     for (const Index height : {1, 15, 16, 17, 33, 100}) {
       const BitPlane plane = noise(width, height);
       BitPlane result(width, height);
-      TileGrid grid(width, height);
-      grid.load(plane.view(), ThreadTeam(1));
-      grid.store(result.view(), ThreadTeam(1));
+      LoadedGrid loaded(width, height);
+      loaded.load(plane);
+      loaded.store(result);
       EXPECT_TRUE(equal_planes(plane.view(), std::as_const(result).view()))
           << width << " x " << height;
       EXPECT_TRUE(result.margin_is_zero()) << width << " x " << height;
@@ -45,30 +118,30 @@ TEST(TileGrid, lists_the_tiles_that_have_dark_pixels) {
   BitPlane plane(3 * kTileColumns, 2 * kTileRows);
   plane.view().row(kTileRows - 1)[0] = 1;                           // strip 0, tile 0
   plane.view().row(2 * kTileRows - 1)[1] = std::uint64_t{1} << 31;  // strip 2, tile 1
-  TileGrid grid(3 * kTileColumns, 2 * kTileRows);
-  ASSERT_EQ(grid.load(std::as_const(plane).view(), ThreadTeam(1)), 2);
-  const TileGridView& view = grid.view();
-  EXPECT_EQ(view.active[0], view.strip_tiles);
-  EXPECT_EQ(view.active[1], 3 * view.strip_tiles + 1);
+  LoadedGrid loaded(3 * kTileColumns, 2 * kTileRows);
+  ASSERT_EQ(loaded.load(plane), 2);
+  const Index strip = loaded.grid.view().strip_tiles;
+  EXPECT_EQ(loaded.list[0], strip);
+  EXPECT_EQ(loaded.list[1], 3 * strip + 1);
 }
 
 TEST(TileGrid, a_second_image_leaves_nothing_of_the_first) {
   const BitPlane first = noise(100, 50);
   const BitPlane light(100, 50);
   BitPlane result(100, 50);
-  TileGrid grid(100, 50);
-  grid.load(first.view(), ThreadTeam(1));
-  EXPECT_EQ(grid.load(light.view(), ThreadTeam(1)), 0);
-  grid.store(result.view(), ThreadTeam(1));
+  LoadedGrid loaded(100, 50);
+  loaded.load(first);
+  EXPECT_EQ(loaded.load(light), 0);
+  loaded.store(result);
   EXPECT_TRUE(equal_planes(light.view(), std::as_const(result).view()));
 }
 
 TEST(TileGrid, neighbours_of_every_tile_lie_inside_and_are_light_beyond_the_image) {
-  TileGrid grid(40, 20);
+  LoadedGrid loaded(40, 20);
   BitPlane dark(40, 20);
   for (Index y = 0; y < 20; ++y) dark.view().row(y)[0] = (std::uint64_t{1} << 40) - 1;
-  grid.load(std::as_const(dark).view(), ThreadTeam(1));
-  const TileGridView& view = grid.view();
+  loaded.load(dark);
+  const TileGridView& view = loaded.grid.view();
   const std::uint32_t* first = view.words + view.strip_tiles * kTileRows;
   EXPECT_EQ(first[0], 0xFFFFFFFFU);
   EXPECT_EQ(first[-1], 0U);
