@@ -167,7 +167,7 @@ Index list_active(const TileGridView& grid, const TileListing& listing) {
       }
       active &= grid.occupied[group];
       count += append_tiles(listing.list + count, group * kTileGroup, active);
-      if (active != 0) visited |= left & (~left + 1);
+      visited |= std::uint64_t{active != 0} << (group % kWordBits);  // no branch: it is a toss-up
     }
     listing.next_visited[i] = visited;
   }
