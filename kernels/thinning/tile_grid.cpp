@@ -22,7 +22,7 @@ TileGrid::TileGrid(Index width, Index height)
   words_ = make_aligned<std::uint32_t>(count_of((tiles + 2) * kTileRows));
   view_.words = words_.get() + kTileRows;
 
-  const Index margin = view_.strip_tiles + kTileGroup;
+  const Index margin = round_up(view_.strip_tiles + kTileGroup, kTileGroup);
   const std::array flags = {&view_.changed_rows, &view_.changed_west, &view_.changed_east};
   for (std::size_t i = 0; i < flags.size(); ++i) {
     changed_[i] = make_aligned<std::uint16_t>(count_of(tiles + 2 * margin));

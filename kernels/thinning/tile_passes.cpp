@@ -153,21 +153,28 @@ std::uint64_t candidates(const TileGridView& grid, const std::uint64_t* visited,
 
 /// Every tile that changed is in the next list, so its flags are written again, and those of a tile
 /// that is left out are zero since its last visit: a list may not leave out more.
-Index list_active(const TileGridView& grid, const TileListing& listing) {
+Index list_active(const TileGridView& shared_grid, const TileListing& shared_listing) {
+  const TileGridView grid = shared_grid;  // stores could otherwise be taken to change the fields
+  const TileListing listing = shared_listing;
+  std::uint32_t* const wanted_now = grid.wanted[static_cast<std::size_t>(listing.step)];
+  const std::uint32_t* earlier_wanted[TileGridView::kLongestCycle];
+  for (int back = 1; back < listing.length; ++back) {
+    const int step = (listing.step + back) % listing.length;
+    earlier_wanted[back] = grid.wanted[static_cast<std::size_t>(step)];
+  }
   Index count = 0;
   for (Index i = listing.first_word; i < listing.last_word; ++i) {
     std::uint64_t visited = 0;
     for (std::uint64_t left = candidates(grid, listing.visited, i); left != 0; left &= left - 1) {
       const Index group = i * kWordBits + __builtin_ctzll(left);
-      grid.wanted[static_cast<std::size_t>(listing.step)][group] =
-          wanted_tiles(grid, group * kTileGroup);
-      std::uint32_t active = 0;
-      for (int one = 0; one < listing.length; ++one) {
-        active |= grid.wanted[static_cast<std::size_t>(one)][group];
+      std::uint32_t active = wanted_tiles(grid, group * kTileGroup);
+      wanted_now[group] = active;
+      for (int back = 1; back < listing.length; ++back) {
+        active |= earlier_wanted[back][group];
       }
       active &= grid.occupied[group];
       count += append_tiles(listing.list + count, group * kTileGroup, active);
-      visited |= std::uint64_t{active != 0} << (group % kWordBits);  // no branch: it is a toss-up
+      visited |= std::uint64_t{active != 0} << (group % kWordBits);  // a branch would be a toss-up
     }
     listing.next_visited[i] = visited;
   }
