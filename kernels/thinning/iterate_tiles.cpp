@@ -1,7 +1,6 @@
 #include "thinning/iterate_tiles.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <utility>
 
@@ -13,16 +12,15 @@ namespace {
 /// A thread's share below which waiting for each other costs more than it saves.
 constexpr Index kLeastShare = 512;
 
-/// Tiles that wait to be written. Two more than needed: the next write is then not a multiple of
-/// 4096 bytes away from what is read meanwhile.
-Index kept_tiles(const TileGridView& grid) {
-  return grid.strip_tiles + 4;
+/// From a tile to the first that is no neighbour of it.
+std::uint32_t reach_of(const TileGridView& grid) {
+  return static_cast<std::uint32_t>(grid.strip_tiles + 2);
 }
 
 /// Writes what is still pending of a range.
 void commit(const TileGridView& grid, const TileVisits& visits) {
   for (Index i = std::max<Index>(0, visits.count - visits.kept); i < visits.count; ++i) {
-    const PendingTile& from = visits.pending[i & (visits.ring - 1)];
+    const PendingTile& from = visits.pending[i % visits.kept];
     std::memcpy(grid.words + Index{visits.tiles[i]} * kTileRows, from.words, sizeof(from.words));
   }
 }
@@ -36,9 +34,8 @@ Index part_begin(Index count, Index part, Index parts) {
 
 TileWorkspace::TileWorkspace(Index width, Index height, int threads)
     : grid_(width, height),
-      kept_(kept_tiles(grid_.view())),
-      ring_(static_cast<Index>(std::bit_ceil(static_cast<std::size_t>(kept_)))),
-      pending_(make_aligned<PendingTile>(static_cast<std::size_t>(ring_ * 2 * threads))) {
+      most_kept_(static_cast<Index>(reach_of(grid_.view()))),
+      pending_(make_aligned<PendingTile>(static_cast<std::size_t>(most_kept_ * 2 * threads))) {
   const Index list = (grid_.view().groups + threads) * kTileGroup;
   lists_[0] = make_aligned<std::uint32_t>(static_cast<std::size_t>(list));
   if (threads > 1) lists_[1] = make_aligned<std::uint32_t>(static_cast<std::size_t>(list));
@@ -61,7 +58,8 @@ class TileIteration {
         next_list_(team.threads() == 1 ? list_ : workspace.lists_[1].get()),
         visited_(workspace.visited_[0].get()),
         next_visited_(workspace.visited_[1].get()),
-        active_(workspace.grid().begin(list_, visited_)) {}
+        active_(workspace.grid().begin(list_, visited_)),
+        kept_(workspace.most_kept_) {}
 
   [[nodiscard]] bool any_active() const { return active_ != 0; }
 
@@ -69,6 +67,7 @@ class TileIteration {
     const Index shares = active_ < team_.threads() * kLeastShare ? 1 : team_.threads();
     const Index lists = std::min(shares, words_);
     const TileVisit visit = engine_.cycle[static_cast<std::size_t>(step)];
+    kept_ = (*engine_.find_kept)(list_, active_, reach_of(grid_), kept_, workspace_.most_kept_);
     Index counts[kMostThreads];
     for_each_share(shares, [&](Index share) {
       visit(grid_, held(share, shares));
@@ -98,24 +97,24 @@ class TileIteration {
     const Index first = part_begin(active_, share, shares);
     if (share == 0) return first;
     const Index last = part_begin(active_, share + 1, shares);
-    const auto beyond = static_cast<std::uint32_t>(list_[first] + grid_.strip_tiles + 1);
+    const auto beyond = list_[first] + reach_of(grid_) - 1;
     return std::lower_bound(list_ + first, list_ + last, beyond) - list_;
   }
 
   /// The tiles before it: none is written before all threads have visited theirs.
   [[nodiscard]] TileVisits held(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
-    return visits(first, free_begin(share, shares), 2 * share);
+    return visits(first, free_begin(share, shares), 2 * share, workspace_.most_kept_);
   }
   /// The others: all but the last, which a thread of a later share may read, are written on the
   /// way.
   [[nodiscard]] TileVisits free(Index share, Index shares) const {
     const Index last = part_begin(active_, share + 1, shares);
-    return visits(free_begin(share, shares), last, 2 * share + 1);
+    return visits(free_begin(share, shares), last, 2 * share + 1, kept_);
   }
-  [[nodiscard]] TileVisits visits(Index first, Index last, Index ring) const {
-    return {list_ + first, last - first, workspace_.pending_.get() + ring * workspace_.ring_,
-            workspace_.kept_, workspace_.ring_};
+  [[nodiscard]] TileVisits visits(Index first, Index last, Index place, Index kept) const {
+    PendingTile* pending = workspace_.pending_.get() + place * workspace_.most_kept_;
+    return {list_ + first, last - first, pending, kept};
   }
 
   /// A share of the groups has room for its tiles in the next list, and for those that are written
@@ -149,6 +148,7 @@ class TileIteration {
   std::uint64_t* visited_;
   std::uint64_t* next_visited_;
   Index active_;
+  Index kept_;
 };
 
 int iterate_tiles(const TileEngine& engine, int most_cycles, TileWorkspace& workspace,

@@ -20,9 +20,8 @@ class TileWorkspace {
   friend class TileIteration;
 
   TileGrid grid_;
-  Index kept_;
-  Index ring_;
-  AlignedArray<PendingTile> pending_;  // two rings a thread
+  Index most_kept_;
+  AlignedArray<PendingTile> pending_;  // room for as many twice a thread
   // What a step reads and what it writes for the next; the lists are one where one thread runs.
   std::array<AlignedArray<std::uint32_t>, 2> lists_;
   std::array<AlignedArray<std::uint64_t>, 2> visited_;

@@ -73,7 +73,10 @@ template <class Rule, Isa isa>
 constexpr TileEngine tile_cycle() {
   static_assert(Rule::kSubIterations <= TileGridView::kLongestCycle);
   const TileVisit* first = &TilePasses<isa>::kTable.passes[first_step<Rule>(AllRules{})];
-  return {{first, Rule::kSubIterations}, &TilePasses<isa>::kListActive, &TilePasses<isa>::kLayout};
+  return {{first, Rule::kSubIterations},
+          &TilePasses<isa>::kListActive,
+          &TilePasses<isa>::kFindKept,
+          &TilePasses<isa>::kLayout};
 }
 
 template <class Rule, Isa isa>

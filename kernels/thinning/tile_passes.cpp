@@ -16,6 +16,8 @@
 // and reads compete for the same addresses modulo 4096: 6 % slower.
 #include "thinning/tile_passes.hpp"
 
+#include <algorithm>
+
 #include "core/lane_bits.hpp"
 #include "thinning/sweep.hpp"
 
@@ -71,17 +73,18 @@ template <class Rule, int sub>
   PendingTile* pending = visits.pending;
   const std::uint32_t* tiles = visits.tiles;
   const Index kept = visits.kept;
-  const Index ring = visits.ring - 1;
+  Index slot = 0;
   const auto visit = [&](Index i) __attribute__((always_inline)) {
     const Index tile = tiles[i];
     const ChangedRows changed =
-        visit_tile<Rule, sub>(grid.words + tile * kTileRows, strip, pending[i & ring]);
+        visit_tile<Rule, sub>(grid.words + tile * kTileRows, strip, pending[slot]);
     grid.changed_rows[tile] = static_cast<std::uint16_t>(changed.anywhere);
     grid.changed_west[tile] = static_cast<std::uint16_t>(changed.west);
     grid.changed_east[tile] = static_cast<std::uint16_t>(changed.east);
+    slot = slot + 1 == kept ? 0 : slot + 1;
   };
   const auto commit = [&](Index i) __attribute__((always_inline)) {
-    const PendingTile& from = pending[i & ring];
+    const PendingTile& from = pending[slot];
     std::uint32_t* to = grid.words + Index{tiles[i]} * kTileRows;
     for (Index row = 0; row < kTileRows; row += kRowLanes) {
       Rows::load_aligned(from.words + row).store_aligned(to + row);
@@ -181,6 +184,32 @@ Index list_active(const TileGridView& shared_grid, const TileListing& shared_lis
   return count;
 }
 
+/// Whether entries `apart` places from each other are `reach` tiles or more from each other.
+bool all_lie_apart(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index apart) {
+  constexpr Index looked_at_together = 512;
+  for (Index begin = 0; begin + apart < count; begin += looked_at_together) {
+    const Index end = std::min(begin + looked_at_together, count - apart);
+    std::uint32_t near = 0;
+    for (Index i = begin; i < end; ++i) near |= tiles[i + apart] - tiles[i] < reach ? 1 : 0;
+    if (near != 0) return false;
+  }
+  return true;
+}
+
+Index find_kept(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index guess,
+                Index most) {
+  constexpr Index least = 24;  // fewer would be read back while they are still being written
+  Index kept = std::clamp(guess, std::min(least, most), most);
+  while (kept < most && !all_lie_apart(tiles, count, reach, kept)) {
+    kept = std::min(most, kept + kept / 8 + 1);
+  }
+  for (Index fewer = kept - kept / 8 - 1; fewer >= least; fewer = kept - kept / 8 - 1) {
+    if (!all_lie_apart(tiles, count, reach, fewer)) break;
+    kept = fewer;
+  }
+  return kept;
+}
+
 struct Tiles {
   template <class Rule, int sub>
   requires(!TwoStageRule<Rule>) static void pass(const TileGridView& grid,
@@ -194,6 +223,9 @@ struct Tiles {
 template <>
 constinit const StepTable<TileVisit> TilePasses<kThisIsa>::kTable =
     make_step_table<TileVisit, Tiles>();
+
+template <>
+constinit const FindKept TilePasses<kThisIsa>::kFindKept = &find_kept;
 
 template <>
 constinit const ListActive TilePasses<kThisIsa>::kListActive = &list_active;

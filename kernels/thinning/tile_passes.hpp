@@ -13,15 +13,13 @@ struct alignas(64) PendingTile {
   std::uint32_t words[kTileRows];
 };
 
-/// A range of the active tiles. The last `kept` of them stay pending: more than
-/// `TileGridView::strip_tiles` + 1, so that a tile is written when it has no neighbours ahead.
-/// `pending` is a ring of `ring` tiles, a power of two and at least `kept`.
+/// A range of the active tiles. A tile is written, `kept` visits later, when it has no neighbours
+/// ahead; `pending` has room for as many.
 struct TileVisits {
   const std::uint32_t* tiles;
   Index count;
-  PendingTile* pending;
+  PendingTile* pending;  // of entry i at i modulo `kept`
   Index kept;
-  Index ring;
 };
 
 /// Applies one sub-iteration to the tiles of a range and notes what changed. The last `kept`
@@ -42,6 +40,12 @@ struct TileListing {
 /// Lists the tiles in whose reach something changed; returns how many.
 using ListActive = Index (*)(const TileGridView& grid, const TileListing& listing);
 
+/// How many tiles of a list must wait so that each waits while a tile ahead is its neighbour:
+/// between entries so far apart lie `reach` tiles or more. At most `most`, which is always enough;
+/// near the least where the guess was.
+using FindKept = Index (*)(const std::uint32_t* tiles, Index count, std::uint32_t reach,
+                           Index guess, Index most);
+
 /// Pixels of one row of tiles, into the grid and back: `rows` are its rows of pixels, kTileRows
 /// except at the lower end of the image. Loading leaves in `changed_rows` which tiles have dark
 /// pixels, for TileGrid::begin.
@@ -54,6 +58,7 @@ struct TileLayout {
 struct TileEngine {
   std::span<const TileVisit> cycle;
   const ListActive* list_active;
+  const FindKept* find_kept;
   const TileLayout* layout;
 };
 
@@ -63,6 +68,8 @@ struct TilePasses {
   static const StepTable<TileVisit> kTable;
 
   static const ListActive kListActive;
+
+  static const FindKept kFindKept;
 
   static const TileLayout kLayout;
 };
