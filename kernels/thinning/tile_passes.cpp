@@ -71,30 +71,30 @@ template <class Rule, int sub>
   const TileGridView grid = shared;  // a store could otherwise be taken to change its fields
   const Index strip = grid.strip_tiles * kTileRows;
   PendingTile* pending = visits.pending;
-  const std::uint32_t* tiles = visits.tiles;
-  const Index kept = visits.kept;
-  Index slot = 0;
-  const auto visit = [&](Index i) __attribute__((always_inline)) {
-    const Index tile = tiles[i];
+  PendingTile* const pending_end = pending + visits.kept;
+  const auto visit = [&](Index tile) __attribute__((always_inline)) {
     const ChangedRows changed =
-        visit_tile<Rule, sub>(grid.words + tile * kTileRows, strip, pending[slot]);
+        visit_tile<Rule, sub>(grid.words + tile * kTileRows, strip, *pending);
     grid.changed_rows[tile] = static_cast<std::uint16_t>(changed.anywhere);
     grid.changed_west[tile] = static_cast<std::uint16_t>(changed.west);
     grid.changed_east[tile] = static_cast<std::uint16_t>(changed.east);
-    slot = slot + 1 == kept ? 0 : slot + 1;
+    ++pending;
+    if (pending == pending_end) pending = visits.pending;
   };
-  const auto commit = [&](Index i) __attribute__((always_inline)) {
-    const PendingTile& from = pending[slot];
-    std::uint32_t* to = grid.words + Index{tiles[i]} * kTileRows;
+  const auto commit = [&](Index tile) __attribute__((always_inline)) {
+    std::uint32_t* to = grid.words + tile * kTileRows;
     for (Index row = 0; row < kTileRows; row += kRowLanes) {
-      Rows::load_aligned(from.words + row).store_aligned(to + row);
+      Rows::load_aligned(pending->words + row).store_aligned(to + row);
     }
   };
-  const Index first = visits.count < kept ? visits.count : kept;
-  for (Index i = 0; i < first; ++i) visit(i);
-  for (Index i = first; i < visits.count; ++i) {
-    commit(i - kept);
-    visit(i);
+  const std::uint32_t* const end = visits.tiles + visits.count;
+  const std::uint32_t* next = visits.tiles;
+  for (const auto* first = next + std::min(visits.count, visits.kept); next != first; ++next) {
+    visit(*next);
+  }
+  for (const std::uint32_t* last = visits.tiles; next != end; ++next, ++last) {
+    commit(*last);
+    visit(*next);
   }
 }
 
@@ -198,12 +198,13 @@ bool all_lie_apart(const std::uint32_t* tiles, Index count, std::uint32_t reach,
 
 Index find_kept(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index guess,
                 Index most) {
-  constexpr Index least = 24;  // fewer would be read back while they are still being written
-  Index kept = std::clamp(guess, std::min(least, most), most);
+  constexpr Index few = 64;  // 4 KB
+  if (most <= few) return most;
+  Index kept = std::clamp(guess, few / 2, most);
   while (kept < most && !all_lie_apart(tiles, count, reach, kept)) {
     kept = std::min(most, kept + kept / 8 + 1);
   }
-  for (Index fewer = kept - kept / 8 - 1; fewer >= least; fewer = kept - kept / 8 - 1) {
+  for (Index fewer = kept - kept / 8 - 1; fewer >= few / 2; fewer = kept - kept / 8 - 1) {
     if (!all_lie_apart(tiles, count, reach, fewer)) break;
     kept = fewer;
   }
