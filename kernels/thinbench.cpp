@@ -1,5 +1,6 @@
 #include "thinbench.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,10 +21,13 @@ const ThinningVariant& choose_variant(const ThinningOperation& operation, Index 
                                     {options.technique, options.isa, options.threads})];
 }
 
-int worthwhile_threads(const ThinningOptions& options, Index width, Index height) {
+int worthwhile_threads(const ThinningOperation& operation, const ThinningOptions& options,
+                       Index width, Index height) {
   const bool is_small = height <= 0 || width < (kLeastPixelsForThreads + height - 1) / height;
   const bool is_refused_later = options.threads < 1 || options.threads > kMostThreads;
-  return options.technique || !is_small || is_refused_later ? options.threads : 1;
+  const bool can_share = std::ranges::any_of(operation.variants, &ThinningVariant::threaded);
+  const bool all = options.technique || is_refused_later || (can_share && !is_small);
+  return all ? options.threads : 1;
 }
 
 int thin(std::string_view operation, ConstByteView source, ByteView destination,
@@ -34,7 +38,7 @@ int thin(std::string_view operation, ConstByteView source, ByteView destination,
     throw std::invalid_argument("no operation is named " + std::string(operation));
   }
   ThinningOptions worthwhile = options;
-  worthwhile.threads = worthwhile_threads(options, source.width, source.height);
+  worthwhile.threads = worthwhile_threads(*found, options, source.width, source.height);
   const ThinningVariant& variant = choose_variant(*found, source.width, worthwhile);
   ThinningPlan plan(*found, variant, source.width, source.height,
                     {worthwhile.threads, options.model, options.border, options.directions});

@@ -24,8 +24,9 @@ struct ThinningOptions {
 };
 
 /// How many of the threads of `options` an image of this size is given: all where a technique is
-/// asked for, else one below kLeastPixelsForThreads.
-[[nodiscard]] int worthwhile_threads(const ThinningOptions& options, Index width, Index height);
+/// asked for, else one below kLeastPixelsForThreads and for operations that no technique shares.
+[[nodiscard]] int worthwhile_threads(const ThinningOperation& operation,
+                                     const ThinningOptions& options, Index width, Index height);
 
 /// The variant that `options` ask for on an image of this width. Throws std::invalid_argument,
 /// naming what is wrong and what there is, where no variant fits.

@@ -99,7 +99,7 @@ int run(const RunOptions& options, std::ostream& out) {
   how.directions = directions_named(operation, options.directions);
   check_ending(options.out);
   const ByteImage objects = objects_of(read_grey(options.in), options.threshold, options.invert);
-  how.threads = worthwhile_threads(how, objects.width(), objects.height());
+  how.threads = worthwhile_threads(operation, how, objects.width(), objects.height());
   const ThinningVariant& variant = variant_for(operation, objects.width(), how);
   const Thinned result = thinned(operation, variant, objects, how);
   write_grey(options.out, result.skeleton.view());

@@ -55,14 +55,26 @@ TEST(ChooseVariant, follows_the_options) {
   EXPECT_TRUE(variant.threaded);
 }
 
+int worthwhile(const ThinningOptions& options, Index width, Index height) {
+  return worthwhile_threads(*find_thinning_operation(kOperation), options, width, height);
+}
+
 TEST(WorthwhileThreads, small_images_get_one_unless_a_technique_is_asked_for) {
-  EXPECT_EQ(worthwhile_threads({.threads = 4}, 510, 412), 1);
-  EXPECT_EQ(worthwhile_threads({.threads = 4}, 1024, 1024), 4);
-  EXPECT_EQ(worthwhile_threads({.technique = Technique::kBitpacked, .threads = 4}, 510, 412), 4);
-  EXPECT_EQ(worthwhile_threads({.threads = 0}, 510, 412), 0) << "refused later, by its value";
-  EXPECT_EQ(worthwhile_threads({.threads = 5000}, 510, 412), 5000) << "refused later, too";
-  EXPECT_EQ(worthwhile_threads({.threads = 4}, Index{1} << 40, 0), 1);
-  EXPECT_EQ(worthwhile_threads({.threads = 4}, Index{1} << 19, Index{1} << 44), 4);
+  EXPECT_EQ(worthwhile({.threads = 4}, 510, 412), 1);
+  EXPECT_EQ(worthwhile({.threads = 4}, 1024, 1024), 4);
+  EXPECT_EQ(worthwhile({.technique = Technique::kBitpacked, .threads = 4}, 510, 412), 4);
+  EXPECT_EQ(worthwhile({.threads = 0}, 510, 412), 0) << "refused later, by its value";
+  EXPECT_EQ(worthwhile({.threads = 5000}, 510, 412), 5000) << "refused later, too";
+  EXPECT_EQ(worthwhile({.threads = 4}, Index{1} << 40, 0), 1);
+  EXPECT_EQ(worthwhile({.threads = 4}, Index{1} << 19, Index{1} << 44), 4);
+}
+
+TEST(WorthwhileThreads, an_operation_that_no_technique_shares_gets_one) {
+  const ThinningOperation& alone = *find_thinning_operation("thin_spta");
+  EXPECT_EQ(worthwhile_threads(alone, {.threads = 4}, 2000, 2000), 1);
+  const ByteImage image(1100, 1000);
+  ByteImage out(1100, 1000);
+  EXPECT_EQ(thin("thin_spta", image.view(), out.view(), {.threads = 4}), 1);
 }
 
 TEST(ChooseVariant, names_what_does_not_exist) {
