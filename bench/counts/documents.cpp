@@ -49,7 +49,8 @@ Json row_json(const RowCount& count) {
                {"threads", row.threads},
                {"scope", scope_name(row.scope)},
                {"input", row.input->name},
-               {"instructions", count.instructions}};
+               {"instructions", count.instructions},
+               {"method", method_name(count.method)}};
   if (row.counter) json[std::string(row.operation->counter)] = *row.counter;
   return json;
 }

@@ -4,17 +4,15 @@
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 
-#include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "counts/call_time.hpp"
 #include "counts/cycles.hpp"
 #include "counts/single_steps.hpp"
+#include "counts/warm_call.hpp"
 #include "timing/progress.hpp"
-#include "timing/timed_call.hpp"
 
 namespace thinbench {
 namespace {
@@ -25,13 +23,10 @@ struct Answer {
   bool finished = false;  // within the steps it had
 };
 
-/// Input and output are copies, so that they, too, lie where a new thread finds memory.
 Answer answer_of(const TimedRow& row, std::uint64_t most_steps) {
-  const ByteImage input = copy_of(row.input->view(row.operation->takes));
-  ByteImage output(input.width(), input.height());
-  TimedCall call(row, input.view(), output.view());
-  call();
-  const auto instructions = instructions_of([&] { call(); }, most_steps);
+  std::optional<std::uint64_t> instructions;
+  with_warm_call(
+      row, [&](const CountedCall& call) { instructions = instructions_of(call, most_steps); });
   return {instructions.value_or(0), instructions.has_value()};
 }
 
@@ -49,14 +44,9 @@ int answer_into(int pipe_end, const TimedRow& row, std::uint64_t most_steps) {
   }
 }
 
-/// In a thread of its own, which gets memory that nobody used before: copies take another path
-/// where addresses differ, by a few instructions. Ends without the destructors and buffers of the
-/// parent, whose copies these are.
+/// Ends without the destructors and buffers of the parent, whose copies these are.
 [[noreturn]] void answer_and_exit(const TimedRow& row, std::uint64_t most_steps, int pipe_end) {
-  mallopt(M_MMAP_THRESHOLD, 1 << 17);  // as it is at first; it would grow with what was freed
-  int status = 1;
-  std::thread([&] { status = answer_into(pipe_end, row, most_steps); }).join();
-  _exit(status);
+  _exit(answer_into(pipe_end, row, most_steps));
 }
 
 std::string end_of(int status) {
@@ -98,12 +88,27 @@ std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_st
   return answer.instructions;
 }
 
+std::vector<const TimedRow*> rows_for_callgrind(const std::vector<TimedRow>& rows) {
+  std::vector<const TimedRow*> known;
+  for (const TimedRow& row : rows) {
+    if (callgrind_knows(row)) known.push_back(&row);
+  }
+  return known;
+}
+
 RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
+  const CallgrindCounts callgrind = callgrind_counts(rows_for_callgrind(rows));
   RowCounts counts;
+  counts.callgrind = callgrind.use;
   const double cycle = seconds_a_cycle();
   const Variant* too_long = nullptr;
   Progress progress("counting", static_cast<double>(rows.size()));
   for (const TimedRow& row : rows) {
+    progress.advance(1);
+    if (const auto instructions = callgrind.of(row)) {
+      counts.rows.push_back({&row, *instructions, Method::kCallgrind});
+      continue;
+    }
     std::optional<std::uint64_t> instructions;
     if (row.variant != too_long && !is_far_too_long(row, cycle, most_steps)) {
       instructions = count_of(row, most_steps);
@@ -114,7 +119,6 @@ RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps)
       too_long = row.variant;
       counts.skipped.push_back({row.name, kTooManySteps});
     }
-    progress.advance(1);
   }
   return counts;
 }

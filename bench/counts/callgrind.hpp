@@ -1,0 +1,39 @@
+// Instructions counted by valgrind's callgrind, which runs a program on a processor of its own: a
+// hundred times as fast as single steps, but without AVX-512.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "timing/timed_row.hpp"
+
+namespace thinbench {
+
+struct CallgrindUse {
+  std::string version;  // of valgrind; empty where it counted nothing
+  std::string why_not;  // what kept rows from being counted; empty where all were
+};
+
+struct CallgrindCounts {
+  std::map<const TimedRow*, std::uint64_t> instructions;  // of one call
+  CallgrindUse use;
+
+  [[nodiscard]] std::optional<std::uint64_t> of(const TimedRow& row) const {
+    const auto found = instructions.find(&row);
+    if (found == instructions.end()) return std::nullopt;
+    return found->second;
+  }
+};
+
+/// Whether valgrind knows the instructions of the row's level.
+[[nodiscard]] bool callgrind_knows(const TimedRow& row);
+
+/// Calls rows of one input under one valgrind, each in a process of its own that has called it once
+/// before. Leaves no files behind. What cannot be counted is left out: everything where valgrind or
+/// the program that it runs is missing. Throws std::system_error where the system gives no process.
+[[nodiscard]] CallgrindCounts callgrind_counts(const std::vector<const TimedRow*>& rows);
+
+}  // namespace thinbench
