@@ -85,20 +85,24 @@ bool callgrind_knows(const TimedRow& row) {
   return row.variant != nullptr && row.variant->isa < Isa::kAvx512;
 }
 
-CallgrindCounts callgrind_counts(const std::vector<const TimedRow*>& rows) {
-  CallgrindCounts counts;
-  if (rows.empty()) return counts;
+CallgrindRun::CallgrindRun(std::vector<const TimedRow*> rows) : rows_(std::move(rows)) {
+  if (rows_.empty()) return;
   const std::filesystem::path program = program_beside();
-  if (!std::filesystem::exists(program)) {
-    counts.use.why_not = program.string() + " is missing, which is built where valgrind is";
-    return counts;
+  if (std::filesystem::exists(program)) {
+    process_ = std::make_unique<ValgrindProcess>(program, job_of(rows_));
+  } else {
+    why_not_ = program.string() + " is missing, which is built where valgrind is";
   }
-  ValgrindProcess process(program, job_of(rows));
-  const Said said = listen(process, rows.size());
-  const int status = process.status();
-  take_counts(said, rows, counts);
+}
+
+CallgrindCounts CallgrindRun::counts() {
+  CallgrindCounts counts;
+  counts.use.why_not = why_not_;
+  if (!process_) return counts;
+  const Said said = listen(*process_, rows_.size());
+  take_counts(said, rows_, counts);
   if (!counts.instructions.empty()) counts.use.version = said.version;
-  counts.use.why_not = why_not(said, status, rows.size() - counts.instructions.size());
+  counts.use.why_not = why_not(said, process_->status(), rows_.size() - counts.instructions.size());
   return counts;
 }
 

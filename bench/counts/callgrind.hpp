@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "counts/valgrind_process.hpp"
 #include "timing/timed_row.hpp"
 
 namespace thinbench {
@@ -31,9 +33,22 @@ struct CallgrindCounts {
 /// Whether valgrind knows the instructions of the row's level.
 [[nodiscard]] bool callgrind_knows(const TimedRow& row);
 
-/// Calls rows of one input under one valgrind, each in a process of its own that has called it once
-/// before. Leaves no files behind. What cannot be counted is left out: everything where valgrind or
-/// the program that it runs is missing. Throws std::system_error where the system gives no process.
-[[nodiscard]] CallgrindCounts callgrind_counts(const std::vector<const TimedRow*>& rows);
+/// Calls rows of one input under one valgrind that runs beside this process, each in a process of
+/// its own that has called it once before. Leaves no files behind. What cannot be counted is left
+/// out: everything where valgrind or the program that it runs is missing.
+class CallgrindRun {
+ public:
+  /// The rows outlive the run and its counts. Throws std::system_error where the system gives no
+  /// process.
+  explicit CallgrindRun(std::vector<const TimedRow*> rows);
+
+  /// Waits for the end; once.
+  [[nodiscard]] CallgrindCounts counts();
+
+ private:
+  std::vector<const TimedRow*> rows_;
+  std::string why_not_;
+  std::unique_ptr<ValgrindProcess> process_;  // none where there is nothing to run
+};
 
 }  // namespace thinbench

@@ -1,7 +1,11 @@
 #include "counts/row_counts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <functional>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 
@@ -80,6 +84,51 @@ bool is_far_too_long(const TimedRow& row, double seconds_a_cycle, std::uint64_t 
          static_cast<double>(most_steps);
 }
 
+using Rows = std::vector<const TimedRow*>;
+using Counted = std::map<const TimedRow*, RowCount>;
+
+void step_through(const Rows& rows, std::uint64_t most_steps, const IsTooLong& is_too_long,
+                  Counted& counted) {
+  const Variant* too_long = nullptr;
+  Progress progress("counting", static_cast<double>(rows.size()));
+  for (const TimedRow* row : rows) {
+    std::optional<std::uint64_t> instructions;
+    if (row->variant != too_long && !is_too_long(*row)) instructions = count_of(*row, most_steps);
+    if (instructions) {
+      counted[row] = {row, *instructions, Method::kSingleSteps};
+    } else {
+      too_long = row->variant;
+    }
+    progress.advance(1);
+  }
+}
+
+template <class Is>
+Rows those_that(const Rows& rows, const Is& is) {
+  Rows chosen;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), is);
+  return chosen;
+}
+
+/// Callgrind runs beside the single steps of what it does not know; what it should have counted and
+/// did not is stepped through, too.
+Counted counted_in_two_ways(const Rows& rows, std::uint64_t most_steps,
+                            const IsTooLong& is_too_long, CallgrindUse& use) {
+  const auto is_known = [](const TimedRow* row) { return callgrind_knows(*row); };
+  const Rows known = those_that(rows, is_known);
+  CallgrindRun callgrind(known);
+  Counted counted;
+  step_through(those_that(rows, std::not_fn(is_known)), most_steps, is_too_long, counted);
+  const CallgrindCounts counts = callgrind.counts();
+  use = counts.use;
+  for (const auto& [row, instructions] : counts.instructions) {
+    counted[row] = {row, instructions, Method::kCallgrind};
+  }
+  const auto is_left = [&](const TimedRow* row) { return !counted.contains(row); };
+  step_through(those_that(known, is_left), most_steps, is_too_long, counted);
+  return counted;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_steps) {
@@ -88,39 +137,27 @@ std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_st
   return answer.instructions;
 }
 
-std::vector<const TimedRow*> rows_for_callgrind(const std::vector<TimedRow>& rows) {
-  std::vector<const TimedRow*> known;
-  for (const TimedRow& row : rows) {
-    if (callgrind_knows(row)) known.push_back(&row);
-  }
-  return known;
-}
-
-RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
-  const CallgrindCounts callgrind = callgrind_counts(rows_for_callgrind(rows));
+RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t most_steps,
+                    const IsTooLong& is_too_long) {
   RowCounts counts;
-  counts.callgrind = callgrind.use;
-  const double cycle = seconds_a_cycle();
-  const Variant* too_long = nullptr;
-  Progress progress("counting", static_cast<double>(rows.size()));
-  for (const TimedRow& row : rows) {
-    progress.advance(1);
-    if (const auto instructions = callgrind.of(row)) {
-      counts.rows.push_back({&row, *instructions, Method::kCallgrind});
-      continue;
-    }
-    std::optional<std::uint64_t> instructions;
-    if (row.variant != too_long && !is_far_too_long(row, cycle, most_steps)) {
-      instructions = count_of(row, most_steps);
-    }
-    if (instructions) {
-      counts.rows.push_back({&row, *instructions});
+  const Counted counted = counted_in_two_ways(rows, most_steps, is_too_long, counts.callgrind);
+  for (const TimedRow* row : rows) {
+    const auto found = counted.find(row);
+    if (found != counted.end()) {
+      counts.rows.push_back(found->second);
     } else {
-      too_long = row.variant;
-      counts.skipped.push_back({row.name, kTooManySteps});
+      counts.skipped.push_back({row->name, kTooManySteps});
     }
   }
   return counts;
+}
+
+RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
+  Rows all;
+  for (const TimedRow& row : rows) all.push_back(&row);
+  const double cycle = seconds_a_cycle();
+  return counts_of(all, most_steps,
+                   [&](const TimedRow& row) { return is_far_too_long(row, cycle, most_steps); });
 }
 
 }  // namespace thinbench

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <system_error>
-#include <utility>
+#include <thread>
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,36 +18,20 @@ namespace {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// A descriptor that is closed where it leaves its scope.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(number_); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
-
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-/// Memory that reads like a file: nobody waits for who reads, and nothing is left behind.
+/// Memory that reads like a file and leaves none behind.
 int open_in_memory() {
   const int file = memfd_create("counted", MFD_CLOEXEC);
-  if (file < 0) throw_errno("no memory to hand over what is counted");
+  if (file < 0) throw_errno("no memory to tell valgrind in");
   return file;
 }
 
 void fill(int file, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t written = write(file, text.data() + done, text.size() - done);
-    if (written < 0) throw_errno("what is counted cannot be handed over");
+    if (written < 0) throw_errno("valgrind cannot be told");
     done += static_cast<std::size_t>(written);
   }
-  if (lseek(file, 0, SEEK_SET) != 0) throw_errno("what is counted cannot be handed over");
+  if (lseek(file, 0, SEEK_SET) != 0) throw_errno("valgrind cannot be told");
 }
 
 /// Options in the environment or the home folder would change counts, or where they go.
@@ -62,40 +47,54 @@ void fill(int file, const std::string& text) {
 
 }  // namespace
 
-ValgrindProcess::ValgrindProcess(const std::string& program, const std::string& input) {
-  const Descriptor given(open_in_memory());
-  fill(given.number(), input);
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_errno("no pipe");
-  const Descriptor said(ends[1]);
-  lines_ = fdopen(ends[0], "r");
+ValgrindProcess::ValgrindProcess(const std::string& program, const std::string& input)
+    : said_(open_in_memory()) {
+  const int given = open_in_memory();
+  fill(given, input);
   process_ = fork();
-  if (process_ == 0) become_valgrind(program, given.number(), said.number());
-  if (process_ < 0) {
-    std::fclose(lines_);
-    throw_errno("no process for valgrind");
-  }
+  if (process_ == 0) become_valgrind(program, given, said_);
+  close(given);
+  if (process_ < 0) throw_errno("no process for valgrind");
 }
 
 ValgrindProcess::~ValgrindProcess() {
-  std::fclose(lines_);
-  if (process_ > 0) waitpid(process_, nullptr, 0);
+  if (process_ > 0) {
+    kill(process_, SIGTERM);
+    waitpid(process_, nullptr, 0);
+  }
+  close(said_);
 }
 
-std::optional<std::string> ValgrindProcess::next_line() {
-  std::string line;
-  int character = 0;
-  while ((character = std::fgetc(lines_)) != EOF && character != '\n') {
-    line += static_cast<char>(character);
-  }
-  if (character == EOF && line.empty()) return std::nullopt;
+std::optional<std::string> ValgrindProcess::line_in_stock() {
+  const std::size_t end = stock_.find('\n');
+  if (end == std::string::npos) return std::nullopt;
+  std::string line = stock_.substr(0, end);
+  stock_.erase(0, end + 1);
   return line;
 }
 
-int ValgrindProcess::status() {
-  int status = 0;
-  waitpid(std::exchange(process_, -1), &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+bool ValgrindProcess::has_ended() {
+  if (process_ > 0 && waitpid(process_, &wait_status_, WNOHANG) == process_) process_ = -1;
+  return process_ < 0;
+}
+
+std::optional<std::string> ValgrindProcess::next_line() {
+  constexpr std::chrono::milliseconds kPause{20};
+  for (;;) {
+    if (auto line = line_in_stock()) return line;
+    const bool ended = has_ended();  // before reading: what it said last is read, too
+    std::array<char, 4096> more{};
+    const ssize_t got = pread(said_, more.data(), more.size(), read_);
+    if (got < 0) throw_errno("valgrind cannot be heard");
+    read_ += got;
+    stock_.append(more.data(), static_cast<std::size_t>(got));
+    if (got == 0 && ended) return std::nullopt;
+    if (got == 0) std::this_thread::sleep_for(kPause);
+  }
+}
+
+int ValgrindProcess::status() const {
+  return WIFEXITED(wait_status_) ? WEXITSTATUS(wait_status_) : 128 + WTERMSIG(wait_status_);
 }
 
 }  // namespace thinbench

@@ -1,7 +1,6 @@
 // A program that runs under valgrind's callgrind, and the lines that both say.
 #pragma once
 
-#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -12,28 +11,34 @@ namespace thinbench {
 /// The status of a process that found no valgrind to become.
 inline constexpr int kNoValgrind = 127;
 
-/// Instrumentation is off at the start, and no files are written. Throws std::system_error where
-/// the system gives no process, pipe or memory.
+/// Runs beside this process. Instrumentation is off at the start, and no files are written. Throws
+/// std::system_error where the system gives no process or memory.
 class ValgrindProcess {
  public:
   /// `program` reads `input` from standard input.
   ValgrindProcess(const std::string& program, const std::string& input);
-  /// Waits for the process, which nobody listens to any more.
+  /// Ends what still runs.
   ~ValgrindProcess();
   ValgrindProcess(const ValgrindProcess&) = delete;
   ValgrindProcess& operator=(const ValgrindProcess&) = delete;
   ValgrindProcess(ValgrindProcess&&) = delete;
   ValgrindProcess& operator=(ValgrindProcess&&) = delete;
 
-  /// None at the end.
+  /// Waits for the next line that both say; none at the end.
   [[nodiscard]] std::optional<std::string> next_line();
 
-  /// Waits for the end; 128 and the number of the signal where one ended it.
-  [[nodiscard]] int status();
+  /// Once there are no more lines; 128 and the number of the signal where one ended the process.
+  [[nodiscard]] int status() const;
 
  private:
-  std::FILE* lines_ = nullptr;
-  pid_t process_ = -1;
+  [[nodiscard]] std::optional<std::string> line_in_stock();
+  [[nodiscard]] bool has_ended();
+
+  int said_ = -1;       // memory that it writes to, so that it never waits for a reader
+  std::string stock_;   // read and not yet given out
+  off_t read_ = 0;      // bytes of what it said
+  pid_t process_ = -1;  // -1 after its end
+  int wait_status_ = 0;
 };
 
 }  // namespace thinbench
