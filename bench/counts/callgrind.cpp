@@ -1,9 +1,12 @@
 #include "counts/callgrind.hpp"
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <utility>
+
+#include <unistd.h>
 
 #include "counts/counted_job.hpp"
 #include "counts/valgrind_process.hpp"
@@ -68,7 +71,6 @@ void take_counts(const Said& said, const std::vector<const TimedRow*>& rows,
 }
 
 std::string why_not(const Said& said, int status, std::size_t missing) {
-  if (status == kNoValgrind) return "valgrind is not installed";
   if (status != 0) {
     return "valgrind ended with status " + std::to_string(status) + ": " + said.latest;
   }
@@ -79,7 +81,23 @@ std::filesystem::path program_beside() {
   return std::filesystem::read_symlink("/proc/self/exe").replace_filename(kCountedCallsProgram);
 }
 
+bool is_installed(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::string why_no_callgrind() {
+  if (!is_installed("valgrind")) return "valgrind is not installed";
+  const std::filesystem::path program = program_beside();
+  if (std::filesystem::exists(program)) return {};
+  return program.string() + " is missing, which is built where valgrind is installed";
+}
 
 bool callgrind_knows(const TimedRow& row) {
   return row.variant != nullptr && row.variant->isa < Isa::kAvx512;
@@ -87,12 +105,9 @@ bool callgrind_knows(const TimedRow& row) {
 
 CallgrindRun::CallgrindRun(std::vector<const TimedRow*> rows) : rows_(std::move(rows)) {
   if (rows_.empty()) return;
-  const std::filesystem::path program = program_beside();
-  if (std::filesystem::exists(program)) {
-    process_ = std::make_unique<ValgrindProcess>(program, job_of(rows_));
-  } else {
-    why_not_ = program.string() + " is missing, which is built where valgrind is";
-  }
+  why_not_ = why_no_callgrind();
+  if (why_not_.empty())
+    process_ = std::make_unique<ValgrindProcess>(program_beside(), job_of(rows_));
 }
 
 CallgrindCounts CallgrindRun::counts() {

@@ -33,6 +33,9 @@ struct CallgrindCounts {
 /// Whether valgrind knows the instructions of the row's level.
 [[nodiscard]] bool callgrind_knows(const TimedRow& row);
 
+/// Why callgrind can count nothing here; empty where it can.
+[[nodiscard]] std::string why_no_callgrind();
+
 /// Calls rows of one input under one valgrind that runs beside this process, each in a process of
 /// its own that has called it once before. Leaves no files behind. What cannot be counted is left
 /// out: everything where valgrind or the program that it runs is missing.

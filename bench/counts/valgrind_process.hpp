@@ -8,9 +8,6 @@
 
 namespace thinbench {
 
-/// The status of a process that found no valgrind to become.
-inline constexpr int kNoValgrind = 127;
-
 /// Runs beside this process. Instrumentation is off at the start, and no files are written. Throws
 /// std::system_error where the system gives no process or memory.
 class ValgrindProcess {
@@ -27,7 +24,8 @@ class ValgrindProcess {
   /// Waits for the next line that both say; none at the end.
   [[nodiscard]] std::optional<std::string> next_line();
 
-  /// Once there are no more lines; 128 and the number of the signal where one ended the process.
+  /// Once there are no more lines: as shells have it, 127 without valgrind, 128 and the number of
+  /// the signal where one ended the process.
   [[nodiscard]] int status() const;
 
  private:
