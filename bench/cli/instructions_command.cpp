@@ -152,8 +152,7 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
       ->type_name("FILE");
   app.add_option("--most-steps", options.most_steps,
                  "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
-                 "with --limits 800000, "
-                 "quick 100000)")
+                 "with --limits 800000, quick 100000)")
       ->check(whole_number(1, 1000000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");

@@ -17,6 +17,7 @@ namespace {
 
 std::string job_of(const std::vector<const TimedRow*>& rows) {
   std::vector<std::string> names;
+  names.reserve(rows.size());
   for (const TimedRow* row : rows) names.push_back(row->name);
   std::ostringstream job;
   write_job(job, *rows.front()->input, names);
@@ -33,20 +34,21 @@ std::optional<std::string> after(const std::string& line, const char* mark) {
 /// What valgrind and the program say, line by line.
 struct Said {
   std::string version;
-  std::string latest;                               // what was said last, whatever it is
+  std::string latest;                               // what was said last
   std::optional<std::uint64_t> collected;           // by the process that ends now
   std::vector<std::optional<std::uint64_t>> calls;  // by processes that have ended
 
   void add(const std::string& line) {
-    if (const auto name = after(line, "Using Valgrind-"))
+    if (const auto name = after(line, "Using Valgrind-")) {
       version = name->substr(0, name->find(' '));
+    }
     if (const auto number = after(line, "Collected : ")) collected = std::stoull(*number);
     if (line == kCallDone) calls.push_back(std::exchange(collected, std::nullopt));
     if (line == kCallFailed) {
       calls.emplace_back();
       collected.reset();
     }
-    latest = line;
+    if (!line.starts_with("==")) latest = line;  // nothing that callgrind sums up
   }
 };
 
@@ -85,7 +87,7 @@ bool is_installed(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
   }
   return false;
 }
@@ -106,8 +108,9 @@ bool callgrind_knows(const TimedRow& row) {
 CallgrindRun::CallgrindRun(std::vector<const TimedRow*> rows) : rows_(std::move(rows)) {
   if (rows_.empty()) return;
   why_not_ = why_no_callgrind();
-  if (why_not_.empty())
+  if (why_not_.empty()) {
     process_ = std::make_unique<ValgrindProcess>(program_beside(), job_of(rows_));
+  }
 }
 
 CallgrindCounts CallgrindRun::counts() {
