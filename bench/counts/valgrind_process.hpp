@@ -8,8 +8,8 @@
 
 namespace thinbench {
 
-/// Runs beside this process. Instrumentation is off at the start, and no files are written. Throws
-/// std::system_error where the system gives no process or memory.
+/// Runs beside this process. Instrumentation and collecting are off at the start, and no files are
+/// written. Throws std::system_error where the system gives no process or memory.
 class ValgrindProcess {
  public:
   /// `program` reads `input` from standard input.
