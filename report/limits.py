@@ -30,8 +30,8 @@ def _sentence(limits: Limits) -> str:
     left_out = (f" {limits.skipped} rows execute too many to be counted, or do not run here."
                 if limits.skipped else "")
     width, height = limits.size
-    how = (f", {limits.by_callgrind} rows by callgrind and the others one by one"
-           if limits.by_callgrind else " one by one")
+    how = (f", {limits.by_callgrind} rows by callgrind and the others by single steps"
+           if limits.by_callgrind else " by single steps")
     return (f"Instructions of one call on {limits.input}, {width} x {height} pixels, counted{how}; "
             "time and frequency were measured next to each other. The limit is the time "
             f"of a core that issues {limits.issue_width:g} instructions in every cycle, which is "

@@ -41,7 +41,7 @@ void fill(int file, const std::string& text) {
   dup2(output, STDERR_FILENO);
   execlp("valgrind", "valgrind", "--command-line-only=yes", "--tool=callgrind",
          "--instr-atstart=no", "--collect-atstart=no", "--callgrind-out-file=/dev/null",
-         "--log-fd=1", program.c_str(), nullptr);
+         "--vgdb=no", "--log-fd=1", program.c_str(), nullptr);
   _exit(127);
 }
 

@@ -42,11 +42,11 @@ def test_limits_stand_on_the_page_and_in_a_file_of_their_own(run):
 
 def test_the_sentence_says_how_instructions_were_counted(run):
     build(write(run, make_limits()).directory)
-    assert "510 x 412 pixels, counted one by one;" in (run.directory / "limits.md").read_text()
+    assert "510 x 412 pixels, counted by single steps;" in (run.directory / "limits.md").read_text()
     write(run, make_limits(method="callgrind"))
     build(run.directory)
     text = (run.directory / "limits.md").read_text()
-    assert "counted, 1 rows by callgrind and the others one by one;" in text
+    assert "counted, 1 rows by callgrind and the others by single steps;" in text
 
 
 def test_bit_packed_rows_are_set_beside_a_copy_of_packed_bits(run):
