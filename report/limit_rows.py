@@ -39,6 +39,7 @@ class Limits:
     issue_width: float
     rows: tuple[Limit, ...]
     skipped: int
+    by_callgrind: int  # of the rows; the others were counted by single steps
 
 
 def load_limits(directory: Path) -> Limits | None:
@@ -50,7 +51,7 @@ def load_limits(directory: Path) -> Limits | None:
     shape = fields.child("input")
     return Limits(shape.text("name"), (shape.count("width", 1), shape.count("height", 1)),
                   fields.positive("issue_width"), tuple(map(_limit, fields.children("rows"))),
-                  len(fields.listed("skipped")))
+                  len(fields.listed("skipped")), sum(map(_is_by_callgrind, fields.children("rows"))))
 
 
 def copy_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
@@ -67,6 +68,11 @@ def copy_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
     packed = (row for row in rows
               if "bitpacked" in limit.technique and row.name.technique == COPY_BITS)
     return next((row.median_ns for row in (*own, *packed)), None)
+
+
+def _is_by_callgrind(row: Fields) -> bool:
+    """Rows from before there was a choice name no method."""
+    return row.has("method") and row.text("method") == "callgrind"
 
 
 def _limit(row: Fields) -> Limit:

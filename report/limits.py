@@ -30,8 +30,10 @@ def _sentence(limits: Limits) -> str:
     left_out = (f" {limits.skipped} rows execute too many to be counted, or do not run here."
                 if limits.skipped else "")
     width, height = limits.size
-    return (f"Instructions of one call on {limits.input}, {width} x {height} pixels, counted one "
-            "by one; time and frequency were measured next to each other. The limit is the time "
+    how = (f", {limits.by_callgrind} rows by callgrind and the others by single steps"
+           if limits.by_callgrind else " by single steps")
+    return (f"Instructions of one call on {limits.input}, {width} x {height} pixels, counted{how}; "
+            "time and frequency were measured next to each other. The limit is the time "
             f"of a core that issues {limits.issue_width:g} instructions in every cycle, which is "
             "assumed and not measured; above 100 % the core issues more. The copy is one of the "
             "same bytes, of packed bits for bit-packed techniques, where it was timed on the same "

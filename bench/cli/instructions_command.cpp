@@ -7,7 +7,6 @@
 #include "counts/comparison.hpp"
 #include "counts/counted_input.hpp"
 #include "counts/documents.hpp"
-#include "peers/peers.hpp"
 #include "support/whole_file.hpp"
 #include "timing/row_selection.hpp"
 
@@ -19,16 +18,18 @@ constexpr const char* kExamples = R"(Examples:
   thinbench instructions --against counts.json
   thinbench instructions --limits --filter '^thin_guo_hall/.*_row/' --issue-width 6
 
-Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted, each
-instruction by a trap of the processor, which takes microseconds. So the input is small: every 5th
-pixel of every 16th row of the picture. Rows that take more than --most-steps are skipped.
+Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
+valgrind is installed, its callgrind counts all but AVX-512; the rest is counted by a trap of the
+processor after each instruction, which takes microseconds, and rows that take more than --most-steps
+are skipped. So the input is small: every 5th pixel of every 16th row of the picture.
 
 --limits takes the whole picture, times the rows too, and measures the core's frequency. The limit
 of a row is the time in which --issue-width instructions a cycle would be issued; how many a core
 can issue is not measured but assumed, and more than 100 % shows that it can issue more.
 
 Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions, 4 nothing could be
-compared: no row in common, or another compiler, flags, C library, processor level or input.)";
+compared: no row in common, or another compiler, flags, C library, processor level or input. Rows
+that were counted by another method, or under another valgrind, are not compared.)";
 
 constexpr int kNothingCompared = 4;
 constexpr Index kQuickRows = 24;
@@ -46,7 +47,7 @@ struct InstructionsOptions {
 
   [[nodiscard]] std::uint64_t steps() const {
     if (most_steps > 0) return most_steps;
-    if (!limits) return 30000;
+    if (!limits) return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
     return quick ? 100000 : 800000;
   }
 };
@@ -84,6 +85,7 @@ struct Results {
   nlohmann::ordered_json document;
   std::string table;
   std::size_t skipped;
+  std::string why_not_callgrind;
 };
 
 Results counted(const InstructionsOptions& options) {
@@ -91,7 +93,7 @@ Results counted(const InstructionsOptions& options) {
   const Selection selection = selected(options, inputs);
   const RowCounts counts = counts_of(selection.rows, options.steps());
   return {counts_json(inputs.front(), counts, options.steps()), counts_table(counts),
-          counts.skipped.size()};
+          counts.skipped.size(), counts.callgrind.why_not};
 }
 
 Results limited(const InstructionsOptions& options) {
@@ -100,7 +102,8 @@ Results limited(const InstructionsOptions& options) {
   if (options.quick) rows = fastest_rows(rows);
   const Limits limits = limits_of(rows, options.steps());
   return {limits_json(inputs.front(), limits, options.issue_width),
-          limits_table(limits, options.issue_width), limits.skipped.size()};
+          limits_table(limits, options.issue_width), limits.skipped.size(),
+          limits.callgrind.why_not};
 }
 
 int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
@@ -109,6 +112,15 @@ int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
   console.out << to_text(comparison);
   if (comparison.compared == 0) return kNothingCompared;
   return comparison.more() > 0 ? kFailure : kSuccess;
+}
+
+void say_what_is_missing(const Results& results, const InstructionsOptions& options,
+                         const Console& console) {
+  if (!results.why_not_callgrind.empty()) {
+    console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
+  }
+  console.err << results.skipped << " rows are left out: they take more than " << options.steps()
+              << " single steps\n";
 }
 
 void check(const InstructionsOptions& options) {
@@ -126,9 +138,9 @@ int run(const InstructionsOptions& options, const Console& console) {
   const Results results = options.limits ? limited(options) : counted(options);
   const std::string json = results.document.dump(1) + "\n";
   if (!options.out.empty()) write_whole_file(options.out, json);
+  say_what_is_missing(results, options, console);
   if (!options.against.empty()) return compare_and_print(before, results.document, console);
   console.out << (options.json ? json : results.table);
-  console.err << results.skipped << " rows take more than " << options.steps() << " steps\n";
   return kSuccess;
 }
 
@@ -139,7 +151,8 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
       ->check(not_empty())
       ->type_name("FILE");
   app.add_option("--most-steps", options.most_steps,
-                 "Skip rows that take more (default: 30000, with --limits 800000, quick 100000)")
+                 "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
+                 "with --limits 800000, quick 100000)")
       ->check(whole_number(1, 1000000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");

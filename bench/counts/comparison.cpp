@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "counts/documents.hpp"
 #include "support/text.hpp"
@@ -27,9 +28,22 @@ std::string difference_of(const Json& before, const Json& now) {
   return {};
 }
 
-std::map<std::string, std::uint64_t> counts_in(const Json& document) {
-  std::map<std::string, std::uint64_t> counts;
-  for (const Json& row : document.at("rows")) counts[row.at("row")] = row.at("instructions");
+struct StoredCount {
+  std::uint64_t instructions = 0;
+  std::string method;  // with valgrind's version
+};
+
+using StoredCounts = std::map<std::string, StoredCount>;
+
+/// Before schema 2, rows named no method.
+StoredCounts counts_in(const Json& document) {
+  const std::string single_steps = method_name(Method::kSingleSteps);
+  StoredCounts counts;
+  for (const Json& row : document.at("rows")) {
+    std::string method = row.value("method", single_steps);
+    if (method != single_steps) method.append(" ").append(document.at("valgrind"));
+    counts[row.at("row")] = {row.at("instructions"), std::move(method)};
+  }
   return counts;
 }
 
@@ -39,14 +53,17 @@ bool is_moved(std::uint64_t before, std::uint64_t now) {
 }
 
 /// Rows that were counted before and have become too long to be counted.
-void add_overlong(const Json& now, const std::map<std::string, std::uint64_t>& before,
-                  Comparison& comparison) {
+void add_overlong(const Json& now, const StoredCounts& before, Comparison& comparison) {
   for (const Json& row : now.at("skipped")) {
-    const auto old = before.find(row.at("row"));
-    if (old == before.end() || row.at("reason") != kTooManySteps) continue;
-    if (old->second > now.at("most_steps")) continue;
-    ++comparison.compared;
-    comparison.moved.push_back({old->first, old->second, 0});
+    const auto found = before.find(row.at("row"));
+    if (found == before.end() || row.at("reason") != kTooManySteps) continue;
+    const StoredCount& old = found->second;
+    if (old.method != method_name(Method::kSingleSteps)) {
+      ++comparison.otherwise_counted;
+    } else if (old.instructions <= now.at("most_steps")) {
+      ++comparison.compared;
+      comparison.moved.push_back({found->first, old.instructions, 0});
+    }
   }
 }
 
@@ -62,8 +79,9 @@ bool is_known(const Json& document) {
   try {
     static_cast<void>(counts_in(document));
     static_cast<void>(document.at("input"));
-    return document.at("build").is_object() && document.at("schema") == kCountsSchema &&
-           document.at("kind") == kInstructionsKind;
+    const int schema = document.at("schema");
+    return document.at("build").is_object() && schema >= kFirstCountsSchema &&
+           schema <= kCountsSchema && document.at("kind") == kInstructionsKind;
   } catch (const Json::exception&) {
     return false;
   }
@@ -93,8 +111,14 @@ Comparison compare(const Json& before, const Json& now) {
   for (const auto& [row, count] : counts_in(now)) {
     const auto old = old_counts.find(row);
     if (old == old_counts.end()) continue;
+    if (old->second.method != count.method) {
+      ++comparison.otherwise_counted;
+      continue;
+    }
     ++comparison.compared;
-    if (is_moved(old->second, count)) comparison.moved.push_back({row, old->second, count});
+    if (is_moved(old->second.instructions, count.instructions)) {
+      comparison.moved.push_back({row, old->second.instructions, count.instructions});
+    }
   }
   add_overlong(now, old_counts, comparison);
   return comparison;
@@ -104,6 +128,10 @@ std::string to_text(const Comparison& comparison) {
   if (!comparison.why_not.empty()) return "nothing compared: " + comparison.why_not + "\n";
   std::string text;
   for (const MovedRow& moved : comparison.moved) text += line_of(moved);
+  if (comparison.otherwise_counted > 0) {
+    text += std::to_string(comparison.otherwise_counted) +
+            " rows not compared: they were counted by another method or valgrind\n";
+  }
   const std::size_t more = comparison.more();
   return text + std::to_string(comparison.compared) + " rows compared: " + std::to_string(more) +
          " take more instructions, " + std::to_string(comparison.moved.size() - more) +

@@ -24,7 +24,8 @@ struct MovedRow {
 struct Comparison {
   std::string why_not;  // the files cannot be compared; empty where they can
   std::size_t compared = 0;
-  std::vector<MovedRow> moved;  // by more than the tolerance
+  std::size_t otherwise_counted = 0;  // by another method than before: not compared
+  std::vector<MovedRow> moved;        // by more than the tolerance
 
   [[nodiscard]] std::size_t more() const;
 };
@@ -33,7 +34,8 @@ struct Comparison {
 /// where there is none, or one of another schema.
 [[nodiscard]] nlohmann::json read_counts(const std::string& file);
 
-/// Rows that both documents have. They are comparable where build and input are the same.
+/// Rows that both documents have. They are comparable where build and input are the same, and a row
+/// where it was counted by the same method, callgrind's by the same valgrind.
 [[nodiscard]] Comparison compare(const nlohmann::json& before, const nlohmann::json& now);
 
 /// What moved, a line each, and a line that sums up.

@@ -21,11 +21,12 @@ std::string processor_level() {
   return std::string(isa_name(highest));
 }
 
-Json document_of(const char* kind, const TimedInput& input,
-                 const std::vector<SkippedRow>& skipped) {
-  Json document = {{"schema", kCountsSchema},
+Json document_of(const char* kind, int schema, const TimedInput& input,
+                 const CallgrindUse& callgrind, const std::vector<SkippedRow>& skipped) {
+  Json document = {{"schema", schema},
                    {"kind", kind},
                    {"build", build_json()},
+                   {"valgrind", callgrind.version},
                    {"input",
                     {{"name", input.name},
                      {"width", input.width()},
@@ -49,7 +50,8 @@ Json row_json(const RowCount& count) {
                {"threads", row.threads},
                {"scope", scope_name(row.scope)},
                {"input", row.input->name},
-               {"instructions", count.instructions}};
+               {"instructions", count.instructions},
+               {"method", method_name(count.method)}};
   if (row.counter) json[std::string(row.operation->counter)] = *row.counter;
   return json;
 }
@@ -99,14 +101,15 @@ Json build_json() {
 }
 
 Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t most_steps) {
-  Json document = document_of(kInstructionsKind, input, counts.skipped);
+  Json document =
+      document_of(kInstructionsKind, kCountsSchema, input, counts.callgrind, counts.skipped);
   document["most_steps"] = most_steps;
   for (const RowCount& count : counts.rows) document["rows"].push_back(row_json(count));
   return document;
 }
 
 Json limits_json(const TimedInput& input, const Limits& limits, double issue_width) {
-  Json document = document_of("limits", input, limits.skipped);
+  Json document = document_of("limits", kLimitsSchema, input, limits.callgrind, limits.skipped);
   document["issue_width"] = issue_width;
   for (const RowLimit& limit : limits.rows) {
     document["rows"].push_back(limit_json(limit, issue_width));
@@ -115,11 +118,11 @@ Json limits_json(const TimedInput& input, const Limits& limits, double issue_wid
 }
 
 std::string counts_table(const RowCounts& counts) {
-  std::string text = line("%-80s %12s %8s\n", "row", "instructions", "counter");
+  std::string text = line("%-80s %12s %8s  %s\n", "row", "instructions", "counter", "counted by");
   for (const RowCount& count : counts.rows) {
-    text +=
-        line("%-80s %12llu %8s\n", count.row->name.c_str(),
-             static_cast<unsigned long long>(count.instructions), counter_of(*count.row).c_str());
+    text += line("%-80s %12llu %8s  %s\n", count.row->name.c_str(),
+                 static_cast<unsigned long long>(count.instructions),
+                 counter_of(*count.row).c_str(), method_name(count.method));
   }
   return text;
 }

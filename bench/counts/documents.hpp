@@ -11,7 +11,10 @@
 
 namespace thinbench {
 
-inline constexpr int kCountsSchema = 1;
+/// Since 2, rows name their method; before, all were counted by single steps.
+inline constexpr int kCountsSchema = 2;
+inline constexpr int kFirstCountsSchema = 1;
+inline constexpr int kLimitsSchema = 1;
 inline constexpr const char* kInstructionsKind = "instructions";
 
 /// What must be equal for counts to be comparable: compiler and flags, the C library and the level

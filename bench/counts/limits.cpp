@@ -15,9 +15,24 @@ constexpr std::size_t kEpochs = 9;
 /// What fast rows reach at least; slow ones reach less and are left out all the same.
 constexpr double kExpectedInstructionsACycle = 3;
 
-bool is_too_long(const CallTime& time, std::uint64_t most_steps) {
+/// Callgrind counts hundreds of them while one is stepped over.
+constexpr std::uint64_t kUnderCallgrindForAStep = 250;
+
+bool is_too_long(const CallTime& time, std::uint64_t most_instructions) {
   return kExpectedInstructionsACycle * time.seconds / time.seconds_a_cycle >
-         static_cast<double>(most_steps);
+         static_cast<double>(most_instructions);
+}
+
+using Times = std::map<const TimedRow*, CallTime>;
+
+Times times_of(const std::vector<TimedRow>& rows) {
+  Times times;
+  Progress progress("timing", static_cast<double>(rows.size()));
+  for (const TimedRow& row : rows) {
+    times[&row] = time_of(row);
+    progress.advance(1);
+  }
+  return times;
 }
 
 }  // namespace
@@ -48,19 +63,23 @@ std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
 }
 
 Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
+  const Times times = times_of(rows);
   Limits limits;
-  Progress progress("counting", static_cast<double>(rows.size()));
+  std::vector<const TimedRow*> countable;
   for (const TimedRow& row : rows) {
-    progress.advance(1);
-    const CallTime time = time_of(row);
-    std::optional<std::uint64_t> instructions;
-    if (!is_too_long(time, most_steps)) instructions = count_of(row, most_steps);
-    if (instructions) {
-      limits.rows.push_back({{&row, *instructions}, time});
+    const std::uint64_t factor = callgrind_knows(row) ? kUnderCallgrindForAStep : 1;
+    if (!is_too_long(times.at(&row), factor * most_steps)) {
+      countable.push_back(&row);
     } else {
       limits.skipped.push_back({row.name, kTooManySteps});
     }
   }
+  const RowCounts counts = counts_of(countable, most_steps, [&](const TimedRow& row) {
+    return is_too_long(times.at(&row), most_steps);
+  });
+  for (const RowCount& count : counts.rows) limits.rows.push_back({count, times.at(count.row)});
+  limits.skipped.insert(limits.skipped.end(), counts.skipped.begin(), counts.skipped.end());
+  limits.callgrind = counts.callgrind;
   return limits;
 }
 

@@ -33,13 +33,15 @@ struct RowLimit {
 struct Limits {
   std::vector<RowLimit> rows;
   std::vector<SkippedRow> skipped;
+  CallgrindUse callgrind = {};
 };
 
 /// Of each operation the row that takes the least time end to end, and no other.
 [[nodiscard]] std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows);
 
-/// Times and counts rows, which outlive the limits. A row whose time makes more than `most_steps`
-/// instructions likely is left out untried: counting takes thousands of times as long as running.
+/// Times and then counts rows, of one input, which outlive the limits. A row whose time makes more
+/// than `most_steps` instructions likely, or far more than that for callgrind, is left out untried:
+/// counting takes hundreds or thousands of times as long as running.
 [[nodiscard]] Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps);
 
 }  // namespace thinbench

@@ -1,20 +1,22 @@
 #include "counts/row_counts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <functional>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 
-#include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "counts/call_time.hpp"
 #include "counts/cycles.hpp"
 #include "counts/single_steps.hpp"
+#include "counts/warm_call.hpp"
 #include "timing/progress.hpp"
-#include "timing/timed_call.hpp"
 
 namespace thinbench {
 namespace {
@@ -25,13 +27,10 @@ struct Answer {
   bool finished = false;  // within the steps it had
 };
 
-/// Input and output are copies, so that they, too, lie where a new thread finds memory.
 Answer answer_of(const TimedRow& row, std::uint64_t most_steps) {
-  const ByteImage input = copy_of(row.input->view(row.operation->takes));
-  ByteImage output(input.width(), input.height());
-  TimedCall call(row, input.view(), output.view());
-  call();
-  const auto instructions = instructions_of([&] { call(); }, most_steps);
+  std::optional<std::uint64_t> instructions;
+  with_warm_call(
+      row, [&](const CountedCall& call) { instructions = instructions_of(call, most_steps); });
   return {instructions.value_or(0), instructions.has_value()};
 }
 
@@ -49,14 +48,9 @@ int answer_into(int pipe_end, const TimedRow& row, std::uint64_t most_steps) {
   }
 }
 
-/// In a thread of its own, which gets memory that nobody used before: copies take another path
-/// where addresses differ, by a few instructions. Ends without the destructors and buffers of the
-/// parent, whose copies these are.
+/// Ends without the destructors and buffers of the parent, whose copies these are.
 [[noreturn]] void answer_and_exit(const TimedRow& row, std::uint64_t most_steps, int pipe_end) {
-  mallopt(M_MMAP_THRESHOLD, 1 << 17);  // as it is at first; it would grow with what was freed
-  int status = 1;
-  std::thread([&] { status = answer_into(pipe_end, row, most_steps); }).join();
-  _exit(status);
+  _exit(answer_into(pipe_end, row, most_steps));
 }
 
 std::string end_of(int status) {
@@ -90,6 +84,51 @@ bool is_far_too_long(const TimedRow& row, double seconds_a_cycle, std::uint64_t 
          static_cast<double>(most_steps);
 }
 
+using Rows = std::vector<const TimedRow*>;
+using Counted = std::map<const TimedRow*, RowCount>;
+
+void step_through(const Rows& rows, std::uint64_t most_steps, const IsTooLong& is_too_long,
+                  Counted& counted) {
+  const Variant* too_long = nullptr;
+  Progress progress("counting", static_cast<double>(rows.size()));
+  for (const TimedRow* row : rows) {
+    std::optional<std::uint64_t> instructions;
+    if (row->variant != too_long && !is_too_long(*row)) instructions = count_of(*row, most_steps);
+    if (instructions) {
+      counted[row] = {row, *instructions, Method::kSingleSteps};
+    } else {
+      too_long = row->variant;
+    }
+    progress.advance(1);
+  }
+}
+
+template <class Is>
+Rows those_that(const Rows& rows, const Is& is) {
+  Rows chosen;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(chosen), is);
+  return chosen;
+}
+
+/// Callgrind runs beside the single steps of what it does not know; what it should have counted and
+/// did not is stepped through, too.
+Counted counted_in_two_ways(const Rows& rows, std::uint64_t most_steps,
+                            const IsTooLong& is_too_long, CallgrindUse& use) {
+  const auto is_known = [](const TimedRow* row) { return callgrind_knows(*row); };
+  const Rows known = those_that(rows, is_known);
+  CallgrindRun callgrind(known);
+  Counted counted;
+  step_through(those_that(rows, std::not_fn(is_known)), most_steps, is_too_long, counted);
+  const CallgrindCounts counts = callgrind.counts();
+  use = counts.use;
+  for (const auto& [row, instructions] : counts.instructions) {
+    counted[row] = {row, instructions, Method::kCallgrind};
+  }
+  const auto is_left = [&](const TimedRow* row) { return !counted.contains(row); };
+  step_through(those_that(known, is_left), most_steps, is_too_long, counted);
+  return counted;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_steps) {
@@ -98,25 +137,27 @@ std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_st
   return answer.instructions;
 }
 
-RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
+RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t most_steps,
+                    const IsTooLong& is_too_long) {
   RowCounts counts;
-  const double cycle = seconds_a_cycle();
-  const Variant* too_long = nullptr;
-  Progress progress("counting", static_cast<double>(rows.size()));
-  for (const TimedRow& row : rows) {
-    std::optional<std::uint64_t> instructions;
-    if (row.variant != too_long && !is_far_too_long(row, cycle, most_steps)) {
-      instructions = count_of(row, most_steps);
-    }
-    if (instructions) {
-      counts.rows.push_back({&row, *instructions});
+  const Counted counted = counted_in_two_ways(rows, most_steps, is_too_long, counts.callgrind);
+  for (const TimedRow* row : rows) {
+    const auto found = counted.find(row);
+    if (found != counted.end()) {
+      counts.rows.push_back(found->second);
     } else {
-      too_long = row.variant;
-      counts.skipped.push_back({row.name, kTooManySteps});
+      counts.skipped.push_back({row->name, kTooManySteps});
     }
-    progress.advance(1);
   }
   return counts;
+}
+
+RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
+  Rows all;
+  for (const TimedRow& row : rows) all.push_back(&row);
+  const double cycle = seconds_a_cycle();
+  return counts_of(all, most_steps,
+                   [&](const TimedRow& row) { return is_far_too_long(row, cycle, most_steps); });
 }
 
 }  // namespace thinbench

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "counts/callgrind.hpp"
 #include "timing/timed_row.hpp"
 
 namespace thinbench {
@@ -12,23 +14,40 @@ namespace thinbench {
 /// Why a row was skipped that another build may count.
 inline constexpr const char* kTooManySteps = "more steps than are counted";
 
+/// How a row was counted. Both agree but for the C library, which chooses other functions under
+/// callgrind, and for instructions that repeat themselves, which callgrind counts each time.
+enum class Method : std::uint8_t { kSingleSteps, kCallgrind };
+
+[[nodiscard]] constexpr const char* method_name(Method method) {
+  return method == Method::kCallgrind ? "callgrind" : "single_steps";
+}
+
 struct RowCount {
   const TimedRow* row;
   std::uint64_t instructions;  // of one call
+  Method method = Method::kSingleSteps;
 };
 
 struct RowCounts {
   std::vector<RowCount> rows;
   std::vector<SkippedRow> skipped;
+  CallgrindUse callgrind = {};
 };
 
-/// Counts in a child process, which has made the row ready and called it once before: memory lies
-/// alike whatever was counted earlier. None where a call takes more than `most_steps`. Throws
-/// std::runtime_error where the child fails.
+/// Counts single steps in a child process, which has made the row ready and called it once before:
+/// memory lies alike whatever was counted earlier. None where a call takes more than `most_steps`.
+/// Throws std::runtime_error where the child fails.
 [[nodiscard]] std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_steps);
 
-/// All these rows, which outlive the counts. A variant whose kernel takes too many steps is not
-/// tried end to end.
+/// Whether the single steps of a row need not be tried.
+using IsTooLong = std::function<bool(const TimedRow&)>;
+
+/// All these rows, of one input, which outlive the counts: by callgrind where it knows them, else
+/// by single steps. A variant whose kernel takes too many steps is not tried end to end.
+[[nodiscard]] RowCounts counts_of(const std::vector<const TimedRow*>& rows,
+                                  std::uint64_t most_steps, const IsTooLong& is_too_long);
+
+/// The same, and rows are too long whose time says so, by far.
 [[nodiscard]] RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps);
 
 }  // namespace thinbench

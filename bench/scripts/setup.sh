@@ -1,7 +1,7 @@
 # Sourced by ./study and ./check: what both need before they build. Needs `root`, the project's root.
 
 packages=(g++ cmake ninja-build git libbenchmark-dev libtbb-dev libxsimd-dev libopencv-dev
-  libleptonica-dev libgtest-dev xz-utils
+  libleptonica-dev libgtest-dev xz-utils valgrind
   libcli11-dev nlohmann-json3-dev python3 python3-numpy python3-scipy python3-matplotlib
   python3-jinja2 python3-pytest)
 

@@ -12,12 +12,13 @@ namespace {
 using Json = nlohmann::json;
 
 Json document(const std::string& row, std::uint64_t instructions) {
-  return {{"schema", 1},
+  return {{"schema", 2},
           {"kind", "instructions"},
+          {"valgrind", "3.19.0"},
           {"build", build_json()},
           {"input", {{"name", "scene_small"}}},
           {"most_steps", 5000},
-          {"rows", {{{"row", row}, {"instructions", instructions}}}},
+          {"rows", {{{"row", row}, {"instructions", instructions}, {"method", "single_steps"}}}},
           {"skipped", Json::array()}};
 }
 
@@ -42,6 +43,42 @@ TEST(Comparison, a_row_that_became_too_long_to_be_counted_takes_more) {
   now["skipped"].push_back({{"row", "a"}, {"reason", kTooManySteps}});
   EXPECT_EQ(compare(document("a", 1000), now).more(), 1U);
   EXPECT_EQ(compare(document("a", 6000), now).compared, 0U);  // it was counted with more steps
+}
+
+Json by_callgrind(Json document) {
+  document["rows"][0]["method"] = "callgrind";
+  return document;
+}
+
+TEST(Comparison, rows_counted_by_another_method_or_valgrind_are_not_compared_and_said) {
+  const Json stepped = document("a", 1000);
+  const Json counted = by_callgrind(document("a", 2000));
+  EXPECT_EQ(to_text(compare(stepped, counted)),
+            "1 rows not compared: they were counted by another method or valgrind\n"
+            "0 rows compared: 0 take more instructions, 0 fewer (tolerance 1 %)\n");
+  EXPECT_EQ(compare(counted, counted).compared, 1U);
+  Json other = counted;
+  other["valgrind"] = "3.20.0";
+  EXPECT_EQ(compare(counted, other).otherwise_counted, 1U);
+}
+
+TEST(Comparison, rows_without_callgrind_now_have_not_become_too_long) {
+  Json now = document("b", 1);
+  now["skipped"].push_back({{"row", "a"}, {"reason", kTooManySteps}});
+  const Comparison comparison = compare(by_callgrind(document("a", 1000)), now);
+  EXPECT_EQ(comparison.compared, 0U);
+  EXPECT_EQ(comparison.otherwise_counted, 1U);
+}
+
+TEST(Comparison, files_from_before_methods_were_counted_by_single_steps) {
+  Json before = document("a", 1000);
+  before["schema"] = 1;
+  before.erase("valgrind");
+  before["rows"][0].erase("method");
+  EXPECT_EQ(compare(before, document("a", 1000)).compared, 1U);
+  EXPECT_EQ(compare(before, by_callgrind(document("a", 1000))).otherwise_counted, 1U);
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_counts(folder.with("old.json", before.dump())), before);
 }
 
 TEST(Comparison, another_compiler_or_input_or_no_row_in_common_compares_nothing) {
@@ -69,7 +106,7 @@ TEST(Comparison, files_that_hold_no_counts_are_refused_by_name) {
   EXPECT_EQ(refusal_of("absent.json"), "'absent.json' cannot be read");
   const std::string cut = folder.with("cut.json", R"({"schema": 1,)");
   EXPECT_EQ(refusal_of(cut), "'" + cut + "' is no complete JSON");
-  for (const char* text : {"[]", "{}", R"({"schema": 2})", R"({"schema": 1, "rows": [7]})"}) {
+  for (const char* text : {"[]", "{}", R"({"schema": 3})", R"({"schema": 1, "rows": [7]})"}) {
     const std::string file = folder.with("x.json", text);
     EXPECT_EQ(refusal_of(file), "'" + file + "' holds no counts that this version knows") << text;
   }

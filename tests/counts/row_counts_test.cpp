@@ -1,6 +1,7 @@
 #include "counts/row_counts.hpp"
 
 #include <csignal>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,20 @@ std::vector<TimedRow> rows_matching(const std::string& filter) {
   std::erase_if(selection.rows, [](const TimedRow& row) { return row.variant == nullptr; });
   return std::move(selection.rows);
 }
+
+/// As on a machine without valgrind, while it lives.
+class PathWithoutValgrind {
+ public:
+  PathWithoutValgrind() { setenv("PATH", "/nowhere", 1); }
+  ~PathWithoutValgrind() { setenv("PATH", before_.c_str(), 1); }
+  PathWithoutValgrind(const PathWithoutValgrind&) = delete;
+  PathWithoutValgrind& operator=(const PathWithoutValgrind&) = delete;
+  PathWithoutValgrind(PathWithoutValgrind&&) = delete;
+  PathWithoutValgrind& operator=(PathWithoutValgrind&&) = delete;
+
+ private:
+  std::string before_ = std::getenv("PATH");
+};
 
 /// Look-up table, packed words and the best of SIMD here, end to end.
 std::vector<TimedRow> three_rows() {
@@ -56,10 +71,50 @@ TEST(RowCounts, a_kernel_takes_fewer_instructions_than_the_whole_row) {
 }
 
 TEST(RowCounts, rows_with_too_many_steps_are_skipped_in_both_scopes) {
+  const PathWithoutValgrind path;
   const RowCounts counts = counts_of(rows_matching("^thin_guo_hall/bitpacked/baseline/1/"), 1000);
   EXPECT_TRUE(counts.rows.empty());
   ASSERT_EQ(counts.skipped.size(), 2U);
   EXPECT_EQ(counts.skipped[0].reason, kTooManySteps);
+}
+
+std::vector<TimedRow> short_rows() {
+  std::vector<TimedRow> rows =
+      rows_matching("^(euler_number|edges_sobel|holes)/.*/(baseline|sse4.2|avx2)/1/");
+  std::erase_if(rows, [](const TimedRow& row) { return !callgrind_knows(row); });
+  return rows;
+}
+
+TEST(RowCounts, callgrind_counts_what_single_steps_count) {
+  const std::vector<TimedRow> rows = short_rows();
+  const RowCounts counts = counts_of(rows, 1000000);
+  if (counts.callgrind.version.empty()) GTEST_SKIP() << counts.callgrind.why_not;
+  EXPECT_EQ(counts.callgrind.why_not, "");
+  ASSERT_EQ(counts.rows.size(), rows.size());
+  for (const RowCount& count : counts.rows) {
+    EXPECT_EQ(count.method, Method::kCallgrind) << count.row->name;
+    const auto steps = static_cast<double>(count_of(*count.row, 1000000).value_or(0));
+    EXPECT_NEAR(static_cast<double>(count.instructions), steps, 0.01 * steps) << count.row->name;
+  }
+}
+
+TEST(RowCounts, single_steps_count_where_valgrind_is_missing_and_say_so) {
+  const PathWithoutValgrind path;
+  const RowCounts counts = counts_of(rows_matching("^euler_number/bitpacked/baseline/1/"), 100000);
+  EXPECT_NE(counts.callgrind.why_not, "");
+  EXPECT_EQ(counts.callgrind.version, "");
+  ASSERT_EQ(counts.rows.size(), 2U);
+  EXPECT_EQ(counts.rows[0].method, Method::kSingleSteps);
+}
+
+TEST(RowCounts, callgrind_is_left_alone_where_only_avx512_is_asked_for) {
+  if (!isa_available(Isa::kAvx512)) GTEST_SKIP() << "this machine lacks avx512";
+  const PathWithoutValgrind path;
+  const RowCounts counts =
+      counts_of(rows_matching("^euler_number/simd_bitpacked/avx512/1/"), 100000);
+  EXPECT_EQ(counts.callgrind.why_not, "");
+  ASSERT_EQ(counts.rows.size(), 2U);
+  EXPECT_EQ(counts.rows[0].method, Method::kSingleSteps);
 }
 
 /// Ends its process in the middle of a call.

@@ -40,6 +40,15 @@ def test_limits_stand_on_the_page_and_in_a_file_of_their_own(run):
     assert "| 30.00 | 25.00 | 54 % | 52.0 | \N{EN DASH} |" in text
 
 
+def test_the_sentence_says_how_instructions_were_counted(run):
+    build(write(run, make_limits()).directory)
+    assert "510 x 412 pixels, counted by single steps;" in (run.directory / "limits.md").read_text()
+    write(run, make_limits(method="callgrind"))
+    build(run.directory)
+    text = (run.directory / "limits.md").read_text()
+    assert "counted, 1 rows by callgrind and the others by single steps;" in text
+
+
 def test_bit_packed_rows_are_set_beside_a_copy_of_packed_bits(run):
     fill = [f"fill_holes/{what}/1/end_to_end/scene" for what in ("reference/baseline", "copy_bits/own")]
     run.timings["benchmarks"] += entries(fill[0], (510, 412), [9000.0])

@@ -1,0 +1,127 @@
+#include "counts/callgrind.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include <unistd.h>
+
+#include "counts/counted_job.hpp"
+#include "counts/valgrind_process.hpp"
+#include "timing/progress.hpp"
+
+namespace thinbench {
+namespace {
+
+std::string job_of(const std::vector<const TimedRow*>& rows) {
+  std::vector<std::string> names;
+  names.reserve(rows.size());
+  for (const TimedRow* row : rows) names.push_back(row->name);
+  std::ostringstream job;
+  write_job(job, *rows.front()->input, names);
+  return std::move(job).str();
+}
+
+/// What follows `mark` in the line; none where it is not there.
+std::optional<std::string> after(const std::string& line, const char* mark) {
+  const std::size_t place = line.find(mark);
+  if (place == std::string::npos) return std::nullopt;
+  return line.substr(place + std::strlen(mark));
+}
+
+/// What valgrind and the program say, line by line.
+struct Said {
+  std::string version;
+  std::string latest;                               // what was said last
+  std::optional<std::uint64_t> collected;           // by the process that ends now
+  std::vector<std::optional<std::uint64_t>> calls;  // by processes that have ended
+
+  void add(const std::string& line) {
+    if (const auto name = after(line, "Using Valgrind-")) {
+      version = name->substr(0, name->find(' '));
+    }
+    if (const auto number = after(line, "Collected : ")) collected = std::stoull(*number);
+    if (line == kCallDone) calls.push_back(std::exchange(collected, std::nullopt));
+    if (line == kCallFailed) {
+      calls.emplace_back();
+      collected.reset();
+    }
+    if (!line.starts_with("==")) latest = line;  // nothing that callgrind sums up
+  }
+};
+
+Said listen(ValgrindProcess& process, std::size_t calls) {
+  Said said;
+  Progress progress("counting under callgrind", static_cast<double>(calls));
+  while (const auto line = process.next_line()) {
+    const std::size_t before = said.calls.size();
+    said.add(*line);
+    if (said.calls.size() > before) progress.advance(1);
+  }
+  return said;
+}
+
+/// The first call was empty: what it counts stands round all others.
+void take_counts(const Said& said, const std::vector<const TimedRow*>& rows,
+                 CallgrindCounts& counts) {
+  if (said.calls.empty() || !said.calls[0]) return;
+  for (std::size_t i = 1; i < said.calls.size() && i <= rows.size(); ++i) {
+    if (said.calls[i]) counts.instructions[rows[i - 1]] = *said.calls[i] - *said.calls[0];
+  }
+}
+
+std::string why_not(const Said& said, int status, std::size_t missing) {
+  if (status != 0) {
+    return "valgrind ended with status " + std::to_string(status) + ": " + said.latest;
+  }
+  return missing == 0 ? "" : std::to_string(missing) + " rows failed under valgrind";
+}
+
+std::filesystem::path program_beside() {
+  return std::filesystem::read_symlink("/proc/self/exe").replace_filename(kCountedCallsProgram);
+}
+
+bool is_installed(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string why_no_callgrind() {
+  if (!is_installed("valgrind")) return "valgrind is not installed";
+  const std::filesystem::path program = program_beside();
+  if (std::filesystem::exists(program)) return {};
+  return program.string() + " is missing, which is built where valgrind is installed";
+}
+
+bool callgrind_knows(const TimedRow& row) {
+  return row.variant != nullptr && row.variant->isa < Isa::kAvx512;
+}
+
+CallgrindRun::CallgrindRun(std::vector<const TimedRow*> rows) : rows_(std::move(rows)) {
+  if (rows_.empty()) return;
+  why_not_ = why_no_callgrind();
+  if (why_not_.empty()) {
+    process_ = std::make_unique<ValgrindProcess>(program_beside(), job_of(rows_));
+  }
+}
+
+CallgrindCounts CallgrindRun::counts() {
+  CallgrindCounts counts;
+  counts.use.why_not = why_not_;
+  if (!process_) return counts;
+  const Said said = listen(*process_, rows_.size());
+  take_counts(said, rows_, counts);
+  if (!counts.instructions.empty()) counts.use.version = said.version;
+  counts.use.why_not = why_not(said, process_->status(), rows_.size() - counts.instructions.size());
+  return counts;
+}
+
+}  // namespace thinbench

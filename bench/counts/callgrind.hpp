@@ -1,0 +1,57 @@
+// Instructions counted by valgrind's callgrind, which runs a program on a processor of its own: a
+// hundred times as fast as single steps, but without AVX-512.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "counts/valgrind_process.hpp"
+#include "timing/timed_row.hpp"
+
+namespace thinbench {
+
+struct CallgrindUse {
+  std::string version;  // of valgrind; empty where it counted nothing
+  std::string why_not;  // what kept rows from being counted; empty where all were
+};
+
+struct CallgrindCounts {
+  std::map<const TimedRow*, std::uint64_t> instructions;  // of one call
+  CallgrindUse use;
+
+  [[nodiscard]] std::optional<std::uint64_t> of(const TimedRow& row) const {
+    const auto found = instructions.find(&row);
+    if (found == instructions.end()) return std::nullopt;
+    return found->second;
+  }
+};
+
+/// Whether valgrind knows the instructions of the row's level.
+[[nodiscard]] bool callgrind_knows(const TimedRow& row);
+
+/// Why callgrind can count nothing here; empty where it can.
+[[nodiscard]] std::string why_no_callgrind();
+
+/// Calls rows of one input under one valgrind that runs beside this process, each in a process of
+/// its own that has called it once before. Leaves no files behind. What cannot be counted is left
+/// out: everything where valgrind or the program that it runs is missing.
+class CallgrindRun {
+ public:
+  /// The rows outlive the run and its counts. Throws std::system_error where the system gives no
+  /// process.
+  explicit CallgrindRun(std::vector<const TimedRow*> rows);
+
+  /// Waits for the end; once.
+  [[nodiscard]] CallgrindCounts counts();
+
+ private:
+  std::vector<const TimedRow*> rows_;
+  std::string why_not_;
+  std::unique_ptr<ValgrindProcess> process_;  // none where there is nothing to run
+};
+
+}  // namespace thinbench
