@@ -31,6 +31,8 @@ class Table:
     verdict: str = ""
     """What follows from the table, if more than the sentence says."""
     plot: Plot | None = None
+    words: tuple[tuple[str, str], ...] = ()
+    """Words that stand in cells, each with what it means."""
 
 
 def columns(texts: Sequence[str], numbers: Sequence[str]) -> tuple[Column, ...]:
@@ -52,6 +54,7 @@ def table_block(table: Table) -> str:
     """A table as Markdown, under its sentences and above its command."""
     lines = [f"## {table.title}", "", table.sentence, ""]
     lines += [table.verdict, ""] if table.verdict else []
+    lines += [*(f"- {word}: {meaning}" for word, meaning in table.words), ""] if table.words else []
     lines += [markdown_table(table.header, table.rows).rstrip("\n")]
     if table.plot:
         lines += ["", f"![{table.plot.alt}](plots/{table.plot.stem}.svg)"]

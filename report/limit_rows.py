@@ -70,6 +70,13 @@ def copy_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
     return next((row.median_ns for row in (*own, *packed)), None)
 
 
+def timed_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
+    """The time of the same row among the timings of the run, where it was measured apart."""
+    variant = (limit.technique, limit.isa, 1)
+    return next((row.median_ns for row in study.select(limit.operation, limits.input)
+                 if (row.name.variant, row.name.scope) == (variant, limit.scope)), None)
+
+
 def _is_by_callgrind(row: Fields) -> bool:
     """Rows from before there was a choice name no method."""
     return row.has("method") and row.text("method") == "callgrind"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from report.experiment_layout import Table, columns
+from report.experiment_layout import Column, Table, columns
 from report.formatting import NOTHING, microseconds, scope_label
+from report.limit_reasons import MEASURED, REACHED_PERCENT, explained, reason
 from report.limit_rows import Limit, Limits, copy_ns
 from report.model import SCOPES, Study
 from report.plot_limits import plot_limits
@@ -11,7 +12,7 @@ from report.plot_limits import plot_limits
 TITLE = "Time against limit"
 HEADER = columns(["Operation", "Scope", "Technique", "ISA"],
                  ["Instructions", "A cycle", "µs", "Limit µs", "Of limit", "A row and pass",
-                  "Copy µs"])
+                  "Copy µs"]) + (Column("Between", False),)
 
 
 def limits_table(study: Study, limits: Limits | None) -> Table | None:
@@ -21,9 +22,10 @@ def limits_table(study: Study, limits: Limits | None) -> Table | None:
     order = {name: place for place, name in enumerate(study.operations)}
     rows = sorted(limits.rows, key=lambda row: (
         order.get(row.operation, len(order)), SCOPES.index(row.scope), row.ns))
-    return Table(TITLE, _sentence(limits), HEADER,
-                 tuple(_cells(row, copy_ns(study, limits, row)) for row in rows),
-                 "thinbench instructions --limits", plot=plot_limits(study, limits))
+    cells = tuple((*_cells(row, copy_ns(study, limits, row)), reason(study, limits, row))
+                  for row in rows)
+    return Table(TITLE, _sentence(limits), HEADER, cells, "thinbench instructions --limits",
+                 plot=plot_limits(study, limits), words=explained(row[-1] for row in cells))
 
 
 def _sentence(limits: Limits) -> str:
@@ -38,7 +40,9 @@ def _sentence(limits: Limits) -> str:
             "assumed and not measured; above 100 % the core issues more. The copy is one of the "
             "same bytes, of packed bits for bit-packed techniques, where it was timed on the same "
             "input; where an operation gives numbers, its input is packed and read."
-            f"{left_out}")
+            f"{left_out} Where less than {REACHED_PERCENT:g} % of the limit is reached, the last "
+            f"column names what stands between: {' and '.join(MEASURED)} follow from times, any "
+            "other word is a known bound of the technique and was not measured for the row.")
 
 
 def _cells(row: Limit, copy: float | None) -> tuple[str, ...]:

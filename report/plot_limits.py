@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import blended_transform_factory
 
 from report.formatting import duration, round_duration, scope_label
+from report.limit_reasons import reason
 from report.limit_rows import Limit, Limits, copy_ns
 from report.model import SCOPES, Study
 from report.plot_style import (BLUE, GREY, GRID, INK, MUTED, ORANGE, WIDTH, Plot, hover, label_ticks,
@@ -28,6 +29,7 @@ class Dot:
 
     row: Limit
     copy_ns: float | None
+    between: str
     y: int
 
     @property
@@ -65,7 +67,9 @@ def plot_limits(study: Study, limits: Limits) -> Plot | None:
 def _fastest(study: Study, limits: Limits, operation: str, scope: str, place: int) -> Dot | None:
     rows = [row for row in limits.rows if (row.operation, row.scope) == (operation, scope)]
     best = min(rows, key=lambda row: row.ns, default=None)
-    return Dot(best, copy_ns(study, limits, best), place) if best else None
+    if best is None:
+        return None
+    return Dot(best, copy_ns(study, limits, best), reason(study, limits, best), place)
 
 
 def _set_limits(axes: Axes, dots: list[Dot], depth: int) -> None:
@@ -121,10 +125,11 @@ def _caption(limits: Limits) -> str:
 
 def _csv(dots: list[Dot]) -> str:
     header = ("operation", "scope", "technique", "isa", "instructions", "ns", "limit_ns",
-              "percent_of_limit", "copy_ns")
+              "percent_of_limit", "copy_ns", "between")
     return csv_text(header, ((row.operation, row.scope, row.technique, row.isa, row.instructions,
-                              row.ns, row.limit_ns, row.percent, copy_ns or "")
-                             for row, copy_ns in ((dot.row, dot.copy_ns) for dot in dots)))
+                              row.ns, row.limit_ns, row.percent, copy_ns or "", between)
+                             for row, copy_ns, between in (
+                                 (dot.row, dot.copy_ns, dot.between) for dot in dots)))
 
 
 def _alt(dots: list[Dot]) -> str:
