@@ -16,6 +16,7 @@ const ThinningVariant& choose_variant(const ThinningOperation& operation, Index 
   const Border border = options.border.value_or(operation.border);
   const std::vector<const ThinningVariant*> candidates = variants_for_border(operation, border);
   std::vector<VariantFacts> facts;
+  facts.reserve(candidates.size());
   for (const ThinningVariant* one : candidates) facts.push_back(facts_of(*one));
   return *candidates[choose_variant(operation.name, facts, width,
                                     {options.technique, options.isa, options.threads})];

@@ -47,7 +47,7 @@ struct PlaneState : ThinningState {
   PlaneState(Isa isa, Index width, Index height, int threads = 1)
       : planes(isa, width, height),
         team(threads),
-        shares_bands(width * height >= kLeastPixelsForThreads) {}
+        shares_bands_(width * height >= kLeastPixelsForThreads) {}
 
   void load(const ConstByteView& view) override {
     for_bands(view.height, [&](Index first, Index last) {
@@ -74,7 +74,7 @@ struct PlaneState : ThinningState {
   /// Calls `body(first, last)` on ranges of [0, height), on all threads where the image is large.
   template <class Body>
   void for_bands(Index height, const Body& body) const {
-    if (shares_bands) {
+    if (shares_bands_) {
       team.for_ranges(height, body);
     } else {
       body(Index{0}, height);
@@ -84,7 +84,7 @@ struct PlaneState : ThinningState {
  private:
   [[nodiscard]] ConstPlaneView<T> source_of_result() const { return planes.result.view(); }
 
-  bool shares_bands;
+  bool shares_bands_;
 };
 
 }  // namespace thinbench
