@@ -1,5 +1,6 @@
 // A plan owns the memory that one variant needs for images of one size, so that running it
-// allocates nothing. This is the fast way into the library; thinbench.hpp has the convenient one.
+// allocates nothing; only load() may, the first time. This is the fast way into the library;
+// thinbench.hpp has the convenient one.
 #pragma once
 
 #include <memory>

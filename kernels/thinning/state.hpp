@@ -40,27 +40,56 @@ template <class View>
   return view;
 }
 
+/// Shares bands of rows of large images among threads.
+class BandTeam {
+ public:
+  BandTeam(Index width, Index height, int threads)
+      : team_(threads), is_large_(width * height >= kLeastPixelsForThreads) {}
+
+  [[nodiscard]] ThreadTeam& threads() { return team_; }
+  [[nodiscard]] const ThreadTeam& threads() const { return team_; }
+
+  /// Calls `body(first, last)` on ranges of [0, count), as many as threads where the image is
+  /// large, else one.
+  template <class Body>
+  void for_bands(Index count, const Body& body) const {
+    if (is_large_) {
+      team_.for_ranges(count, body);
+    } else {
+      body(Index{0}, count);
+    }
+  }
+
+ private:
+  ThreadTeam team_;
+  bool is_large_;
+};
+
+template <class T>
+void read_planes(const BandTeam& team, const ConstByteView& view, Planes<T>& planes) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    planes.conversion.read(rows_of_view(view, first, last),
+                           rows_of_view(planes.source.view(), first, last));
+  });
+}
+
+template <class T>
+void write_planes(const BandTeam& team, const Planes<T>& planes, const ByteView& view) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    planes.conversion.write(rows_of_view(planes.result.view(), first, last),
+                            rows_of_view(view, first, last));
+  });
+}
+
 /// A state that keeps its planes in `planes`. Bands of rows of large images are converted on as
 /// many threads as the rest runs on.
 template <class T>
 struct PlaneState : ThinningState {
   PlaneState(Isa isa, Index width, Index height, int threads = 1)
-      : planes(isa, width, height),
-        team(threads),
-        shares_bands_(width * height >= kLeastPixelsForThreads) {}
+      : planes(isa, width, height), bands(width, height, threads), team(bands.threads()) {}
 
-  void load(const ConstByteView& view) override {
-    for_bands(view.height, [&](Index first, Index last) {
-      planes.conversion.read(rows_of_view(view, first, last),
-                             rows_of_view(planes.source.view(), first, last));
-    });
-  }
-  void store(const ByteView& view) const override {
-    for_bands(view.height, [&](Index first, Index last) {
-      planes.conversion.write(rows_of_view(source_of_result(), first, last),
-                              rows_of_view(view, first, last));
-    });
-  }
+  void load(const ConstByteView& view) override { read_planes(bands, view, planes); }
+  void store(const ByteView& view) const override { write_planes(bands, planes, view); }
 
   [[nodiscard]] bool margins_are_zero() const override {
     return planes.source.margin_is_zero() && planes.result.margin_is_zero();
@@ -69,22 +98,8 @@ struct PlaneState : ThinningState {
   [[nodiscard]] ConstPlaneView<T> source() const { return planes.source.view(); }
 
   Planes<T> planes;
-  ThreadTeam team;
-
-  /// Calls `body(first, last)` on ranges of [0, height), on all threads where the image is large.
-  template <class Body>
-  void for_bands(Index height, const Body& body) const {
-    if (shares_bands_) {
-      team.for_ranges(height, body);
-    } else {
-      body(Index{0}, height);
-    }
-  }
-
- private:
-  [[nodiscard]] ConstPlaneView<T> source_of_result() const { return planes.result.view(); }
-
-  bool shares_bands_;
+  BandTeam bands;
+  ThreadTeam& team;
 };
 
 }  // namespace thinbench

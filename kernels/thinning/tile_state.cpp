@@ -1,6 +1,8 @@
 #include "thinning/tile_state.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 namespace thinbench {
 namespace {
@@ -14,26 +16,45 @@ View rows_of_tiles(const View& view, Index tile_row) {
 }  // namespace
 
 TileState::TileState(const TileEngine& engine, const TileSetting& setting)
-    : PlaneState(setting.isa, setting.width, setting.height, setting.threads),
-      engine_(engine),
+    : engine_(engine),
       setting_(setting),
+      team_(setting.width, setting.height, setting.threads),
+      conversion_(plane_conversion<std::uint64_t>(setting.isa)),
       workspace_(setting.width, setting.height, setting.threads) {
-  for (int i = 0; i < setting.threads; ++i) bands_.emplace_back(setting.width, kTileRows);
+  rows_.reserve(static_cast<std::size_t>(setting.threads));
+  for (int i = 0; i < setting.threads; ++i) rows_.emplace_back(setting.width, kTileRows);
+}
+
+void TileState::load(const ConstByteView& source) {
+  if (!planes_) planes_.emplace(setting_.isa, setting_.width, setting_.height);
+  read_planes(team_, source, *planes_);
+}
+
+void TileState::store(const ByteView& destination) const {
+  write_planes(team_, *planes_, destination);
+}
+
+bool TileState::margins_are_zero() const {
+  const auto all_zero = [](const BitPlane& plane) { return plane.margin_is_zero(); };
+  const bool planes = !planes_ || (all_zero(planes_->source) && all_zero(planes_->result));
+  return planes && std::ranges::all_of(rows_, all_zero);
 }
 
 int TileState::thin() {
   const TileGrid& grid = workspace_.grid();
   const TileLayout& layout = *engine_.layout;
-  const ConstBitPlaneView from = source();
-  const BitPlaneView to = planes.result.view();
-  for_bands(grid.tile_rows(), [&](Index first, Index last) {
-    for (Index row = first; row < last; ++row)
+  const ConstBitPlaneView from = std::as_const(planes_->source).view();
+  const BitPlaneView to = planes_->result.view();
+  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+    for (Index row = first; row < last; ++row) {
       layout.load_rows(grid.view(), rows_of_tiles(from, row), row);
+    }
   });
-  const int cycles = iterate_tiles(engine_, setting_.most_cycles, workspace_, team);
-  for_bands(grid.tile_rows(), [&](Index first, Index last) {
-    for (Index row = first; row < last; ++row)
+  const int cycles = iterate_tiles(engine_, setting_.most_cycles, workspace_, team_.threads());
+  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+    for (Index row = first; row < last; ++row) {
       layout.store_rows(grid.view(), rows_of_tiles(to, row), row);
+    }
   });
   return cycles;
 }
@@ -41,8 +62,8 @@ int TileState::thin() {
 template <class Body>
 void TileState::for_tile_rows(const Body& body) {
   std::atomic<std::size_t> next = 0;
-  for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
-    BitPlaneView band = bands_[next++].view();
+  team_.for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
+    BitPlaneView band = rows_[next++].view();
     for (Index row = first; row < last; ++row) {
       band.height = std::min(kTileRows, setting_.height - row * kTileRows);
       body(row, band);
@@ -53,12 +74,12 @@ void TileState::for_tile_rows(const Body& body) {
 int TileState::run(const ConstByteView& source, const ByteView& destination) {
   const TileGridView& grid = workspace_.grid().view();
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
-    planes.conversion.read(rows_of_tiles(source, row), rows);
+    conversion_.read(rows_of_tiles(source, row), rows);
     engine_.layout->load_rows(grid, rows, row);
   });
-  const int cycles = iterate_tiles(engine_, setting_.most_cycles, workspace_, team);
+  const int cycles = iterate_tiles(engine_, setting_.most_cycles, workspace_, team_.threads());
   const bool is_large = setting_.width * setting_.height >= kStreamedBytes;
-  const auto write = is_large ? planes.conversion.write_streamed : planes.conversion.write;
+  const auto write = is_large ? conversion_.write_streamed : conversion_.write;
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     engine_.layout->store_rows(grid, rows, row);
     write(rows, rows_of_tiles(destination, row));
