@@ -27,8 +27,8 @@ int worthwhile_threads(const ThinningOperation& operation, const ThinningOptions
   const bool is_small = height <= 0 || width < (kLeastPixelsForThreads + height - 1) / height;
   const bool is_refused_later = options.threads < 1 || options.threads > kMostThreads;
   const bool can_share = std::ranges::any_of(operation.variants, &ThinningVariant::threaded);
-  const bool all = options.technique || is_refused_later || (can_share && !is_small);
-  return all ? options.threads : 1;
+  const bool takes_all = options.technique || is_refused_later || (can_share && !is_small);
+  return takes_all ? options.threads : 1;
 }
 
 int thin(std::string_view operation, ConstByteView source, ByteView destination,

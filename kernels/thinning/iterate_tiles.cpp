@@ -4,8 +4,6 @@
 #include <cstring>
 #include <utility>
 
-#include "core/variant_choice.hpp"
-
 namespace thinbench {
 namespace {
 
@@ -33,19 +31,22 @@ Index part_begin(Index count, Index part, Index parts) {
 }  // namespace
 
 TileWorkspace::TileWorkspace(Index width, Index height, int threads)
-    : grid_(width, height),
-      most_kept_(static_cast<Index>(reach_of(grid_.view()))),
-      pending_(make_aligned<PendingTile>(static_cast<std::size_t>(most_kept_ * 2 * threads))) {
-  const Index list = (grid_.view().groups + threads) * kTileGroup;
-  lists_[0] = make_aligned<std::uint32_t>(static_cast<std::size_t>(list));
-  if (threads > 1) lists_[1] = make_aligned<std::uint32_t>(static_cast<std::size_t>(list));
+    : grid_(width, height), most_kept_(static_cast<Index>(reach_of(grid_.view()))) {
+  const Index tiles = grid_.view().groups * kTileGroup;
+  const Index shares = tiles < threads * kLeastShare ? 1 : threads;
+  room_ = std::min(most_kept_, tiles / shares + 1);
+  pending_ = make_aligned<PendingTile>(static_cast<std::size_t>(room_ * 2 * shares));
+  const auto list = static_cast<std::size_t>(tiles + shares * kTileGroup);
+  lists_[0] = make_aligned<std::uint32_t>(list);
+  if (threads > 1) lists_[1] = make_aligned<std::uint32_t>(list);
+  listed_ = make_aligned<Index>(static_cast<std::size_t>(shares));
   for (auto& visited : visited_) {
     visited = make_aligned<std::uint64_t>(static_cast<std::size_t>(grid_.group_words()));
   }
 }
 
-/// The steps of one repetition. Two barriers a step: after it new pixels are visited, before
-/// others' pending tiles are written, and after they are, with the list of the next step.
+/// The steps of one repetition. Two barriers a step: one before tiles are written that other
+/// threads may have read, one before the next list is used.
 class TileIteration {
  public:
   TileIteration(const TileEngine& engine, TileWorkspace& workspace, const ThreadTeam& team)
@@ -68,17 +69,17 @@ class TileIteration {
     const Index lists = std::min(shares, words_);
     const TileVisit visit = engine_.cycle[static_cast<std::size_t>(step)];
     kept_ = (*engine_.find_kept)(list_, active_, reach_of(grid_), kept_, workspace_.most_kept_);
-    Index counts[kMostThreads];
     for_each_share(shares, [&](Index share) {
       visit(grid_, held(share, shares));
-      visit(grid_, free(share, shares));
+      visit(grid_, rest(share, shares));
     });
     for_each_share(shares, [&](Index share) {
       commit(grid_, held(share, shares));
-      commit(grid_, free(share, shares));
-      if (share < lists) counts[share] = list_share(step, share, lists);
+      commit(grid_, rest(share, shares));
+      if (share < lists)
+        workspace_.listed_[static_cast<std::size_t>(share)] = list_share(step, share, lists);
     });
-    join_lists(counts, lists);
+    join_lists(lists);
     std::swap(list_, next_list_);
     std::swap(visited_, next_visited_);
   }
@@ -93,7 +94,7 @@ class TileIteration {
   }
 
   /// Where the tiles of a share begin that no thread of an earlier share may still read.
-  [[nodiscard]] Index free_begin(Index share, Index shares) const {
+  [[nodiscard]] Index rest_begin(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
     if (share == 0) return first;
     const Index last = part_begin(active_, share + 1, shares);
@@ -104,17 +105,17 @@ class TileIteration {
   /// The tiles before it: none is written before all threads have visited theirs.
   [[nodiscard]] TileVisits held(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
-    return visits(first, free_begin(share, shares), 2 * share, workspace_.most_kept_);
+    return visits(first, rest_begin(share, shares), 2 * share, workspace_.most_kept_);
   }
-  /// The others: all but the last, which a thread of a later share may read, are written on the
-  /// way.
-  [[nodiscard]] TileVisits free(Index share, Index shares) const {
+  /// The others: all but the last `kept`, which a thread of a later share may read, are written on
+  /// the way.
+  [[nodiscard]] TileVisits rest(Index share, Index shares) const {
     const Index last = part_begin(active_, share + 1, shares);
-    return visits(free_begin(share, shares), last, 2 * share + 1, kept_);
+    return visits(rest_begin(share, shares), last, 2 * share + 1, kept_);
   }
   [[nodiscard]] TileVisits visits(Index first, Index last, Index place, Index kept) const {
-    PendingTile* pending = workspace_.pending_.get() + place * workspace_.most_kept_;
-    return {list_ + first, last - first, pending, kept};
+    PendingTile* pending = workspace_.pending_.get() + place * workspace_.room_;
+    return {list_ + first, last - first, pending, std::min(kept, workspace_.room_)};
   }
 
   /// A share of the groups has room for its tiles in the next list, and for those that are written
@@ -129,12 +130,13 @@ class TileIteration {
                 part_begin(words_, share + 1, shares), visited_, next_visited_,
                 list_of_share(share, shares)});
   }
-  void join_lists(const Index* counts, Index shares) {
-    active_ = counts[0];
+  void join_lists(Index shares) {
+    active_ = workspace_.listed_[0];
     for (Index share = 1; share < shares; ++share) {
       const std::uint32_t* from = list_of_share(share, shares);
-      std::copy(from, from + counts[share], next_list_ + active_);
-      active_ += counts[share];
+      const Index count = workspace_.listed_[static_cast<std::size_t>(share)];
+      std::copy(from, from + count, next_list_ + active_);
+      active_ += count;
     }
   }
 

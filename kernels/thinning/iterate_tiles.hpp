@@ -21,7 +21,9 @@ class TileWorkspace {
 
   TileGrid grid_;
   Index most_kept_;
-  AlignedArray<PendingTile> pending_;  // room for as many twice a thread
+  Index room_ = 0;                     // for so many of them, or all that a share can have
+  AlignedArray<PendingTile> pending_;  // twice that room for each share
+  AlignedArray<Index> listed_;         // by each share
   // What a step reads and what it writes for the next; the lists are one where one thread runs.
   std::array<AlignedArray<std::uint32_t>, 2> lists_;
   std::array<AlignedArray<std::uint64_t>, 2> visited_;

@@ -40,7 +40,8 @@ class ThinningPlan {
   int run(ConstByteView source, ByteView destination);
 
   /// The three steps of run, for timing them apart: into the variant's own representation; passes
-  /// until nothing changes (the input is kept, so this may be repeated); and back to bytes.
+  /// until nothing changes (the input is kept, so this may be repeated); and back to bytes. The
+  /// last two work on what load() took; run() need not leave anything for them.
   void load(ConstByteView source);
   int thin();
   void store(ByteView destination) const;

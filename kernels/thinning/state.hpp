@@ -75,9 +75,10 @@ void read_planes(const BandTeam& team, const ConstByteView& view, Planes<T>& pla
 
 template <class T>
 void write_planes(const BandTeam& team, const Planes<T>& planes, const ByteView& view) {
+  const bool is_large = view.width * view.height >= kStreamedBytes;
+  const auto write = is_large ? planes.conversion.write_streamed : planes.conversion.write;
   team.for_bands(view.height, [&](Index first, Index last) {
-    planes.conversion.write(rows_of_view(planes.result.view(), first, last),
-                            rows_of_view(view, first, last));
+    write(rows_of_view(planes.result.view(), first, last), rows_of_view(view, first, last));
   });
 }
 

@@ -12,7 +12,9 @@ std::size_t count_of(Index elements) {
 }  // namespace
 
 TileGrid::TileGrid(Index width, Index height)
-    : strips_((width + kTileColumns - 1) / kTileColumns),
+    : width_(width),
+      height_(height),
+      strips_((width + kTileColumns - 1) / kTileColumns),
       tile_rows_((height + kTileRows - 1) / kTileRows),
       view_{} {
   // Odd, so that tiles of neighbouring strips never compete for one cache set.
@@ -73,6 +75,23 @@ Index TileGrid::begin(std::uint32_t* list, std::uint64_t* visited) {
   const Index count = list_occupied(list);
   std::copy_n(view_.occupied_groups, group_words(), visited);
   return count;
+}
+
+bool TileGrid::margin_is_zero() const {
+  const auto pixels_of = [&](Index tile, Index row) {
+    const Index strip = tile / view_.strip_tiles - 1;
+    const Index y = tile % view_.strip_tiles * kTileRows + row;
+    const Index columns = std::clamp<Index>(width_ - strip * kTileColumns, 0, kTileColumns);
+    if (strip < 0 || y >= height_) return std::uint32_t{0};
+    return static_cast<std::uint32_t>((std::uint64_t{1} << columns) - 1);
+  };
+  for (Index tile = -1; tile <= view_.groups * kTileGroup; ++tile) {
+    for (Index row = 0; row < kTileRows; ++row) {
+      const std::uint32_t inside = tile < 0 ? 0 : pixels_of(tile, row);
+      if ((view_.words[tile * kTileRows + row] & ~inside) != 0) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace thinbench

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "core/image.hpp"
 #include "core/layout.hpp"
@@ -57,10 +56,15 @@ class TileGrid {
   /// how many.
   Index begin(std::uint32_t* list, std::uint64_t* visited);
 
+  /// For tests: whether all outside the image is light.
+  [[nodiscard]] bool margin_is_zero() const;
+
  private:
   void find_occupied();
   Index list_occupied(std::uint32_t* list);
 
+  Index width_;
+  Index height_;
   Index strips_;
   Index tile_rows_;
   TileGridView view_;

@@ -1,9 +1,9 @@
 // Rows of packed pixels into tiles and back. Compiled once for every instruction-set level.
 //
-// A row of pixels is 32-bit columns of 16 tiles and more, a tile 16 rows of one column: at AVX-512
-// 16 rows of 16 tiles are turned in registers, 16 loads, 64 shuffles and 16 stores for 8,192
-// pixels. Other levels, and what is left at the edges, move a word of two tiles at a time, which
-// takes five to ten times as long.
+// Rows keep the pixels of neighbouring tiles together, tiles those of neighbouring rows. At AVX-512
+// 16 tiles are turned in registers, 16 loads, 64 shuffles and 16 stores for 8,192 pixels. Other
+// levels, and what is left at the edges, move a word of two tiles at a time, which takes five to
+// ten times as long.
 #include "core/batch.hpp"
 #include "thinning/tile_passes.hpp"
 

@@ -40,9 +40,10 @@ struct TileListing {
 /// Lists the tiles in whose reach something changed; returns how many.
 using ListActive = Index (*)(const TileGridView& grid, const TileListing& listing);
 
-/// How many tiles of a list must wait so that each waits while a tile ahead is its neighbour:
-/// between entries so far apart lie `reach` tiles or more. At most `most`, which is always enough;
-/// near the least where the guess was.
+/// How many tiles of an ascending list must wait so that each waits while a tile ahead is its
+/// neighbour: entries so far apart differ by `reach` or more, which is positive. At most an eighth
+/// more than the least that would do, but not below a number that is small enough for any list; at
+/// most `most`, which is always enough. A guess near the result saves time.
 using FindKept = Index (*)(const std::uint32_t* tiles, Index count, std::uint32_t reach,
                            Index guess, Index most);
 

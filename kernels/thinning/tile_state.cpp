@@ -21,8 +21,10 @@ TileState::TileState(const TileEngine& engine, const TileSetting& setting)
       team_(setting.width, setting.height, setting.threads),
       conversion_(plane_conversion<std::uint64_t>(setting.isa)),
       workspace_(setting.width, setting.height, setting.threads) {
-  rows_.reserve(static_cast<std::size_t>(setting.threads));
-  for (int i = 0; i < setting.threads; ++i) rows_.emplace_back(setting.width, kTileRows);
+  const int most = static_cast<int>(
+      std::min<Index>(setting.threads, std::max<Index>(1, workspace_.grid().tile_rows())));
+  rows_.reserve(static_cast<std::size_t>(most));
+  for (int i = 0; i < most; ++i) rows_.emplace_back(setting.width, kTileRows);
 }
 
 void TileState::load(const ConstByteView& source) {
@@ -31,20 +33,20 @@ void TileState::load(const ConstByteView& source) {
 }
 
 void TileState::store(const ByteView& destination) const {
-  write_planes(team_, *planes_, destination);
+  write_planes(team_, planes_.value(), destination);
 }
 
 bool TileState::margins_are_zero() const {
   const auto all_zero = [](const BitPlane& plane) { return plane.margin_is_zero(); };
   const bool planes = !planes_ || (all_zero(planes_->source) && all_zero(planes_->result));
-  return planes && std::ranges::all_of(rows_, all_zero);
+  return planes && std::ranges::all_of(rows_, all_zero) && workspace_.grid().margin_is_zero();
 }
 
 int TileState::thin() {
-  const TileGrid& grid = workspace_.grid();
+  TileGrid& grid = workspace_.grid();
   const TileLayout& layout = *engine_.layout;
-  const ConstBitPlaneView from = std::as_const(planes_->source).view();
-  const BitPlaneView to = planes_->result.view();
+  const ConstBitPlaneView from = std::as_const(planes_.value().source).view();
+  const BitPlaneView to = planes_.value().result.view();
   team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
       layout.load_rows(grid.view(), rows_of_tiles(from, row), row);

@@ -1,8 +1,12 @@
 #include "thinning/iterate_tiles.hpp"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
+#include "core/convert.hpp"
 #include "reference.hpp"
+#include "support/splitmix64.hpp"
 #include "thinbench.hpp"
 
 namespace thinbench {
@@ -27,16 +31,84 @@ ByteImage squares(Index width, Index height, Index side) {
   return image;
 }
 
-TEST(IterateTiles, equals_the_reference_where_more_tiles_are_active_than_the_ring_holds) {
-  for (const Index side : {7, 40, 130}) {
-    const ByteImage image = squares(1000, 400, side);
-    ByteImage by_tiles(1000, 400);
-    ByteImage by_reference(1000, 400);
-    const int cycles = thin_by_tiles("thin_guo_hall", image, by_tiles);
-    EXPECT_EQ(cycles,
-              reference::thin_guo_hall(Border::kBackground, image.view(), by_reference.view()));
-    EXPECT_TRUE(equal(by_tiles.view(), by_reference.view())) << "side " << side;
+/// Whether tiles give what the reference gives, on so many threads.
+void expect_as_reference(const ByteImage& image, int threads) {
+  ByteImage by_tiles(image.width(), image.height());
+  ByteImage by_reference(image.width(), image.height());
+  const int cycles = thin_by_tiles("thin_guo_hall", image, by_tiles, threads);
+  EXPECT_EQ(cycles,
+            reference::thin_guo_hall(Border::kBackground, image.view(), by_reference.view()));
+  EXPECT_TRUE(equal(by_tiles.view(), by_reference.view())) << threads << " threads";
+}
+
+TEST(IterateTiles, equals_the_reference_where_tiles_are_written_on_the_way) {
+  for (const Index side : {7, 40, 130}) expect_as_reference(squares(1000, 400, side), 1);
+}
+
+TEST(IterateTiles, equals_the_reference_where_fewer_wait_from_step_to_step) {
+  expect_as_reference(squares(200, 2500, 30), 1);  // strips of 157 tiles: room is searched for
+}
+
+TEST(IterateTiles, threads_equal_the_reference) {
+  const ByteImage image = squares(2000, 2400, 24);  // more than 7 x 512 tiles, so that 7 share
+  for (const int threads : {2, 7}) expect_as_reference(image, threads);
+}
+
+TEST(IterateTiles, rows_past_the_caches_are_the_same_rows) {
+  const Index width = 4100;  // the last word of a row is not full
+  const Index height = 2113;
+  const ByteImage image = squares(width, height, 24);
+  ASSERT_GE(width * height, kStreamedBytes);
+  ByteImage by_words(width, height);
+  thin("thin_zhang_suen", image.view(), by_words.view(), {.technique = Technique::kSimdBitpacked});
+  for (const int threads : {1, 3}) {
+    ByteImage in_place = copy_of(image.view());
+    thin("thin_zhang_suen", in_place.view(), in_place.view(),
+         {.technique = Technique::kSimdBitpackedTiles, .threads = threads});
+    EXPECT_TRUE(equal(in_place.view(), by_words.view())) << threads << " threads";
   }
+}
+
+/// Whether entries `apart` places from each other differ by `reach` or more.
+bool lie_apart(const std::vector<std::uint32_t>& tiles, std::size_t apart, std::uint32_t reach) {
+  for (std::size_t i = 0; i + apart < tiles.size(); ++i) {
+    if (tiles[i + apart] - tiles[i] < reach) return false;
+  }
+  return true;
+}
+
+template <Isa isa>
+void expect_enough_and_few() {
+  if (!isa_available(isa)) return;
+  std::uint64_t index = 0;
+  for (const std::uint32_t reach : {70U, 261U}) {
+    for (const std::size_t count : {0U, 1U, 30U, 400U, 3000U}) {
+      for (const std::uint64_t largest_gap : {1U, 3U, 40U}) {
+        std::vector<std::uint32_t> tiles;
+        std::uint32_t tile = 0;
+        while (tiles.size() < count) {
+          tile += 1 + static_cast<std::uint32_t>(splitmix64(7, index++) % largest_gap);
+          tiles.push_back(tile);
+        }
+        for (const Index guess : {1, 50, 1000}) {
+          const Index kept = (*TilePasses<isa>::kFindKept)(tiles.data(), static_cast<Index>(count),
+                                                           reach, guess, static_cast<Index>(reach));
+          EXPECT_LE(kept, reach);
+          EXPECT_TRUE(lie_apart(tiles, static_cast<std::size_t>(kept), reach));
+          const Index fewer = kept - kept / 8 - 1;
+          EXPECT_TRUE(fewer < 32 || !lie_apart(tiles, static_cast<std::size_t>(fewer), reach));
+        }
+      }
+    }
+  }
+}
+
+TEST(FindKept, is_enough_and_not_much_more) {
+  expect_enough_and_few<Isa::kBaseline>();
+  expect_enough_and_few<Isa::kSse42>();
+  expect_enough_and_few<Isa::kAvx2>();
+  expect_enough_and_few<Isa::kAvx512>();
+  expect_enough_and_few<Isa::kAvx512Icl>();
 }
 
 TEST(IterateTiles, groups_beyond_the_first_word_are_found) {

@@ -1,6 +1,7 @@
 #include "thinning/tile_grid.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -81,13 +82,16 @@ const TileLayout& layout_of(Isa isa) {
 TEST(TileGrid, every_level_lays_pixels_out_alike) {
   const Index width = 1100;  // two squares of 16 tiles and some strips
   const Index height = 40;
-  const BitPlane plane = noise(width, height);
+  BitPlane plane = noise(width, height);
+  for (Index y = 0; y < 20; ++y) std::fill_n(plane.view().row(y) + 3, 7, 0);  // some light tiles
   LoadedGrid expected(width, height);
   const Index tiles = expected.load(plane);
   for (const Isa isa : {Isa::kSse42, Isa::kAvx2, Isa::kAvx512, Isa::kAvx512Icl}) {
     if (!isa_available(isa)) continue;
     LoadedGrid loaded(width, height, layout_of(isa));
-    EXPECT_EQ(loaded.load(plane), tiles);
+    ASSERT_EQ(loaded.load(plane), tiles);
+    EXPECT_TRUE(
+        std::equal(loaded.list.begin(), loaded.list.begin() + tiles, expected.list.begin()));
     const Index words = expected.grid.view().groups * kTileGroup * kTileRows;
     EXPECT_TRUE(std::equal(loaded.grid.view().words, loaded.grid.view().words + words,
                            expected.grid.view().words))
@@ -110,6 +114,7 @@ TEST(TileGrid, gives_back_the_pixels_of_every_size) {
       EXPECT_TRUE(equal_planes(plane.view(), std::as_const(result).view()))
           << width << " x " << height;
       EXPECT_TRUE(result.margin_is_zero()) << width << " x " << height;
+      EXPECT_TRUE(loaded.grid.margin_is_zero()) << width << " x " << height;
     }
   }
 }
@@ -134,6 +139,16 @@ TEST(TileGrid, a_second_image_leaves_nothing_of_the_first) {
   EXPECT_EQ(loaded.load(light), 0);
   loaded.store(result);
   EXPECT_TRUE(equal_planes(light.view(), std::as_const(result).view()));
+}
+
+TEST(TileGrid, a_dark_pixel_beyond_the_image_is_seen) {
+  for (const Index word : {Index{-1}, Index{0}, Index{20}}) {
+    LoadedGrid loaded(40, 20);
+    EXPECT_TRUE(loaded.grid.margin_is_zero());
+    const TileGridView& view = loaded.grid.view();
+    view.words[view.strip_tiles * kTileRows + (word == 0 ? -kTileRows : word)] = 1;
+    EXPECT_FALSE(loaded.grid.margin_is_zero()) << word;
+  }
 }
 
 TEST(TileGrid, neighbours_of_every_tile_lie_inside_and_are_light_beyond_the_image) {
