@@ -27,9 +27,10 @@ are skipped. So the input is small: every 5th pixel of every 16th row of the pic
 of a row is the time in which --issue-width instructions a cycle would be issued; how many a core
 can issue is not measured but assumed, and more than 100 % shows that it can issue more.
 
-Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions, 4 nothing could be
-compared: no row in common, or another compiler, flags, C library, processor level or input. Rows
-that were counted by another method, or under another valgrind, are not compared.)";
+Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions or another number of
+passes, 4 nothing could be compared: no row in common, or another compiler, flags, C library,
+processor level or input. Rows that were counted by another method, or under another valgrind, are
+not compared.)";
 
 constexpr int kNothingCompared = 4;
 constexpr Index kQuickRows = 24;
@@ -111,7 +112,7 @@ int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
   const Comparison comparison = compare(before, now);
   console.out << to_text(comparison);
   if (comparison.compared == 0) return kNothingCompared;
-  return comparison.more() > 0 ? kFailure : kSuccess;
+  return comparison.fails() ? kFailure : kSuccess;
 }
 
 void say_what_is_missing(const Results& results, const InstructionsOptions& options,

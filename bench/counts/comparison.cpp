@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -31,6 +32,7 @@ std::string difference_of(const Json& before, const Json& now) {
 struct StoredCount {
   std::uint64_t instructions = 0;
   std::string method;  // with valgrind's version
+  std::optional<std::int64_t> passes = std::nullopt;
 };
 
 using StoredCounts = std::map<std::string, StoredCount>;
@@ -42,7 +44,9 @@ StoredCounts counts_in(const Json& document) {
   for (const Json& row : document.at("rows")) {
     std::string method = row.value("method", single_steps);
     if (method != single_steps) method.append(" ").append(document.at("valgrind"));
-    counts[row.at("row")] = {row.at("instructions"), std::move(method)};
+    StoredCount& count = counts[row.at("row")];
+    count = {row.at("instructions"), std::move(method)};
+    if (row.contains("passes")) count.passes = row.at("passes");
   }
   return counts;
 }
@@ -73,6 +77,11 @@ std::string line_of(const MovedRow& moved) {
   const double ratio = static_cast<double>(moved.now) / static_cast<double>(moved.before);
   return before + " before, " + std::to_string(moved.now) + " now (" +
          (moved.is_more() ? "+" : "") + fixed(100 * (ratio - 1), 1) + " %)\n";
+}
+
+std::string line_of(const ChangedPasses& changed) {
+  return changed.row + ": " + std::to_string(changed.before) + " passes before, " +
+         std::to_string(changed.now) + " now\n";
 }
 
 bool is_known(const Json& document) {
@@ -116,6 +125,9 @@ Comparison compare(const Json& before, const Json& now) {
       continue;
     }
     ++comparison.compared;
+    if (old->second.passes && count.passes && old->second.passes != count.passes) {
+      comparison.passes.push_back({row, *old->second.passes, *count.passes});
+    }
     if (is_moved(old->second.instructions, count.instructions)) {
       comparison.moved.push_back({row, old->second.instructions, count.instructions});
     }
@@ -128,6 +140,7 @@ std::string to_text(const Comparison& comparison) {
   if (!comparison.why_not.empty()) return "nothing compared: " + comparison.why_not + "\n";
   std::string text;
   for (const MovedRow& moved : comparison.moved) text += line_of(moved);
+  for (const ChangedPasses& changed : comparison.passes) text += line_of(changed);
   if (comparison.otherwise_counted > 0) {
     text += std::to_string(comparison.otherwise_counted) +
             " rows not compared: they were counted by another method or valgrind\n";

@@ -21,13 +21,23 @@ struct MovedRow {
   [[nodiscard]] bool is_more() const { return now == 0 || now > before; }
 };
 
+/// A row that reads its picture another number of times, which no speed of a kernel explains.
+struct ChangedPasses {
+  std::string row;
+  std::int64_t before;
+  std::int64_t now;
+};
+
 struct Comparison {
   std::string why_not;  // the files cannot be compared; empty where they can
   std::size_t compared = 0;
   std::size_t otherwise_counted = 0;  // by another method than before: not compared
   std::vector<MovedRow> moved;        // by more than the tolerance
 
+  std::vector<ChangedPasses> passes;  // of rows that were compared
+
   [[nodiscard]] std::size_t more() const;
+  [[nodiscard]] bool fails() const { return more() > 0 || !passes.empty(); }
 };
 
 /// The document of counts in a file. Throws std::runtime_error with one line that names the file

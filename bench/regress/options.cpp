@@ -36,12 +36,21 @@ void add_update(CLI::App& program, RegressOptions& options) {
   app->add_option("--commit", options.commit, "what was measured")->required()->check(not_empty());
 }
 
+void add_counts_file(CLI::App& program, RegressOptions& options) {
+  CLI::App* app = program.add_subcommand(
+      "counts-file", "Print where the counts of instructions beside the baseline belong");
+  app->add_option("--baselines", options.baselines, "folder with baselines")
+      ->required()
+      ->check(not_empty());
+}
+
 }  // namespace
 
 bool parse_options(const std::vector<std::string>& arguments, RegressOptions& options) {
   CLI::App app("Did rows become slower?", "thinbench_regress");
   add_compare(app, options);
   add_update(app, options);
+  add_counts_file(app, options);
   app.require_subcommand(1);
   app.footer(
       "Exit status: 0 PASS, 1 FAIL, 2 wrong usage or a failure, 3 INCONCLUSIVE, 4 nothing was\n"
@@ -50,9 +59,11 @@ bool parse_options(const std::vector<std::string>& arguments, RegressOptions& op
       "  thinbench_regress compare --run samples.jsonl --baselines results/baselines\n"
       "  thinbench_regress compare --run new.jsonl --old old.jsonl --all\n"
       "  thinbench_regress update --run samples.jsonl --baselines results/baselines \\\n"
-      "      --commit 0123456789 --reason 'first baseline'");
+      "      --commit 0123456789 --reason 'first baseline'\n"
+      "  thinbench_regress counts-file --baselines results/baselines");
   if (!parse_or_help(app, arguments)) return false;
   options.update = app.got_subcommand("update");
+  options.counts_file = app.got_subcommand("counts-file");
   return true;
 }
 

@@ -16,6 +16,7 @@ struct RegressOptions {
   std::string reason;
   std::string commit = "unknown";
   bool update = false;
+  bool counts_file = false;  // only print where counts of instructions belong
   bool judge_threads = false;
   bool all = false;
 };

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include "cli/command.hpp"
 #include "regress/compare.hpp"
@@ -34,20 +35,31 @@ std::int64_t own_cache_kib(const json& machine) {
   return 0;
 }
 
-fs::path baseline_file(const std::string& folder, const json& machine) {
-  return fs::path(folder) / (machine.at("fingerprint").get<std::string>() + ".json");
+constexpr std::string_view kCountsEnding = "-instructions.json";
+
+/// With the file's name after the machine's fingerprint.
+fs::path file_of(const std::string& folder, const json& machine, std::string_view ending) {
+  return fs::path(folder) / machine.at("fingerprint").get<std::string>().append(ending);
 }
 
-int number_of_files(const std::string& folder) {
+fs::path baseline_file(const std::string& folder, const json& machine) {
+  return file_of(folder, machine, ".json");
+}
+
+int number_of_baselines(const std::string& folder) {
   int number = 0;
   std::error_code none;
-  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder, none)) ++number;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".json") && !name.ends_with(kCountsEnding)) ++number;
+  }
   return number;
 }
 
 void say_that_none_fits(const std::string& folder, const json& machine) {
   std::cout << "INFO: there is no baseline for this processor, compiler and flags ("
-            << machine.at("fingerprint").get<std::string>() << "), but " << number_of_files(folder)
+            << machine.at("fingerprint").get<std::string>() << "), but "
+            << number_of_baselines(folder)
             << " for others; make one with: ./study regress --update --reason \"...\"\n";
 }
 
@@ -162,12 +174,18 @@ int update(const RegressOptions& options, json machine) {
   return kSuccess;
 }
 
+int print_counts_file(const RegressOptions& options, const json& machine) {
+  std::cout << file_of(options.baselines, machine, kCountsEnding).string() << '\n';
+  return kSuccess;
+}
+
 }  // namespace
 
 int run_regress(const std::vector<std::string>& arguments, const json& machine) {
   try {
     RegressOptions options;
     if (!parse_options(arguments, options)) return kSuccess;
+    if (options.counts_file) return print_counts_file(options, machine);
     return options.update ? update(options, machine) : compare(options, machine);
   } catch (const std::exception& error) {
     std::cerr << "thinbench_regress: " << error.what() << '\n';

@@ -3,17 +3,24 @@
 regress_usage() {
   cat <<'TEXT'
 Usage: ./study regress [--against COMMIT] [--filter REGEX] [--image FILE]... [--all]
-                       [--judge-threads] [--baselines DIR] [--no-install]
+                       [--judge-threads] [--baselines DIR] [--no-instructions] [--no-install]
        ./study regress --update --reason TEXT [--filter REGEX] [--image FILE]...
-                       [--baselines DIR] [--no-install]
+                       [--baselines DIR] [--no-instructions] [--no-install]
 
-Says whether rows became slower, measured in pairs by 9 fresh processes. What does not pass is measured
-once more by 9 others, and is FAIL only if both runs say so.
+Says whether rows became slower, in two layers.
+
+Instructions, exact on the busiest machine: the rows on one thread are counted on a small copy of the
+scene or of the first picture. FAIL where a row takes over 1 % more of them, or another number of
+passes; SKIPPED, with the reason, where there is nothing to compare with: no counts, or counts of
+another compiler, C library, valgrind or picture.
+
+Times, measured in pairs by 9 fresh processes. What does not pass is measured once more by 9 others, and
+is FAIL only if both runs say so.
 
 Without --against the speed-ups over the references are compared with the baseline of this processor,
-compiler and flags. A row may lose 10 % (20 % on pictures that do not fit the cache of a core): less
-cannot be told on another day. With --against the other commit is built in a scratch folder, processes
-of both builds take turns, and 5 % are enough.
+compiler and flags, and the counts with those beside it. A row may lose 10 % of its speed (20 % on
+pictures that do not fit the cache of a core): less cannot be told on another day. With --against the
+other commit is built in a scratch folder, processes of both builds take turns, and 5 % are enough.
 
   --against COMMIT  compare this working tree with a commit, not with the baseline
   --filter REGEX    rows whose name operation/technique/isa/threads/scope/input matches; default: fast
@@ -21,8 +28,10 @@ of both builds take turns, and 5 % are enough.
   --image FILE      measure on this picture instead of the built-in scene; repeatable
   --all             show rows that passed, too
   --judge-threads   judge rows with threads, too: only where no one else uses the cores
-  --update          make this run the baseline; needs --reason, which its history keeps
+  --update          make this run the baseline, and its counts those beside it; needs --reason, which
+                    the history keeps
   --baselines DIR   where baselines are; default results/baselines
+  --no-instructions only times; with --update the counts stay as they are
   --no-install      do not look for packages
   -h, --help        this text
 
@@ -31,8 +40,10 @@ Examples:
   ./study regress --against HEAD~1 --filter '^holes/simd'
   ./study regress --update --reason 'rows of holes are read in pairs'
 
-Exit status: 0 PASS, 1 FAIL, 2 wrong usage or something went wrong, 3 INCONCLUSIVE (too noisy, or a
-control failed), 4 nothing was compared: no baseline for this machine, or every row skipped.
+Exit status: 1 FAIL where either layer fails, else what times say: 0 PASS, 3 INCONCLUSIVE (too noisy, or
+a control failed), 4 no times were compared: no baseline for this machine, or every row skipped. Counts
+that pass make no 0 of these, and the last line names both verdicts. 2 wrong usage, or something went
+wrong.
 TEXT
 }
 
@@ -41,7 +52,8 @@ filter='^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|edg
 filter+='localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_tiles|simd_bitpacked_row|'
 filter+='simd_16bit|simd_to_bits|simd_runs)/[a-z0-9.]+/1/'
 against='' update=no reason='' baselines="$root/results/baselines" install=yes
-pictures=() judging=()
+instructions=yes pictures=() judging=()
+. "$root/bench/scripts/regress_counts.sh"
 
 need_value() { [ -n "${2-}" ] || fail 2 "regress: $1 needs a value; see ./study regress --help"; }
 while [ $# -gt 0 ]; do
@@ -54,6 +66,7 @@ while [ $# -gt 0 ]; do
     --baselines) need_value "$@"; baselines=$(absolute "$2"); shift ;;
     --all | --judge-threads) judging+=("$1") ;;
     --update) update=yes ;;
+    --no-instructions) instructions=no ;;
     --no-install) install=no ;;
     *) fail 2 "regress: '$1' is no option; see ./study regress --help" ;;
   esac
@@ -94,10 +107,15 @@ check_out_other() {
 
 # A build that fails is no verdict.
 build_both() {
+  local counting=() old_counting=()
+  [ $instructions = no ] || counting=(thinbench_program)
+  [ ! -e "$work/old/bench/cli/instructions_command.cpp" ] || old_counting=("${counting[@]}")
   say "building"
-  (build release thinbench_paired thinbench_regress) || exit 2
+  (build release thinbench_paired thinbench_regress "${counting[@]}") || exit 2
   new="$root/build/release/bin/thinbench_paired" old="$work/old/build/release/bin/thinbench_paired"
-  [ -z "$against" ] || { say "building $against"; (root="$work/old" && build release thinbench_paired) || exit 2; }
+  [ -n "$against" ] || return 0
+  say "building $against"
+  (root="$work/old" && build release thinbench_paired "${old_counting[@]}") || exit 2
 }
 
 # measure PROGRAM SAMPLES FILTER OPTION...: whether its controls passed is judged later.
@@ -145,6 +163,15 @@ judge() {
 [ -z "$against" ] || check_out_other
 build_both
 
+[ $instructions = no ] || {
+  say "counting instructions"
+  case "$update$against" in
+    yes) count_for_baseline ;;
+    no) compare_with_baseline ;;
+    *) compare_with_build ;;
+  esac
+}
+
 say "measuring ($processes processes${against:+ of each build})"
 measure_all first "$filter" 0
 if [ $update = yes ]; then
@@ -152,6 +179,7 @@ if [ $update = yes ]; then
   status=0
   "$root/build/release/bin/thinbench_regress" update --baselines "$baselines" \
     --run "$work/new-first-0.jsonl" --commit "$commit" --reason "$reason" || status=$?
+  [ $status -ne 0 ] || [ $instructions = no ] || store_counts
   exit $status
 fi
 
@@ -165,4 +193,4 @@ fi
 say "verdicts${against:+ against $against}"
 status=0
 judge || status=$?
-exit $status
+conclude $status

@@ -140,8 +140,18 @@ TEST_F(GateSession, baselines_that_cannot_be_read_are_refused_in_one_line) {
   EXPECT_EQ(refused(R"({"kind": "baseline", "schema": 2})"), "its schema 2 is unknown\n");
 }
 
+TEST_F(GateSession, counts_are_named_after_the_machine_and_are_no_baseline_of_another) {
+  const std::string counts = folder.file("machine-1-instructions.json");
+  EXPECT_EQ(run({"counts-file", "--baselines", folder.path().string()}).out, counts + "\n");
+  static_cast<void>(folder.with("machine-2-instructions.json", "{}"));
+  const Result none = compare(1e-5);
+  EXPECT_EQ(none.status, 4);
+  EXPECT_NE(none.out.find("but 0 for others"), std::string::npos) << none.out;
+}
+
 TEST_F(GateSession, wrong_usage_has_a_status_of_its_own) {
   EXPECT_EQ(run({}).status, 2);
+  EXPECT_EQ(run({"counts-file"}).status, 2);
   EXPECT_EQ(run({"update", "--run", "s", "--baselines", "b", "--commit", "c"}).status, 2);
   EXPECT_EQ(run({"compare", "--run", "s", "--old", "o", "--baselines", "b"}).status, 2);
 }

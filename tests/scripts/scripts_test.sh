@@ -40,6 +40,7 @@ expect 2 "study: regress: '--agianst' is no option; see ./study regress --help" 
 expect 2 "study: regress: --against needs a value; see ./study regress --help" regress --against
 expect 2 'study: regress: --update needs --reason "...", which the history keeps' regress --update
 expect 2 'study: regress: --reason goes with --update' regress --reason why
+expect 0 '--no-instructions only times' regress --help
 expect 2 'study: regress: there is no commit' regress --against no_such_commit
 oldest=$(git -C "$root" rev-list --max-parents=0 HEAD 2>/dev/null | tail -n 1) || oldest=
 if [ -n "$oldest" ] && ! git -C "$root" cat-file -e "$oldest:bench/paired/main.cpp" 2>/dev/null; then
