@@ -72,8 +72,11 @@ count_for_baseline() {
 # Beside the baseline, where there is one now.
 store_counts() {
   local file
-  file=$(counts_file) && cp "$work/counts.json" "$file.part" && mv "$file.part" "$file" ||
-    fail 2 "regress: the counts of instructions cannot be written to '${file-}'"
+  file=$(counts_file) || exit 2
+  if ! { cp "$work/counts.json" "$file.part" && mv -T "$file.part" "$file"; } 2>/dev/null; then
+    rm -f "$file.part"
+    fail 2 "regress: the counts of instructions cannot be written to '$file'"
+  fi
   printf 'counts of instructions: %s\n' "${file##*/}"
 }
 
