@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from report.experiment_layout import Column, columns
 from report.findings import fastest
 from report.formatting import microseconds, speedup_text, three_digits, times
+from report.intervals import time_ratio
 from report.model import END_TO_END, KERNEL, SCENE, Row, Study
 from report.table_two import ARITHMETIC, CIRCUIT, RULE
 
@@ -66,7 +67,9 @@ def _against(study: Study, headline: Headline, best: Row) -> str:
                  if row.name.technique == headline.peer and row.name.scope == END_TO_END), None)
     if peer is None:
         return own
-    return f"{times(peer.median_ns / best.median_ns)} {headline.peer_words}, {own}"
+    ratio = time_ratio(peer, best)
+    bounds = f"{three_digits(ratio.low)} to {three_digits(ratio.high)}"
+    return f"{times(ratio.ratio)} ({bounds}) {headline.peer_words}, {own}"
 
 
 def _ladder_table(study: Study) -> ShortTable:
