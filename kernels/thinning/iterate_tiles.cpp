@@ -34,8 +34,11 @@ TileWorkspace::TileWorkspace(Index width, Index height, int threads)
     : grid_(width, height), most_kept_(static_cast<Index>(reach_of(grid_.view()))) {
   const Index tiles = grid_.view().groups * kTileGroup;
   const Index shares = tiles < threads * kLeastShare ? 1 : threads;
+  // A share has no more tiles than its part of the list; one thread alone, which all tiles may fall
+  // to, has the room of all.
   room_ = std::min(most_kept_, tiles / shares + 1);
-  pending_ = make_aligned<PendingTile>(static_cast<std::size_t>(room_ * 2 * shares));
+  pending_ =
+      make_aligned<PendingTile>(static_cast<std::size_t>(std::max(most_kept_, room_ * 2 * shares)));
   const auto list = static_cast<std::size_t>(tiles + shares * kTileGroup);
   lists_[0] = make_aligned<std::uint32_t>(list);
   if (threads > 1) lists_[1] = make_aligned<std::uint32_t>(list);
@@ -70,14 +73,15 @@ class TileIteration {
     const TileVisit visit = engine_.cycle[static_cast<std::size_t>(step)];
     kept_ = (*engine_.find_kept)(list_, active_, reach_of(grid_), kept_, workspace_.most_kept_);
     for_each_share(shares, [&](Index share) {
-      visit(grid_, held(share, shares));
+      if (share != 0) visit(grid_, held(share, shares));
       visit(grid_, rest(share, shares));
     });
     for_each_share(shares, [&](Index share) {
-      commit(grid_, held(share, shares));
+      if (share != 0) commit(grid_, held(share, shares));
       commit(grid_, rest(share, shares));
-      if (share < lists)
+      if (share < lists) {
         workspace_.listed_[static_cast<std::size_t>(share)] = list_share(step, share, lists);
+      }
     });
     join_lists(lists);
     std::swap(list_, next_list_);
@@ -105,17 +109,19 @@ class TileIteration {
   /// The tiles before it: none is written before all threads have visited theirs.
   [[nodiscard]] TileVisits held(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
-    return visits(first, rest_begin(share, shares), 2 * share, workspace_.most_kept_);
+    return {list_ + first, rest_begin(share, shares) - first, pending_of(2 * share),
+            workspace_.most_kept_};
   }
   /// The others: all but the last `kept`, which a thread of a later share may read, are written on
   /// the way.
   [[nodiscard]] TileVisits rest(Index share, Index shares) const {
+    const Index first = rest_begin(share, shares);
     const Index last = part_begin(active_, share + 1, shares);
-    return visits(rest_begin(share, shares), last, 2 * share + 1, kept_);
+    return {list_ + first, last - first, pending_of(shares == 1 ? 0 : 2 * share + 1), kept_};
   }
-  [[nodiscard]] TileVisits visits(Index first, Index last, Index place, Index kept) const {
-    PendingTile* pending = workspace_.pending_.get() + place * workspace_.room_;
-    return {list_ + first, last - first, pending, std::min(kept, workspace_.room_)};
+  /// Room for `room_` tiles; from the first place on for all that one thread alone may keep.
+  [[nodiscard]] PendingTile* pending_of(Index place) const {
+    return workspace_.pending_.get() + place * workspace_.room_;
   }
 
   /// A share of the groups has room for its tiles in the next list, and for those that are written

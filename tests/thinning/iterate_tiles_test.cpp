@@ -54,6 +54,17 @@ TEST(IterateTiles, threads_equal_the_reference) {
   for (const int threads : {2, 7}) expect_as_reference(image, threads);
 }
 
+TEST(IterateTiles, one_of_many_threads_has_room_to_work_alone) {
+  // 4,012 tiles and their margins are enough for 7 threads, the 2,000 that are dark are not.
+  ByteImage image(64, 16000);
+  std::uint64_t index = 0;
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x)
+      image.at(x, y) = splitmix64(3, index++) % 8 != 0 ? 255 : 0;
+  }
+  expect_as_reference(image, 7);
+}
+
 TEST(IterateTiles, rows_past_the_caches_are_the_same_rows) {
   const Index width = 4100;  // the last word of a row is not full
   const Index height = 2113;
