@@ -8,7 +8,9 @@
 // Counted and left: with column x in register x mod 8 most neighbours lie in other registers, and a
 // row of Guo-Hall's takes 11 vector instructions instead of 15. But then a register's lanes lie
 // rows apart (13 at best), and fewer can be passed over: 22,336 instead of 18,228 rows on the test
-// image. Bands of 4 rows instead of 7 would visit 17,332.
+// image. Bands of 4 rows instead of 7 would visit 17,332. Neighbours kept for the next
+// sub-iteration would serve rows that this one did not change only: those that it changed need the
+// shifts anew, and which is which would be a branch a row.
 //
 // Measured and left, with Guo-Hall's rule, 15 vector instructions a row: neighbours from
 // unaligned loads instead of lane shifts, 13 instructions, the same time, since each of these loads
