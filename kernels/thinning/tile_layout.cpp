@@ -11,7 +11,6 @@ namespace thinbench {
 namespace {
 
 constexpr Index kWordsOf64 = 2;  // strips that one 64-bit word of a plane holds
-constexpr Index kTurnedStrips = 16;
 
 /// The tile of a row in the first strip of the image.
 Index first_tile(const TileGridView& grid, Index tile_row) {
@@ -46,6 +45,8 @@ void store_two_tiles(const TileGridView& grid, const BitPlaneView& rows, Index s
 }
 
 #ifdef __AVX512F__
+
+constexpr Index kTurnedStrips = 16;
 
 struct Square {
   __m512i rows[16];  // of 16 lanes
