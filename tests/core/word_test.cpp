@@ -6,10 +6,14 @@ namespace thinbench {
 namespace {
 
 TEST(Word, truth_table_numbers_gates_as_processors_do) {
-  EXPECT_EQ(truth_table([](auto a, auto, auto) { return a; }), 0xF0);
-  EXPECT_EQ(truth_table([](auto, auto b, auto) { return b; }), 0xCC);
-  EXPECT_EQ(truth_table([](auto, auto, auto c) { return c; }), 0xAA);
-  EXPECT_EQ(truth_table([](auto a, auto b, auto c) { return a ^ b ^ c; }), 0x96);
+  constexpr int first = truth_table([](auto a, auto, auto) { return a; });
+  constexpr int second = truth_table([](auto, auto b, auto) { return b; });
+  constexpr int third = truth_table([](auto, auto, auto c) { return c; });
+  constexpr int odd = truth_table([](auto a, auto b, auto c) { return a ^ b ^ c; });
+  EXPECT_EQ(first, 0xF0);
+  EXPECT_EQ(second, 0xCC);
+  EXPECT_EQ(third, 0xAA);
+  EXPECT_EQ(odd, 0x96);
 }
 
 TEST(Word, neighbours_of_packed_pixels_cross_words) {

@@ -133,10 +133,11 @@ TEST(Holes, wide_rows_and_tall_images_do_not_overflow_short_sums) {
     }
     const reference::Regions expected = reference::holes(image.view());
     ASSERT_EQ(expected.holes.size(), 2U);
-    with_every_way(image.view(), [&](const FoundHoles& found, const std::string& way) {
-      EXPECT_EQ(found.objects, expected.objects) << way << " at " << width;
-      EXPECT_EQ(found.holes, expected.holes) << way << " at " << width;
-    });
+    with_every_way(image.view(),
+                   [&, columns = width](const FoundHoles& found, const std::string& way) {
+                     EXPECT_EQ(found.objects, expected.objects) << way << " at " << columns;
+                     EXPECT_EQ(found.holes, expected.holes) << way << " at " << columns;
+                   });
   }
 }
 
