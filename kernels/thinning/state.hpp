@@ -73,10 +73,15 @@ void read_planes(const BandTeam& team, const ConstByteView& view, Planes<T>& pla
   });
 }
 
+/// What writes rows of an image of so many pixels.
+template <class T>
+[[nodiscard]] auto row_writer(const PlaneConversion<T>& conversion, Index pixels) {
+  return pixels >= kStreamedBytes ? conversion.write_streamed : conversion.write;
+}
+
 template <class T>
 void write_planes(const BandTeam& team, const Planes<T>& planes, const ByteView& view) {
-  const bool is_large = view.width * view.height >= kStreamedBytes;
-  const auto write = is_large ? planes.conversion.write_streamed : planes.conversion.write;
+  const auto write = row_writer(planes.conversion, view.width * view.height);
   team.for_bands(view.height, [&](Index first, Index last) {
     write(rows_of_view(planes.result.view(), first, last), rows_of_view(view, first, last));
   });

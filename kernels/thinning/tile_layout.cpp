@@ -2,8 +2,7 @@
 //
 // Rows keep the pixels of neighbouring tiles together, tiles those of neighbouring rows. At AVX-512
 // 16 tiles are turned in registers, 16 loads, 64 shuffles and 16 stores for 8,192 pixels. Other
-// levels, and what is left at the edges, move a word of two tiles at a time, which takes five to
-// ten times as long.
+// levels, and what is left at the edges, move a word of two tiles at a time.
 #include "core/batch.hpp"
 #include "thinning/tile_passes.hpp"
 

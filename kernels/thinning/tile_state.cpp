@@ -80,8 +80,7 @@ int TileState::run(const ConstByteView& source, const ByteView& destination) {
     engine_.layout->load_rows(grid, rows, row);
   });
   const int cycles = iterate_tiles(engine_, setting_.most_cycles, workspace_, team_.threads());
-  const bool is_large = setting_.width * setting_.height >= kStreamedBytes;
-  const auto write = is_large ? conversion_.write_streamed : conversion_.write;
+  const auto write = row_writer(conversion_, setting_.width * setting_.height);
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     engine_.layout->store_rows(grid, rows, row);
     write(rows, rows_of_tiles(destination, row));
