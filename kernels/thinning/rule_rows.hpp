@@ -117,14 +117,8 @@ constexpr auto rows_of_either_border() {
 template <class Rule>
 const auto& rows_of() {
   static constexpr auto rows = [] {
-    constexpr auto wide =
-        joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
-               row_kernel_rows<Rule, Isa::kAvx512Icl>());
-    if constexpr (TwoStageRule<Rule>) {
-      return wide;
-    } else {
-      return joined(wide, all_tile_rows<Rule>());
-    }
+    return joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
+                  row_kernel_rows<Rule, Isa::kAvx512Icl>(), all_tile_rows<Rule>());
   }();
   return rows;
 }

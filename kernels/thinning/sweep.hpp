@@ -39,6 +39,20 @@ template <class Word>
   return {here.centre, here.east, above, here.west, below};
 }
 
+/// Features of a row and beside it. Those beside a word need the pixels two columns to either side,
+/// too.
+template <class Rule, class Word>
+[[gnu::always_inline]] inline RowOfThree<Word> features_beside(const RowOfThree<Word>& above,
+                                                               const RowOfThree<Word>& here,
+                                                               const RowOfThree<Word>& below,
+                                                               Word west2, Word east2) {
+  const RowOfThree<Word> to_west = {west2, here.west, here.centre};
+  const RowOfThree<Word> to_east = {here.centre, here.east, east2};
+  return {Rule::feature(cross(above.west, to_west, below.west)),
+          Rule::feature(cross(above.centre, here, below.centre)),
+          Rule::feature(cross(above.east, to_east, below.east))};
+}
+
 /// What a rule sees while an engine walks down: the rows round row y. `Rows` knows the engine's
 /// memory: `row(y)` and, for rules of two stages, `features<Rule>(y, above, here, below)`.
 template <class Rule, class Rows>
@@ -113,17 +127,13 @@ struct WordColumn {
     return load_row<Word>(data + y * stride);
   }
 
-  /// The features beside the word need pixels two columns away.
   template <class Rule>
   [[gnu::always_inline]] RowOfThree<Word> features(Index y, const RowOfThree<Word>& above,
                                                    const RowOfThree<Word>& here,
                                                    const RowOfThree<Word>& below) const {
     const auto* from = data + y * stride;
-    const RowOfThree<Word> to_west = {Traits::west2(here.centre, from), here.west, here.centre};
-    const RowOfThree<Word> to_east = {here.centre, here.east, Traits::east2(here.centre, from)};
-    return {Rule::feature(cross(above.west, to_west, below.west)),
-            Rule::feature(cross(above.centre, here, below.centre)),
-            Rule::feature(cross(above.east, to_east, below.east))};
+    return features_beside<Rule>(above, here, below, Traits::west2(here.centre, from),
+                                 Traits::east2(here.centre, from));
   }
 };
 

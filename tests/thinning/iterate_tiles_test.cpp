@@ -31,14 +31,18 @@ ByteImage squares(Index width, Index height, Index side) {
   return image;
 }
 
-/// Whether tiles give what the reference gives, on so many threads.
+/// Whether tiles give what the reference gives, on so many threads, where a rule looks one pixel
+/// far and where it looks two.
 void expect_as_reference(const ByteImage& image, int threads) {
   ByteImage by_tiles(image.width(), image.height());
   ByteImage by_reference(image.width(), image.height());
-  const int cycles = thin_by_tiles("thin_guo_hall", image, by_tiles, threads);
-  EXPECT_EQ(cycles,
-            reference::thin_guo_hall(Border::kBackground, image.view(), by_reference.view()));
-  EXPECT_TRUE(equal(by_tiles.view(), by_reference.view())) << threads << " threads";
+  const auto expect = [&](std::string_view operation, const auto& reference) {
+    const int cycles = thin_by_tiles(operation, image, by_tiles, threads);
+    EXPECT_EQ(cycles, reference(Border::kBackground, image.view(), by_reference.view()));
+    EXPECT_TRUE(equal(by_tiles.view(), by_reference.view())) << operation << ", " << threads;
+  };
+  expect("thin_guo_hall", reference::thin_guo_hall);
+  expect("thin_mb2", reference::thin_mb2);
 }
 
 TEST(IterateTiles, equals_the_reference_where_tiles_are_written_on_the_way) {

@@ -150,11 +150,15 @@ TEST(SptaDirectional, circuit_equals_the_printed_form) {
   expect_circuit_equals_printed_form<SptaDirectional, 3>();
 }
 
+/// A neighbourhood in which all bits of n_i are bit i of `descriptor`.
+Neighbourhood<std::uint64_t> everywhere(int descriptor) {
+  const auto all = [=](int i) { return (descriptor >> i & 1) != 0 ? ~std::uint64_t{0} : 0; };
+  return {all(0), all(0), all(1), all(2), all(3), all(4), all(5), all(6), all(7)};
+}
+
 TEST(Mb2, circuit_equals_the_printed_form_for_all_pixels_and_features) {
   for (int features = 0; features < 256; ++features) {
-    const auto all = [features](int i) { return (features >> i & 1) != 0 ? ~std::uint64_t{0} : 0; };
-    const Neighbourhood<std::uint64_t> interior = {all(0), all(0), all(1), all(2), all(3),
-                                                   all(4), all(5), all(6), all(7)};
+    const Neighbourhood<std::uint64_t> interior = everywhere(features);
     for (int word = 0; word < 8; ++word) {
       const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
       const std::uint64_t next = Mb2::next<0>(n, interior);
@@ -162,6 +166,25 @@ TEST(Mb2, circuit_equals_the_printed_form_for_all_pixels_and_features) {
         ASSERT_EQ(next >> bit & 1, Mb2::printed<0>(one_of<std::uint8_t>(n, bit),
                                                    one_of<std::uint8_t>(interior, bit)))
             << "neighbourhood " << 64 * word + bit << ", features " << features;
+      }
+    }
+  }
+}
+
+// Engines rely on both to pass over pixels round which nothing changed within one pixel.
+TEST(Mb2, a_feature_goes_where_a_pixel_goes_and_then_removes_no_more) {
+  for (int dark = 0; dark < 32; ++dark) {
+    const auto at = [dark](int i) { return dark >> i & 1; };
+    const bool expected = dark == 31;
+    EXPECT_EQ(Mb2::feature(Cross<int>{at(0), at(1), at(2), at(3), at(4)}) != 0, expected);
+  }
+  for (int features = 0; features < 256; ++features) {
+    for (int gone = 1; gone < 256; gone *= 2) {
+      const Neighbourhood<std::uint64_t> more = everywhere(features | gone);
+      const Neighbourhood<std::uint64_t> fewer = everywhere(features & ~gone);
+      for (int word = 0; word < 8; ++word) {
+        const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+        ASSERT_EQ(Mb2::next<0>(n, more) & ~Mb2::next<0>(n, fewer), 0U) << features << ", " << gone;
       }
     }
   }

@@ -47,7 +47,9 @@ struct Cross {
 };
 
 /// Rules with a support of 5 x 5 pixels in two stages: a feature of every pixel from its Cross,
-/// then the new pixel from the neighbourhoods of pixels and of features.
+/// then the new pixel from the neighbourhoods of pixels and of features. Features go as pixels go,
+/// and a pixel that stays must not be removed because one went: what changed two pixels away then
+/// is no reason to look at it again.
 template <class Rule>
 concept TwoStageRule = Rule::kTwoStages;
 
