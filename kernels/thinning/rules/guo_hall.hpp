@@ -25,16 +25,17 @@ struct GuoHall {
     constexpr auto and_implied = [](auto a, auto b, auto c) { return ~a & (b | ~c); };
     const Word corner =
         ternary(n.n3, n.n1, n.n7, [](auto a, auto b, auto c) { return ~a & b & c; });
-    const Word g1 = ternary(n.n5, n.n2, corner, and_either);
+    const Word g1 =
+        ternary(corner, n.n2, n.n5, [](auto a, auto b, auto c) { return (a | b) & ~c; });
     const Word g2 = ternary(g1, n.n3, n.n6, and_implied);
     const Word g3 = ternary(n.n4, n.n5, n.n0, and_either);
     const Word g4 = ternary(g3, n.n6, n.n3, and_implied);
     const Word g5 = ternary(n.n5, n.n4, n.n1, and_either);
-    const Word g6 = ternary(n.n0, n.n7, g5, and_implied);
+    const Word g6 = ternary(g5, n.n7, n.n0, [](auto a, auto b, auto c) { return (~a | b) & ~c; });
     const Word south_east =
         ternary(n.n2, n.n1, n.n7, [](auto a, auto b, auto c) { return ~(a | b) & c; });
     const Word removed = ternary(g4, south_east, g6, and_implied);
-    return ternary(n.p, g2, removed, [](auto a, auto b, auto c) { return a & (b | ~c); });
+    return ternary(removed, g2, n.p, [](auto a, auto b, auto c) { return (~a | b) & c; });
   }
 
   /// Nineteen gates, no inverter, update included: found by logic minimisation over orders of the

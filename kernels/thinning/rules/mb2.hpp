@@ -39,7 +39,7 @@ struct Mb2 {
     const Word north = ternary(ternary(n.n1, n.n0, n.n0, without), n.n3, n.n4, or_without);
     const Word south = ternary(ternary(n.n5, n.n4, n.n4, without), n.n7, n.n0, or_without);
     const Word alone = ternary(ternary(north, n.n2, n.n2, without), south, n.n6, or_without);
-    return ternary(n.p, edge, alone, [](auto a, auto b, auto c) { return a & (~b | c); });
+    return ternary(edge, alone, n.p, [](auto a, auto b, auto c) { return (~a | b) & c; });
   }
 
   /// As published, on words that hold 0 or 1 in a whole lane.

@@ -44,15 +44,16 @@ struct NaccacheShinghal {
     constexpr auto unless_alone = [](auto a, auto b, auto c) { return a & ~(b & ~c); };
     constexpr auto and_or = [](auto a, auto b, auto c) { return a & (b | c); };
     constexpr auto flip = [](auto a, auto b, auto c) { return a ^ (b & ~(c & ~a)); };
+    constexpr auto flipped_by = [](auto a, auto b, auto c) { return b ^ (a & ~(c & ~b)); };
     const Word south_east = ternary(n.n0, n.n6, n.n6, both);
     const Word south_west = ternary(n.n4, n.n6, n.n6, both);
     const Word west = ternary(n.n4, n.n7, south_east, unless_alone);
     const Word east = ternary(n.n0, n.n5, n.n5, and_not);
     const Word north = ternary(n.n2, west, east, and_or);
-    const Word removed_west = ternary(north, south_west, n.n1, flip);
+    const Word removed_west = ternary(south_west, north, n.n1, flipped_by);
     const Word removed_east = ternary(north, south_east, n.n3, flip);
-    return ternary(n.p, removed_west, removed_east,
-                   [](auto a, auto b, auto c) { return a & ~(b | c); });
+    return ternary(removed_west, removed_east, n.p,
+                   [](auto a, auto b, auto c) { return ~(a | b) & c; });
   }
 
   /// The same, as printed: four expressions and a count of the FALSE ones, on words that hold 0 or

@@ -21,12 +21,10 @@ struct Neighbourhood {
 template <int eighths, class Word>
 [[gnu::always_inline]] constexpr Neighbourhood<Word> turned(const Neighbourhood<Word>& n) {
   static_assert(eighths % 2 == 0 && 0 <= eighths && eighths < 8);
-  if constexpr (eighths == 0) {
-    return n;
-  } else {
-    return turned<eighths - 2>(
-        Neighbourhood<Word>{n.p, n.n2, n.n3, n.n4, n.n5, n.n6, n.n7, n.n0, n.n1});
-  }
+  if constexpr (eighths == 2) return {n.p, n.n2, n.n3, n.n4, n.n5, n.n6, n.n7, n.n0, n.n1};
+  if constexpr (eighths == 4) return {n.p, n.n4, n.n5, n.n6, n.n7, n.n0, n.n1, n.n2, n.n3};
+  if constexpr (eighths == 6) return {n.p, n.n6, n.n7, n.n0, n.n1, n.n2, n.n3, n.n4, n.n5};
+  return n;
 }
 
 /// Of the two circuits of a rule the one for this word: gates of three inputs where they are one

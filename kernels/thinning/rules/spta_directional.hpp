@@ -14,15 +14,19 @@ struct SptaDirectional {
   static constexpr int kSubIterations = 4;
   static constexpr int kTurns[kSubIterations] = {0, 4, 6, 2};
 
-  /// Five gates, update included.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    const Neighbourhood<Word> n = turned<kTurns[sub]>(as_seen);
+    return from_the_left(turned<kTurns[sub]>(as_seen));
+  }
+
+  /// Five gates, update included.
+  template <class Word>
+  [[gnu::always_inline]] static constexpr Word from_the_left(const Neighbourhood<Word>& n) {
     const Word u = ternary(n.n2, n.n3, n.n0, [](auto a, auto b, auto c) { return (a | ~b) & c; });
     const Word v = ternary(n.n6, n.n5, n.n4, [](auto a, auto b, auto c) { return (a | ~b) & ~c; });
     const Word w = ternary(n.n1, n.n2, n.n7, [](auto a, auto b, auto c) { return a | b | c; });
     const Word x = ternary(w, n.n6, u, [](auto a, auto b, auto c) { return (a | b) & c; });
-    return ternary(n.p, x, v, [](auto a, auto b, auto c) { return a & ~(b & c); });
+    return ternary(x, v, n.p, [](auto a, auto b, auto c) { return ~(a & b) & c; });
   }
 
   template <int sub, class Lane>

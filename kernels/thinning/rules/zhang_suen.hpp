@@ -33,7 +33,7 @@ struct ZhangSuen {
         ternary(g1, n.n5, n.n7, [](auto a, auto b, auto c) { return ~(a ^ (b & ~(a & c))); });
     const Word g5 = ternary(g4, n.n2, n.n4, [](auto a, auto b, auto c) { return ~c & (a | ~b); });
     const Word g6 =
-        ternary(g2, g5, n.n7, [](auto a, auto b, auto c) { return (b & c) | (~a & (b | c)); });
+        ternary(g5, g2, n.n7, [](auto a, auto b, auto c) { return (a & c) | (~b & (a | c)); });
     const Word g7 = ternary(g6, n.n1, n.n6, same_or_other);
     const Word g8 = ternary(g3, g6, n.n3, [](auto a, auto b, auto c) { return a & ~(b ^ c); });
     const Word g9 =
