@@ -131,7 +131,7 @@ class Planner {
                         {},
                         {Picture::kEnlarged, times * kSceneWidth, times * kSceneHeight, times}};
       add_chosen(point, {"thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal",
-                         "thin_spta_directional", "holes"});
+                         "thin_spta_directional", "thin_mb2", "holes"});
     }
   }
 
