@@ -10,10 +10,11 @@
 // rows apart (13 at best), and fewer can be passed over: 22,336 instead of 18,228 rows on the test
 // image. Bands of 4 rows instead of 7 would visit 17,332. Neighbours kept for the next
 // sub-iteration would serve rows that this one did not change only: those that it changed need the
-// shifts anew, and which is which would be a branch a row. With eight rows that follow each other
-// in the lanes of a register no more rows are visited than here, and 2 lane shifts a register serve
-// all six neighbours above and below: 13.75 instructions a row instead of 15 for Guo-Hall's, 11.75
-// instead of 13 for the printed rule, pixels packed in another order.
+// shifts anew, and which is which would be a branch a row. Column x in
+// register x mod 8 again, with eight rows that follow each other in its lanes: no more rows are
+// visited than here, and 2 lane shifts a register serve all six neighbours above and below, 13.75
+// instructions a row instead of 15 for Guo-Hall's, 11.75 instead of 13 for the printed rule; left
+// for what that gains at most, pixels being packed in another order.
 //
 // Measured and left, with Guo-Hall's rule, 15 vector instructions a row: neighbours from
 // unaligned loads instead of lane shifts, 13 instructions, the same time, since each of these loads

@@ -116,10 +116,9 @@ constexpr auto rows_of_either_border() {
 /// All techniques for one rule: what a new operation gets for free.
 template <class Rule>
 const auto& rows_of() {
-  static constexpr auto rows = [] {
-    return joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
-                  row_kernel_rows<Rule, Isa::kAvx512Icl>(), all_tile_rows<Rule>());
-  }();
+  static constexpr auto rows =
+      joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
+             row_kernel_rows<Rule, Isa::kAvx512Icl>(), all_tile_rows<Rule>());
   return rows;
 }
 

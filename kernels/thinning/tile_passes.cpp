@@ -1,10 +1,10 @@
-// Sub-iterations on tiles of 16 x 32 packed pixels, only those in whose reach something changed
-// since the sub-iteration last ran. Compiled once for every instruction-set level.
+// Sub-iterations on tiles of 16 x 32 packed pixels, only those within one pixel of which something
+// changed since the sub-iteration last ran. Compiled once for every instruction-set level.
 //
 // Cost a tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's gates,
 // 1 to see the change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from there
-// to the grid; a rule of two stages takes 15 loads, 12 of them across cache lines, and 16 funnel
-// shifts. An image is in the grid once: new pixels wait until no neighbour needs the old ones.
+// to the grid; a rule of two stages takes 16 funnel shifts and 15 loads, of which GCC makes 20. An
+// image is in the grid once: new pixels wait until no neighbour needs the old ones.
 // As few wait as the list allows: with room for the densest list, 32 KB for 4,120 rows, they pushed
 // the grid out of the first cache, and Zhang-Suen's rule took 14 % longer on deep strokes.
 //
@@ -42,18 +42,17 @@ constexpr Index kFlagLanes = static_cast<Index>(Flags::size);
 constexpr std::uint16_t kFirstRow = 1;
 constexpr std::uint16_t kLastRow = 0x8000;
 
-[[gnu::always_inline]] inline RowOfThree<Rows> rows_at(const std::uint32_t* words, Index strip) {
-  const Rows centre = Rows::load_unaligned(words);
-  return {westwards<1>(centre, Rows::load_unaligned(words - strip)), centre,
-          eastwards<1>(centre, Rows::load_unaligned(words + strip))};
-}
-
-/// The rows round those of one register.
+/// What a Window reads: row y is the register that begins y rows further down.
 struct RowsOfTile {
   const std::uint32_t* words;
   Index strip;
 
-  [[gnu::always_inline]] RowOfThree<Rows> row(Index y) const { return rows_at(words + y, strip); }
+  [[gnu::always_inline]] RowOfThree<Rows> row(Index y) const {
+    const std::uint32_t* at = words + y;
+    const Rows centre = Rows::load_unaligned(at);
+    return {westwards<1>(centre, Rows::load_unaligned(at - strip)), centre,
+            eastwards<1>(centre, Rows::load_unaligned(at + strip))};
+  }
 
   template <class Rule>
   [[gnu::always_inline]] RowOfThree<Rows> features(Index y, const RowOfThree<Rows>& above,
@@ -126,8 +125,8 @@ template <class Rule, int sub>
   }
 }
 
-/// Tiles of a group whose pixels, or pixels beside them, changed. What changed two pixels away is
-/// enough for no rule to remove a pixel, see TwoStageRule.
+/// Tiles of a group whose pixels, or pixels beside them, changed; enough for rules of two stages,
+/// too, see TwoStageRule.
 [[gnu::always_inline]] inline std::uint32_t wanted_tiles(const TileGridView& grid, Index first) {
   const auto any_of = [&](Index tile) {
     return Flags::load_unaligned(grid.changed_rows + tile) |

@@ -37,7 +37,7 @@ struct TileListing {
   std::uint32_t* list;           // ascending; kTileGroup entries behind the last may be written
 };
 
-/// Lists the tiles in whose reach something changed; returns how many.
+/// Lists the tiles within one pixel of which something changed; returns how many.
 using ListActive = Index (*)(const TileGridView& grid, const TileListing& listing);
 
 /// How many tiles of an ascending list must wait so that each waits while a tile ahead is its

@@ -3,6 +3,7 @@
 #include "thinning/rules.hpp"
 
 #include <string_view>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -150,7 +151,7 @@ TEST(SptaDirectional, circuit_equals_the_printed_form) {
   expect_circuit_equals_printed_form<SptaDirectional, 3>();
 }
 
-/// A neighbourhood in which all bits of n_i are bit i of `descriptor`.
+/// A neighbourhood in which all bits of n_i are bit i of `descriptor`; p is as n_0.
 Neighbourhood<std::uint64_t> everywhere(int descriptor) {
   const auto all = [=](int i) { return (descriptor >> i & 1) != 0 ? ~std::uint64_t{0} : 0; };
   return {all(0), all(0), all(1), all(2), all(3), all(4), all(5), all(6), all(7)};
@@ -171,23 +172,50 @@ TEST(Mb2, circuit_equals_the_printed_form_for_all_pixels_and_features) {
   }
 }
 
-// Engines rely on both to pass over pixels round which nothing changed within one pixel.
-TEST(Mb2, a_feature_goes_where_a_pixel_goes_and_then_removes_no_more) {
+/// A feature is there for fewer pixels wherever it is for more.
+template <class Rule>
+void expect_features_to_go_with_pixels() {
   for (int dark = 0; dark < 32; ++dark) {
-    const auto at = [dark](int i) { return dark >> i & 1; };
-    const bool expected = dark == 31;
-    EXPECT_EQ(Mb2::feature(Cross<int>{at(0), at(1), at(2), at(3), at(4)}) != 0, expected);
+    for (int gone = 1; gone < 32; gone *= 2) {
+      const auto feature_of = [](int pixels) {
+        const auto at = [=](int i) { return pixels >> i & 1; };
+        return Rule::feature(Cross<int>{at(0), at(1), at(2), at(3), at(4)}) & 1;
+      };
+      EXPECT_LE(feature_of(dark & ~gone), feature_of(dark | gone)) << dark << ", " << gone;
+    }
   }
+}
+
+/// What stays with more features stays with fewer.
+template <class Rule, int sub>
+void expect_no_more_removed_by_fewer_features() {
   for (int features = 0; features < 256; ++features) {
     for (int gone = 1; gone < 256; gone *= 2) {
       const Neighbourhood<std::uint64_t> more = everywhere(features | gone);
       const Neighbourhood<std::uint64_t> fewer = everywhere(features & ~gone);
       for (int word = 0; word < 8; ++word) {
         const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
-        ASSERT_EQ(Mb2::next<0>(n, more) & ~Mb2::next<0>(n, fewer), 0U) << features << ", " << gone;
+        const auto stays = [&](const auto& seen) { return Rule::template next<sub>(n, seen); };
+        ASSERT_EQ(stays(more) & ~stays(fewer), 0U) << features << ", " << gone;
       }
     }
   }
+}
+
+template <class Rule>
+void expect_laws() {
+  if constexpr (TwoStageRule<Rule>) {
+    expect_features_to_go_with_pixels<Rule>();
+    [&]<int... subs>(std::integer_sequence<int, subs...>) {
+      (expect_no_more_removed_by_fewer_features<Rule, subs>(), ...);
+    }
+    (std::make_integer_sequence<int, Rule::kSubIterations>{});
+  }
+}
+
+// The engine over tiles passes over pixels that keep all within one pixel.
+TEST(TwoStageRule, losing_pixels_or_features_removes_no_pixel_that_stayed) {
+  [&]<class... Rules>(RuleList<Rules...>) { (expect_laws<Rules>(), ...); }(AllRules{});
 }
 
 TEST(Turned, half_a_turn_swaps_opposite_neighbours) {

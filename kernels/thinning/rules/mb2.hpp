@@ -11,8 +11,7 @@ namespace thinbench {
 /// light at the two opposite direct neighbours, b is a dark diagonal between two light direct
 /// neighbours.
 ///
-/// Invariants: topology, idempotent, subset; a feature that goes never lets a pixel go that would
-/// have stayed. Lines two pixels wide stay where the width is even.
+/// Invariants: topology, idempotent, subset. Lines two pixels wide stay where the width is even.
 struct Mb2 {
   static constexpr int kSubIterations = 1;
   static constexpr bool kTwoStages = true;

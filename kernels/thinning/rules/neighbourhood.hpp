@@ -45,9 +45,11 @@ struct Cross {
 };
 
 /// Rules with a support of 5 x 5 pixels in two stages: a feature of every pixel from its Cross,
-/// then the new pixel from the neighbourhoods of pixels and of features. Features go as pixels go,
-/// and a pixel that stays must not be removed because one went: what changed two pixels away then
-/// is no reason to look at it again.
+/// then the new pixel from the neighbourhoods of pixels and of features.
+///
+/// Two laws: removing pixels never makes a feature, and losing a feature never makes a rule remove
+/// a pixel that it kept. So a pixel that was kept stays as long as nothing changes within one pixel
+/// of it, whatever changes two pixels away.
 template <class Rule>
 concept TwoStageRule = Rule::kTwoStages;
 
