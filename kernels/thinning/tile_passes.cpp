@@ -42,7 +42,7 @@ constexpr Index kFlagLanes = static_cast<Index>(Flags::size);
 constexpr std::uint16_t kFirstRow = 1;
 constexpr std::uint16_t kLastRow = 0x8000;
 
-/// What a Window reads: row y is the register that begins y rows further down.
+/// What a rule sees: row y is the register that begins y rows further down.
 struct RowsOfTile {
   const std::uint32_t* words;
   Index strip;
@@ -75,16 +75,27 @@ struct ChangedRows {
   return {nonzero_lanes(changed), lowest_bits(changed), highest_bits(changed)};
 }
 
+/// A window would do for every rule; without one GCC finds more in registers below AVX-512, and the
+/// printed rule takes 14 % less time with SSE2.
+template <class Rule, int sub>
+[[gnu::always_inline]] inline Rows next_rows(const RowsOfTile& rows) {
+  if constexpr (TwoStageRule<Rule>) {
+    return Window<Rule, RowsOfTile>(rows, 0).template next<sub>(Rule{}, rows, 0);
+  } else {
+    return Rule{}.template next<sub>(neighbourhood(rows.row(-1), rows.row(0), rows.row(1)));
+  }
+}
+
 template <class Rule, int sub>
 [[gnu::always_inline]] inline ChangedRows visit_tile(const std::uint32_t* tile, Index strip,
                                                      PendingTile& pending) {
   ChangedRows all{};
   for (Index row = 0; row < kTileRows; row += kRowLanes) {
     const RowsOfTile rows = {tile + row, strip};
-    Window<Rule, RowsOfTile> window(rows, 0);
-    const Rows next = window.template next<sub>(Rule{}, rows, 0);
+    const Rows before = Rows::load_unaligned(rows.words);
+    const Rows next = next_rows<Rule, sub>(rows);
     next.store_aligned(pending.words + row);
-    const ChangedRows some = changed_rows(window.centre(), next);
+    const ChangedRows some = changed_rows(before, next);
     all.anywhere |= some.anywhere << row;
     all.west |= some.west << row;
     all.east |= some.east << row;
