@@ -172,7 +172,7 @@ TEST(Mb2, circuit_equals_the_printed_form_for_all_pixels_and_features) {
   }
 }
 
-/// A feature is there for fewer pixels wherever it is for more.
+/// A feature that is there with fewer dark pixels is there with more.
 template <class Rule>
 void expect_features_to_go_with_pixels() {
   for (int dark = 0; dark < 32; ++dark) {
