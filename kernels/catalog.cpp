@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "holes/holes_rows.hpp"
+#include "regions/holes_rows.hpp"
 #include "nets/net_rows.hpp"
-#include "scan/scan_rows.hpp"
+#include "midpoints/scan_rows.hpp"
 #include "thinning/rule_rows.hpp"
-#include "thinning/spta.hpp"
+#include "thinning/engines/spta.hpp"
 
 namespace thinbench {
 namespace {
@@ -21,7 +21,7 @@ ThinningOperation thinning(std::string_view name, std::string_view description) 
 template <class Rule>
 ThinningOperation border_keeping(std::string_view name, std::string_view description) {
   ThinningOperation operation{name, description, border_keeping_rows_of<Rule>()};
-  operation.border = Border::kKeep;
+  operation.border = Border::keep;
   operation.lane_kernels = &lane_kernels_of<Rule>();
   return operation;
 }
@@ -29,14 +29,14 @@ ThinningOperation border_keeping(std::string_view name, std::string_view descrip
 ThinningOperation scan(std::string_view name, std::string_view description,
                        std::span<const ThinningVariant> rows) {
   ThinningOperation operation{name, description, rows};
-  operation.most_passes = 1;
+  operation.max_iterations = 1;
   operation.takes_directions = true;
   return operation;
 }
 
 constexpr std::array kSequentialSptaRows = {
-    ThinningVariant{Technique::kLut, Isa::kBaseline, kOneThread, kAnyWidth, &SptaKernels::kLut},
-    ThinningVariant{Technique::kBitpacked, Isa::kBaseline, kOneThread, kAnyWidth,
+    ThinningVariant{Technique::lut, Isa::baseline, kOneThread, kAnyWidth, &SptaKernels::kLut},
+    ThinningVariant{Technique::bitpacked, Isa::baseline, kOneThread, kAnyWidth,
                     &SptaKernels::kBitpacked},
 };
 
@@ -68,24 +68,24 @@ std::span<const ThinningOperation> thinning_operations() {
       ThinningOperation{"net_two_layer_sigmoid",
                         "thinning by the two-layer net of Table 1, sigmoid (1); hidden values "
                         "across lanes agree within 2 units in the last place, outputs within 9",
-                        net_rows(NetKind::kSigmoid), &paper_sigmoid_model},
+                        net_rows(NetKind::sigmoid), &paper_sigmoid_model},
       ThinningOperation{"net_two_layer_sigmoid_pass", "one pass of net_two_layer_sigmoid",
-                        net_rows(NetKind::kSigmoid), &paper_sigmoid_model, 1},
+                        net_rows(NetKind::sigmoid), &paper_sigmoid_model, 1},
       ThinningOperation{
           "net_two_layer_rounded",
           "net_two_layer_sigmoid with weights rounded to integers: not quite the rule",
-          net_rows(NetKind::kSigmoid), &rounded_sigmoid_model},
+          net_rows(NetKind::sigmoid), &rounded_sigmoid_model},
       ThinningOperation{"net_two_layer_linear",
                         "thinning by the two-layer net of Table 1, linear threshold (2); all "
                         "values agree bit for bit",
-                        net_rows(NetKind::kLinear), &paper_linear_model},
+                        net_rows(NetKind::linear), &paper_linear_model},
       ThinningOperation{"net_two_layer_linear_pass", "one pass of net_two_layer_linear",
-                        net_rows(NetKind::kLinear), &paper_linear_model, 1},
+                        net_rows(NetKind::linear), &paper_linear_model, 1},
       ThinningOperation{"net_single_layer_cluster",
                         "thinning by the cluster of twelve single-layer nets (5) to (7)",
-                        net_rows(NetKind::kCluster), &trained_cluster_model},
+                        net_rows(NetKind::cluster), &trained_cluster_model},
       ThinningOperation{"net_single_layer_cluster_pass", "one pass of net_single_layer_cluster",
-                        net_rows(NetKind::kCluster), &trained_cluster_model, 1},
+                        net_rows(NetKind::cluster), &trained_cluster_model, 1},
   };
   return operations;
 }
@@ -96,15 +96,15 @@ std::span<const EdgeOperation> edge_operations() {
   };
   static const std::array operations = {
       operation("edges_roberts4", "edges by Roberts' cross of 2 x 2 pixels",
-                EdgeOperator::kRoberts4),
+                EdgeOperator::roberts4),
       operation("edges_roberts9", "edges by the corner cross of the 3 x 3 window",
-                EdgeOperator::kRoberts9),
+                EdgeOperator::roberts9),
       operation("edges_mero_vassy", "edges by Mero and Vassy's split window, 3 x 3",
-                EdgeOperator::kMeroVassy),
+                EdgeOperator::mero_vassy),
       operation("edges_mero_vassy_5x5", "edges by Mero and Vassy's split window, 5 x 5",
-                EdgeOperator::kMeroVassy5x5),
-      operation("edges_sobel", "edges by Sobel's operator", EdgeOperator::kSobel),
-      operation("edges_prewitt", "edges by Prewitt's operator", EdgeOperator::kPrewitt),
+                EdgeOperator::mero_vassy_5x5),
+      operation("edges_sobel", "edges by Sobel's operator", EdgeOperator::sobel),
+      operation("edges_prewitt", "edges by Prewitt's operator", EdgeOperator::prewitt),
   };
   return operations;
 }
@@ -119,15 +119,15 @@ const ThinningOperation* find_thinning_operation(std::string_view name) {
 std::span<const HolesOperation> holes_operations() {
   static const std::array operations = {
       HolesOperation{"holes", "objects (8-connected) and their holes, with areas and centres",
-                     HolesTask::kHoles, region_rows()},
+                     HolesTask::holes, region_rows()},
       HolesOperation{"components", "objects (8-connected) alone, with areas and centres",
-                     HolesTask::kComponents, region_rows()},
+                     HolesTask::components, region_rows()},
       HolesOperation{"fill_holes", "objects with all that they enclose, interior contours filled",
-                     HolesTask::kFill, fill_rows()},
+                     HolesTask::fill, fill_rows()},
       HolesOperation{"euler_number", "8-connected objects minus 4-connected holes",
-                     HolesTask::kEulerEight, euler_rows()},
+                     HolesTask::euler_eight, euler_rows()},
       HolesOperation{"euler_number_4", "4-connected objects minus 8-connected holes",
-                     HolesTask::kEulerFour, euler_rows()},
+                     HolesTask::euler_four, euler_rows()},
   };
   return operations;
 }

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "edges/variant.hpp"
-#include "holes/variant.hpp"
+#include "regions/variant.hpp"
 #include "localise/variant.hpp"
 #include "thinning/variant.hpp"
 

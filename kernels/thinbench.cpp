@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/check_views.hpp"
-#include "core/thread_team.hpp"
-#include "core/variant_choice.hpp"
+#include "image/check_views.hpp"
+#include "image/thread_team.hpp"
+#include "dispatch/variant_choice.hpp"
 
 namespace thinbench {
 
@@ -24,16 +24,16 @@ const ThinningVariant& choose_variant(const ThinningOperation& operation, Index 
 
 int worthwhile_threads(const ThinningOperation& operation, const ThinningOptions& options,
                        Index width, Index height) {
-  const bool is_small = height <= 0 || width < (kLeastPixelsForThreads + height - 1) / height;
-  const bool is_refused_later = options.threads < 1 || options.threads > kMostThreads;
+  const bool is_small = height <= 0 || width < (kMinPixelsForThreads + height - 1) / height;
+  const bool is_refused_later = options.threads < 1 || options.threads > kMaxThreads;
   const bool can_share = std::ranges::any_of(operation.variants, &ThinningVariant::threaded);
   const bool takes_all = options.technique || is_refused_later || (can_share && !is_small);
   return takes_all ? options.threads : 1;
 }
 
-int thin(std::string_view operation, ConstByteView source, ByteView destination,
+int thin(std::string_view operation, ConstImageView source, ImageView destination,
          const ThinningOptions& options) {
-  check_views(source, destination, InPlace::kAllowed);
+  check_views(source, destination, InPlace::allowed);
   const ThinningOperation* found = find_thinning_operation(operation);
   if (found == nullptr) {
     throw std::invalid_argument("no operation is named " + std::string(operation));

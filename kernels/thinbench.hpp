@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "catalog.hpp"
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 #include "nets/make_model.hpp"
 #include "thinning/plan.hpp"
 
@@ -24,7 +24,7 @@ struct ThinningOptions {
 };
 
 /// How many of the threads of `options` an image of this size is given: all where a technique is
-/// asked for, else one below kLeastPixelsForThreads and for operations that no technique shares.
+/// asked for, else one below kMinPixelsForThreads and for operations that no technique shares.
 [[nodiscard]] int worthwhile_threads(const ThinningOperation& operation,
                                      const ThinningOptions& options, Index width, Index height);
 
@@ -41,7 +41,7 @@ struct ThinningOptions {
 /// image or share no pixel (views of one buffer that lie side by side have equal strides). Throws
 /// std::invalid_argument for an unknown name, sizes that differ or are negative, a stride below the
 /// width, a null image, a partial overlap, or options that no variant fits.
-int thin(std::string_view operation, ConstByteView source, ByteView destination,
+int thin(std::string_view operation, ConstImageView source, ImageView destination,
          const ThinningOptions& options = {});
 
 }  // namespace thinbench

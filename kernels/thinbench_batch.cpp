@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/check_stacks.hpp"
-#include "core/plan_checks.hpp"
-#include "core/thread_team.hpp"
+#include "image/check_stacks.hpp"
+#include "image/checks.hpp"
+#include "image/thread_team.hpp"
 
 namespace thinbench {
 
@@ -57,8 +57,8 @@ class ThinningBatch::Engine {
 /// One image a lane.
 class ThinningBatch::LaneEngine final : public Engine {
  public:
-  LaneEngine(LaneKernel kernel, Index height, int most_passes, bool keep_border, int threads)
-      : Engine(threads), kernel_(kernel), most_passes_(most_passes), keep_border_(keep_border) {
+  LaneEngine(LaneKernel kernel, Index height, int max_iterations, bool keep_border, int threads)
+      : Engine(threads), kernel_(kernel), most_passes_(max_iterations), keep_border_(keep_border) {
     for (std::size_t worker = 0; worker < workers(); ++worker) {
       scratch_.push_back(
           make_aligned<std::uint64_t>(static_cast<std::size_t>(lane_scratch_words(height))));
@@ -128,12 +128,12 @@ ThinningBatch::ThinningBatch(const ThinningOperation& operation, Index width, In
   std::vector<ThinningPlan> plans;
   plans.push_back(plan());
   const bool lanes =
-      operation.lane_kernels != nullptr && !options.technique && width <= kWidestLane;
+      operation.lane_kernels != nullptr && !options.technique && width <= kMaxLaneWidth;
   if (lanes) {
     const auto level = static_cast<std::size_t>(options.isa.value_or(best_isa()));
-    const bool keep = options.border.value_or(operation.border) == Border::kKeep;
+    const bool keep = options.border.value_or(operation.border) == Border::keep;
     engine_ = std::make_unique<LaneEngine>(*(*operation.lane_kernels)[level], height,
-                                           operation.most_passes, keep, options.threads);
+                                           operation.max_iterations, keep, options.threads);
     return;
   }
   while (plans.size() < static_cast<std::size_t>(options.threads)) plans.push_back(plan());

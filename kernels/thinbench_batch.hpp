@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "core/stack.hpp"
+#include "image/stack.hpp"
 #include "thinbench.hpp"
 
 namespace thinbench {
@@ -17,7 +17,7 @@ class ThinningBatch {
  public:
   /// `options` are those of thin(), but threads share the images of a stack, and a technique that
   /// is asked for thins them one by one. Throws std::invalid_argument for a size that is negative
-  /// or has more than 2^40 pixels, threads not in [1, kMostThreads], and options that no variant
+  /// or has more than 2^40 pixels, threads not in [1, kMaxThreads], and options that no variant
   /// fits; std::bad_alloc where memory is short.
   ThinningBatch(const ThinningOperation& operation, Index width, Index height,
                 const ThinningOptions& options = {});

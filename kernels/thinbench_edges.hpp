@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "catalog.hpp"
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 #include "edges/plan.hpp"
 
 namespace thinbench {
@@ -12,7 +12,7 @@ namespace thinbench {
 /// The variant that fits the wish. Throws std::invalid_argument, naming what is wrong and what
 /// there is instead, where none does.
 [[nodiscard]] const EdgeVariant& choose_variant(const EdgeOperation& operation, Index width,
-                                                const VariantWish& wish = {});
+                                                const VariantRequest& wish = {});
 
 /// Writes the edges of `source` by the operation of this name to `destination`: 255 where
 ///   |gx| + |gy| > scale * p1   and   the brightest pixel of the 3 x 3 neighbourhood > p2,
@@ -39,7 +39,7 @@ namespace thinbench {
 /// wide or more, but for roberts4. Throws std::invalid_argument for an unknown name, a threshold
 /// outside [0, 255], sizes that differ or are negative, a stride below the width, a null image, an
 /// overlap, or a wish that no variant fits. Source: section 2.1 of the paper, steps a) to d).
-void detect_edges(std::string_view operation, ConstByteView source, ByteView destination,
-                  const EdgeThresholds& thresholds = {}, const VariantWish& wish = {});
+void detect_edges(std::string_view operation, ConstImageView source, ImageView destination,
+                  const EdgeThresholds& thresholds = {}, const VariantRequest& wish = {});
 
 }  // namespace thinbench

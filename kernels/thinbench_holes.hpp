@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "catalog.hpp"
-#include "core/variant_choice.hpp"
-#include "holes/plan.hpp"
+#include "dispatch/variant_choice.hpp"
+#include "regions/plan.hpp"
 
 namespace thinbench {
 
 /// The variant that fits the wish. Throws std::invalid_argument, naming what is wrong and what
 /// there is instead, where none does.
 [[nodiscard]] const HolesVariant& choose_variant(const HolesOperation& operation, Index width,
-                                                 const VariantWish& wish = {});
+                                                 const VariantRequest& wish = {});
 
 /// Lists that own their regions; see region.hpp for what they hold and how they are numbered.
 struct FoundHoles {
@@ -30,17 +30,17 @@ struct FoundHoles {
 // where it is right.
 
 /// All objects and all holes.
-[[nodiscard]] FoundHoles find_holes(ConstByteView source, const VariantWish& wish = {});
+[[nodiscard]] FoundHoles find_holes(ConstImageView source, const VariantRequest& wish = {});
 
 /// All objects alone, for less work.
-[[nodiscard]] std::vector<Region> find_components(ConstByteView source,
-                                                  const VariantWish& wish = {});
+[[nodiscard]] std::vector<Region> find_components(ConstImageView source,
+                                                  const VariantRequest& wish = {});
 
 /// Objects minus holes; euler_number_4 has 4-connected objects and 8-connected holes.
-[[nodiscard]] std::int64_t euler_number(ConstByteView source, const VariantWish& wish = {});
-[[nodiscard]] std::int64_t euler_number_4(ConstByteView source, const VariantWish& wish = {});
+[[nodiscard]] std::int64_t euler_number(ConstImageView source, const VariantRequest& wish = {});
+[[nodiscard]] std::int64_t euler_number_4(ConstImageView source, const VariantRequest& wish = {});
 
 /// Objects with all that they enclose, 255 on 0. The two are the same image or do not overlap.
-void fill_holes(ConstByteView source, ByteView destination, const VariantWish& wish = {});
+void fill_holes(ConstImageView source, ImageView destination, const VariantRequest& wish = {});
 
 }  // namespace thinbench

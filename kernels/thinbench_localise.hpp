@@ -9,7 +9,7 @@ namespace thinbench {
 /// The variant that fits the wish. Throws std::invalid_argument, naming what is wrong and what
 /// there is instead, where none does.
 [[nodiscard]] const LocaliseVariant& choose_variant(const LocaliseOperation& operation, Index width,
-                                                    const VariantWish& wish = {});
+                                                    const VariantRequest& wish = {});
 
 /// Grey levels to Sobel's edges, to contours, to filled interiors, to centres. Edges are
 /// 8-connected rings on both sides of outlines. An object is an outermost ring with what it
@@ -23,7 +23,7 @@ namespace thinbench {
 /// ground: see detect_edges.
 ///
 /// Throws as find_holes does, and for a threshold outside [0, 255].
-[[nodiscard]] FoundHoles localise_objects(ConstByteView grey, const EdgeThresholds& thresholds = {},
-                                          const VariantWish& wish = {});
+[[nodiscard]] FoundHoles localise_objects(ConstImageView grey, const EdgeThresholds& thresholds = {},
+                                          const VariantRequest& wish = {});
 
 }  // namespace thinbench

@@ -48,7 +48,7 @@ Number net_input(const Neuron& neuron, const Number (&n)[8]) {
 template <Activation activation, class Number>
 Number activated(Number x) {
   using std::exp;
-  if constexpr (activation == Activation::kSigmoid) {
+  if constexpr (activation == Activation::sigmoid) {
     return Number(1.0F) / (Number(1.0F) + exp(-x));
   } else {
     if (x > Number(3.0F)) return Number(1.0F);

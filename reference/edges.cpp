@@ -8,7 +8,7 @@ namespace {
 
 /// A grey picture that continues beyond its frame with its outermost pixels.
 struct Picture {
-  ConstByteView view;
+  ConstImageView view;
 
   [[nodiscard]] int at(Index x, Index y) const {
     return view.row(
@@ -92,7 +92,7 @@ constexpr Operator kOperators[] = {
 };
 
 template <std::size_t which>
-void edges(int p1, int p2, ConstByteView source, ByteView destination) {
+void edges(int p1, int p2, ConstImageView source, ImageView destination) {
   constexpr Operator op = kOperators[which];
   const Picture picture = {source};
   for (Index y = 0; y < source.height; ++y) {

@@ -5,7 +5,7 @@
 
 namespace thinbench::reference {
 
-int thin_guo_hall(Border border, ConstByteView source, ByteView destination) {
+int thin_guo_hall(Border border, ConstImageView source, ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int sub) {
     const bool p2 = image.dark(x, y - 1);
     const bool p3 = image.dark(x + 1, y - 1);

@@ -12,12 +12,12 @@ struct Point {
   Index y;
 };
 
-enum class Neighbours : std::uint8_t { kFour, kEight };
+enum class Neighbours : std::uint8_t { four, eight };
 
 /// An image in a light frame one pixel wide, and the number of the region that took each pixel.
 class Flood {
  public:
-  explicit Flood(const ConstByteView& source)
+  explicit Flood(const ConstImageView& source)
       : image_(matrix_of(source)),
         width_(source.width),
         height_(source.height),
@@ -41,7 +41,7 @@ class Flood {
       add(region, here);
       for (Index dy = -1; dy <= 1; ++dy) {
         for (Index dx = -1; dx <= 1; ++dx) {
-          if (neighbours == Neighbours::kFour && dx != 0 && dy != 0) continue;
+          if (neighbours == Neighbours::four && dx != 0 && dy != 0) continue;
           const Point next = {here.x + dx, here.y + dy};
           if (!inside_frame(next) || number(next.x, next.y) != 0) continue;
           if (dark(next.x, next.y) != dark(x, y)) continue;
@@ -79,9 +79,9 @@ class Flood {
 constexpr std::uint32_t kOutside = UINT32_MAX;
 
 /// The pixel before the first one of a hole lies on the object round the hole.
-Regions find(const ConstByteView& source, Neighbours of_objects) {
+Regions find(const ConstImageView& source, Neighbours of_objects) {
   const Neighbours of_holes =
-      of_objects == Neighbours::kEight ? Neighbours::kFour : Neighbours::kEight;
+      of_objects == Neighbours::eight ? Neighbours::four : Neighbours::eight;
   Flood flood(source);
   Regions found;
   static_cast<void>(flood.fill(-1, -1, of_holes, kOutside));
@@ -105,17 +105,17 @@ std::int64_t objects_minus_holes(const Regions& found) {
 
 }  // namespace
 
-Regions holes(ConstByteView source) {
-  return find(source, Neighbours::kEight);
+Regions holes(ConstImageView source) {
+  return find(source, Neighbours::eight);
 }
 
-Regions components(ConstByteView source) {
-  return {find(source, Neighbours::kEight).objects, {}};
+Regions components(ConstImageView source) {
+  return {find(source, Neighbours::eight).objects, {}};
 }
 
-void fill_holes(ConstByteView source, ByteView destination) {
+void fill_holes(ConstImageView source, ImageView destination) {
   Flood flood(source);
-  static_cast<void>(flood.fill(-1, -1, Neighbours::kFour, kOutside));
+  static_cast<void>(flood.fill(-1, -1, Neighbours::four, kOutside));
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) {
       destination.row(y)[x] = flood.number(x, y) == kOutside ? 0 : 255;
@@ -123,12 +123,12 @@ void fill_holes(ConstByteView source, ByteView destination) {
   }
 }
 
-std::int64_t euler_number(ConstByteView source) {
-  return objects_minus_holes(find(source, Neighbours::kEight));
+std::int64_t euler_number(ConstImageView source) {
+  return objects_minus_holes(find(source, Neighbours::eight));
 }
 
-std::int64_t euler_number_4(ConstByteView source) {
-  return objects_minus_holes(find(source, Neighbours::kFour));
+std::int64_t euler_number_4(ConstImageView source) {
+  return objects_minus_holes(find(source, Neighbours::four));
 }
 
 }  // namespace thinbench::reference

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/views.hpp"
-#include "holes/region.hpp"
+#include "image/plane_view.hpp"
+#include "regions/region.hpp"
 
 namespace thinbench::reference {
 
@@ -32,29 +32,29 @@ struct LiteralHoles {
 /// Outside the image is background. In d) background, 0, is neither an x nor incremented (the paper
 /// does not say so, but means it: its levels are those of contours). Throws std::length_error where
 /// more than 254 levels are needed at once.
-LiteralHoles holes_literal(ConstByteView contours, ByteView labels);
+LiteralHoles holes_literal(ConstImageView contours, ImageView labels);
 
 /// Points of objects that have a light pixel to the west, north, east or south: what the scan above
 /// is to be given for a binary image. 0 and 255.
-void contours_of(ConstByteView source, ByteView destination);
+void contours_of(ConstImageView source, ImageView destination);
 
 /// Objects and holes as region.hpp defines them, each by flood fill from its first pixel.
 struct Regions {
   std::vector<Region> objects;
   std::vector<Region> holes;
 };
-[[nodiscard]] Regions holes(ConstByteView source);
+[[nodiscard]] Regions holes(ConstImageView source);
 
 /// The objects alone.
-[[nodiscard]] Regions components(ConstByteView source);
+[[nodiscard]] Regions components(ConstImageView source);
 
 /// Objects (255) with everything that they enclose: light stays only what reaches the border by
 /// steps to the west, north, east or south. May be in place.
-void fill_holes(ConstByteView source, ByteView destination);
+void fill_holes(ConstImageView source, ImageView destination);
 
 /// Objects minus holes, by counting both: 8-connected objects with 4-connected holes, and the other
 /// way round.
-[[nodiscard]] std::int64_t euler_number(ConstByteView source);
-[[nodiscard]] std::int64_t euler_number_4(ConstByteView source);
+[[nodiscard]] std::int64_t euler_number(ConstImageView source);
+[[nodiscard]] std::int64_t euler_number_4(ConstImageView source);
 
 }  // namespace thinbench::reference

@@ -12,7 +12,7 @@ constexpr std::uint8_t kPoint = 255;
 /// The grey levels during the scan, in a frame of background.
 class Levels {
  public:
-  explicit Levels(const ConstByteView& contours)
+  explicit Levels(const ConstImageView& contours)
       : width_(contours.width),
         height_(contours.height),
         levels_(static_cast<std::size_t>((width_ + 2) * (height_ + 2)), 0) {
@@ -47,7 +47,7 @@ class Levels {
 
 class Scan {
  public:
-  explicit Scan(const ConstByteView& contours) : levels_(contours) {}
+  explicit Scan(const ConstImageView& contours) : levels_(contours) {}
 
   /// Steps a) to d) for the point (x, y).
   void visit(Index x, Index y) {
@@ -89,7 +89,7 @@ class Scan {
 
 }  // namespace
 
-LiteralHoles holes_literal(ConstByteView contours, ByteView labels) {
+LiteralHoles holes_literal(ConstImageView contours, ImageView labels) {
   Scan scan(contours);
   for (Index y = 0; y < contours.height; ++y) {
     for (Index x = 0; x < contours.width; ++x) {
@@ -102,7 +102,7 @@ LiteralHoles holes_literal(ConstByteView contours, ByteView labels) {
   return {scan.flag()};
 }
 
-void contours_of(ConstByteView source, ByteView destination) {
+void contours_of(ConstImageView source, ImageView destination) {
   const auto dark = [&](Index x, Index y) {
     return x >= 0 && x < source.width && y >= 0 && y < source.height && source.row(y)[x] != 0;
   };

@@ -6,18 +6,18 @@ namespace thinbench::reference {
 namespace {
 
 /// What a pixel is found to be; the frame, one pixel wide, counts as light.
-enum class Kind : std::uint8_t { kUnknown, kOutside, kOutermostContour, kInside };
+enum class Kind : std::uint8_t { unknown, outside, outermost_contour, inside };
 
 class Outlines {
  public:
-  explicit Outlines(const ConstByteView& contours)
+  explicit Outlines(const ConstImageView& contours)
       : contours_(matrix_of(contours)),
         width_(contours.width),
         height_(contours.height),
-        kinds_(static_cast<std::size_t>((width_ + 2) * (height_ + 2)), Kind::kUnknown) {
-    spread(-1, -1, Kind::kOutside);
-    spread_all_beside(Kind::kOutside, Kind::kOutermostContour);
-    spread_all_beside(Kind::kOutermostContour, Kind::kInside);
+        kinds_(static_cast<std::size_t>((width_ + 2) * (height_ + 2)), Kind::unknown) {
+    spread(-1, -1, Kind::outside);
+    spread_all_beside(Kind::outside, Kind::outermost_contour);
+    spread_all_beside(Kind::outermost_contour, Kind::inside);
   }
 
   [[nodiscard]] Kind& kind(Index x, Index y) {
@@ -32,8 +32,8 @@ class Outlines {
 
   [[nodiscard]] bool takes(Kind kind, Index x, Index y) {
     const bool inside_frame = x >= -1 && x <= width_ && y >= -1 && y <= height_;
-    if (!inside_frame || this->kind(x, y) != Kind::kUnknown) return false;
-    return contours_.dark(x, y) == (kind == Kind::kOutermostContour);
+    if (!inside_frame || this->kind(x, y) != Kind::unknown) return false;
+    return contours_.dark(x, y) == (kind == Kind::outermost_contour);
   }
 
   /// Gives (x, y) a kind, and all that can be reached from there: contours by eight steps, what
@@ -47,7 +47,7 @@ class Outlines {
       for (Index dy = -1; dy <= 1; ++dy) {
         for (Index dx = -1; dx <= 1; ++dx) {
           const Point next = {here.x + dx, here.y + dy};
-          const bool is_step = kind == Kind::kOutermostContour || dx == 0 || dy == 0;
+          const bool is_step = kind == Kind::outermost_contour || dx == 0 || dy == 0;
           if (!is_step || !takes(kind, next.x, next.y)) continue;
           this->kind(next.x, next.y) = kind;
           waiting.push_back(next);
@@ -76,23 +76,23 @@ class Outlines {
 
 }  // namespace
 
-void outlined_objects(ConstByteView contours, ByteView destination) {
+void outlined_objects(ConstImageView contours, ImageView destination) {
   Outlines outlines(contours);
   for (Index y = 0; y < contours.height; ++y) {
     for (Index x = 0; x < contours.width; ++x) {
       const Kind kind = outlines.kind(x, y);
-      const bool is_object = kind == Kind::kOutermostContour || kind == Kind::kInside;
+      const bool is_object = kind == Kind::outermost_contour || kind == Kind::inside;
       destination.row(y)[x] = is_object ? 255 : 0;
     }
   }
 }
 
-Regions localise_objects(EdgeDetection edges, int p1, int p2, ConstByteView source) {
+Regions localise_objects(EdgeDetection edges, int p1, int p2, ConstImageView source) {
   const auto pixels = static_cast<std::size_t>(source.width * source.height);
   std::vector<std::uint8_t> contours(pixels);
   std::vector<std::uint8_t> objects(pixels);
   const auto view = [&](std::vector<std::uint8_t>& image) {
-    return ByteView{image.data(), source.width, source.height, source.width};
+    return ImageView{image.data(), source.width, source.height, source.width};
   };
   edges(p1, p2, source, view(contours));
   outlined_objects(view(contours), view(objects));

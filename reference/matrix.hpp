@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/views.hpp"
+#include "image/plane_view.hpp"
 
 namespace thinbench::reference {
 
@@ -25,7 +25,7 @@ class Matrix {
   std::vector<std::uint8_t> pixels_;
 };
 
-inline Matrix matrix_of(const ConstByteView& source) {
+inline Matrix matrix_of(const ConstImageView& source) {
   Matrix image(source.width, source.height);
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) image.set(x, y, source.row(y)[x] != 0);
@@ -33,7 +33,7 @@ inline Matrix matrix_of(const ConstByteView& source) {
   return image;
 }
 
-inline void write_matrix(const Matrix& image, const ByteView& destination) {
+inline void write_matrix(const Matrix& image, const ImageView& destination) {
   for (Index y = 0; y < destination.height; ++y) {
     for (Index x = 0; x < destination.width; ++x) {
       destination.row(y)[x] = image.dark(x, y) ? 255 : 0;

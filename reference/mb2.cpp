@@ -27,7 +27,7 @@ bool goes(const Matrix& image, Index x, Index y) {
 
 }  // namespace
 
-int thin_mb2(Border border, ConstByteView source, ByteView destination) {
+int thin_mb2(Border border, ConstImageView source, ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int) { return goes(image, x, y); };
   return repeat_sub_iterations(1, border, source, destination, removed);
 }

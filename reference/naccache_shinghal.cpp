@@ -14,7 +14,7 @@ bool stays(const Matrix& image, Index x, Index y) {
 
 }  // namespace
 
-int thin_naccache_shinghal(ConstByteView source, ByteView destination) {
+int thin_naccache_shinghal(ConstImageView source, ImageView destination) {
   Matrix image = matrix_of(source);
   Matrix second(source.width, source.height);
   int scans = 0;

@@ -20,11 +20,11 @@ Inputs inputs_at(const Matrix& image, Index x, Index y) {
 
 /// The passes of the printed procedure, with a net to say whether a dark pixel stays.
 template <class Stays>
-int thin_by(const Stays& stays, int most_passes, ConstByteView source, ByteView destination) {
+int thin_by(const Stays& stays, int max_iterations, ConstImageView source, ImageView destination) {
   Matrix image = matrix_of(source);
   Matrix second(source.width, source.height);
   int passes = 0;
-  for (bool flagged = true; flagged && passes < most_passes; ++passes) {
+  for (bool flagged = true; flagged && passes < max_iterations; ++passes) {
     flagged = false;
     for (Index y = 0; y < source.height; ++y) {
       for (Index x = 0; x < source.width; ++x) {
@@ -45,31 +45,31 @@ int thin_by(const Stays& stays, int most_passes, ConstByteView source, ByteView 
 float two_layer_answer(const TwoLayerWeights& net, Activation activation, const float* n) {
   Inputs inputs{};
   for (int i = 0; i < 8; ++i) inputs.n[i] = n[i];
-  return activation == Activation::kSigmoid ? two_layer_output<Activation::kSigmoid>(net, inputs.n)
-                                            : two_layer_output<Activation::kLinear>(net, inputs.n);
+  return activation == Activation::sigmoid ? two_layer_output<Activation::sigmoid>(net, inputs.n)
+                                            : two_layer_output<Activation::linear>(net, inputs.n);
 }
 
 float activation_answer(Activation activation, float x) {
-  return activation == Activation::kSigmoid ? activated<Activation::kSigmoid>(x)
-                                            : activated<Activation::kLinear>(x);
+  return activation == Activation::sigmoid ? activated<Activation::sigmoid>(x)
+                                            : activated<Activation::linear>(x);
 }
 
-int net_two_layer(const TwoLayerWeights& net, Activation activation, int most_passes,
-                  ConstByteView source, ByteView destination) {
-  if (activation == Activation::kSigmoid) {
+int net_two_layer(const TwoLayerWeights& net, Activation activation, int max_iterations,
+                  ConstImageView source, ImageView destination) {
+  if (activation == Activation::sigmoid) {
     return thin_by(
-        [&](const Inputs& inputs) { return two_layer_keeps<Activation::kSigmoid>(net, inputs.n); },
-        most_passes, source, destination);
+        [&](const Inputs& inputs) { return two_layer_keeps<Activation::sigmoid>(net, inputs.n); },
+        max_iterations, source, destination);
   }
   return thin_by(
-      [&](const Inputs& inputs) { return two_layer_keeps<Activation::kLinear>(net, inputs.n); },
-      most_passes, source, destination);
+      [&](const Inputs& inputs) { return two_layer_keeps<Activation::linear>(net, inputs.n); },
+      max_iterations, source, destination);
 }
 
-int net_single_layer_cluster(const ClusterWeights& cluster, int most_passes, ConstByteView source,
-                             ByteView destination) {
+int net_single_layer_cluster(const ClusterWeights& cluster, int max_iterations, ConstImageView source,
+                             ImageView destination) {
   return thin_by([&](const Inputs& inputs) { return cluster_keeps(cluster, inputs.n); },
-                 most_passes, source, destination);
+                 max_iterations, source, destination);
 }
 
 }  // namespace thinbench::reference

@@ -12,11 +12,11 @@ struct Step {
 
 constexpr Step step_of(Direction direction) {
   switch (direction) {
-    case Direction::kRows:
+    case Direction::rows:
       return {1, 0};
-    case Direction::kColumns:
+    case Direction::columns:
       return {0, 1};
-    case Direction::kDiagonals:
+    case Direction::diagonals:
       return {1, 1};
     default:
       return {-1, 1};
@@ -33,7 +33,7 @@ void mark_centre(const Matrix& image, Matrix& marks, Index x, Index y, Step step
 
 }  // namespace
 
-int skeleton_scan(Directions directions, ConstByteView source, ByteView destination) {
+int skeleton_scan(Directions directions, ConstImageView source, ImageView destination) {
   const Matrix image = matrix_of(source);
   Matrix marks(source.width, source.height);
   for (const Direction direction : kAllDirections) {

@@ -21,7 +21,7 @@ bool goes(const Neighbours& at, int side) {
 
 }  // namespace
 
-int thin_spta_directional(Border border, ConstByteView source, ByteView destination) {
+int thin_spta_directional(Border border, ConstImageView source, ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int side) {
     return goes(neighbours_at(image, x, y), side);
   };

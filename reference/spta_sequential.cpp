@@ -48,7 +48,7 @@ bool scan(Matrices& image, Index width, Index height, bool left_right) {
 
 }  // namespace
 
-int thin_spta(ConstByteView source, ByteView destination) {
+int thin_spta(ConstImageView source, ImageView destination) {
   Matrices image = {matrix_of(source), matrix_of(source)};
   int passes = 0;
   for (bool flagged = true; flagged; ++passes) {

@@ -23,13 +23,13 @@ inline Neighbours neighbours_at(const Matrix& image, Index x, Index y) {
 /// `removed(image, x, y, sub)` says whether a dark pixel goes in sub-iteration `sub`. Returns the
 /// number of cycles, the last, which changed nothing, included.
 template <class Removed>
-int repeat_sub_iterations(int count, Border border, ConstByteView source, ByteView destination,
+int repeat_sub_iterations(int count, Border border, ConstImageView source, ImageView destination,
                           const Removed& removed) {
   Matrix image = matrix_of(source);
   Matrix second(source.width, source.height);
   const auto may_change = [&](Index x, Index y) {
     const bool on_frame = x == 0 || y == 0 || x == source.width - 1 || y == source.height - 1;
-    return border == Border::kBackground || !on_frame;
+    return border == Border::background || !on_frame;
   };
   int cycles = 0;
   for (bool changed = true; changed; ++cycles) {

@@ -3,7 +3,7 @@
 
 namespace thinbench::reference {
 
-int thin_zhang_suen(Border border, ConstByteView source, ByteView destination) {
+int thin_zhang_suen(Border border, ConstImageView source, ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int sub) {
     const bool p2 = image.dark(x, y - 1);
     const bool p3 = image.dark(x + 1, y - 1);

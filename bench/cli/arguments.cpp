@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-#include "core/variant_choice.hpp"
+#include "dispatch/variant_choice.hpp"
 
 namespace thinbench {
 namespace {
@@ -49,8 +49,8 @@ CLI::Validator not_empty() {
 }
 
 void add_threads_option(CLI::App& app, int& threads) {
-  app.add_option("--threads", threads, "Number of threads, 1 to " + std::to_string(kMostThreads))
-      ->check(whole_number(1, kMostThreads))
+  app.add_option("--threads", threads, "Number of threads, 1 to " + std::to_string(kMaxThreads))
+      ->check(whole_number(1, kMaxThreads))
       ->type_name("N")
       ->capture_default_str();
 }

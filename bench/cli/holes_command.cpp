@@ -80,7 +80,7 @@ void print_list(const FoundHoles& found, std::ostream& out) {
 }
 
 int find(const HolesCommandOptions& options, std::ostream& out) {
-  VariantWish wish;
+  VariantRequest wish;
   if (!options.technique.empty()) wish.technique = technique_named(options.technique);
   if (!options.isa.empty()) wish.isa = isa_named(options.isa);
   wish.threads = options.threads;

@@ -70,7 +70,7 @@ std::vector<TimedInput> inputs_for(const InstructionsOptions& options) {
 
 /// The rows on one thread, proved equal to their references.
 Selection selected(const InstructionsOptions& options, const std::vector<TimedInput>& inputs) {
-  const Levels levels = options.limits ? Levels::kHighest : Levels::kAll;
+  const Levels levels = options.limits ? Levels::highest : Levels::all;
   Selection selection = rows_asked_for(options.filter, all_operations(), inputs, levels);
   if (!selection.mismatches.empty()) {
     throw std::runtime_error("rows that are not equal to their references are not counted");

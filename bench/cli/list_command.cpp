@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
-#include "core/thread_team.hpp"
+#include "image/thread_team.hpp"
 #include "peers/peers.hpp"
 #include "thinbench.hpp"
 
@@ -31,7 +31,7 @@ struct ListedRow {
   /// Of pictures for which the library chooses the row by itself.
   [[nodiscard]] Index least_pixels() const {
     const bool is_thinning = find_thinning_operation(operation.name) != nullptr;
-    return is_thinning && variant.threaded ? kLeastPixelsForThreads : 0;
+    return is_thinning && variant.threaded ? kMinPixelsForThreads : 0;
   }
 };
 
@@ -39,7 +39,7 @@ std::vector<ListedRow> all_rows() {
   std::vector<ListedRow> rows;
   for (const Operation& operation : operations_with_peers()) {
     for (const Variant& variant : operation.variants) {
-      rows.push_back({operation, variant, std::string(variant.why_unavailable(0))});
+      rows.push_back({operation, variant, std::string(variant.unavailable_reason(0))});
     }
   }
   return rows;
@@ -82,7 +82,7 @@ void print_table(std::ostream& out) {
                      row.reason.empty() ? "yes" : "no: " + row.reason});
   }
   print_aligned(lines, out);
-  out << "\nThinning with --threads: pictures of fewer than " << kLeastPixelsForThreads
+  out << "\nThinning with --threads: pictures of fewer than " << kMinPixelsForThreads
       << " pixels run on one thread all the same,\nwhich is faster, unless --technique asks for "
          "one with threads.\n";
 }

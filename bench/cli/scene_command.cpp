@@ -32,7 +32,7 @@ struct SceneCommandOptions {
 };
 
 SceneOptions scene_options(const SceneCommandOptions& options) {
-  return {options.frame_touching ? SceneKind::kFrameTouching : SceneKind::kParts, options.scale,
+  return {options.frame_touching ? SceneKind::frame_touching : SceneKind::parts, options.scale,
           static_cast<int>(std::lround(options.noise * 16)), !options.no_illumination,
           options.seed};
 }

@@ -137,7 +137,7 @@ Command add_cluster(CLI::App& train) {
       "cluster", "Single-layer nets for the longest runs of descriptors that one neuron can learn");
   const auto options = std::make_shared<ClusterOptions>();
   app->add_option("--max-nets", options->training.max_nets, "Fail if it takes more, 1 to 16")
-      ->check(whole_number(1, kMostClusterNets))
+      ->check(whole_number(1, kMaxClusterNets))
       ->type_name("N")
       ->capture_default_str();
   app->add_flag("--integer", options->training.small_integers,

@@ -14,8 +14,8 @@ namespace thinbench {
 [[nodiscard]] const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
                                                  const ThinningOptions& options);
 [[nodiscard]] const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
-                                             const VariantWish& wish);
+                                             const VariantRequest& wish);
 [[nodiscard]] const HolesVariant& variant_for(const HolesOperation& operation, Index width,
-                                              const VariantWish& wish);
+                                              const VariantRequest& wish);
 
 }  // namespace thinbench

@@ -11,7 +11,7 @@
 #include "cli/verify_images.hpp"
 #include "cli/verify_progress.hpp"
 #include "cli/verify_report.hpp"
-#include "core/variant_choice.hpp"
+#include "dispatch/variant_choice.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {
@@ -59,7 +59,7 @@ void verify(Verifier& verifier, const std::vector<TestImageSet>& sets, const Con
 
 bool any_runs_here(const std::vector<Row>& rows) {
   return std::any_of(rows.begin(), rows.end(),
-                     [](const Row& row) { return row.why_unavailable(0).empty(); });
+                     [](const Row& row) { return row.unavailable_reason(0).empty(); });
 }
 
 /// The sets that some row takes.
@@ -97,9 +97,9 @@ Command add_verify_command(CLI::App& program) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app->add_option("--threads", options->threads,
-                  "Threads of threaded rows, 1 to " + std::to_string(kMostThreads) +
+                  "Threads of threaded rows, 1 to " + std::to_string(kMaxThreads) +
                       " (repeatable; default: 2 and 7)")
-      ->check(whole_number(1, kMostThreads))
+      ->check(whole_number(1, kMaxThreads))
       ->type_name("N")
       ->allow_extra_args(false);
   app->add_flag("--quick", options->quick, "Leave out the sets that take longest");

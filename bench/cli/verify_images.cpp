@@ -19,12 +19,12 @@ TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind k
   options.kind = scene_kind;
   Scene scene = render_scene(options);
   return {"scene, " + name,
-          kind == InputKind::kGrey ? std::move(scene.grey) : std::move(scene.binary), kind};
+          kind == InputKind::grey ? std::move(scene.grey) : std::move(scene.binary), kind};
 }
 
 TestImage picture_image(const std::string& file, InputKind kind) {
   ByteImage grey = read_grey(file);
-  return {file, kind == InputKind::kGrey ? std::move(grey) : objects_of(std::move(grey)), kind};
+  return {file, kind == InputKind::grey ? std::move(grey) : objects_of(std::move(grey)), kind};
 }
 
 /// A set of images that are there already.
@@ -39,13 +39,13 @@ TestImageSet set_of(std::string name, std::string claim, std::vector<TestImage> 
 
 /// Names of binary sets stay bare.
 std::string named(InputKind kind, const std::string& name) {
-  return (kind == InputKind::kGrey ? "grey_" : "") + name;
+  return (kind == InputKind::grey ? "grey_" : "") + name;
 }
 
 TestImageSet scenes(InputKind kind) {
   std::vector<TestImage> images;
-  images.push_back(scene_image(SceneKind::kParts, "parts apart", kind));
-  images.push_back(scene_image(SceneKind::kFrameTouching, "parts on the frame", kind));
+  images.push_back(scene_image(SceneKind::parts, "parts apart", kind));
+  images.push_back(scene_image(SceneKind::frame_touching, "parts on the frame", kind));
   return set_of(named(kind, "scenes"), "the scenes that benchmarks use", std::move(images));
 }
 
@@ -63,7 +63,7 @@ std::vector<TestImageSet> verify_image_sets(bool quick, const std::vector<std::s
   for (const TestImageSet& set : test_image_sets()) {
     if (!quick || !is_big(set)) sets.push_back(set);
   }
-  for (const InputKind kind : {InputKind::kBinary, InputKind::kGrey}) {
+  for (const InputKind kind : {InputKind::binary, InputKind::grey}) {
     sets.push_back(scenes(kind));
     if (!files.empty()) sets.push_back(pictures(kind, files));
   }

@@ -102,7 +102,7 @@ std::string why_no_callgrind() {
 }
 
 bool callgrind_knows(const TimedRow& row) {
-  return row.variant != nullptr && row.variant->isa < Isa::kAvx512;
+  return row.variant != nullptr && row.variant->isa < Isa::avx512;
 }
 
 CallgrindRun::CallgrindRun(std::vector<const TimedRow*> rows) : rows_(std::move(rows)) {

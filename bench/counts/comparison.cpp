@@ -39,7 +39,7 @@ using StoredCounts = std::map<std::string, StoredCount>;
 
 /// Before schema 2, rows named no method.
 StoredCounts counts_in(const Json& document) {
-  const std::string single_steps = method_name(Method::kSingleSteps);
+  const std::string single_steps = method_name(Method::single_steps);
   StoredCounts counts;
   for (const Json& row : document.at("rows")) {
     std::string method = row.value("method", single_steps);
@@ -62,7 +62,7 @@ void add_overlong(const Json& now, const StoredCounts& before, Comparison& compa
     const auto found = before.find(row.at("row"));
     if (found == before.end() || row.at("reason") != kTooManySteps) continue;
     const StoredCount& old = found->second;
-    if (old.method != method_name(Method::kSingleSteps)) {
+    if (old.method != method_name(Method::single_steps)) {
       ++comparison.otherwise_counted;
     } else if (old.instructions <= now.at("most_steps")) {
       ++comparison.compared;

@@ -17,7 +17,7 @@ ByteImage small_copy_of(const ByteImage& image) {
 }
 
 ByteImage rows_of(const ByteImage& image, Index first, Index count) {
-  ConstByteView rows = image.view();
+  ConstImageView rows = image.view();
   rows.data += first * rows.stride;
   rows.height = count;
   return copy_of(rows);

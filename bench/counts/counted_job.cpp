@@ -8,7 +8,7 @@
 namespace thinbench {
 namespace {
 
-void write_pixels(std::ostream& stream, const ConstByteView& image) {
+void write_pixels(std::ostream& stream, const ConstImageView& image) {
   for (Index y = 0; y < image.height; ++y) {
     stream.write(reinterpret_cast<const char*>(image.row(y)), image.width);
   }
@@ -61,9 +61,9 @@ TimedRow row_named(const std::string& name, const TimedInput& input) {
     for (const Variant& variant : operation.variants) {
       const std::string start = start_of(operation, variant);
       if (variant.threaded || !name.starts_with(start)) continue;
-      if (!variant.why_unavailable(input.width()).empty()) continue;
+      if (!variant.unavailable_reason(input.width()).empty()) continue;
       const bool is_kernel = name.compare(start.size(), 7, "kernel/") == 0;
-      return {name,   &operation, &variant, 1, is_kernel ? Scope::kKernel : Scope::kEndToEnd,
+      return {name,   &operation, &variant, 1, is_kernel ? Scope::kernel : Scope::end_to_end,
               &input, {}};
     }
   }

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string processor_level() {
-  Isa highest = Isa::kBaseline;
+  Isa highest = Isa::baseline;
   for (const Isa isa : kAllIsas) {
     if (cpu_supports(isa)) highest = isa;
   }

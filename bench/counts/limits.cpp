@@ -49,7 +49,7 @@ std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
   };
   std::map<const Operation*, Best> best;
   for (const TimedRow& row : rows) {
-    if (row.scope != Scope::kEndToEnd) continue;
+    if (row.scope != Scope::end_to_end) continue;
     const Best one = {seconds_of_call(row, 1), &row};
     const auto [place, is_first] = best.try_emplace(row.operation, one);
     if (!is_first && one.seconds < place->second.seconds) place->second = one;

@@ -95,7 +95,7 @@ void step_through(const Rows& rows, std::uint64_t most_steps, const IsTooLong& i
     std::optional<std::uint64_t> instructions;
     if (row->variant != too_long && !is_too_long(*row)) instructions = count_of(*row, most_steps);
     if (instructions) {
-      counted[row] = {row, *instructions, Method::kSingleSteps};
+      counted[row] = {row, *instructions, Method::single_steps};
     } else {
       too_long = row->variant;
     }
@@ -122,7 +122,7 @@ Counted counted_in_two_ways(const Rows& rows, std::uint64_t most_steps,
   const CallgrindCounts counts = callgrind.counts();
   use = counts.use;
   for (const auto& [row, instructions] : counts.instructions) {
-    counted[row] = {row, instructions, Method::kCallgrind};
+    counted[row] = {row, instructions, Method::callgrind};
   }
   const auto is_left = [&](const TimedRow* row) { return !counted.contains(row); };
   step_through(those_that(known, is_left), most_steps, is_too_long, counted);

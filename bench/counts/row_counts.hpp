@@ -16,16 +16,16 @@ inline constexpr const char* kTooManySteps = "more steps than are counted";
 
 /// How a row was counted. Both agree but for the C library, which chooses other functions under
 /// callgrind, and for instructions that repeat themselves, which callgrind counts each time.
-enum class Method : std::uint8_t { kSingleSteps, kCallgrind };
+enum class Method : std::uint8_t { single_steps, callgrind };
 
 [[nodiscard]] constexpr const char* method_name(Method method) {
-  return method == Method::kCallgrind ? "callgrind" : "single_steps";
+  return method == Method::callgrind ? "callgrind" : "single_steps";
 }
 
 struct RowCount {
   const TimedRow* row;
   std::uint64_t instructions;  // of one call
-  Method method = Method::kSingleSteps;
+  Method method = Method::single_steps;
 };
 
 struct RowCounts {

@@ -55,7 +55,7 @@ Single fastest_single(const ThinningOperation& operation, ConstStackView source,
   std::optional<Single> fastest;
   double least = 0;
   for (const ThinningVariant& variant : operation.variants) {
-    if (variant.threaded || !why_unavailable(variant, source.width).empty()) continue;
+    if (variant.threaded || !unavailable_reason(variant, source.width).empty()) continue;
     Single single = {std::string(technique_name(variant.technique)) + " (" +
                          std::string(isa_name(variant.isa)) + ")",
                      ThinningPlan(operation, variant, source.width, source.height)};

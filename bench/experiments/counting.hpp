@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/word.hpp"
+#include "simd/word.hpp"
 #include "decisions.hpp"
 #include "nets/weights.hpp"
 

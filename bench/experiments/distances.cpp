@@ -10,7 +10,7 @@ constexpr std::int64_t kFar = 1 << 20;
 
 }  // namespace
 
-Distances::Distances(const ConstByteView& marked)
+Distances::Distances(const ConstImageView& marked)
     : width_(marked.width), squared_(static_cast<std::size_t>(marked.width * marked.height)) {
   std::vector<std::int64_t> along(squared_.size(), kFar);
   for (Index x = 0; x < width_; ++x) mark_column(marked, x, along);
@@ -19,7 +19,7 @@ Distances::Distances(const ConstByteView& marked)
   }
 }
 
-void Distances::mark_column(const ConstByteView& marked, Index x,
+void Distances::mark_column(const ConstImageView& marked, Index x,
                             std::vector<std::int64_t>& along) const {
   std::int64_t distance = kFar;
   const auto visit = [&](Index y) {

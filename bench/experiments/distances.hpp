@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench {
 
 /// Squared distances to the nearest marked (not 0) pixel; at least 2^40 where none is marked.
 class Distances {
  public:
-  explicit Distances(const ConstByteView& marked);
+  explicit Distances(const ConstImageView& marked);
 
   [[nodiscard]] std::int64_t squared(Index x, Index y) const { return squared_[place(x, y)]; }
 
@@ -19,7 +19,7 @@ class Distances {
   [[nodiscard]] std::size_t place(Index x, Index y) const {
     return static_cast<std::size_t>(y * width_ + x);
   }
-  void mark_column(const ConstByteView& marked, Index x, std::vector<std::int64_t>& along) const;
+  void mark_column(const ConstImageView& marked, Index x, std::vector<std::int64_t>& along) const;
   [[nodiscard]] std::int64_t nearest_column(const std::vector<std::int64_t>& along, Index x,
                                             Index y) const;
 

@@ -23,7 +23,7 @@ struct Matches {
 };
 
 /// How the marked pixels lie to those that `distances` were measured from.
-Matches match(const ConstByteView& marked, const Distances& distances) {
+Matches match(const ConstImageView& marked, const Distances& distances) {
   Matches matches;
   for (Index y = 0; y < marked.height; ++y) {
     for (Index x = 0; x < marked.width; ++x) {
@@ -41,7 +41,7 @@ double share(double part, double all) {
   return all > 0 ? part / all : 1;
 }
 
-ByteImage edges_of(const EdgeOperation& operation, const ConstByteView& grey,
+ByteImage edges_of(const EdgeOperation& operation, const ConstImageView& grey,
                    const EdgeThresholds& thresholds) {
   ByteImage edges(grey.width, grey.height);
   detect_edges(operation.name, grey, edges.view(), thresholds);
@@ -75,7 +75,7 @@ EdgeQualityRow measure(const EdgeOperation& operation, int sigma, const EdgeQual
 
 }  // namespace
 
-TrueContours true_contours(const ConstByteView& binary) {
+TrueContours true_contours(const ConstImageView& binary) {
   TrueContours contours{ByteImage(binary.width, binary.height),
                         ByteImage(binary.width, binary.height)};
   const auto differs = [&](Index x, Index y, Index other_x, Index other_y) {
@@ -94,7 +94,7 @@ TrueContours true_contours(const ConstByteView& binary) {
   return contours;
 }
 
-EdgeQuality edge_quality(const TrueContours& contours, const ConstByteView& edges) {
+EdgeQuality edge_quality(const TrueContours& contours, const ConstImageView& edges) {
   const Distances to_edges(edges);
   const Matches edge_pixels = match(edges, Distances(contours.both_sides.view()));
   const Matches contour_pixels = match(contours.both_sides.view(), to_edges);

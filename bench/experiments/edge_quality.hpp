@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 #include "edges/thresholds.hpp"
 #include "experiments/report.hpp"
 
@@ -39,12 +39,12 @@ struct TrueContours {
   ByteImage both_sides;  // pixels with one of the four neighbours of the other kind
   ByteImage inner;       // those of objects: one pixel wide
 };
-[[nodiscard]] TrueContours true_contours(const ConstByteView& binary);
+[[nodiscard]] TrueContours true_contours(const ConstImageView& binary);
 
 /// Compares edges, 255 on 0, with contours. Precision and recall take either side of a border for
 /// right. Pratt's figure wants contours one pixel wide: with both sides it would ask for edges two
 /// pixels wide; so edges that are lose by their second pixel.
-[[nodiscard]] EdgeQuality edge_quality(const TrueContours& contours, const ConstByteView& edges);
+[[nodiscard]] EdgeQuality edge_quality(const TrueContours& contours, const ConstImageView& edges);
 
 /// Every operator at every noise.
 [[nodiscard]] std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice);

@@ -14,7 +14,7 @@ namespace {
 constexpr Index kWall = 5;
 
 /// What the scan counts on a binary picture; none where it runs out of grey levels.
-std::optional<int> literal_count(const ConstByteView& picture) {
+std::optional<int> literal_count(const ConstImageView& picture) {
   ByteImage contours(picture.width, picture.height);
   ByteImage levels(picture.width, picture.height);
   reference::contours_of(picture, contours.view());
@@ -26,7 +26,7 @@ std::optional<int> literal_count(const ConstByteView& picture) {
 }
 
 /// Enters a picture in its row, which shows the first one that is not right.
-void enter(LiteralHolesRow& row, const ConstByteView& picture) {
+void enter(LiteralHolesRow& row, const ConstImageView& picture) {
   const auto true_holes = static_cast<int>(reference::holes(picture).holes.size());
   const std::optional<int> counted = literal_count(picture);
   if (row.right == row.tried) {
@@ -72,7 +72,7 @@ LiteralHolesRow row_of_several_plates(const LiteralHolesChoice& choice) {
   return row;
 }
 
-LiteralHolesRow row_of_one(std::string pictures, const ConstByteView& picture) {
+LiteralHolesRow row_of_one(std::string pictures, const ConstImageView& picture) {
   LiteralHolesRow row;
   row.pictures = std::move(pictures);
   enter(row, picture);

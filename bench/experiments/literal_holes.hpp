@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 #include "experiments/report.hpp"
 
 namespace thinbench {

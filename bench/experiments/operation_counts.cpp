@@ -70,8 +70,8 @@ std::vector<OperationCount> count_methods(const ClusterWeights& cluster) {
     return reference::false_count<CountedFloat>(reference::expressions_of(Truths(k).n));
   };
   const auto rule = [&](int k) { (void)reference::stays_with(expressions(k)); };
-  const auto sigmoid = [](int k) { (void)two_layer<Activation::kSigmoid>(Numbers(k).n); };
-  const auto linear = [](int k) { (void)two_layer<Activation::kLinear>(Numbers(k).n); };
+  const auto sigmoid = [](int k) { (void)two_layer<Activation::sigmoid>(Numbers(k).n); };
+  const auto linear = [](int k) { (void)two_layer<Activation::linear>(Numbers(k).n); };
   const auto of_cluster = [&cluster](int k) {
     (void)reference::cluster_keeps(cluster, Numbers(k).n);
   };
@@ -89,12 +89,12 @@ std::vector<OperationCount> count_methods(const ClusterWeights& cluster) {
 OperationCounts run_operation_counts() {
   const StayTable rule = stay_table_of_rule();
   const ClusterWeights cluster =
-      cluster_weights(train_cluster(rule, {kMostClusterNets, /*small_integers=*/true}));
+      cluster_weights(train_cluster(rule, {kMaxClusterNets, /*small_integers=*/true}));
   const auto of_cluster = [&](const auto& n) { return reference::cluster_keeps(cluster, n); };
   return {count_methods(cluster),
           {count_gates<2>(), count_gates<3>()},
-          {{"Table 1, sigmoid", table_by(two_layer<Activation::kSigmoid>) == rule},
-           {"Table 1, linear threshold", table_by(two_layer<Activation::kLinear>) == rule},
+          {{"Table 1, sigmoid", table_by(two_layer<Activation::sigmoid>) == rule},
+           {"Table 1, linear threshold", table_by(two_layer<Activation::linear>) == rule},
            {"trained cluster", table_by(of_cluster) == rule}}};
 }
 

@@ -14,7 +14,7 @@ constexpr int kMostBits = 8;
 
 float quantised(float value, Quantisation way, int bits) {
   const float scaled = std::ldexp(value, bits);
-  return std::ldexp(way == Quantisation::kRound ? std::round(scaled) : std::trunc(scaled), -bits);
+  return std::ldexp(way == Quantisation::round ? std::round(scaled) : std::trunc(scaled), -bits);
 }
 
 /// Calls `visit` with each weight and bias.
@@ -33,13 +33,13 @@ QuantisationRow measure(Quantisation way, int bits) {
   const HiddenLayerNet net = quantised(to_net(kPaperTwoLayer), way, bits);
   float largest = 0;
   for_each_number(net, [&](float value) { largest = std::max(largest, std::abs(value)); });
-  return {way, bits, agreement(table_of(net, Activation::kSigmoid), rule),
-          agreement(table_of(net, Activation::kLinear), rule),
+  return {way, bits, agreement(table_of(net, Activation::sigmoid), rule),
+          agreement(table_of(net, Activation::linear), rule),
           static_cast<int>(std::ldexp(largest, bits))};
 }
 
 const char* name_of(Quantisation way) {
-  return way == Quantisation::kRound ? "rounded" : "truncated";
+  return way == Quantisation::round ? "rounded" : "truncated";
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ HiddenLayerNet quantised(const HiddenLayerNet& net, Quantisation way, int bits) 
 
 std::vector<QuantisationRow> run_quantisation() {
   std::vector<QuantisationRow> rows;
-  for (const Quantisation way : {Quantisation::kRound, Quantisation::kTruncate}) {
+  for (const Quantisation way : {Quantisation::round, Quantisation::truncate}) {
     for (int bits = 0; bits <= kMostBits; ++bits) rows.push_back(measure(way, bits));
   }
   return rows;
@@ -64,8 +64,8 @@ ExperimentReport quantisation_report(const std::vector<QuantisationRow>& rows) {
   nlohmann::ordered_json json = {
       {"descriptors", kDescriptors},
       {"as_printed",
-       {{"right_sigmoid", agreement(table_of(printed, Activation::kSigmoid), rule)},
-        {"right_linear", agreement(table_of(printed, Activation::kLinear), rule)}}},
+       {{"right_sigmoid", agreement(table_of(printed, Activation::sigmoid), rule)},
+        {"right_linear", agreement(table_of(printed, Activation::linear), rule)}}},
       {"rows", nlohmann::ordered_json::array()}};
   std::vector<std::vector<std::string>> cells;
   for (const QuantisationRow& row : rows) {

@@ -10,8 +10,8 @@
 namespace thinbench {
 
 enum class Quantisation {
-  kRound,     // to the nearest multiple of 2^-bits, halves away from zero
-  kTruncate,  // towards zero
+  round,     // to the nearest multiple of 2^-bits, halves away from zero
+  truncate,  // towards zero
 };
 
 struct QuantisationRow {

@@ -15,7 +15,7 @@ constexpr double kSteep = 0.8;
 constexpr Index kReach = 3;
 
 /// A light pixel all round, so that the outside is seen.
-ByteImage framed(const ConstByteView& image) {
+ByteImage framed(const ConstImageView& image) {
   ByteImage result(image.width + 2, image.height + 2);
   for (Index y = 0; y < image.height; ++y) {
     for (Index x = 0; x < image.width; ++x) result.at(x + 1, y + 1) = image.row(y)[x] != 0 ? 1 : 0;
@@ -91,7 +91,7 @@ void add_pixel(SkeletonShape& shape, const std::array<int, 8>& ring) {
 /// Euclidean distances to light, and 0 everywhere outside.
 class DistanceMap {
  public:
-  explicit DistanceMap(const ConstByteView& image)
+  explicit DistanceMap(const ConstImageView& image)
       : width_(image.width), height_(image.height), to_light_(light_of(image).view()) {}
 
   [[nodiscard]] double at(Index x, Index y) const {
@@ -100,7 +100,7 @@ class DistanceMap {
   }
 
  private:
-  static ByteImage light_of(const ConstByteView& image) {
+  static ByteImage light_of(const ConstImageView& image) {
     ByteImage light = framed(image);
     for (Index y = 0; y < light.height(); ++y) {
       for (Index x = 0; x < light.width(); ++x) light.at(x, y) ^= 1;
@@ -127,13 +127,13 @@ bool rises_steeply(const DistanceMap& map, Index x, Index y) {
 
 }  // namespace
 
-Topology topology_of(const ConstByteView& image) {
+Topology topology_of(const ConstImageView& image) {
   const ByteImage all = framed(image);
   return {Parts(copy_of(all.view()), 1, true).count(),
           Parts(copy_of(all.view()), 0, false).count() - 1};
 }
 
-SkeletonShape shape_of(const ConstByteView& skeleton) {
+SkeletonShape shape_of(const ConstImageView& skeleton) {
   const ByteImage all = framed(skeleton);
   SkeletonShape shape;
   for (Index y = 1; y <= skeleton.height; ++y) {
@@ -144,7 +144,7 @@ SkeletonShape shape_of(const ConstByteView& skeleton) {
   return shape;
 }
 
-ByteImage medial_axis_of(const ConstByteView& image) {
+ByteImage medial_axis_of(const ConstImageView& image) {
   const DistanceMap map(image);
   ByteImage axis(image.width, image.height);
   for (Index y = 0; y < image.height; ++y) {
@@ -155,7 +155,7 @@ ByteImage medial_axis_of(const ConstByteView& image) {
   return axis;
 }
 
-AxisDistance distance_from(const ConstByteView& axis, const ConstByteView& skeleton) {
+AxisDistance distance_from(const ConstImageView& axis, const ConstImageView& skeleton) {
   const Distances to_axis(axis);
   AxisDistance distance;
   double pixels = 0;
@@ -172,7 +172,7 @@ AxisDistance distance_from(const ConstByteView& axis, const ConstByteView& skele
   return distance;
 }
 
-double overlap(const ConstByteView& a, const ConstByteView& b) {
+double overlap(const ConstImageView& a, const ConstImageView& b) {
   double both = 0;
   double either = 0;
   for (Index y = 0; y < a.height; ++y) {
@@ -184,7 +184,7 @@ double overlap(const ConstByteView& a, const ConstByteView& b) {
   return either > 0 ? both / either : 1;
 }
 
-ByteImage quarter_turned(const ConstByteView& image) {
+ByteImage quarter_turned(const ConstImageView& image) {
   ByteImage result(image.height, image.width);
   for (Index y = 0; y < image.height; ++y) {
     for (Index x = 0; x < image.width; ++x) result.at(y, image.width - 1 - x) = image.row(y)[x];

@@ -37,7 +37,7 @@ bool is_near(Point p, Point a, Point b, std::int64_t radius) {
 }
 
 /// Darkens the pixels whose centres lie within `radius` of the line from `a` to `b`.
-void draw_line(const ByteView& image, Point a, Point b, std::int64_t radius) {
+void draw_line(const ImageView& image, Point a, Point b, std::int64_t radius) {
   const auto [left, right] = std::minmax(a.x, b.x);
   const auto [top, bottom] = std::minmax(a.y, b.y);
   const Index last_x = std::min<Index>(image.width - 1, (right + radius) / kUnits);
@@ -65,7 +65,7 @@ class Random {
   std::uint64_t next_ = 0;
 };
 
-void draw_strokes(const ByteView& image, Random random) {
+void draw_strokes(const ImageView& image, Random random) {
   const std::int64_t side = image.width * kUnits;
   const std::int64_t radius = side / 28 + random.below(side / 28 + 1);
   const auto coordinate = [&] { return side / 7 + random.below(side * 5 / 7 + 1); };

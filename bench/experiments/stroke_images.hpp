@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/stack.hpp"
+#include "image/stack.hpp"
 
 namespace thinbench {
 

@@ -22,7 +22,7 @@ constexpr Index kBlobReach = 4;
 std::vector<std::string_view> measured_operations() {
   std::vector<std::string_view> names;
   for (const ThinningOperation& operation : thinning_operations()) {
-    if (operation.default_model != nullptr || operation.border == Border::kKeep) continue;
+    if (operation.default_model != nullptr || operation.border == Border::keep) continue;
     names.push_back(operation.name);
   }
   return names;
@@ -39,21 +39,21 @@ struct Thinned {
   int iterations;
 };
 
-Thinned thinned(std::string_view operation, const ConstByteView& image) {
+Thinned thinned(std::string_view operation, const ConstImageView& image) {
   Thinned result{ByteImage(image.width, image.height), 0};
   result.iterations = thin(operation, image, result.skeleton.view());
   return result;
 }
 
-ByteImage turned(const ConstByteView& image, int quarters) {
+ByteImage turned(const ConstImageView& image, int quarters) {
   ByteImage result = copy_of(image);
   for (int turn = 0; turn < quarters; ++turn) result = quarter_turned(result.view());
   return result;
 }
 
 /// With the skeletons of the image turned by one, two and three quarters, each turned back.
-double least_overlap(std::string_view operation, const ConstByteView& image,
-                     const ConstByteView& skeleton) {
+double least_overlap(std::string_view operation, const ConstImageView& image,
+                     const ConstImageView& skeleton) {
   double least = 1;
   for (int quarters = 1; quarters < 4; ++quarters) {
     const ByteImage other = thinned(operation, turned(image, quarters).view()).skeleton;
@@ -64,9 +64,9 @@ double least_overlap(std::string_view operation, const ConstByteView& image,
 
 QualityRow measure(std::string_view operation, const QualityInput& input, const Topology& before,
                    const ByteImage& axis) {
-  const ConstByteView image = input.image.view();
+  const ConstImageView image = input.image.view();
   const Thinned result = thinned(operation, image);
-  const ConstByteView skeleton = result.skeleton.view();
+  const ConstImageView skeleton = result.skeleton.view();
   return {std::string(operation),
           input.name,
           before,

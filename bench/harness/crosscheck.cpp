@@ -20,11 +20,11 @@ class Guarded {
         height_(height),
         bytes_(static_cast<std::size_t>(stride_ * (height + 2)), kGuard) {}
 
-  [[nodiscard]] ByteView view() {
+  [[nodiscard]] ImageView view() {
     return {bytes_.data() + stride_ + extra_, width_, height_, stride_};
   }
 
-  void copy_from(const ConstByteView& image) {
+  void copy_from(const ConstImageView& image) {
     for (Index y = 0; y < height_; ++y) std::copy_n(image.row(y), width_, view().row(y));
   }
 
@@ -63,8 +63,8 @@ ByteImage earlier_work(Index width, Index height) {
   return image;
 }
 
-std::optional<std::string> image_difference(const ConstByteView& expected,
-                                            const ConstByteView& found) {
+std::optional<std::string> image_difference(const ConstImageView& expected,
+                                            const ConstImageView& found) {
   for (Index y = 0; y < expected.height; ++y) {
     if (std::equal(expected.row(y), expected.row(y) + expected.width, found.row(y))) continue;
     for (Index x = 0; x < expected.width; ++x) {
@@ -93,7 +93,7 @@ std::optional<std::string> number_difference(const Job& job,
 
 /// The first difference between what is in `found` and in the job, and what is expected.
 std::optional<std::string> first_difference(const Job& job, const Outcome& expected,
-                                            const ConstByteView& found) {
+                                            const ConstImageView& found) {
   if (job.gives_image()) {
     if (auto difference = image_difference(expected.image.view(), found)) return difference;
   }
@@ -102,7 +102,7 @@ std::optional<std::string> first_difference(const Job& job, const Outcome& expec
 
 }  // namespace
 
-std::optional<std::string> find_mismatch(Job& job, const ConstByteView& input,
+std::optional<std::string> find_mismatch(Job& job, const ConstImageView& input,
                                          const Outcome& expected) {
   Guarded source(input.width, input.height, 3);
   Guarded destination(input.width, input.height, 5);
@@ -118,7 +118,7 @@ std::optional<std::string> find_mismatch(Job& job, const ConstByteView& input,
   return std::nullopt;
 }
 
-std::optional<std::string> find_kernel_mismatch(Job& job, const ConstByteView& input,
+std::optional<std::string> find_kernel_mismatch(Job& job, const ConstImageView& input,
                                                 const Outcome& expected) {
   ByteImage found(input.width, input.height);
   job.load(input);
@@ -128,7 +128,7 @@ std::optional<std::string> find_kernel_mismatch(Job& job, const ConstByteView& i
   return first_difference(job, expected, found.view());
 }
 
-std::string window_text(const ConstByteView& image, Index x, Index y) {
+std::string window_text(const ConstImageView& image, Index x, Index y) {
   constexpr Index reach = 4;
   std::string text;
   for (Index row = std::max<Index>(0, y - reach); row <= std::min(image.height - 1, y + reach);

@@ -13,15 +13,15 @@ namespace thinbench {
 /// filled with garbage first, and the job has worked on another image of the same size. Returns
 /// what is wrong: first differing pixel with a window round it, first differing number, bytes
 /// written beside the destination, a changed input or margin. Nothing where all is as it should be.
-[[nodiscard]] std::optional<std::string> find_mismatch(Job& job, const ConstByteView& input,
+[[nodiscard]] std::optional<std::string> find_mismatch(Job& job, const ConstImageView& input,
                                                        const Outcome& expected);
 
 /// The same for the three steps of a job that has a representation of its own: the kernel is called
 /// twice, as when it is timed.
-[[nodiscard]] std::optional<std::string> find_kernel_mismatch(Job& job, const ConstByteView& input,
+[[nodiscard]] std::optional<std::string> find_kernel_mismatch(Job& job, const ConstImageView& input,
                                                               const Outcome& expected);
 
 /// A window of the image round (x, y), '#' dark and '.' light.
-[[nodiscard]] std::string window_text(const ConstByteView& image, Index x, Index y);
+[[nodiscard]] std::string window_text(const ConstImageView& image, Index x, Index y);
 
 }  // namespace thinbench

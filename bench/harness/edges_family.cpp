@@ -13,17 +13,17 @@ class PlanJob final : public Job {
  public:
   explicit PlanJob(EdgePlan plan) : plan_(std::move(plan)) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     plan_.run(input, output);
   }
-  void load(const ConstByteView& input) override { input_ = input; }
+  void load(const ConstImageView& input) override { input_ = input; }
   void kernel() override { plan_.run_to_bits(input_); }
-  void store(const ByteView& output) const override { plan_.store(output); }
+  void store(const ImageView& output) const override { plan_.store(output); }
   [[nodiscard]] bool margins_are_intact() const override { return plan_.margins_are_zero(); }
 
  private:
   EdgePlan plan_;
-  ConstByteView input_;
+  ConstImageView input_;
 };
 
 class ReferenceJob final : public Job {
@@ -31,7 +31,7 @@ class ReferenceJob final : public Job {
   ReferenceJob(reference::EdgeDetection function, const EdgeThresholds& thresholds)
       : function_(function), thresholds_(thresholds) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     function_(thresholds_.p1, thresholds_.p2, input, output);
   }
 
@@ -52,7 +52,7 @@ Variant variant_of(const EdgeOperation& operation, const EdgeVariant& variant,
             return std::make_unique<PlanJob>(
                 EdgePlan(operation, variant, width, height, {thresholds, threads}));
           },
-          [&variant](Index width) { return why_unavailable(variant.facts, width); }};
+          [&variant](Index width) { return unavailable_reason(variant.facts, width); }};
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ JobMaker edges_reference(std::string_view operation, const EdgeThresholds& thres
 }
 
 Operation edges_operation(const EdgeOperation& operation, const EdgeThresholds& thresholds) {
-  Operation result = {std::string(operation.name), operation.description, InputKind::kGrey, {}, {}};
+  Operation result = {std::string(operation.name), operation.description, InputKind::grey, {}, {}};
   for (const EdgeVariant& variant : operation.variants) {
     result.variants.push_back(variant_of(operation, variant, thresholds));
   }

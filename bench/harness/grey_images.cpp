@@ -25,7 +25,7 @@ TestImage noise(Index width, Index height, const Levels& levels, std::uint64_t s
                      std::to_string(levels.lowest) + " to " + std::to_string(levels.highest) +
                      ", seed " + std::to_string(seed);
   return {std::move(name), grey_noise_image(width, height, levels.lowest, levels.highest, seed),
-          InputKind::kGrey};
+          InputKind::grey};
 }
 
 void generate_noise(const TestImageSink& sink) {
@@ -58,7 +58,7 @@ ByteImage drawn(Index width, Index height, const Level& level) {
 void show_shapes(Index width, Index height, const TestImageSink& sink) {
   const auto show = [&](const char* name, const auto& level) {
     sink({std::string(name).append(" ").append(size_text(width, height)),
-          drawn(width, height, level), InputKind::kGrey});
+          drawn(width, height, level), InputKind::grey});
   };
   show("black", [](Index, Index) { return 0; });
   show("grey 128", [](Index, Index) { return 128; });
@@ -98,11 +98,11 @@ ByteImage grey_noise_image(Index width, Index height, std::uint8_t lowest, std::
 
 std::vector<TestImageSet> grey_image_sets() {
   return {{"grey_shapes", "constant images, ramps, steps, checkerboards of extremes, tiny images",
-           generate_shapes, InputKind::kGrey},
+           generate_shapes, InputKind::grey},
           {"grey_noise",
            "noise at widths 1..200, 509..514, 1023..1025 by heights 1 to 5 and 17; narrow ones "
            "up to 130 high",
-           generate_noise, InputKind::kGrey}};
+           generate_noise, InputKind::grey}};
 }
 
 }  // namespace thinbench

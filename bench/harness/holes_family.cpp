@@ -5,7 +5,7 @@
 
 #include "catalog.hpp"
 #include "holes.hpp"
-#include "holes/plan.hpp"
+#include "regions/plan.hpp"
 
 namespace thinbench {
 namespace {
@@ -24,10 +24,10 @@ class TaskJob : public Job {
  public:
   explicit TaskJob(HolesTask task) : task_(task) {}
 
-  [[nodiscard]] bool gives_image() const override { return task_ == HolesTask::kFill; }
+  [[nodiscard]] bool gives_image() const override { return task_ == HolesTask::fill; }
 
   [[nodiscard]] std::string name_of_number(std::size_t index) const override {
-    if (task_ != HolesTask::kHoles && task_ != HolesTask::kComponents) return "Euler number";
+    if (task_ != HolesTask::holes && task_ != HolesTask::components) return "Euler number";
     return name_of_region_number(index);
   }
 
@@ -44,23 +44,23 @@ class PlanJob final : public TaskJob {
           int threads)
       : TaskJob(operation.task), plan_(operation, variant, width, height, threads) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     plan_.run(input);
     if (gives_image()) plan_.store(output);
   }
-  void load(const ConstByteView& input) override { plan_.load(input); }
+  void load(const ConstImageView& input) override { plan_.load(input); }
   void kernel() override { plan_.compute(); }
-  void store(const ByteView& output) const override { plan_.store(output); }
+  void store(const ImageView& output) const override { plan_.store(output); }
 
   [[nodiscard]] std::vector<std::int64_t> numbers() const override {
     switch (task()) {
-      case HolesTask::kHoles:
-      case HolesTask::kComponents:
+      case HolesTask::holes:
+      case HolesTask::components:
         return numbers_of(plan_.regions());
-      case HolesTask::kEulerEight:
-      case HolesTask::kEulerFour:
+      case HolesTask::euler_eight:
+      case HolesTask::euler_four:
         return {plan_.number()};
-      case HolesTask::kFill:
+      case HolesTask::fill:
         return {};
     }
     return {};
@@ -75,21 +75,21 @@ class ReferenceJob final : public TaskJob {
  public:
   using TaskJob::TaskJob;
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     switch (task()) {
-      case HolesTask::kHoles:
+      case HolesTask::holes:
         regions_ = reference::holes(input);
         break;
-      case HolesTask::kComponents:
+      case HolesTask::components:
         regions_ = reference::components(input);
         break;
-      case HolesTask::kEulerEight:
+      case HolesTask::euler_eight:
         number_ = reference::euler_number(input);
         break;
-      case HolesTask::kEulerFour:
+      case HolesTask::euler_four:
         number_ = reference::euler_number_4(input);
         break;
-      case HolesTask::kFill:
+      case HolesTask::fill:
         reference::fill_holes(input, output);
         break;
     }
@@ -97,7 +97,7 @@ class ReferenceJob final : public TaskJob {
 
   [[nodiscard]] std::vector<std::int64_t> numbers() const override {
     if (gives_image()) return {};
-    const bool gives_lists = task() == HolesTask::kHoles || task() == HolesTask::kComponents;
+    const bool gives_lists = task() == HolesTask::holes || task() == HolesTask::components;
     if (!gives_lists) return {number_};
     return numbers_of({regions_.objects, regions_.holes});
   }
@@ -117,12 +117,12 @@ Variant variant_of(const HolesOperation& operation, const HolesVariant& variant)
           [&operation, &variant](Index width, Index height, int threads) -> std::unique_ptr<Job> {
             return std::make_unique<PlanJob>(operation, variant, width, height, threads);
           },
-          [&variant](Index width) { return why_unavailable(facts_of(variant), width); }};
+          [&variant](Index width) { return unavailable_reason(facts_of(variant), width); }};
 }
 
 Operation operation_of_table(const HolesOperation& operation) {
   Operation result = {
-      std::string(operation.name), operation.description, InputKind::kBinary, {}, {}};
+      std::string(operation.name), operation.description, InputKind::binary, {}, {}};
   for (const HolesVariant& variant : operation.variants) {
     result.variants.push_back(variant_of(operation, variant));
   }

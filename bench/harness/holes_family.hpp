@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/operation.hpp"
-#include "holes/label_store.hpp"
+#include "regions/label_store.hpp"
 
 namespace thinbench {
 

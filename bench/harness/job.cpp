@@ -11,7 +11,7 @@ namespace {
 
 }  // namespace
 
-void Job::load(const ConstByteView&) {
+void Job::load(const ConstImageView&) {
   refuse_step();
 }
 
@@ -19,7 +19,7 @@ void Job::kernel() {
   refuse_step();
 }
 
-void Job::store(const ByteView&) const {
+void Job::store(const ImageView&) const {
   refuse_step();
 }
 
@@ -27,7 +27,7 @@ std::string Job::name_of_number(std::size_t index) const {
   return "number " + std::to_string(index);
 }
 
-Outcome outcome_of(Job& job, const ConstByteView& input) {
+Outcome outcome_of(Job& job, const ConstImageView& input) {
   Outcome outcome;
   if (job.gives_image()) outcome.image = ByteImage(input.width, input.height);
   job.run(input, outcome.image.view());

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench {
 
 enum class InputKind : std::uint8_t {
-  kBinary,  // 0 and 255
-  kGrey,    // all 256 levels
+  binary,  // 0 and 255
+  grey,    // all 256 levels
 };
 
 /// One way to compute one operation on inputs of one size. It owns whatever memory that needs, so
@@ -29,14 +29,14 @@ class Job {
   Job& operator=(Job&&) = delete;
 
   /// From input bytes to the result. Jobs that give no image leave `output` alone.
-  virtual void run(const ConstByteView& input, const ByteView& output) = 0;
+  virtual void run(const ConstImageView& input, const ImageView& output) = 0;
 
   /// The three steps of run, for jobs whose representation differs from bytes: into it, the
   /// operation itself (the input is kept, so this may be repeated), and out of it. Others throw
   /// std::logic_error.
-  virtual void load(const ConstByteView& input);
+  virtual void load(const ConstImageView& input);
   virtual void kernel();
-  virtual void store(const ByteView& output) const;
+  virtual void store(const ImageView& output) const;
 
   /// What the latest run or kernel gave beside the image, such as the number of passes.
   [[nodiscard]] virtual std::vector<std::int64_t> numbers() const { return {}; }
@@ -57,6 +57,6 @@ struct Outcome {
 };
 
 /// What the job makes of an input.
-[[nodiscard]] Outcome outcome_of(Job& job, const ConstByteView& input);
+[[nodiscard]] Outcome outcome_of(Job& job, const ConstImageView& input);
 
 }  // namespace thinbench

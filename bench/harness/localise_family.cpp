@@ -21,9 +21,9 @@ class RegionJob : public Job {
 class PlanJob final : public RegionJob {
  public:
   PlanJob(const LocaliseVariant& variant, Index width, Index height, int threads)
-      : plan_(variant, width, height, {EdgeOperator::kSobel, {}, threads}) {}
+      : plan_(variant, width, height, {EdgeOperator::sobel, {}, threads}) {}
 
-  void run(const ConstByteView& input, const ByteView& /*output*/) override {
+  void run(const ConstImageView& input, const ImageView& /*output*/) override {
     lists_ = plan_.run(input);
   }
   [[nodiscard]] std::vector<std::int64_t> numbers() const override { return numbers_of(lists_); }
@@ -36,7 +36,7 @@ class PlanJob final : public RegionJob {
 
 class ReferenceJob final : public RegionJob {
  public:
-  void run(const ConstByteView& input, const ByteView& /*output*/) override {
+  void run(const ConstImageView& input, const ImageView& /*output*/) override {
     const EdgeThresholds thresholds;
     regions_ = reference::localise_objects(reference::find_edges("edges_sobel"), thresholds.p1,
                                            thresholds.p2, input);
@@ -59,14 +59,14 @@ Variant variant_of(const LocaliseVariant& variant) {
           [&variant](Index width, Index height, int threads) -> std::unique_ptr<Job> {
             return std::make_unique<PlanJob>(variant, width, height, threads);
           },
-          [&variant](Index width) { return why_unavailable(variant.facts, width); }};
+          [&variant](Index width) { return unavailable_reason(variant.facts, width); }};
 }
 
 }  // namespace
 
 std::vector<Operation> localise_family() {
   const LocaliseOperation& chain = localise_operation();
-  Operation result = {std::string(chain.name), chain.description, InputKind::kGrey, {}, {}};
+  Operation result = {std::string(chain.name), chain.description, InputKind::grey, {}, {}};
   for (const LocaliseVariant& variant : chain.variants) {
     result.variants.push_back(variant_of(variant));
   }

@@ -10,7 +10,7 @@
 namespace thinbench {
 namespace {
 
-Outcome outcome_by(const JobMaker& make_job, const ConstByteView& input) {
+Outcome outcome_by(const JobMaker& make_job, const ConstImageView& input) {
   return outcome_of(*make_job(input.width, input.height, 1), input);
 }
 
@@ -34,12 +34,12 @@ const Operation& operation_of(std::string_view name) {
   throw std::logic_error("no operation is named " + std::string(name));
 }
 
-Outcome expected_of(std::string_view operation, const ConstByteView& input) {
+Outcome expected_of(std::string_view operation, const ConstImageView& input) {
   return outcome_by(operation_of(operation).reference, input);
 }
 
 Outcome expected_of(const Operation& operation, const Variant& variant,
-                    const ConstByteView& input) {
+                    const ConstImageView& input) {
   return outcome_by(variant.own_reference ? variant.own_reference : operation.reference, input);
 }
 

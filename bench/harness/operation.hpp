@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/isa.hpp"
+#include "dispatch/isa.hpp"
 #include "harness/job.hpp"
 
 namespace thinbench {
@@ -19,7 +19,7 @@ struct Variant {
   bool has_kernel_scope;  // works on a representation of its own
   JobMaker make_job;
   /// Why it cannot run here on an image of this width; empty where it can.
-  std::function<std::string_view(Index width)> why_unavailable;
+  std::function<std::string_view(Index width)> unavailable_reason;
   /// Somebody else's code, or a limit such as a copy: timed beside the variants, never offered by
   /// the library.
   bool is_peer = false;
@@ -56,10 +56,10 @@ struct Operation {
 [[nodiscard]] const Operation& operation_of(std::string_view name);
 
 /// What the reference of the operation of this name makes of an input.
-[[nodiscard]] Outcome expected_of(std::string_view operation, const ConstByteView& input);
+[[nodiscard]] Outcome expected_of(std::string_view operation, const ConstImageView& input);
 
 /// What a variant has to give for this input.
 [[nodiscard]] Outcome expected_of(const Operation& operation, const Variant& variant,
-                                  const ConstByteView& input);
+                                  const ConstImageView& input);
 
 }  // namespace thinbench

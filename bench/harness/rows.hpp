@@ -19,8 +19,8 @@ struct Row {
   std::string name;  // operation/technique/isa/threads
 
   /// Why the row cannot run on images of this width here; empty where it can.
-  [[nodiscard]] std::string_view why_unavailable(Index width) const {
-    return variant->why_unavailable(width);
+  [[nodiscard]] std::string_view unavailable_reason(Index width) const {
+    return variant->unavailable_reason(width);
   }
 };
 

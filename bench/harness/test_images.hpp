@@ -14,7 +14,7 @@ namespace thinbench {
 struct TestImage {
   std::string name;
   ByteImage image;
-  InputKind kind = InputKind::kBinary;
+  InputKind kind = InputKind::binary;
 };
 
 /// Random blocks of `granularity` x `granularity` pixels, each dark with probability `percent` /
@@ -35,7 +35,7 @@ struct TestImageSet {
   std::string name;
   std::string claim;  // what the set covers
   std::function<void(const TestImageSink&)> generate;
-  InputKind kind = InputKind::kBinary;
+  InputKind kind = InputKind::binary;
 };
 
 /// Binary: widths 1 to 200 and around 512 and 1024 by five heights; all 4 x 4 images; every

@@ -23,12 +23,12 @@ class PlanJob final : public CountingJob {
  public:
   explicit PlanJob(ThinningPlan plan) : plan_(std::move(plan)) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     passes_ = plan_.run(input, output);
   }
-  void load(const ConstByteView& input) override { plan_.load(input); }
+  void load(const ConstImageView& input) override { plan_.load(input); }
   void kernel() override { passes_ = plan_.thin(); }
-  void store(const ByteView& output) const override { plan_.store(output); }
+  void store(const ImageView& output) const override { plan_.store(output); }
   [[nodiscard]] bool margins_are_intact() const override { return plan_.margins_are_zero(); }
 
  private:
@@ -39,7 +39,7 @@ class ReferenceJob final : public CountingJob {
  public:
   explicit ReferenceJob(reference::Thinning function) : function_(function) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     passes_ = function_(input, output);
   }
 
@@ -63,7 +63,7 @@ Variant variant_of(const ThinningOperation& operation, const ThinningVariant& va
           [&operation, &variant](Index width, Index height, int threads) {
             return thinning_job({operation, variant, width, height, PlanOptions{threads}});
           },
-          [&variant](Index width) { return why_unavailable(variant, width); }};
+          [&variant](Index width) { return unavailable_reason(variant, width); }};
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ std::unique_ptr<Job> thinning_job(ThinningPlan plan) {
 
 Operation thinning_operation(const ThinningOperation& operation) {
   Operation result = {
-      std::string(operation.name), operation.description, InputKind::kBinary, {}, {}};
+      std::string(operation.name), operation.description, InputKind::binary, {}, {}};
   for (const ThinningVariant& variant : operation.variants) {
     result.variants.push_back(variant_of(operation, variant));
   }
@@ -82,7 +82,7 @@ Operation thinning_operation(const ThinningOperation& operation) {
   result.counter = "passes";
   result.is_net = operation.default_model != nullptr;
   result.in_size_series = operation.name == "thin_naccache_shinghal";
-  result.small_sets_only = result.is_net && operation.most_passes > 1;
+  result.small_sets_only = result.is_net && operation.max_iterations > 1;
   return result;
 }
 

@@ -11,7 +11,7 @@ Verifier::Verifier(std::vector<Row> rows)
     : rows_(std::move(rows)), verdicts_(rows_.size()), jobs_(rows_.size()) {}
 
 void Verifier::show(const TestImage& image) {
-  const ConstByteView view = image.image.view();
+  const ConstImageView view = image.image.view();
   if (view.width != width_ || view.height != height_) {
     for (auto& job : jobs_) job.reset();
     width_ = view.width;
@@ -21,7 +21,7 @@ void Verifier::show(const TestImage& image) {
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     if (!verdicts_[row].first_mismatch.empty()) continue;
     const auto& [operation, variant, threads, name] = rows_[row];
-    if (operation->takes != image.kind || !variant->why_unavailable(width_).empty()) continue;
+    if (operation->takes != image.kind || !variant->unavailable_reason(width_).empty()) continue;
     const void* key = variant->own_reference ? static_cast<const void*>(variant) : operation;
     auto found = expected.find(key);
     if (found == expected.end()) {

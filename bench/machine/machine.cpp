@@ -9,7 +9,7 @@
 
 #include <sys/utsname.h>
 
-#include "core/isa.hpp"
+#include "dispatch/isa.hpp"
 
 namespace thinbench {
 namespace {

@@ -62,7 +62,7 @@ class Calls {
   }
 
  private:
-  static ConstByteView input_of(const TimedRow& row) {
+  static ConstImageView input_of(const TimedRow& row) {
     return row.input->view(row.operation->takes);
   }
 

@@ -94,7 +94,7 @@ bool is_base_of_threads(const Group& group, std::size_t entry) {
 }
 
 const char* role_name(Role role) {
-  return role == Role::kRow ? "row" : role == Role::kSame ? "same" : "slowed";
+  return role == Role::row ? "row" : role == Role::same ? "same" : "slowed";
 }
 
 json sample_json(const Group& group, std::size_t index, const GroupTimes& times,

@@ -25,7 +25,7 @@ std::int64_t warm_up_of(const CalibratedRow& row, std::int64_t calls) {
 Entry entry_of(const CalibratedRow& row) {
   const bool long_call = row.seconds > kLongCall;
   const std::int64_t calls = long_call ? 1 : calls_an_epoch(row.seconds);
-  return {row.row->name, Role::kRow,           calls,    calls,    warm_up_of(row, calls),
+  return {row.row->name, Role::row,           calls,    calls,    warm_up_of(row, calls),
           long_call,     row.row->threads > 1, row.hash, row.input};
 }
 
@@ -34,7 +34,7 @@ bool is_own_variant(const TimedRow& row) {
 }
 
 bool is_scalar(const TimedRow& row) {
-  return row.variant->isa == Isa::kBaseline && !row.variant->technique.starts_with("simd") &&
+  return row.variant->isa == Isa::baseline && !row.variant->technique.starts_with("simd") &&
          row.variant->technique != "autovec";
 }
 
@@ -72,7 +72,7 @@ void pair_with_best(const Rows& rows, Scope scope, const std::string& against,
 
 void add_pairs(const Rows& rows, Group& group) {
   for (std::size_t i = 1; i < rows.size(); ++i) group.pairs.push_back({i, 0, "reference"});
-  for (const Scope scope : {Scope::kKernel, Scope::kEndToEnd}) {
+  for (const Scope scope : {Scope::kernel, Scope::end_to_end}) {
     pair_with_best(rows, scope, "best_scalar", is_scalar, group);
     pair_with_best(
         rows, scope, "best_autovec",
@@ -82,14 +82,14 @@ void add_pairs(const Rows& rows, Group& group) {
 
 void add_controls(std::size_t base, Group& group) {
   Entry same = group.entries[base];
-  same.role = Role::kSame;
+  same.role = Role::same;
   Entry slowed = same;
-  slowed.role = Role::kSlowed;
+  slowed.role = Role::slowed;
   slowed.counted = 10 * std::max<std::int64_t>(1, same.calls / 10);
   slowed.calls = slowed.counted / 10 * 11;
   for (Entry& control : {std::ref(same), std::ref(slowed)}) {
     group.pairs.push_back(
-        {group.entries.size(), base, control.role == Role::kSame ? "same" : "slowed"});
+        {group.entries.size(), base, control.role == Role::same ? "same" : "slowed"});
     group.entries.push_back(std::move(control));
   }
 }

@@ -34,15 +34,15 @@ struct CalibratedRow {
 };
 
 enum class Role {
-  kRow,
-  kSame,    // control: a row again, to be found equal to itself
-  kSlowed,  // control: a row with 11 calls for every 10 that are counted
+  row,
+  same,    // control: a row again, to be found equal to itself
+  slowed,  // control: a row with 11 calls for every 10 that are counted
 };
 
 /// Something that a round visits.
 struct Entry {
   std::string name;  // operation/technique/isa/threads/scope/input; entries may share it
-  Role role = Role::kRow;
+  Role role = Role::row;
   std::int64_t calls = 1;    // an epoch
   std::int64_t counted = 1;  // by what its time is divided
   std::int64_t warm_up = 0;  // calls before each epoch that are not timed

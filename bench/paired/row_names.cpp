@@ -49,7 +49,7 @@ TimedRow row_named(const std::string& name, const std::vector<Operation>& operat
                    const std::vector<TimedInput>& inputs) {
   const std::vector<std::string> fields = fields_of(name);
   const Operation& operation = named(operations, fields[0], name);
-  const Scope scope = fields[4] == scope_name(Scope::kKernel) ? Scope::kKernel : Scope::kEndToEnd;
+  const Scope scope = fields[4] == scope_name(Scope::kernel) ? Scope::kernel : Scope::end_to_end;
   return {name,
           &operation,
           variant_of(operation, fields, name),

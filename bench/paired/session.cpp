@@ -37,7 +37,7 @@ CalibratedRow calibrated(const TimedRow& row) {
   double seconds = timed();
   for (int i = more_calls(seconds); i > 0; --i) seconds = std::min(seconds, timed());
   std::string hash = hash_of(call.outcome());
-  const ConstByteView input = row.input->view(row.operation->takes);
+  const ConstImageView input = row.input->view(row.operation->takes);
   return {&row, seconds, std::move(hash), {pixel_hash(input), input.width * input.height}};
 }
 
@@ -116,7 +116,7 @@ int run(const PairedOptions& options, const std::vector<Operation>& operations,
   }
   const std::vector<TimedInput> inputs = timed_inputs({options.pictures, 0});
   const Selection selection = rows_asked_for(
-      options.filter, operations, inputs, options.highest_level ? Levels::kHighest : Levels::kAll);
+      options.filter, operations, inputs, options.highest_level ? Levels::highest : Levels::all);
   const Order order{options.pictures, planned(selection, options)};
   const auto processes = measured(order, options, measurer);
   const std::vector<PairResult> results = results_of(order.groups, processes);

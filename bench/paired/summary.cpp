@@ -81,10 +81,10 @@ void flag_all(std::vector<PairResult>& results, const std::string& flag) {
 }  // namespace
 
 bool PairResult::failed() const {
-  if (row->role == Role::kSlowed) return is_slow_down_missed(estimate);
+  if (row->role == Role::slowed) return is_slow_down_missed(estimate);
   const bool is_off =
       std::log(estimate.low) > kSameWithin || std::log(estimate.high) < -kSameWithin;
-  return row->role == Role::kSame && is_off;
+  return row->role == Role::same && is_off;
 }
 
 bool Controls::pass() const {
@@ -110,11 +110,11 @@ std::vector<PairResult> results_of(const std::vector<Group>& groups,
 }
 
 Controls controls_of(const std::vector<PairResult>& results) {
-  Controls controls{pooled(results, Role::kSame), pooled(results, Role::kSlowed)};
+  Controls controls{pooled(results, Role::same), pooled(results, Role::slowed)};
   bool same_failed = false;
   for (const PairResult& result : results) {
-    if (result.row->role == Role::kSame) same_failed = result.failed();
-    if (result.row->role != Role::kSlowed) continue;  // the last of its group
+    if (result.row->role == Role::same) same_failed = result.failed();
+    if (result.row->role != Role::slowed) continue;  // the last of its group
     ++controls.groups;
     controls.failed_groups += same_failed || result.failed() ? 1 : 0;
   }

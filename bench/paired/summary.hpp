@@ -31,7 +31,7 @@ struct PairResult {
   std::vector<std::size_t> layout;
   std::vector<std::string> flags;
 
-  [[nodiscard]] bool is_control() const { return row->role != Role::kRow; }
+  [[nodiscard]] bool is_control() const { return row->role != Role::row; }
   /// For a control: its interval does not come within 1 % of 1, or does not exclude 1 where the row
   /// was slowed.
   [[nodiscard]] bool failed() const;

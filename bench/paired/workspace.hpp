@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/image.hpp"
-#include "core/layout.hpp"
+#include "image/byte_image.hpp"
+#include "image/layout.hpp"
 
 namespace thinbench {
 
@@ -18,7 +18,7 @@ inline constexpr std::size_t kDestinationOffset = kPage / 2;
 /// A copy of an input and an output of the same size, pages touched.
 class Workspace {
  public:
-  explicit Workspace(const ConstByteView& input)
+  explicit Workspace(const ConstImageView& input)
       : stride_(padded_row_bytes(input.width)),
         memory_(make_aligned<std::uint8_t>(2 * area(input) + kPage)),
         source_{place(memory_.get(), kSourceOffset), input.width, input.height, stride_},
@@ -29,12 +29,12 @@ class Workspace {
     }
   }
 
-  [[nodiscard]] ConstByteView source() const { return source_; }
-  [[nodiscard]] ByteView destination() const { return destination_; }
+  [[nodiscard]] ConstImageView source() const { return source_; }
+  [[nodiscard]] ImageView destination() const { return destination_; }
 
  private:
   /// Of one image, with a page to move within.
-  [[nodiscard]] std::size_t area(const ConstByteView& input) const {
+  [[nodiscard]] std::size_t area(const ConstImageView& input) const {
     return static_cast<std::size_t>(stride_ * input.height) + kPage;
   }
 
@@ -46,8 +46,8 @@ class Workspace {
 
   Index stride_;
   AlignedArray<std::uint8_t> memory_;
-  ByteView source_;
-  ByteView destination_;
+  ImageView source_;
+  ImageView destination_;
 };
 
 }  // namespace thinbench

@@ -8,7 +8,7 @@ namespace {
 
 class CopyJob final : public Job {
  public:
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     const auto bytes = static_cast<std::size_t>(input.width);
     for (Index y = 0; y < input.height && bytes > 0; ++y) {
       std::memcpy(output.row(y), input.row(y), bytes);
@@ -19,7 +19,7 @@ class CopyJob final : public Job {
 }  // namespace
 
 std::vector<Variant> copy_peers(const Operation& operation) {
-  if (operation.takes != InputKind::kGrey) return {};
+  if (operation.takes != InputKind::grey) return {};
   return {peer_variant(
       "copy", "no operation: the same bytes copied",
       [](Index, Index, int) { return std::make_unique<CopyJob>(); }, plain_copy())};

@@ -2,8 +2,8 @@
 // gives an image, and the packed words read, where it gives numbers.
 #include <cstring>
 
-#include "core/convert.hpp"
-#include "core/planes.hpp"
+#include "image/packing.hpp"
+#include "image/planes.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {
@@ -20,12 +20,12 @@ class CopyBitsJob final : public Job {
         source_(width, height),
         target_(width, height) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     load(input);
     kernel();
     store(output);
   }
-  void load(const ConstByteView& input) override { conversion_.read(input, source_.view()); }
+  void load(const ConstImageView& input) override { conversion_.read(input, source_.view()); }
   void kernel() override {
     const BitPlaneView from = source_.view();
     const auto bytes = static_cast<std::size_t>(words_of(from) * 8);
@@ -33,7 +33,7 @@ class CopyBitsJob final : public Job {
       std::memcpy(target_.view().row(y), from.row(y), bytes);
     }
   }
-  void store(const ByteView& output) const override { conversion_.write(target_.view(), output); }
+  void store(const ImageView& output) const override { conversion_.write(target_.view(), output); }
 
  private:
   const PlaneConversion<std::uint64_t>& conversion_;
@@ -62,11 +62,11 @@ class ReadBitsJob final : public CombinedJob {
   ReadBitsJob(Index width, Index height)
       : conversion_(plane_conversion<std::uint64_t>(best_isa())), source_(width, height) {}
 
-  void run(const ConstByteView& input, const ByteView&) override {
+  void run(const ConstImageView& input, const ImageView&) override {
     load(input);
     kernel();
   }
-  void load(const ConstByteView& input) override { conversion_.read(input, source_.view()); }
+  void load(const ConstImageView& input) override { conversion_.read(input, source_.view()); }
   void kernel() override {
     const BitPlaneView from = source_.view();
     const Index words = words_of(from);
@@ -86,7 +86,7 @@ class ReadBitsJob final : public CombinedJob {
 /// Plain enough to be looked through.
 class PlainReadJob final : public CombinedJob {
  public:
-  void run(const ConstByteView& input, const ByteView&) override {
+  void run(const ConstImageView& input, const ImageView&) override {
     std::uint64_t combined = 0;
     for (Index y = 0; y < input.height; ++y) {
       for (Index x = 0; x < input.width; ++x) {

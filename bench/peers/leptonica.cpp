@@ -37,12 +37,12 @@ class ThinConnectedJob final : public Job {
       : connectivity_(connectivity),
         source_(pixCreate(static_cast<int>(width), static_cast<int>(height), 1)) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     load(input);
     kernel();
     store(output);
   }
-  void load(const ConstByteView& input) override {
+  void load(const ConstImageView& input) override {
     if (!source_) return;
     for (Index y = 0; y < input.height; ++y) {
       l_uint32* words = row(*source_, y);
@@ -56,7 +56,7 @@ class ThinConnectedJob final : public Job {
     skeleton_.reset(pixThinConnected(source_.get(), L_THIN_FG, connectivity_, 0));
     if (!skeleton_) throw std::runtime_error("Leptonica gave no skeleton");
   }
-  void store(const ByteView& output) const override {
+  void store(const ImageView& output) const override {
     if (!skeleton_) return;
     for (Index y = 0; y < output.height; ++y) {
       const l_uint32* words = row(*skeleton_, y);

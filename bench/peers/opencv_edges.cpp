@@ -16,7 +16,7 @@ class SobelJob final : public Job {
  public:
   explicit SobelJob(bool with_p2) : with_p2_(with_p2) { cv::setNumThreads(1); }
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     if (input.width == 0 || input.height == 0) return;
     const cv::Mat source = mat_of(input);
     cv::Mat edges = mat_of(output);

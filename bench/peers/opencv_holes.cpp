@@ -19,7 +19,7 @@ constexpr int kEight = 8;
 class CountingJob : public Job {
  public:
   CountingJob() { cv::setNumThreads(1); }
-  void run(const ConstByteView& input, const ByteView&) final {
+  void run(const ConstImageView& input, const ImageView&) final {
     numbers_.clear();
     if (input.width > 0 && input.height > 0) count(mat_of(input));
   }

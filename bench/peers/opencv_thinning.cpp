@@ -13,7 +13,7 @@ class ThinningJob final : public Job {
  public:
   explicit ThinningJob(cv::ximgproc::ThinningTypes type) : type_(type) { cv::setNumThreads(1); }
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     if (input.width == 0 || input.height == 0) return;
     cv::ximgproc::thinning(mat_of(input), skeleton_, type_);
     skeleton_.copyTo(mat_of(output));

@@ -13,7 +13,7 @@ constexpr PeersOf kAllPeers[] = {&copy_peers,         &opencv_edge_peers,     &c
 /// Plain enough to be looked through.
 class PlainCopyJob final : public Job {
  public:
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     for (Index y = 0; y < input.height; ++y) {
       for (Index x = 0; x < input.width; ++x) output.row(y)[x] = input.row(y)[x];
     }
@@ -24,7 +24,7 @@ class ImageOnlyJob final : public Job {
  public:
   explicit ImageOnlyJob(std::unique_ptr<Job> job) : job_(std::move(job)) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     job_->run(input, output);
   }
 
@@ -65,7 +65,7 @@ const std::vector<Operation>& operations_with_peers() {
 Variant peer_variant(std::string_view technique, std::string_view description, JobMaker make_job,
                      JobMaker own_reference) {
   Variant variant = {
-      technique, description, Isa::kBaseline, false, false, std::move(make_job), [](Index) {
+      technique, description, Isa::baseline, false, false, std::move(make_job), [](Index) {
         return std::string_view();
       }};
   variant.is_peer = true;

@@ -1,7 +1,7 @@
 // Which pixels of a grey picture are objects.
 #pragma once
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench {
 
@@ -12,6 +12,6 @@ inline constexpr int kDefaultThreshold = 128;
                                    bool invert = false);
 
 /// How many pixels are not 0.
-[[nodiscard]] Index object_pixels(ConstByteView image);
+[[nodiscard]] Index object_pixels(ConstImageView image);
 
 }  // namespace thinbench

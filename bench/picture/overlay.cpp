@@ -21,7 +21,7 @@ bool comes_before(const cv::Point& a, const cv::Point& b) {
 }
 
 /// Draws all outlines and returns the first pixel of each object, in the order of their ids.
-std::vector<cv::Point> draw_outlines(cv::Mat& picture, const ConstByteView& objects) {
+std::vector<cv::Point> draw_outlines(cv::Mat& picture, const ConstImageView& objects) {
   std::vector<std::vector<cv::Point>> contours;
   std::vector<cv::Vec4i> hierarchy;
   cv::findContours(mat_of(objects), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
@@ -97,7 +97,7 @@ void draw_holes(cv::Mat& picture, const std::vector<Region>& holes) {
 
 }  // namespace
 
-void write_overlay(const std::string& path, const ConstByteView& grey, const ConstByteView& objects,
+void write_overlay(const std::string& path, const ConstImageView& grey, const ConstImageView& objects,
                    const FoundHoles& found) {
   check_colour_ending(path);
   cv::Mat picture;

@@ -12,7 +12,7 @@ namespace thinbench {
 /// holes beside the centre. Regions smaller than a digit have none. `objects` is the binary
 /// image in which `found` was found; all have one size. The file appears as a whole or not at all.
 /// Throws PictureError.
-void write_overlay(const std::string& path, const ConstByteView& grey, const ConstByteView& objects,
+void write_overlay(const std::string& path, const ConstImageView& grey, const ConstImageView& objects,
                    const FoundHoles& found);
 
 }  // namespace thinbench

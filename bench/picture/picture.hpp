@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench {
 
@@ -24,7 +24,7 @@ inline constexpr Index kMaxPicturePixels = Index{1} << 31;
 /// Writes an 8-bit grey picture in the format that the ending names; only formats that keep every
 /// pixel are known. The file appears, or is replaced, as a whole or not at all. Throws
 /// PictureError.
-void write_grey(const std::string& path, const ConstByteView& picture);
+void write_grey(const std::string& path, const ConstImageView& picture);
 
 /// Whether write_grey takes pictures of this size, which has pixels: below 2^31 of them.
 [[nodiscard]] constexpr bool is_writable_size(Index width, Index height) {

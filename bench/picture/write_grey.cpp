@@ -68,7 +68,7 @@ void write_mat(const std::string& path, const cv::Mat& picture) {
   }
 }
 
-void write_grey(const std::string& path, const ConstByteView& picture) {
+void write_grey(const std::string& path, const ConstImageView& picture) {
   check_ending(path);
   try {
     check_target(path);

@@ -82,10 +82,10 @@ void doubt_new_neighbours(const RowsBefore& before, const MeasuredRun& run,
   const auto then = names_by_group(before);
   const auto now = names_by_group(run.rows);
   for (RowVerdict& row : rows) {
-    if (row.verdict != Verdict::kFail) continue;
+    if (row.verdict != Verdict::fail) continue;
     const std::string group = group_of(row.name);
     if (then.at(group) == now.at(group)) continue;
-    row.verdict = Verdict::kUndecided;
+    row.verdict = Verdict::undecided;
     row.reason = "measured beside other rows than before";
   }
 }
@@ -164,8 +164,8 @@ std::vector<RowVerdict> against_scalar(const MeasuredRun& run) {
 void doubt(const ControlVerdicts& controls, std::vector<RowVerdict>& rows) {
   for (RowVerdict& row : rows) {
     const bool failed = !controls.pass || controls.failed_groups.count(group_of(row.name)) > 0;
-    if (!failed || row.verdict == Verdict::kSkipped) continue;
-    row.verdict = Verdict::kUndecided;
+    if (!failed || row.verdict == Verdict::skipped) continue;
+    row.verdict = Verdict::undecided;
     row.reason = "a control failed";
   }
 }
@@ -173,7 +173,7 @@ void doubt(const ControlVerdicts& controls, std::vector<RowVerdict>& rows) {
 void confirm(const std::vector<RowVerdict>& again, std::vector<RowVerdict>& rows) {
   for (RowVerdict& row : rows) {
     const auto found = std::find_if(again.begin(), again.end(), [&](const RowVerdict& other) {
-      return other.name == row.name && other.verdict != Verdict::kSkipped;
+      return other.name == row.name && other.verdict != Verdict::skipped;
     });
     if (found == again.end()) continue;
     const Verdict first = row.verdict;

@@ -14,7 +14,7 @@ namespace thinbench {
 
 struct RowVerdict {
   std::string name;
-  Verdict verdict = Verdict::kSkipped;
+  Verdict verdict = Verdict::skipped;
   std::string reason;  // where it is not plainly what the interval says
   double tolerance = 0;
   Change change;

@@ -20,7 +20,7 @@ Change change_of(const Logs& logs) {
 /// The control in each process, divided by its row there or in the process before.
 Logs against_row(const MeasuredRun& run, const MeasuredControls& controls, const Logs& control,
                  Neighbour neighbour) {
-  const std::size_t shift = neighbour == Neighbour::kNextProcess ? 1 : 0;
+  const std::size_t shift = neighbour == Neighbour::next_process ? 1 : 0;
   Logs logs;
   for (std::size_t i = 0; i < control.size(); ++i) {
     const std::size_t of_control = (i + shift) % control.size();

@@ -11,7 +11,7 @@ namespace thinbench {
 
 /// Whether a control is compared with its row in the same process, as runs against a stored
 /// baseline are judged, or in the next one, as two builds are.
-enum class Neighbour { kSameProcess, kNextProcess };
+enum class Neighbour { same_process, next_process };
 
 struct ControlVerdicts {
   Change same;  // over all groups: a process gives the median of its groups

@@ -86,7 +86,7 @@ class Gate {
     const MeasuredRun run = read_run(run_files);
     const bool in_turns = !old_files.empty();
     Findings found{
-        judge_controls(run, in_turns ? Neighbour::kNextProcess : Neighbour::kSameProcess),
+        judge_controls(run, in_turns ? Neighbour::next_process : Neighbour::same_process),
         {},
         against_scalar(run)};
     if (in_turns) found.changes = between(read_run(old_files), run, rules_);
@@ -111,8 +111,8 @@ std::vector<Verdict> verdicts_of(const Rows& rows) {
 Verdict overall_of(const Findings& found) {
   const Verdict changes = overall(verdicts_of(found.changes));
   const Verdict simd = overall(verdicts_of(found.simd));
-  if (simd == Verdict::kFail) return simd;
-  return changes == Verdict::kPass && simd == Verdict::kUndecided ? simd : changes;
+  if (simd == Verdict::fail) return simd;
+  return changes == Verdict::pass && simd == Verdict::undecided ? simd : changes;
 }
 
 /// Whole operations, since the rows of one are measured side by side.
@@ -120,7 +120,7 @@ std::string operations_in_doubt(const Findings& found) {
   std::set<std::string> operations;
   for (const Rows& rows : {found.changes, found.simd}) {
     for (const RowVerdict& row : rows) {
-      const bool settled = row.verdict == Verdict::kPass || row.verdict == Verdict::kSkipped;
+      const bool settled = row.verdict == Verdict::pass || row.verdict == Verdict::skipped;
       if (!settled) operations.insert(row.name.substr(0, row.name.find('/')));
     }
   }
@@ -151,17 +151,17 @@ int compare(const RegressOptions& options, const json& machine) {
   print(found, options.all);
   const Verdict verdict = overall_of(found);
   std::cout << controls << controls_again << name_of(verdict)
-            << (verdict == Verdict::kSkipped ? ": nothing was compared" : "") << '\n';
+            << (verdict == Verdict::skipped ? ": nothing was compared" : "") << '\n';
   return exit_status(verdict);
 }
 
 int update(const RegressOptions& options, json machine) {
   const MeasuredRun run = read_run(options.run);
-  const ControlVerdicts controls = judge_controls(run, Neighbour::kSameProcess);
+  const ControlVerdicts controls = judge_controls(run, Neighbour::same_process);
   std::cout << "controls " << to_line(controls) << '\n';
   if (!controls.pass) {
     std::cout << "INCONCLUSIVE: no baseline is made of a run whose controls failed\n";
-    return exit_status(Verdict::kUndecided);
+    return exit_status(Verdict::undecided);
   }
   machine["commit"] = options.commit;
   const fs::path file = baseline_file(options.baselines, machine);

@@ -19,7 +19,7 @@ std::string moved(const char* side, double before, double now) {
 }
 
 bool is_faster(const RowVerdict& row) {
-  return row.verdict == Verdict::kPass && row.change.low > 1 + row.tolerance;
+  return row.verdict == Verdict::pass && row.change.low > 1 + row.tolerance;
 }
 
 std::string interval_text(const Change& change) {
@@ -58,7 +58,7 @@ std::string simd_text(const RowVerdict& row) {
 std::string skipped_text(const std::vector<RowVerdict>& rows) {
   std::map<std::string, int> numbers;
   for (const RowVerdict& row : rows) {
-    if (row.verdict == Verdict::kSkipped) ++numbers[row.reason];
+    if (row.verdict == Verdict::skipped) ++numbers[row.reason];
   }
   std::string text;
   for (const auto& [reason, number] : numbers) {
@@ -81,8 +81,8 @@ std::string what_moved(const PairTimes& before, const PairTimes& now) {
 std::string to_table(const std::vector<RowVerdict>& rows, bool all) {
   std::string text;
   for (const RowVerdict& row : rows) {
-    const bool shown = all || row.verdict != Verdict::kPass || is_faster(row);
-    if (shown && row.verdict != Verdict::kSkipped) text += change_text(row);
+    const bool shown = all || row.verdict != Verdict::pass || is_faster(row);
+    if (shown && row.verdict != Verdict::skipped) text += change_text(row);
   }
   return text + skipped_text(rows);
 }
@@ -90,8 +90,8 @@ std::string to_table(const std::vector<RowVerdict>& rows, bool all) {
 std::string to_simd_table(const std::vector<RowVerdict>& rows, bool all) {
   std::string text;
   for (const RowVerdict& row : rows) {
-    const bool shown = all || row.verdict != Verdict::kPass;
-    if (shown && row.verdict != Verdict::kSkipped) text += simd_text(row);
+    const bool shown = all || row.verdict != Verdict::pass;
+    if (shown && row.verdict != Verdict::skipped) text += simd_text(row);
   }
   return text + skipped_text(rows);
 }

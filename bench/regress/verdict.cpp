@@ -13,13 +13,13 @@ bool has(const std::vector<Verdict>& verdicts, Verdict wanted) {
 
 std::string_view name_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::kPass:
+    case Verdict::pass:
       return "PASS";
-    case Verdict::kFail:
+    case Verdict::fail:
       return "FAIL";
-    case Verdict::kUndecided:
+    case Verdict::undecided:
       return "INCONCLUSIVE";
-    case Verdict::kSkipped:
+    case Verdict::skipped:
       return "SKIPPED";
   }
   return "";
@@ -32,32 +32,32 @@ double tolerance_of(double usual, std::int64_t pixels, std::int64_t cache_kib) {
 
 Verdict judge(const Change& change, double tolerance) {
   const double limit = 1 - tolerance;
-  if (change.high < limit) return Verdict::kFail;
-  return change.low < limit ? Verdict::kUndecided : Verdict::kPass;
+  if (change.high < limit) return Verdict::fail;
+  return change.low < limit ? Verdict::undecided : Verdict::pass;
 }
 
 Verdict confirmed(Verdict first, Verdict again) {
-  if (first == again || first == Verdict::kSkipped) return first;
-  const bool one_fails = has({first, again}, Verdict::kFail);
-  return !one_fails && has({first, again}, Verdict::kPass) ? Verdict::kPass : Verdict::kUndecided;
+  if (first == again || first == Verdict::skipped) return first;
+  const bool one_fails = has({first, again}, Verdict::fail);
+  return !one_fails && has({first, again}, Verdict::pass) ? Verdict::pass : Verdict::undecided;
 }
 
 Verdict overall(const std::vector<Verdict>& verdicts) {
-  for (const Verdict worst : {Verdict::kFail, Verdict::kUndecided, Verdict::kPass}) {
+  for (const Verdict worst : {Verdict::fail, Verdict::undecided, Verdict::pass}) {
     if (has(verdicts, worst)) return worst;
   }
-  return Verdict::kSkipped;
+  return Verdict::skipped;
 }
 
 int exit_status(Verdict verdict) {
   switch (verdict) {
-    case Verdict::kPass:
+    case Verdict::pass:
       return 0;
-    case Verdict::kFail:
+    case Verdict::fail:
       return 1;
-    case Verdict::kUndecided:
+    case Verdict::undecided:
       return 3;
-    case Verdict::kSkipped:
+    case Verdict::skipped:
       break;
   }
   return kNothingCompared;

@@ -7,7 +7,7 @@
 
 namespace thinbench {
 
-enum class Verdict { kPass, kFail, kUndecided, kSkipped };
+enum class Verdict { pass, fail, undecided, skipped };
 
 /// How far a speed-up may fall: two builds in one job; against a baseline stored earlier on the
 /// same kind of machine; against such a baseline on an image that does not fit the cache.

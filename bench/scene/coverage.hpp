@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 #include "scene/shapes.hpp"
 
 namespace thinbench::scene_detail {

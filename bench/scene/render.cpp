@@ -58,7 +58,7 @@ std::int64_t lit_grey_16(std::int64_t coverage, std::int64_t light) {
 }
 
 void draw_row(const SceneOptions& options, const Light& light, const CoverageMap& map, Index y,
-              ByteView grey) {
+              ImageView grey) {
   const std::int64_t row_light = kEvenLight + light.down[static_cast<std::size_t>(y)];
   const std::int16_t* coverage = map.row(y);
   std::uint8_t* pixels = grey.row(y);
@@ -90,7 +90,7 @@ ByteImage draw(const SceneOptions& options, const std::vector<PartShape>& layout
 
 }  // namespace
 
-ByteImage threshold_dark(ConstByteView grey, int threshold) {
+ByteImage threshold_dark(ConstImageView grey, int threshold) {
   ByteImage binary(grey.width, grey.height);
   for (Index y = 0; y < grey.height; ++y) {
     const std::uint8_t* from = grey.row(y);

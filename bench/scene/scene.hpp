@@ -10,17 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench {
 
 enum class SceneKind {
-  kParts,          ///< every part lies apart from the others and from the frame
-  kFrameTouching,  ///< several parts touch the frame or are cut off by it, on all four sides
+  parts,          ///< every part lies apart from the others and from the frame
+  frame_touching,  ///< several parts touch the frame or are cut off by it, on all four sides
 };
 
 struct SceneOptions {
-  SceneKind kind = SceneKind::kParts;
+  SceneKind kind = SceneKind::parts;
   /// Magnification of the geometry, at least 1; the image has 510 scale x 412 scale pixels.
   int scale = 1;
   /// Standard deviation of the noise in 1/16 grey level; 0 for none.
@@ -86,6 +86,6 @@ struct Scene {
 [[nodiscard]] Scene render_scene(const SceneOptions& options = {});
 
 /// 255 where `grey` is below the threshold, 0 elsewhere.
-[[nodiscard]] ByteImage threshold_dark(ConstByteView grey, int threshold);
+[[nodiscard]] ByteImage threshold_dark(ConstImageView grey, int threshold);
 
 }  // namespace thinbench

@@ -25,7 +25,7 @@ SceneBox box_of(const Contour& contour) {
           pixel_coordinate(around.high.x), pixel_coordinate(around.high.y)};
 }
 
-bool inside(const Contour& contour, ConstByteView image) {
+bool inside(const Contour& contour, ConstImageView image) {
   const Extent around = extent(contour);
   return around.low.x >= 0 && around.low.y >= 0 && around.high.x <= image.width * kUnitsPerPixel &&
          around.high.y <= image.height * kUnitsPerPixel;
@@ -33,7 +33,7 @@ bool inside(const Contour& contour, ConstByteView image) {
 
 /// Raster position of the first pixel of the given value that the outline covers in part; behind
 /// all pixels where there is none.
-Index first_pixel(const Contour& contour, ConstByteView binary, int value) {
+Index first_pixel(const Contour& contour, ConstImageView binary, int value) {
   const PixelBox box = covered_box(contour, binary.width, binary.height);
   const CoverageMap map(box, {&contour, 1});
   for (Index y = 0; y < box.height; ++y) {
@@ -46,7 +46,7 @@ Index first_pixel(const Contour& contour, ConstByteView binary, int value) {
   return binary.width * binary.height;
 }
 
-ScenePart measure_part(const PartShape& shape, ConstByteView binary) {
+ScenePart measure_part(const PartShape& shape, ConstImageView binary) {
   Moments sum = moments(shape.body.outline);
   for (const NamedShape& hole : shape.holes) sum += moments(hole.outline);
   return {0,
@@ -87,7 +87,7 @@ std::vector<T> numbered(Placed<T> items) {
 
 std::vector<PartShape> scaled_layout(const SceneOptions& options) {
   std::vector<PartShape> layout =
-      options.kind == SceneKind::kParts ? parts_layout() : frame_touching_layout();
+      options.kind == SceneKind::parts ? parts_layout() : frame_touching_layout();
   for (PartShape& part : layout) {
     const Point offset = part.nudge * options.scale;
     part.body.outline = placed(part.body.outline, options.scale, offset);
@@ -98,7 +98,7 @@ std::vector<PartShape> scaled_layout(const SceneOptions& options) {
   return layout;
 }
 
-Truth measure(const std::vector<PartShape>& layout, ConstByteView binary) {
+Truth measure(const std::vector<PartShape>& layout, ConstImageView binary) {
   Placed<const PartShape*> shapes;
   for (const PartShape& shape : layout) {
     shapes.emplace_back(first_pixel(shape.body.outline, binary, 255), &shape);

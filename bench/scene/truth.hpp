@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 #include "scene/layout.hpp"
 #include "scene/scene.hpp"
 
@@ -19,6 +19,6 @@ struct Truth {
 };
 
 /// Measures a scaled layout; the binary image only serves to number parts and holes.
-[[nodiscard]] Truth measure(const std::vector<PartShape>& layout, ConstByteView binary);
+[[nodiscard]] Truth measure(const std::vector<PartShape>& layout, ConstImageView binary);
 
 }  // namespace thinbench::scene_detail

@@ -39,13 +39,13 @@ ByteImage enlarged(const ByteImage& original, const SweepInput& input) {
 std::string SweepInput::name() const {
   const std::string size = joined({std::to_string(width), std::to_string(height)}, "x");
   switch (picture) {
-    case Picture::kScene:
+    case Picture::scene:
       return joined({"scene", size}, " ");
-    case Picture::kEnlarged:
+    case Picture::enlarged:
       return joined({"scene", size, "enlarged", std::to_string(grain), "times"}, " ");
-    case Picture::kSquares:
+    case Picture::squares:
       return joined({"squares", size, "of", std::to_string(grain)}, " ");
-    case Picture::kNoise:
+    case Picture::noise:
       return joined(
           {"noise", size, std::to_string(percent), "% in blocks of", std::to_string(grain)}, " ");
   }
@@ -53,13 +53,13 @@ std::string SweepInput::name() const {
 }
 
 ByteImage make_input(const SweepInput& input, InputKind kind) {
-  if (input.picture == Picture::kScene) {
+  if (input.picture == Picture::scene) {
     static const Scene scene = render_scene();
-    return tiled(kind == InputKind::kGrey ? scene.grey : scene.binary, input.width, input.height);
+    return tiled(kind == InputKind::grey ? scene.grey : scene.binary, input.width, input.height);
   }
-  if (kind == InputKind::kGrey) throw std::logic_error("there is no grey " + input.name());
-  if (input.picture == Picture::kEnlarged) return enlarged(render_scene().binary, input);
-  if (input.picture == Picture::kSquares) return squares(input.width, input.height, input.grain);
+  if (kind == InputKind::grey) throw std::logic_error("there is no grey " + input.name());
+  if (input.picture == Picture::enlarged) return enlarged(render_scene().binary, input);
+  if (input.picture == Picture::squares) return squares(input.width, input.height, input.grain);
   return noise_image(input.width, input.height, input.percent, input.grain, kNoiseSeed);
 }
 

@@ -12,14 +12,14 @@
 namespace thinbench {
 
 enum class Picture : std::uint8_t {
-  kNoise,     // random blocks, see noise_image
-  kScene,     // the scene, laid out like tiles
-  kEnlarged,  // the scene, every pixel a square of pixels
-  kSquares,   // dark squares as far apart as they are wide
+  noise,     // random blocks, see noise_image
+  scene,     // the scene, laid out like tiles
+  enlarged,  // the scene, every pixel a square of pixels
+  squares,   // dark squares as far apart as they are wide
 };
 
 struct SweepInput {
-  Picture picture = Picture::kScene;
+  Picture picture = Picture::scene;
   Index width = 0;
   Index height = 0;
   Index grain = 0;  // side of a block of noise, of a square or of an enlarged pixel (pixels)

@@ -78,7 +78,7 @@ class Planner {
         const Point point{"density",
                           static_cast<double>(percent),
                           static_cast<double>(grain),
-                          {Picture::kNoise, side, side, grain, percent}};
+                          {Picture::noise, side, side, grain, percent}};
         add_chosen(point, names);
       }
     }
@@ -91,7 +91,7 @@ class Planner {
     std::sort(sides.begin(), sides.end());
     for (const Index side : sides) {
       if (side > largest + 1) continue;
-      const Point point{"size", static_cast<double>(side), {}, {Picture::kScene, side, side}};
+      const Point point{"size", static_cast<double>(side), {}, {Picture::scene, side, side}};
       add_chosen(point, drawn_operations());
       add_scalar(point, drawn_operations());
     }
@@ -100,7 +100,7 @@ class Planner {
   /// The same technique on one thread is what threads are compared with.
   void add_threads() {
     for (const Index tiles : options_.quick ? std::vector<Index>{1} : std::vector<Index>{1, 10}) {
-      const SweepInput input{Picture::kScene, tiles * kSceneWidth, tiles * kSceneHeight};
+      const SweepInput input{Picture::scene, tiles * kSceneWidth, tiles * kSceneHeight};
       for (const int threads : thread_steps(options_.processors)) {
         const Point point{"threads", static_cast<double>(threads),
                           static_cast<double>(input.pixels()), input};
@@ -117,7 +117,7 @@ class Planner {
     const Index side = options_.quick ? 1024 : 2048;
     for (Index depth = 4; depth <= side / 4; depth *= 2) {
       const Point point{
-          "depth", static_cast<double>(depth), {}, {Picture::kSquares, side, side, depth}};
+          "depth", static_cast<double>(depth), {}, {Picture::squares, side, side, depth}};
       add_chosen(point, {"thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal",
                          "thin_spta_directional", "thin_mb2", "skeleton_scan"});
     }
@@ -129,14 +129,14 @@ class Planner {
       const Point point{"enlarged",
                         static_cast<double>(times),
                         {},
-                        {Picture::kEnlarged, times * kSceneWidth, times * kSceneHeight, times}};
+                        {Picture::enlarged, times * kSceneWidth, times * kSceneHeight, times}};
       add_chosen(point, {"thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal",
                          "thin_spta_directional", "thin_mb2", "holes"});
     }
   }
 
   void add_levels() {
-    const SweepInput input{Picture::kScene, kSceneWidth, kSceneHeight};
+    const SweepInput input{Picture::scene, kSceneWidth, kSceneHeight};
     Names names = drawn_operations();
     names.insert(names.begin() + 1, "thin_zhang_suen");
     for_each(names, [&](const Operation& operation) {
@@ -171,7 +171,7 @@ class Planner {
   }
 
   void add(Point point, const Operation& operation, const Variant* variant, int threads) {
-    if (variant == nullptr || !variant->why_unavailable(point.input.width).empty()) return;
+    if (variant == nullptr || !variant->unavailable_reason(point.input.width).empty()) return;
     point.operation = &operation;
     point.variant = variant;
     point.threads = threads;

@@ -28,7 +28,7 @@ std::int64_t visits_of(const Point& point, const Outcome& outcome) {
 }
 
 /// The better of two calls: the first one touches every page.
-double seconds_of_call(Job& job, const ConstByteView& input) {
+double seconds_of_call(Job& job, const ConstImageView& input) {
   ByteImage output(input.width, input.height);
   double best = 1e9;
   for (int i = 0; i < 2; ++i) {
@@ -43,7 +43,7 @@ double seconds_of_call(Job& job, const ConstByteView& input) {
 }  // namespace
 
 std::optional<Proof> Prover::prove(const Point& point, std::string& mismatch) {
-  const ConstByteView input = inputs_.get(point.input, point.operation->takes).view();
+  const ConstImageView input = inputs_.get(point.input, point.operation->takes).view();
   const Expected& expected = expected_of_point(point, input);
   const auto job = point.variant->make_job(input.width, input.height, point.threads);
   if (const auto found = find_mismatch(*job, input, expected.outcome)) {
@@ -53,7 +53,7 @@ std::optional<Proof> Prover::prove(const Point& point, std::string& mismatch) {
   return Proof{expected.source, hash_of(expected.outcome), seconds_of_call(*job, input)};
 }
 
-const Prover::Expected& Prover::expected_of_point(const Point& point, const ConstByteView& input) {
+const Prover::Expected& Prover::expected_of_point(const Point& point, const ConstImageView& input) {
   const std::pair<const Operation*, SweepInput> here(point.operation, point.input);
   if (here != latest_) expected_.clear();
   latest_ = here;
@@ -66,7 +66,7 @@ const Prover::Expected& Prover::expected_of_point(const Point& point, const Cons
 }
 
 Prover::Expected Prover::made_by_reference_or(const Variant* stand_in, const Point& point,
-                                              const ConstByteView& input) const {
+                                              const ConstImageView& input) const {
   if (stand_in != nullptr) {
     Outcome outcome = outcome_of(*stand_in->make_job(input.width, input.height, 1), input);
     if (visits_of(point, outcome) > most_visits_) {

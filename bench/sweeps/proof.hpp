@@ -34,9 +34,9 @@ class Prover {
     Outcome outcome;
   };
 
-  const Expected& expected_of_point(const Point& point, const ConstByteView& input);
+  const Expected& expected_of_point(const Point& point, const ConstImageView& input);
   [[nodiscard]] Expected made_by_reference_or(const Variant* stand_in, const Point& point,
-                                              const ConstByteView& input) const;
+                                              const ConstImageView& input) const;
 
   InputStore& inputs_;
   std::int64_t most_visits_;

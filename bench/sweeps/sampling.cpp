@@ -67,7 +67,7 @@ std::vector<const Point*> order_of_round(const std::vector<const Point*>& points
 Sample Sampler::take(const Point& point, const Proof& proof, int round) {
   const Workspace workspace(inputs_.get(point.input, point.operation->takes).view());
   const TimedRow row{
-      point.row(), point.operation, point.variant, point.threads, Scope::kEndToEnd, nullptr, {}};
+      point.row(), point.operation, point.variant, point.threads, Scope::end_to_end, nullptr, {}};
   TimedCall call(row, workspace.source(), workspace.destination());
   const std::int64_t calls = calls_of(proof);
   for (std::int64_t i = warm_up_of(calls); i > 0; --i) call();

@@ -3,7 +3,7 @@
 #include <functional>
 #include <utility>
 
-#include "core/technique.hpp"
+#include "dispatch/technique.hpp"
 
 namespace thinbench {
 namespace {
@@ -18,7 +18,7 @@ const Variant* best(const Operation& operation, Index width,
                     const std::function<bool(const Variant&)>& is_wanted) {
   const Variant* found = nullptr;
   for (const Variant& variant : operation.variants) {
-    if (variant.is_peer || !is_wanted(variant) || !variant.why_unavailable(width).empty()) continue;
+    if (variant.is_peer || !is_wanted(variant) || !variant.unavailable_reason(width).empty()) continue;
     if (found == nullptr || rank_of(variant) > rank_of(*found)) found = &variant;
   }
   return found;
@@ -34,7 +34,7 @@ const Variant* chosen_variant(const Operation& operation, Index width, bool thre
 
 const Variant* scalar_variant(const Operation& operation, Index width) {
   return best(operation, width, [](const Variant& variant) {
-    return !variant.threaded && variant.isa == Isa::kBaseline &&
+    return !variant.threaded && variant.isa == Isa::baseline &&
            !variant.technique.starts_with("simd") && variant.technique != "autovec";
   });
 }

@@ -50,7 +50,7 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice) {
   return inputs;
 }
 
-std::string pixel_hash(ConstByteView image) {
+std::string pixel_hash(ConstImageView image) {
   std::uint64_t hash = 0xCBF29CE484222325;
   for (Index y = 0; y < image.height; ++y) {
     for (Index x = 0; x < image.width; ++x) hash = (hash ^ image.row(y)[x]) * 0x100000001B3;

@@ -16,8 +16,8 @@ struct TimedInput {
 
   [[nodiscard]] Index width() const { return binary.width(); }
   [[nodiscard]] Index height() const { return binary.height(); }
-  [[nodiscard]] ConstByteView view(InputKind kind) const {
-    return kind == InputKind::kGrey ? grey.view() : binary.view();
+  [[nodiscard]] ConstImageView view(InputKind kind) const {
+    return kind == InputKind::grey ? grey.view() : binary.view();
   }
 };
 
@@ -35,6 +35,6 @@ struct InputChoice {
 [[nodiscard]] ByteImage tiled(const ByteImage& tile, Index width, Index height);
 
 /// FNV-1a over the pixels, row by row, as 16 hexadecimal digits: names what was timed.
-[[nodiscard]] std::string pixel_hash(ConstByteView image);
+[[nodiscard]] std::string pixel_hash(ConstImageView image);
 
 }  // namespace thinbench

@@ -86,9 +86,9 @@ void write_pictures(const std::string& folder, const Selection& selection) {
   for (const TimedRow& row : selection.rows) {
     // Nets learned the rule: their pictures would be the rule's again.
     if (row.variant != nullptr || row.input->size_sweep || row.operation->is_net) continue;
-    const ConstByteView input = row.input->view(row.operation->takes);
+    const ConstImageView input = row.input->view(row.operation->takes);
     const std::string stem = folder + "/" + row.input->name;
-    write_grey(stem + (row.operation->takes == InputKind::kGrey ? "_grey.png" : ".png"), input);
+    write_grey(stem + (row.operation->takes == InputKind::grey ? "_grey.png" : ".png"), input);
     const auto reference = row.operation->reference(input.width, input.height, 1);
     if (!reference->gives_image()) continue;
     write_grey(stem + "_" + row.operation->name + ".png",
@@ -139,7 +139,7 @@ int run(const TimingOptions& options, const std::vector<Operation>& operations) 
   if (!options.rows_out.empty()) check_target(options.rows_out);
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
   const Selection selection = rows_asked_for(
-      options.filter, operations, inputs, options.highest_level ? Levels::kHighest : Levels::kAll);
+      options.filter, operations, inputs, options.highest_level ? Levels::highest : Levels::all);
   if (!options.rows_out.empty()) {
     write_whole_file(options.rows_out,
                      rows_json(selection, inputs, peer_techniques(operations)).dump(2));

@@ -16,11 +16,11 @@ class TimedCall {
                   ByteImage(row.input->width(), row.input->height())) {}
 
   /// For who lays out input and output: copies of the row's input and somewhere to write.
-  TimedCall(const TimedRow& row, const ConstByteView& input, const ByteView& output)
+  TimedCall(const TimedRow& row, const ConstImageView& input, const ImageView& output)
       : input_(input),
         output_(output),
         job_(row.maker()(input.width, input.height, row.threads)),
-        kernel_only_(row.scope == Scope::kKernel) {
+        kernel_only_(row.scope == Scope::kernel) {
     if (kernel_only_) job_->load(input_);
   }
 
@@ -39,13 +39,13 @@ class TimedCall {
   }
 
  private:
-  TimedCall(const TimedRow& row, const ConstByteView& input, ByteImage own)
+  TimedCall(const TimedRow& row, const ConstImageView& input, ByteImage own)
       : TimedCall(row, input, own.view()) {
     own_output_ = std::move(own);
   }
 
-  ConstByteView input_;
-  ByteView output_;
+  ConstImageView input_;
+  ImageView output_;
   ByteImage own_output_;  // empty where the output is somebody else's
   std::unique_ptr<Job> job_;
   bool kernel_only_;

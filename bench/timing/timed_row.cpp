@@ -23,7 +23,7 @@ bool is_highest_level(const Row& row) {
   const auto same_kind = [&](const Variant& other) {
     return other.technique == row.variant->technique && other.threaded == row.variant->threaded;
   };
-  Isa highest = Isa::kBaseline;
+  Isa highest = Isa::baseline;
   for (const Variant& other : row.operation->variants) {
     if (same_kind(other) && isa_available(other.isa)) highest = std::max(highest, other.isa);
   }
@@ -42,8 +42,8 @@ std::string reference_name(const Operation& operation, const TimedInput& input) 
 /// The scopes in which a row is timed on an input, whatever the filter says.
 std::vector<Scope> scopes_of(const Row& row, const TimedInput& input) {
   if (input.size_sweep && !in_size_sweep(row)) return {};
-  if (input.size_sweep || !row.variant->has_kernel_scope) return {Scope::kEndToEnd};
-  return {Scope::kKernel, Scope::kEndToEnd};
+  if (input.size_sweep || !row.variant->has_kernel_scope) return {Scope::end_to_end};
+  return {Scope::kernel, Scope::end_to_end};
 }
 
 class Selector {
@@ -54,7 +54,7 @@ class Selector {
         operations_(operations),
         inputs_(inputs),
         all_rows_(matching_rows("", thread_counts(), operations)) {
-    if (levels == Levels::kHighest) {
+    if (levels == Levels::highest) {
       std::erase_if(all_rows_, [](const Row& row) { return !is_highest_level(row); });
     }
   }
@@ -114,13 +114,13 @@ class Selector {
     std::optional<Outcome> expected;
     const auto need_reference = [&]() -> const Outcome& {
       if (!expected) {
-        const ConstByteView view = input.view(task.operation->takes);
+        const ConstImageView view = input.view(task.operation->takes);
         expected = outcome_of(*task.operation->reference(view.width, view.height, 1), view);
         add_timed({reference_name(*task.operation, input),
                    task.operation,
                    nullptr,
                    1,
-                   Scope::kEndToEnd,
+                   Scope::end_to_end,
                    &input,
                    {}},
                   *expected);
@@ -157,7 +157,7 @@ class Selector {
   }
 
   bool admissible(const Row& row, const TimedInput& input) {
-    const std::string_view reason = row.why_unavailable(input.width());
+    const std::string_view reason = row.unavailable_reason(input.width());
     if (reason.empty()) return true;
     selection_.skipped.push_back({row.name + "/" + input.name, std::string(reason)});
     return false;
@@ -166,7 +166,7 @@ class Selector {
   /// `expected` is what the operation's own reference gave; `plan_bytes` is set.
   bool proved(const Row& row, const TimedInput& input, const Outcome& expected,
               std::optional<std::int64_t>& plan_bytes) {
-    const ConstByteView view = input.view(row.operation->takes);
+    const ConstImageView view = input.view(row.operation->takes);
     const std::optional<std::int64_t> before = heap_bytes_in_use();
     const auto job = row.variant->make_job(view.width, view.height, row.threads);
     const std::optional<std::int64_t> after = heap_bytes_in_use();

@@ -11,16 +11,16 @@
 namespace thinbench {
 
 enum class Scope {
-  kKernel,    // the variant's own representation in and out
-  kEndToEnd,  // bytes in, bytes out
+  kernel,    // the variant's own representation in and out
+  end_to_end,  // bytes in, bytes out
 };
 
 [[nodiscard]] constexpr std::string_view scope_name(Scope scope) {
-  return scope == Scope::kKernel ? "kernel" : "end_to_end";
+  return scope == Scope::kernel ? "kernel" : "end_to_end";
 }
 
 /// Which instruction-set levels of a technique are timed.
-enum class Levels { kAll, kHighest };
+enum class Levels { all, highest };
 
 struct TimedRow {
   std::string name;  // operation/technique/isa/threads/scope/input
@@ -57,7 +57,7 @@ struct Selection {
 [[nodiscard]] Selection select_rows(const std::string& filter,
                                     const std::vector<Operation>& operations,
                                     const std::vector<TimedInput>& inputs,
-                                    Levels levels = Levels::kAll);
+                                    Levels levels = Levels::all);
 
 /// Rows whose call takes longer, in seconds, are timed with fewer repetitions and not warmed up.
 inline constexpr double kSlowCall = 0.005;

@@ -56,7 +56,7 @@ std::string cluster_markdown(const std::vector<TrainedRun>& runs) {
 
 std::string cluster_header(const ClusterWeights& weights, const std::string& command) {
   std::vector<std::string> nets;
-  nets.reserve(kMostClusterNets);
+  nets.reserve(kMaxClusterNets);
   for (int n = 0; n < weights.count; ++n) nets.push_back(net_initialiser(weights.nets[n]));
   return "// Weights of a cluster of single-layer nets (section 3.3) that is right on all 256 "
          "descriptors of\n// the modified Naccache-Shinghal rule, with as few nets as can be. Made "

@@ -58,8 +58,8 @@ std::vector<TrainedRun> train_cluster(const StayTable& table, const ClusterTrain
 }
 
 ClusterWeights cluster_weights(const std::vector<TrainedRun>& runs) {
-  if (runs.size() > static_cast<std::size_t>(kMostClusterNets)) {
-    throw std::runtime_error("a cluster holds at most " + std::to_string(kMostClusterNets) +
+  if (runs.size() > static_cast<std::size_t>(kMaxClusterNets)) {
+    throw std::runtime_error("a cluster holds at most " + std::to_string(kMaxClusterNets) +
                              " nets, not " + std::to_string(runs.size()));
   }
   ClusterWeights weights{};

@@ -8,7 +8,7 @@
 namespace thinbench {
 
 struct ClusterTraining {
-  int max_nets = kMostClusterNets;
+  int max_nets = kMaxClusterNets;
   bool small_integers = false;  // shrink the perceptron's whole numbers
 };
 

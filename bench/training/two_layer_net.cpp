@@ -29,7 +29,7 @@ TwoLayerWeights to_weights(const HiddenLayerNet& net) {
 }
 
 float activate(float x, Activation activation) {
-  if (activation == Activation::kSigmoid) {
+  if (activation == Activation::sigmoid) {
     return 1.0F / (1.0F + static_cast<float>(portable_exp(static_cast<double>(-x))));
   }
   if (x > 3.0F) return 1.0F;

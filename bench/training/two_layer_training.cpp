@@ -12,8 +12,8 @@ struct Rated {
 };
 
 Rated rate(HiddenLayerNet net, const StayTable& table) {
-  const int sigmoid = agreement(table_of(net, Activation::kSigmoid), table);
-  const int linear = agreement(table_of(net, Activation::kLinear), table);
+  const int sigmoid = agreement(table_of(net, Activation::sigmoid), table);
+  const int linear = agreement(table_of(net, Activation::linear), table);
   return {std::move(net), sigmoid, linear};
 }
 

@@ -115,7 +115,7 @@ ClusterNet read_net(const Field& field, int first, bool is_last) {
 ClusterWeights read_cluster(const Field& root) {
   ClusterWeights weights{};
   const Field nets = root.member("nets");
-  const std::size_t count = nets.count(1, kMostClusterNets, "nets");
+  const std::size_t count = nets.count(1, kMaxClusterNets, "nets");
   int first = 0;
   for (std::size_t n = 0; n < count; ++n) {
     weights.nets[n] = read_net(nets.element(n), first, n + 1 == count);

@@ -48,7 +48,7 @@ void row_of_edges(const EdgeWindow<kEdgeReach<op>>& window, std::uint8_t* __rest
 }
 
 template <EdgeOperator op>
-void edges(const EdgeSetting& setting, const ConstByteView& source, const ByteView& target,
+void edges(const EdgeSetting& setting, const ConstImageView& source, const ImageView& target,
            const EdgeRows& rows) {
   const int threshold = setting.thresholds.p1 * edge_scale(op);
   const int p2 = setting.thresholds.p2;
@@ -62,8 +62,8 @@ void edges(const EdgeSetting& setting, const ConstByteView& source, const ByteVi
 
 template <>
 constinit const EdgeTable<EdgesToBytes> IsaEdges<Isa::THINBENCH_ISA>::kAutovec = {
-    {&edges<EdgeOperator::kRoberts4>, &edges<EdgeOperator::kRoberts9>,
-     &edges<EdgeOperator::kMeroVassy>, &edges<EdgeOperator::kMeroVassy5x5>,
-     &edges<EdgeOperator::kSobel>, &edges<EdgeOperator::kPrewitt>}};
+    {&edges<EdgeOperator::roberts4>, &edges<EdgeOperator::roberts9>,
+     &edges<EdgeOperator::mero_vassy>, &edges<EdgeOperator::mero_vassy_5x5>,
+     &edges<EdgeOperator::sobel>, &edges<EdgeOperator::prewitt>}};
 
 }  // namespace thinbench

@@ -22,10 +22,10 @@ class Rows {
   void add_level() {
     using Level = IsaEdges<isa>;
     const bool has_8_bits = Level::kSimd8Bit[op_] != nullptr;
-    add(Technique::kAutovec, isa, Level::kAutovec, kNoThreads);
-    add(Technique::kSimd16Bit, isa, Level::kSimd16Bit, !has_8_bits);
-    add(Technique::kSimd8Bit, isa, Level::kSimd8Bit, kThreads);
-    add(Technique::kSimdToBits, isa, Level::kSimdToBits, kThreads);
+    add(Technique::autovec, isa, Level::kAutovec, kNoThreads);
+    add(Technique::simd_16bit, isa, Level::kSimd16Bit, !has_8_bits);
+    add(Technique::simd_8bit, isa, Level::kSimd8Bit, kThreads);
+    add(Technique::simd_to_bits, isa, Level::kSimdToBits, kThreads);
   }
 
   [[nodiscard]] std::vector<EdgeVariant> take() { return std::move(rows_); }
@@ -39,11 +39,11 @@ class Rows {
 
 std::vector<EdgeVariant> edge_rows(EdgeOperator op) {
   Rows rows(op);
-  rows.add(Technique::kLut, Isa::kBaseline, ScalarEdges::kLut, kThreads);
-  rows.add_level<Isa::kBaseline>();
-  rows.add_level<Isa::kSse42>();
-  rows.add_level<Isa::kAvx2>();
-  rows.add_level<Isa::kAvx512>();
+  rows.add(Technique::lut, Isa::baseline, ScalarEdges::kLut, kThreads);
+  rows.add_level<Isa::baseline>();
+  rows.add_level<Isa::sse42>();
+  rows.add_level<Isa::avx2>();
+  rows.add_level<Isa::avx512>();
   return rows.take();
 }
 

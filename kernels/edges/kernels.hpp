@@ -1,20 +1,20 @@
 // The kernels of the edge operators, and the tables through which the catalogue reaches them.
 #pragma once
 
-#include "core/isa.hpp"
-#include "core/views.hpp"
+#include "dispatch/isa.hpp"
+#include "image/plane_view.hpp"
 #include "edges/thresholds.hpp"
 
 namespace thinbench {
 
 /// The order of every table of edge kernels.
 enum class EdgeOperator : std::uint8_t {
-  kRoberts4,
-  kRoberts9,
-  kMeroVassy,
-  kMeroVassy5x5,
-  kSobel,
-  kPrewitt,
+  roberts4,
+  roberts9,
+  mero_vassy,
+  mero_vassy_5x5,
+  sobel,
+  prewitt,
 };
 inline constexpr int kEdgeOperators = 6;
 
@@ -40,11 +40,11 @@ struct EdgeRows {
 
 /// Writes the rows of the band in `target`, 255 where there is an edge and 0 elsewhere. Reads rows
 /// beside the band, but nothing outside the source. Sizes are equal; the images do not overlap.
-using EdgesToBytes = void (*)(const EdgeSetting& setting, const ConstByteView& source,
-                              const ByteView& target, const EdgeRows& rows);
+using EdgesToBytes = void (*)(const EdgeSetting& setting, const ConstImageView& source,
+                              const ImageView& target, const EdgeRows& rows);
 
 /// The same into packed bits; margins and the bits past the width stay 0.
-using EdgesToBits = void (*)(const EdgeSetting& setting, const ConstByteView& source,
+using EdgesToBits = void (*)(const EdgeSetting& setting, const ConstImageView& source,
                              const BitPlaneView& target, const EdgeRows& rows);
 
 /// The kernels of one technique by operator; nullptr where it has none.

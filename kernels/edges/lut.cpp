@@ -23,7 +23,7 @@ std::uint8_t decide(const EdgeTables& tables, const At& at) {
 }
 
 template <EdgeOperator op>
-void edges(const EdgeSetting& setting, const ConstByteView& source, const ByteView& target,
+void edges(const EdgeSetting& setting, const ConstImageView& source, const ImageView& target,
            const EdgeRows& rows) {
   constexpr Index reach = kEdgeReach<op>;
   const Index width = source.width;
@@ -59,8 +59,8 @@ EdgeTables::EdgeTables(EdgeOperator op, const EdgeThresholds& thresholds)
 }
 
 constinit const EdgeTable<EdgesToBytes> ScalarEdges::kLut = {
-    {&edges<EdgeOperator::kRoberts4>, &edges<EdgeOperator::kRoberts9>,
-     &edges<EdgeOperator::kMeroVassy>, &edges<EdgeOperator::kMeroVassy5x5>,
-     &edges<EdgeOperator::kSobel>, &edges<EdgeOperator::kPrewitt>}};
+    {&edges<EdgeOperator::roberts4>, &edges<EdgeOperator::roberts9>,
+     &edges<EdgeOperator::mero_vassy>, &edges<EdgeOperator::mero_vassy_5x5>,
+     &edges<EdgeOperator::sobel>, &edges<EdgeOperator::prewitt>}};
 
 }  // namespace thinbench

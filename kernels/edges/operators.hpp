@@ -12,12 +12,12 @@ struct EdgeGradient {
 };
 
 template <EdgeOperator op>
-inline constexpr Index kEdgeReach = op == EdgeOperator::kMeroVassy5x5 ? 2 : 1;
+inline constexpr Index kEdgeReach = op == EdgeOperator::mero_vassy_5x5 ? 2 : 1;
 
 namespace detail {
 
 template <class At>
-[[gnu::always_inline]] inline EdgeGradient weighed_gradient(const At& at, int middle) {
+[[gnu::always_inline]] inline EdgeGradient weighted_gradient(const At& at, int middle) {
   return {at(1, -1) + middle * at(1, 0) + at(1, 1) - at(-1, -1) - middle * at(-1, 0) - at(-1, 1),
           at(-1, 1) + middle * at(0, 1) + at(1, 1) - at(-1, -1) - middle * at(0, -1) - at(1, -1)};
 }
@@ -41,14 +41,14 @@ template <int reach, class At>
 template <EdgeOperator op, class At>
 [[gnu::always_inline]] inline EdgeGradient edge_gradient(const At& at) {
   constexpr int reach = static_cast<int>(kEdgeReach<op>);
-  if constexpr (op == EdgeOperator::kRoberts4) {
+  if constexpr (op == EdgeOperator::roberts4) {
     return {at(0, 0) - at(1, 1), at(1, 0) - at(0, 1)};
-  } else if constexpr (op == EdgeOperator::kRoberts9) {
+  } else if constexpr (op == EdgeOperator::roberts9) {
     return {at(-1, -1) - at(1, 1), at(1, -1) - at(-1, 1)};
-  } else if constexpr (op == EdgeOperator::kSobel) {
-    return detail::weighed_gradient(at, 2);
-  } else if constexpr (op == EdgeOperator::kPrewitt) {
-    return detail::weighed_gradient(at, 1);
+  } else if constexpr (op == EdgeOperator::sobel) {
+    return detail::weighted_gradient(at, 2);
+  } else if constexpr (op == EdgeOperator::prewitt) {
+    return detail::weighted_gradient(at, 1);
   } else {
     return {detail::diagonal_difference<reach>(at, 1), detail::diagonal_difference<reach>(at, -1)};
   }
@@ -59,7 +59,7 @@ template <Index reach>
 struct EdgeWindow {
   const std::uint8_t* rows[static_cast<std::size_t>(2 * reach + 1)];
 
-  EdgeWindow(const ConstByteView& image, Index y) : rows() {
+  EdgeWindow(const ConstImageView& image, Index y) : rows() {
     for (Index down = -reach; down <= reach; ++down) {
       const Index row = y + down;
       rows[reach + down] = image.row(row < 0 ? 0 : row < image.height ? row : image.height - 1);

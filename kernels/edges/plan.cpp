@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/convert.hpp"
-#include "core/plan_checks.hpp"
-#include "core/planes.hpp"
-#include "core/thread_team.hpp"
+#include "image/packing.hpp"
+#include "image/checks.hpp"
+#include "image/planes.hpp"
+#include "image/thread_team.hpp"
 #include "edges/tables.hpp"
 
 namespace thinbench {
@@ -20,7 +20,7 @@ void check_threshold(const char* name, int value) {
 
 void check(const EdgeVariant& variant, Index width, Index height, const EdgePlanOptions& options) {
   require_size(width, height);
-  require_few_pixels(width, height);
+  require_max_pixels(width, height);
   check_threshold("p1", options.thresholds.p1);
   check_threshold("p2", options.thresholds.p2);
   require_threads(options.threads);
@@ -36,7 +36,7 @@ struct EdgePlan::State {
         width(plan_width),
         height(plan_height),
         team(chosen.facts.threaded ? options.threads : 1) {
-    if (chosen.facts.technique == Technique::kLut) {
+    if (chosen.facts.technique == Technique::lut) {
       tables = std::make_unique<EdgeTables>(operation.op, options.thresholds);
     }
     if (chosen.writes_bits()) bits = BitPlane(width, height);
@@ -44,7 +44,7 @@ struct EdgePlan::State {
   }
 
   template <class Kernel, class Target>
-  void sweep(Kernel kernel, const ConstByteView& source, const Target& target) {
+  void sweep(Kernel kernel, const ConstImageView& source, const Target& target) {
     if (width == 0) return;
     team.for_ranges(height, [&](Index first, Index last) {
       kernel(setting, source, target, EdgeRows{first, last});
@@ -70,7 +70,7 @@ EdgePlan::~EdgePlan() = default;
 EdgePlan::EdgePlan(EdgePlan&&) noexcept = default;
 EdgePlan& EdgePlan::operator=(EdgePlan&&) noexcept = default;
 
-void EdgePlan::run(ConstByteView source, ByteView destination) {
+void EdgePlan::run(ConstImageView source, ImageView destination) {
   if (const auto* kernel = std::get_if<EdgesToBytes>(&state_->variant.kernel)) {
     state_->sweep(*kernel, source, destination);
   } else {
@@ -79,14 +79,14 @@ void EdgePlan::run(ConstByteView source, ByteView destination) {
   }
 }
 
-ConstBitPlaneView EdgePlan::run_to_bits(ConstByteView source) {
+ConstBitPlaneView EdgePlan::run_to_bits(ConstImageView source) {
   const auto* kernel = std::get_if<EdgesToBits>(&state_->variant.kernel);
   if (kernel == nullptr) throw std::logic_error("this variant writes bytes");
   state_->sweep(*kernel, source, state_->bits.view());
   return state_->bits.view();
 }
 
-void EdgePlan::store(ByteView destination) const {
+void EdgePlan::store(ImageView destination) const {
   if (!state_->variant.writes_bits()) throw std::logic_error("this variant writes bytes");
   const BitPlane& bits = state_->bits;
   plane_conversion<std::uint64_t>(state_->variant.facts.isa).write(bits.view(), destination);

@@ -19,7 +19,7 @@ struct EdgePlanOptions {
 class EdgePlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative or has
-  /// more than 2^40 pixels, a threshold is not in [0, 255] or threads is not in [1, kMostThreads];
+  /// more than 2^40 pixels, a threshold is not in [0, 255] or threads is not in [1, kMaxThreads];
   /// std::bad_alloc where memory is short.
   EdgePlan(const EdgeOperation& operation, const EdgeVariant& variant, Index width, Index height,
            const EdgePlanOptions& options = {});
@@ -31,12 +31,12 @@ class EdgePlan {
 
   /// Writes the edges of `source` to `destination`, 255 on 0. The two do not overlap and have the
   /// size of the plan; nothing is checked here.
-  void run(ConstByteView source, ByteView destination);
+  void run(ConstImageView source, ImageView destination);
 
   /// For variants that write bits, the two steps of run: the edges as packed bits, which the plan
   /// keeps until the next call; and from there to bytes. Others throw std::logic_error.
-  ConstBitPlaneView run_to_bits(ConstByteView source);
-  void store(ByteView destination) const;
+  ConstBitPlaneView run_to_bits(ConstImageView source);
+  void store(ImageView destination) const;
 
   /// For tests: whether everything outside the rows of the plan's plane is still zero.
   [[nodiscard]] bool margins_are_zero() const;

@@ -27,13 +27,13 @@ struct Here : Gradient {
 };
 
 template <class Operator>
-void to_bytes(const EdgeSetting& setting, const ConstByteView& source, const ByteView& target,
+void to_bytes(const EdgeSetting& setting, const ConstImageView& source, const ImageView& target,
               const EdgeRows& rows) {
   sweep_to_bytes<Here<Operator>>(setting.thresholds, source, target, rows);
 }
 
 template <class Operator>
-void to_bits(const EdgeSetting& setting, const ConstByteView& source, const BitPlaneView& target,
+void to_bits(const EdgeSetting& setting, const ConstImageView& source, const BitPlaneView& target,
              const EdgeRows& rows) {
   sweep_to_bits<Here<Operator>>(setting.thresholds, source, target, rows);
 }

@@ -8,7 +8,7 @@
 // between strips, and for the pages they touch to stay in the translation buffer.
 #pragma once
 
-#include "core/grey_lanes.hpp"
+#include "simd/grey_lanes.hpp"
 #include "edges/kernels.hpp"
 
 namespace thinbench {
@@ -82,7 +82,7 @@ struct Brightest {
 
 /// Lanes that are not 0 become 255 in a byte image.
 struct ByteSink {
-  ByteView target;
+  ImageView target;
 
   [[gnu::always_inline]] void put(Index x, Index y, ByteBatch edges) const {
     std::uint8_t* to = target.row(y) + x;
@@ -93,7 +93,7 @@ struct ByteSink {
 
 /// The same where the image is narrower than a batch.
 struct NarrowByteSink {
-  ByteView target;
+  ImageView target;
 
   void put(Index x, Index y, ByteBatch edges) const {
     std::uint8_t lanes[kLanes];
@@ -162,7 +162,7 @@ void sweep_strip_between(EdgeThresholds thresholds, StripSource source, Index x,
 
 /// All strips of some rows; the last one ends with the row. Needs width >= kLanes.
 template <class Operator, class MakeSink>
-void sweep_rows(EdgeThresholds thresholds, const ConstByteView& image, EdgeRows rows,
+void sweep_rows(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows rows,
                 const MakeSink& make_sink) {
   const Index width = image.width;
   const StripSource source = {image.data, image.stride, 0, 0, image.height - 1};
@@ -178,7 +178,7 @@ void sweep_rows(EdgeThresholds thresholds, const ConstByteView& image, EdgeRows 
 /// Images narrower than a batch: their rows are copied, with all that lies outside, to a buffer as
 /// wide as a batch and its neighbours.
 template <class Operator, class Sink>
-void sweep_narrow(EdgeThresholds thresholds, const ConstByteView& image, EdgeRows rows, Sink sink) {
+void sweep_narrow(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows rows, Sink sink) {
   constexpr Index reach = Operator::kReach;
   constexpr Index stride = kLanes + 2 * reach;
   std::uint8_t buffer[static_cast<std::size_t>(stride * (kStripRows + 2 * reach))];
@@ -206,7 +206,7 @@ template <class Sweep>
 }
 
 template <class Operator>
-void sweep_to_bytes(const EdgeThresholds& thresholds, ConstByteView source, ByteView target,
+void sweep_to_bytes(const EdgeThresholds& thresholds, ConstImageView source, ImageView target,
                     EdgeRows all) {
   for_each_band(all, [&](EdgeRows rows) {
     if (source.width < kLanes) {
@@ -218,7 +218,7 @@ void sweep_to_bytes(const EdgeThresholds& thresholds, ConstByteView source, Byte
 }
 
 template <class Operator>
-void sweep_to_bits(const EdgeThresholds& thresholds, ConstByteView source, BitPlaneView target,
+void sweep_to_bits(const EdgeThresholds& thresholds, ConstImageView source, BitPlaneView target,
                    EdgeRows all) {
   constexpr std::uint64_t every_lane = ~std::uint64_t{0};
   for_each_band(all, [&](EdgeRows rows) {

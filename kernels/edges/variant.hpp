@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/variant_choice.hpp"
+#include "dispatch/variant_choice.hpp"
 #include "edges/kernels.hpp"
 
 namespace thinbench {

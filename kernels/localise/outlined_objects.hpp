@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "holes/labelled_runs.hpp"
+#include "regions/labelled_runs.hpp"
 
 namespace thinbench {
 

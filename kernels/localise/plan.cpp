@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "catalog.hpp"
-#include "holes/plan.hpp"
+#include "regions/plan.hpp"
 
 namespace thinbench {
 namespace {
@@ -26,7 +26,7 @@ EdgePlan edge_plan(const VariantFacts& facts, Index width, Index height,
 }
 
 const RunEngine& run_engine(const VariantFacts& facts) {
-  return facts.technique == Technique::kSimdRuns ? simd_run_engine(facts.isa) : kBitpackedRunEngine;
+  return facts.technique == Technique::simd_runs ? simd_run_engine(facts.isa) : kBitpackedRunEngine;
 }
 
 const VariantFacts& checked(const VariantFacts& facts, Index width, Index height, int threads) {
@@ -45,7 +45,7 @@ LocalisePlan::LocalisePlan(const LocaliseVariant& variant, Index width, Index he
       regions_(run_engine(variant.facts).holes, width, height,
                variant.facts.threaded ? options.threads : 1) {}
 
-RegionLists LocalisePlan::run(const ConstByteView& source) {
+RegionLists LocalisePlan::run(const ConstImageView& source) {
   outlined_.write(edges_.run_to_bits(source), objects_.view());
   return regions_.label(objects_.view());
 }

@@ -2,16 +2,16 @@
 // a grey picture to objects and holes; thinbench_localise.hpp has the convenient one.
 #pragma once
 
-#include "core/planes.hpp"
+#include "image/planes.hpp"
 #include "edges/plan.hpp"
-#include "holes/run_labeller.hpp"
+#include "regions/run_labeller.hpp"
 #include "localise/outlined_objects.hpp"
 #include "localise/variant.hpp"
 
 namespace thinbench {
 
 struct LocaliseOptions {
-  EdgeOperator edges = EdgeOperator::kSobel;
+  EdgeOperator edges = EdgeOperator::sobel;
   EdgeThresholds thresholds = {};
   int threads = 1;  // counts for threaded variants only
 };
@@ -25,13 +25,13 @@ class LocalisePlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative, a side
   /// is above 2^29 or the image above 2^32 pixels, a threshold is not in [0, 255] or threads is not
-  /// in [1, kMostThreads]; std::bad_alloc where memory is short.
+  /// in [1, kMaxThreads]; std::bad_alloc where memory is short.
   LocalisePlan(const LocaliseVariant& variant, Index width, Index height,
                const LocaliseOptions& options = {});
 
   /// Objects and holes, valid until the next run. `source` must have the size of the plan, nothing
   /// is checked here. Throws std::bad_alloc.
-  RegionLists run(const ConstByteView& source);
+  RegionLists run(const ConstImageView& source);
 
   /// For tests: whether everything outside the rows of the plan's planes is still zero.
   [[nodiscard]] bool margins_are_zero() const;

@@ -1,28 +1,28 @@
 #include <array>
 
-#include "holes/states.hpp"
+#include "regions/states.hpp"
 #include "localise/variant.hpp"
 
 namespace thinbench {
 namespace {
 
 constexpr LocaliseVariant simd_runs(Isa isa, bool threaded = false) {
-  return {{Technique::kSimdRuns, isa, threaded, kSimdRunsWidth}};
+  return {{Technique::simd_runs, isa, threaded, kSimdRunsWidth}};
 }
 
 constexpr std::array kRows = {
-    LocaliseVariant{{Technique::kBitpackedRuns, Isa::kBaseline, false}},
-    LocaliseVariant{{Technique::kBitpackedRuns, Isa::kBaseline, true}},
-    simd_runs(Isa::kBaseline),
-    simd_runs(Isa::kSse42),
-    simd_runs(Isa::kAvx2),
-    simd_runs(Isa::kAvx512),
-    simd_runs(Isa::kAvx512Icl),
-    simd_runs(Isa::kBaseline, true),
-    simd_runs(Isa::kSse42, true),
-    simd_runs(Isa::kAvx2, true),
-    simd_runs(Isa::kAvx512, true),
-    simd_runs(Isa::kAvx512Icl, true),
+    LocaliseVariant{{Technique::bitpacked_runs, Isa::baseline, false}},
+    LocaliseVariant{{Technique::bitpacked_runs, Isa::baseline, true}},
+    simd_runs(Isa::baseline),
+    simd_runs(Isa::sse42),
+    simd_runs(Isa::avx2),
+    simd_runs(Isa::avx512),
+    simd_runs(Isa::avx512icl),
+    simd_runs(Isa::baseline, true),
+    simd_runs(Isa::sse42, true),
+    simd_runs(Isa::avx2, true),
+    simd_runs(Isa::avx512, true),
+    simd_runs(Isa::avx512icl, true),
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/variant_choice.hpp"
+#include "dispatch/variant_choice.hpp"
 
 namespace thinbench {
 

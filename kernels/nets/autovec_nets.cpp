@@ -1,7 +1,7 @@
 // The nets' equations on bytes 0/1 as plain loops over strips of a row that compilers vectorise, at
 // -O3 for every instruction-set level: what hand-written SIMD is compared with. Light pixels are
 // computed and dropped; the equations have no branch.
-#include "core/isa.hpp"
+#include "dispatch/isa.hpp"
 #include "nets/exponential.hpp"
 #include "nets/model.hpp"
 #include "nets/model_passes.hpp"
@@ -33,7 +33,7 @@ void net_input(const Neuron& neuron, const float (*inputs)[kStrip], float* sum) 
 
 template <Activation activation>
 float answer(float x) {
-  if constexpr (activation == Activation::kSigmoid) return sigmoid(x);
+  if constexpr (activation == Activation::sigmoid) return sigmoid(x);
   const float inside = 0.166F * x + 0.5F;
   const float not_below = x < -3.0F ? 0.0F : inside;
   return x > 3.0F ? 1.0F : not_below;
@@ -112,7 +112,7 @@ std::uint64_t pass(const RuleModel* model, const ConstBytePlaneView& source,
 
 template <>
 constinit const NetPasses<Pass<std::uint8_t>> IsaModelPasses<Isa::THINBENCH_ISA>::kAutovec = {
-    &pass<TwoLayerStrip<Activation::kSigmoid>>, &pass<TwoLayerStrip<Activation::kLinear>>,
+    &pass<TwoLayerStrip<Activation::sigmoid>>, &pass<TwoLayerStrip<Activation::linear>>,
     &pass<ClusterStrip>};
 
 }  // namespace thinbench

@@ -14,9 +14,9 @@
 #include <immintrin.h>
 #endif
 
-#include "core/word.hpp"
+#include "simd/word.hpp"
 #include "nets/weights.hpp"
-#include "thinning/passes.hpp"
+#include "thinning/engines/passes.hpp"
 
 namespace thinbench {
 

@@ -4,7 +4,7 @@
 // Cost a batch: 64 masked additions (on AVX-512 a word of neighbours is the mask), 3 operations for
 // each answer, and for each pair of hidden neurons 2 interleavings, 2 multiply-adds and 2 additions
 // in 16 bits: about 115 operations for 64 pixels on AVX-512.
-#include "core/batch.hpp"
+#include "simd/batch.hpp"
 #include "nets/changed_pixels.hpp"
 #include "nets/model.hpp"
 #include "nets/model_passes.hpp"

@@ -2,7 +2,7 @@
 // ISA files only.
 #pragma once
 
-#include "core/batch.hpp"
+#include "simd/batch.hpp"
 #include "nets/exponential.hpp"
 
 namespace thinbench {

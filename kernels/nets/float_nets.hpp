@@ -34,7 +34,7 @@ struct NumberInputs {
 
 template <Activation activation>
 [[gnu::always_inline]] inline FloatBatch answer(FloatBatch x) {
-  if constexpr (activation == Activation::kSigmoid) {
+  if constexpr (activation == Activation::sigmoid) {
     return sigmoid(x);
   } else {
     const FloatBatch inside = FloatBatch(0.166F) * x + FloatBatch(0.5F);

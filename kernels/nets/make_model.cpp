@@ -6,7 +6,7 @@
 
 #include "nets/decision_diagram.hpp"
 #include "nets/exponential.hpp"
-#include "thinning/pair_table.hpp"
+#include "thinning/engines/pair_table.hpp"
 
 namespace thinbench {
 namespace {
@@ -18,7 +18,7 @@ float net_input(const Neuron& neuron, const float* inputs) {
 }
 
 float answer(Activation activation, float x) {
-  if (activation == Activation::kSigmoid) return sigmoid(x);
+  if (activation == Activation::sigmoid) return sigmoid(x);
   if (x > 3.0F) return 1.0F;
   if (x < -3.0F) return 0.0F;
   return 0.166F * x + 0.5F;
@@ -105,7 +105,7 @@ void find_fixed_point(RuleModel& model) {
 }
 
 void fill_columns(const ClusterWeights& weights, RuleModel& model) {
-  for (int net = 0; net < kMostClusterNets; ++net) {
+  for (int net = 0; net < kMaxClusterNets; ++net) {
     const bool exists = net < weights.count;
     const Neuron neuron = exists ? weights.nets[net].neuron : Neuron{};
     for (int i = 0; i < kNetInputs; ++i) model.cluster_column[i][net] = neuron.weight[i];
@@ -151,14 +151,14 @@ RuleModel two_layer_model(const TwoLayerWeights& weights, Activation activation)
   model.activation = activation;
   model.two_layer = weights;
   derive_tables(model, [&](int k) { return two_layer_stays(weights, activation, k); });
-  if (activation == Activation::kLinear) find_fixed_point(model);
+  if (activation == Activation::linear) find_fixed_point(model);
   return model;
 }
 
 RuleModel cluster_model(const ClusterWeights& weights) {
-  if (weights.count < 1 || weights.count > kMostClusterNets) {
+  if (weights.count < 1 || weights.count > kMaxClusterNets) {
     throw std::invalid_argument("the cluster has " + std::to_string(weights.count) +
-                                " nets; it must have 1 to " + std::to_string(kMostClusterNets));
+                                " nets; it must have 1 to " + std::to_string(kMaxClusterNets));
   }
   int before = -1;
   for (int net = 0; net < weights.count; ++net) {

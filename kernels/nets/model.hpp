@@ -32,9 +32,9 @@ struct MuxNode {
 /// A truth table over the eight neighbours as a reduced ordered decision diagram; the last value is
 /// the result. With eight variables no order needs more than 79 nodes.
 struct MuxProgram {
-  static constexpr int kMostNodes = 79;
+  static constexpr int kMaxNodes = 79;
   int count;
-  MuxNode nodes[kMostNodes];
+  MuxNode nodes[kMaxNodes];
 };
 
 struct RuleModel {
@@ -43,8 +43,8 @@ struct RuleModel {
   ClusterWeights cluster;
   // The cluster by columns: weight i (or the bias, i = 8) of every net, and its last descriptor;
   // beyond the last net, descriptors that never come.
-  float cluster_column[kNetInputs + 1][kMostClusterNets];
-  float cluster_last[kMostClusterNets];
+  float cluster_column[kNetInputs + 1][kMaxClusterNets];
+  float cluster_last[kMaxClusterNets];
   FixedPointNet fixed_point;
   bool fixed_point_is_exact;        // equal to the float net on all 256 descriptors
   std::uint8_t new_pixel[512];      // by k + 256 p; 0 or 1

@@ -1,8 +1,8 @@
 // The passes of engines that take their rule from a model.
 #pragma once
 
-#include "core/isa.hpp"
-#include "thinning/passes.hpp"
+#include "dispatch/isa.hpp"
+#include "thinning/engines/passes.hpp"
 
 namespace thinbench {
 

@@ -18,7 +18,7 @@ struct MuxRule {
   template <int sub, class Word>
   [[gnu::always_inline]] Word next(const Neighbourhood<Word>& n) const {
     const Word neighbour[kNetInputs] = {n.n0, n.n1, n.n2, n.n3, n.n4, n.n5, n.n6, n.n7};
-    Word value[2 + MuxProgram::kMostNodes];
+    Word value[2 + MuxProgram::kMaxNodes];
     value[0] = n.p ^ n.p;
     value[1] = ~value[0];
     const int count = program.count;

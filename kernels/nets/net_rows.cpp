@@ -37,11 +37,11 @@ std::span<const KnownRule> known_kernels() {
 template <class AnyPass>
 constexpr const AnyPass& pass_of(const NetPasses<AnyPass>& passes, NetKind kind) {
   switch (kind) {
-    case NetKind::kSigmoid:
+    case NetKind::sigmoid:
       return passes.sigmoid;
-    case NetKind::kLinear:
+    case NetKind::linear:
       return passes.linear;
-    case NetKind::kCluster:
+    case NetKind::cluster:
       break;
   }
   return passes.cluster;
@@ -52,13 +52,13 @@ using Rows = std::vector<ThinningVariant>;
 void add_scalar_net_rows(Rows& rows) {
   using enum Technique;
   using Passes = ScalarModelPasses;
-  constexpr Isa base = Isa::kBaseline;
+  constexpr Isa base = Isa::baseline;
   for (const bool threaded : {kOneThread, kThreaded}) {
-    rows.push_back({kLut, base, threaded, kAnyWidth, one(Passes::kLut)});
-    rows.push_back({kBitpacked, base, threaded, kAnyWidth, one(Passes::kBitpacked),
+    rows.push_back({lut, base, threaded, kAnyWidth, one(Passes::kLut)});
+    rows.push_back({bitpacked, base, threaded, kAnyWidth, one(Passes::kBitpacked),
                     known_passes<ScalarPasses::kBitpacked>()});
   }
-  rows.push_back({kLutSliding, base, kOneThread, kAnyWidth, one(Passes::kLutSliding)});
+  rows.push_back({lut_sliding, base, kOneThread, kAnyWidth, one(Passes::kLutSliding)});
 }
 
 template <Isa isa>
@@ -66,20 +66,20 @@ void add_arithmetic_rows(Rows& rows, NetKind kind) {
   using enum Technique;
   using Passes = IsaModelPasses<isa>;
   const ChangePass* bits = &pass_of(Passes::kFloatBits, kind);
-  rows.push_back({kAutovec, isa, kOneThread, kAnyWidth, one(pass_of(Passes::kAutovec, kind))});
+  rows.push_back({autovec, isa, kOneThread, kAnyWidth, one(pass_of(Passes::kAutovec, kind))});
   rows.push_back(
-      {kSimdFloatBytes, isa, kOneThread, kAnyWidth, one(pass_of(Passes::kFloatBytes, kind))});
-  rows.push_back({kSimdFloatBits, isa, kOneThread, kAnyWidth, bits});
-  rows.push_back({kSimdFloatBits, isa, kThreaded, kAnyWidth, bits});
-  if (kind == NetKind::kLinear) {
-    rows.push_back({kSimdFixedPoint, isa, kOneThread, kAnyWidth, &Passes::kFixedPointBits});
+      {simd_float_bytes, isa, kOneThread, kAnyWidth, one(pass_of(Passes::kFloatBytes, kind))});
+  rows.push_back({simd_float_bits, isa, kOneThread, kAnyWidth, bits});
+  rows.push_back({simd_float_bits, isa, kThreaded, kAnyWidth, bits});
+  if (kind == NetKind::linear) {
+    rows.push_back({simd_fixed_point, isa, kOneThread, kAnyWidth, &Passes::kFixedPointBits});
   }
 }
 
 template <Isa isa>
 void add_circuit_rows(Rows& rows) {
   for (const bool threaded : {kOneThread, kThreaded}) {
-    rows.push_back({Technique::kSimdBitpacked, isa, threaded, kAnyWidth,
+    rows.push_back({Technique::simd_bitpacked, isa, threaded, kAnyWidth,
                     one(IsaModelPasses<isa>::kSimdBitpacked),
                     known_passes<IsaPasses<isa>::kSimdBitpacked>()});
   }
@@ -87,38 +87,38 @@ void add_circuit_rows(Rows& rows) {
 
 template <Isa isa>
 void add_row_kernel_net_rows(Rows& rows) {
-  rows.push_back({Technique::kSimdBitpackedRow, isa, kOneThread, kRowKernelWidth,
+  rows.push_back({Technique::simd_bitpacked_row, isa, kOneThread, kRowKernelWidth,
                   &RowKernels<isa>::kModel, known_kernels<isa>()});
 }
 
 Rows all_table_rows() {
   Rows all;
   add_scalar_net_rows(all);
-  add_circuit_rows<Isa::kBaseline>(all);
-  add_circuit_rows<Isa::kSse42>(all);
-  add_circuit_rows<Isa::kAvx2>(all);
-  add_circuit_rows<Isa::kAvx512>(all);
-  add_circuit_rows<Isa::kAvx512Icl>(all);
-  add_row_kernel_net_rows<Isa::kAvx512>(all);
-  add_row_kernel_net_rows<Isa::kAvx512Icl>(all);
+  add_circuit_rows<Isa::baseline>(all);
+  add_circuit_rows<Isa::sse42>(all);
+  add_circuit_rows<Isa::avx2>(all);
+  add_circuit_rows<Isa::avx512>(all);
+  add_circuit_rows<Isa::avx512icl>(all);
+  add_row_kernel_net_rows<Isa::avx512>(all);
+  add_row_kernel_net_rows<Isa::avx512icl>(all);
   return all;
 }
 
 Rows all_rows(NetKind kind) {
   Rows all = all_table_rows();
-  add_arithmetic_rows<Isa::kBaseline>(all, kind);
-  add_arithmetic_rows<Isa::kSse42>(all, kind);
-  add_arithmetic_rows<Isa::kAvx2>(all, kind);
-  add_arithmetic_rows<Isa::kAvx512>(all, kind);
-  add_arithmetic_rows<Isa::kAvx512Icl>(all, kind);
+  add_arithmetic_rows<Isa::baseline>(all, kind);
+  add_arithmetic_rows<Isa::sse42>(all, kind);
+  add_arithmetic_rows<Isa::avx2>(all, kind);
+  add_arithmetic_rows<Isa::avx512>(all, kind);
+  add_arithmetic_rows<Isa::avx512icl>(all, kind);
   return all;
 }
 
 }  // namespace
 
 std::span<const ThinningVariant> net_rows(NetKind kind) {
-  static const std::array rows = {all_rows(NetKind::kSigmoid), all_rows(NetKind::kLinear),
-                                  all_rows(NetKind::kCluster)};
+  static const std::array rows = {all_rows(NetKind::sigmoid), all_rows(NetKind::linear),
+                                  all_rows(NetKind::cluster)};
   return rows.at(static_cast<std::size_t>(kind));
 }
 
@@ -128,17 +128,17 @@ std::span<const ThinningVariant> net_table_rows() {
 }
 
 const RuleModel& paper_sigmoid_model() {
-  static const RuleModel model = two_layer_model(kPaperTwoLayer, Activation::kSigmoid);
+  static const RuleModel model = two_layer_model(kPaperTwoLayer, Activation::sigmoid);
   return model;
 }
 
 const RuleModel& rounded_sigmoid_model() {
-  static const RuleModel model = two_layer_model(kRoundedTwoLayer, Activation::kSigmoid);
+  static const RuleModel model = two_layer_model(kRoundedTwoLayer, Activation::sigmoid);
   return model;
 }
 
 const RuleModel& paper_linear_model() {
-  static const RuleModel model = two_layer_model(kPaperTwoLayer, Activation::kLinear);
+  static const RuleModel model = two_layer_model(kPaperTwoLayer, Activation::linear);
   return model;
 }
 

@@ -8,7 +8,7 @@
 
 namespace thinbench {
 
-enum class NetKind { kSigmoid, kLinear, kCluster };
+enum class NetKind { sigmoid, linear, cluster };
 
 /// All techniques for one kind of net.
 [[nodiscard]] std::span<const ThinningVariant> net_rows(NetKind kind);

@@ -64,8 +64,8 @@ std::uint64_t float_bytes(const RuleModel* model, const ConstBytePlaneView& sour
   });
 }
 
-using Sigmoid = TwoLayerNet<Activation::kSigmoid>;
-using Linear = TwoLayerNet<Activation::kLinear>;
+using Sigmoid = TwoLayerNet<Activation::sigmoid>;
+using Linear = TwoLayerNet<Activation::linear>;
 
 /// Descriptors 0 to 255, a batch at a time.
 template <Activation activation>
@@ -90,7 +90,7 @@ void neuron_values(const RuleModel& model, float* values) {
 
 template <>
 constinit const NeuronValues IsaModelPasses<kThisIsa>::kNeuronValues = {
-    &neuron_values<Activation::kSigmoid>, &neuron_values<Activation::kLinear>};
+    &neuron_values<Activation::sigmoid>, &neuron_values<Activation::linear>};
 
 template <>
 constinit const NetPasses<ChangePass> IsaModelPasses<kThisIsa>::kFloatBits = {

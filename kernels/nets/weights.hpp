@@ -9,8 +9,8 @@ inline constexpr int kHiddenNeurons = 8;
 
 /// How the neurons of the two-layer net answer.
 enum class Activation {
-  kSigmoid,  // equation (1): 1 / (1 + e^-x)
-  kLinear,   // equation (2): 0.166 x + 0.5 within [-3, 3], else 0 or 1
+  sigmoid,  // equation (1): 1 / (1 + e^-x)
+  linear,   // equation (2): 0.166 x + 0.5 within [-3, 3], else 0 or 1
 };
 
 /// A neuron: its net input is bias + weight[0] n0 + ... + weight[7] n7. All sums of this project
@@ -33,12 +33,12 @@ struct ClusterNet {
   Neuron neuron;
 };
 
-inline constexpr int kMostClusterNets = 16;
+inline constexpr int kMaxClusterNets = 16;
 
 /// `nets[0]` begins at descriptor 0, `nets[count - 1]` ends at 255.
 struct ClusterWeights {
   int count;
-  ClusterNet nets[kMostClusterNets];
+  ClusterNet nets[kMaxClusterNets];
 };
 
 /// Table 1 of the paper.

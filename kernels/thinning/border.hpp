@@ -8,8 +8,8 @@
 namespace thinbench {
 
 enum class Border : std::uint8_t {
-  kBackground,  // everything outside the image is light
-  kKeep,        // as OpenCV: the outermost rows and columns never change
+  background,  // everything outside the image is light
+  keep,        // as OpenCV: the outermost rows and columns never change
 };
 
 inline constexpr std::array<std::string_view, 2> kBorderNames = {"background", "keep"};

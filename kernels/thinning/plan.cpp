@@ -4,19 +4,19 @@
 #include <array>
 #include <string>
 
-#include "core/plan_checks.hpp"
+#include "image/checks.hpp"
 #include "nets/model.hpp"
-#include "scan/state.hpp"
-#include "thinning/iterate.hpp"
-#include "thinning/state.hpp"
-#include "thinning/tile_state.hpp"
+#include "midpoints/state.hpp"
+#include "thinning/iteration/iterate.hpp"
+#include "thinning/iteration/state.hpp"
+#include "thinning/iteration/tile_state.hpp"
 
 namespace thinbench {
 namespace {
 
 void check(const ThinningVariant& variant, Index width, Index height, int threads, Border border) {
   require_size(width, height);
-  require_few_pixels(width, height);
+  require_max_pixels(width, height);
   require_threads(threads);
   require_available(facts_of(variant), width);
   require(knows_border(variant, border), std::string(technique_name(variant.technique)) + " at " +
@@ -30,12 +30,12 @@ struct Setting {
   Index width;
   Index height;
   int threads;
-  int most_passes;
+  int max_iterations;
   Border border;
   Directions directions;
   std::shared_ptr<const RuleModel> model;
 
-  [[nodiscard]] Conditions conditions() const { return {model.get(), most_passes, border}; }
+  [[nodiscard]] Conditions conditions() const { return {model.get(), max_iterations, border}; }
 };
 
 std::shared_ptr<const RuleModel> chosen_model(const ThinningOperation& operation,
@@ -48,7 +48,7 @@ std::shared_ptr<const RuleModel> chosen_model(const ThinningOperation& operation
   auto model = given != nullptr ? given
                                 : std::shared_ptr<const RuleModel>(std::shared_ptr<void>(),
                                                                    &operation.default_model());
-  require(variant.technique != Technique::kSimdFixedPoint || model->fixed_point_is_exact,
+  require(variant.technique != Technique::simd_fixed_point || model->fixed_point_is_exact,
           "simd_fixed_point cannot run: no 8-bit weights decide as these do");
   return model;
 }
@@ -130,7 +130,7 @@ struct RowState final : PlaneState<std::uint64_t> {
 
   int thin() override {
     const auto& source = planes.source;
-    return kernel(setting.model.get(), setting.most_passes, source.view(), planes.result.view(),
+    return kernel(setting.model.get(), setting.max_iterations, source.view(), planes.result.view(),
                   scratch.get());
   }
 
@@ -173,7 +173,7 @@ ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVar
                            width,
                            height,
                            variant.threaded ? options.threads : 1,
-                           operation.most_passes,
+                           operation.max_iterations,
                            border,
                            options.directions.value_or(Directions{}),
                            chosen_model(operation, variant, options.model)};
@@ -183,7 +183,7 @@ ThinningPlan::ThinningPlan(const ThinningOperation& operation, const ThinningVar
       return std::make_unique<RowState>(*engine, setting);
     } else if constexpr (std::is_same_v<Engine, TileEngine>) {
       return std::make_unique<TileState>(
-          engine, TileSetting{variant.isa, width, height, setting.threads, setting.most_passes});
+          engine, TileSetting{variant.isa, width, height, setting.threads, setting.max_iterations});
     } else if constexpr (std::is_same_v<Engine, const ChangePass*>) {
       return std::make_unique<ChangeState>(*engine, setting);
     } else if constexpr (std::is_same_v<Engine, const ScanKernels*>) {
@@ -204,13 +204,13 @@ ThinningPlan::~ThinningPlan() = default;
 ThinningPlan::ThinningPlan(ThinningPlan&&) noexcept = default;
 ThinningPlan& ThinningPlan::operator=(ThinningPlan&&) noexcept = default;
 
-void ThinningPlan::load(ConstByteView source) {
+void ThinningPlan::load(ConstImageView source) {
   state_->load(source);
 }
 int ThinningPlan::thin() {
   return state_->thin();
 }
-void ThinningPlan::store(ByteView destination) const {
+void ThinningPlan::store(ImageView destination) const {
   state_->store(destination);
 }
 
@@ -218,7 +218,7 @@ bool ThinningPlan::margins_are_zero() const {
   return state_->margins_are_zero();
 }
 
-int ThinningPlan::run(ConstByteView source, ByteView destination) {
+int ThinningPlan::run(ConstImageView source, ImageView destination) {
   return state_->run(source, destination);
 }
 

@@ -23,7 +23,7 @@ struct PlanOptions {
 class ThinningPlan {
  public:
   /// Throws std::invalid_argument where the variant cannot run here, the size is negative or has
-  /// more than 2^40 pixels, threads is not in [1, kMostThreads], a model is given to an operation
+  /// more than 2^40 pixels, threads is not in [1, kMaxThreads], a model is given to an operation
   /// that takes none, directions to one that is no scan, or 8-bit sums cannot express the model;
   /// std::bad_alloc where memory is short.
   ThinningPlan(const ThinningOperation& operation, const ThinningVariant& variant, Index width,
@@ -37,14 +37,14 @@ class ThinningPlan {
   /// Thins `source` (0 is light, anything else dark) into `destination` (0 and 255) and returns how
   /// many passes it took, the last one, which changed nothing, included. The two may be the same
   /// image. Both must have the size of the plan; nothing is checked here.
-  int run(ConstByteView source, ByteView destination);
+  int run(ConstImageView source, ImageView destination);
 
   /// The three steps of run, for timing them apart: into the variant's own representation; passes
   /// until nothing changes (the input is kept, so this may be repeated); and back to bytes. The
   /// last two work on what load() took; run() need not leave anything for them.
-  void load(ConstByteView source);
+  void load(ConstImageView source);
   int thin();
-  void store(ByteView destination) const;
+  void store(ImageView destination) const;
 
   /// For tests: whether everything outside the rows of the plan's planes is still zero.
   [[nodiscard]] bool margins_are_zero() const;

@@ -6,7 +6,7 @@
 #include <span>
 #include <tuple>
 
-#include "thinning/iterate.hpp"
+#include "thinning/iteration/iterate.hpp"
 #include "thinning/variant.hpp"
 
 namespace thinbench {
@@ -14,7 +14,7 @@ namespace thinbench {
 /// The passes of one rule out of an engine's table.
 template <class Rule, class T>
 constexpr std::span<const Pass<T>> cycle(const PassTable<T>& table) {
-  static_assert(Rule::kSubIterations <= TileActivity::kLongestCycle);
+  static_assert(Rule::kSubIterations <= TileActivity::kMaxSubIterations);
   return {&table.passes[first_step<Rule>(AllRules{})], Rule::kSubIterations};
 }
 
@@ -33,11 +33,11 @@ constexpr auto joined(const Arrays&... arrays) {
 template <class Rule>
 constexpr auto table_rows() {
   using enum Technique;
-  constexpr Isa base = Isa::kBaseline;
+  constexpr Isa base = Isa::baseline;
   return std::array{
-      ThinningVariant{kLut, base, kOneThread, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
-      ThinningVariant{kLut, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
-      ThinningVariant{kLutSliding, base, kOneThread, kAnyWidth,
+      ThinningVariant{lut, base, kOneThread, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
+      ThinningVariant{lut, base, kThreaded, kAnyWidth, cycle<Rule>(ScalarPasses::kLut)},
+      ThinningVariant{lut_sliding, base, kOneThread, kAnyWidth,
                       cycle<Rule>(ScalarPasses::kLutSliding)},
   };
 }
@@ -45,11 +45,11 @@ constexpr auto table_rows() {
 template <class Rule>
 constexpr auto scalar_rows() {
   using enum Technique;
-  constexpr Isa base = Isa::kBaseline;
+  constexpr Isa base = Isa::baseline;
   return std::array{
-      ThinningVariant{kBitpacked, base, kOneThread, kAnyWidth,
+      ThinningVariant{bitpacked, base, kOneThread, kAnyWidth,
                       cycle<Rule>(ScalarPasses::kBitpacked)},
-      ThinningVariant{kBitpacked, base, kThreaded, kAnyWidth,
+      ThinningVariant{bitpacked, base, kThreaded, kAnyWidth,
                       cycle<Rule>(ScalarPasses::kBitpacked)},
   };
 }
@@ -59,11 +59,11 @@ constexpr auto isa_rows() {
   using enum Technique;
   using Passes = IsaPasses<isa>;
   return std::array{
-      ThinningVariant{kAutovec, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kAutovec)},
-      ThinningVariant{kSimdBytes, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kSimdBytes)},
-      ThinningVariant{kSimdBitpacked, isa, kOneThread, kAnyWidth,
+      ThinningVariant{autovec, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kAutovec)},
+      ThinningVariant{simd_bytes, isa, kOneThread, kAnyWidth, cycle<Rule>(Passes::kSimdBytes)},
+      ThinningVariant{simd_bitpacked, isa, kOneThread, kAnyWidth,
                       cycle<Rule>(Passes::kSimdBitpacked)},
-      ThinningVariant{kSimdBitpacked, isa, kThreaded, kAnyWidth,
+      ThinningVariant{simd_bitpacked, isa, kThreaded, kAnyWidth,
                       cycle<Rule>(Passes::kSimdBitpacked)},
   };
 }
@@ -71,41 +71,41 @@ constexpr auto isa_rows() {
 /// The sub-iterations of one rule over tiles.
 template <class Rule, Isa isa>
 constexpr TileEngine tile_cycle() {
-  static_assert(Rule::kSubIterations <= TileGridView::kLongestCycle);
+  static_assert(Rule::kSubIterations <= TileGridView::kMaxSubIterations);
   const TileVisit* first = &TilePasses<isa>::kTable.passes[first_step<Rule>(AllRules{})];
   return {{first, Rule::kSubIterations},
           &TilePasses<isa>::kListActive,
-          &TilePasses<isa>::kFindKept,
+          &TilePasses<isa>::kFindHeld,
           &TilePasses<isa>::kLayout};
 }
 
 template <class Rule, Isa isa>
 constexpr auto tile_rows() {
-  constexpr Technique tiles = Technique::kSimdBitpackedTiles;
+  constexpr Technique tiles = Technique::simd_bitpacked_tiles;
   return std::array{ThinningVariant{tiles, isa, kOneThread, kAnyWidth, tile_cycle<Rule, isa>()},
                     ThinningVariant{tiles, isa, kThreaded, kAnyWidth, tile_cycle<Rule, isa>()}};
 }
 
 template <class Rule>
 constexpr auto all_tile_rows() {
-  return joined(tile_rows<Rule, Isa::kBaseline>(), tile_rows<Rule, Isa::kSse42>(),
-                tile_rows<Rule, Isa::kAvx2>(), tile_rows<Rule, Isa::kAvx512>(),
-                tile_rows<Rule, Isa::kAvx512Icl>());
+  return joined(tile_rows<Rule, Isa::baseline>(), tile_rows<Rule, Isa::sse42>(),
+                tile_rows<Rule, Isa::avx2>(), tile_rows<Rule, Isa::avx512>(),
+                tile_rows<Rule, Isa::avx512icl>());
 }
 
 template <class Rule, Isa isa>
 constexpr auto row_kernel_rows() {
   return std::array{
-      ThinningVariant{Technique::kSimdBitpackedRow, isa, kOneThread, kRowKernelWidth,
+      ThinningVariant{Technique::simd_bitpacked_row, isa, kOneThread, kRowKernelWidth,
                       &RowKernels<isa>::kTable.kernels[rule_index<Rule>(AllRules{})]}};
 }
 
 /// Techniques that know either way of treating the border.
 template <class Rule>
 constexpr auto rows_of_either_border() {
-  constexpr auto rows = joined(scalar_rows<Rule>(), isa_rows<Rule, Isa::kBaseline>(),
-                               isa_rows<Rule, Isa::kSse42>(), isa_rows<Rule, Isa::kAvx2>(),
-                               isa_rows<Rule, Isa::kAvx512>(), isa_rows<Rule, Isa::kAvx512Icl>());
+  constexpr auto rows = joined(scalar_rows<Rule>(), isa_rows<Rule, Isa::baseline>(),
+                               isa_rows<Rule, Isa::sse42>(), isa_rows<Rule, Isa::avx2>(),
+                               isa_rows<Rule, Isa::avx512>(), isa_rows<Rule, Isa::avx512icl>());
   if constexpr (TwoStageRule<Rule>) {
     return rows;
   } else {
@@ -117,8 +117,8 @@ constexpr auto rows_of_either_border() {
 template <class Rule>
 const auto& rows_of() {
   static constexpr auto rows =
-      joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::kAvx512>(),
-             row_kernel_rows<Rule, Isa::kAvx512Icl>(), all_tile_rows<Rule>());
+      joined(rows_of_either_border<Rule>(), row_kernel_rows<Rule, Isa::avx512>(),
+             row_kernel_rows<Rule, Isa::avx512icl>(), all_tile_rows<Rule>());
   return rows;
 }
 

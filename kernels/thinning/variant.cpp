@@ -10,13 +10,13 @@ namespace thinbench {
 bool knows_border(const ThinningVariant& variant, Border border) {
   using ByteCycle = std::span<const Pass<std::uint8_t>>;
   using BitCycle = std::span<const Pass<std::uint64_t>>;
-  return border == Border::kBackground || std::holds_alternative<ByteCycle>(variant.engine) ||
+  return border == Border::background || std::holds_alternative<ByteCycle>(variant.engine) ||
          std::holds_alternative<BitCycle>(variant.engine) ||
          std::holds_alternative<const ChangePass*>(variant.engine);
 }
 
-std::string_view why_unavailable(const ThinningVariant& variant, Index width, Border border) {
-  const std::string_view reason = why_unavailable(facts_of(variant), width);
+std::string_view unavailable_reason(const ThinningVariant& variant, Index width, Border border) {
+  const std::string_view reason = unavailable_reason(facts_of(variant), width);
   if (!reason.empty()) return reason;
   return knows_border(variant, border) ? "" : kDoesNotKeepBorder;
 }

@@ -7,15 +7,15 @@
 #include <variant>
 #include <vector>
 
-#include "core/variant_choice.hpp"
-#include "scan/work.hpp"
+#include "dispatch/variant_choice.hpp"
+#include "midpoints/work.hpp"
 #include "thinning/border.hpp"
-#include "thinning/image_kernel.hpp"
-#include "thinning/lane_kernels.hpp"
-#include "thinning/passes.hpp"
-#include "thinning/row_kernel.hpp"
+#include "thinning/engines/image_kernel.hpp"
+#include "thinning/engines/lane_kernels.hpp"
+#include "thinning/engines/passes.hpp"
+#include "thinning/engines/row_kernel.hpp"
 #include "thinning/rule_table.hpp"
-#include "thinning/tile_passes.hpp"
+#include "thinning/engines/tile_passes.hpp"
 
 namespace thinbench {
 
@@ -52,8 +52,8 @@ struct ThinningOperation {
   /// The model that is used where none is given; nullptr for operations without one.
   const RuleModel& (*default_model)() = nullptr;
   /// Passes at most; 1 for operations that are one pass.
-  int most_passes = std::numeric_limits<int>::max();
-  Border border = Border::kBackground;
+  int max_iterations = std::numeric_limits<int>::max();
+  Border border = Border::background;
   bool takes_directions = false;  // a scan
   /// For many small images at once; nullptr where there are none.
   const LaneKernelRows* lane_kernels = nullptr;
@@ -73,7 +73,7 @@ struct ThinningOperation {
 inline constexpr std::string_view kDoesNotKeepBorder = "this variant does not keep the border";
 
 /// Why a variant cannot run here on an image of this width; empty where it can.
-[[nodiscard]] std::string_view why_unavailable(const ThinningVariant& variant, Index width,
-                                               Border border = Border::kBackground);
+[[nodiscard]] std::string_view unavailable_reason(const ThinningVariant& variant, Index width,
+                                               Border border = Border::background);
 
 }  // namespace thinbench

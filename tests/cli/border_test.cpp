@@ -30,7 +30,7 @@ class Border : public testing::Test {
   }
 
   TemporaryFolder folder;
-  ByteImage picture = std::move(render_scene({SceneKind::kFrameTouching}).binary);
+  ByteImage picture = std::move(render_scene({SceneKind::frame_touching}).binary);
   std::string in = folder.file("in.png");
   std::string out = folder.file("out.png");
 };

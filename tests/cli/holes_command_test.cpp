@@ -121,7 +121,7 @@ TEST_F(HolesCommand, variants_that_cannot_run_are_explained_as_by_the_other_comm
   EXPECT_EQ(failure_of({"holes", in, "--technique", "simd_runs"}, 1),
             "simd_runs takes pictures up to 65534 pixels wide; this one has 65535");
   const IsaCap cap("baseline");
-  if (!cpu_supports(Isa::kAvx2)) GTEST_SKIP() << "needs avx2";
+  if (!cpu_supports(Isa::avx2)) GTEST_SKIP() << "needs avx2";
   EXPECT_EQ(failure_of({"holes", in, "--isa", "avx2"}, 1),
             "avx2 is above the cap THINBENCH_MAX_ISA=baseline");
 }

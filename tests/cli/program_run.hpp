@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "core/isa.hpp"
+#include "dispatch/isa.hpp"
 
 namespace thinbench {
 

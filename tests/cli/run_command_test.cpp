@@ -99,8 +99,8 @@ TEST_F(RunCommand, directions_choose_where_skeleton_scan_looks) {
   };
   ThinningOptions how;
   how.directions = kNoDirections;
-  how.directions->add(Direction::kRows);
-  how.directions->add(Direction::kDiagonals);
+  how.directions->add(Direction::rows);
+  how.directions->add(Direction::diagonals);
   ByteImage expected = bars();
   for (Index y = 0; y < expected.height(); ++y) {
     for (Index x = 0; x < expected.width(); ++x) {
@@ -152,7 +152,7 @@ TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
   EXPECT_EQ(failure({"--technique", "simd_float_bytes"}, 2)
                 .find("thin_naccache_shinghal is not made by simd_float_bytes, only by lut, "),
             0U);
-  if (!isa_available(Isa::kSse42)) GTEST_SKIP() << "needs sse4.2";
+  if (!isa_available(Isa::sse42)) GTEST_SKIP() << "needs sse4.2";
   EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
             "lut is not made for sse4.2, only for baseline");
 }
@@ -160,7 +160,7 @@ TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
 TEST_F(RunCommand, isa_above_the_cap_is_refused) {
   const IsaCap cap("baseline");
   for (const Isa isa : kAllIsas) {
-    if (isa == Isa::kBaseline) continue;
+    if (isa == Isa::baseline) continue;
     const std::string name(isa_name(isa));
     const std::string reason =
         cpu_supports(isa) ? name + " is above the cap THINBENCH_MAX_ISA=baseline"
@@ -177,7 +177,7 @@ TEST_F(RunCommand, technique_that_needs_more_than_the_cap_is_refused) {
 }
 
 TEST_F(RunCommand, picture_wider_than_the_limit_is_refused) {
-  if (!isa_available(Isa::kAvx512)) GTEST_SKIP() << "needs avx512";
+  if (!isa_available(Isa::avx512)) GTEST_SKIP() << "needs avx512";
   write_grey(in, bars(600).view());
   EXPECT_EQ(failure({"--technique", "simd_bitpacked_row"}, 1),
             "simd_bitpacked_row takes pictures up to 512 pixels wide; this one has 600");

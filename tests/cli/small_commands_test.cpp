@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/thread_team.hpp"
+#include "image/thread_team.hpp"
 #include "peers/peers.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
@@ -43,7 +43,7 @@ TEST(ListCommand, json_says_why_a_row_is_not_available) {
   EXPECT_EQ(list.size(), catalogue_size());
   for (const Json& row : list) {
     EXPECT_EQ(row.size(), 9U);
-    EXPECT_LE(row["least_pixels"], row["threads"] == "n" ? kLeastPixelsForThreads : 0);
+    EXPECT_LE(row["least_pixels"], row["threads"] == "n" ? kMinPixelsForThreads : 0);
     EXPECT_EQ(row["available"], row["isa"] == "baseline" || row["peer"]);
     EXPECT_EQ(row["available"], row["reason"] == "");
     EXPECT_TRUE(row["threads"] == "1" || row["threads"] == "n");

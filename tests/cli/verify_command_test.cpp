@@ -94,7 +94,7 @@ std::uint64_t idle_pass(const RuleModel*, const ConstBytePlaneView& source,
 
 TEST(VerifyReport, shows_a_mismatch_and_fails) {
   const std::array passes = {Pass<std::uint8_t>{&idle_pass}};
-  const ThinningVariant variant{Technique::kLut, Isa::kBaseline, false, 1000,
+  const ThinningVariant variant{Technique::lut, Isa::baseline, false, 1000,
                                 std::span<const Pass<std::uint8_t>>(passes)};
   const ThinningOperation idle = {thinning_operations().front().name, "for tests",
                                   std::span(&variant, 1)};

@@ -56,7 +56,7 @@ TEST(Limits, one_row_of_each_operation_is_fastest_and_end_to_end) {
   std::erase_if(rows, [](const TimedRow& row) { return row.variant == nullptr; });
   const std::vector<TimedRow> fastest = fastest_rows(rows);
   ASSERT_EQ(fastest.size(), 2U);
-  for (const TimedRow& row : fastest) EXPECT_EQ(row.scope, Scope::kEndToEnd);
+  for (const TimedRow& row : fastest) EXPECT_EQ(row.scope, Scope::end_to_end);
   EXPECT_NE(fastest[0].operation, fastest[1].operation);
 }
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/isa.hpp"
+#include "dispatch/isa.hpp"
 #include "counts/counted_input.hpp"
 
 namespace thinbench {
@@ -92,7 +92,7 @@ TEST(RowCounts, callgrind_counts_what_single_steps_count) {
   EXPECT_EQ(counts.callgrind.why_not, "");
   ASSERT_EQ(counts.rows.size(), rows.size());
   for (const RowCount& count : counts.rows) {
-    EXPECT_EQ(count.method, Method::kCallgrind) << count.row->name;
+    EXPECT_EQ(count.method, Method::callgrind) << count.row->name;
     const auto steps = static_cast<double>(count_of(*count.row, 1000000).value_or(0));
     EXPECT_NEAR(static_cast<double>(count.instructions), steps, 0.01 * steps) << count.row->name;
   }
@@ -104,23 +104,23 @@ TEST(RowCounts, single_steps_count_where_valgrind_is_missing_and_say_so) {
   EXPECT_NE(counts.callgrind.why_not, "");
   EXPECT_EQ(counts.callgrind.version, "");
   ASSERT_EQ(counts.rows.size(), 2U);
-  EXPECT_EQ(counts.rows[0].method, Method::kSingleSteps);
+  EXPECT_EQ(counts.rows[0].method, Method::single_steps);
 }
 
 TEST(RowCounts, callgrind_is_left_alone_where_only_avx512_is_asked_for) {
-  if (!isa_available(Isa::kAvx512)) GTEST_SKIP() << "this machine lacks avx512";
+  if (!isa_available(Isa::avx512)) GTEST_SKIP() << "this machine lacks avx512";
   const PathWithoutValgrind path;
   const RowCounts counts =
       counts_of(rows_matching("^euler_number/simd_bitpacked/avx512/1/"), 100000);
   EXPECT_EQ(counts.callgrind.why_not, "");
   ASSERT_EQ(counts.rows.size(), 2U);
-  EXPECT_EQ(counts.rows[0].method, Method::kSingleSteps);
+  EXPECT_EQ(counts.rows[0].method, Method::single_steps);
 }
 
 /// Ends its process in the middle of a call.
 class EndingJob : public Job {
  public:
-  void run(const ConstByteView&, const ByteView&) override {
+  void run(const ConstImageView&, const ImageView&) override {
     if (++calls_ == 2) std::raise(SIGKILL);
   }
 

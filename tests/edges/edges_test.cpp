@@ -28,7 +28,7 @@ TEST(EdgeThresholds, every_variant_equals_its_reference_at_every_kind) {
           EdgeThresholds{128, 254}, EdgeThresholds{255, 0}, EdgeThresholds{0, 255}}) {
       const Operation operation = edges_operation(edges, thresholds);
       for (const Variant& variant : operation.variants) {
-        if (!variant.why_unavailable(199).empty()) continue;
+        if (!variant.unavailable_reason(199).empty()) continue;
         const auto job = variant.make_job(199, 41, variant.threaded ? 3 : 1);
         EXPECT_EQ(find_mismatch(*job, image.view(), expected_of(operation, variant, image.view())),
                   std::nullopt)
@@ -72,7 +72,7 @@ TEST(EdgePlan, bits_hold_what_bytes_show) {
   const ByteImage image = grey_noise_image(131, 20, 0, 255, 5);
   const EdgeOperation& operation = *find_edge_operation(kSobel);
   const EdgeVariant& variant =
-      choose_variant(operation, 131, {.technique = Technique::kSimdToBits, .isa = {}});
+      choose_variant(operation, 131, {.technique = Technique::simd_to_bits, .isa = {}});
   EdgePlan plan(operation, variant, 131, 20);
   const ConstBitPlaneView bits = plan.run_to_bits(image.view());
   const Outcome expected = expected_of(kSobel, image.view());
@@ -92,7 +92,7 @@ TEST(EdgePlan, variants_of_bytes_have_no_bits) {
 
 TEST(DetectEdges, default_choice_is_the_fastest_available) {
   const EdgeVariant& variant = choose_variant(*find_edge_operation(kSobel), 100);
-  EXPECT_EQ(variant.facts.technique, Technique::kSimd16Bit);
+  EXPECT_EQ(variant.facts.technique, Technique::simd_16bit);
   EXPECT_FALSE(variant.facts.threaded);
 }
 
@@ -106,7 +106,7 @@ TEST(DetectEdges, empty_images_are_fine) {
   }
 }
 
-std::string refusal(const ConstByteView& source, const ByteView& destination,
+std::string refusal(const ConstImageView& source, const ImageView& destination,
                     const EdgeThresholds& thresholds = {}, std::string_view operation = kSobel,
                     int threads = 1) {
   try {
@@ -135,14 +135,14 @@ TEST(DetectEdges, refuses_what_it_cannot_do_and_says_why) {
 TEST(DetectEdges, refuses_views_that_are_no_images_or_overlap_in_part) {
   ByteImage a(20, 10);
   ByteImage b(20, 10);
-  const ByteView to = b.view();
+  const ImageView to = b.view();
   EXPECT_EQ(refusal({nullptr, 20, 10, 64}, to), "source has no data");
   EXPECT_EQ(refusal(a.view(), {nullptr, 20, 10, 64}), "destination has no data");
   EXPECT_EQ(refusal({a.view().data, 20, 10, 19}, to),
             "source has a stride of 19 bytes, below its width of 20");
   EXPECT_EQ(refusal({a.view().data, -1, 10, 64}, to), "source has the size -1 x 10");
   ByteImage both(50, 12);
-  const ByteView view = both.view();
+  const ImageView view = both.view();
   EXPECT_EQ(refusal({view.data, 20, 10, view.stride}, {view.row(2) + 3, 20, 10, view.stride}),
             "source and destination overlap");
   EXPECT_EQ(refusal({view.data, 20, 10, view.stride}, {view.data + 25, 20, 10, view.stride}), "")
@@ -150,7 +150,7 @@ TEST(DetectEdges, refuses_views_that_are_no_images_or_overlap_in_part) {
 }
 
 TEST(DetectEdges, refuses_what_there_is_not_and_lists_what_there_is) {
-  const auto refusal_of = [](const VariantWish& wish) -> std::string {
+  const auto refusal_of = [](const VariantRequest& wish) -> std::string {
     try {
       static_cast<void>(choose_variant(*find_edge_operation(kSobel), 100, wish));
     } catch (const std::invalid_argument& error) {
@@ -159,13 +159,13 @@ TEST(DetectEdges, refuses_what_there_is_not_and_lists_what_there_is) {
     return "";
   };
   const std::string none = ": there is no such variant; ";
-  EXPECT_EQ(refusal_of({Technique::kUnionFind, {}, 1}),
+  EXPECT_EQ(refusal_of({Technique::union_find, {}, 1}),
             "edges_sobel by union_find at any instruction set on one thread" + none +
                 "its techniques are lut, autovec, simd_16bit, simd_to_bits");
   EXPECT_EQ(
-      refusal_of({Technique::kLut, Isa::kAvx2, 1}),
+      refusal_of({Technique::lut, Isa::avx2, 1}),
       "edges_sobel by lut at avx2 on one thread" + none + "its instruction sets are baseline");
-  EXPECT_EQ(refusal_of({Technique::kAutovec, {}, 2}),
+  EXPECT_EQ(refusal_of({Technique::autovec, {}, 2}),
             "edges_sobel by autovec at any instruction set with threads" + none +
                 "it runs on one thread only");
 }

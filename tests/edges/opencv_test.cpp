@@ -71,7 +71,7 @@ class EdgesAgainstOpenCv : public testing::TestWithParam<std::string> {
  protected:
   static void expect_equal(const ByteImage& image, const std::string& what) {
     for (const EdgeThresholds& thresholds : kThresholds) {
-      const ConstByteView view = image.view();
+      const ConstImageView view = image.view();
       const auto job = edges_reference(GetParam(), thresholds)(view.width, view.height, 1);
       const ByteImage expected = edges_by_opencv(GetParam(), image, thresholds);
       EXPECT_TRUE(equal(outcome_of(*job, view).image.view(), expected.view()))

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench {
 namespace {
@@ -34,7 +34,7 @@ TEST(StrokeImages, differ_and_are_as_dark_as_written_digits) {
 TEST(StrokeImages, leave_two_pixels_at_the_frame_light) {
   const ImageStack images = stroke_images(200, 28, 2);
   for (Index i = 0; i < 200; ++i) {
-    const ConstByteView image = images.view().image(i);
+    const ConstImageView image = images.view().image(i);
     for (Index y = 0; y < 28; ++y) {
       for (const Index x : {0, 1, 26, 27}) {
         EXPECT_EQ(image.row(y)[x], 0);

@@ -30,26 +30,26 @@ const OperationCount& method(const OperationCounts& counts, const std::string& b
 }
 
 TEST(Quantisation, integer_rounding_of_table_1_keeps_251_with_the_sigmoid_and_252_linear) {
-  EXPECT_EQ(quantisation_row(Quantisation::kRound, 0).right_sigmoid, 251);
-  EXPECT_EQ(quantisation_row(Quantisation::kRound, 0).right_linear, 252);
+  EXPECT_EQ(quantisation_row(Quantisation::round, 0).right_sigmoid, 251);
+  EXPECT_EQ(quantisation_row(Quantisation::round, 0).right_linear, 252);
 }
 
 TEST(Quantisation, integer_truncation_of_table_1_keeps_254_with_the_sigmoid_and_253_linear) {
-  EXPECT_EQ(quantisation_row(Quantisation::kTruncate, 0).right_sigmoid, 254);
-  EXPECT_EQ(quantisation_row(Quantisation::kTruncate, 0).right_linear, 253);
+  EXPECT_EQ(quantisation_row(Quantisation::truncate, 0).right_sigmoid, 254);
+  EXPECT_EQ(quantisation_row(Quantisation::truncate, 0).right_linear, 253);
 }
 
 TEST(Quantisation, one_fractional_bit_by_rounding_is_enough) {
   for (int bits = 1; bits <= 8; ++bits) {
-    EXPECT_EQ(quantisation_row(Quantisation::kRound, bits).right_sigmoid, 256) << bits;
-    EXPECT_EQ(quantisation_row(Quantisation::kRound, bits).right_linear, 256) << bits;
+    EXPECT_EQ(quantisation_row(Quantisation::round, bits).right_sigmoid, 256) << bits;
+    EXPECT_EQ(quantisation_row(Quantisation::round, bits).right_linear, 256) << bits;
   }
 }
 
 TEST(Quantisation, largest_weight_fits_eight_bits_up_to_two_fractional_bits) {
-  EXPECT_EQ(quantisation_row(Quantisation::kRound, 0).largest_integer, 20);
-  EXPECT_LE(quantisation_row(Quantisation::kRound, 2).largest_integer, 127);
-  EXPECT_GT(quantisation_row(Quantisation::kRound, 3).largest_integer, 127);
+  EXPECT_EQ(quantisation_row(Quantisation::round, 0).largest_integer, 20);
+  EXPECT_LE(quantisation_row(Quantisation::round, 2).largest_integer, 127);
+  EXPECT_GT(quantisation_row(Quantisation::round, 3).largest_integer, 127);
 }
 
 TEST(HiddenNeurons, quick_run_learns_with_ten_but_not_with_two) {

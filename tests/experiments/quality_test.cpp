@@ -104,14 +104,14 @@ TEST(ThinningQuality, pictures_never_get_the_name_of_the_file_of_a_skeleton) {
                                       "x_skeleton_scan_picture", "thin_mb2"}));
 }
 
-ByteImage turned(const ConstByteView& image, int quarters) {
+ByteImage turned(const ConstImageView& image, int quarters) {
   ByteImage result = copy_of(image);
   for (int turn = 0; turn < quarters; ++turn) result = quarter_turned(result.view());
   return result;
 }
 
 /// The overlap of the skeleton with that of the image turned by so many quarters.
-double overlap_turned(const std::string& operation, const ConstByteView& image, int quarters) {
+double overlap_turned(const std::string& operation, const ConstImageView& image, int quarters) {
   ByteImage skeleton(image.width, image.height);
   thin(operation, image, skeleton.view());
   const ByteImage source = turned(image, quarters);

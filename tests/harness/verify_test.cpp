@@ -33,10 +33,10 @@ std::uint64_t overrunning_pass(const RuleModel*, const ConstBytePlaneView& sourc
   return 0;
 }
 
-std::string mismatch_of(Pass<std::uint8_t> pass, const ConstByteView& input,
+std::string mismatch_of(Pass<std::uint8_t> pass, const ConstImageView& input,
                         const Outcome& expected) {
   const std::array passes = {pass};
-  const ThinningVariant variant{Technique::kLut, Isa::kBaseline, false, 1000,
+  const ThinningVariant variant{Technique::lut, Isa::baseline, false, 1000,
                                 std::span<const Pass<std::uint8_t>>(passes)};
   const ThinningOperation operation{"copy", "for tests", std::span(&variant, 1)};
   const auto job = thinning_job({operation, variant, input.width, input.height});
@@ -66,9 +66,9 @@ TEST(FindMismatch, notices_a_write_into_the_margin) {
 /// Copies its input, and does harm besides in its second run, whose input and output have guards.
 class CopyingJob final : public Job {
  public:
-  using Harm = void (*)(const ConstByteView& input, const ByteView& output);
+  using Harm = void (*)(const ConstImageView& input, const ImageView& output);
   explicit CopyingJob(Harm harm) : harm_(harm) {}
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     for (Index y = 0; y < input.height; ++y) {
       std::copy_n(input.row(y), input.width, output.row(y));
     }
@@ -86,25 +86,25 @@ std::string mismatch_after(CopyingJob::Harm harm) {
   return find_mismatch(job, input.view(), {copy_of(input.view()), {}}).value_or("");
 }
 
-void change(const ConstByteView& input, Index offset) {
+void change(const ConstImageView& input, Index offset) {
   ++const_cast<std::uint8_t*>(input.data)[offset];
 }
 
 TEST(FindMismatch, notices_a_changed_input) {
-  EXPECT_EQ(mismatch_after([](const ConstByteView&, const ByteView&) {}), "");
+  EXPECT_EQ(mismatch_after([](const ConstImageView&, const ImageView&) {}), "");
   const CopyingJob::Harm harms[] = {
-      [](const ConstByteView& input, const ByteView&) { change(input, 2 * input.stride + 3); },
-      [](const ConstByteView& input, const ByteView&) { change(input, input.width); },
-      [](const ConstByteView& input, const ByteView&) { change(input, -1); }};
+      [](const ConstImageView& input, const ImageView&) { change(input, 2 * input.stride + 3); },
+      [](const ConstImageView& input, const ImageView&) { change(input, input.width); },
+      [](const ConstImageView& input, const ImageView&) { change(input, -1); }};
   for (const auto harm : harms) EXPECT_EQ(mismatch_after(harm), "the input was changed");
 }
 
 TEST(FindMismatch, notices_bytes_beside_the_destination) {
   const CopyingJob::Harm harms[] = {
-      [](const ConstByteView&, const ByteView& output) { output.row(2)[output.width] = 0; },
-      [](const ConstByteView&, const ByteView& output) { output.row(4)[-1] = 0; },
-      [](const ConstByteView&, const ByteView& output) { output.row(-1)[3] = 0; },
-      [](const ConstByteView&, const ByteView& output) { output.row(output.height)[0] = 0; }};
+      [](const ConstImageView&, const ImageView& output) { output.row(2)[output.width] = 0; },
+      [](const ConstImageView&, const ImageView& output) { output.row(4)[-1] = 0; },
+      [](const ConstImageView&, const ImageView& output) { output.row(-1)[3] = 0; },
+      [](const ConstImageView&, const ImageView& output) { output.row(output.height)[0] = 0; }};
   for (const auto harm : harms) {
     EXPECT_EQ(mismatch_after(harm), "bytes beside the destination were changed");
   }
@@ -114,7 +114,7 @@ TEST(FindMismatch, notices_bytes_beside_the_destination) {
 class ListJob final : public Job {
  public:
   explicit ListJob(std::vector<std::int64_t> list) : list_(std::move(list)) {}
-  void run(const ConstByteView&, const ByteView&) override {}
+  void run(const ConstImageView&, const ImageView&) override {}
   [[nodiscard]] std::vector<std::int64_t> numbers() const override { return list_; }
   [[nodiscard]] bool gives_image() const override { return false; }
 
@@ -147,7 +147,7 @@ TEST(Job, without_steps_of_its_own_refuses_them) {
 
 TEST(Verifier, shows_no_row_an_image_of_the_wrong_kind) {
   Verifier verifier(matching_rows("thin_naccache_shinghal/lut/", {2}));
-  verifier.show({"grey", grey_noise_image(9, 9, 0, 255, 1), InputKind::kGrey});
+  verifier.show({"grey", grey_noise_image(9, 9, 0, 255, 1), InputKind::grey});
   EXPECT_EQ(summary_of(verifier).skipped, static_cast<int>(verifier.rows().size()));
 }
 

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/convert.hpp"
+#include "image/packing.hpp"
 #include "harness/grey_images.hpp"
 #include "harness/test_images.hpp"
-#include "holes/pictures.hpp"
+#include "regions/pictures.hpp"
 #include "localise/plan.hpp"
 #include "scene/scene.hpp"
 #include "thinbench_localise.hpp"
@@ -27,7 +27,7 @@ ByteImage plain_objects(const ByteImage& contours) {
 }
 
 ByteImage packed_objects(const ByteImage& contours) {
-  const auto& conversion = plane_conversion<std::uint64_t>(Isa::kBaseline);
+  const auto& conversion = plane_conversion<std::uint64_t>(Isa::baseline);
   BitPlane from(contours.width(), contours.height());
   BitPlane to(contours.width(), contours.height());
   conversion.read(contours.view(), from.view());
@@ -133,7 +133,7 @@ TEST(LocaliseObjects, refuses_what_edges_or_holes_refuse) {
   EXPECT_THROW((void)localise_objects({image.view().data, 10, -4, 64}), std::invalid_argument);
   EXPECT_THROW((void)localise_objects(image.view(), {256, 0}), std::invalid_argument);
   EXPECT_THROW((void)localise_objects(image.view(), {0, -1}), std::invalid_argument);
-  EXPECT_THROW((void)localise_objects(image.view(), {}, {Technique::kLut}), std::invalid_argument);
+  EXPECT_THROW((void)localise_objects(image.view(), {}, {Technique::lut}), std::invalid_argument);
   EXPECT_THROW((void)localise_objects(image.view(), {}, {{}, {}, 0}), std::invalid_argument);
 }
 
@@ -147,12 +147,12 @@ TEST(LocaliseObjects, has_nothing_to_say_of_images_without_edges) {
 
 TEST(LocalisePlan, takes_every_edge_operator_and_gives_what_the_reference_gives) {
   const Scene scene = render_scene();
-  const ConstByteView grey = scene.grey.view();
+  const ConstImageView grey = scene.grey.view();
   for (const EdgeOperation& edges : edge_operations()) {
     const reference::Regions expected =
         reference::localise_objects(reference::find_edges(edges.name), 40, 128, grey);
     for (const LocaliseVariant& variant : localise_rows()) {
-      if (!why_unavailable(variant.facts, grey.width).empty()) continue;
+      if (!unavailable_reason(variant.facts, grey.width).empty()) continue;
       LocalisePlan plan(variant, grey.width, grey.height, {edges.op, {40, 128}, 3});
       const RegionLists found = plan.run(grey);
       EXPECT_TRUE(std::equal(found.objects.begin(), found.objects.end(), expected.objects.begin(),
@@ -171,8 +171,8 @@ TEST(LocalisePlan, gives_the_same_after_an_image_with_many_more_regions) {
   const ByteImage crowded = grey_noise_image(grey.width(), grey.height(), 90, 170, 3);
   const FoundHoles expected = localise_objects(grey.view());
   for (const LocaliseVariant& variant : localise_rows()) {
-    if (!why_unavailable(variant.facts, grey.width()).empty()) continue;
-    LocalisePlan plan(variant, grey.width(), grey.height(), {EdgeOperator::kSobel, {}, 3});
+    if (!unavailable_reason(variant.facts, grey.width()).empty()) continue;
+    LocalisePlan plan(variant, grey.width(), grey.height(), {EdgeOperator::sobel, {}, 3});
     for (const ByteImage* image : {&grey, &crowded}) (void)plan.run(image->view());
     const RegionLists found = plan.run(grey.view());
     EXPECT_TRUE(std::equal(found.objects.begin(), found.objects.end(), expected.objects.begin(),

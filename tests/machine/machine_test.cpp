@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/isa.hpp"
+#include "dispatch/isa.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace thinbench {

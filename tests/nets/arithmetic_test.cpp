@@ -73,11 +73,11 @@ void judge() {
 }
 
 TEST(NetArithmetic, linear_values_are_the_references_bits_and_sigmoid_values_are_close) {
-  judge<Isa::kBaseline>();
-  judge<Isa::kSse42>();
-  judge<Isa::kAvx2>();
-  judge<Isa::kAvx512>();
-  judge<Isa::kAvx512Icl>();
+  judge<Isa::baseline>();
+  judge<Isa::sse42>();
+  judge<Isa::avx2>();
+  judge<Isa::avx512>();
+  judge<Isa::avx512icl>();
 }
 
 TEST(Exponential, is_at_most_one_unit_in_the_last_place_from_the_true_value) {

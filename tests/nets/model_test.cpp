@@ -41,7 +41,7 @@ std::vector<std::uint8_t> random_table(std::uint64_t seed) {
 
 void expect_evaluates(const std::vector<std::uint8_t>& table) {
   const MuxProgram program = make_decision_diagram(table.data());
-  ASSERT_LE(program.count, MuxProgram::kMostNodes);
+  ASSERT_LE(program.count, MuxProgram::kMaxNodes);
   for (int word = 0; word < 8; ++word) {
     const auto input = [word](int variable) { return counting_pattern(variable, word); };
     const Neighbourhood<std::uint64_t> n = {input(8), input(0), input(1), input(2), input(3),
@@ -75,7 +75,7 @@ TwoLayerWeights damaged_net() {
 
 /// What the reference makes of an image with these weights.
 Outcome reference_outcome(const TwoLayerWeights& weights, Activation activation,
-                          const ConstByteView& image) {
+                          const ConstImageView& image) {
   Outcome outcome{ByteImage(image.width, image.height), {}};
   outcome.numbers = {
       reference::net_two_layer(weights, activation, 1000, image, outcome.image.view())};
@@ -85,13 +85,13 @@ Outcome reference_outcome(const TwoLayerWeights& weights, Activation activation,
 /// Compares every variant that runs here, given these weights, with the reference given the same.
 void expect_every_variant_follows(const TwoLayerWeights& weights, Activation activation) {
   const ThinningOperation& operation = *find_thinning_operation(
-      activation == Activation::kLinear ? "net_two_layer_linear" : "net_two_layer_sigmoid");
+      activation == Activation::linear ? "net_two_layer_linear" : "net_two_layer_sigmoid");
   const auto model = std::make_shared<const RuleModel>(two_layer_model(weights, activation));
   const ByteImage image = noise_image(130, 50, 90, 1, 4);
   const Outcome expected = reference_outcome(weights, activation, image.view());
   for (const ThinningVariant& variant : operation.variants) {
-    if (!why_unavailable(variant, 130).empty()) continue;
-    if (variant.technique == Technique::kSimdFixedPoint && !model->fixed_point_is_exact) continue;
+    if (!unavailable_reason(variant, 130).empty()) continue;
+    if (variant.technique == Technique::simd_fixed_point && !model->fixed_point_is_exact) continue;
     const auto job = thinning_job({operation, variant, 130, 50, {2, model}});
     EXPECT_EQ(find_mismatch(*job, image.view(), expected).value_or(""), "")
         << technique_name(variant.technique) << " at " << isa_name(variant.isa);
@@ -101,7 +101,7 @@ void expect_every_variant_follows(const TwoLayerWeights& weights, Activation act
 TEST(Models, eight_bits_refuse_a_bias_beyond_their_sums) {
   TwoLayerWeights weights = kPaperTwoLayer;
   weights.output.bias = 1e30F;
-  EXPECT_FALSE(two_layer_model(weights, Activation::kLinear).fixed_point_is_exact);
+  EXPECT_FALSE(two_layer_model(weights, Activation::linear).fixed_point_is_exact);
 }
 
 TEST(Models, rounded_weights_are_right_on_251_and_252_descriptors) {
@@ -112,14 +112,14 @@ TEST(Models, rounded_weights_are_right_on_251_and_252_descriptors) {
     for (int k = 256; k < 512; ++k) count += rounded.new_pixel[k] == rule.new_pixel[k] ? 1 : 0;
     return count;
   };
-  EXPECT_EQ(right(Activation::kSigmoid), 251);
-  EXPECT_EQ(right(Activation::kLinear), 252);
+  EXPECT_EQ(right(Activation::sigmoid), 251);
+  EXPECT_EQ(right(Activation::linear), 252);
 }
 
 TEST(Models, every_variant_follows_other_weights_not_the_known_rule) {
   const ByteImage image = noise_image(130, 50, 90, 1, 4);
   const Outcome rule = expected_of("thin_naccache_shinghal", image.view());
-  for (const Activation activation : {Activation::kLinear, Activation::kSigmoid}) {
+  for (const Activation activation : {Activation::linear, Activation::sigmoid}) {
     EXPECT_FALSE(equal(reference_outcome(damaged_net(), activation, image.view()).image.view(),
                        rule.image.view()));
     expect_every_variant_follows(damaged_net(), activation);
@@ -130,19 +130,19 @@ TEST(Models, every_variant_follows_trained_weights) {
   for (const std::uint64_t seed : {2U, 3U}) {
     const TrainedTwoLayer trained = train_two_layer(stay_table_of_rule(), {.seed = seed});
     ASSERT_EQ(trained.right_linear, 256);
-    expect_every_variant_follows(to_weights(trained.net), Activation::kLinear);
-    expect_every_variant_follows(to_weights(trained.net), Activation::kSigmoid);
+    expect_every_variant_follows(to_weights(trained.net), Activation::linear);
+    expect_every_variant_follows(to_weights(trained.net), Activation::sigmoid);
   }
 }
 
 TEST(Models, malformed_weights_are_refused) {
   TwoLayerWeights weights = kPaperTwoLayer;
   weights.hidden[3].weight[5] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(static_cast<void>(two_layer_model(weights, Activation::kLinear)),
+  EXPECT_THROW(static_cast<void>(two_layer_model(weights, Activation::linear)),
                std::invalid_argument);
   weights = kPaperTwoLayer;
   weights.output.bias = 2e30F;
-  EXPECT_THROW(static_cast<void>(two_layer_model(weights, Activation::kSigmoid)),
+  EXPECT_THROW(static_cast<void>(two_layer_model(weights, Activation::sigmoid)),
                std::invalid_argument);
   ClusterWeights cluster = kTrainedCluster;
   cluster.nets[11].last = 254;
@@ -162,7 +162,7 @@ TEST(Plan, refuses_eight_bits_for_a_model_they_cannot_express) {
   auto model = std::make_shared<RuleModel>(paper_linear_model());
   model->fixed_point_is_exact = false;
   for (const ThinningVariant& variant : net.variants) {
-    if (variant.technique != Technique::kSimdFixedPoint || !isa_available(variant.isa)) continue;
+    if (variant.technique != Technique::simd_fixed_point || !isa_available(variant.isa)) continue;
     EXPECT_THROW(ThinningPlan(net, variant, 5, 5, {1, model}), std::invalid_argument);
   }
 }

@@ -21,7 +21,7 @@ class Output : public testing::Test {
  protected:
   Output() : rows(1e-3) {
     rows.with("lut", 5e-4);
-    rows.with("simd_bytes", 1e-5, Isa::kAvx2);
+    rows.with("simd_bytes", 1e-5, Isa::avx2);
     groups = {plan_group(rows.rows(), {9, 1})};
     processes = processes_of(groups[0], {}, rows.rows());
     results = results_of(groups, processes);

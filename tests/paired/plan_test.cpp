@@ -20,7 +20,7 @@ Strings pairs_of(const Group& group) {
   };
   Strings pairs;
   for (const Pair& pair : group.pairs) {
-    if (group.entries[pair.row].role != Role::kRow) continue;
+    if (group.entries[pair.row].role != Role::row) continue;
     pairs.insert(technique(pair.row) + ">" + technique(pair.base) + " " + pair.against);
   }
   return pairs;
@@ -30,8 +30,8 @@ TEST(Plan, every_row_is_paired_with_reference_best_scalar_and_best_autovec) {
   RowsForTests rows(1e-3);
   rows.with("lut", 5e-4);
   rows.with("bitpacked", 1e-4);
-  rows.with("autovec", 2e-4, Isa::kAvx2);
-  rows.with("simd_bytes", 1e-5, Isa::kAvx2);
+  rows.with("autovec", 2e-4, Isa::avx2);
+  rows.with("simd_bytes", 1e-5, Isa::avx2);
   EXPECT_EQ(pairs_of(plan_group(rows.rows(), {})),
             (Strings{"lut>reference reference", "bitpacked>reference reference",
                      "autovec>reference reference", "simd_bytes>reference reference",
@@ -43,7 +43,7 @@ TEST(Plan, every_row_is_paired_with_reference_best_scalar_and_best_autovec) {
 TEST(Plan, epochs_of_all_short_rows_last_equally_long_and_long_calls_are_made_once) {
   RowsForTests rows(1e-2);
   rows.with("lut", 1e-4);
-  rows.with("simd_bytes", 1e-5, Isa::kAvx2);
+  rows.with("simd_bytes", 1e-5, Isa::avx2);
   const Group group = plan_group(rows.rows(), {});
   EXPECT_EQ(group.entries[0].calls, 1);
   EXPECT_TRUE(group.entries[0].long_call);
@@ -55,12 +55,12 @@ TEST(Plan, epochs_of_all_short_rows_last_equally_long_and_long_calls_are_made_on
 TEST(Plan, anchor_is_the_fastest_row_on_one_thread_and_controls_are_the_next) {
   RowsForTests rows(1e-2);
   rows.with("lut", 1e-4);
-  rows.with("simd_bytes", 2e-5, Isa::kAvx2);
-  rows.with("simd_runs", 1e-5, Isa::kAvx2, 2);
+  rows.with("simd_bytes", 2e-5, Isa::avx2);
+  rows.with("simd_runs", 1e-5, Isa::avx2, 2);
   const Group group = plan_group(rows.rows(), {});
   EXPECT_EQ(group.anchor, 2U);
   const auto control = std::find_if(group.entries.begin(), group.entries.end(),
-                                    [](const Entry& entry) { return entry.role == Role::kSame; });
+                                    [](const Entry& entry) { return entry.role == Role::same; });
   ASSERT_NE(control, group.entries.end());
   EXPECT_EQ(control->name, group.entries[1].name);
 }
@@ -70,7 +70,7 @@ TEST(Plan, slowed_control_makes_11_calls_for_10) {
     RowsForTests rows(1e-2);
     rows.with("lut", seconds);
     const Entry slowed = plan_group(rows.rows(), {}).entries.back();
-    EXPECT_EQ(slowed.role, Role::kSlowed);
+    EXPECT_EQ(slowed.role, Role::slowed);
     EXPECT_EQ(slowed.calls * 10, slowed.counted * 11) << seconds;
   }
 }

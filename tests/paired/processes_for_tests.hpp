@@ -31,8 +31,8 @@ inline std::vector<std::vector<GroupTimes>> processes_of(const Group& group, con
     for (std::size_t i = 0; i < group.entries.size(); ++i) {
       const Entry& entry = group.entries[i];
       double log = std::log(seconds_of(entry) / seconds_of(group.entries[group.anchor]));
-      if (entry.role == Role::kSame) log += made_up.same_log;
-      if (entry.role == Role::kSlowed) log += made_up.slowed_log;
+      if (entry.role == Role::same) log += made_up.same_log;
+      if (entry.role == Role::slowed) log += made_up.slowed_log;
       log += process * made_up.spread * static_cast<double>(i);
       const ClockTimes clock{{log, log, log}, 1e9 * seconds_of(entry)};
       times.entries.push_back({clock, clock});

@@ -15,7 +15,7 @@ class RowsForTests {
  public:
   explicit RowsForTests(double reference_seconds) { add(nullptr, "reference", reference_seconds); }
 
-  void with(std::string_view technique, double seconds, Isa isa = Isa::kBaseline, int threads = 1) {
+  void with(std::string_view technique, double seconds, Isa isa = Isa::baseline, int threads = 1) {
     variants_.push_back(copy_variant(technique, false));
     variants_.back().isa = isa;
     variants_.back().threaded = threads > 1;
@@ -31,7 +31,7 @@ class RowsForTests {
                       nullptr,
                       variant,
                       threads,
-                      Scope::kEndToEnd,
+                      Scope::end_to_end,
                       nullptr,
                       {}});
     calibrated_.push_back({&timed_.back(), seconds, "0123456789abcdef"});

@@ -14,8 +14,8 @@ class Summary : public testing::Test {
  protected:
   Summary() : rows(1e-3) {
     rows.with("lut", 5e-4);
-    rows.with("simd_bytes", 1e-5, Isa::kAvx2);
-    rows.with("simd_runs", 2e-5, Isa::kAvx2, 2);
+    rows.with("simd_bytes", 1e-5, Isa::avx2);
+    rows.with("simd_runs", 2e-5, Isa::avx2, 2);
     groups = {plan_group(rows.rows(), {9, 1})};
   }
 

@@ -146,7 +146,7 @@ TEST(WriteGrey, takes_every_size_below_two_to_the_31) {
 TEST(WriteGrey, size_beyond_the_limit_is_refused_before_a_pixel_is_touched) {
   const TemporaryFolder folder;
   const std::uint8_t pixel = 0;
-  const ConstByteView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
+  const ConstImageView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
   EXPECT_THROW(write_grey(folder.file("a.png"), huge), PictureError);
   EXPECT_EQ(folder.names(), Names{});
 }

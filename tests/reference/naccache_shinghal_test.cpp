@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 #include "reference.hpp"
 
 namespace thinbench {

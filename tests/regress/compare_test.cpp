@@ -49,41 +49,41 @@ std::vector<RowVerdict> two_builds(std::uint64_t seed, double slowed) {
       [](const MeasuredRun& run, std::uint64_t run_seed) {
         return between(run_for_tests(run_seed + 5000), run, kRules);
       },
-      Neighbour::kNextProcess, seed, slowed);
+      Neighbour::next_process, seed, slowed);
 }
 
 std::vector<RowVerdict> against_stored(std::uint64_t seed, double slowed) {
   const Baseline baseline = baseline_of(run_for_tests(seed + 7000));
   return gated([&](const MeasuredRun& run,
                    std::uint64_t) { return against_baseline(run, baseline, kRules); },
-               Neighbour::kSameProcess, seed, slowed);
+               Neighbour::same_process, seed, slowed);
 }
 
 TEST(Gate, planted_slow_down_of_ten_percent_fails_between_two_builds_and_no_other_row_does) {
   const std::vector<RowVerdict> rows = two_builds(1, 0.10);
-  EXPECT_EQ(row_of(rows, kFirst).verdict, Verdict::kFail) << to_table(rows, true);
-  EXPECT_EQ(number_of(rows, Verdict::kFail), 1) << to_table(rows, true);
+  EXPECT_EQ(row_of(rows, kFirst).verdict, Verdict::fail) << to_table(rows, true);
+  EXPECT_EQ(number_of(rows, Verdict::fail), 1) << to_table(rows, true);
 }
 
 TEST(Gate, planted_slow_down_is_never_green_in_thirty_runs_and_mostly_fails) {
   int failed = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Verdict verdict = row_of(two_builds(seed, 0.10), kFirst).verdict;
-    EXPECT_NE(verdict, Verdict::kPass) << seed;
-    failed += verdict == Verdict::kFail ? 1 : 0;
+    EXPECT_NE(verdict, Verdict::pass) << seed;
+    failed += verdict == Verdict::fail ? 1 : 0;
   }
   EXPECT_GE(failed, 20);
 }
 
 TEST(Gate, same_build_against_itself_thirty_times_never_fails) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    EXPECT_EQ(number_of(two_builds(seed, 0), Verdict::kFail), 0) << seed;
-    EXPECT_EQ(number_of(against_stored(seed, 0), Verdict::kFail), 0) << seed;
+    EXPECT_EQ(number_of(two_builds(seed, 0), Verdict::fail), 0) << seed;
+    EXPECT_EQ(number_of(against_stored(seed, 0), Verdict::fail), 0) << seed;
   }
 }
 
 TEST(Gate, stored_baseline_tells_a_slow_down_beyond_its_ten_percent) {
-  EXPECT_EQ(row_of(against_stored(3, 0.25), kFirst).verdict, Verdict::kFail);
+  EXPECT_EQ(row_of(against_stored(3, 0.25), kFirst).verdict, Verdict::fail);
 }
 
 TEST(Gate, faster_reference_is_named_where_the_speed_up_fell) {
@@ -98,9 +98,9 @@ TEST(Gate, threads_are_reported_and_judged_only_when_asked_for) {
   now.rows[kFirst].threaded = true;
   const MeasuredRun before = run_for_tests(2);
   const RowVerdict skipped = row_of(between(before, now, kRules), kFirst);
-  EXPECT_EQ(skipped.verdict, Verdict::kSkipped);
+  EXPECT_EQ(skipped.verdict, Verdict::skipped);
   EXPECT_EQ(skipped.reason, "threads: reported, not judged");
-  EXPECT_EQ(row_of(between(before, now, {true, 2048}), kFirst).verdict, Verdict::kFail);
+  EXPECT_EQ(row_of(between(before, now, {true, 2048}), kFirst).verdict, Verdict::fail);
 }
 
 TEST(Gate, rows_without_a_counterpart_or_of_another_picture_are_skipped) {
@@ -115,14 +115,14 @@ TEST(Gate, rows_without_a_counterpart_or_of_another_picture_are_skipped) {
   EXPECT_EQ(row_of(rows, kFirst).reason, "another picture than in the baseline");
   EXPECT_EQ(row_of(rows, "copy/new/avx2/1/kernel/scene").reason,
             "new: there is nothing to compare with");
-  EXPECT_EQ(number_of(rows, Verdict::kSkipped), 3);
+  EXPECT_EQ(number_of(rows, Verdict::skipped), 3);
 }
 
 TEST(Gate, row_with_other_neighbours_is_in_doubt_rather_than_slower) {
   MeasuredRun now = run_for_tests(1, 0.5);
   now.rows.erase(row_for_tests(1));
   const RowVerdict row = row_of(between(run_for_tests(2), now, kRules), kFirst);
-  EXPECT_EQ(row.verdict, Verdict::kUndecided);
+  EXPECT_EQ(row.verdict, Verdict::undecided);
   EXPECT_EQ(row.reason, "measured beside other rows than before");
 }
 
@@ -147,10 +147,10 @@ TEST(Gate, simd_slower_than_scalar_code_of_its_kind_fails) {
   add("copy/simd_bytes/baseline/1/kernel/scene", 0.9);
   const std::vector<RowVerdict> rows = against_scalar(run);
   EXPECT_EQ(rows.size(), 4U);
-  EXPECT_EQ(row_of(rows, "copy/simd_bitpacked/avx2/1/kernel/scene").verdict, Verdict::kFail);
-  EXPECT_EQ(row_of(rows, "copy/simd_bitpacked/avx512/1/kernel/scene").verdict, Verdict::kPass);
-  EXPECT_EQ(row_of(rows, "copy/simd_bytes/avx2/1/kernel/scene").verdict, Verdict::kPass);
-  EXPECT_EQ(row_of(rows, "copy/simd_bytes/baseline/1/kernel/scene").verdict, Verdict::kFail);
+  EXPECT_EQ(row_of(rows, "copy/simd_bitpacked/avx2/1/kernel/scene").verdict, Verdict::fail);
+  EXPECT_EQ(row_of(rows, "copy/simd_bitpacked/avx512/1/kernel/scene").verdict, Verdict::pass);
+  EXPECT_EQ(row_of(rows, "copy/simd_bytes/avx2/1/kernel/scene").verdict, Verdict::pass);
+  EXPECT_EQ(row_of(rows, "copy/simd_bytes/baseline/1/kernel/scene").verdict, Verdict::fail);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ void shift(std::vector<double>& logs, double by) {
 }
 
 TEST(GateControls, pass_on_a_machine_of_usual_noise_within_and_between_processes) {
-  for (const Neighbour neighbour : {Neighbour::kSameProcess, Neighbour::kNextProcess}) {
+  for (const Neighbour neighbour : {Neighbour::same_process, Neighbour::next_process}) {
     const ControlVerdicts verdicts = judge_controls(run_for_tests(1), neighbour);
     EXPECT_TRUE(verdicts.pass);
     EXPECT_TRUE(verdicts.failed_groups.empty());
@@ -24,18 +24,18 @@ TEST(GateControls, pass_on_a_machine_of_usual_noise_within_and_between_processes
 TEST(GateControls, row_that_differs_from_itself_puts_all_rows_in_doubt) {
   MeasuredRun run = run_for_tests(1, 0.5);
   shift(run.controls["copy/scene"].same, 0.03);
-  const ControlVerdicts verdicts = judge_controls(run, Neighbour::kSameProcess);
+  const ControlVerdicts verdicts = judge_controls(run, Neighbour::same_process);
   EXPECT_FALSE(verdicts.pass);
   std::vector<RowVerdict> rows = between(run_for_tests(2), run, {false, 2048});
   doubt(verdicts, rows);
-  for (const RowVerdict& row : rows) EXPECT_EQ(row.verdict, Verdict::kUndecided) << row.name;
+  for (const RowVerdict& row : rows) EXPECT_EQ(row.verdict, Verdict::undecided) << row.name;
   EXPECT_EQ(rows.front().reason, "a control failed");
 }
 
 TEST(GateControls, planted_slow_down_that_is_missed_fails) {
   MeasuredRun run = run_for_tests(1);
   shift(run.controls["copy/scene"].slowed, 0.09);
-  const ControlVerdicts verdicts = judge_controls(run, Neighbour::kSameProcess);
+  const ControlVerdicts verdicts = judge_controls(run, Neighbour::same_process);
   EXPECT_FALSE(verdicts.pass);
   EXPECT_EQ(verdicts.failed_groups, (std::set<std::string>{"copy/scene"}));
 }
@@ -43,9 +43,9 @@ TEST(GateControls, planted_slow_down_that_is_missed_fails) {
 TEST(GateControls, run_without_controls_is_refused) {
   MeasuredRun run = run_for_tests(1);
   run.controls["copy/scene"].same.pop_back();
-  EXPECT_THROW(static_cast<void>(judge_controls(run, Neighbour::kSameProcess)), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(judge_controls(run, Neighbour::same_process)), std::runtime_error);
   run.controls.clear();
-  EXPECT_THROW(static_cast<void>(judge_controls(run, Neighbour::kSameProcess)), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(judge_controls(run, Neighbour::same_process)), std::runtime_error);
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ class Slowed final : public Job {
         tenth_(maker(width, height / 10 + 1, 1)),
         scratch_(width, height / 10 + 1) {}
 
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     job_->run(input, output);
-    ConstByteView top = input;
+    ConstImageView top = input;
     top.height = scratch_.height();
     tenth_->run(top, scratch_.view());
   }
@@ -83,7 +83,7 @@ Measured by_turns(const TemporaryFolder& folder) {
 RowVerdict verdict_on(const std::vector<std::string>& before, const std::vector<std::string>& now) {
   const MeasuredRun run = read_run(now);
   std::vector<RowVerdict> rows = between(read_run(before), run, {false, 2048});
-  doubt(judge_controls(run, Neighbour::kNextProcess), rows);
+  doubt(judge_controls(run, Neighbour::next_process), rows);
   for (const RowVerdict& row : rows) {
     if (row.name == kRow) return row;
   }
@@ -98,8 +98,8 @@ TEST(GateMeasured, row_slowed_by_a_tenth_does_not_pass_and_the_same_row_does_not
   const std::string said = testing::internal::GetCapturedStderr();
   const RowVerdict slowed = verdict_on(measured.before, measured.slowed);
   const RowVerdict same = verdict_on(measured.before, measured.same);
-  EXPECT_NE(slowed.verdict, Verdict::kPass) << to_table({slowed}, true) << said;
-  EXPECT_NE(same.verdict, Verdict::kFail) << to_table({same}, true) << said;
+  EXPECT_NE(slowed.verdict, Verdict::pass) << to_table({slowed}, true) << said;
+  EXPECT_NE(same.verdict, Verdict::fail) << to_table({same}, true) << said;
   RecordProperty("slowed", to_table({slowed}, true));
   RecordProperty("same", to_table({same}, true));
 }

@@ -12,8 +12,8 @@ namespace thinbench {
 inline std::string samples_for_tests(double simd_seconds, const MadeUp& made_up = {}) {
   RowsForTests rows(1e-3);
   rows.with("lut", 5e-4);
-  rows.with("simd_bytes", simd_seconds, Isa::kAvx2);
-  rows.with("simd_runs", 2e-5, Isa::kAvx2, 2);
+  rows.with("simd_bytes", simd_seconds, Isa::avx2);
+  rows.with("simd_runs", 2e-5, Isa::avx2, 2);
   const std::vector<Group> groups = {plan_group(rows.rows(), {9, 1})};
   const auto processes = processes_of(groups[0], made_up, rows.rows());
   return to_json_lines(groups, processes, results_of(groups, processes));

@@ -5,10 +5,10 @@
 namespace thinbench {
 namespace {
 
-constexpr auto kPass = Verdict::kPass;
-constexpr auto kFail = Verdict::kFail;
-constexpr auto kUndecided = Verdict::kUndecided;
-constexpr auto kSkipped = Verdict::kSkipped;
+constexpr auto kPass = Verdict::pass;
+constexpr auto kFail = Verdict::fail;
+constexpr auto kUndecided = Verdict::undecided;
+constexpr auto kSkipped = Verdict::skipped;
 
 TEST(Verdict, fails_only_where_the_whole_interval_is_below_the_limit) {
   EXPECT_EQ(judge({0.93, 0.92, 0.9499}, kOneJobTolerance), kFail);

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench::scene_test {
 
@@ -24,7 +24,7 @@ struct Components {
 
 class FloodFill {
  public:
-  FloodFill(ConstByteView image, int value, bool diagonals)
+  FloodFill(ConstImageView image, int value, bool diagonals)
       : image_(image), value_(value), diagonals_(diagonals) {
     result_.label.assign(static_cast<std::size_t>(image.width * image.height), 0);
     for (Index y = 0; y < image.height; ++y) {
@@ -79,7 +79,7 @@ class FloodFill {
     done.y /= done.area;
   }
 
-  ConstByteView image_;
+  ConstImageView image_;
   int value_;
   bool diagonals_;
   Components result_;
@@ -87,12 +87,12 @@ class FloodFill {
 };
 
 /// 8-connected objects of a binary image, in raster order.
-inline Components objects_of(ConstByteView binary) {
+inline Components objects_of(ConstImageView binary) {
   return FloodFill(binary, 255, true).take();
 }
 
 /// 4-connected background components that do not touch the frame, in raster order.
-inline std::vector<Component> holes_of(ConstByteView binary) {
+inline std::vector<Component> holes_of(ConstImageView binary) {
   std::vector<Component> holes = FloodFill(binary, 0, false).take().list;
   std::erase_if(holes, [](const Component& component) { return component.at_frame; });
   return holes;

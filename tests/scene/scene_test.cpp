@@ -23,9 +23,9 @@ using scene_test::objects_of;
 constexpr std::uint64_t kPartsHash = 0x6F01900C1697FEB3u;
 constexpr std::uint64_t kFrameTouchingHash = 0x731ED37726D961B4u;
 
-constexpr SceneKind kKinds[] = {SceneKind::kParts, SceneKind::kFrameTouching};
+constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::frame_touching};
 
-std::uint64_t fnv1a(ConstByteView image) {
+std::uint64_t fnv1a(ConstImageView image) {
   std::uint64_t hash = 0xCBF29CE484222325u;
   for (Index y = 0; y < image.height; ++y) {
     for (Index x = 0; x < image.width; ++x) hash = (hash ^ image.row(y)[x]) * 0x100000001B3u;
@@ -33,10 +33,10 @@ std::uint64_t fnv1a(ConstByteView image) {
   return hash;
 }
 
-ConstByteView binary_of(const Scene& scene) {
+ConstImageView binary_of(const Scene& scene) {
   return scene.binary.view();
 }
-ConstByteView grey_of(const Scene& scene) {
+ConstImageView grey_of(const Scene& scene) {
   return scene.grey.view();
 }
 
@@ -44,7 +44,7 @@ Scene render_kind(SceneKind kind) {
   return render_scene({.kind = kind});
 }
 
-Index dark_pixels(ConstByteView binary) {
+Index dark_pixels(ConstImageView binary) {
   Index count = 0;
   for (Index y = 0; y < binary.height; ++y) {
     count += std::count(binary.row(y), binary.row(y) + binary.width, std::uint8_t{255});
@@ -70,7 +70,7 @@ int erosions_until_empty(ByteImage image) {
 }
 
 /// Whether two different objects come closer than `gap` pixels (in the larger of x and y).
-bool parts_closer_than(ConstByteView binary, const Components& parts, Index gap) {
+bool parts_closer_than(ConstImageView binary, const Components& parts, Index gap) {
   const auto label = [&](Index x, Index y) {
     return parts.label[static_cast<std::size_t>(y * binary.width + x)];
   };
@@ -89,8 +89,8 @@ bool parts_closer_than(ConstByteView binary, const Components& parts, Index gap)
 }
 
 TEST(Scene, grey_bytes_are_the_same_on_every_machine) {
-  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::kParts))), kPartsHash);
-  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::kFrameTouching))), kFrameTouchingHash);
+  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::parts))), kPartsHash);
+  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::frame_touching))), kFrameTouchingHash);
 }
 
 TEST(Scene, rendering_twice_gives_equal_bytes) {
@@ -193,7 +193,7 @@ TEST(Scene, thickest_stroke_is_60_pixels_wide) {
 }
 
 TEST(Scene, frame_touching_scene_meets_all_sides_and_a_corner) {
-  const Scene scene = render_kind(SceneKind::kFrameTouching);
+  const Scene scene = render_kind(SceneKind::frame_touching);
   int left = 0;
   int right = 0;
   int top = 0;

@@ -17,7 +17,7 @@ using scene_test::Component;
 using scene_test::holes_of;
 using scene_test::objects_of;
 
-constexpr SceneKind kKinds[] = {SceneKind::kParts, SceneKind::kFrameTouching};
+constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::frame_touching};
 
 Scene render_clean(SceneKind kind) {
   return render_scene({.kind = kind, .noise_sigma_16 = 0, .illumination = false});
@@ -92,7 +92,7 @@ TEST(SceneTruth, holes_belong_to_the_part_around_them) {
 }
 
 TEST(SceneTruth, json_lists_every_part_and_hole) {
-  const Scene scene = render_scene({.kind = SceneKind::kFrameTouching});
+  const Scene scene = render_scene({.kind = SceneKind::frame_touching});
   const auto json = nlohmann::json::parse(scene_truth_json(scene));
   EXPECT_EQ(json.at("width"), 510);
   EXPECT_EQ(json.at("height"), 412);
@@ -104,7 +104,7 @@ TEST(SceneTruth, json_lists_every_part_and_hole) {
 }
 
 TEST(SceneTruth, cut_parts_have_no_area_and_a_box_inside_the_image) {
-  const Scene scene = render_scene({.kind = SceneKind::kFrameTouching});
+  const Scene scene = render_scene({.kind = SceneKind::frame_touching});
   const auto json = nlohmann::json::parse(scene_truth_json(scene));
   int cut = 0;
   for (const auto& part : json.at("parts")) {

@@ -91,9 +91,9 @@ TEST(SweepPlan, depths_double_up_to_512) {
 
 TEST(SweepPlan, the_scene_is_enlarged_up_to_ten_times) {
   EXPECT_EQ(places(points_of("enlarged")), (std::set<double>{1, 2, 5, 10}));
-  const SweepInput five{Picture::kEnlarged, 2550, 2060, 5};
-  const ByteImage large = make_input(five, InputKind::kBinary);
-  const ByteImage scene = make_input({Picture::kScene, 510, 412}, InputKind::kBinary);
+  const SweepInput five{Picture::enlarged, 2550, 2060, 5};
+  const ByteImage large = make_input(five, InputKind::binary);
+  const ByteImage scene = make_input({Picture::scene, 510, 412}, InputKind::binary);
   for (const Index y : {0, 4, 5, 2059}) {
     for (Index x = 0; x < 2550; ++x) ASSERT_EQ(large.at(x, y), scene.at(x / 5, y / 5));
   }

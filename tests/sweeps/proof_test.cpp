@@ -7,9 +7,9 @@
 namespace thinbench {
 namespace {
 
-const SweepInput kSmallScene{Picture::kScene, 100, 80};
+const SweepInput kSmallScene{Picture::scene, 100, 80};
 
-Point point_of(const Operation& operation, std::string_view technique, Isa isa = Isa::kBaseline) {
+Point point_of(const Operation& operation, std::string_view technique, Isa isa = Isa::baseline) {
   for (const Variant& variant : operation.variants) {
     if (variant.technique == technique && variant.isa == isa && !variant.threaded) {
       return {"size", 100, {}, kSmallScene, &operation, &variant, 1};

@@ -30,7 +30,7 @@ class Stack {
     return view;
   }
 
-  void set(Index i, const ConstByteView& image) {
+  void set(Index i, const ConstImageView& image) {
     for (Index y = 0; y < image.height; ++y) {
       std::copy_n(image.row(y), image.width, view().image(i).row(y));
     }
@@ -120,7 +120,7 @@ std::vector<std::string_view> operations_with_lanes() {
 class BatchOf : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
-  for (Index width = 1; width <= kWidestLane + 2; ++width) {
+  for (Index width = 1; width <= kMaxLaneWidth + 2; ++width) {
     const std::uint64_t random = splitmix64(17, static_cast<std::uint64_t>(width));
     const Index height = 1 + static_cast<Index>(random % 70);
     const Index count = 1 + static_cast<Index>((random >> 16) % (width <= 64 ? 40 : 12));
@@ -169,12 +169,12 @@ TEST_P(BatchOf, images_with_the_border_kept_equals_them_one_by_one) {
       Expected expected = {Stack(19, width, height), 0};
       for (Index i = 0; i < 19; ++i) {
         const int passes = thin(GetParam(), source.view().image(i), expected.images.view().image(i),
-                                {.border = Border::kKeep});
+                                {.border = Border::keep});
         expected.passes = std::max(expected.passes, passes);
       }
       for (const Isa isa : kAllIsas) {
         if (!isa_available(isa)) continue;
-        expect_batch(GetParam(), source, {.isa = isa, .border = Border::kKeep}, expected);
+        expect_batch(GetParam(), source, {.isa = isa, .border = Border::keep}, expected);
       }
     }
   }
@@ -196,7 +196,7 @@ TEST(ThinBatch, what_has_no_lanes_is_thinned_one_by_one) {
   EXPECT_FALSE(ThinningBatch("thin_guo_hall", 128, 5).one_by_one());
   EXPECT_TRUE(ThinningBatch("thin_guo_hall", 129, 5).one_by_one());
   EXPECT_TRUE(
-      ThinningBatch("thin_guo_hall", 28, 28, {.technique = Technique::kBitpacked}).one_by_one());
+      ThinningBatch("thin_guo_hall", 28, 28, {.technique = Technique::bitpacked}).one_by_one());
 }
 
 TEST(ThinBatch, any_byte_but_0_is_dark) {
@@ -303,8 +303,8 @@ TEST(ThinBatch, refuses_options_that_do_not_fit) {
   EXPECT_EQ(refused("thin_guo_hall", -5, {}), "image size -5 x 5 is negative");
   EXPECT_EQ(refused("thin_guo_hall", 5, {.directions = Directions{}}),
             "thin_guo_hall takes no directions");
-  EXPECT_EQ(refused("thin_spta", 5, {.border = Border::kKeep}), "thin_spta cannot keep the border");
-  EXPECT_NE(refused("thin_guo_hall", 5, {.technique = Technique::kSimdRuns}), "");
+  EXPECT_EQ(refused("thin_spta", 5, {.border = Border::keep}), "thin_spta cannot keep the border");
+  EXPECT_NE(refused("thin_guo_hall", 5, {.technique = Technique::simd_runs}), "");
 }
 
 TEST(ThinBatch, refuses_images_of_another_size_than_its_own) {

@@ -1,4 +1,4 @@
-#include "thinning/iterate.hpp"
+#include "thinning/iteration/iterate.hpp"
 
 #include <gtest/gtest.h>
 

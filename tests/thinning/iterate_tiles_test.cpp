@@ -1,10 +1,10 @@
-#include "thinning/iterate_tiles.hpp"
+#include "thinning/iteration/iterate_tiles.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/convert.hpp"
+#include "image/packing.hpp"
 #include "reference.hpp"
 #include "support/splitmix64.hpp"
 #include "thinbench.hpp"
@@ -16,7 +16,7 @@ namespace {
 int thin_by_tiles(std::string_view operation, const ByteImage& image, ByteImage& skeleton,
                   int threads = 1) {
   return thin(operation, image.view(), skeleton.view(),
-              {.technique = Technique::kSimdBitpackedTiles, .threads = threads});
+              {.technique = Technique::simd_bitpacked_tiles, .threads = threads});
 }
 
 /// Squares on a raster, so that tiles fall quiet at different times.
@@ -38,7 +38,7 @@ void expect_as_reference(const ByteImage& image, int threads) {
   ByteImage by_reference(image.width(), image.height());
   const auto expect = [&](std::string_view operation, const auto& reference) {
     const int cycles = thin_by_tiles(operation, image, by_tiles, threads);
-    EXPECT_EQ(cycles, reference(Border::kBackground, image.view(), by_reference.view()));
+    EXPECT_EQ(cycles, reference(Border::background, image.view(), by_reference.view()));
     EXPECT_TRUE(equal(by_tiles.view(), by_reference.view())) << operation << ", " << threads;
   };
   expect("thin_guo_hall", reference::thin_guo_hall);
@@ -75,11 +75,11 @@ TEST(IterateTiles, rows_past_the_caches_are_the_same_rows) {
   const ByteImage image = squares(width, height, 24);
   ASSERT_GE(width * height, kStreamedBytes);
   ByteImage by_words(width, height);
-  thin("thin_zhang_suen", image.view(), by_words.view(), {.technique = Technique::kSimdBitpacked});
+  thin("thin_zhang_suen", image.view(), by_words.view(), {.technique = Technique::simd_bitpacked});
   for (const int threads : {1, 3}) {
     ByteImage in_place = copy_of(image.view());
     thin("thin_zhang_suen", in_place.view(), in_place.view(),
-         {.technique = Technique::kSimdBitpackedTiles, .threads = threads});
+         {.technique = Technique::simd_bitpacked_tiles, .threads = threads});
     EXPECT_TRUE(equal(in_place.view(), by_words.view())) << threads << " threads";
   }
 }
@@ -106,7 +106,7 @@ void expect_enough_and_few() {
           tiles.push_back(tile);
         }
         for (const Index guess : {1, 50, 1000}) {
-          const Index kept = (*TilePasses<isa>::kFindKept)(tiles.data(), static_cast<Index>(count),
+          const Index kept = (*TilePasses<isa>::kFindHeld)(tiles.data(), static_cast<Index>(count),
                                                            reach, guess, static_cast<Index>(reach));
           EXPECT_LE(kept, reach);
           EXPECT_TRUE(lie_apart(tiles, static_cast<std::size_t>(kept), reach));
@@ -118,12 +118,12 @@ void expect_enough_and_few() {
   }
 }
 
-TEST(FindKept, is_enough_and_not_much_more) {
-  expect_enough_and_few<Isa::kBaseline>();
-  expect_enough_and_few<Isa::kSse42>();
-  expect_enough_and_few<Isa::kAvx2>();
-  expect_enough_and_few<Isa::kAvx512>();
-  expect_enough_and_few<Isa::kAvx512Icl>();
+TEST(FindHeld, is_enough_and_not_much_more) {
+  expect_enough_and_few<Isa::baseline>();
+  expect_enough_and_few<Isa::sse42>();
+  expect_enough_and_few<Isa::avx2>();
+  expect_enough_and_few<Isa::avx512>();
+  expect_enough_and_few<Isa::avx512icl>();
 }
 
 TEST(IterateTiles, groups_beyond_the_first_word_are_found) {
@@ -131,7 +131,7 @@ TEST(IterateTiles, groups_beyond_the_first_word_are_found) {
   ByteImage by_tiles(4500, 300);
   ByteImage by_reference(4500, 300);
   thin_by_tiles("thin_zhang_suen", image, by_tiles);
-  reference::thin_zhang_suen(Border::kBackground, image.view(), by_reference.view());
+  reference::thin_zhang_suen(Border::background, image.view(), by_reference.view());
   EXPECT_TRUE(equal(by_tiles.view(), by_reference.view()));
 }
 

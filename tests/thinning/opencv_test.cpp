@@ -53,7 +53,7 @@ class AgainstOpenCv : public testing::TestWithParam<Pair> {
     EXPECT_TRUE(equal(reference.image.view(), expected.view())) << what << ", reference";
     EXPECT_TRUE(equal(by_library(keeping, image).view(), expected.view())) << what;
     ThinningOptions option;
-    option.border = Border::kKeep;
+    option.border = Border::keep;
     EXPECT_TRUE(equal(by_library(plain, image, option).view(), expected.view())) << what;
     ByteImage inner = without_frame(image);
     EXPECT_TRUE(equal(by_library(plain, inner).view(), by_opencv(GetParam(), inner).view()))
@@ -62,7 +62,7 @@ class AgainstOpenCv : public testing::TestWithParam<Pair> {
 };
 
 TEST_P(AgainstOpenCv, equal_on_scenes) {
-  for (const SceneKind kind : {SceneKind::kParts, SceneKind::kFrameTouching}) {
+  for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
     Scene scene = render_scene({kind});
     expect_equal(scene.binary, "scene");
   }
@@ -111,7 +111,7 @@ TEST_P(AgainstOpenCv, equal_on_all_four_by_four) {
 }
 
 TEST_P(AgainstOpenCv, border_makes_a_difference_on_the_frame_touching_scene) {
-  const Scene scene = render_scene({SceneKind::kFrameTouching});
+  const Scene scene = render_scene({SceneKind::frame_touching});
   const std::string& plain = GetParam().operation;
   EXPECT_FALSE(equal(by_library(plain, scene.binary).view(),
                      by_library(plain + "_keep_border", scene.binary).view()));

@@ -55,7 +55,7 @@ TEST(ThinningPlan, running_allocates_nothing) {
   ByteImage out(300, 90);
   for (const ThinningOperation& operation : thinning_operations()) {
     for (const ThinningVariant& variant : operation.variants) {
-      if (!why_unavailable(variant, 300).empty()) continue;
+      if (!unavailable_reason(variant, 300).empty()) continue;
       ThinningPlan plan(operation, variant, 300, 90, {variant.threaded ? 3 : 1});
       if (variant.threaded) plan.run(image.view(), out.view());  // wakes the threads
       const long before = allocations;
@@ -82,7 +82,7 @@ TEST(ThinningBatch, running_allocates_nothing) {
 TEST(ThinningPlan, kernel_keeps_its_input_and_may_be_repeated) {
   const ByteImage image = noise_image(100, 40, 97, 1, 6);
   for (const ThinningVariant& variant : any_operation().variants) {
-    if (!why_unavailable(variant, 100).empty()) continue;
+    if (!unavailable_reason(variant, 100).empty()) continue;
     ThinningPlan plan(any_operation(), variant, 100, 40, {2});
     plan.load(image.view());
     const int passes = plan.thin();
@@ -98,7 +98,7 @@ TEST(ThinningPlan, kernel_keeps_its_input_and_may_be_repeated) {
 TEST(ThinningPlan, source_and_destination_may_be_one_image) {
   const ByteImage image = noise_image(77, 30, 95, 1, 7);
   for (const ThinningVariant& variant : any_operation().variants) {
-    if (!why_unavailable(variant, 77).empty()) continue;
+    if (!unavailable_reason(variant, 77).empty()) continue;
     ThinningPlan plan(any_operation(), variant, 77, 30);
     ByteImage apart(77, 30);
     plan.run(image.view(), apart.view());
@@ -120,8 +120,8 @@ TEST(ThinningPlan, refuses_what_it_cannot_run) {
 
 TEST(ThinningPlan, refuses_images_wider_than_the_variant) {
   for (const ThinningVariant& variant : any_operation().variants) {
-    if (variant.technique != Technique::kSimdBitpackedRow) continue;
-    EXPECT_FALSE(why_unavailable(variant, 513).empty());
+    if (variant.technique != Technique::simd_bitpacked_row) continue;
+    EXPECT_FALSE(unavailable_reason(variant, 513).empty());
     EXPECT_THROW(ThinningPlan(any_operation(), variant, 513, 5), std::invalid_argument);
   }
 }

@@ -19,7 +19,7 @@ inline std::vector<ByteImage> pictures() {
     }
   }
   images.push_back(std::move(render_scene().binary));
-  images.push_back(std::move(render_scene({SceneKind::kFrameTouching}).binary));
+  images.push_back(std::move(render_scene({SceneKind::frame_touching}).binary));
   return images;
 }
 

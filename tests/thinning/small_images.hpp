@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/image.hpp"
+#include "image/byte_image.hpp"
 
 namespace thinbench::small_images {
 
@@ -73,7 +73,7 @@ class Sheet {
     return cell;
   }
 
-  [[nodiscard]] ByteView view() { return image_.view(); }
+  [[nodiscard]] ImageView view() { return image_.view(); }
 
  private:
   static constexpr Index kPitch = 8;  // columns of a cell

@@ -1,5 +1,5 @@
 // The original SPTA: what it promises, on its reference; the variants are compared with that.
-#include "thinning/spta.hpp"
+#include "thinning/engines/spta.hpp"
 
 #include <gtest/gtest.h>
 
@@ -68,8 +68,8 @@ bool expression(int side, unsigned k) {
 TEST(Spta, turned_expressions_are_the_printed_ones) {
   for (unsigned k = 0; k < 256; ++k) {
     const auto edge = [k](int side) { return (k >> side & 1) == 0 && expression(side, k); };
-    EXPECT_EQ(spta_flags(SptaScan::kLeftRight, k, k), edge(4) || edge(0)) << k;
-    EXPECT_EQ(spta_flags(SptaScan::kTopBottom, k, k), edge(2) || edge(6)) << k;
+    EXPECT_EQ(spta_flags(SptaScan::left_right, k, k), edge(4) || edge(0)) << k;
+    EXPECT_EQ(spta_flags(SptaScan::top_bottom, k, k), edge(2) || edge(6)) << k;
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kOperation = "thin_naccache_shinghal";
 
-std::string refusal(const ConstByteView& source, const ByteView& destination,
+std::string refusal(const ConstImageView& source, const ImageView& destination,
                     const ThinningOptions& options = {}, std::string_view operation = kOperation) {
   try {
     thin(operation, source, destination, options);
@@ -44,14 +44,14 @@ TEST(Thin, empty_images_take_one_pass) {
 TEST(ChooseVariant, takes_the_highest_available_level) {
   const auto& operation = *find_thinning_operation(kOperation);
   EXPECT_EQ(choose_variant(operation, 2000).isa, best_isa());
-  EXPECT_EQ(choose_variant(operation, 2000).technique, Technique::kSimdBitpackedTiles);
+  EXPECT_EQ(choose_variant(operation, 2000).technique, Technique::simd_bitpacked_tiles);
 }
 
 TEST(ChooseVariant, follows_the_options) {
   const auto& operation = *find_thinning_operation(kOperation);
   const auto& variant =
-      choose_variant(operation, 100, {.technique = Technique::kLut, .isa = {}, .threads = 2});
-  EXPECT_EQ(variant.technique, Technique::kLut);
+      choose_variant(operation, 100, {.technique = Technique::lut, .isa = {}, .threads = 2});
+  EXPECT_EQ(variant.technique, Technique::lut);
   EXPECT_TRUE(variant.threaded);
 }
 
@@ -62,7 +62,7 @@ int worthwhile(const ThinningOptions& options, Index width, Index height) {
 TEST(WorthwhileThreads, small_images_get_one_unless_a_technique_is_asked_for) {
   EXPECT_EQ(worthwhile({.threads = 4}, 510, 412), 1);
   EXPECT_EQ(worthwhile({.threads = 4}, 1024, 1024), 4);
-  EXPECT_EQ(worthwhile({.technique = Technique::kBitpacked, .threads = 4}, 510, 412), 4);
+  EXPECT_EQ(worthwhile({.technique = Technique::bitpacked, .threads = 4}, 510, 412), 4);
   EXPECT_EQ(worthwhile({.threads = 0}, 510, 412), 0) << "refused later, by its value";
   EXPECT_EQ(worthwhile({.threads = 5000}, 510, 412), 5000) << "refused later, too";
   EXPECT_EQ(worthwhile({.threads = 4}, Index{1} << 40, 0), 1);
@@ -81,7 +81,7 @@ TEST(ChooseVariant, names_what_does_not_exist) {
   const auto& operation = *find_thinning_operation(kOperation);
   try {
     static_cast<void>(
-        choose_variant(operation, 100, {.technique = Technique::kLut, .isa = Isa::kAvx2}));
+        choose_variant(operation, 100, {.technique = Technique::lut, .isa = Isa::avx2}));
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),
@@ -95,25 +95,25 @@ TEST(Thin, refuses_bad_views_and_says_why) {
   ByteImage b(20, 11);
   EXPECT_EQ(refusal(a.view(), b.view()),
             "source is 20 x 10 and destination 20 x 11; they must have one size");
-  ByteView narrow = a.view();
+  ImageView narrow = a.view();
   narrow.stride = 19;
   EXPECT_EQ(refusal(narrow, narrow), "source has a stride of 19 bytes, below its width of 20");
-  ByteView negative = a.view();
+  ImageView negative = a.view();
   negative.height = -1;
   EXPECT_EQ(refusal(negative, negative), "source has the size 20 x -1");
-  ByteView null = a.view();
+  ImageView null = a.view();
   null.data = nullptr;
   EXPECT_EQ(refusal(null, a.view()), "source has no data");
-  ByteView huge = a.view();
+  ImageView huge = a.view();
   huge.stride = PTRDIFF_MAX / 2;
   EXPECT_NE(refusal(huge, huge).find("more memory than there is"), std::string::npos);
 }
 
 TEST(Thin, refuses_partial_overlap) {
   ByteImage image(20, 10);
-  ByteView upper = image.view();
+  ImageView upper = image.view();
   upper.height = 8;
-  ByteView lower = upper;
+  ImageView lower = upper;
   lower.data = image.view().row(2);
   EXPECT_EQ(refusal(upper, lower), "source and destination overlap without being the same image");
 }
@@ -123,8 +123,8 @@ TEST(Thin, takes_views_of_one_buffer_that_lie_side_by_side) {
   const Outcome expected = expected_of(kOperation, image.view());
   for (const Index first : {0, 20}) {  // the source's column; the destination takes the other half
     ByteImage buffer(40, 10);
-    const ByteView source{buffer.view().data + first, 20, 10, buffer.view().stride};
-    const ByteView destination{buffer.view().data + 20 - first, 20, 10, buffer.view().stride};
+    const ImageView source{buffer.view().data + first, 20, 10, buffer.view().stride};
+    const ImageView destination{buffer.view().data + 20 - first, 20, 10, buffer.view().stride};
     for (Index y = 0; y < 10; ++y) std::copy_n(image.view().row(y), 20, source.row(y));
     EXPECT_EQ(refusal(source, destination), "");
     EXPECT_TRUE(equal(destination, expected.image.view()));
@@ -135,10 +135,10 @@ TEST(Thin, takes_views_of_one_buffer_that_lie_side_by_side) {
 TEST(Thin, refuses_views_whose_columns_meet) {
   ByteImage buffer(40, 10);
   const Index stride = buffer.view().stride;
-  const ByteView left{buffer.view().data, 20, 9, stride};
+  const ImageView left{buffer.view().data, 20, 9, stride};
   const std::string text = "source and destination overlap without being the same image";
   for (const Index apart : {Index{1}, Index{19}, stride - 19, stride + 19, 2 * stride}) {
-    const ByteView other{buffer.view().data + apart, 20, 8, stride};
+    const ImageView other{buffer.view().data + apart, 20, 8, stride};
     EXPECT_EQ(refusal({left.data, 20, 8, stride}, other), text) << apart;
     EXPECT_EQ(refusal(other, {left.data, 20, 8, stride}), text) << apart;
   }

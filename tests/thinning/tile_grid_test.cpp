@@ -1,4 +1,4 @@
-#include "thinning/tile_grid.hpp"
+#include "thinning/engines/tile_grid.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/planes.hpp"
+#include "image/planes.hpp"
 #include "support/splitmix64.hpp"
-#include "thinning/state.hpp"
-#include "thinning/tile_passes.hpp"
+#include "thinning/iteration/state.hpp"
+#include "thinning/engines/tile_passes.hpp"
 
 namespace thinbench {
 namespace {
@@ -35,7 +35,7 @@ bool equal_planes(const ConstBitPlaneView& a, const ConstBitPlaneView& b) {
 /// A grid with the lists that it fills.
 struct LoadedGrid {
   LoadedGrid(Index width, Index height,
-             const TileLayout& chosen = TilePasses<Isa::kBaseline>::kLayout)
+             const TileLayout& chosen = TilePasses<Isa::baseline>::kLayout)
       : layout(chosen),
         grid(width, height),
         list(static_cast<std::size_t>(grid.view().groups * kTileGroup)),
@@ -66,16 +66,16 @@ struct LoadedGrid {
 
 const TileLayout& layout_of(Isa isa) {
   switch (isa) {
-    case Isa::kAvx512Icl:
-      return TilePasses<Isa::kAvx512Icl>::kLayout;
-    case Isa::kAvx512:
-      return TilePasses<Isa::kAvx512>::kLayout;
-    case Isa::kAvx2:
-      return TilePasses<Isa::kAvx2>::kLayout;
-    case Isa::kSse42:
-      return TilePasses<Isa::kSse42>::kLayout;
+    case Isa::avx512icl:
+      return TilePasses<Isa::avx512icl>::kLayout;
+    case Isa::avx512:
+      return TilePasses<Isa::avx512>::kLayout;
+    case Isa::avx2:
+      return TilePasses<Isa::avx2>::kLayout;
+    case Isa::sse42:
+      return TilePasses<Isa::sse42>::kLayout;
     default:
-      return TilePasses<Isa::kBaseline>::kLayout;
+      return TilePasses<Isa::baseline>::kLayout;
   }
 }
 
@@ -86,7 +86,7 @@ TEST(TileGrid, every_level_lays_pixels_out_alike) {
   for (Index y = 0; y < 20; ++y) std::fill_n(plane.view().row(y) + 3, 7, 0);  // some light tiles
   LoadedGrid expected(width, height);
   const Index tiles = expected.load(plane);
-  for (const Isa isa : {Isa::kSse42, Isa::kAvx2, Isa::kAvx512, Isa::kAvx512Icl}) {
+  for (const Isa isa : {Isa::sse42, Isa::avx2, Isa::avx512, Isa::avx512icl}) {
     if (!isa_available(isa)) continue;
     LoadedGrid loaded(width, height, layout_of(isa));
     ASSERT_EQ(loaded.load(plane), tiles);

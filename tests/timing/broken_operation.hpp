@@ -12,7 +12,7 @@ namespace thinbench {
 class Copy final : public Job {
  public:
   explicit Copy(bool broken) : broken_(broken) {}
-  void run(const ConstByteView& input, const ByteView& output) override {
+  void run(const ConstImageView& input, const ImageView& output) override {
     for (Index y = 0; y < input.height; ++y) {
       std::copy_n(input.row(y), input.width, output.row(y));
     }
@@ -29,7 +29,7 @@ inline JobMaker copy_maker(bool broken) {
 
 inline Variant copy_variant(std::string_view technique, bool broken, std::string_view reason = "") {
   return {
-      technique, "for tests", Isa::kBaseline, false, false, copy_maker(broken), [reason](Index) {
+      technique, "for tests", Isa::baseline, false, false, copy_maker(broken), [reason](Index) {
         return reason;
       }};
 }
@@ -38,7 +38,7 @@ inline Variant copy_variant(std::string_view technique, bool broken, std::string
 inline std::vector<Operation> copy_operations() {
   return {{"copy",
            "for tests",
-           InputKind::kBinary,
+           InputKind::binary,
            {copy_variant("good", false), copy_variant("bad", true),
             copy_variant("absent", false, "this machine lacks it")},
            copy_maker(false)}};

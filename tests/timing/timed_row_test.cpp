@@ -51,7 +51,7 @@ TEST_F(SelectRows, reference_comes_along_with_any_row_and_nothing_else_does) {
 TEST_F(SelectRows, highest_level_leaves_out_the_others_of_a_technique) {
   operations = {operation_of("thin_naccache_shinghal")};
   const std::string filter = "simd_bitpacked/.*/1/end_to_end|simd_bitpacked_row/.*/end_to_end";
-  const Selection selection = select_rows(filter, operations, inputs, Levels::kHighest);
+  const Selection selection = select_rows(filter, operations, inputs, Levels::highest);
   std::set<std::string> techniques;
   for (const TimedRow& row : selection.rows) {
     if (row.variant == nullptr) continue;

@@ -15,7 +15,7 @@ namespace {
 const std::vector<TrainedRun>& trained(bool small_integers) {
   static const std::vector<TrainedRun> plain = train_cluster(stay_table_of_rule(), {});
   static const std::vector<TrainedRun> small =
-      train_cluster(stay_table_of_rule(), {kMostClusterNets, true});
+      train_cluster(stay_table_of_rule(), {kMaxClusterNets, true});
   return small_integers ? small : plain;
 }
 

@@ -13,15 +13,15 @@ TrainedTwoLayer train(std::uint64_t seed) {
 
 TEST(TwoLayerNet, table_1_is_right_on_all_256_descriptors_with_both_activations) {
   const HiddenLayerNet net = to_net(kPaperTwoLayer);
-  EXPECT_EQ(table_of(net, Activation::kSigmoid), stay_table_of_rule());
-  EXPECT_EQ(table_of(net, Activation::kLinear), stay_table_of_rule());
+  EXPECT_EQ(table_of(net, Activation::sigmoid), stay_table_of_rule());
+  EXPECT_EQ(table_of(net, Activation::linear), stay_table_of_rule());
 }
 
 TEST(TwoLayerNet, equation_2_is_linear_up_to_three_and_flat_beyond) {
-  EXPECT_EQ(activate(3.0F, Activation::kLinear), 0.166F * 3 + 0.5F);
-  EXPECT_EQ(activate(3.001F, Activation::kLinear), 1.0F);
-  EXPECT_EQ(activate(-3.0F, Activation::kLinear), 0.166F * -3 + 0.5F);
-  EXPECT_EQ(activate(-3.001F, Activation::kLinear), 0.0F);
+  EXPECT_EQ(activate(3.0F, Activation::linear), 0.166F * 3 + 0.5F);
+  EXPECT_EQ(activate(3.001F, Activation::linear), 1.0F);
+  EXPECT_EQ(activate(-3.0F, Activation::linear), 0.166F * -3 + 0.5F);
+  EXPECT_EQ(activate(-3.001F, Activation::linear), 0.0F);
 }
 
 TEST(TwoLayerTraining, training_reaches_all_256_vectors_with_both_activations) {
@@ -29,7 +29,7 @@ TEST(TwoLayerTraining, training_reaches_all_256_vectors_with_both_activations) {
     const TrainedTwoLayer trained = train(seed);
     EXPECT_EQ(trained.right_sigmoid, 256) << seed;
     EXPECT_EQ(trained.right_linear, 256) << seed;
-    EXPECT_EQ(table_of(trained.net, Activation::kSigmoid), stay_table_of_rule()) << seed;
+    EXPECT_EQ(table_of(trained.net, Activation::sigmoid), stay_table_of_rule()) << seed;
   }
 }
 
@@ -56,7 +56,7 @@ TEST(TwoLayerTraining, effort_is_bounded_and_the_best_net_is_returned) {
   EXPECT_LT(trained.right_sigmoid, 256);
   EXPECT_GE(trained.right_sigmoid, 176);  // as many as "always stays" gets right
   EXPECT_EQ(trained.right_sigmoid,
-            agreement(table_of(trained.net, Activation::kSigmoid), stay_table_of_rule()));
+            agreement(table_of(trained.net, Activation::sigmoid), stay_table_of_rule()));
 }
 
 TEST(TwoLayerTraining, nets_of_other_sizes_are_not_written_as_eight_neurons) {

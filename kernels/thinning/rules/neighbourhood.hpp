@@ -7,7 +7,7 @@
 // Dark is 1. The descriptor of a neighbourhood is k = sum of n_i 2^i.
 #pragma once
 
-#include "core/word.hpp"
+#include "simd/word.hpp"
 
 namespace thinbench {
 

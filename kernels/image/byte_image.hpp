@@ -1,0 +1,61 @@
+// The owner of a byte image, in aligned memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+
+#include "image/plane_view.hpp"
+
+namespace thinbench {
+
+/// Every row of memory that this library allocates starts on a cache line (bytes).
+inline constexpr std::size_t kAlignment = 64;
+
+struct AlignedDelete {
+  void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{kAlignment}); }
+};
+
+template <class T>
+using AlignedArray = std::unique_ptr<T[], AlignedDelete>;
+
+/// `count` zeroed elements of a trivial type, starting on a cache line. Throws std::bad_alloc.
+template <class T>
+[[nodiscard]] AlignedArray<T> make_aligned(std::size_t count) {
+  void* memory = ::operator new (count * sizeof(T), std::align_val_t{kAlignment});
+  return AlignedArray<T>(new (memory) T[count]());
+}
+
+/// Owns a zeroed byte image whose rows start on cache lines and whose stride is no multiple of
+/// 4096 bytes, so that neighbouring rows never compete for one cache set.
+class ByteImage {
+ public:
+  ByteImage() = default;
+  ByteImage(Index width, Index height);
+
+  [[nodiscard]] Index width() const { return width_; }
+  [[nodiscard]] Index height() const { return height_; }
+  [[nodiscard]] ImageView view() { return {data_.get(), width_, height_, stride_}; }
+  [[nodiscard]] ConstImageView view() const { return {data_.get(), width_, height_, stride_}; }
+  [[nodiscard]] std::uint8_t& at(Index x, Index y) { return data_[offset(x, y)]; }
+  [[nodiscard]] std::uint8_t at(Index x, Index y) const { return data_[offset(x, y)]; }
+
+ private:
+  [[nodiscard]] std::size_t offset(Index x, Index y) const {
+    return static_cast<std::size_t>(y * stride_ + x);
+  }
+
+  Index width_ = 0;
+  Index height_ = 0;
+  Index stride_ = 0;
+  AlignedArray<std::uint8_t> data_;
+};
+
+/// A copy that owns its pixels.
+[[nodiscard]] ByteImage copy_of(ConstImageView source);
+
+/// True where both have the same size and the same pixels; strides do not matter.
+[[nodiscard]] bool equal(ConstImageView a, ConstImageView b);
+
+}  // namespace thinbench

@@ -1,0 +1,77 @@
+// Plain views of images: what every kernel takes. No owner, no library, safe in every ISA file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace thinbench {
+
+/// Sizes, coordinates and strides are signed so that `y - 1` needs no care.
+using Index = std::ptrdiff_t;
+
+/// Read-only rectangle of bytes: pixel (x, y) is `data[y * stride + x]`. Strides count bytes and
+/// may be larger than the width; a view owns nothing.
+struct ConstImageView {
+  const std::uint8_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+
+  [[nodiscard]] const std::uint8_t* row(Index y) const { return data + y * stride; }
+};
+
+/// Writable rectangle of bytes, otherwise as ConstImageView.
+struct ImageView {
+  std::uint8_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+
+  [[nodiscard]] std::uint8_t* row(Index y) const { return data + y * stride; }
+  operator ConstImageView() const { return {data, width, height, stride}; }
+};
+
+inline constexpr Index kWordBits = 64;
+/// Rows of packed bits are padded to whole 512-bit blocks, so that every vector length fits.
+inline constexpr Index kBlockWords = 8;
+
+/// As far as any rule looks.
+inline constexpr Index kMarginRows = 2;
+
+/// Rectangle of elements with a margin of zeros all round that may be read and is never written:
+/// kMarginRows rows above and below, and at least two elements before and after each row.
+///
+/// For T = std::uint8_t a row holds `width` pixels, one byte each, 0 or 1.
+/// For T = std::uint64_t pixel x is bit x % 64 of word x / 64 (low bit first), and bits past the
+/// width are 0: equality is a comparison of memory, area is a sum of popcounts.
+/// In both, a row is padded with zeros up to `row_elements`, which is a whole number of 64-byte
+/// blocks; kernels may compute on the padding, where every thinning rule yields 0 again.
+template <class T>
+struct ConstPlaneView {
+  const T* data = nullptr;  // pixel (0, 0)
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;  // in elements
+  Index row_elements = 0;
+
+  [[nodiscard]] const T* row(Index y) const { return data + y * stride; }
+};
+
+template <class T>
+struct PlaneView {
+  T* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+  Index row_elements = 0;
+
+  [[nodiscard]] T* row(Index y) const { return data + y * stride; }
+  operator ConstPlaneView<T>() const { return {data, width, height, stride, row_elements}; }
+};
+
+using ConstBytePlaneView = ConstPlaneView<std::uint8_t>;
+using BytePlaneView = PlaneView<std::uint8_t>;
+using ConstBitPlaneView = ConstPlaneView<std::uint64_t>;
+using BitPlaneView = PlaneView<std::uint64_t>;
+
+}  // namespace thinbench

@@ -1,0 +1,35 @@
+// Owners of the two representations that kernels work on.
+#pragma once
+
+#include <cstdint>
+
+#include "image/byte_image.hpp"
+#include "image/plane_view.hpp"
+
+namespace thinbench {
+
+/// Owns a plane. Rows start on cache lines; the margin and the padding are zero.
+template <class T>
+class Plane {
+ public:
+  Plane() = default;
+  Plane(Index width, Index height);
+
+  [[nodiscard]] PlaneView<T> view() { return view_; }
+  [[nodiscard]] ConstPlaneView<T> view() const { return view_; }
+  /// Whether everything outside the image is zero: margins, row padding, bits past the width.
+  [[nodiscard]] bool margin_is_zero() const;
+
+ private:
+  AlignedArray<T> data_;
+  Index storage_elements_ = 0;
+  PlaneView<T> view_;
+};
+
+extern template class Plane<std::uint8_t>;
+extern template class Plane<std::uint64_t>;
+
+using BytePlane = Plane<std::uint8_t>;
+using BitPlane = Plane<std::uint64_t>;
+
+}  // namespace thinbench

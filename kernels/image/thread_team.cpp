@@ -1,0 +1,63 @@
+#include "image/thread_team.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace thinbench {
+namespace {
+
+// Threads hand work over and wait for each other inside oneTBB's library, which is not compiled
+// with the thread sanitizer. These two tell it what the library guarantees: all before
+// `publish(token)` happens before all after `receive(token)`.
+#ifdef __SANITIZE_THREAD__
+void publish(const void* token) {
+  __tsan_release(const_cast<void*>(token));
+}
+void receive(const void* token) {
+  __tsan_acquire(const_cast<void*>(token));
+}
+#else
+void publish(const void*) {}
+void receive(const void*) {}
+#endif
+
+}  // namespace
+
+// How many threads really run is up to oneTBB's global limit, which belongs to the program and not
+// to a library: by default no more than the machine has cores.
+struct ThreadTeam::Arena {
+  explicit Arena(int threads) : arena(threads) {}
+  tbb::task_arena arena;
+};
+
+ThreadTeam::ThreadTeam(int threads)
+    : arena_(threads > 1 ? std::make_unique<Arena>(threads) : nullptr), threads_(threads) {}
+
+ThreadTeam::~ThreadTeam() = default;
+
+void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
+  if (threads_ == 1 || count < 2) {
+    if (count > 0) invoke_body(body, 0, count);
+    return;
+  }
+  const Index parts = count < threads_ ? count : threads_;
+  const void* finished = arena_.get();
+  publish(body);
+  arena_->arena.execute([=] {
+    tbb::parallel_for(
+        Index{0}, parts,
+        [=](Index part) {
+          receive(body);
+          invoke_body(body, count * part / parts, count * (part + 1) / parts);
+          publish(finished);
+        },
+        tbb::static_partitioner{});
+  });
+  receive(finished);
+}
+
+}  // namespace thinbench

@@ -1,0 +1,48 @@
+// The memory of the scanning skeleton on packed words.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "image/thread_team.hpp"
+#include "midpoints/work.hpp"
+#include "thinning/iteration/state.hpp"
+
+namespace thinbench {
+
+/// What one scan needs to know beside its kernels.
+struct ScanSetting {
+  Isa isa;
+  Index width;
+  Index height;
+  int threads;
+  Directions directions;
+};
+
+/// Sheets for the chosen directions and no more. Threads share groups of rows and batches of
+/// columns.
+class ScanState final : public PlaneState<std::uint64_t> {
+ public:
+  ScanState(const ScanKernels& kernels, const ScanSetting& setting);
+  int thin() override;
+
+ private:
+  struct Task {
+    Direction direction;
+    Index first_word;
+  };
+  using Words = AlignedArray<std::uint64_t>;
+
+  void turn(Direction direction, Index rows, Index words, Index longest);
+  [[nodiscard]] Sheet make_sheet(Index rows, Index words);
+  [[nodiscard]] std::uint64_t* make_words(Index count);
+  void add_direction(Direction direction, const ScanSetting& setting);
+
+  const ScanKernels& kernels_;
+  ScanWork work_;
+  ThreadTeam team_;
+  std::vector<Words> memory_;
+  std::vector<Task> tasks_;
+};
+
+}  // namespace thinbench

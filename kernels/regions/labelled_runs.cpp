@@ -1,0 +1,85 @@
+#include "regions/labelled_runs.hpp"
+
+#include <algorithm>
+
+#include "regions/run_band.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr Index kAfterRow = 3;  // last keys that comparing rows may read
+
+}  // namespace
+
+RunRow KeptRows::next_row(Index width) {
+  const Index needed = used_ + width + 2 + kWordBits + kKeyPadding;
+  if (needed > capacity_) grow(std::max(needed, 2 * capacity_));
+  return row_at(used_, 0);
+}
+
+void KeptRows::keep(Index y, Index count) {
+  ends_[static_cast<std::size_t>(y)] = {used_, count};
+  used_ += count + kAfterRow + 1;
+}
+
+RunRow KeptRows::row(Index y) {
+  const Place& place = ends_[static_cast<std::size_t>(y)];
+  return row_at(place.first, place.count);
+}
+
+RunRow KeptRows::row_at(Index first, Index count) {
+  keys_[static_cast<std::size_t>(first - 1)] = kFirstKey;
+  return {keys_.get() + first, labels_.get() + first, count};
+}
+
+void KeptRows::grow(Index capacity) {
+  auto keys = make_aligned<Key>(static_cast<std::size_t>(capacity));
+  auto labels = make_aligned<Label>(static_cast<std::size_t>(capacity));
+  std::copy_n(keys_.get(), capacity_, keys.get());
+  std::copy_n(labels_.get(), capacity_, labels.get());
+  keys_ = std::move(keys);
+  labels_ = std::move(labels);
+  capacity_ = capacity;
+}
+
+void LabelledRuns::label(const ConstBitPlaneView& image) {
+  labels_.clear();
+  rows_.clear();
+  for (Index y = 0; y < image.height; ++y) label_row(image, y);
+  join_border(labels_.tables(), rows_.row(image.height - 1));
+  for (int colour = 0; colour < 2; ++colour) {
+    Label* const parents = table(colour).parents;
+    for (Label label = 0; label < labels(colour); ++label) {
+      parents[label] = parents[parents[label]];
+    }
+  }
+}
+
+void LabelledRuns::label_row(const ConstBitPlaneView& image, Index y) {
+  labels_.make_room((image.width + 1) / 2);
+  Key light_keys[] = {kFirstKey, kLastKey, kLastKey, kLastKey, kLastKey};
+  Label outside = 0;
+  RunRow here = rows_.next_row(image.width);
+  const RunRow above = y > 0 ? rows_.row(y - 1) : RunRow{light_keys + 1, &outside, 0};
+  here.count = find_keys(image.row(y), words_with_boundaries(image.width), here.keys);
+  label_runs<true>(labels_.tables(), above, 0, here.keys, here.labels, 0, here.count, y);
+  rows_.keep(y, here.count);
+}
+
+void set_run(std::uint64_t* row, const RunRow& runs, Index i) {
+  const std::int64_t begin = column_of(runs.keys[i - 1]);
+  const std::int64_t end = column_of(runs.keys[i]);
+  const auto first = begin / kWordBits;
+  const auto last = (end - 1) / kWordBits;
+  const std::uint64_t from_begin = ~std::uint64_t{0} << begin % kWordBits;
+  const std::uint64_t to_end = ~std::uint64_t{0} >> (kWordBits - 1 - (end - 1) % kWordBits);
+  if (first == last) {
+    row[first] |= from_begin & to_end;
+    return;
+  }
+  row[first] |= from_begin;
+  for (auto word = first + 1; word < last; ++word) row[word] = ~std::uint64_t{0};
+  row[last] |= to_end;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,124 @@
+// Rows as runs of equal pixels, and how the runs of two neighbouring rows meet. For every file, ISA
+// files included.
+//
+// A row is its boundaries, as sorted keys: 2 (x + 1) where a dark run begins at x and 2 (x + 1) + 1
+// where one ends before x. Run i lies between keys[i - 1] and keys[i]; even runs are light, odd
+// ones dark; the first and the last run reach the frame. With the odd bit "8-connected dark" and
+// "4-connected light" become one comparison: runs i and j of the same colour in neighbouring rows
+// touch where each begins below the other's end, keys never being equal there.
+//
+//   x         0 1 2 3 4 5 6 7          keys  6 11 14 17  (dark from 2 to before 4, 6 to before 7)
+//   pixels    . . # # . . # .          runs  0 light, 1 dark, 2 light, 3 dark, 4 light
+#pragma once
+
+#include "regions/label_table.hpp"
+
+namespace thinbench {
+
+using Key = std::int32_t;
+
+/// Before the first boundary of a row and after its last one.
+inline constexpr Key kFirstKey = 0;
+inline constexpr Key kLastKey = INT32_MAX;
+
+/// That many kLastKey follow the keys of a row, and that many elements after them may be written.
+inline constexpr Index kKeyPadding = 16;
+
+struct RunRow {
+  Key* keys = nullptr;  // keys[-1] is kFirstKey
+  Label* labels = nullptr;
+  Index count = 0;  // of keys; there is one run more
+};
+
+/// The column at which a run begins (first key) or before which it ends (last key).
+[[gnu::always_inline]] inline std::int64_t column_of(Key key) {
+  return (key >> 1) - 1;
+}
+
+/// Words of a row that can hold boundaries: one beyond the last pixel is in the margin.
+[[gnu::always_inline]] inline Index words_with_boundaries(Index width) {
+  return width / kWordBits + 1;
+}
+
+/// A bit wherever a pixel differs from its western neighbour.
+[[gnu::always_inline]] inline std::uint64_t boundaries(const std::uint64_t* word) {
+  return word[0] ^ (word[0] << 1 | word[-1] >> 63);
+}
+
+[[gnu::always_inline]] inline void end_keys(Key* keys, Index count) {
+  for (Index i = 0; i < kKeyPadding; ++i) keys[count + i] = kLastKey;
+}
+
+/// Writes the keys of a word's boundaries, of which `before` came before in the row, and returns
+/// how many there are.
+[[gnu::always_inline]] inline Index find_keys_of_word(std::uint64_t bits, Index word, Index before,
+                                                      Key* keys) {
+  const auto first = static_cast<Key>(2 * (word * kWordBits + 1));
+  Index count = 0;
+  for (; bits != 0; bits &= bits - 1, ++count) {
+    keys[count] = first + 2 * __builtin_ctzll(bits) + static_cast<Key>((before + count) & 1);
+  }
+  return count;
+}
+
+/// Writes the keys of a row and returns how many there are.
+[[gnu::always_inline]] inline Index find_keys(const std::uint64_t* row, Index words, Key* keys) {
+  Index count = 0;
+  for (Index word = 0; word < words; ++word) {
+    count += find_keys_of_word(boundaries(row + word), word, count, keys + count);
+  }
+  end_keys(keys, count);
+  return count;
+}
+
+/// Labels of both colours: tables[0] light, where label 0 is everything that reaches the frame,
+/// and tables[1] dark.
+struct LabelTables {
+  LabelTable of_colour[2];
+};
+
+/// Labels runs [first, last] of row y into `labels`, given the labelled row above, of which runs
+/// before `first_above` touch none of them. `labels[first - 1]` must be there: it owns a hole that
+/// begins with run `first`. Without `with_background` light runs are not looked at.
+template <bool with_background>
+[[gnu::always_inline]] inline void label_runs(LabelTables& tables, const RunRow& above,
+                                              Index first_above, const Key* keys, Label* labels,
+                                              Index first, Index last, Index y) {
+  Index next = first_above;
+  for (Index i = first; i <= last; ++i) {
+    const bool light = i % 2 == 0;
+    if (!with_background && light) {
+      labels[i] = 0;
+      continue;
+    }
+    while (above.keys[next] < keys[i - 1]) ++next;
+    Index touching = next + (i + next) % 2;
+    LabelTable& table = tables.of_colour[i % 2];
+    if (!(above.keys[touching - 1] < keys[i])) {
+      labels[i] = new_label(table, y, light ? labels[i - 1] : 0);
+      continue;
+    }
+    Label label = above.labels[touching];
+    for (touching += 2; above.keys[touching - 1] < keys[i]; touching += 2) {
+      label = unite(table.parents, label, above.labels[touching]);
+    }
+    labels[i] = label;
+  }
+}
+
+/// Sums up the runs of row y that do not reach the frame.
+[[gnu::always_inline]] inline void add_runs(LabelTables& tables, const RunRow& row, Index y) {
+  for (Index i = 1; i < row.count; ++i) {
+    add_run(tables.of_colour[i % 2].regions[row.labels[i]], column_of(row.keys[i - 1]),
+            column_of(row.keys[i]), y);
+  }
+}
+
+/// Whether both tables can take the labels of one more row.
+[[gnu::always_inline]] inline bool has_room(const LabelTables& tables, Index width) {
+  const auto most = static_cast<Label>((width + 1) / 2);
+  return tables.of_colour[0].capacity - tables.of_colour[0].count >= most &&
+         tables.of_colour[1].capacity - tables.of_colour[1].count >= most;
+}
+
+}  // namespace thinbench

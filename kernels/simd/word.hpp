@@ -1,0 +1,66 @@
+// A word is anything that holds one pixel a bit (or a byte lane) and knows &, |, ^ and ~: rules are
+// written over words, engines choose them. Here: the operations beyond those four, for any word.
+#pragma once
+
+#include <cstdint>
+
+#include "image/plane_view.hpp"
+
+namespace thinbench {
+
+/// The truth table of a gate with three inputs, as processors number it: bit 4a + 2b + c.
+template <class Gate>
+consteval std::uint8_t truth_table(Gate gate) {
+  return static_cast<std::uint8_t>(gate(0xF0, 0xCC, 0xAA));
+}
+
+/// How a word type evaluates a gate with three inputs. The general way is the gate's own
+/// expression; word types with one instruction for all 256 gates specialise this with
+/// `truth_table`.
+template <class Word>
+struct TernaryGate {
+  static constexpr bool kOneInstruction = false;
+
+  template <class Gate>
+  [[gnu::always_inline]] static constexpr Word apply(Word a, Word b, Word c, Gate gate) {
+    return static_cast<Word>(gate(a, b, c));
+  }
+};
+
+/// One gate with three inputs: `ternary(a, b, c, [](auto a, auto b, auto c) { return ...; })`.
+/// Write the expression with as few two-input operations as possible: that is what words without a
+/// three-input instruction execute.
+template <class Word, class Gate>
+[[gnu::always_inline]] constexpr Word ternary(Word a, Word b, Word c, Gate gate) {
+  return TernaryGate<Word>::apply(a, b, c, gate);
+}
+
+/// Memory access and neighbours of a word type, one (west, east) and two pixels away (west2,
+/// east2); `Element` is what a plane holds.
+template <class Word>
+struct WordTraits;
+
+/// 64 packed pixels: the western neighbour of bit i is bit i - 1, so words shift towards high bits.
+template <>
+struct WordTraits<std::uint64_t> {
+  using Element = std::uint64_t;
+  static constexpr Index kElements = 1;
+  static std::uint64_t load(const Element* from) { return *from; }
+  static void store(Element* to, std::uint64_t word) { *to = word; }
+  static std::uint64_t west(std::uint64_t centre, const Element* from) {
+    return centre << 1 | from[-1] >> 63;
+  }
+  static std::uint64_t east(std::uint64_t centre, const Element* from) {
+    return centre >> 1 | from[1] << 63;
+  }
+  static std::uint64_t west2(std::uint64_t centre, const Element* from) {
+    return centre << 2 | from[-1] >> 62;
+  }
+  static std::uint64_t east2(std::uint64_t centre, const Element* from) {
+    return centre >> 2 | from[1] << 62;
+  }
+  static std::uint64_t zero() { return 0; }
+  static bool any(std::uint64_t word) { return word != 0; }
+};
+
+}  // namespace thinbench

@@ -1,0 +1,32 @@
+// 64 pixels a word in general registers: the neighbourhood sweep without SIMD. Compiled without
+// auto-vectorisation, so that the row shows what packing alone gives.
+// Cost a word of 64 pixels, see sweep.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the
+// rule in two-input operations (14 for Naccache-Shinghal) and its inversions.
+#include "nets/model_passes.hpp"
+#include "nets/mux_rule.hpp"
+#include "thinning/engines/passes.hpp"
+#include "thinning/engines/sweep.hpp"
+
+namespace thinbench {
+namespace {
+
+struct Bitpacked {
+  using Element = std::uint64_t;
+  template <class Rule, int sub>
+  static std::uint64_t pass(const RuleModel*, const ConstBitPlaneView& source,
+                            const BitPlaneView& target, const Band& band) {
+    return sweep_band<Rule, sub, std::uint64_t>(Rule{}, source, target, band);
+  }
+};
+
+std::uint64_t model_pass(const RuleModel* model, const ConstBitPlaneView& source,
+                         const BitPlaneView& target, const Band& band) {
+  return sweep_band<MuxRule, 0, std::uint64_t>(MuxRule{model->program}, source, target, band);
+}
+
+}  // namespace
+
+constinit const PassTable<std::uint64_t> ScalarPasses::kBitpacked = make_pass_table<Bitpacked>();
+constinit const Pass<std::uint64_t> ScalarModelPasses::kBitpacked = &model_pass;
+
+}  // namespace thinbench

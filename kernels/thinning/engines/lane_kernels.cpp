@@ -1,0 +1,266 @@
+// Small images, one a lane: with 32-bit lanes and AVX-512, a register holds a row of 16 images.
+//
+// No neighbour crosses a lane, so west and east are plain shifts; the rows above and below are the
+// registers before and after. Cost a row of a group and sub-iteration: 1 load, 1 store, 2 shifts,
+// the rule's gates, 1 to keep the border, 1 to see the change, 2 prefetches. A group (1.8 KB for
+// 28 x 28 pixels) stays in the first-level cache from packing to unpacking and is thinned in place
+// until none of its images changes: one that is done stays as it is.
+//
+// Prefetching the next group while this one is thinned should have hidden most of the time for
+// memory, a third of the whole at 10,000 images of 28 x 28 pixels: 5.0 to 5.9 times the speed of
+// one by one became 6.5 to 7.5 times, and 1.6 to 1.95 times 2.3 to 2.5 times at 64 x 64.
+//
+// Measured at 28 x 28 pixels and left: packing images without gaps from whole loads of 64 bytes
+// whose bits are cut into rows (17 ns an image become 38), and unpacking them the other way round
+// (28 ns become 20 from the caches, 36 become 33 from memory; only for images without gaps).
+#include "thinning/engines/lane_kernels.hpp"
+
+#include "thinning/engines/lane_packing.hpp"
+#include "thinning/engines/sweep.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Images up to 32 or 64 pixels wide, in lanes of T.
+template <class T>
+struct PlainLanes {
+  using Word = xsimd::batch<T, Architecture>;
+  using Element = T;
+  static constexpr Index kImages = static_cast<Index>(Word::size);
+  static constexpr Index kElements = 1;  // an image
+
+  [[gnu::always_inline]] static RowOfThree<Word> with_neighbours(Word row) {
+    return {row << 1, row, row >> 1};
+  }
+};
+
+/// Images up to 128 pixels wide, each in two lanes.
+struct PairedLanes {
+  using Word = WordBatch;
+  using Element = std::uint64_t;
+  static constexpr Index kImages = static_cast<Index>(Word::size) / 2;
+  static constexpr Index kElements = 2;
+
+  [[gnu::always_inline]] static RowOfThree<Word> with_neighbours(Word row) {
+#if defined(__AVX512F__)
+    const Word first = _mm512_bslli_epi128(row, 8);
+    const Word second = _mm512_bsrli_epi128(row, 8);
+#elif defined(__AVX2__)
+    const Word first = _mm256_bslli_epi128(row, 8);
+    const Word second = _mm256_bsrli_epi128(row, 8);
+#else
+    const Word first = _mm_bslli_si128(row, 8);
+    const Word second = _mm_bsrli_si128(row, 8);
+#endif
+    return {west_neighbour<1>(row, first), row, east_neighbour<1>(row, second)};
+  }
+};
+
+/// The working images: rows of one register each between two rows of the margin.
+template <class Lanes>
+struct LaneRows {
+  using Word = typename Lanes::Word;
+  using Element = typename Lanes::Element;
+  static constexpr Index kRow = static_cast<Index>(Word::size);
+
+  Element* data;  // row 0
+
+  [[gnu::always_inline]] Element* at(Index y) const { return data + y * kRow; }
+  [[gnu::always_inline]] RowOfThree<Word> row(Index y) const {
+    return Lanes::with_neighbours(Word::load_aligned(at(y)));
+  }
+
+  template <class Rule>
+  [[gnu::always_inline]] RowOfThree<Word> features(Index, const RowOfThree<Word>& above,
+                                                   const RowOfThree<Word>& here,
+                                                   const RowOfThree<Word>& below) const {
+    return Lanes::with_neighbours(Rule::feature(cross(above.centre, here, below.centre)));
+  }
+};
+
+template <class Lanes>
+void clear(const LaneRows<Lanes>& rows, Index first, Index last) {
+  for (Index y = first; y < last; ++y) {
+    typename Lanes::Word(typename Lanes::Element{0}).store_aligned(rows.at(y));
+  }
+}
+
+/// Calls `part(image, row, element, x, width)` for all parts of the rows of a group's images that
+/// one element holds: `element` is in row 0 of the image's lanes.
+template <class Lanes, class Part>
+[[gnu::always_inline]] inline void for_parts(Index images, Index width, const Part& part) {
+  constexpr Index bits = 8 * static_cast<Index>(sizeof(typename Lanes::Element));
+  for (Index image = 0; image < images; ++image) {
+    for (Index x = 0, i = 0; i < Lanes::kElements; x += bits, ++i) {
+      const Index left = width - x;
+      part(image, image * Lanes::kElements + i, x, left < bits ? left : bits);
+    }
+  }
+}
+
+template <class Lanes>
+void read_group(const ConstStackView& source, Index first, Index images,
+                const LaneRows<Lanes>& rows) {
+  const Index height = source.height;
+  const Index stride = source.stride;
+  if (images < Lanes::kImages) clear(rows, 0, height);
+  for_parts<Lanes>(
+      images, source.width,
+      [&](Index image, Index element, Index x, Index width) __attribute__((always_inline)) {
+        const std::uint8_t* from = source.data + (first + image) * source.image_stride + x;
+        for (Index y = 0; y < height; ++y) {
+          rows.at(y)[element] = pack_pixels<typename Lanes::Element>(from + y * stride, width);
+        }
+      });
+}
+
+template <class Lanes>
+void write_group(const LaneRows<Lanes>& rows, Index first, Index images, const StackView& target) {
+  const Index height = target.height;
+  const Index stride = target.stride;
+  for_parts<Lanes>(
+      images, target.width,
+      [&](Index image, Index element, Index x, Index width) __attribute__((always_inline)) {
+        std::uint8_t* to = target.data + (first + image) * target.image_stride + x;
+        for (Index y = 0; y < height; ++y) {
+          unpack_pixels(rows.at(y)[element], to + y * stride, width);
+        }
+      });
+}
+
+/// Pixels of a row that may change: all, or all but the outermost of each image.
+template <class Lanes>
+typename Lanes::Word free_pixels(Index width, bool keep_border) {
+  using Element = typename Lanes::Element;
+  constexpr Index bits = 8 * static_cast<Index>(sizeof(Element));
+  alignas(64) Element pattern[LaneRows<Lanes>::kRow];
+  for (Index i = 0; i < LaneRows<Lanes>::kRow; ++i) {
+    const Index x = i % Lanes::kElements * bits;
+    pattern[i] = static_cast<Element>(~Element{0});
+    if (!keep_border) continue;
+    if (x == 0) pattern[i] = static_cast<Element>(pattern[i] & ~Element{1});
+    const Index end = width - 1 - x;
+    if (0 <= end && end < bits) {
+      pattern[i] = static_cast<Element>(pattern[i] & ~(Element{1} << end));
+    }
+  }
+  return Lanes::Word::load_aligned(pattern);
+}
+
+/// What of the images may change.
+template <class Lanes>
+struct Inside {
+  Index first;  // row
+  Index last;   // row after the last
+  typename Lanes::Word pixels;
+};
+
+template <class Lanes>
+Inside<Lanes> inside_of(const LaneJob& job) {
+  const Index margin = job.keep_border ? 1 : 0;
+  return {margin, job.source.height - margin,
+          free_pixels<Lanes>(job.source.width, job.keep_border)};
+}
+
+/// Memory that the next group will read and write, asked for a line at a time.
+struct Ahead {
+  const std::uint8_t* source;
+  const std::uint8_t* target;
+  Index bytes;
+  Index next = 0;
+
+  [[gnu::always_inline]] void ask() {
+    constexpr Index line = 64;
+    if (next >= bytes) return;
+    __builtin_prefetch(source + next, 0, 2);
+    __builtin_prefetch(target + next, 1, 2);
+    next += line;
+  }
+};
+
+/// The memory of a group that begins with image `first`; none from `last` on.
+template <class Lanes>
+Ahead ahead_of(const LaneJob& job, Index first, Index last) {
+  const Index images = last - first < Lanes::kImages ? last - first : Lanes::kImages;
+  const Index from = job.source.image_stride;
+  const Index to = job.target.image_stride;
+  return {job.source.data + first * from, job.target.data + first * to,
+          images * (from < to ? from : to)};
+}
+
+/// One sub-iteration, in place. True where a pixel changed.
+template <class Rule, int sub, class Lanes>
+[[gnu::always_inline]] inline bool step(const LaneRows<Lanes>& rows, const Inside<Lanes>& inside,
+                                        Ahead& shared) {
+  Ahead ahead = shared;  // a store could otherwise be taken to change it
+  using Word = typename Lanes::Word;
+  const Rule rule{};
+  const Word pixels = inside.pixels;
+  Word changed(typename Lanes::Element{0});
+  Window<Rule, LaneRows<Lanes>> window(rows, inside.first);
+  for (Index y = inside.first; y < inside.last; ++y) {
+    const Word before = window.centre();
+    const Word next = ternary(window.template next<sub>(rule, rows, y), before, pixels,
+                              [](auto a, auto b, auto c) { return b ^ ((a ^ b) & c); });
+    next.store_aligned(rows.at(y));
+    ahead.ask();
+    changed = ternary(changed, before, next, [](auto a, auto b, auto c) { return a | (b ^ c); });
+    window.move_down();
+  }
+  shared = ahead;
+  return any_bit(changed);
+}
+
+template <class Rule, class Lanes, int... subs>
+int thin_group(const LaneRows<Lanes>& rows, const Inside<Lanes>& inside, int max_iterations,
+               Ahead ahead, std::integer_sequence<int, subs...>) {
+  int cycles = 0;
+  bool changed = true;
+  while (changed && cycles < max_iterations) {
+    changed = false;
+    ((changed = step<Rule, subs>(rows, inside, ahead) || changed), ...);
+    ++cycles;
+  }
+  return cycles;
+}
+
+template <class Rule, class Lanes>
+int thin_lanes(const LaneJob& job, Index first, Index last, void* scratch) {
+  using Element = typename Lanes::Element;
+  constexpr auto subs = std::make_integer_sequence<int, Rule::kSubIterations>{};
+  const LaneRows<Lanes> rows = {static_cast<Element*>(scratch) +
+                                kMarginRows * LaneRows<Lanes>::kRow};
+  const Inside<Lanes> inside = inside_of<Lanes>(job);
+  clear(rows, -kMarginRows, 0);
+  clear(rows, job.source.height, job.source.height + kMarginRows);
+  int most = 0;
+  for (Index image = first; image < last; image += Lanes::kImages) {
+    const Index images = last - image < Lanes::kImages ? last - image : Lanes::kImages;
+    read_group(job.source, image, images, rows);
+    const int cycles = thin_group<Rule>(rows, inside, job.max_iterations,
+                                        ahead_of<Lanes>(job, image + images, last), subs);
+    write_group(rows, image, images, job.target);
+    if (cycles > most) most = cycles;
+  }
+  return most;
+}
+
+template <class Rule>
+int thin_images(const LaneJob& job, Index first, Index last, void* scratch) {
+  const Index width = job.source.width;
+  if (width <= 32) return thin_lanes<Rule, PlainLanes<std::uint32_t>>(job, first, last, scratch);
+  if (width <= 64) return thin_lanes<Rule, PlainLanes<std::uint64_t>>(job, first, last, scratch);
+  return thin_lanes<Rule, PairedLanes>(job, first, last, scratch);
+}
+
+template <class... Rules>
+consteval LaneKernelTable make_table(RuleList<Rules...>) {
+  return {{&thin_images<Rules>...}};
+}
+
+}  // namespace
+
+template <>
+constinit const LaneKernelTable LaneKernels<kThisIsa>::kTable = make_table(AllRules{});
+
+}  // namespace thinbench

@@ -1,0 +1,144 @@
+// Table look-up on bytes 0/1, one pixel after another.
+//
+// lut: eight neighbours gathered into the descriptor of each dark pixel, 256 entries: about 20
+// operations a dark pixel. Eight light pixels at a time are passed over.
+// lut_sliding: the columns of three pixels slide along the row, eight columns at a time in a
+// general register; a window of four columns (12 bits) gives two pixels from a table of 4096
+// entries (8 KB). About 4 operations a pixel, dark or light, no branch and no chain of dependences.
+// A first form that shifted one column a pixel into a 9-bit window was no faster than lut: 3
+// dependent operations and 4 loads a pixel.
+#include <cstring>
+
+#include "nets/model.hpp"
+#include "nets/model_passes.hpp"
+#include "thinning/engines/pair_table.hpp"
+#include "thinning/engines/passes.hpp"
+#include "thinning/rule_table.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Eight pixels, the first in the low byte.
+std::uint64_t load_word(const std::uint8_t* from) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, from, sizeof word);
+  return word;
+}
+
+void store_word(std::uint8_t* to, std::uint64_t word) {
+  std::memcpy(to, &word, sizeof word);
+}
+
+unsigned descriptor(const std::uint8_t* above, const std::uint8_t* here,
+                    const std::uint8_t* below) {
+  return static_cast<unsigned>(here[1] | above[1] << 1 | above[0] << 2 | above[-1] << 3 |
+                               here[-1] << 4 | below[-1] << 5 | below[0] << 6 | below[1] << 7);
+}
+
+/// Rows of the engine lut: `table` has the new value of a dark pixel for each descriptor.
+bool lut_row(const std::uint8_t* table, const std::uint8_t* here, Index stride,
+             std::uint8_t* target, Index count) {
+  constexpr Index step = 8;
+  bool changed = false;
+  for (Index x = 0; x < count; x += step) {
+    if (load_word(here + x) == 0) {
+      store_word(target + x, 0);
+      continue;
+    }
+    for (Index i = x; i < x + step; ++i) {
+      const std::uint8_t p = here[i];
+      const std::uint8_t next =
+          p & table[descriptor(here + i - stride, here + i, here + i + stride)];
+      changed = changed || next != p;
+      target[i] = next;
+    }
+  }
+  return changed;
+}
+
+/// Columns x to x + 7 as four pairs, 6 bits in each 16-bit lane.
+std::uint64_t column_pairs(const std::uint8_t* here, Index stride) {
+  const std::uint64_t columns =
+      load_word(here - stride) << 2 | load_word(here) << 1 | load_word(here + stride);
+  return (columns | columns >> 5) & 0x003F003F003F003F;
+}
+
+/// Rows of the engine lut_sliding. Pixels x to x + 7 need columns x - 1 to x + 8, so windows start
+/// at odd distances.
+bool sliding_row(const std::uint16_t* table, const std::uint8_t* here, Index stride,
+                 std::uint8_t* target, Index count) {
+  std::uint64_t changed = 0;
+  std::uint64_t pairs = column_pairs(here - 1, stride);
+  for (Index x = 0; x < count; x += 8) {
+    const std::uint64_t following = column_pairs(here + x + 7, stride);
+    const std::uint64_t windows = pairs | pairs >> 16 << 6 | following << 54;
+    const std::uint64_t next = std::uint64_t{table[windows & 4095]} |
+                               std::uint64_t{table[windows >> 16 & 4095]} << 16 |
+                               std::uint64_t{table[windows >> 32 & 4095]} << 32 |
+                               std::uint64_t{table[windows >> 48]} << 48;
+    changed |= next ^ load_word(here + x);
+    store_word(target + x, next);
+    pairs = following;
+  }
+  return changed != 0;
+}
+
+template <class Table>
+std::uint64_t all_rows(bool (*row)(const Table*, const std::uint8_t*, Index, std::uint8_t*, Index),
+                       const Table* table, const ConstBytePlaneView& source,
+                       const BytePlaneView& target, const Band& band) {
+  return for_each_run(band, [&](Index y, Index from, Index to) {
+    return row(table, source.row(y) + from, source.stride, target.row(y) + from, to - from);
+  });
+}
+
+struct PairTable {
+  std::uint16_t pairs[kPairTableSize];
+};
+
+constexpr PairTable make_pair_table(const RuleTable& by_descriptor) {
+  PairTable table{};
+  fill_pair_table(by_descriptor.data(), table.pairs);
+  return table;
+}
+
+struct Lut {
+  using Element = std::uint8_t;
+  template <class Rule, int sub>
+  requires(!TwoStageRule<Rule>)  // their 21 pixels would need tables of two million entries
+      static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
+                                const BytePlaneView& target, const Band& band) {
+    static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
+    return all_rows(&lut_row, kTable.data() + 256, source, target, band);
+  }
+};
+
+struct LutSliding {
+  using Element = std::uint8_t;
+  template <class Rule, int sub>
+  requires(!TwoStageRule<Rule>) static std::uint64_t
+      pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
+           const Band& band) {
+    static constexpr PairTable kTable = make_pair_table(make_rule_table<Rule, sub>());
+    return all_rows(&sliding_row, kTable.pairs, source, target, band);
+  }
+};
+
+std::uint64_t model_lut(const RuleModel* model, const ConstBytePlaneView& source,
+                        const BytePlaneView& target, const Band& band) {
+  return all_rows(&lut_row, model->new_pixel + 256, source, target, band);
+}
+
+std::uint64_t model_lut_sliding(const RuleModel* model, const ConstBytePlaneView& source,
+                                const BytePlaneView& target, const Band& band) {
+  return all_rows(&sliding_row, model->pixel_pairs, source, target, band);
+}
+
+}  // namespace
+
+constinit const PassTable<std::uint8_t> ScalarPasses::kLut = make_pass_table<Lut>();
+constinit const PassTable<std::uint8_t> ScalarPasses::kLutSliding = make_pass_table<LutSliding>();
+constinit const Pass<std::uint8_t> ScalarModelPasses::kLut = &model_lut;
+constinit const Pass<std::uint8_t> ScalarModelPasses::kLutSliding = &model_lut_sliding;
+
+}  // namespace thinbench

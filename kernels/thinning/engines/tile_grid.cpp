@@ -1,0 +1,97 @@
+#include "thinning/engines/tile_grid.hpp"
+
+#include <algorithm>
+
+namespace thinbench {
+namespace {
+
+std::size_t count_of(Index elements) {
+  return static_cast<std::size_t>(elements);
+}
+
+}  // namespace
+
+TileGrid::TileGrid(Index width, Index height)
+    : width_(width),
+      height_(height),
+      strips_((width + kTileColumns - 1) / kTileColumns),
+      tile_rows_((height + kTileRows - 1) / kTileRows),
+      view_{} {
+  // Odd, so that tiles of neighbouring strips never compete for one cache set.
+  view_.strip_tiles = (tile_rows_ + 1) | 1;
+  const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
+  view_.groups = tiles / kTileGroup;
+  words_ = make_aligned<std::uint32_t>(count_of((tiles + 2) * kTileRows));
+  view_.words = words_.get() + kTileRows;
+
+  const Index margin = round_up(view_.strip_tiles + kTileGroup, kTileGroup);
+  const std::array flags = {&view_.changed_rows, &view_.changed_west, &view_.changed_east};
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    changed_[i] = make_aligned<std::uint16_t>(count_of(tiles + 2 * margin));
+    *flags[i] = changed_[i].get() + margin;
+  }
+  occupied_ = make_aligned<std::uint32_t>(count_of(view_.groups));
+  view_.occupied = occupied_.get();
+  wanted_ = make_aligned<std::uint32_t>(count_of(TileGridView::kMaxSubIterations * view_.groups));
+  for (Index step = 0; step < TileGridView::kMaxSubIterations; ++step) {
+    view_.wanted[count_of(step)] = wanted_.get() + step * view_.groups;
+  }
+  occupied_groups_ = make_aligned<std::uint64_t>(count_of(group_words()));
+  view_.occupied_groups = occupied_groups_.get();
+}
+
+void TileGrid::find_occupied() {
+  for (Index group = 0; group < view_.groups; ++group) {
+    std::uint32_t tiles = 0;
+    for (Index i = 0; i < kTileGroup; ++i) {
+      const bool dark = view_.changed_rows[group * kTileGroup + i] != 0;
+      tiles |= std::uint32_t{dark} << i;
+    }
+    occupied_[count_of(group)] = tiles;
+  }
+}
+
+Index TileGrid::list_occupied(std::uint32_t* list) {
+  std::fill_n(occupied_groups_.get(), group_words(), 0);
+  Index count = 0;
+  for (Index group = 0; group < view_.groups; ++group) {
+    const std::uint32_t tiles = view_.occupied[group];
+    for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
+      list[count++] = static_cast<std::uint32_t>(group * kTileGroup + __builtin_ctz(left));
+    }
+    if (tiles == 0) continue;
+    occupied_groups_[count_of(group / kWordBits)] |= std::uint64_t{1} << (group % kWordBits);
+  }
+  return count;
+}
+
+Index TileGrid::begin(std::uint32_t* list, std::uint64_t* visited) {
+  const Index tiles = view_.groups * kTileGroup;
+  find_occupied();
+  for (std::uint16_t* flags : {view_.changed_rows, view_.changed_west, view_.changed_east}) {
+    std::fill_n(flags, tiles, 0);
+  }
+  for (std::uint32_t* wanted : view_.wanted) std::copy_n(view_.occupied, view_.groups, wanted);
+  const Index count = list_occupied(list);
+  std::copy_n(view_.occupied_groups, group_words(), visited);
+  return count;
+}
+
+bool TileGrid::margin_is_zero() const {
+  const auto pixels_of = [&](Index tile, Index row) {
+    const Index strip = tile / view_.strip_tiles - 1;
+    const Index y = tile % view_.strip_tiles * kTileRows + row;
+    const Index columns = std::clamp<Index>(width_ - strip * kTileColumns, 0, kTileColumns);
+    if (strip < 0 || y >= height_) return std::uint32_t{0};
+    return static_cast<std::uint32_t>((std::uint64_t{1} << columns) - 1);
+  };
+  for (Index tile = -1; tile <= view_.groups * kTileGroup; ++tile) {
+    for (Index row = 0; row < kTileRows; ++row) {
+      const std::uint32_t inside = tile < 0 ? 0 : pixels_of(tile, row);
+      if ((view_.words[tile * kTileRows + row] & ~inside) != 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,39 @@
+// Repeats the sub-iterations of a rule on the tiles that may still change.
+#pragma once
+
+#include <array>
+
+#include "image/thread_team.hpp"
+#include "thinning/engines/tile_passes.hpp"
+
+namespace thinbench {
+
+/// Memory of one repetition: the grid, the list of active tiles and those that are not written yet.
+class TileWorkspace {
+ public:
+  TileWorkspace(Index width, Index height, int threads);
+
+  [[nodiscard]] TileGrid& grid() { return grid_; }
+  [[nodiscard]] const TileGrid& grid() const { return grid_; }
+
+ private:
+  friend class TileIteration;
+
+  TileGrid grid_;
+  Index max_held_;
+  Index room_ = 0;                     // for so many of them, or all that a share can have
+  AlignedArray<PendingTile> pending_;  // twice that room for each share
+  AlignedArray<Index> listed_;         // by each share
+  // What a step reads and what it writes for the next; the lists are one where one thread runs.
+  std::array<AlignedArray<std::uint32_t>, 2> lists_;
+  std::array<AlignedArray<std::uint64_t>, 2> visited_;
+};
+
+/// Repeats a cycle on the pixels that were loaded into the grid, until it changes nothing or
+/// `max_iterations` are done; returns how many ran, the last one included. The background goes on
+/// outside the image. The workspace was made for as many threads as the team has, or more. No
+/// allocation.
+int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
+                  const ThreadTeam& team);
+
+}  // namespace thinbench

@@ -1,0 +1,91 @@
+#include "thinning/iteration/tile_state.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace thinbench {
+namespace {
+
+template <class View>
+View rows_of_tiles(const View& view, Index tile_row) {
+  const Index first = tile_row * kTileRows;
+  return rows_of_view(view, first, std::min(first + kTileRows, view.height));
+}
+
+}  // namespace
+
+TileState::TileState(const TileEngine& engine, const TileSetting& setting)
+    : engine_(engine),
+      setting_(setting),
+      team_(setting.width, setting.height, setting.threads),
+      conversion_(plane_conversion<std::uint64_t>(setting.isa)),
+      workspace_(setting.width, setting.height, setting.threads) {
+  const int most = static_cast<int>(
+      std::min<Index>(setting.threads, std::max<Index>(1, workspace_.grid().tile_rows())));
+  rows_.reserve(static_cast<std::size_t>(most));
+  for (int i = 0; i < most; ++i) rows_.emplace_back(setting.width, kTileRows);
+}
+
+void TileState::load(const ConstImageView& source) {
+  if (!planes_) planes_.emplace(setting_.isa, setting_.width, setting_.height);
+  read_planes(team_, source, *planes_);
+}
+
+void TileState::store(const ImageView& destination) const {
+  write_planes(team_, planes_.value(), destination);
+}
+
+bool TileState::margins_are_zero() const {
+  const auto all_zero = [](const BitPlane& plane) { return plane.margin_is_zero(); };
+  const bool planes = !planes_ || (all_zero(planes_->source) && all_zero(planes_->result));
+  return planes && std::ranges::all_of(rows_, all_zero) && workspace_.grid().margin_is_zero();
+}
+
+int TileState::thin() {
+  TileGrid& grid = workspace_.grid();
+  const TileLayout& layout = *engine_.layout;
+  const ConstBitPlaneView from = std::as_const(planes_.value().source).view();
+  const BitPlaneView to = planes_.value().result.view();
+  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+    for (Index row = first; row < last; ++row) {
+      layout.load_rows(grid.view(), rows_of_tiles(from, row), row);
+    }
+  });
+  const int cycles = iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+    for (Index row = first; row < last; ++row) {
+      layout.store_rows(grid.view(), rows_of_tiles(to, row), row);
+    }
+  });
+  return cycles;
+}
+
+template <class Body>
+void TileState::for_tile_rows(const Body& body) {
+  std::atomic<std::size_t> next = 0;
+  team_.for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
+    BitPlaneView band = rows_[next++].view();
+    for (Index row = first; row < last; ++row) {
+      band.height = std::min(kTileRows, setting_.height - row * kTileRows);
+      body(row, band);
+    }
+  });
+}
+
+int TileState::run(const ConstImageView& source, const ImageView& destination) {
+  const TileGridView& grid = workspace_.grid().view();
+  for_tile_rows([&](Index row, const BitPlaneView& rows) {
+    conversion_.read(rows_of_tiles(source, row), rows);
+    engine_.layout->load_rows(grid, rows, row);
+  });
+  const int cycles = iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+  const auto write = row_writer(conversion_, setting_.width * setting_.height);
+  for_tile_rows([&](Index row, const BitPlaneView& rows) {
+    engine_.layout->store_rows(grid, rows, row);
+    write(rows, rows_of_tiles(destination, row));
+  });
+  return cycles;
+}
+
+}  // namespace thinbench

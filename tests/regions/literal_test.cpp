@@ -1,0 +1,105 @@
+// The relabelling scan as printed: what it counts, and where it stops counting right.
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "experiments/literal_holes.hpp"
+#include "regions/pictures.hpp"
+
+namespace thinbench {
+namespace {
+
+using holes_test::picture;
+
+struct Scanned {
+  ByteImage levels;
+  reference::LiteralHoles count;
+};
+
+Scanned scan(const ByteImage& contours) {
+  Scanned scanned{ByteImage(contours.width(), contours.height()), {}};
+  scanned.count = reference::holes_literal(contours.view(), scanned.levels.view());
+  return scanned;
+}
+
+int holes_of_object(const ByteImage& image) {
+  ByteImage contours(image.width(), image.height());
+  reference::contours_of(image.view(), contours.view());
+  return scan(contours).count.holes();
+}
+
+TEST(HolesLiteral, paper_s_example_of_flag_252_means_two_holes) {
+  const ByteImage contours = picture(
+      {"###########", "#.........#", "#.##...##.#", "#.##...##.#", "#.........#", "###########"});
+  const Scanned scanned = scan(contours);
+  EXPECT_EQ(scanned.count.flag, 252);
+  EXPECT_EQ(scanned.count.holes(), 2);
+  EXPECT_EQ(scanned.levels.at(0, 5), 254) << "the exterior contour";
+  EXPECT_EQ(scanned.levels.at(3, 3), 253);
+  EXPECT_EQ(scanned.levels.at(8, 3), 252);
+}
+
+TEST(HolesLiteral, branches_that_meet_give_their_level_back) {
+  // Three teeth begin apart (254, 253, 252) and meet below; the dot gets the next free level.
+  const ByteImage contours = picture({"#.#.#..", "#.#.#..", "#####.#"});
+  const Scanned scanned = scan(contours);
+  EXPECT_EQ(scanned.count.flag, 253);
+  EXPECT_EQ(scanned.levels.at(2, 0), 254);
+  EXPECT_EQ(scanned.levels.at(4, 0), 254);
+  EXPECT_EQ(scanned.levels.at(6, 2), 253);
+}
+
+TEST(HolesLiteral, level_that_is_given_back_moves_all_smaller_ones_up) {
+  // 254: left tooth; 253: right tooth; 252: dot. The teeth meet: the dot becomes 253.
+  const ByteImage contours = picture({"#.#.#", "#.#..", "##..."});
+  const Scanned scanned = scan(contours);
+  EXPECT_EQ(scanned.levels.at(4, 0), 253);
+  EXPECT_EQ(scanned.count.flag, 253);
+}
+
+TEST(HolesLiteral, picture_without_points_has_no_contours_and_no_holes) {
+  const Scanned scanned = scan(ByteImage(7, 5));
+  EXPECT_EQ(scanned.count.contours(), 0);
+  EXPECT_EQ(scanned.count.holes(), 0);
+}
+
+/// Dots on every other pixel of a picture 508 pixels wide.
+ByteImage dots(Index count) {
+  ByteImage image(508, 3);
+  for (Index i = 0; i < count; ++i) image.at(2 * i, 1) = 255;
+  return image;
+}
+
+TEST(HolesLiteral, more_than_254_levels_are_refused_and_never_wrap) {
+  const ByteImage most = dots(254);
+  EXPECT_EQ(scan(most).count.flag, 1);
+  ByteImage one_more(510, 3);
+  for (Index i = 0; i < 255; ++i) one_more.at(2 * i, 1) = 255;
+  EXPECT_THROW((void)scan(one_more), std::length_error);
+}
+
+TEST(HolesLiteral, is_right_on_one_object_whose_walls_are_at_least_three_pixels_thick) {
+  for (const Index holes : {0, 1, 2, 7, 40}) {
+    for (const Index wall : {3, 4, 9}) {
+      const ByteImage image = plate_with_holes(holes, wall);
+      ASSERT_EQ(reference::holes(image.view()).holes.size(), static_cast<std::size_t>(holes));
+      EXPECT_EQ(holes_of_object(image), holes) << wall;
+    }
+  }
+}
+
+TEST(HolesLiteral, takes_every_object_beyond_the_first_for_a_hole) {
+  const ByteImage two = picture({"###.###", "#.#.###", "###.###"});
+  EXPECT_EQ(reference::holes(two.view()).holes.size(), 1U);
+  EXPECT_EQ(holes_of_object(two), 1) << "the second object; the hole's contour is the object's own";
+}
+
+TEST(HolesLiteral, loses_holes_behind_walls_of_one_or_two_pixels) {
+  for (const Index wall : {1, 2}) {
+    EXPECT_EQ(reference::holes(plate_with_holes(5, wall).view()).holes.size(), 5U);
+    EXPECT_EQ(holes_of_object(plate_with_holes(5, wall)), 0) << "the contours on both sides touch";
+  }
+}
+
+}  // namespace
+}  // namespace thinbench

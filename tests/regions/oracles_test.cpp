@@ -1,0 +1,242 @@
+// Oracles that share no code with the kernels: Euler's formula, OpenCV, the scene's true geometry.
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include "harness/test_images.hpp"
+#include "holes.hpp"
+#include "picture/picture.hpp"
+#include "scene/scene.hpp"
+#include "support/given_pictures.hpp"
+#include "thinbench_holes.hpp"
+
+namespace thinbench {
+namespace {
+
+using Summary = std::tuple<std::int64_t, int, int, int, int, double, double>;
+
+std::vector<Summary> summaries(const std::vector<Region>& regions) {
+  std::vector<Summary> all;
+  all.reserve(regions.size());
+  for (const Region& region : regions) {
+    all.emplace_back(region.area, region.left, region.top, region.right - region.left + 1,
+                     region.bottom - region.top + 1, region.centre_x(), region.centre_y());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// The image in a light frame one pixel wide.
+cv::Mat framed(const ByteImage& image) {
+  cv::Mat mat(static_cast<int>(image.height()) + 2, static_cast<int>(image.width()) + 2, CV_8U,
+              cv::Scalar(0));
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) {
+      mat.at<std::uint8_t>(static_cast<int>(y) + 1, static_cast<int>(x) + 1) = image.at(x, y);
+    }
+  }
+  return mat;
+}
+
+/// What connectedComponentsWithStats finds, without the component of `left_out`.
+std::vector<Summary> opencv_summaries(const cv::Mat& mat, int connectivity, cv::Point left_out) {
+  cv::Mat labels;
+  cv::Mat stats;
+  cv::Mat centres;
+  const int count = cv::connectedComponentsWithStats(mat, labels, stats, centres, connectivity);
+  const int skipped = labels.at<int>(left_out);
+  std::vector<Summary> all;
+  for (int label = 1; label < count; ++label) {
+    if (label == skipped) continue;
+    all.emplace_back(
+        stats.at<int>(label, cv::CC_STAT_AREA), stats.at<int>(label, cv::CC_STAT_LEFT) - 1,
+        stats.at<int>(label, cv::CC_STAT_TOP) - 1, stats.at<int>(label, cv::CC_STAT_WIDTH),
+        stats.at<int>(label, cv::CC_STAT_HEIGHT), centres.at<double>(label, 0) - 1,
+        centres.at<double>(label, 1) - 1);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void expect_near(const std::vector<Summary>& found, const std::vector<Summary>& expected,
+                 const std::string& what) {
+  ASSERT_EQ(found.size(), expected.size()) << what;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& [area, left, top, width, height, x, y] = found[i];
+    const auto& [area2, left2, top2, width2, height2, x2, y2] = expected[i];
+    EXPECT_EQ(std::tie(area, left, top, width, height),
+              std::tie(area2, left2, top2, width2, height2))
+        << what;
+    EXPECT_NEAR(x, x2, 1e-9) << what;
+    EXPECT_NEAR(y, y2, 1e-9) << what;
+  }
+}
+
+void expect_as_opencv(const ByteImage& image, const std::string& what) {
+  const FoundHoles found = find_holes(image.view());
+  const cv::Mat dark = framed(image);
+  const cv::Point corner(0, 0);
+  expect_near(summaries(found.objects), opencv_summaries(dark, 8, corner), what + ", objects");
+  expect_near(summaries(found.holes), opencv_summaries(dark == 0, 4, corner), what + ", holes");
+}
+
+/// Objects minus holes of each available variant that runs on one thread, by its name; those with
+/// threads run the same kernels.
+class Counters {
+ public:
+  Counters(std::string_view operation, Index width, Index height) {
+    const HolesOperation& found = *find_holes_operation(operation);
+    for (const HolesVariant& variant : found.variants) {
+      if (variant.threaded || !unavailable_reason(facts_of(variant), width).empty()) continue;
+      names_.push_back(std::string(technique_name(variant.technique)) + " at " +
+                       std::string(isa_name(variant.isa)));
+      plans_.emplace_back(found, variant, width, height);
+    }
+    lists_ = found.task == HolesTask::holes;
+  }
+
+  /// The first that gives another number; empty where there is none.
+  [[nodiscard]] std::string dissenter(const ConstImageView& image, std::int64_t expected) {
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      plans_[i].run(image);
+      if (number(plans_[i]) != expected) return names_[i];
+    }
+    return "";
+  }
+
+ private:
+  [[nodiscard]] std::int64_t number(const HolesPlan& plan) const {
+    if (!lists_) return plan.number();
+    const RegionLists found = plan.regions();
+    return static_cast<std::int64_t>(found.objects.size()) -
+           static_cast<std::int64_t>(found.holes.size());
+  }
+
+  std::vector<std::string> names_;
+  std::vector<HolesPlan> plans_;
+  bool lists_;
+};
+
+TEST(HolesOracle, euler_formula_holds_on_all_4x4_images_and_by_every_counter) {
+  Counters lists("holes", 4, 4);
+  Counters eight("euler_number", 4, 4);
+  Counters four("euler_number_4", 4, 4);
+  for (std::uint64_t bits = 0; bits < 65536; ++bits) {
+    const ByteImage image = image_of_bits(4, 4, bits);
+    const std::int64_t expected = reference::euler_number(image.view());
+    ASSERT_EQ(lists.dissenter(image.view(), expected), "") << bits;
+    ASSERT_EQ(eight.dissenter(image.view(), expected), "") << bits;
+    ASSERT_EQ(four.dissenter(image.view(), reference::euler_number_4(image.view())), "") << bits;
+  }
+}
+
+TEST(HolesOracle, euler_formula_holds_on_noise) {
+  for (int percent = 5; percent < 100; percent += 10) {
+    const ByteImage image = noise_image(517, 301, percent, 1, 7);
+    const FoundHoles found = find_holes(image.view());
+    EXPECT_EQ(static_cast<std::int64_t>(found.objects.size()) -
+                  static_cast<std::int64_t>(found.holes.size()),
+              euler_number(image.view()))
+        << percent;
+  }
+}
+
+TEST(HolesOracle, opencv_finds_the_same_objects_and_holes) {
+  for (int percent = 10; percent < 100; percent += 10) {
+    for (const Index granularity : {1, 3, 8}) {
+      expect_as_opencv(noise_image(257, 130, percent, granularity, 11),
+                       std::to_string(percent) + " % in blocks of " + std::to_string(granularity));
+    }
+  }
+  for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
+    expect_as_opencv(render_scene({.kind = kind}).binary, "scene");
+  }
+}
+
+/// The object whose outer contour encloses a hole's contour, by OpenCV's hierarchy: the box of each
+/// hole contour's parent.
+TEST(HolesOracle, opencv_gives_each_hole_the_same_owner) {
+  const ByteImage image = noise_image(200, 150, 60, 4, 5);
+  const FoundHoles found = find_holes(image.view());
+  std::vector<std::vector<cv::Point>> contours;
+  std::vector<cv::Vec4i> hierarchy;
+  cv::findContours(framed(image), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+  std::vector<std::tuple<cv::Rect, cv::Rect>> expected;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    const int parent = hierarchy[i][3];
+    if (parent < 0) continue;
+    // A hole's contour runs on the dark pixels round it.
+    const cv::Rect box = cv::boundingRect(contours[i]);
+    expected.emplace_back(
+        cv::Rect(box.x, box.y, box.width - 2, box.height - 2),
+        cv::boundingRect(contours[static_cast<std::size_t>(parent)]) - cv::Point(1, 1));
+  }
+  std::vector<std::tuple<cv::Rect, cv::Rect>> mine;
+  const auto box_of = [](const Region& region) {
+    return cv::Rect(region.left, region.top, region.right - region.left + 1,
+                    region.bottom - region.top + 1);
+  };
+  for (const Region& hole : found.holes) {
+    mine.emplace_back(box_of(hole), box_of(found.objects[hole.owner - 1]));
+  }
+  const auto key = [](const std::tuple<cv::Rect, cv::Rect>& pair) {
+    const auto& [a, b] = pair;
+    return std::make_tuple(a.x, a.y, a.width, a.height, b.x, b.y, b.width, b.height);
+  };
+  const auto before = [&](const auto& a, const auto& b) { return key(a) < key(b); };
+  std::sort(mine.begin(), mine.end(), before);
+  std::sort(expected.begin(), expected.end(), before);
+  ASSERT_EQ(mine.size(), expected.size());
+  for (std::size_t i = 0; i < mine.size(); ++i) EXPECT_EQ(key(mine[i]), key(expected[i])) << i;
+}
+
+/// The largest distance of a hole's centre from the truth; -1 where holes or owners differ.
+double worst_centre(const SceneOptions& options) {
+  const Scene scene = render_scene(options);
+  const FoundHoles found = find_holes(scene.binary.view());
+  if (found.holes.size() != scene.holes.size()) return -1;
+  double worst = 0;
+  for (std::size_t i = 0; i < found.holes.size(); ++i) {
+    const Region& hole = found.holes[i];
+    if (static_cast<int>(hole.owner) != scene.holes[i].part) return -1;
+    worst = std::max(worst, std::hypot(hole.centre_x() - scene.holes[i].centre.x,
+                                       hole.centre_y() - scene.holes[i].centre.y));
+  }
+  return worst;
+}
+
+// At larger scales thresholding alone moves the centre of a square by up to half a pixel, as whole
+// rows and columns fall on one side.
+TEST(HolesOracle, every_hole_of_the_clean_scene_is_within_a_quarter_pixel) {
+  for (const bool illumination : {false, true}) {
+    const double worst = worst_centre({.noise_sigma_16 = 0, .illumination = illumination});
+    EXPECT_GE(worst, 0);
+    EXPECT_LE(worst, 0.25);
+  }
+}
+
+TEST(HolesOracle, every_hole_of_the_noisy_scene_is_within_half_a_pixel) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const double worst = worst_centre({.seed = seed});
+    EXPECT_GE(worst, 0) << seed;
+    EXPECT_LE(worst, 0.5) << seed;
+  }
+}
+
+TEST(HolesOracle, plate_of_a_drawn_picture_has_exactly_seven_holes) {
+  const std::filesystem::path path = folder_of_given_pictures() / "pic1.png";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
+  const ByteImage grey = read_grey(path.string());
+  for (const int threshold : {64, 128, 200}) {
+    const FoundHoles found = find_holes(threshold_dark(grey.view(), threshold).view());
+    const auto of_plate = std::count_if(found.holes.begin(), found.holes.end(),
+                                        [](const Region& hole) { return hole.owner == 1; });
+    EXPECT_EQ(of_plate, 7) << threshold;
+  }
+}
+
+}  // namespace
+}  // namespace thinbench
