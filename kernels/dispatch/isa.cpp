@@ -1,36 +1,59 @@
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 
+#include "dispatch/features.hpp"
+
 namespace thinbench {
 namespace {
 
-constexpr std::array<std::string_view, kAllIsas.size()> kNames = {"baseline", "sse4.2", "avx2",
-                                                                  "avx512", "avx512icl"};
+using detail::Features;
 
-bool has_avx512() {
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-         __builtin_cpu_supports("avx512vl");
+struct IsaInfo {
+  std::string_view name;
+  Features features;
+};
+
+constexpr Features kSse42Features = Features::sse4_2 | Features::popcnt;
+constexpr Features kAvx2Features =
+    kSse42Features | Features::avx2 | Features::bmi | Features::bmi2;
+constexpr Features kAvx512Features = kAvx2Features | Features::avx512f | Features::avx512cd |
+                                     Features::avx512dq | Features::avx512bw | Features::avx512vl;
+constexpr Features kAvx512IclFeatures =
+    kAvx512Features | Features::avx512vbmi | Features::avx512vbmi2 | Features::avx512vnni |
+    Features::avx512bitalg | Features::avx512vpopcntdq | Features::gfni;
+
+/// In the order of the enumeration.
+constexpr std::array<IsaInfo, kAllIsas.size()> kInfos = {{{"baseline", Features::none},
+                                                          {"sse4.2", kSse42Features},
+                                                          {"avx2", kAvx2Features},
+                                                          {"avx512", kAvx512Features},
+                                                          {"avx512icl", kAvx512IclFeatures}}};
+
+const IsaInfo& info_of(Isa isa) {
+  return kInfos.at(static_cast<std::size_t>(isa));
 }
 
-bool has_icelake_extensions() {
-  return __builtin_cpu_supports("avx512vbmi") && __builtin_cpu_supports("avx512vbmi2") &&
-         __builtin_cpu_supports("avx512vnni") && __builtin_cpu_supports("avx512bitalg") &&
-         __builtin_cpu_supports("avx512vpopcntdq") && __builtin_cpu_supports("gfni");
+std::string names() {
+  std::string text;
+  for (const IsaInfo& info : kInfos) text.append(text.empty() ? "" : ", ").append(info.name);
+  return text;
 }
 
-bool has_avx2() {
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-         __builtin_cpu_supports("bmi2");
+std::optional<Isa> read_cap() {
+  const char* text = std::getenv(kIsaCapVariable);
+  if (text == nullptr || *text == '\0') return std::nullopt;
+  if (const auto isa = isa_from_name(text)) return isa;
+  throw std::invalid_argument(std::string(kIsaCapVariable) + ": expected one of " + names() +
+                              ", got '" + text + "'");
 }
 
 }  // namespace
 
 std::string_view isa_name(Isa isa) {
-  return kNames.at(static_cast<std::size_t>(isa));
+  return info_of(isa).name;
 }
 
 std::optional<Isa> isa_from_name(std::string_view name) {
@@ -41,32 +64,19 @@ std::optional<Isa> isa_from_name(std::string_view name) {
 }
 
 bool cpu_supports(Isa isa) {
-  __builtin_cpu_init();
-  switch (isa) {
-    case Isa::baseline:
-      return true;
-    case Isa::sse42:
-      return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
-    case Isa::avx2:
-      return cpu_supports(Isa::sse42) && has_avx2();
-    case Isa::avx512:
-      return cpu_supports(Isa::avx2) && has_avx512();
-    case Isa::avx512icl:
-      return cpu_supports(Isa::avx512) && has_icelake_extensions();
-  }
-  return false;
+  static const Features available = detail::detect_features();
+  return detail::contains(available, info_of(isa).features);
 }
 
-Isa isa_cap() {
-  const char* text = std::getenv(kIsaCapVariable);
-  if (text == nullptr || *text == '\0') return kAllIsas.back();
-  if (const auto isa = isa_from_name(text)) return *isa;
-  throw std::invalid_argument(std::string(kIsaCapVariable) + "=" + text +
-                              " is no level; use baseline, sse4.2, avx2, avx512 or avx512icl");
+std::optional<Isa> isa_cap() {
+  static const std::optional<Isa> cap = read_cap();
+  return cap;
 }
 
 bool isa_available(Isa isa) {
-  return isa <= isa_cap() && cpu_supports(isa);
+  const std::optional<Isa> cap = isa_cap();
+  const bool allowed = !cap || detail::contains(info_of(*cap).features, info_of(isa).features);
+  return allowed && cpu_supports(isa);
 }
 
 Isa best_isa() {

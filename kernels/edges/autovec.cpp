@@ -4,7 +4,7 @@
 // loaded anew: 9 (or 25) loads a pixel and all sums again for each row.
 #include "edges/operators.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <EdgeOperator op, class At>
@@ -66,4 +66,4 @@ constinit const EdgeTable<EdgesToBytes> IsaEdges<Isa::THINBENCH_ISA>::kAutovec =
      &edges<EdgeOperator::mero_vassy>, &edges<EdgeOperator::mero_vassy_5x5>,
      &edges<EdgeOperator::sobel>, &edges<EdgeOperator::prewitt>}};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

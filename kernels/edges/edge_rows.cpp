@@ -1,6 +1,6 @@
 #include "edges/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr bool kThreads = true;
@@ -47,4 +47,4 @@ std::vector<EdgeVariant> edge_rows(EdgeOperator op) {
   return rows.take();
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 
 #include "edges/sweep.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 
 /// P1 times the operator's scale, against which 16-bit magnitudes stand.
@@ -195,4 +195,4 @@ struct MeroVassy5x5In16Bits {
 };
 
 }  // namespace THINBENCH_ISA
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -5,7 +5,7 @@
 #include "image/plane_view.hpp"
 #include "edges/thresholds.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The order of every table of edge kernels.
 enum class EdgeOperator : std::uint8_t {
@@ -70,4 +70,4 @@ struct IsaEdges {
   static const EdgeTable<EdgesToBits> kSimdToBits;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -5,7 +5,7 @@
 #include "edges/operators.hpp"
 #include "edges/tables.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <EdgeOperator op, class At>
@@ -63,4 +63,4 @@ constinit const EdgeTable<EdgesToBytes> ScalarEdges::kLut = {
      &edges<EdgeOperator::mero_vassy>, &edges<EdgeOperator::mero_vassy_5x5>,
      &edges<EdgeOperator::sobel>, &edges<EdgeOperator::prewitt>}};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

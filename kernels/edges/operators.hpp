@@ -4,7 +4,7 @@
 
 #include "edges/kernels.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 struct EdgeGradient {
   int gx;
@@ -14,7 +14,7 @@ struct EdgeGradient {
 template <EdgeOperator op>
 inline constexpr Index kEdgeReach = op == EdgeOperator::mero_vassy_5x5 ? 2 : 1;
 
-namespace detail {
+namespace internal {
 
 template <class At>
 [[gnu::always_inline]] inline EdgeGradient weighted_gradient(const At& at, int middle) {
@@ -36,7 +36,7 @@ template <int reach, class At>
   return total;
 }
 
-}  // namespace detail
+}  // namespace internal
 
 template <EdgeOperator op, class At>
 [[gnu::always_inline]] inline EdgeGradient edge_gradient(const At& at) {
@@ -72,4 +72,4 @@ struct EdgeWindow {
   return x < 0 ? 0 : x < width ? x : width - 1;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

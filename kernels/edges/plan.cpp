@@ -10,7 +10,7 @@
 #include "image/thread_team.hpp"
 #include "edges/tables.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 void check_threshold(const char* name, int value) {
@@ -96,4 +96,4 @@ bool EdgePlan::margins_are_zero() const {
   return state_->bits.margin_is_zero();
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

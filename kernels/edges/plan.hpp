@@ -6,7 +6,7 @@
 
 #include "edges/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 struct EdgeTables;
 
@@ -46,4 +46,4 @@ class EdgePlan {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

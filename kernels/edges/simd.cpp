@@ -16,7 +16,7 @@
 // and its time depends on the picture.
 #include "edges/gradients.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// A type of this file makes every function instantiated with it one of this file, too: no symbol
@@ -54,4 +54,4 @@ constinit const EdgeTable<EdgesToBits> IsaEdges<kThisIsa>::kSimdToBits = {
     {&to_bits<Roberts4In8Bits>, &to_bits<Roberts9In8Bits>, &to_bits<MeroVassyIn16Bits>,
      &to_bits<MeroVassy5x5In16Bits>, &to_bits<SobelIn16Bits>, &to_bits<PrewittIn16Bits>}};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

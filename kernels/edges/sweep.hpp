@@ -11,7 +11,7 @@
 #include "simd/grey_lanes.hpp"
 #include "edges/kernels.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 
 inline constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
@@ -234,4 +234,4 @@ void sweep_to_bits(const EdgeThresholds& thresholds, ConstImageView source, BitP
 }
 
 }  // namespace THINBENCH_ISA
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 
 #include "edges/kernels.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The largest |gx| or |gy| of any operator, and of their sum: Mero-Vassy's halves of 10 pixels.
 inline constexpr int kLargestDifference = 10 * 255;
@@ -21,4 +21,4 @@ struct EdgeTables {
   std::array<std::uint8_t, 256> above_p2;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

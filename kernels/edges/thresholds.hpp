@@ -1,7 +1,7 @@
 // The two thresholds of section 2.1.
 #pragma once
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// In grey levels, both from 0 to 255. An edge needs a scaled gradient bigger than `p1` and a pixel
 /// brighter than `p2` in its 3 x 3 neighbourhood: the background is the bright side.
@@ -12,4 +12,4 @@ struct EdgeThresholds {
 
 inline constexpr int kLargestThreshold = 255;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -9,7 +9,7 @@
 #include "dispatch/variant_choice.hpp"
 #include "edges/kernels.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 struct EdgeVariant {
   VariantFacts facts;
@@ -28,4 +28,4 @@ struct EdgeOperation {
 /// All variants of an operator.
 [[nodiscard]] std::vector<EdgeVariant> edge_rows(EdgeOperator op);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 
 #include "image/layout.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 ByteImage::ByteImage(Index width, Index height)
     : width_(width),
@@ -30,4 +30,4 @@ bool equal(ConstImageView a, ConstImageView b) {
   return true;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Every row of memory that this library allocates starts on a cache line (bytes).
 inline constexpr std::size_t kAlignment = 64;
@@ -58,4 +58,4 @@ class ByteImage {
 /// True where both have the same size and the same pixels; strides do not matter.
 [[nodiscard]] bool equal(ConstImageView a, ConstImageView b);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

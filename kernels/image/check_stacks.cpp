@@ -6,7 +6,7 @@
 
 #include "image/checks.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 std::string text_of(const ConstStackView& stack) {
@@ -89,4 +89,4 @@ void check_stacks(const ConstStackView& source, const ConstStackView& destinatio
   }
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include "image/stack.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Throws std::invalid_argument where a count or a size is negative, a row or an image does not fit
 /// its stride, a stack spans more memory than there is or has no data, counts or sizes differ, or
@@ -11,4 +11,4 @@ namespace thinbench {
 /// buffer count as overlapping.
 void check_stacks(const ConstStackView& source, const ConstStackView& destination);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -68,4 +68,4 @@ void check_views(const ConstImageView& source, const ConstImageView& destination
   }
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

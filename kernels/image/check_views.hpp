@@ -3,7 +3,7 @@
 
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 enum class InPlace : bool { refused, allowed };
 
@@ -12,4 +12,4 @@ enum class InPlace : bool { refused, allowed };
 /// unless it is allowed.
 void check_views(const ConstImageView& source, const ConstImageView& destination, InPlace in_place);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

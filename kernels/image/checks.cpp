@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 
-namespace thinbench {
+#include "thinbench/options.hpp"
+
+namespace thinbench::detail {
 
 void require(bool holds, const std::string& otherwise) {
   if (!holds) throw std::invalid_argument(otherwise);
@@ -23,15 +25,7 @@ void require_max_pixels(Index width, Index height) {
 }
 
 void require_threads(int threads) {
-  require(threads >= 1 && threads <= kMaxThreads, "threads is " + std::to_string(threads) +
-                                                       "; it must be in 1.." +
-                                                       std::to_string(kMaxThreads));
+  require(threads >= 1 && threads <= kMaxThreads, "threads: expected an integer in [1, " + std::to_string(kMaxThreads) + "], got " + std::to_string(threads));
 }
 
-void require_available(const VariantFacts& variant, Index width) {
-  const std::string reason = obstacle(variant, width);
-  require(reason.empty(), std::string(technique_name(variant.technique)) + " at " +
-                              std::string(isa_name(variant.isa)) + " cannot run: " + reason);
-}
-
-}  // namespace thinbench
+}  // namespace thinbench::detail

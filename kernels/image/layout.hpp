@@ -3,7 +3,7 @@
 
 #include "image/byte_image.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 [[nodiscard]] constexpr Index round_up(Index value, Index multiple) {
   return (value + multiple - 1) / multiple * multiple;
@@ -17,4 +17,4 @@ namespace thinbench {
   return padded > 0 && padded % 4096 == 0 ? padded + line : padded;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -11,7 +11,7 @@
 
 #include "simd/batch.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
@@ -169,4 +169,4 @@ template <>
 constinit const PlaneConversion<std::uint64_t> IsaConversions<kThisIsa>::kBits = {
     &read_bits, &write_bits_by_size, &write_streamed_bits};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

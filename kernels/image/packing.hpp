@@ -5,7 +5,7 @@
 #include "dispatch/isa.hpp"
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// From here on bytes are written past the caches: a store would first read what it overwrites.
 inline constexpr Index kStreamedBytes = Index{8} << 20;
@@ -31,4 +31,4 @@ struct IsaConversions {
 template <class T>
 [[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -2,7 +2,7 @@
 
 #include "image/packing.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <class T, Isa isa>
@@ -35,4 +35,4 @@ const PlaneConversion<std::uint64_t>& plane_conversion<std::uint64_t>(Isa isa) {
   return choose<std::uint64_t>(isa);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Sizes, coordinates and strides are signed so that `y - 1` needs no care.
 using Index = std::ptrdiff_t;
@@ -74,4 +74,4 @@ using BytePlaneView = PlaneView<std::uint8_t>;
 using ConstBitPlaneView = ConstPlaneView<std::uint64_t>;
 using BitPlaneView = PlaneView<std::uint64_t>;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -2,7 +2,7 @@
 
 #include "image/layout.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <class T>
@@ -49,4 +49,4 @@ bool Plane<T>::margin_is_zero() const {
 template class Plane<std::uint8_t>;
 template class Plane<std::uint64_t>;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "image/byte_image.hpp"
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Owns a plane. Rows start on cache lines; the margin and the padding are zero.
 template <class T>
@@ -32,4 +32,4 @@ extern template class Plane<std::uint64_t>;
 using BytePlane = Plane<std::uint8_t>;
 using BitPlane = Plane<std::uint64_t>;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

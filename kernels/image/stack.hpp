@@ -4,7 +4,7 @@
 
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Pixel (x, y) of image i is `data[i * image_stride + y * stride + x]`. Both strides count bytes;
 /// images may have gaps between them and between their rows, and share no byte.
@@ -36,4 +36,4 @@ struct StackView {
   operator ConstStackView() const { return {data, count, width, height, stride, image_stride}; }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -7,7 +7,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 // Threads hand work over and wait for each other inside oneTBB's library, which is not compiled
@@ -60,4 +60,4 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
   receive(finished);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Images of fewer pixels are thinned faster on one thread than on two.
 inline constexpr Index kMinPixelsForThreads = Index{1} << 20;
@@ -47,4 +47,4 @@ class ThreadTeam {
   int threads_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 void OutlinedObjects::write(const ConstBitPlaneView& contours, const BitPlaneView& target) {
   if (contours.height == 0) return;
@@ -44,4 +44,4 @@ void OutlinedObjects::write_row(Index y, std::uint64_t* row) {
   }
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

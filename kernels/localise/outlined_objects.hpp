@@ -5,7 +5,7 @@
 
 #include "regions/labelled_runs.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// An object is an outermost contour, one that the outside touches, with all that it encloses up to
 /// the contours within. Those, filled, are its holes.
@@ -27,4 +27,4 @@ class OutlinedObjects {
   std::vector<char> wanted_[2];  // roots of what lies between contours, and of contours
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "catalog.hpp"
 #include "regions/plan.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// The operator's variant that writes bits, at this level or the highest below that it has.
@@ -54,4 +54,4 @@ bool LocalisePlan::margins_are_zero() const {
   return edges_.margins_are_zero() && objects_.margin_is_zero();
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "localise/outlined_objects.hpp"
 #include "localise/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 struct LocaliseOptions {
   EdgeOperator edges = EdgeOperator::sobel;
@@ -43,4 +43,4 @@ class LocalisePlan {
   RunLabeller regions_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 #include "regions/states.hpp"
 #include "localise/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr LocaliseVariant simd_runs(Isa isa, bool threaded = false) {
@@ -31,4 +31,4 @@ std::span<const LocaliseVariant> localise_rows() {
   return kRows;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

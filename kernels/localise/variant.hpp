@@ -6,7 +6,7 @@
 
 #include "dispatch/variant_choice.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Edges as packed bits, the objects that they outline, and the regions of these: each row names
 /// the technique by which the regions are found; edges are those of simd_to_bits at its level.
@@ -23,4 +23,4 @@ struct LocaliseOperation {
 
 [[nodiscard]] std::span<const LocaliseVariant> localise_rows();
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "image/layout.hpp"
 #include "midpoints/work.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using Bytes = const std::uint8_t* __restrict;
@@ -174,4 +174,4 @@ template <>
 constinit const ImageKernel<std::uint8_t> IsaScan<Isa::THINBENCH_ISA>::kAutovec = {&thin,
                                                                                    &scratch_words};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

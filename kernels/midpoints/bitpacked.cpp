@@ -2,9 +2,9 @@
 // auto-vectorisation, so that the row shows what packing alone gives.
 #include "midpoints/engine.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 constinit const ScanKernels ScalarScan::kBitpacked =
     ScanEngine<std::uint64_t, Isa::baseline>::kKernels;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

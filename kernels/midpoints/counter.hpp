@@ -4,7 +4,7 @@
 #include "simd/word.hpp"
 #include "midpoints/unrolled.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The second place, from 1, whose bit is fed back; the first is the last. x^bits + x^(bits -
 /// place)
@@ -63,4 +63,4 @@ struct RunCounter {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

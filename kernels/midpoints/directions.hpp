@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 enum class Direction : std::uint8_t {
   rows,           // west to east
@@ -36,4 +36,4 @@ struct Directions {
 
 inline constexpr Directions kNoDirections = {0};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -5,7 +5,7 @@
 #include "midpoints/sweep.hpp"
 #include "midpoints/turning.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// `isa` keeps apart what is compiled for different levels.
 template <class Word, Isa isa>
@@ -184,4 +184,4 @@ struct ScanEngine {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Whether a word type can, and how: the row turned by `pixels` towards the east.
 template <class Word>
@@ -11,4 +11,4 @@ struct RegisterTurn {
   static constexpr bool kAvailable = false;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

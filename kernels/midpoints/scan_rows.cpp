@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using enum Technique;
@@ -50,4 +50,4 @@ std::span<const ThinningVariant> scan_rows() {
   return kRows;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

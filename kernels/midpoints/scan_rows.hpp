@@ -5,8 +5,8 @@
 
 #include "thinning/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 [[nodiscard]] std::span<const ThinningVariant> scan_rows();
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

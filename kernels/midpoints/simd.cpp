@@ -4,7 +4,7 @@
 #include "simd/batch.hpp"
 #include "midpoints/engine.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 #ifdef __AVX512F__
 // Two permutations and a funnel shift (without VBMI2 two shifts and an OR). Through a ring in
@@ -35,4 +35,4 @@ template <>
 constinit const ScanKernels IsaScan<kThisIsa>::kSimdBitpacked =
     ScanEngine<WordBatch, kThisIsa>::kKernels;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 
 #include "image/layout.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr Index kWordBytes = sizeof(std::uint64_t);
@@ -81,4 +81,4 @@ int ScanState::thin() {
   return 1;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "midpoints/work.hpp"
 #include "thinning/iteration/state.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// What one scan needs to know beside its kernels.
 struct ScanSetting {
@@ -45,4 +45,4 @@ class ScanState final : public PlaneState<std::uint64_t> {
   std::vector<Task> tasks_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -15,7 +15,7 @@
 #include "midpoints/counter.hpp"
 #include "midpoints/work.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// A column of words: where pixels come from and marks go to.
 struct ScanColumn {
@@ -103,4 +103,4 @@ struct ColumnSweep {
           sheet.stride,      sheet.rows,   checkpoints};
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -5,7 +5,7 @@
 #include "midpoints/unrolled.hpp"
 #include "midpoints/work.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Batch `word` of a row that is turned by `pixels` towards the east; `ring` holds the row twice.
 template <class Word>
@@ -106,4 +106,4 @@ struct Blocks {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Calls `body` with integral constants 0 to count - 1.
 template <int count, class Body>
@@ -14,4 +14,4 @@ template <int count, class Body>
   (std::make_integer_sequence<int, count>{});
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "midpoints/directions.hpp"
 #include "thinning/engines/image_kernel.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Packed rows without a margin, in memory for whole groups of rows.
 struct Sheet {
@@ -81,4 +81,4 @@ struct IsaScan {
   static const ImageKernel<std::uint8_t> kAutovec;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "nets/model.hpp"
 #include "nets/model_passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr Index kStrip = 64;  // rows are padded to whole strips
@@ -115,4 +115,4 @@ constinit const NetPasses<Pass<std::uint8_t>> IsaModelPasses<Isa::THINBENCH_ISA>
     &pass<TwoLayerStrip<Activation::sigmoid>>, &pass<TwoLayerStrip<Activation::linear>>,
     &pass<ClusterStrip>};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -18,7 +18,7 @@
 #include "nets/weights.hpp"
 #include "thinning/engines/passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The neighbours of 64 packed pixels, in the order of the descriptor.
 struct PackedNeighbours {
@@ -175,4 +175,4 @@ template <class Decider>
   return queue.finish();
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using Order = std::array<int, kNetInputs>;  // from the root down
@@ -94,4 +94,4 @@ MuxProgram make_decision_diagram(const std::uint8_t* stays) {
   return with_result(best, stays[0] != 0);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,10 +3,10 @@
 
 #include "nets/model.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The reduced ordered decision diagram of `stays[descriptor]`, 256 entries of 0 and 1. The order
 /// of variables is improved by swaps until none saves a node.
 [[nodiscard]] MuxProgram make_decision_diagram(const std::uint8_t* stays);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -1,7 +1,7 @@
 // e^x in single precision for scalars and batches alike, so that all levels give the same bits.
 #pragma once
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// What the exponential needs beyond + - *; specialised where batches are known.
 template <class Real>
@@ -53,4 +53,4 @@ template <class Real>
   return one / (one + exponential(RealOps<Real>::constant(0.0F) - x));
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -9,7 +9,7 @@
 #include "nets/model.hpp"
 #include "nets/model_passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using SignedBatch = xsimd::batch<std::int8_t, Architecture>;
@@ -154,4 +154,4 @@ std::uint64_t fixed_point_bits(const RuleModel* model, const ConstBitPlaneView& 
 template <>
 constinit const ChangePass IsaModelPasses<kThisIsa>::kFixedPointBits = &fixed_point_bits;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

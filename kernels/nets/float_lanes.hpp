@@ -5,7 +5,7 @@
 #include "simd/batch.hpp"
 #include "nets/exponential.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 using FloatBatch = xsimd::batch<float, Architecture>;
 using FloatBool = xsimd::batch_bool<float, Architecture>;
@@ -111,4 +111,4 @@ using LaneMask = __m128i;
 #endif
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

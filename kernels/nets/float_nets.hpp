@@ -6,7 +6,7 @@
 #include "nets/float_lanes.hpp"
 #include "nets/model.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Weights are loaded and broadcast by the very addition that uses them. Left alone, GCC takes 81
 /// of them out of the loop, spills them, and loads whole registers back.
@@ -99,4 +99,4 @@ struct ClusterOfNets {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "nets/exponential.hpp"
 #include "thinning/engines/pair_table.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 float net_input(const Neuron& neuron, const float* inputs) {
@@ -179,4 +179,4 @@ RuleModel cluster_model(const ClusterWeights& weights) {
   return model;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

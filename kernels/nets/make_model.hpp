@@ -3,7 +3,7 @@
 
 #include "nets/model.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The thinning net of section 3.2 with these weights. Throws std::invalid_argument where a weight
 /// is not finite.
@@ -18,4 +18,4 @@ namespace thinbench {
                                    int descriptor);
 [[nodiscard]] bool cluster_stays(const ClusterWeights& weights, int descriptor);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

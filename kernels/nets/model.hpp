@@ -6,7 +6,7 @@
 
 #include "nets/weights.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The two-layer net with a linear threshold in 8-bit fixed point: `weight` and `bias` hold
 /// multiples of 1 / scale, a hidden answer is an integer in [0, 2 limit] with limit = 3 scale, and
@@ -52,4 +52,4 @@ struct RuleModel {
   MuxProgram program;               // new_pixel[256 ... 511]
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 #include "dispatch/isa.hpp"
 #include "thinning/engines/passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Compiled once, for the baseline.
 struct ScalarModelPasses {
@@ -39,4 +39,4 @@ struct IsaModelPasses {
   static const ChangePass kFixedPointBits;  // two layers, linear threshold
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

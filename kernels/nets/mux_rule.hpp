@@ -5,7 +5,7 @@
 #include "nets/model.hpp"
 #include "thinning/rules.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// A rule object for the sweep. Cost a word: for each node 3 loads, 1 multiplexer (one instruction
 /// on AVX-512, three else) and 1 store, more than a minimised circuit needs; but it takes any table
@@ -31,4 +31,4 @@ struct MuxRule {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "nets/trained_cluster.hpp"
 #include "thinning/rule_rows.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr RuleTable kNaccacheShinghalTable = make_rule_table<NaccacheShinghal, 0>();
@@ -147,4 +147,4 @@ const RuleModel& trained_cluster_model() {
   return model;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "nets/model.hpp"
 #include "thinning/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 enum class NetKind { sigmoid, linear, cluster };
 
@@ -26,4 +26,4 @@ enum class NetKind { sigmoid, linear, cluster };
 /// The twelve nets of trained_cluster.hpp; the paper prints none.
 [[nodiscard]] const RuleModel& trained_cluster_model();
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

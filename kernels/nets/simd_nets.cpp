@@ -7,7 +7,7 @@
 #include "nets/float_nets.hpp"
 #include "nets/model_passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 [[gnu::always_inline]] inline MaskInputs mask_inputs(const PackedNeighbours& from, Index first) {
@@ -100,4 +100,4 @@ template <>
 constinit const NetPasses<Pass<std::uint8_t>> IsaModelPasses<kThisIsa>::kFloatBytes = {
     &float_bytes<Sigmoid>, &float_bytes<Linear>, &float_bytes<ClusterOfNets>};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

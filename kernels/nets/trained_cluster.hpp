@@ -5,7 +5,7 @@
 
 #include "nets/weights.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 inline constexpr ClusterWeights kTrainedCluster = {
     12,
@@ -22,4 +22,4 @@ inline constexpr ClusterWeights kTrainedCluster = {
      {244, {{-2.0F, 1.0F, 0.0F, 2.0F, -1.0F, 0.0F, 0.0F, 0.0F}, 0.0F}},
      {255, {{1.0F, 2.0F, 1.0F, 0.0F, 0.0F, 0.0F, -1.0F, -1.0F}, 0.0F}}}};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

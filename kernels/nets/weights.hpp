@@ -1,7 +1,7 @@
 // Weights of the paper's nets as plain data, and those that the paper printed.
 #pragma once
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Neighbours that feed a net: n0 (east) to n7, anticlockwise; dark is 1.
 inline constexpr int kNetInputs = 8;
@@ -74,4 +74,4 @@ constexpr TwoLayerWeights rounded_weights(TwoLayerWeights net) {
 /// descriptors with the sigmoid and on 252 with the linear threshold.
 inline constexpr TwoLayerWeights kRoundedTwoLayer = rounded_weights(kPaperTwoLayer);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

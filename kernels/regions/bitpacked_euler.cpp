@@ -5,7 +5,7 @@
 // look-up and an addition for every pixel, each waiting for the one before.
 #include "regions/euler.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <class Connectivity>
@@ -60,4 +60,4 @@ std::int64_t euler_by_quads_4(const ConstBytePlaneView& image) {
   return count_quads<EulerFour>(image);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 // this should be more than 10 times as fast as anything that looks at pixels one by one.
 #include "regions/run_engine.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <bool with_background>
@@ -45,4 +45,4 @@ void label_first_row(const ConstBitPlaneView& image, Index y, RunLabelling& labe
   add_runs(labelling.tables, row, y);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

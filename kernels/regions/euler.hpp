@@ -5,7 +5,7 @@
 #include "image/plane_view.hpp"
 #include "simd/word.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The part of the Euler number that pixels of rows [first, last) contribute, where a row beyond
 /// the image counts too: the sum over rows [0, height] is the number.
@@ -83,4 +83,4 @@ struct WordCounter {
   [[nodiscard]] [[gnu::always_inline]] std::int64_t sum() const { return total; }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

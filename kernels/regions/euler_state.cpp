@@ -6,7 +6,7 @@
 #include "regions/euler.hpp"
 #include "regions/states.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 class PackedState final : public HolesState {
@@ -77,4 +77,4 @@ std::unique_ptr<HolesState> make_euler_simd(const HolesSetting& setting) {
   return std::make_unique<PackedState>(simd_kernels(setting.isa), setting);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

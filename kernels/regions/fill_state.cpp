@@ -13,7 +13,7 @@
 #include "regions/labelled_runs.hpp"
 #include "regions/states.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 class FillState final : public HolesState {
@@ -63,4 +63,4 @@ std::unique_ptr<HolesState> make_bitpacked_fill(const HolesSetting& setting) {
   return std::make_unique<FillState>(setting);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

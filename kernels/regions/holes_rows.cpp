@@ -5,7 +5,7 @@
 
 #include "regions/states.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr Index kAnyHolesWidth = std::numeric_limits<Index>::max();
@@ -72,4 +72,4 @@ std::span<const HolesVariant> fill_rows() {
   return kFillRows;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

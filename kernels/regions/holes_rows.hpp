@@ -3,7 +3,7 @@
 
 #include "regions/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Holes and components.
 [[nodiscard]] std::span<const HolesVariant> region_rows();
@@ -12,4 +12,4 @@ namespace thinbench {
 /// Filled images.
 [[nodiscard]] std::span<const HolesVariant> fill_rows();
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 void add_region(Region& sum, const Region& part) {
@@ -100,4 +100,4 @@ RegionLists LabelStore::number_regions() {
   return {{objects.regions, object_count}, {background.regions + 1, background_count - 1}};
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "image/byte_image.hpp"
 #include "regions/run_rows.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// What was found: spans into the plan's memory, valid until it computes again.
 struct RegionLists {
@@ -48,4 +48,4 @@ class LabelStore {
   Memory memory_[2];
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -5,7 +5,7 @@
 #include "image/plane_view.hpp"
 #include "regions/region.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 using Label = std::uint32_t;
 
@@ -59,4 +59,4 @@ struct LabelTable {
   region.bottom = static_cast<std::int32_t>(y);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 
 #include "regions/run_band.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr Index kAfterRow = 3;  // last keys that comparing rows may read
@@ -82,4 +82,4 @@ void set_run(std::uint64_t* row, const RunRow& runs, Index i) {
   row[last] |= to_end;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "image/byte_image.hpp"
 #include "regions/label_store.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// All rows of runs of an image, one behind the other. Memory grows by need and is kept.
 class KeptRows {
@@ -64,4 +64,4 @@ class LabelledRuns {
 /// Sets the pixels of run i, neither the first of a row nor the last.
 void set_run(std::uint64_t* row, const RunRow& runs, Index i);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

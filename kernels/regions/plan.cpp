@@ -2,7 +2,7 @@
 
 #include "image/checks.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 void check_regions_plan(const VariantFacts& variant, Index width, Index height, int threads) {
   require_size(width, height);
@@ -21,4 +21,4 @@ HolesPlan::HolesPlan(const HolesOperation& operation, const HolesVariant& varian
       variant.make({operation.task, variant.isa, width, height, variant.threaded ? threads : 1});
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

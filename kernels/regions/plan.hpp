@@ -4,7 +4,7 @@
 
 #include "regions/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// What every plan that labels regions refuses; throws as HolesPlan does.
 void check_regions_plan(const VariantFacts& variant, Index width, Index height, int threads);
@@ -52,4 +52,4 @@ class HolesPlan {
   std::unique_ptr<HolesState> state_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

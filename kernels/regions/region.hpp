@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// A set of pixels with its area, the exact sums of its coordinates and its bounding box.
 ///
@@ -36,4 +36,4 @@ struct Region {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

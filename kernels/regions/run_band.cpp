@@ -4,7 +4,7 @@
 
 #include "image/layout.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// Elements for the keys, labels or slots of a row: a word's boundaries are written at once, with
@@ -82,4 +82,4 @@ void join_bands(LabelStore& labels, const RunRow& last_above, RunBand& lower) {
   join_rows(labels.tables(), last_above, lower.first_row());
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

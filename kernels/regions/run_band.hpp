@@ -4,7 +4,7 @@
 #include "regions/label_store.hpp"
 #include "regions/run_engine.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Owns what one thread needs to label a band: 44 bytes a column, a few thousand, and labels.
 class RunBand {
@@ -36,4 +36,4 @@ void join_border(LabelTables& tables, const RunRow& row);
 /// the new labels.
 void join_bands(LabelStore& labels, const RunRow& last_above, RunBand& lower);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

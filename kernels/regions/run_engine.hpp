@@ -4,7 +4,7 @@
 #include "dispatch/isa.hpp"
 #include "regions/run_rows.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// What simd_runs sums up for run i while the runs of neighbouring rows match one to one. Sums are
 /// unsigned; it empties them before any reaches 2^32.
@@ -49,4 +49,4 @@ extern const RunEngine kBitpackedRunEngine;
 /// a label of its own.
 void label_first_row(const ConstBitPlaneView& image, Index y, RunLabelling& labelling);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

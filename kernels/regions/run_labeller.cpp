@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 RunLabeller::RunLabeller(LabelRows label_rows, Index width, Index height, int threads)
     : label_rows_(label_rows), team_(threads) {
@@ -36,4 +36,4 @@ const RunEngine& simd_run_engine(Isa isa) {
   return *kByLevel[static_cast<std::size_t>(isa)];
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "image/thread_team.hpp"
 #include "regions/run_band.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 class RunLabeller {
  public:
@@ -27,4 +27,4 @@ class RunLabeller {
 /// The kernel `simd_runs` of a level.
 [[nodiscard]] const RunEngine& simd_run_engine(Isa isa);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

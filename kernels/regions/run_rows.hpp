@@ -13,7 +13,7 @@
 
 #include "regions/label_table.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 using Key = std::int32_t;
 
@@ -121,4 +121,4 @@ template <bool with_background>
          tables.of_colour[1].capacity - tables.of_colour[1].count >= most;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

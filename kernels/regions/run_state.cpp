@@ -3,7 +3,7 @@
 #include "regions/run_labeller.hpp"
 #include "regions/states.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 class RunState final : public HolesState {
@@ -41,4 +41,4 @@ std::unique_ptr<HolesState> make_simd_runs(const HolesSetting& setting) {
   return std::make_unique<RunState>(simd_run_engine(setting.isa), setting);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "simd/batch.hpp"
 #include "regions/euler.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 #if defined(__AVX512VPOPCNTDQ__)
@@ -93,4 +93,4 @@ std::int64_t count(const ConstBitPlaneView& image, Index first, Index last) {
 template <>
 constinit const EulerKernels IsaEuler<kThisIsa>::kSimd = {&count<EulerEight>, &count<EulerFour>};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

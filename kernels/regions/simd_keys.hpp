@@ -4,7 +4,7 @@
 #include "simd/batch.hpp"
 #include "regions/run_rows.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 #ifdef __AVX512VBMI2__
 /// Writes the keys of a word's boundaries, whole vectors of them, and returns how many there are.
@@ -69,4 +69,4 @@ namespace thinbench {
 }
 #endif
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -11,7 +11,7 @@
 #include "regions/run_engine.hpp"
 #include "regions/simd_keys.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using KeyBatch = xsimd::batch<Key, Architecture>;
@@ -200,4 +200,4 @@ Index label_rows(const ConstBitPlaneView& image, Index first, Index last, RunLab
 template <>
 constinit const RunEngine RunEngines<kThisIsa>::kSimd = {&label_rows<true>, &label_rows<false>};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

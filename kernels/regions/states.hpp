@@ -3,7 +3,7 @@
 
 #include "regions/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// simd_runs sums squares of columns in 32 bits.
 inline constexpr Index kSimdRunsWidth = 65534;
@@ -22,4 +22,4 @@ inline constexpr Index kSimdRunsWidth = 65534;
 [[nodiscard]] std::unique_ptr<HolesState> make_union_find_fill(const HolesSetting& setting);
 [[nodiscard]] std::unique_ptr<HolesState> make_bitpacked_fill(const HolesSetting& setting);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

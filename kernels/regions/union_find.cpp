@@ -9,7 +9,7 @@
 #include "regions/label_store.hpp"
 #include "regions/states.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// Labels of both colours; their frame, one pixel wide, is label 0 of the background.
@@ -188,4 +188,4 @@ std::unique_ptr<HolesState> make_union_find_fill(const HolesSetting& setting) {
   return std::make_unique<FillState>(setting);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

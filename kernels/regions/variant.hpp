@@ -9,7 +9,7 @@
 #include "dispatch/variant_choice.hpp"
 #include "regions/label_store.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// What is asked for: lists of regions (holes, components), a number (the Euler number with 8- or
 /// 4-connected objects) or an image (interior contours filled).
@@ -74,4 +74,4 @@ inline constexpr Index kMaxHolesPixels = Index{1} << 32;
   return {variant.technique, variant.isa, variant.threaded, variant.max_width};
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

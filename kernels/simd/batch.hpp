@@ -7,7 +7,7 @@
 #include "dispatch/isa.hpp"
 #include "simd/word.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 template <Isa isa>
 struct ArchitectureOf;
@@ -152,4 +152,4 @@ struct TernaryGate<xsimd::batch<T, xsimd::avx512bw>> {
 #endif
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -10,7 +10,7 @@
 
 #include "simd/batch.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 
 using WideBatch = xsimd::batch<std::int16_t, Architecture>;
@@ -164,4 +164,4 @@ struct Halves {
 }
 
 }  // namespace THINBENCH_ISA
-}  // namespace thinbench
+}  // namespace thinbench::detail

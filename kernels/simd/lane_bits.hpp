@@ -3,7 +3,7 @@
 
 #include "simd/batch.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 using Lanes16 = xsimd::batch<std::uint16_t, Architecture>;
 using Lanes32 = xsimd::batch<std::uint32_t, Architecture>;
@@ -61,4 +61,4 @@ using Lanes32 = xsimd::batch<std::uint32_t, Architecture>;
 
 #endif
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The truth table of a gate with three inputs, as processors number it: bit 4a + 2b + c.
 template <class Gate>
@@ -63,4 +63,4 @@ struct WordTraits<std::uint64_t> {
   static bool any(std::uint64_t word) { return word != 0; }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

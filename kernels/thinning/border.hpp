@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 enum class Border : std::uint8_t {
   background,  // everything outside the image is light
@@ -18,4 +18,4 @@ inline constexpr std::array<std::string_view, 2> kBorderNames = {"background", "
   return kBorderNames[static_cast<std::size_t>(border)];
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

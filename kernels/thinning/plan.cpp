@@ -11,7 +11,7 @@
 #include "thinning/iteration/state.hpp"
 #include "thinning/iteration/tile_state.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 void check(const ThinningVariant& variant, Index width, Index height, int threads, Border border) {
@@ -222,4 +222,4 @@ int ThinningPlan::run(ConstImageView source, ImageView destination) {
   return state_->run(source, destination);
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

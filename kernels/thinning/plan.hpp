@@ -8,7 +8,7 @@
 
 #include "thinning/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 struct ThinningState;  // one implementation a kind of engine, in plan.cpp
 
@@ -53,4 +53,4 @@ class ThinningPlan {
   std::unique_ptr<ThinningState> state_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -9,7 +9,7 @@
 #include "thinning/iteration/iterate.hpp"
 #include "thinning/variant.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The passes of one rule out of an engine's table.
 template <class Rule, class T>
@@ -129,4 +129,4 @@ const auto& border_keeping_rows_of() {
   return rows;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 
 #include "thinning/rules.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Bit i of word w is input number `variable` of neighbourhood 64 w + i.
 constexpr std::uint64_t counting_pattern(int variable, int word) {
@@ -36,4 +36,4 @@ constexpr RuleTable make_rule_table() {
   return table;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "thinning/rules/spta_directional.hpp"
 #include "thinning/rules/zhang_suen.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 template <class... Rules>
 struct RuleList {};
@@ -16,4 +16,4 @@ struct RuleList {};
 /// Every rule that engines instantiate. A new rule is a file beside these and a name here.
 using AllRules = RuleList<NaccacheShinghal, ZhangSuen, GuoHall, SptaDirectional, Mb2>;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -5,7 +5,7 @@
 
 #include "thinning/plan.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 bool knows_border(const ThinningVariant& variant, Border border) {
   using ByteCycle = std::span<const Pass<std::uint8_t>>;
@@ -31,4 +31,4 @@ std::vector<const ThinningVariant*> variants_for_border(const ThinningOperation&
   throw std::invalid_argument(std::string(operation.name) + " cannot keep the border");
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -17,7 +17,7 @@
 #include "thinning/rule_table.hpp"
 #include "thinning/engines/tile_passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// A cycle of passes over byte planes or bit planes, repeated until nothing changes; one pass that
 /// sees what changed; a cycle over tiles; one kernel that does all of it; or the steps of a scan.
@@ -76,4 +76,4 @@ inline constexpr std::string_view kDoesNotKeepBorder = "this variant does not ke
 [[nodiscard]] std::string_view unavailable_reason(const ThinningVariant& variant, Index width,
                                                Border border = Border::background);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

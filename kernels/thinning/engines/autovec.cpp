@@ -4,7 +4,7 @@
 #include "dispatch/isa.hpp"
 #include "thinning/engines/passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using Bytes = const std::uint8_t* __restrict;
@@ -90,4 +90,4 @@ template <>
 constinit const PassTable<std::uint8_t> IsaPasses<Isa::THINBENCH_ISA>::kAutovec =
     make_pass_table<Autovec>();
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

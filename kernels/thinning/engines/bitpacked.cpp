@@ -7,7 +7,7 @@
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/sweep.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 struct Bitpacked {
@@ -29,4 +29,4 @@ std::uint64_t model_pass(const RuleModel* model, const ConstBitPlaneView& source
 constinit const PassTable<std::uint64_t> ScalarPasses::kBitpacked = make_pass_table<Bitpacked>();
 constinit const Pass<std::uint64_t> ScalarModelPasses::kBitpacked = &model_pass;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

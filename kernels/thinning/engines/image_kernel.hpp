@@ -4,7 +4,7 @@
 #include "image/plane_view.hpp"
 #include "midpoints/directions.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// `run` reads `source`, writes all of `target` and returns the number of passes; `directions`
 /// counts for scans only. `scratch` holds `scratch_words(width, height)` words on a cache line and
@@ -16,4 +16,4 @@ struct ImageKernel {
   Index (*scratch_words)(Index width, Index height);
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -18,7 +18,7 @@
 #include "thinning/engines/lane_packing.hpp"
 #include "thinning/engines/sweep.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// Images up to 32 or 64 pixels wide, in lanes of T.
@@ -263,4 +263,4 @@ consteval LaneKernelTable make_table(RuleList<Rules...>) {
 template <>
 constinit const LaneKernelTable LaneKernels<kThisIsa>::kTable = make_table(AllRules{});
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

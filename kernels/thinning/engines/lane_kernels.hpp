@@ -7,7 +7,7 @@
 #include "image/stack.hpp"
 #include "thinning/engines/row_kernel.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// As wide as the widest lane.
 inline constexpr Index kMaxLaneWidth = 128;
@@ -55,4 +55,4 @@ const LaneKernelRows& lane_kernels_of() {
   return rows;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

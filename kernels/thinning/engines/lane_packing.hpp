@@ -6,7 +6,7 @@
 
 #include "simd/batch.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 #ifdef __AVX512BW__
 
@@ -86,4 +86,4 @@ template <class Bits>
 
 #endif
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -15,7 +15,7 @@
 #include "thinning/engines/passes.hpp"
 #include "thinning/rule_table.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// Eight pixels, the first in the low byte.
@@ -141,4 +141,4 @@ constinit const PassTable<std::uint8_t> ScalarPasses::kLutSliding = make_pass_ta
 constinit const Pass<std::uint8_t> ScalarModelPasses::kLut = &model_lut;
 constinit const Pass<std::uint8_t> ScalarModelPasses::kLutSliding = &model_lut_sliding;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 inline constexpr std::size_t kPairTableSize = 4096;
 
@@ -24,4 +24,4 @@ constexpr void fill_pair_table(const std::uint8_t* new_pixel, std::uint16_t* pai
   }
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -8,7 +8,7 @@
 #include "image/plane_view.hpp"
 #include "thinning/rules.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// What a rule that is not fixed at compile time consists of, such as the weights of a net.
 struct RuleModel;
@@ -89,7 +89,7 @@ struct StepTable {
 template <class T>
 using PassTable = StepTable<Pass<T>>;
 
-namespace detail {
+namespace internal {
 
 template <class Engine, class Rule, class Function, int... subs>
 consteval void fill_rule(StepTable<Function>& table, int& step,
@@ -113,7 +113,7 @@ consteval StepTable<Function> fill_table(RuleList<Rules...>) {
   return table;
 }
 
-}  // namespace detail
+}  // namespace internal
 
 /// The table of an engine: a struct with `template <class Rule, int sub> static ... pass`.
 template <class Function, class Engine>
@@ -142,4 +142,4 @@ struct IsaPasses {
   static const PassTable<std::uint64_t> kSimdBitpacked;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

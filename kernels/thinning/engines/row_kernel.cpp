@@ -28,7 +28,7 @@
 #include "nets/mux_rule.hpp"
 #include "thinning/engines/sweep.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// Lane i of the result is lane i - 1 of `row`; lane 0, beyond the margin, is light.
@@ -168,4 +168,4 @@ constinit const RowKernelTable RowKernels<kThisIsa>::kTable = make_table(AllRule
 template <>
 constinit const RowKernel RowKernels<kThisIsa>::kModel = &model_rule;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

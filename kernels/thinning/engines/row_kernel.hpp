@@ -6,7 +6,7 @@
 #include "thinning/engines/passes.hpp"
 #include "thinning/rules.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 inline constexpr Index kRowKernelWidth = 512;
 
@@ -58,4 +58,4 @@ struct RowKernels {
   static const RowKernel kModel;  // any rule of eight neighbours, from a model
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -11,7 +11,7 @@
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/sweep.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <class Batch>
@@ -42,4 +42,4 @@ constinit const PassTable<std::uint64_t> IsaPasses<kThisIsa>::kSimdBitpacked =
 template <>
 constinit const Pass<std::uint64_t> IsaModelPasses<kThisIsa>::kSimdBitpacked = &model_pass;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

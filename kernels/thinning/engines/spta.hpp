@@ -7,7 +7,7 @@
 
 #include "thinning/engines/image_kernel.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The two scans of a pass.
 enum class SptaScan : int { left_right, top_bottom };
@@ -30,4 +30,4 @@ struct SptaKernels {
   static const ImageKernel<std::uint64_t> kBitpacked;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

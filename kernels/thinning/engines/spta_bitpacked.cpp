@@ -13,7 +13,7 @@
 #include "simd/word.hpp"
 #include "thinning/engines/spta.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using Word = std::uint64_t;
@@ -138,4 +138,4 @@ int thin(Directions, const ConstBitPlaneView& source, const BitPlaneView& target
 
 constinit const ImageKernel<std::uint64_t> SptaKernels::kBitpacked = {&thin, &scratch_words};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -7,7 +7,7 @@
 
 #include "thinning/engines/spta.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 // A pixel of the working image: bit 0 dark and not flagged, bit 1 dark before the pass.
@@ -105,4 +105,4 @@ Index no_scratch(Index, Index) {
 
 constinit const ImageKernel<std::uint8_t> SptaKernels::kLut = {&thin, &no_scratch};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -10,7 +10,7 @@
 #include "simd/word.hpp"
 #include "thinning/engines/passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 template <class Word>
 struct RowOfThree {
@@ -163,4 +163,4 @@ template <class Rule, int sub, class Word>
   return changed_columns;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 std::size_t count_of(Index elements) {
@@ -94,4 +94,4 @@ bool TileGrid::margin_is_zero() const {
   return true;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -12,7 +12,7 @@
 #include "image/layout.hpp"
 #include "image/plane_view.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 inline constexpr Index kTileRows = 16;
 inline constexpr Index kTileColumns = 32;
@@ -75,4 +75,4 @@ class TileGrid {
   AlignedArray<std::uint64_t> occupied_groups_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "simd/batch.hpp"
 #include "thinning/engines/tile_passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr Index kWordsOf64 = 2;  // strips that one 64-bit word of a plane holds
@@ -151,4 +151,4 @@ void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_r
 template <>
 constinit const TileLayout TilePasses<kThisIsa>::kLayout = {&load_rows, &store_rows};
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

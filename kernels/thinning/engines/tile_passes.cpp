@@ -32,7 +32,7 @@
 #include "simd/lane_bits.hpp"
 #include "thinning/engines/sweep.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 using Rows = Lanes32;   // a row of a tile in each lane
@@ -269,4 +269,4 @@ constinit const FindHeld TilePasses<kThisIsa>::kFindHeld = &find_held;
 template <>
 constinit const ListActive TilePasses<kThisIsa>::kListActive = &list_active;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -6,7 +6,7 @@
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/tile_grid.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// New pixels of a tile, until no neighbour needs the old ones any more.
 struct alignas(64) PendingTile {
@@ -75,4 +75,4 @@ struct TilePasses {
   static const TileLayout kLayout;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

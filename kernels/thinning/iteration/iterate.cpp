@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace thinbench {
+namespace thinbench::detail {
 
 TileActivity::TileActivity(Index height, Index row_elements, Index least_column)
     : height_(height), row_elements_(row_elements) {
@@ -203,4 +203,4 @@ template int iterate(std::span<const Pass<std::uint64_t>>, const Conditions&,
                      const ConstBitPlaneView&, const BitPlaneView&, const BitPlaneView&,
                      TileActivity&, ThreadTeam&);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -10,7 +10,7 @@
 #include "thinning/border.hpp"
 #include "thinning/engines/passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Which tiles still change. Rows are grouped in bands of kRows, bands are cut into at most 64
 /// columns; a tile can only change in a step if it or one of its eight neighbours changed in one of
@@ -69,4 +69,4 @@ int iterate_changes(ChangePass pass, const Conditions& conditions, const ConstBi
                     const std::array<BitPlaneView, 3>& buffers, TileActivity& activity,
                     ThreadTeam& team);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

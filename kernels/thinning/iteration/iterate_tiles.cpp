@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 /// A thread's share below which waiting for each other costs more than it saves.
@@ -170,4 +170,4 @@ int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& w
   return cycles;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

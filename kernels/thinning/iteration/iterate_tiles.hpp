@@ -6,7 +6,7 @@
 #include "image/thread_team.hpp"
 #include "thinning/engines/tile_passes.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Memory of one repetition: the grid, the list of active tiles and those that are not written yet.
 class TileWorkspace {
@@ -36,4 +36,4 @@ class TileWorkspace {
 int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
                   const ThreadTeam& team);
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -5,7 +5,7 @@
 #include "image/planes.hpp"
 #include "image/thread_team.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 struct ThinningState {
   virtual ~ThinningState() = default;
@@ -108,4 +108,4 @@ struct PlaneState : ThinningState {
   ThreadTeam& team;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

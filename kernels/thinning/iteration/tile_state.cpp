@@ -4,7 +4,7 @@
 #include <atomic>
 #include <utility>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 template <class View>
@@ -88,4 +88,4 @@ int TileState::run(const ConstImageView& source, const ImageView& destination) {
   return cycles;
 }
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

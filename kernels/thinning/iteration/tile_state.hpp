@@ -7,7 +7,7 @@
 #include "thinning/iteration/iterate_tiles.hpp"
 #include "thinning/iteration/state.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 struct TileSetting {
   Isa isa;
@@ -45,4 +45,4 @@ class TileState final : public ThinningState {
   std::optional<Planes<std::uint64_t>> planes_;
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include "thinning/rules/neighbourhood.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Guo and Hall, "Parallel thinning with two-subiteration algorithms", CACM 32(3), 1989: removed
 /// where C = 1, N is 2 or 3 and the sub-iteration's edge condition holds (second: turned by half a
@@ -81,4 +81,4 @@ struct GuoHall {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include "thinning/rules/neighbourhood.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Bernard and Manzanera's MB2, "Improved low complexity fully parallel thinning algorithm", ICIAP
 /// 1999. The feature is I, the interior: a dark pixel with four dark direct neighbours. Removed
@@ -58,4 +58,4 @@ struct Mb2 {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include "thinning/rules/neighbourhood.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// The modified Naccache-Shinghal rule of the paper (section 3.1): a dark pixel is removed where
 /// one or two of B0, B2, B4, B6 are FALSE, and stays where none, three or four are.
@@ -75,4 +75,4 @@ struct NaccacheShinghal {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -9,7 +9,7 @@
 
 #include "simd/word.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 template <class Word>
 struct Neighbourhood {
@@ -53,4 +53,4 @@ struct Cross {
 template <class Rule>
 concept TwoStageRule = Rule::kTwoStages;
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include "thinning/rules/neighbourhood.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// One direction a sub-iteration, each on the result of the one before: left, right, top, bottom
 /// edge points of Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), that is, dark pixels with a
@@ -39,4 +39,4 @@ struct SptaDirectional {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

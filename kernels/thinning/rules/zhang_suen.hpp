@@ -3,7 +3,7 @@
 
 #include "thinning/rules/neighbourhood.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 
 /// Zhang and Suen, "A fast parallel algorithm for thinning digital patterns", CACM 27(3), 1984: a
 /// dark pixel is removed where it has 2 to 6 dark neighbours, one step from light to dark on the
@@ -92,4 +92,4 @@ struct ZhangSuen {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -1,0 +1,109 @@
+// Views of images and of stacks of images: an address, a size and strides. Nothing here owns
+// memory, and nothing checks; functions that take views do.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace thinbench {
+
+/// Sizes, coordinates and strides. Signed, so that `y - 1` is safe to write.
+using Index = std::ptrdiff_t;
+
+/// Read-only image, one byte per pixel: pixel (x, y) is `data[y * stride + x]`, y downwards.
+///
+/// Binary images: 0 is background, anything else foreground. Grey images: 0 is black. `stride`
+/// counts bytes from row to row and may exceed the width, so that a view can show a part of a
+/// larger image.
+struct ConstImageView {
+  const std::uint8_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+
+  constexpr ConstImageView() = default;
+  /// Rows that follow each other without gaps.
+  constexpr ConstImageView(const std::uint8_t* pixels, Index columns, Index rows)
+      : ConstImageView(pixels, columns, rows, columns) {}
+  constexpr ConstImageView(const std::uint8_t* pixels, Index columns, Index rows, Index row_bytes)
+      : data(pixels), width(columns), height(rows), stride(row_bytes) {}
+
+  [[nodiscard]] constexpr const std::uint8_t* row(Index y) const { return data + y * stride; }
+};
+
+/// Writable image, otherwise as ConstImageView. Binary results are 0 and 255.
+struct ImageView {
+  std::uint8_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+
+  constexpr ImageView() = default;
+  constexpr ImageView(std::uint8_t* pixels, Index columns, Index rows)
+      : ImageView(pixels, columns, rows, columns) {}
+  constexpr ImageView(std::uint8_t* pixels, Index columns, Index rows, Index row_bytes)
+      : data(pixels), width(columns), height(rows), stride(row_bytes) {}
+
+  [[nodiscard]] constexpr std::uint8_t* row(Index y) const { return data + y * stride; }
+  constexpr operator ConstImageView() const { return {data, width, height, stride}; }
+};
+
+/// Read-only stack of images of one size: pixel (x, y) of image i is
+/// `data[i * image_stride + y * stride + x]`. Both strides count bytes; rows and images may have
+/// gaps between them, and images share no byte.
+struct ConstStackView {
+  const std::uint8_t* data = nullptr;
+  Index count = 0;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+  Index image_stride = 0;
+
+  constexpr ConstStackView() = default;
+  /// Without gaps, as a NumPy array of shape (images, rows, columns).
+  constexpr ConstStackView(const std::uint8_t* pixels, Index images, Index columns, Index rows)
+      : ConstStackView(pixels, images, columns, rows, columns, columns * rows) {}
+  constexpr ConstStackView(const std::uint8_t* pixels, Index images, Index columns, Index rows,
+                           Index row_bytes, Index image_bytes)
+      : data(pixels),
+        count(images),
+        width(columns),
+        height(rows),
+        stride(row_bytes),
+        image_stride(image_bytes) {}
+
+  [[nodiscard]] constexpr ConstImageView image(Index i) const {
+    return {data + i * image_stride, width, height, stride};
+  }
+};
+
+/// Writable stack, otherwise as ConstStackView.
+struct StackView {
+  std::uint8_t* data = nullptr;
+  Index count = 0;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+  Index image_stride = 0;
+
+  constexpr StackView() = default;
+  constexpr StackView(std::uint8_t* pixels, Index images, Index columns, Index rows)
+      : StackView(pixels, images, columns, rows, columns, columns * rows) {}
+  constexpr StackView(std::uint8_t* pixels, Index images, Index columns, Index rows,
+                      Index row_bytes, Index image_bytes)
+      : data(pixels),
+        count(images),
+        width(columns),
+        height(rows),
+        stride(row_bytes),
+        image_stride(image_bytes) {}
+
+  [[nodiscard]] constexpr ImageView image(Index i) const {
+    return {data + i * image_stride, width, height, stride};
+  }
+  constexpr operator ConstStackView() const {
+    return {data, count, width, height, stride, image_stride};
+  }
+};
+
+}  // namespace thinbench

@@ -1,0 +1,42 @@
+// Instruction sets: the sets of processor features that kernels are compiled for, what this machine
+// has, and the cap that tests use. All functions may be called from any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace thinbench {
+
+/// A named set of processor features. `avx512` is F, CD, DQ, BW and VL; `avx512icl` adds VBMI,
+/// VBMI2, GFNI, VNNI, BITALG and VPOPCNTDQ (Ice Lake and later, Zen 4 and later). On x86-64 each of
+/// these sets contains the ones before it.
+enum class Isa : std::uint8_t { baseline, sse42, avx2, avx512, avx512icl };
+
+/// Every set that kernels are compiled for.
+inline constexpr std::array kAllIsas = {Isa::baseline, Isa::sse42, Isa::avx2, Isa::avx512,
+                                        Isa::avx512icl};
+
+/// This environment variable caps what is used on any machine: with `THINBENCH_MAX_ISA=avx2` only
+/// avx2 and the sets that it contains are available. It is read once, when it is first needed.
+inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
+
+/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl".
+[[nodiscard]] std::string_view isa_name(Isa isa);
+[[nodiscard]] std::optional<Isa> isa_from_name(std::string_view name);
+
+/// Whether processor and operating system offer every feature of the set, whatever the cap says.
+[[nodiscard]] bool cpu_supports(Isa isa);
+
+/// The set that the environment names; nothing where the variable is unset or empty. Throws
+/// std::invalid_argument for an unknown name.
+[[nodiscard]] std::optional<Isa> isa_cap();
+
+/// Whether the processor supports the set and the cap contains it. Throws as isa_cap does.
+[[nodiscard]] bool isa_available(Isa isa);
+
+/// The available set that kernels prefer. Throws as isa_cap does.
+[[nodiscard]] Isa best_isa();
+
+}  // namespace thinbench

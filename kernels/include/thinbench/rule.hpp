@@ -1,0 +1,80 @@
+// The catalogue of thinning rules. A new parallel rule is a line in each of the two lists here, a
+// file in kernels/thinning/rules/, a reference and a test.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace thinbench {
+
+enum class Rule : std::uint8_t {
+  naccache_shinghal,
+  zhang_suen,
+  guo_hall,
+  spta,
+  spta_directional,
+  mb2,
+  midpoint_scan,
+  net_two_layer_sigmoid,
+  net_two_layer_rounded,
+  net_two_layer_linear,
+  net_single_layer_cluster,
+};
+
+struct RuleInfo {
+  Rule rule;
+  std::string_view name;
+  std::string_view operation;  // its name in results
+  std::string_view description;
+};
+
+/// In the order of the enumeration.
+inline constexpr std::array kRules = {
+    RuleInfo{Rule::naccache_shinghal, "naccache_shinghal", "thin_naccache_shinghal",
+             "modified Naccache-Shinghal rule, all removals of an iteration at once, as published"},
+    RuleInfo{Rule::zhang_suen, "zhang_suen", "thin_zhang_suen",
+             "Zhang and Suen 1984, two sub-iterations; loses 2 x 2 blocks"},
+    RuleInfo{Rule::guo_hall, "guo_hall", "thin_guo_hall",
+             "Guo and Hall 1989, two sub-iterations; keeps topology"},
+    RuleInfo{Rule::spta, "spta", "thin_spta",
+             "Naccache and Shinghal's SPTA as published, two sequential scans per iteration, one "
+             "thread; keeps topology"},
+    RuleInfo{Rule::spta_directional, "spta_directional", "thin_spta_directional",
+             "Naccache and Shinghal's SPTA, one direction after another; keeps topology"},
+    RuleInfo{Rule::mb2, "mb2", "thin_mb2",
+             "Bernard and Manzanera 1999, fully parallel, 5 x 5; keeps topology"},
+    RuleInfo{Rule::midpoint_scan, "midpoint_scan", "skeleton_scan",
+             "the paper's own method: midpoints of foreground runs along rows, columns and both "
+             "diagonals"},
+    RuleInfo{Rule::net_two_layer_sigmoid, "net_two_layer_sigmoid", "net_two_layer_sigmoid",
+             "the two-layer net of Table 1 with sigmoid (1); hidden values across lanes agree "
+             "within 2 units in the last place, outputs within 9"},
+    RuleInfo{Rule::net_two_layer_rounded, "net_two_layer_rounded", "net_two_layer_rounded",
+             "net_two_layer_sigmoid with weights rounded to integers: not quite the rule"},
+    RuleInfo{Rule::net_two_layer_linear, "net_two_layer_linear", "net_two_layer_linear",
+             "the two-layer net of Table 1 with linear threshold (2); all values agree bit for "
+             "bit"},
+    RuleInfo{Rule::net_single_layer_cluster, "net_single_layer_cluster", "net_single_layer_cluster",
+             "the cluster of twelve single-layer nets, equations (5) to (7)"},
+};
+
+[[nodiscard]] constexpr const RuleInfo& rule_info(Rule rule) {
+  return kRules[static_cast<std::size_t>(rule)];
+}
+
+[[nodiscard]] constexpr std::string_view rule_name(Rule rule) {
+  return rule_info(rule).name;
+}
+
+/// The rule of this name, or of the operation of this name.
+[[nodiscard]] constexpr std::optional<Rule> rule_from_name(std::string_view name) {
+  for (const RuleInfo& info : kRules) {
+    if (info.name == name || info.operation == name) return info.rule;
+  }
+  return std::nullopt;
+}
+
+}  // namespace thinbench
