@@ -1,0 +1,87 @@
+// The cases of the golden file: which operation runs on which image, and with which options.
+#pragma once
+
+#include <array>
+#include <ostream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "harness/job.hpp"
+
+namespace thinbench::golden {
+
+/// The first four columns of a line; "-" where an option does not apply.
+struct Case {
+  std::string operation;
+  std::string border;          // "background", "keep" or "-"
+  std::string max_iterations;  // a number, or "-" for no limit
+  std::string image;
+
+  /// The order of lines.
+  friend bool operator<(const Case& a, const Case& b) {
+    return std::tie(a.operation, a.border, a.max_iterations, a.image) <
+           std::tie(b.operation, b.border, b.max_iterations, b.image);
+  }
+};
+
+/// The last two columns.
+struct Result {
+  std::string hash;
+  std::string iterations = "-";
+
+  friend bool operator==(const Result&, const Result&) = default;
+  friend std::ostream& operator<<(std::ostream& out, const Result& result) {
+    return out << "hash " << result.hash << ", iterations " << result.iterations;
+  }
+};
+
+/// Not an operation: the hash of the image itself. Where it differs, the drawing has changed, and
+/// nothing can be said of the operations.
+inline constexpr const char* kInput = "input";
+
+/// Thinning that knows both treatments of the border.
+inline constexpr std::array kBorderChoosing = {"thin_naccache_shinghal",
+                                               "thin_zhang_suen",
+                                               "thin_guo_hall",
+                                               "thin_spta_directional",
+                                               "thin_mb2",
+                                               "net_two_layer_sigmoid",
+                                               "net_two_layer_rounded",
+                                               "net_two_layer_linear",
+                                               "net_single_layer_cluster"};
+/// Thinning that takes everything outside the image for background.
+inline constexpr std::array kBackgroundOnly = {"thin_spta", "skeleton_scan"};
+/// Also recorded for one iteration.
+inline constexpr std::array kOneIteration = {"net_two_layer_sigmoid", "net_two_layer_linear",
+                                             "net_single_layer_cluster"};
+inline constexpr std::array kOtherBinary = {"holes", "components", "fill_holes", "euler_number",
+                                            "euler_number_4"};
+inline constexpr std::array kGrey = {"edges_roberts4",       "edges_roberts9", "edges_mero_vassy",
+                                     "edges_mero_vassy_5x5", "edges_sobel",    "edges_prewitt",
+                                     "localise_objects"};
+
+inline std::vector<Case> thinning_cases_on(const std::string& image) {
+  std::vector<Case> cases;
+  for (const char* border : {"background", "keep"}) {
+    for (const char* name : kBorderChoosing) cases.push_back({name, border, "-", image});
+    for (const char* name : kOneIteration) cases.push_back({name, border, "1", image});
+  }
+  for (const char* name : kBackgroundOnly) cases.push_back({name, "background", "-", image});
+  return cases;
+}
+
+/// All cases on an image of this name.
+inline std::vector<Case> cases_on(const std::string& image, InputKind kind) {
+  std::vector<Case> cases = {{kInput, "-", "-", image}};
+  if (kind == InputKind::kGrey) {
+    for (const char* name : kGrey) cases.push_back({name, "-", "-", image});
+    return cases;
+  }
+  for (Case& one : thinning_cases_on(image)) cases.push_back(std::move(one));
+  for (const char* name : kOtherBinary) cases.push_back({name, "-", "-", image});
+  return cases;
+}
+
+}  // namespace thinbench::golden

@@ -1,0 +1,96 @@
+// Every operation on fixed images, compared with the outputs that golden.tsv holds.
+// With THINBENCH_RECORD_GOLDEN=PATH in the environment the outputs are written to PATH instead.
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "golden/file.hpp"
+#include "golden/images.hpp"
+#include "golden/run_case.hpp"
+
+namespace thinbench::golden {
+namespace {
+
+constexpr std::size_t kLeastCases = 1360;
+constexpr Index kMostPixelsForReferences = 50'000;
+
+const std::map<std::string, TestImage>& images_by_name() {
+  static const std::map<std::string, TestImage> images = [] {
+    std::map<std::string, TestImage> by_name;
+    for (TestImage& one : golden_images()) {
+      const std::string name = one.name;
+      by_name.emplace(name, std::move(one));
+    }
+    return by_name;
+  }();
+  return images;
+}
+
+std::string text_of(const Case& one) {
+  return one.operation + ", border " + one.border + ", max_iterations " + one.max_iterations +
+         ", image " + one.image;
+}
+
+/// The text of an exception in place of the hash where one is thrown.
+Result run_or_explain(const Case& one, const ByteImage& image, int threads) {
+  try {
+    return run_case(one, image, threads);
+  } catch (const std::exception& error) {
+    return {error.what()};
+  }
+}
+
+void expect_recorded(const Case& one, const Result& recorded) {
+  const auto found = images_by_name().find(one.image);
+  ASSERT_NE(found, images_by_name().end()) << "no such image: " << text_of(one);
+  const ByteImage& image = found->second.image;
+  for (const int threads : {1, 3}) {
+    EXPECT_EQ(run_or_explain(one, image, threads), recorded)
+        << text_of(one) << ", threads " << threads;
+  }
+}
+
+Recorded results_of_all_cases() {
+  Recorded results;
+  for (const auto& [name, image] : images_by_name()) {
+    for (const Case& one : cases_on(name, image.kind)) {
+      results[one] = run_case(one, image.image, 1);
+    }
+  }
+  return results;
+}
+
+Recorded golden_file() {
+  return read_golden(THINBENCH_SOURCE_DIR "/tests/golden/golden.tsv");
+}
+
+TEST(Golden, outputs_are_those_recorded) {
+  if (const char* path = std::getenv("THINBENCH_RECORD_GOLDEN"); path != nullptr) {
+    const Recorded results = results_of_all_cases();
+    write_golden(path, results);
+    GTEST_SKIP() << results.size() << " cases recorded";
+  }
+  const Recorded recorded = golden_file();
+  EXPECT_GE(recorded.size(), kLeastCases);
+  for (const auto& [one, result] : recorded) expect_recorded(one, result);
+}
+
+TEST(Golden, references_give_what_was_recorded_on_small_images) {
+  for (const auto& [one, result] : golden_file()) {
+    const auto found = images_by_name().find(one.image);
+    if (one.border == "-" || found == images_by_name().end()) continue;
+    const ByteImage& image = found->second.image;
+    if (image.width() * image.height() > kMostPixelsForReferences) continue;
+    const std::optional<Result> plain = run_reference(one, image);
+    if (plain) {
+      EXPECT_EQ(*plain, result) << text_of(one);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace thinbench::golden

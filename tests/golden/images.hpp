@@ -1,0 +1,204 @@
+// The images of the golden file, all drawn by integer arithmetic.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/stroke_images.hpp"
+#include "harness/grey_images.hpp"
+#include "harness/test_images.hpp"
+#include "scene/scene.hpp"
+
+namespace thinbench::golden {
+
+inline std::string sized(std::string_view name, Index width, Index height) {
+  return std::string(name) + "_" + std::to_string(width) + "x" + std::to_string(height);
+}
+
+inline std::string seeded(const std::string& name, std::uint64_t seed) {
+  return name + "_seed" + std::to_string(seed);
+}
+
+template <class Level>
+ByteImage drawn(Index width, Index height, const Level& level) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    for (Index x = 0; x < width; ++x) image.at(x, y) = static_cast<std::uint8_t>(level(x, y));
+  }
+  return image;
+}
+
+/// Collects images of one kind. Names say how to draw an image again.
+class Gallery {
+ public:
+  explicit Gallery(InputKind kind) : kind_(kind) {}
+
+  void add(std::string name, ByteImage image) {
+    images_.push_back({std::move(name), std::move(image), kind_});
+  }
+  /// Foreground where `contains` is true.
+  template <class Contains>
+  void add_shape(std::string_view name, Index width, Index height, const Contains& contains) {
+    add(sized(name, width, height),
+        drawn(width, height, [&](Index x, Index y) { return contains(x, y) ? 255 : 0; }));
+  }
+  template <class Level>
+  void add_levels(std::string_view name, Index width, Index height, const Level& level) {
+    add(sized(name, width, height), drawn(width, height, level));
+  }
+
+  std::vector<TestImage> take() { return std::move(images_); }
+
+ private:
+  InputKind kind_;
+  std::vector<TestImage> images_;
+};
+
+/// The frame cuts parts off; twice the size of the test image, and much noise.
+inline Scene second_scene() {
+  return render_scene({SceneKind::kFrameTouching, 2, 320, true, 7});
+}
+
+/// Foreground of `percent` in blocks of this granularity.
+inline void add_noise(Gallery& gallery, Index width, Index height, int percent, Index granularity,
+                      std::uint64_t seed) {
+  const std::string name =
+      "noise_" + std::to_string(percent) +
+      (granularity == 1 ? std::string() : "_blocks_of_" + std::to_string(granularity));
+  gallery.add(seeded(sized(name, width, height), seed),
+              noise_image(width, height, percent, granularity, seed));
+}
+
+inline void add_narrow_noise(Gallery& gallery) {
+  add_noise(gallery, 1, 70, 60, 1, 1);
+  add_noise(gallery, 2, 17, 70, 1, 2);
+  add_noise(gallery, 3, 700, 85, 1, 3);
+  add_noise(gallery, 31, 17, 50, 1, 4);
+  add_noise(gallery, 31, 700, 70, 5, 5);
+  add_noise(gallery, 63, 70, 85, 2, 6);
+  add_noise(gallery, 64, 48, 35, 1, 7);
+  add_noise(gallery, 65, 70, 60, 3, 8);
+  add_noise(gallery, 127, 17, 97, 1, 9);
+  add_noise(gallery, 128, 70, 65, 4, 10);
+}
+
+inline void add_wide_noise(Gallery& gallery) {
+  add_noise(gallery, 200, 2, 50, 1, 11);
+  add_noise(gallery, 511, 17, 80, 3, 12);
+  add_noise(gallery, 512, 70, 20, 1, 13);
+  add_noise(gallery, 513, 1, 60, 1, 14);
+  add_noise(gallery, 1030, 70, 50, 9, 15);
+  add_noise(gallery, 4200, 40, 99, 1, 16);
+  // Large enough for several threads.
+  add_noise(gallery, 1100, 1000, 60, 12, 17);
+  add_noise(gallery, 1030, 1100, 99, 1, 18);
+}
+
+inline void add_strokes(Gallery& gallery) {
+  for (const Index side : {28, 511}) {
+    const ImageStack stack = stroke_images(1, side, 19);
+    gallery.add(seeded(sized("strokes", side, side), 19), copy_of(stack.view().image(0)));
+  }
+}
+
+/// Shapes that touch every side of the frame.
+inline void add_frame_shapes(Gallery& gallery) {
+  gallery.add_shape("frame", 13, 9,
+                    [](Index x, Index y) { return x == 0 || y == 0 || x == 12 || y == 8; });
+  gallery.add_shape("bars", 513, 70,
+                    [](Index x, Index y) { return x < 5 || y < 5 || x >= 508 || y >= 65; });
+  gallery.add_shape("cross", 65, 63,
+                    [](Index x, Index y) { return std::abs(x - 32) < 5 || std::abs(y - 31) < 4; });
+  gallery.add_shape("diamond", 127, 127,
+                    [](Index x, Index y) { return std::abs(x - 63) + std::abs(y - 63) <= 63; });
+  gallery.add_shape("rings", 201, 201, [](Index x, Index y) {
+    return ((x - 100) * (x - 100) + (y - 100) * (y - 100)) / 900 % 2 == 0;
+  });
+}
+
+inline void add_plain(Gallery& gallery) {
+  const auto all = [](Index, Index) { return true; };
+  gallery.add_shape("foreground", 0, 0, all);
+  gallery.add_shape("foreground", 0, 7, all);
+  gallery.add_shape("foreground", 7, 0, all);
+  gallery.add_shape("foreground", 1, 1, all);
+  gallery.add_shape("foreground", 65, 33, all);
+  gallery.add_shape("foreground", 200, 2, all);
+  gallery.add_shape("foreground", 512, 40, all);
+  gallery.add_shape("background", 64, 17, [](Index, Index) { return false; });
+  gallery.add_shape("checkerboard", 64, 17, [](Index x, Index y) { return (x + y) % 2 == 0; });
+}
+
+inline std::vector<TestImage> binary_images() {
+  Gallery gallery(InputKind::kBinary);
+  gallery.add("test_image", std::move(render_scene().binary));
+  gallery.add("second_scene", std::move(second_scene().binary));
+  gallery.add("all_neighbourhoods_261x32", neighbourhood_sheet(5));
+  // Foreground of other values than 255.
+  gallery.add("values_0_to_3_130x40_seed20", grey_noise_image(130, 40, 0, 3, 20));
+  add_narrow_noise(gallery);
+  add_wide_noise(gallery);
+  add_strokes(gallery);
+  add_frame_shapes(gallery);
+  add_plain(gallery);
+  return gallery.take();
+}
+
+inline void add_grey_noise(Gallery& gallery, Index width, Index height, int lowest, int highest,
+                           std::uint64_t seed) {
+  const std::string name =
+      "grey_noise_" + std::to_string(lowest) + "_to_" + std::to_string(highest);
+  gallery.add(seeded(sized(name, width, height), seed),
+              grey_noise_image(width, height, static_cast<std::uint8_t>(lowest),
+                               static_cast<std::uint8_t>(highest), seed));
+}
+
+inline void add_grey_noises(Gallery& gallery) {
+  add_grey_noise(gallery, 1, 1, 0, 255, 21);
+  add_grey_noise(gallery, 2, 3, 0, 255, 22);
+  add_grey_noise(gallery, 5, 100, 0, 255, 23);
+  add_grey_noise(gallery, 31, 65, 118, 138, 24);
+  add_grey_noise(gallery, 200, 70, 0, 255, 25);
+  add_grey_noise(gallery, 513, 65, 90, 170, 26);
+  add_grey_noise(gallery, 1030, 17, 60, 255, 27);
+  const ByteImage blocks = grey_noise_image(92, 84, 0, 255, 28);
+  gallery.add_levels("grey_noise_blocks_of_12_seed28", 1100, 1000,
+                     [&](Index x, Index y) { return blocks.at(x / 12, y / 12); });
+}
+
+inline void add_ramps(Gallery& gallery) {
+  gallery.add_levels("ramp_right", 512, 17, [](Index x, Index) { return x * 3 % 256; });
+  gallery.add_levels("ramp_down", 63, 300, [](Index, Index y) { return y * 17 % 256; });
+  gallery.add_levels("slope", 127, 70, [](Index x, Index y) { return (x * 5 + y * 7) % 256; });
+  gallery.add_levels("steps", 64, 48,
+                     [](Index x, Index y) { return 100 + x / 8 * 16 + y / 8 % 2 * 30; });
+  gallery.add_levels("dots", 65, 33,
+                     [](Index x, Index y) { return x % 7 == 3 && y % 5 == 2 ? 0 : 255; });
+  gallery.add_levels("grey_rings", 201, 201, [](Index x, Index y) {
+    return ((x - 100) * (x - 100) + (y - 100) * (y - 100)) / 900 % 2 * 190 + 30;
+  });
+  gallery.add_levels("white", 0, 0, [](Index, Index) { return 255; });
+  gallery.add_levels("white", 33, 5, [](Index, Index) { return 255; });
+}
+
+inline std::vector<TestImage> grey_images() {
+  Gallery gallery(InputKind::kGrey);
+  gallery.add("grey_scene", std::move(render_scene().grey));
+  gallery.add("second_grey_scene", std::move(second_scene().grey));
+  add_grey_noises(gallery);
+  add_ramps(gallery);
+  return gallery.take();
+}
+
+/// All of them; names are unique.
+inline std::vector<TestImage> golden_images() {
+  std::vector<TestImage> images = binary_images();
+  for (TestImage& grey : grey_images()) images.push_back(std::move(grey));
+  return images;
+}
+
+}  // namespace thinbench::golden
