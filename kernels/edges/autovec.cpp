@@ -2,9 +2,11 @@
 // columns at the frame apart. Compiled once for every instruction-set level at -O3, so that
 // hand-written SIMD is compared with what the compiler gives for free. Every pixel of the window is
 // loaded anew: 9 (or 25) loads a pixel and all sums again for each row.
+#include "dispatch/exported.hpp"
 #include "edges/operators.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 template <EdgeOperator op, class At>
@@ -48,10 +50,10 @@ void row_of_edges(const EdgeWindow<kEdgeReach<op>>& window, std::uint8_t* __rest
 }
 
 template <EdgeOperator op>
-void edges(const EdgeSetting& setting, const ConstImageView& source, const ImageView& target,
+void edges(const EdgeThresholds& thresholds, const ConstImageView& source, const ImageView& target,
            const EdgeRows& rows) {
-  const int threshold = setting.thresholds.p1 * edge_scale(op);
-  const int p2 = setting.thresholds.p2;
+  const int threshold = thresholds.gradient_threshold * edge_scale(op);
+  const int p2 = thresholds.brightness_threshold;
   for (Index y = rows.first; y < rows.last; ++y) {
     row_of_edges<op>(EdgeWindow<kEdgeReach<op>>(source, y), target.row(y), source.width, threshold,
                      p2);
@@ -60,10 +62,12 @@ void edges(const EdgeSetting& setting, const ConstImageView& source, const Image
 
 }  // namespace
 
+}  // namespace THINBENCH_ISA
+
 template <>
-constinit const EdgeTable<EdgesToBytes> IsaEdges<Isa::THINBENCH_ISA>::kAutovec = {
-    {&edges<EdgeOperator::roberts4>, &edges<EdgeOperator::roberts9>,
-     &edges<EdgeOperator::mero_vassy>, &edges<EdgeOperator::mero_vassy_5x5>,
-     &edges<EdgeOperator::sobel>, &edges<EdgeOperator::prewitt>}};
+constinit const AutovecEdgeKernels Exported<AutovecEdgeKernels, Isa::THINBENCH_ISA>::kKernels = {
+    {{&edges<EdgeOperator::roberts4>, &edges<EdgeOperator::roberts9>,
+      &edges<EdgeOperator::mero_vassy>, &edges<EdgeOperator::mero_vassy_5x5>,
+      &edges<EdgeOperator::sobel>, &edges<EdgeOperator::prewitt>}}};
 
 }  // namespace thinbench::detail

@@ -46,11 +46,11 @@ template <EdgeOperator op, class At>
   } else if constexpr (op == EdgeOperator::roberts9) {
     return {at(-1, -1) - at(1, 1), at(1, -1) - at(-1, 1)};
   } else if constexpr (op == EdgeOperator::sobel) {
-    return detail::weighted_gradient(at, 2);
+    return internal::weighted_gradient(at, 2);
   } else if constexpr (op == EdgeOperator::prewitt) {
-    return detail::weighted_gradient(at, 1);
+    return internal::weighted_gradient(at, 1);
   } else {
-    return {detail::diagonal_difference<reach>(at, 1), detail::diagonal_difference<reach>(at, -1)};
+    return {internal::diagonal_difference<reach>(at, 1), internal::diagonal_difference<reach>(at, -1)};
   }
 }
 

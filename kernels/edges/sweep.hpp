@@ -121,11 +121,11 @@ struct BitSink {
 template <class Operator, int before, int beyond, class Sink>
 void sweep_strip(EdgeThresholds thresholds, StripSource source, Index x, EdgeRows rows, Sink sink) {
   constexpr int reach = Operator::kReach;
-  const ByteBatch p2(static_cast<std::uint8_t>(thresholds.p2));
+  const ByteBatch p2(static_cast<std::uint8_t>(thresholds.brightness_threshold));
   const auto columns = [&](Index y) __attribute__((always_inline)) {
     return load_columns<reach, before, beyond>(source.row(y));
   };
-  Operator gradient(thresholds.p1);
+  Operator gradient(thresholds.gradient_threshold);
   Brightest<reach - 1> brightest;
   for (Index y = rows.first - reach; y < rows.first + reach; ++y) {
     const Columns<reach> row = columns(y);

@@ -1,7 +1,7 @@
 // Checks of stacks of images at the public edge of the library.
 #pragma once
 
-#include "image/stack.hpp"
+#include "thinbench/image_view.hpp"
 
 namespace thinbench::detail {
 

@@ -62,7 +62,7 @@ void check_views(const ConstImageView& source, const ConstImageView& destination
            "; they must have one size");
   }
   if (!overlap(source, destination)) return;
-  if (in_place == InPlace::refused) refuse("source and destination overlap");
+  if (in_place == InPlace::rejected) refuse("source and destination overlap");
   if (!same_image(source, destination)) {
     refuse("source and destination overlap without being the same image");
   }

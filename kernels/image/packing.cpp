@@ -12,6 +12,7 @@
 #include "simd/batch.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
@@ -161,12 +162,11 @@ void write_bytes(const ConstBytePlaneView& source, const ImageView& target) {
 
 }  // namespace
 
-template <>
-constinit const PlaneConversion<std::uint8_t> IsaConversions<kThisIsa>::kBytes = {
-    &read_bytes, &write_bytes, &write_bytes};
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const PlaneConversion<std::uint64_t> IsaConversions<kThisIsa>::kBits = {
-    &read_bits, &write_bits_by_size, &write_streamed_bits};
+constinit const PlaneConversions Exported<PlaneConversions, kThisIsa>::kKernels = {
+    {&read_bytes, &write_bytes, &write_bytes},
+    {&read_bits, &write_bits_by_size, &write_streamed_bits}};
 
 }  // namespace thinbench::detail

@@ -2,7 +2,7 @@
 // planes that kernels work on.
 #pragma once
 
-#include "dispatch/isa.hpp"
+#include "dispatch/exported.hpp"
 #include "image/plane_view.hpp"
 
 namespace thinbench::detail {
@@ -20,15 +20,21 @@ struct PlaneConversion {
   void (*write_streamed)(const ConstPlaneView<T>& source, const ImageView& target);
 };
 
-/// The conversions of one instruction-set level.
-template <Isa isa>
-struct IsaConversions {
-  static const PlaneConversion<std::uint8_t> kBytes;
-  static const PlaneConversion<std::uint64_t> kBits;
+/// Compiled for every ISA.
+struct PlaneConversions {
+  PlaneConversion<std::uint8_t> bytes;
+  PlaneConversion<std::uint64_t> bits;
 };
 
-/// The conversion of a level chosen at run time.
+/// The conversion of an ISA chosen at run time.
 template <class T>
-[[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa);
+[[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa) {
+  const PlaneConversions& both = kernels_of<PlaneConversions>(isa);
+  if constexpr (sizeof(T) == 1) {
+    return both.bytes;
+  } else {
+    return both.bits;
+  }
+}
 
 }  // namespace thinbench::detail

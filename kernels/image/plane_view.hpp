@@ -1,35 +1,11 @@
-// Plain views of images: what every kernel takes. No owner, no library, safe in every ISA file.
+// Views of planes, the two representations that kernels work on: plain structs that own nothing.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
+#include "thinbench/image_view.hpp"
+
 namespace thinbench::detail {
-
-/// Sizes, coordinates and strides are signed so that `y - 1` needs no care.
-using Index = std::ptrdiff_t;
-
-/// Read-only rectangle of bytes: pixel (x, y) is `data[y * stride + x]`. Strides count bytes and
-/// may be larger than the width; a view owns nothing.
-struct ConstImageView {
-  const std::uint8_t* data = nullptr;
-  Index width = 0;
-  Index height = 0;
-  Index stride = 0;
-
-  [[nodiscard]] const std::uint8_t* row(Index y) const { return data + y * stride; }
-};
-
-/// Writable rectangle of bytes, otherwise as ConstImageView.
-struct ImageView {
-  std::uint8_t* data = nullptr;
-  Index width = 0;
-  Index height = 0;
-  Index stride = 0;
-
-  [[nodiscard]] std::uint8_t* row(Index y) const { return data + y * stride; }
-  operator ConstImageView() const { return {data, width, height, stride}; }
-};
 
 inline constexpr Index kWordBits = 64;
 /// Rows of packed bits are padded to whole 512-bit blocks, so that every vector length fits.

@@ -23,27 +23,9 @@ Plane<T>::Plane(Index width, Index height) {
   const Index row_elements = row_elements_for<T>(width);
   constexpr Index element_bytes = static_cast<Index>(sizeof(T));
   const Index stride = padded_row_bytes((row_elements + block) * element_bytes) / element_bytes;
-  storage_elements_ = block + (height + 2 * kMarginRows) * stride;
-  data_ = make_aligned<T>(static_cast<std::size_t>(storage_elements_));
+  const Index storage = block + (height + 2 * kMarginRows) * stride;
+  data_ = make_aligned<T>(static_cast<std::size_t>(storage));
   view_ = {data_.get() + block + kMarginRows * stride, width, height, stride, row_elements};
-}
-
-template <class T>
-bool Plane<T>::margin_is_zero() const {
-  constexpr Index pixels_per_element = sizeof(T) == 1 ? 1 : kWordBits;
-  const Index first = view_.data - data_.get();
-  for (Index i = 0; i < storage_elements_; ++i) {
-    const Index from_first = i - first;
-    const Index y = from_first < 0 ? -1 : from_first / view_.stride;
-    const Index x = from_first < 0 ? 0 : from_first % view_.stride * pixels_per_element;
-    const bool outside = y < 0 || y >= view_.height || x >= view_.width;
-    const Index inside_pixels = outside ? 0 : view_.width - x;
-    T beyond = data_[static_cast<std::size_t>(i)];
-    if (inside_pixels >= pixels_per_element) beyond = 0;
-    if (inside_pixels < pixels_per_element) beyond = static_cast<T>(beyond >> inside_pixels);
-    if (beyond != 0) return false;
-  }
-  return true;
 }
 
 template class Plane<std::uint8_t>;

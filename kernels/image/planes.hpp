@@ -17,12 +17,9 @@ class Plane {
 
   [[nodiscard]] PlaneView<T> view() { return view_; }
   [[nodiscard]] ConstPlaneView<T> view() const { return view_; }
-  /// Whether everything outside the image is zero: margins, row padding, bits past the width.
-  [[nodiscard]] bool margin_is_zero() const;
 
  private:
   AlignedArray<T> data_;
-  Index storage_elements_ = 0;
   PlaneView<T> view_;
 };
 

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "dispatch/exported.hpp"
 #include "image/layout.hpp"
 #include "midpoints/work.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 using Bytes = const std::uint8_t* __restrict;
@@ -146,22 +148,19 @@ void scan(Directions directions, const ConstBytePlaneView& source, const BytePla
             [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
 }
 
-int thin(Directions directions, const ConstBytePlaneView& source, const BytePlaneView& target,
+void run(Directions directions, const ConstBytePlaneView& source, const BytePlaneView& target,
          std::uint64_t* scratch) {
   for (Index y = 0; y < target.height; ++y) {
     std::fill_n(target.row(y), target.row_elements, std::uint8_t{0});
   }
   switch (Scratch::count_size(std::max(source.width, source.height))) {
     case sizeof(std::uint16_t):
-      scan<std::uint16_t>(directions, source, target, scratch);
-      break;
+      return scan<std::uint16_t>(directions, source, target, scratch);
     case sizeof(std::uint32_t):
-      scan<std::uint32_t>(directions, source, target, scratch);
-      break;
+      return scan<std::uint32_t>(directions, source, target, scratch);
     default:
-      scan<std::uint64_t>(directions, source, target, scratch);
+      return scan<std::uint64_t>(directions, source, target, scratch);
   }
-  return 1;
 }
 
 Index scratch_words(Index width, Index height) {
@@ -169,9 +168,10 @@ Index scratch_words(Index width, Index height) {
 }
 
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const ImageKernel<std::uint8_t> IsaScan<Isa::THINBENCH_ISA>::kAutovec = {&thin,
-                                                                                   &scratch_words};
+constinit const ByteScanKernels Exported<ByteScanKernels, Isa::THINBENCH_ISA>::kKernels = {
+    &run, &scratch_words};
 
 }  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 
 namespace thinbench::detail {
 
-constinit const ScanKernels ScalarScan::kBitpacked =
+constinit const ScanKernels kBitpackedScan =
     ScanEngine<std::uint64_t, Isa::baseline>::kKernels;
 
 }  // namespace thinbench::detail

@@ -1,6 +1,7 @@
 // The scanning skeleton on xsimd batches, compiled once for every instruction-set level; see
 // sweep.hpp. A row of up to 511 pixels is one batch on AVX-512, where every gate is one
 // instruction and 9 counter bits twice, with what they are compared with, stay in registers.
+#include "dispatch/exported.hpp"
 #include "simd/batch.hpp"
 #include "midpoints/engine.hpp"
 
@@ -32,7 +33,7 @@ struct RegisterTurn<WordBatch> {
 #endif
 
 template <>
-constinit const ScanKernels IsaScan<kThisIsa>::kSimdBitpacked =
+constinit const ScanKernels Exported<ScanKernels, kThisIsa>::kKernels =
     ScanEngine<WordBatch, kThisIsa>::kKernels;
 
 }  // namespace thinbench::detail

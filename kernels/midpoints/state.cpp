@@ -16,10 +16,8 @@ Index words_for(Index pixels, Index batch_words) {
 
 }  // namespace
 
-ScanState::ScanState(const ScanKernels& kernels, const ScanSetting& setting)
-    : PlaneState(setting.isa, setting.width, setting.height),
-      kernels_(kernels),
-      team_(setting.threads) {
+ScanState::ScanState(const ScanKernels& kernels, const ThinningSetting& setting)
+    : PlaneState(setting), kernels_(kernels), border_(setting.border) {
   work_.directions = setting.directions;
   if (setting.width == 0 || setting.height == 0) work_.directions = kNoDirections;
   for (const Direction direction : kAllDirections) {
@@ -29,8 +27,9 @@ ScanState::ScanState(const ScanKernels& kernels, const ScanSetting& setting)
   work_.target = planes.result.view();
 }
 
-void ScanState::add_direction(Direction direction, const ScanSetting& setting) {
-  const auto [isa, width, height, threads, directions] = setting;
+void ScanState::add_direction(Direction direction, const ThinningSetting& setting) {
+  const Index width = setting.width;
+  const Index height = setting.height;
   const Index batch = kernels_.batch_words;
   if (direction == Direction::rows) {
     turn(direction, width, words_for(height, batch), width);
@@ -39,7 +38,7 @@ void ScanState::add_direction(Direction direction, const ScanSetting& setting) {
   } else {
     const Index ring = words_for(width + 1, batch);
     if (work_.rings.rows == 0) {
-      work_.rings = make_sheet(threads > 1 ? round_up(height, kGroupRows) : kGroupRows, 2 * ring);
+      work_.rings = make_sheet(setting.threads > 1 ? round_up(height, kGroupRows) : kGroupRows, 2 * ring);
       work_.rings.words = ring;
     }
     turn(direction, height, ring, std::min(width, height));
@@ -70,15 +69,45 @@ std::uint64_t* ScanState::make_words(Index count) {
 
 int ScanState::thin() {
   const Index groups = group_count(work_.source.height);
-  team_.for_ranges(groups, [&](Index first, Index last) { kernels_.prepare(work_, first, last); });
-  team_.for_ranges(static_cast<Index>(tasks_.size()), [&](Index first, Index last) {
+  team.for_ranges(groups, [&](Index first, Index last) { kernels_.prepare(work_, first, last); });
+  team.for_ranges(static_cast<Index>(tasks_.size()), [&](Index first, Index last) {
     for (Index i = first; i < last; ++i) {
       const Task& task = tasks_[static_cast<std::size_t>(i)];
       kernels_.sweep(work_, task.direction, task.first_word);
     }
   });
-  team_.for_ranges(groups, [&](Index first, Index last) { kernels_.merge(work_, first, last); });
+  team.for_ranges(groups, [&](Index first, Index last) { kernels_.merge(work_, first, last); });
+  apply_border(border_, work_.source, work_.target);
   return 1;
 }
+
+namespace {
+
+void copy_pixel(const std::uint8_t* from, std::uint8_t* to, Index x) {
+  to[x] = from[x];
+}
+
+void copy_pixel(const std::uint64_t* from, std::uint64_t* to, Index x) {
+  const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
+  std::uint64_t& word = to[x / kWordBits];
+  word ^= (word ^ from[x / kWordBits]) & bit;
+}
+
+}  // namespace
+
+template <class T>
+void apply_border(Border border, const ConstPlaneView<T>& source, const PlaneView<T>& target) {
+  if (border == Border::background || source.width == 0) return;
+  for (Index y = 0; y < source.height; ++y) {
+    if (y == 0 || y == source.height - 1) {
+      std::copy_n(source.row(y), source.row_elements, target.row(y));
+    }
+    copy_pixel(source.row(y), target.row(y), 0);
+    copy_pixel(source.row(y), target.row(y), source.width - 1);
+  }
+}
+
+template void apply_border(Border, const ConstBytePlaneView&, const BytePlaneView&);
+template void apply_border(Border, const ConstBitPlaneView&, const BitPlaneView&);
 
 }  // namespace thinbench::detail

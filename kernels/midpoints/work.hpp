@@ -1,10 +1,9 @@
 // What the kernels of the scanning skeleton work on: every direction as the columns of a sheet.
 #pragma once
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 #include "image/plane_view.hpp"
-#include "midpoints/directions.hpp"
-#include "thinning/engines/image_kernel.hpp"
+#include "thinbench/options.hpp"
 
 namespace thinbench::detail {
 
@@ -70,15 +69,14 @@ struct ScanKernels {
 };
 
 /// Compiled once, for the baseline.
-struct ScalarScan {
-  static const ScanKernels kBitpacked;
-};
+extern const ScanKernels kBitpackedScan;
 
-/// Compiled once for every instruction-set level.
-template <Isa isa>
-struct IsaScan {
-  static const ScanKernels kSimdBitpacked;
-  static const ImageKernel<std::uint8_t> kAutovec;
+/// The same on byte planes, in loops that compilers vectorise. `scratch` holds
+/// `scratch_words(width, height)` words on a cache line and may hold anything.
+struct ByteScanKernels {
+  void (*run)(Directions directions, const ConstBytePlaneView& source, const BytePlaneView& target,
+              std::uint64_t* scratch);
+  Index (*scratch_words)(Index width, Index height);
 };
 
 }  // namespace thinbench::detail

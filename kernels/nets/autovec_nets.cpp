@@ -1,12 +1,12 @@
 // The nets' equations on bytes 0/1 as plain loops over strips of a row that compilers vectorise, at
 // -O3 for every instruction-set level: what hand-written SIMD is compared with. Light pixels are
 // computed and dropped; the equations have no branch.
-#include "dispatch/isa.hpp"
+#include "dispatch/exported.hpp"
 #include "nets/exponential.hpp"
-#include "nets/model.hpp"
-#include "nets/model_passes.hpp"
+#include "nets/net_kernels.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 constexpr Index kStrip = 64;  // rows are padded to whole strips
@@ -41,7 +41,7 @@ float answer(float x) {
 
 template <Activation activation>
 struct TwoLayerStrip {
-  static void decide(const RuleModel& model, const StripInputs& inputs, std::uint8_t* stays) {
+  static void decide(const NetModel& model, const StripInputs& inputs, std::uint8_t* stays) {
     float hidden[kHiddenNeurons][kStrip];
     for (int j = 0; j < kHiddenNeurons; ++j) {
       net_input(model.two_layer.hidden[j], inputs.n, hidden[j]);
@@ -54,7 +54,7 @@ struct TwoLayerStrip {
 };
 
 struct ClusterStrip {
-  static void decide(const RuleModel& model, const StripInputs& inputs, std::uint8_t* stays) {
+  static void decide(const NetModel& model, const StripInputs& inputs, std::uint8_t* stays) {
     int net[kStrip];
     find_nets(model, inputs, net);
     float sum[kStrip];
@@ -68,7 +68,7 @@ struct ClusterStrip {
   }
 
  private:
-  static void find_nets(const RuleModel& model, const StripInputs& inputs, int* net) {
+  static void find_nets(const NetModel& model, const StripInputs& inputs, int* net) {
     float descriptor[kStrip] = {};
     for (int i = 0; i < kNetInputs; ++i) {
       for (Index x = 0; x < kStrip; ++x) {
@@ -83,16 +83,19 @@ struct ClusterStrip {
 };
 
 template <class Strip>
-bool row(const RuleModel& model, const std::uint8_t* here, Index stride, std::uint8_t* target,
-         Index count) {
+bool row(const NetModel& model, const std::uint8_t* fixed, const std::uint8_t* here, Index stride,
+         std::uint8_t* target, Index count) {
   std::uint8_t changed = 0;
   for (Index x = 0; x < count; x += kStrip) {
     StripInputs inputs;
     load_inputs(inputs, here + x, stride);
-    std::uint8_t stays[kStrip];
-    Strip::decide(model, inputs, stays);
+    std::uint8_t keeps[kStrip];
+    Strip::decide(model, inputs, keeps);
+    if (fixed != nullptr) {
+      for (Index i = 0; i < kStrip; ++i) keeps[i] |= fixed[x + i];
+    }
     for (Index i = 0; i < kStrip; ++i) {
-      const std::uint8_t next = here[x + i] & stays[i];
+      const std::uint8_t next = here[x + i] & keeps[i];
       changed = static_cast<std::uint8_t>(changed | (next ^ here[x + i]));
       target[x + i] = next;
     }
@@ -101,18 +104,31 @@ bool row(const RuleModel& model, const std::uint8_t* here, Index stride, std::ui
 }
 
 template <class Strip>
-std::uint64_t pass(const RuleModel* model, const ConstBytePlaneView& source,
-                   const BytePlaneView& target, const Band& band) {
+std::uint64_t pass(const RuntimeRule* rule, const std::uint8_t* fixed,
+                   const ConstBytePlaneView& source, const BytePlaneView& target,
+                   const Band& band) {
   return for_each_run(band, [&](Index y, Index from, Index to) {
-    return row<Strip>(*model, source.row(y) + from, source.stride, target.row(y) + from, to - from);
+    return row<Strip>(net_of(rule), fixed == nullptr ? nullptr : fixed + from,
+                      source.row(y) + from, source.stride, target.row(y) + from, to - from);
   });
 }
 
+/// Below AVX-512 these loops take longer than the reference: docs/experiments.md#compiler-vectorisation-of-nets.
+consteval AutovecNetKernels make_kernels() {
+  constexpr Isa isa = Isa::THINBENCH_ISA;
+  if constexpr (isa == Isa::avx512 || isa == Isa::avx512icl) {
+    return {{&pass<TwoLayerStrip<Activation::sigmoid>>, &pass<TwoLayerStrip<Activation::linear>>,
+             &pass<ClusterStrip>}};
+  } else {
+    return {};
+  }
+}
+
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const NetPasses<Pass<std::uint8_t>> IsaModelPasses<Isa::THINBENCH_ISA>::kAutovec = {
-    &pass<TwoLayerStrip<Activation::sigmoid>>, &pass<TwoLayerStrip<Activation::linear>>,
-    &pass<ClusterStrip>};
+constinit const AutovecNetKernels Exported<AutovecNetKernels, Isa::THINBENCH_ISA>::kKernels =
+    make_kernels();
 
 }  // namespace thinbench::detail

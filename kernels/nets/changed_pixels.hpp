@@ -15,7 +15,7 @@
 #endif
 
 #include "simd/word.hpp"
-#include "nets/weights.hpp"
+#include "thinbench/nets.hpp"
 #include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {
@@ -150,20 +150,19 @@ class ChangedNeighbourhoods {
   std::uint64_t here_;
 };
 
-/// A whole ChangePass by one decider.
-template <class Decider>
-[[gnu::always_inline]] inline std::uint64_t decide_changed(const Decider& decider,
-                                                           const ConstBitPlaneView& previous,
-                                                           const ConstBitPlaneView& source,
-                                                           const BitPlaneView& target,
-                                                           const Band& band) {
+/// A whole ChangePass by one decider. `fixed(x)` are the pixels of word x of any row that keep their
+/// value.
+template <class Decider, class Fixed>
+[[gnu::always_inline]] inline std::uint64_t decide_changed_but(
+    const Decider& decider, const Fixed& fixed, const ConstBitPlaneView& previous,
+    const ConstBitPlaneView& source, const BitPlaneView& target, const Band& band) {
   PixelQueue<Decider> queue(decider, band);
   for_each_run(band, [&](Index y, Index from, Index to) {
     ChangedNeighbourhoods changed(previous, source, y, from);
     const std::uint64_t* here = source.row(y);
     std::uint64_t* next = target.row(y);
     for (Index x = from; x < to; ++x) {
-      const std::uint64_t asked = changed.at(x) & here[x];
+      const std::uint64_t asked = changed.at(x) & here[x] & ~fixed(x);
       if (asked == 0) {
         next[x] = here[x];
       } else {
@@ -173,6 +172,19 @@ template <class Decider>
     return false;  // the queue knows what changed
   });
   return queue.finish();
+}
+
+/// See ChangePass.
+template <class Decider>
+[[gnu::always_inline]] inline std::uint64_t decide_changed(
+    const Decider& decider, const std::uint64_t* fixed, const ConstBitPlaneView& previous,
+    const ConstBitPlaneView& source, const BitPlaneView& target, const Band& band) {
+  if (fixed != nullptr) {
+    const auto fixed_at = [fixed](Index x) { return fixed[x]; };
+    return decide_changed_but(decider, fixed_at, previous, source, target, band);
+  }
+  const auto nothing = [](Index) { return std::uint64_t{0}; };
+  return decide_changed_but(decider, nothing, previous, source, target, band);
 }
 
 }  // namespace thinbench::detail

@@ -4,12 +4,13 @@
 // Cost a batch: 64 masked additions (on AVX-512 a word of neighbours is the mask), 3 operations for
 // each answer, and for each pair of hidden neurons 2 interleavings, 2 multiply-adds and 2 additions
 // in 16 bits: about 115 operations for 64 pixels on AVX-512.
+#include "dispatch/exported.hpp"
 #include "simd/batch.hpp"
 #include "nets/changed_pixels.hpp"
-#include "nets/model.hpp"
-#include "nets/model_passes.hpp"
+#include "nets/net_kernels.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 using SignedBatch = xsimd::batch<std::int8_t, Architecture>;
@@ -143,15 +144,18 @@ struct FixedPointDecider {
   }
 };
 
-std::uint64_t fixed_point_bits(const RuleModel* model, const ConstBitPlaneView& previous,
-                               const ConstBitPlaneView& source, const BitPlaneView& target,
-                               const Band& band) {
-  return decide_changed(FixedPointDecider{model->fixed_point}, previous, source, target, band);
+std::uint64_t fixed_point_bits(const RuntimeRule* rule, const std::uint64_t* fixed,
+                               const ConstBitPlaneView& previous, const ConstBitPlaneView& source,
+                               const BitPlaneView& target, const Band& band) {
+  return decide_changed(FixedPointDecider{net_of(rule).fixed_point}, fixed, previous, source,
+                        target, band);
 }
 
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const ChangePass IsaModelPasses<kThisIsa>::kFixedPointBits = &fixed_point_bits;
+constinit const FixedPointKernels Exported<FixedPointKernels, kThisIsa>::kKernels = {
+    &fixed_point_bits};
 
 }  // namespace thinbench::detail

@@ -3,6 +3,7 @@
 // bits.
 #pragma once
 
+#include "nets/changed_pixels.hpp"
 #include "nets/float_lanes.hpp"
 #include "nets/model.hpp"
 
@@ -23,14 +24,11 @@ struct MaskInputs {
   }
 };
 
-/// Neighbours as 0.0 and 1.0, from bytes.
-struct NumberInputs {
-  FloatBatch number[kNetInputs];
-
-  [[gnu::always_inline]] FloatBatch add(int i, FloatBatch sum, FloatBatch weight) const {
-    return sum + weight * number[i];
-  }
-};
+[[gnu::always_inline]] inline MaskInputs mask_inputs(const PackedNeighbours& from, Index first) {
+  MaskInputs inputs;
+  for (int i = 0; i < kNetInputs; ++i) inputs.mask[i] = lane_mask(from.n[i] >> first);
+  return inputs;
+}
 
 template <Activation activation>
 [[gnu::always_inline]] inline FloatBatch answer(FloatBatch x) {
@@ -48,7 +46,7 @@ template <Activation activation>
 template <Activation activation>
 struct TwoLayerNet {
   template <class Inputs>
-  [[gnu::always_inline]] static FloatBatch hidden(const RuleModel& model, const Inputs& inputs,
+  [[gnu::always_inline]] static FloatBatch hidden(const NetModel& model, const Inputs& inputs,
                                                   int j) {
     const Neuron& neuron = model.two_layer.hidden[j];
     FloatBatch sum(neuron.bias);
@@ -58,7 +56,7 @@ struct TwoLayerNet {
   }
 
   template <class Inputs>
-  [[gnu::always_inline]] static FloatBatch output(const RuleModel& model, const Inputs& inputs) {
+  [[gnu::always_inline]] static FloatBatch output(const NetModel& model, const Inputs& inputs) {
     keep_loads_here();
     FloatBatch sum(model.two_layer.output.bias);
 #pragma GCC unroll 8
@@ -69,7 +67,7 @@ struct TwoLayerNet {
   }
 
   template <class Inputs>
-  [[gnu::always_inline]] static std::uint64_t decide(const RuleModel& model, const Inputs& inputs) {
+  [[gnu::always_inline]] static std::uint64_t decide(const NetModel& model, const Inputs& inputs) {
     return bits_of(output(model, inputs) >= FloatBatch(0.5F));
   }
 };
@@ -78,7 +76,7 @@ struct TwoLayerNet {
 /// look-up, and the step function. Cost a batch: 8 additions, 2 for each run, 2 for each input.
 struct ClusterOfNets {
   template <class Inputs>
-  [[gnu::always_inline]] static std::uint64_t decide(const RuleModel& model, const Inputs& inputs) {
+  [[gnu::always_inline]] static std::uint64_t decide(const NetModel& model, const Inputs& inputs) {
     FloatBatch descriptor(0.0F);
 #pragma GCC unroll 8
     for (int i = 0; i < kNetInputs; ++i) {

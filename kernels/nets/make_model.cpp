@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "nets/decision_diagram.hpp"
 #include "nets/exponential.hpp"
 #include "thinning/engines/pair_table.hpp"
 
@@ -93,7 +92,7 @@ bool fixed_point_stays(const FixedPointNet& net, int descriptor) {
 
 /// The finest scale of 16, 8, 4, 2, 1 at which the fixed-point net fits and decides as the table
 /// does.
-void find_fixed_point(RuleModel& model) {
+void find_fixed_point(NetModel& model) {
   for (float scale = 16; scale >= 1 && !model.fixed_point_is_exact; scale /= 2) {
     if (!make_fixed_point(model.two_layer, scale, model.fixed_point)) continue;
     bool exact = true;
@@ -104,7 +103,7 @@ void find_fixed_point(RuleModel& model) {
   }
 }
 
-void fill_columns(const ClusterWeights& weights, RuleModel& model) {
+void fill_columns(const ClusterWeights& weights, NetModel& model) {
   for (int net = 0; net < kMaxClusterNets; ++net) {
     const bool exists = net < weights.count;
     const Neuron neuron = exists ? weights.nets[net].neuron : Neuron{};
@@ -116,10 +115,10 @@ void fill_columns(const ClusterWeights& weights, RuleModel& model) {
 
 /// Fills in everything that follows from the decisions.
 template <class Stays>
-void derive_tables(RuleModel& model, const Stays& stays) {
+void derive_tables(NetModel& model, const Stays& stays) {
   for (int k = 0; k < 256; ++k) model.new_pixel[256 + k] = stays(k) ? 1 : 0;
   fill_pair_table(model.new_pixel, model.pixel_pairs);
-  model.program = make_decision_diagram(model.new_pixel + 256);
+  model.program = make_mux_program(model.new_pixel + 256);
 }
 
 }  // namespace
@@ -142,12 +141,12 @@ bool cluster_stays(const ClusterWeights& weights, int descriptor) {
   return net_input(weights.nets[net].neuron, inputs) >= 0.0F;
 }
 
-RuleModel two_layer_model(const TwoLayerWeights& weights, Activation activation) {
+NetModel two_layer_model(const TwoLayerWeights& weights, Activation activation) {
   for (int j = 0; j < kHiddenNeurons; ++j) {
     require_moderate(weights.hidden[j], "hidden neuron " + std::to_string(j));
   }
   require_moderate(weights.output, "the output neuron");
-  RuleModel model{};
+  NetModel model{};
   model.activation = activation;
   model.two_layer = weights;
   derive_tables(model, [&](int k) { return two_layer_stays(weights, activation, k); });
@@ -155,7 +154,7 @@ RuleModel two_layer_model(const TwoLayerWeights& weights, Activation activation)
   return model;
 }
 
-RuleModel cluster_model(const ClusterWeights& weights) {
+NetModel cluster_model(const ClusterWeights& weights) {
   if (weights.count < 1 || weights.count > kMaxClusterNets) {
     throw std::invalid_argument("the cluster has " + std::to_string(weights.count) +
                                 " nets; it must have 1 to " + std::to_string(kMaxClusterNets));
@@ -172,7 +171,7 @@ RuleModel cluster_model(const ClusterWeights& weights) {
     throw std::invalid_argument("the nets end at descriptor " + std::to_string(before) +
                                 ", not 255");
   }
-  RuleModel model{};
+  NetModel model{};
   model.cluster = weights;
   fill_columns(weights, model);
   derive_tables(model, [&](int k) { return cluster_stays(weights, k); });
@@ -180,3 +179,16 @@ RuleModel cluster_model(const ClusterWeights& weights) {
 }
 
 }  // namespace thinbench::detail
+
+namespace thinbench {
+
+std::shared_ptr<const NetModel> two_layer_net(const TwoLayerWeights& weights,
+                                              Activation activation) {
+  return std::make_shared<NetModel>(detail::two_layer_model(weights, activation));
+}
+
+std::shared_ptr<const NetModel> cluster_net(const ClusterWeights& weights) {
+  return std::make_shared<NetModel>(detail::cluster_model(weights));
+}
+
+}  // namespace thinbench

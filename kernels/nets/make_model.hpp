@@ -7,11 +7,11 @@ namespace thinbench::detail {
 
 /// The thinning net of section 3.2 with these weights. Throws std::invalid_argument where a weight
 /// is not finite.
-[[nodiscard]] RuleModel two_layer_model(const TwoLayerWeights& weights, Activation activation);
+[[nodiscard]] NetModel two_layer_model(const TwoLayerWeights& weights, Activation activation);
 
 /// The cluster of section 3.3. Throws std::invalid_argument where a weight is not finite or the
 /// runs do not cover the descriptors 0 to 255 in order.
-[[nodiscard]] RuleModel cluster_model(const ClusterWeights& weights);
+[[nodiscard]] NetModel cluster_model(const ClusterWeights& weights);
 
 /// The net's decision for one descriptor, in the arithmetic that weights.hpp fixes.
 [[nodiscard]] bool two_layer_stays(const TwoLayerWeights& weights, Activation activation,

@@ -3,7 +3,7 @@
 //     thinbench train cluster --integer --header kernels/nets/trained_cluster.hpp
 #pragma once
 
-#include "nets/weights.hpp"
+#include "thinbench/nets.hpp"
 
 namespace thinbench::detail {
 

@@ -1,7 +1,7 @@
 // The Euler number of a packed image by two population counts.
 #pragma once
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 #include "image/plane_view.hpp"
 #include "simd/word.hpp"
 
@@ -11,15 +11,10 @@ namespace thinbench::detail {
 /// the image counts too: the sum over rows [0, height] is the number.
 using EulerKernel = std::int64_t (*)(const ConstBitPlaneView& image, Index first, Index last);
 
+/// Exported for every ISA.
 struct EulerKernels {
   EulerKernel eight;  // 8-connected objects, 4-connected holes
   EulerKernel four;   // 4-connected objects, 8-connected holes
-};
-
-/// A level's kernel.
-template <Isa isa>
-struct IsaEuler {
-  static const EulerKernels kSimd;
 };
 
 /// 64 pixels a step, popcount of the compiler's baseline.

@@ -1,18 +1,19 @@
 #include <atomic>
 
+#include "dispatch/exported.hpp"
 #include "image/packing.hpp"
 #include "image/planes.hpp"
 #include "image/thread_team.hpp"
 #include "regions/euler.hpp"
-#include "regions/states.hpp"
+#include "regions/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-class PackedState final : public HolesState {
+class PackedState final : public RegionsState {
  public:
-  PackedState(const EulerKernels& kernels, const HolesSetting& setting)
-      : kernel_(setting.task == HolesTask::euler_eight ? kernels.eight : kernels.four),
+  PackedState(const EulerKernels& kernels, const RegionsSetting& setting)
+      : kernel_(setting.task == RegionsTask::euler_eight ? kernels.eight : kernels.four),
         conversion_(plane_conversion<std::uint64_t>(setting.isa)),
         image_(setting.width, setting.height),
         team_(setting.threads) {}
@@ -26,7 +27,6 @@ class PackedState final : public HolesState {
     });
   }
   [[nodiscard]] std::int64_t number() const override { return number_; }
-  [[nodiscard]] bool margins_are_zero() const override { return image_.margin_is_zero(); }
 
  private:
   EulerKernel kernel_;
@@ -36,9 +36,9 @@ class PackedState final : public HolesState {
   std::atomic<std::int64_t> number_ = 0;
 };
 
-class ByteState final : public HolesState {
+class ByteState final : public RegionsState {
  public:
-  ByteState(EulerQuads count, const HolesSetting& setting)
+  ByteState(EulerQuads count, const RegionsSetting& setting)
       : count_(count),
         conversion_(plane_conversion<std::uint8_t>(setting.isa)),
         image_(setting.width, setting.height) {}
@@ -46,7 +46,6 @@ class ByteState final : public HolesState {
   void load(const ConstImageView& source) override { conversion_.read(source, image_.view()); }
   void compute() override { number_ = count_(image_.view()); }
   [[nodiscard]] std::int64_t number() const override { return number_; }
-  [[nodiscard]] bool margins_are_zero() const override { return image_.margin_is_zero(); }
 
  private:
   EulerQuads count_;
@@ -55,26 +54,19 @@ class ByteState final : public HolesState {
   std::int64_t number_ = 0;
 };
 
-const EulerKernels& simd_kernels(Isa isa) {
-  static constexpr const EulerKernels* kByLevel[] = {
-      &IsaEuler<Isa::baseline>::kSimd, &IsaEuler<Isa::sse42>::kSimd, &IsaEuler<Isa::avx2>::kSimd,
-      &IsaEuler<Isa::avx512>::kSimd, &IsaEuler<Isa::avx512icl>::kSimd};
-  return *kByLevel[static_cast<std::size_t>(isa)];
-}
-
 }  // namespace
 
-std::unique_ptr<HolesState> make_euler_lut(const HolesSetting& setting) {
-  const bool eight = setting.task == HolesTask::euler_eight;
+std::unique_ptr<RegionsState> make_euler_lut(const RegionsSetting& setting) {
+  const bool eight = setting.task == RegionsTask::euler_eight;
   return std::make_unique<ByteState>(eight ? &euler_by_quads_8 : &euler_by_quads_4, setting);
 }
 
-std::unique_ptr<HolesState> make_euler_bitpacked(const HolesSetting& setting) {
+std::unique_ptr<RegionsState> make_euler_bitpacked(const RegionsSetting& setting) {
   return std::make_unique<PackedState>(kBitpackedEuler, setting);
 }
 
-std::unique_ptr<HolesState> make_euler_simd(const HolesSetting& setting) {
-  return std::make_unique<PackedState>(simd_kernels(setting.isa), setting);
+std::unique_ptr<RegionsState> make_euler_simd(const RegionsSetting& setting) {
+  return std::make_unique<PackedState>(kernels_of<EulerKernels>(setting.isa), setting);
 }
 
 }  // namespace thinbench::detail

@@ -11,14 +11,14 @@
 #include "image/packing.hpp"
 #include "image/planes.hpp"
 #include "regions/labelled_runs.hpp"
-#include "regions/states.hpp"
+#include "regions/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-class FillState final : public HolesState {
+class FillState final : public RegionsState {
  public:
-  explicit FillState(const HolesSetting& setting)
+  explicit FillState(const RegionsSetting& setting)
       : conversion_(plane_conversion<std::uint64_t>(setting.isa)),
         source_(setting.width, setting.height),
         result_(setting.width, setting.height),
@@ -38,9 +38,6 @@ class FillState final : public HolesState {
       fill_row(y);
     }
   }
-  [[nodiscard]] bool margins_are_zero() const override {
-    return source_.margin_is_zero() && result_.margin_is_zero();
-  }
 
  private:
   void fill_row(Index y) {
@@ -59,7 +56,7 @@ class FillState final : public HolesState {
 
 }  // namespace
 
-std::unique_ptr<HolesState> make_bitpacked_fill(const HolesSetting& setting) {
+std::unique_ptr<RegionsState> make_bitpacked_fill(const RegionsSetting& setting) {
   return std::make_unique<FillState>(setting);
 }
 

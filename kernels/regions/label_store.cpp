@@ -83,7 +83,7 @@ LabelStore::Offsets LabelStore::append(const LabelTables& other) {
   // Owners are objects.
   LabelTable& background = tables_.of_colour[0];
   for (Label label = offsets.of_colour[0] + 1; label < background.count; ++label) {
-    background.regions[label].owner += offsets.of_colour[1];
+    background.regions[label].enclosing_object += offsets.of_colour[1];
   }
   return offsets;
 }
@@ -94,8 +94,8 @@ RegionLists LabelStore::number_regions() {
   const Label object_count = gather_regions(objects);
   const Label background_count = gather_regions(background);
   for (Label hole = 1; hole < background_count; ++hole) {
-    Label& owner = background.regions[hole].owner;
-    owner = objects.parents[owner] + 1;
+    Label& enclosing_object = background.regions[hole].enclosing_object;
+    enclosing_object = objects.parents[enclosing_object] + 1;
   }
   return {{objects.regions, object_count}, {background.regions + 1, background_count - 1}};
 }

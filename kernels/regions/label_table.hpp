@@ -3,7 +3,7 @@
 #pragma once
 
 #include "image/plane_view.hpp"
-#include "regions/region.hpp"
+#include "thinbench/region.hpp"
 
 namespace thinbench::detail {
 
@@ -39,11 +39,11 @@ struct LabelTable {
 }
 
 /// A label whose first pixel is in row y. The table must have room.
-[[gnu::always_inline]] inline Label new_label(LabelTable& table, Index y, Label owner) {
+[[gnu::always_inline]] inline Label new_label(LabelTable& table, Index y, Label enclosing_object) {
   const Label label = table.count++;
   const auto row = static_cast<std::int32_t>(y);
   table.parents[label] = label;
-  table.regions[label] = {0, 0, 0, kNoColumn, row, -1, row, owner};
+  table.regions[label] = {0, 0, 0, kNoColumn, row, -1, row, enclosing_object};
   return label;
 }
 

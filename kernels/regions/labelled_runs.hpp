@@ -51,7 +51,7 @@ class LabelledRuns {
   [[nodiscard]] const Label* roots(int colour) { return table(colour).parents; }
   [[nodiscard]] Label labels(int colour) { return table(colour).count; }
   /// A label of the contour round a hole, whose root is given; for other labels any contour's.
-  [[nodiscard]] Label owner_of_hole(Label root) { return table(0).regions[root].owner; }
+  [[nodiscard]] Label owner_of_hole(Label root) { return table(0).regions[root].enclosing_object; }
 
  private:
   [[nodiscard]] LabelTable& table(int colour) { return labels_.tables().of_colour[colour]; }

@@ -1,7 +1,7 @@
 // The kernels that label the runs of a band of rows.
 #pragma once
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 #include "regions/run_rows.hpp"
 
 namespace thinbench::detail {
@@ -30,16 +30,11 @@ struct RunLabelling {
 using LabelRows = Index (*)(const ConstBitPlaneView& image, Index first, Index last,
                             RunLabelling& labelling);
 
-/// With holes (light runs are labelled too) and for objects alone.
+/// With holes (background runs are labelled too) and for objects alone. `simd_runs` exports one for
+/// every ISA.
 struct RunEngine {
   LabelRows holes;
   LabelRows components;
-};
-
-/// A level's kernel `simd_runs`.
-template <Isa isa>
-struct RunEngines {
-  static const RunEngine kSimd;
 };
 
 /// The kernel `bitpacked_runs`.

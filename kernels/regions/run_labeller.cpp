@@ -28,12 +28,4 @@ RegionLists RunLabeller::label(const ConstBitPlaneView& image) {
   return labels.number_regions();
 }
 
-const RunEngine& simd_run_engine(Isa isa) {
-  static constexpr const RunEngine* kByLevel[] = {
-      &RunEngines<Isa::baseline>::kSimd, &RunEngines<Isa::sse42>::kSimd,
-      &RunEngines<Isa::avx2>::kSimd, &RunEngines<Isa::avx512>::kSimd,
-      &RunEngines<Isa::avx512icl>::kSimd};
-  return *kByLevel[static_cast<std::size_t>(isa)];
-}
-
 }  // namespace thinbench::detail

@@ -4,7 +4,7 @@
 
 #include <deque>
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 #include "image/thread_team.hpp"
 #include "regions/run_band.hpp"
 
@@ -23,8 +23,5 @@ class RunLabeller {
   ThreadTeam team_;
   std::deque<RunBand> bands_;
 };
-
-/// The kernel `simd_runs` of a level.
-[[nodiscard]] const RunEngine& simd_run_engine(Isa isa);
 
 }  // namespace thinbench::detail

@@ -1,15 +1,16 @@
+#include "dispatch/exported.hpp"
 #include "image/packing.hpp"
 #include "image/planes.hpp"
 #include "regions/run_labeller.hpp"
-#include "regions/states.hpp"
+#include "regions/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-class RunState final : public HolesState {
+class RunState final : public RegionsState {
  public:
-  RunState(const RunEngine& engine, const HolesSetting& setting)
-      : with_holes_(setting.task == HolesTask::holes),
+  RunState(const RunEngine& engine, const RegionsSetting& setting)
+      : with_holes_(setting.task == RegionsTask::holes),
         conversion_(plane_conversion<std::uint64_t>(setting.isa)),
         image_(setting.width, setting.height),
         labeller_(with_holes_ ? engine.holes : engine.components, setting.width, setting.height,
@@ -21,7 +22,6 @@ class RunState final : public HolesState {
     if (!with_holes_) lists_.holes = {};
   }
   [[nodiscard]] RegionLists regions() const override { return lists_; }
-  [[nodiscard]] bool margins_are_zero() const override { return image_.margin_is_zero(); }
 
  private:
   bool with_holes_;
@@ -33,12 +33,12 @@ class RunState final : public HolesState {
 
 }  // namespace
 
-std::unique_ptr<HolesState> make_bitpacked_runs(const HolesSetting& setting) {
+std::unique_ptr<RegionsState> make_bitpacked_runs(const RegionsSetting& setting) {
   return std::make_unique<RunState>(kBitpackedRunEngine, setting);
 }
 
-std::unique_ptr<HolesState> make_simd_runs(const HolesSetting& setting) {
-  return std::make_unique<RunState>(simd_run_engine(setting.isa), setting);
+std::unique_ptr<RegionsState> make_simd_runs(const RegionsSetting& setting) {
+  return std::make_unique<RunState>(kernels_of<RunEngine>(setting.isa), setting);
 }
 
 }  // namespace thinbench::detail

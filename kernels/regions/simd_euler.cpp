@@ -5,10 +5,12 @@
 // table of 16 nibbles by byte shuffles, 9 instructions for the difference of both. Below AVX2,
 // where the shuffle would count 16 bytes, one popcnt a word is as fast: the loop runs on 64-bit
 // words.
+#include "dispatch/exported.hpp"
 #include "simd/batch.hpp"
 #include "regions/euler.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 #if defined(__AVX512VPOPCNTDQ__)
@@ -90,7 +92,9 @@ std::int64_t count(const ConstBitPlaneView& image, Index first, Index last) {
 
 }  // namespace
 
+}  // namespace THINBENCH_ISA
+
 template <>
-constinit const EulerKernels IsaEuler<kThisIsa>::kSimd = {&count<EulerEight>, &count<EulerFour>};
+constinit const EulerKernels Exported<EulerKernels, kThisIsa>::kKernels = {&count<EulerEight>, &count<EulerFour>};
 
 }  // namespace thinbench::detail

@@ -7,11 +7,13 @@
 // without any at once; with VBMI2 one compress turns the 64 bits of a word into the list of its
 // boundaries. Most rows of a picture of parts repeat the runs of the row above with slightly moved
 // ends.
+#include "dispatch/exported.hpp"
 #include "simd/batch.hpp"
 #include "regions/run_engine.hpp"
 #include "regions/simd_keys.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 using KeyBatch = xsimd::batch<Key, Architecture>;
@@ -197,7 +199,9 @@ Index label_rows(const ConstBitPlaneView& image, Index first, Index last, RunLab
 
 }  // namespace
 
+}  // namespace THINBENCH_ISA
+
 template <>
-constinit const RunEngine RunEngines<kThisIsa>::kSimd = {&label_rows<true>, &label_rows<false>};
+constinit const RunEngine Exported<RunEngine, kThisIsa>::kKernels = {&label_rows<true>, &label_rows<false>};
 
 }  // namespace thinbench::detail

@@ -7,7 +7,7 @@
 #include "image/packing.hpp"
 #include "image/planes.hpp"
 #include "regions/label_store.hpp"
-#include "regions/states.hpp"
+#include "regions/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -29,7 +29,7 @@ class LabelPlane {
 
 class TwoPasses {
  public:
-  explicit TwoPasses(const HolesSetting& setting)
+  explicit TwoPasses(const RegionsSetting& setting)
       : conversion_(plane_conversion<std::uint8_t>(setting.isa)),
         image_(setting.width, setting.height),
         labels_(setting.width, setting.height),
@@ -79,7 +79,6 @@ class TwoPasses {
     }
   }
 
-  [[nodiscard]] bool margins_are_zero() const { return image_.margin_is_zero(); }
 
  private:
   void label_row(const ConstBytePlaneView& image, Index y) {
@@ -135,10 +134,10 @@ class TwoPasses {
   LabelStore store_;
 };
 
-class RegionState final : public HolesState {
+class RegionState final : public RegionsState {
  public:
-  explicit RegionState(const HolesSetting& setting)
-      : with_holes_(setting.task == HolesTask::holes), passes_(setting) {}
+  explicit RegionState(const RegionsSetting& setting)
+      : with_holes_(setting.task == RegionsTask::holes), passes_(setting) {}
 
   void load(const ConstImageView& source) override { passes_.load(source); }
   void compute() override {
@@ -147,7 +146,6 @@ class RegionState final : public HolesState {
     if (!with_holes_) lists_.holes = {};
   }
   [[nodiscard]] RegionLists regions() const override { return lists_; }
-  [[nodiscard]] bool margins_are_zero() const override { return passes_.margins_are_zero(); }
 
  private:
   bool with_holes_;
@@ -155,9 +153,9 @@ class RegionState final : public HolesState {
   RegionLists lists_;
 };
 
-class FillState final : public HolesState {
+class FillState final : public RegionsState {
  public:
-  explicit FillState(const HolesSetting& setting)
+  explicit FillState(const RegionsSetting& setting)
       : passes_(setting), filled_(setting.width, setting.height) {}
 
   void load(const ConstImageView& source) override { passes_.load(source); }
@@ -171,7 +169,6 @@ class FillState final : public HolesState {
       for (Index x = 0; x < destination.width; ++x) destination.row(y)[x] = from[x];
     }
   }
-  [[nodiscard]] bool margins_are_zero() const override { return passes_.margins_are_zero(); }
 
  private:
   TwoPasses passes_;
@@ -180,11 +177,11 @@ class FillState final : public HolesState {
 
 }  // namespace
 
-std::unique_ptr<HolesState> make_union_find(const HolesSetting& setting) {
+std::unique_ptr<RegionsState> make_union_find(const RegionsSetting& setting) {
   return std::make_unique<RegionState>(setting);
 }
 
-std::unique_ptr<HolesState> make_union_find_fill(const HolesSetting& setting) {
+std::unique_ptr<RegionsState> make_union_find_fill(const RegionsSetting& setting) {
   return std::make_unique<FillState>(setting);
 }
 

@@ -4,7 +4,7 @@
 
 #include <xsimd/xsimd.hpp>
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 #include "simd/word.hpp"
 
 namespace thinbench::detail {

@@ -1,19 +1,29 @@
-// Thinning rules: what one pixel becomes, given its neighbourhood. Each rule stands once, in a file
-// of its own, as an expression over any word type, and every engine instantiates it.
+// The parallel thinning rules: those that decide every pixel of a sub-iteration from the image
+// before it. Each is one file in rules/, an expression over any word type that every engine
+// instantiates, and names its entry in the catalogue:
+//   template <>
+//   struct RuleType<Rule::guo_hall> { using Type = GuoHall; };
 #pragma once
 
-#include "thinning/rules/guo_hall.hpp"
-#include "thinning/rules/mb2.hpp"
-#include "thinning/rules/naccache_shinghal.hpp"
-#include "thinning/rules/spta_directional.hpp"
-#include "thinning/rules/zhang_suen.hpp"
+#include <utility>
+
+#include "thinbench/rule.hpp"
+#include "thinning/all_rules.hpp"  // made by the build: includes every file in rules/
 
 namespace thinbench::detail {
 
-template <class... Rules>
-struct RuleList {};
-
-/// Every rule that engines instantiate. A new rule is a file beside these and a name here.
-using AllRules = RuleList<NaccacheShinghal, ZhangSuen, GuoHall, SptaDirectional, Mb2>;
+/// Calls `body.template operator()<Type>(rule)` for each parallel rule, in the catalogue's order.
+template <class Body>
+constexpr void for_each_parallel_rule(const Body& body) {
+  const auto visit = [&]<std::size_t i>() {
+    constexpr Rule rule = kRules[i].rule;
+    if constexpr (requires { typename RuleType<rule>::Type; }) {
+      body.template operator()<typename RuleType<rule>::Type>(rule);
+    }
+  };
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (visit.template operator()<i>(), ...);
+  }(std::make_index_sequence<kRules.size()>{});
+}
 
 }  // namespace thinbench::detail

@@ -1,10 +1,11 @@
 // The reference's arithmetic on bytes 0/1 in a form that compilers vectorise: whole rows, no
 // branch, no early exit. Compiled once for every instruction-set level at -O3, so that hand-written
 // SIMD is compared with what the compiler gives for free.
-#include "dispatch/isa.hpp"
+#include "dispatch/exported.hpp"
 #include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 using Bytes = const std::uint8_t* __restrict;
@@ -33,37 +34,54 @@ struct FeatureStrip {
   }
 };
 
+/// New pixels of a strip of a row, `next(x)` for each; returns what changed. Where `fixed` is
+/// given, pixels with a 1 there keep their value.
+template <class Next>
+[[gnu::always_inline]] inline std::uint8_t write_pixels(const std::uint8_t* fixed, Bytes here,
+                                                        std::uint8_t* __restrict target,
+                                                        Index count, const Next& next) {
+  std::uint8_t changed = 0;
+  const auto write = [&](Index x, std::uint8_t pixel) __attribute__((always_inline)) {
+    target[x] = pixel;
+    changed = static_cast<std::uint8_t>(changed | (pixel ^ here[x]));
+  };
+  if (fixed == nullptr) {
+    for (Index x = 0; x < count; ++x) write(x, next(x));
+  } else {
+    for (Index x = 0; x < count; ++x) {
+      write(x, static_cast<std::uint8_t>(next(x) | (here[x] & fixed[x])));
+    }
+  }
+  return changed;
+}
+
 struct Autovec {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
-                            const BytePlaneView& target, const Band& band) {
+  static std::uint64_t pass(const RuntimeRule*, const std::uint8_t* fixed,
+                            const ConstBytePlaneView& source, const BytePlaneView& target,
+                            const Band& band) {
     return for_each_run(band, [&](Index y, Index from, Index to) {
-      return row<Rule, sub>(source.row(y) + from, source.stride, target.row(y) + from, to - from) !=
-             0;
+      return row<Rule, sub>(fixed == nullptr ? nullptr : fixed + from, source.row(y) + from,
+                            source.stride, target.row(y) + from, to - from) != 0;
     });
   }
 
  private:
   template <class Rule, int sub>
-  static std::uint8_t row(const std::uint8_t* source, Index stride, std::uint8_t* __restrict target,
-                          Index count) {
+  static std::uint8_t row(const std::uint8_t* fixed, const std::uint8_t* source, Index stride,
+                          std::uint8_t* __restrict target, Index count) {
     Bytes above = source - stride;
     Bytes here = source;
     Bytes below = source + stride;
-    std::uint8_t changed = 0;
-    for (Index x = 0; x < count; ++x) {
-      const std::uint8_t next =
-          Rule::template printed<sub>(neighbourhood_at(above, here, below, x));
-      target[x] = next;
-      changed = static_cast<std::uint8_t>(changed | (next ^ here[x]));
-    }
-    return changed;
+    return write_pixels(fixed, here, target, count, [&](Index x) __attribute__((always_inline)) {
+      return Rule::template published<sub>(neighbourhood_at(above, here, below, x));
+    });
   }
 
   template <TwoStageRule Rule, int sub>
-  static std::uint8_t row(const std::uint8_t* source, Index stride, std::uint8_t* __restrict target,
-                          Index count) {
+  static std::uint8_t row(const std::uint8_t* fixed, const std::uint8_t* source, Index stride,
+                          std::uint8_t* __restrict target, Index count) {
     std::uint8_t changed = 0;
     for (Index first = 0; first < count; first += FeatureStrip::kPixels) {
       const std::uint8_t* strip = source + first;
@@ -72,22 +90,25 @@ struct Autovec {
       Bytes above = strip - stride;
       Bytes here = strip;
       Bytes below = strip + stride;
-      for (Index x = 0; x < FeatureStrip::kPixels; ++x) {
-        const std::uint8_t next = Rule::template printed<sub>(
-            neighbourhood_at(above, here, below, x),
-            neighbourhood_at(features.rows[0] + 1, features.rows[1] + 1, features.rows[2] + 1, x));
-        target[first + x] = next;
-        changed = static_cast<std::uint8_t>(changed | (next ^ here[x]));
-      }
+      const std::uint8_t some = write_pixels(
+          fixed == nullptr ? nullptr : fixed + first, here, target + first, FeatureStrip::kPixels,
+          [&](Index x) __attribute__((always_inline)) {
+            return Rule::template published<sub>(
+                neighbourhood_at(above, here, below, x),
+                neighbourhood_at(features.rows[0] + 1, features.rows[1] + 1, features.rows[2] + 1,
+                                 x));
+          });
+      changed = static_cast<std::uint8_t>(changed | some);
     }
     return changed;
   }
 };
 
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const PassTable<std::uint8_t> IsaPasses<Isa::THINBENCH_ISA>::kAutovec =
-    make_pass_table<Autovec>();
+constinit const AutovecPasses Exported<AutovecPasses, Isa::THINBENCH_ISA>::kKernels = {
+    passes_by_rule<Autovec>()};
 
 }  // namespace thinbench::detail

@@ -2,8 +2,7 @@
 // auto-vectorisation, so that the row shows what packing alone gives.
 // Cost a word of 64 pixels, see sweep.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the
 // rule in two-input operations (14 for Naccache-Shinghal) and its inversions.
-#include "nets/model_passes.hpp"
-#include "nets/mux_rule.hpp"
+#include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/sweep.hpp"
 
@@ -13,20 +12,23 @@ namespace {
 struct Bitpacked {
   using Element = std::uint64_t;
   template <class Rule, int sub>
-  static std::uint64_t pass(const RuleModel*, const ConstBitPlaneView& source,
-                            const BitPlaneView& target, const Band& band) {
-    return sweep_band<Rule, sub, std::uint64_t>(Rule{}, source, target, band);
+  static std::uint64_t pass(const RuntimeRule*, const std::uint64_t* fixed,
+                            const ConstBitPlaneView& source, const BitPlaneView& target,
+                            const Band& band) {
+    return sweep_band<Rule, sub, std::uint64_t>(Rule{}, fixed, source, target, band);
   }
 };
 
-std::uint64_t model_pass(const RuleModel* model, const ConstBitPlaneView& source,
-                         const BitPlaneView& target, const Band& band) {
-  return sweep_band<MuxRule, 0, std::uint64_t>(MuxRule{model->program}, source, target, band);
+std::uint64_t runtime_pass(const RuntimeRule* rule, const std::uint64_t* fixed,
+                           const ConstBitPlaneView& source, const BitPlaneView& target,
+                           const Band& band) {
+  return sweep_band<MuxRule, 0, std::uint64_t>(MuxRule{rule->program}, fixed, source, target,
+                                               band);
 }
 
 }  // namespace
 
-constinit const PassTable<std::uint64_t> ScalarPasses::kBitpacked = make_pass_table<Bitpacked>();
-constinit const Pass<std::uint64_t> ScalarModelPasses::kBitpacked = &model_pass;
+constinit const PassesByRule<std::uint64_t> ScalarPasses::kBitpacked = passes_by_rule<Bitpacked>();
+constinit const Pass<std::uint64_t> ScalarPasses::kRuntimeBitpacked = &runtime_pass;
 
 }  // namespace thinbench::detail

@@ -15,10 +15,12 @@
 // (28 ns become 20 from the caches, 36 become 33 from memory; only for images without gaps).
 #include "thinning/engines/lane_kernels.hpp"
 
+#include "dispatch/exported.hpp"
 #include "thinning/engines/lane_packing.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 /// Images up to 32 or 64 pixels wide, in lanes of T.
@@ -214,14 +216,14 @@ template <class Rule, int sub, class Lanes>
 template <class Rule, class Lanes, int... subs>
 int thin_group(const LaneRows<Lanes>& rows, const Inside<Lanes>& inside, int max_iterations,
                Ahead ahead, std::integer_sequence<int, subs...>) {
-  int cycles = 0;
+  int iterations = 0;
   bool changed = true;
-  while (changed && cycles < max_iterations) {
+  while (changed && iterations < max_iterations) {
     changed = false;
     ((changed = step<Rule, subs>(rows, inside, ahead) || changed), ...);
-    ++cycles;
+    ++iterations;
   }
-  return cycles;
+  return iterations;
 }
 
 template <class Rule, class Lanes>
@@ -237,10 +239,10 @@ int thin_lanes(const LaneJob& job, Index first, Index last, void* scratch) {
   for (Index image = first; image < last; image += Lanes::kImages) {
     const Index images = last - image < Lanes::kImages ? last - image : Lanes::kImages;
     read_group(job.source, image, images, rows);
-    const int cycles = thin_group<Rule>(rows, inside, job.max_iterations,
+    const int iterations = thin_group<Rule>(rows, inside, job.max_iterations,
                                         ahead_of<Lanes>(job, image + images, last), subs);
     write_group(rows, image, images, job.target);
-    if (cycles > most) most = cycles;
+    if (iterations > most) most = iterations;
   }
   return most;
 }
@@ -253,14 +255,17 @@ int thin_images(const LaneJob& job, Index first, Index last, void* scratch) {
   return thin_lanes<Rule, PairedLanes>(job, first, last, scratch);
 }
 
-template <class... Rules>
-consteval LaneKernelTable make_table(RuleList<Rules...>) {
-  return {{&thin_images<Rules>...}};
+consteval LaneKernels make_kernels() {
+  LaneKernels kernels{};
+  for_each_parallel_rule(
+      [&]<class Type>(Rule rule) { kernels.by_rule[rule] = &thin_images<Type>; });
+  return kernels;
 }
 
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const LaneKernelTable LaneKernels<kThisIsa>::kTable = make_table(AllRules{});
+constinit const LaneKernels Exported<LaneKernels, kThisIsa>::kKernels = make_kernels();
 
 }  // namespace thinbench::detail

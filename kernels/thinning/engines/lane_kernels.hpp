@@ -1,11 +1,9 @@
 // Kernels for many small images: one image a lane of a register.
 #pragma once
 
-#include <array>
-
-#include "dispatch/isa.hpp"
-#include "image/stack.hpp"
-#include "thinning/engines/row_kernel.hpp"
+#include "image/plane_view.hpp"
+#include "thinbench/image_view.hpp"
+#include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {
 
@@ -31,28 +29,8 @@ struct LaneJob {
 /// and may hold anything.
 using LaneKernel = int (*)(const LaneJob& job, Index first, Index last, void* scratch);
 
-struct LaneKernelTable {
-  LaneKernel kernels[rule_count(AllRules{})];
-};
-
-/// Compiled once for every instruction-set level.
-template <Isa isa>
 struct LaneKernels {
-  static const LaneKernelTable kTable;
+  ByRule<LaneKernel> by_rule;
 };
-
-/// The kernels of one rule by level, in the order of Isa.
-using LaneKernelRows = std::array<const LaneKernel*, kAllIsas.size()>;
-
-template <class Rule>
-const LaneKernelRows& lane_kernels_of() {
-  constexpr int rule = rule_index<Rule>(AllRules{});
-  static constexpr LaneKernelRows rows = {&LaneKernels<Isa::baseline>::kTable.kernels[rule],
-                                          &LaneKernels<Isa::sse42>::kTable.kernels[rule],
-                                          &LaneKernels<Isa::avx2>::kTable.kernels[rule],
-                                          &LaneKernels<Isa::avx512>::kTable.kernels[rule],
-                                          &LaneKernels<Isa::avx512icl>::kTable.kernels[rule]};
-  return rows;
-}
 
 }  // namespace thinbench::detail

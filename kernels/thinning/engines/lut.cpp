@@ -9,11 +9,9 @@
 // dependent operations and 4 loads a pixel.
 #include <cstring>
 
-#include "nets/model.hpp"
-#include "nets/model_passes.hpp"
 #include "thinning/engines/pair_table.hpp"
 #include "thinning/engines/passes.hpp"
-#include "thinning/rule_table.hpp"
+#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -35,9 +33,10 @@ unsigned descriptor(const std::uint8_t* above, const std::uint8_t* here,
                                here[-1] << 4 | below[-1] << 5 | below[0] << 6 | below[1] << 7);
 }
 
-/// Rows of the engine lut: `table` has the new value of a dark pixel for each descriptor.
-bool lut_row(const std::uint8_t* table, const std::uint8_t* here, Index stride,
-             std::uint8_t* target, Index count) {
+/// Rows of the engine lut: `table` has the new value of a foreground pixel for each descriptor.
+template <bool has_fixed>
+bool lut_row(const std::uint8_t* table, [[maybe_unused]] const std::uint8_t* fixed,
+             const std::uint8_t* here, Index stride, std::uint8_t* target, Index count) {
   constexpr Index step = 8;
   bool changed = false;
   for (Index x = 0; x < count; x += step) {
@@ -47,8 +46,9 @@ bool lut_row(const std::uint8_t* table, const std::uint8_t* here, Index stride,
     }
     for (Index i = x; i < x + step; ++i) {
       const std::uint8_t p = here[i];
-      const std::uint8_t next =
-          p & table[descriptor(here + i - stride, here + i, here + i + stride)];
+      std::uint8_t kept = table[descriptor(here + i - stride, here + i, here + i + stride)];
+      if constexpr (has_fixed) kept = static_cast<std::uint8_t>(kept | fixed[i]);
+      const std::uint8_t next = p & kept;
       changed = changed || next != p;
       target[i] = next;
     }
@@ -65,17 +65,19 @@ std::uint64_t column_pairs(const std::uint8_t* here, Index stride) {
 
 /// Rows of the engine lut_sliding. Pixels x to x + 7 need columns x - 1 to x + 8, so windows start
 /// at odd distances.
-bool sliding_row(const std::uint16_t* table, const std::uint8_t* here, Index stride,
-                 std::uint8_t* target, Index count) {
+template <bool has_fixed>
+bool sliding_row(const std::uint16_t* table, [[maybe_unused]] const std::uint8_t* fixed,
+                 const std::uint8_t* here, Index stride, std::uint8_t* target, Index count) {
   std::uint64_t changed = 0;
   std::uint64_t pairs = column_pairs(here - 1, stride);
   for (Index x = 0; x < count; x += 8) {
     const std::uint64_t following = column_pairs(here + x + 7, stride);
     const std::uint64_t windows = pairs | pairs >> 16 << 6 | following << 54;
-    const std::uint64_t next = std::uint64_t{table[windows & 4095]} |
-                               std::uint64_t{table[windows >> 16 & 4095]} << 16 |
-                               std::uint64_t{table[windows >> 32 & 4095]} << 32 |
-                               std::uint64_t{table[windows >> 48]} << 48;
+    std::uint64_t next = std::uint64_t{table[windows & 4095]} |
+                         std::uint64_t{table[windows >> 16 & 4095]} << 16 |
+                         std::uint64_t{table[windows >> 32 & 4095]} << 32 |
+                         std::uint64_t{table[windows >> 48]} << 48;
+    if constexpr (has_fixed) next |= load_word(here + x) & load_word(fixed + x);
     changed |= next ^ load_word(here + x);
     store_word(target + x, next);
     pairs = following;
@@ -83,13 +85,28 @@ bool sliding_row(const std::uint16_t* table, const std::uint8_t* here, Index str
   return changed != 0;
 }
 
-template <class Table>
-std::uint64_t all_rows(bool (*row)(const Table*, const std::uint8_t*, Index, std::uint8_t*, Index),
-                       const Table* table, const ConstBytePlaneView& source,
-                       const BytePlaneView& target, const Band& band) {
+/// `row` for each row of the band, as Pass has it.
+template <class Row>
+std::uint64_t all_rows(const std::uint8_t* fixed, const ConstBytePlaneView& source,
+                       const BytePlaneView& target, const Band& band, const Row& row) {
   return for_each_run(band, [&](Index y, Index from, Index to) {
-    return row(table, source.row(y) + from, source.stride, target.row(y) + from, to - from);
+    return row(fixed == nullptr ? nullptr : fixed + from, source.row(y) + from, source.stride,
+               target.row(y) + from, to - from);
   });
+}
+
+std::uint64_t lut_rows(const std::uint8_t* table, const std::uint8_t* fixed,
+                       const ConstBytePlaneView& source, const BytePlaneView& target,
+                       const Band& band) {
+  const auto row = fixed == nullptr ? &lut_row<false> : &lut_row<true>;
+  return all_rows(fixed, source, target, band, [&](auto... where) { return row(table, where...); });
+}
+
+std::uint64_t sliding_rows(const std::uint16_t* table, const std::uint8_t* fixed,
+                           const ConstBytePlaneView& source, const BytePlaneView& target,
+                           const Band& band) {
+  const auto row = fixed == nullptr ? &sliding_row<false> : &sliding_row<true>;
+  return all_rows(fixed, source, target, band, [&](auto... where) { return row(table, where...); });
 }
 
 struct PairTable {
@@ -106,10 +123,11 @@ struct Lut {
   using Element = std::uint8_t;
   template <class Rule, int sub>
   requires(!TwoStageRule<Rule>)  // their 21 pixels would need tables of two million entries
-      static std::uint64_t pass(const RuleModel*, const ConstBytePlaneView& source,
-                                const BytePlaneView& target, const Band& band) {
+      static std::uint64_t pass(const RuntimeRule*, const std::uint8_t* fixed,
+                                const ConstBytePlaneView& source, const BytePlaneView& target,
+                                const Band& band) {
     static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
-    return all_rows(&lut_row, kTable.data() + 256, source, target, band);
+    return lut_rows(kTable.data() + 256, fixed, source, target, band);
   }
 };
 
@@ -117,28 +135,30 @@ struct LutSliding {
   using Element = std::uint8_t;
   template <class Rule, int sub>
   requires(!TwoStageRule<Rule>) static std::uint64_t
-      pass(const RuleModel*, const ConstBytePlaneView& source, const BytePlaneView& target,
-           const Band& band) {
+      pass(const RuntimeRule*, const std::uint8_t* fixed, const ConstBytePlaneView& source,
+           const BytePlaneView& target, const Band& band) {
     static constexpr PairTable kTable = make_pair_table(make_rule_table<Rule, sub>());
-    return all_rows(&sliding_row, kTable.pairs, source, target, band);
+    return sliding_rows(kTable.pairs, fixed, source, target, band);
   }
 };
 
-std::uint64_t model_lut(const RuleModel* model, const ConstBytePlaneView& source,
-                        const BytePlaneView& target, const Band& band) {
-  return all_rows(&lut_row, model->new_pixel + 256, source, target, band);
+std::uint64_t runtime_lut(const RuntimeRule* rule, const std::uint8_t* fixed,
+                          const ConstBytePlaneView& source, const BytePlaneView& target,
+                          const Band& band) {
+  return lut_rows(rule->new_pixel + 256, fixed, source, target, band);
 }
 
-std::uint64_t model_lut_sliding(const RuleModel* model, const ConstBytePlaneView& source,
-                                const BytePlaneView& target, const Band& band) {
-  return all_rows(&sliding_row, model->pixel_pairs, source, target, band);
+std::uint64_t runtime_lut_sliding(const RuntimeRule* rule, const std::uint8_t* fixed,
+                                  const ConstBytePlaneView& source, const BytePlaneView& target,
+                                  const Band& band) {
+  return sliding_rows(rule->pixel_pairs, fixed, source, target, band);
 }
 
 }  // namespace
 
-constinit const PassTable<std::uint8_t> ScalarPasses::kLut = make_pass_table<Lut>();
-constinit const PassTable<std::uint8_t> ScalarPasses::kLutSliding = make_pass_table<LutSliding>();
-constinit const Pass<std::uint8_t> ScalarModelPasses::kLut = &model_lut;
-constinit const Pass<std::uint8_t> ScalarModelPasses::kLutSliding = &model_lut_sliding;
+constinit const PassesByRule<std::uint8_t> ScalarPasses::kLut = passes_by_rule<Lut>();
+constinit const PassesByRule<std::uint8_t> ScalarPasses::kLutSliding = passes_by_rule<LutSliding>();
+constinit const Pass<std::uint8_t> ScalarPasses::kRuntimeLut = &runtime_lut;
+constinit const Pass<std::uint8_t> ScalarPasses::kRuntimeLutSliding = &runtime_lut_sliding;
 
 }  // namespace thinbench::detail

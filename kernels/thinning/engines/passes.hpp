@@ -1,17 +1,16 @@
-// A pass applies one sub-iteration of a rule to a band of rows; an engine provides one pass for
-// every sub-iteration of every rule. Here: the tables through which the catalogue reaches them.
+// Passes: one sub-iteration of a rule applied to a band of rows. An engine provides one for every
+// sub-iteration of every rule; tables by rule lead to them.
 #pragma once
 
-#include <utility>
+#include <cstddef>
+#include <span>
 
-#include "dispatch/isa.hpp"
 #include "image/plane_view.hpp"
+#include "thinbench/rule.hpp"
 #include "thinning/rules.hpp"
+#include "thinning/runtime_rule.hpp"
 
 namespace thinbench::detail {
-
-/// What a rule that is not fixed at compile time consists of, such as the weights of a net.
-struct RuleModel;
 
 /// A band of rows, of which only some tiles need a visit. A row is cut into at most 64 columns of
 /// `column_elements` elements; bit i of `columns` asks for column i.
@@ -33,19 +32,22 @@ struct Band {
 /// Writes the tiles of `band` in `target` from `source` and what surrounds them; other tiles of the
 /// band may be written, too, with the pixels that the rule gives them. Returns the columns that
 /// changed, among those asked for. The planes have one size and do not overlap; nothing outside the
-/// rows is written. `model` is nullptr for rules that need none.
+/// rows is written. `rule` is nullptr for rules that are fixed at compile time. `fixed` is nullptr
+/// or a row of elements with a 1 for every pixel that keeps its value, whatever the rule says.
 template <class T>
-using Pass = std::uint64_t (*)(const RuleModel* model, const ConstPlaneView<T>& source,
-                               const PlaneView<T>& target, const Band& band);
+using Pass = std::uint64_t (*)(const RuntimeRule* rule, const T* fixed,
+                               const ConstPlaneView<T>& source, const PlaneView<T>& target,
+                               const Band& band);
 
-/// A pass that also sees what the last step changed: `previous` is the image before it, light
+/// A pass that also sees what the last step changed: `previous` is the image before it, background
 /// everywhere before the first. Otherwise as Pass, for packed pixels.
-using ChangePass = std::uint64_t (*)(const RuleModel* model, const ConstBitPlaneView& previous,
+using ChangePass = std::uint64_t (*)(const RuntimeRule* rule, const std::uint64_t* fixed,
+                                     const ConstBitPlaneView& previous,
                                      const ConstBitPlaneView& source, const BitPlaneView& target,
                                      const Band& band);
 
 /// For engines that work row by row: calls `row(y, from, to)` for each row of the band and each run
-/// of neighbouring columns, and collects the columns in which it returned true.
+/// of adjacent columns, and collects the columns in which it returned true.
 template <class Row>
 [[gnu::always_inline]] inline std::uint64_t for_each_run(const Band& band, const Row& row) {
   std::uint64_t changed = 0;
@@ -65,81 +67,75 @@ template <class Row>
   return changed;
 }
 
-template <class... Rules>
-consteval int step_count(RuleList<Rules...>) {
-  return (Rules::kSubIterations + ... + 0);
-}
+inline constexpr int kMaxSubIterations = 4;
 
-/// Where the sub-iterations of `Rule` begin in every table.
-template <class Rule, class... Rules>
-consteval int first_step(RuleList<Rules...>) {
-  int step = 0;
-  bool found = false;
-  ((found = found || __is_same(Rule, Rules), step += found ? 0 : Rules::kSubIterations), ...);
-  return step;
-}
-
-/// The functions of one engine: all rules in the order of AllRules, each with all its
-/// sub-iterations.
+/// One function for each sub-iteration of a rule. Empty where an engine does not know the rule.
 template <class Function>
-struct StepTable {
-  Function passes[step_count(AllRules{})];
+struct Cycle {
+  Function steps[kMaxSubIterations] = {};
+  int count = 0;
+
+  [[nodiscard]] constexpr bool empty() const { return count == 0; }
+  [[nodiscard]] constexpr std::span<const Function> functions() const {
+    return {steps, static_cast<std::size_t>(count)};
+  }
 };
 
+/// One entry for each rule.
 template <class T>
-using PassTable = StepTable<Pass<T>>;
+struct ByRule {
+  T entries[kRules.size()] = {};
 
-namespace internal {
+  constexpr const T& operator[](Rule rule) const { return entries[static_cast<std::size_t>(rule)]; }
+  constexpr T& operator[](Rule rule) { return entries[static_cast<std::size_t>(rule)]; }
+};
 
-template <class Engine, class Rule, class Function, int... subs>
-consteval void fill_rule(StepTable<Function>& table, int& step,
-                         std::integer_sequence<int, subs...>) {
-  const auto pass_of = []<int sub>() -> Function {
-    if constexpr (requires { &Engine::template pass<Rule, sub>; }) {
-      return &Engine::template pass<Rule, sub>;
-    } else {
-      return nullptr;  // the engine does not know rules of this kind
-    }
-  };
-  ((table.passes[step++] = pass_of.template operator()<subs>()), ...);
-}
-
-template <class Function, class Engine, class... Rules>
-consteval StepTable<Function> fill_table(RuleList<Rules...>) {
-  StepTable<Function> table{};
-  int step = 0;
-  (fill_rule<Engine, Rules>(table, step, std::make_integer_sequence<int, Rules::kSubIterations>{}),
-   ...);
+/// What `Engine::template pass<Type, sub>` gives for every sub-iteration of every parallel rule that
+/// the engine knows.
+template <class Function, class Engine>
+consteval ByRule<Cycle<Function>> cycles_by_rule() {
+  ByRule<Cycle<Function>> table;
+  for_each_parallel_rule([&]<class Type>(Rule rule) {
+    static_assert(Type::kSubIterations <= kMaxSubIterations);
+    const auto add = [&]<int sub>() {
+      if constexpr (requires { &Engine::template pass<Type, sub>; }) {
+        table[rule].steps[sub] = &Engine::template pass<Type, sub>;
+        table[rule].count = Type::kSubIterations;
+      }
+    };
+    [&]<int... subs>(std::integer_sequence<int, subs...>) {
+      (add.template operator()<subs>(), ...);
+    }(std::make_integer_sequence<int, Type::kSubIterations>{});
+  });
   return table;
 }
 
-}  // namespace internal
+template <class T>
+using PassesByRule = ByRule<Cycle<Pass<T>>>;
 
-/// The table of an engine: a struct with `template <class Rule, int sub> static ... pass`.
-template <class Function, class Engine>
-consteval StepTable<Function> make_step_table() {
-  return detail::fill_table<Function, Engine>(AllRules{});
-}
-
-/// The same for an engine over planes of its `Element`.
 template <class Engine>
-consteval PassTable<typename Engine::Element> make_pass_table() {
-  return make_step_table<Pass<typename Engine::Element>, Engine>();
+consteval PassesByRule<typename Engine::Element> passes_by_rule() {
+  return cycles_by_rule<Pass<typename Engine::Element>, Engine>();
 }
 
-/// Engines that are compiled once, for the baseline.
+/// Engines that are compiled once, for the baseline. The last three take a RuntimeRule.
 struct ScalarPasses {
-  static const PassTable<std::uint8_t> kLut;
-  static const PassTable<std::uint8_t> kLutSliding;
-  static const PassTable<std::uint64_t> kBitpacked;
+  static const PassesByRule<std::uint8_t> kLut;
+  static const PassesByRule<std::uint8_t> kLutSliding;
+  static const PassesByRule<std::uint64_t> kBitpacked;
+  static const Pass<std::uint8_t> kRuntimeLut;
+  static const Pass<std::uint8_t> kRuntimeLutSliding;
+  static const Pass<std::uint64_t> kRuntimeBitpacked;
 };
 
-/// Engines that are compiled once for every instruction-set level.
-template <Isa isa>
-struct IsaPasses {
-  static const PassTable<std::uint8_t> kAutovec;
-  static const PassTable<std::uint8_t> kSimdBytes;
-  static const PassTable<std::uint64_t> kSimdBitpacked;
+/// Engines that are compiled for every ISA, see simd.cpp and autovec.cpp.
+struct SimdPasses {
+  PassesByRule<std::uint8_t> bytes;
+  PassesByRule<std::uint64_t> bitpacked;
+  Pass<std::uint64_t> runtime_bitpacked;  // takes a RuntimeRule
+};
+struct AutovecPasses {
+  PassesByRule<std::uint8_t> bytes;
 };
 
 }  // namespace thinbench::detail

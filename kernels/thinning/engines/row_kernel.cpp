@@ -24,11 +24,15 @@
 // the loop without moves of registers, 1 % faster.
 #include "thinning/engines/row_kernel.hpp"
 
+#include "dispatch/exported.hpp"
 #include "simd/batch.hpp"
-#include "nets/mux_rule.hpp"
+#include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
+
+#ifdef __AVX512F__
+inline namespace THINBENCH_ISA {
 namespace {
 
 /// Lane i of the result is lane i - 1 of `row`; lane 0, beyond the margin, is light.
@@ -50,12 +54,15 @@ namespace {
 #endif
 }
 
-/// The working image: rows of one block each between two zero rows, in bands of equal height.
+/// The working image: rows of one block each, between margins. The rows that may change are grouped
+/// in bands of equal height but for the last, which may end earlier.
 struct Bands {
-  std::uint64_t* rows;  // row 0
+  std::uint64_t* first_row;
   Index band_rows;
+  int count;
+  Index last_band_rows;
 
-  [[nodiscard]] std::uint64_t* row(Index y) const { return rows + y * kBlockWords; }
+  [[nodiscard]] std::uint64_t* row(Index y) const { return first_row + y * kBlockWords; }
 };
 
 /// The rows of the working image.
@@ -74,18 +81,30 @@ struct RegisterRows {
   }
 };
 
+/// Below the image everything is background and stays so, and whole bands need no other loop.
+[[gnu::always_inline]] inline Index rows_of_band(NothingFixed, const Bands& bands, int) {
+  return bands.band_rows;
+}
+/// Below the rows that may change lies the last one of the image.
+[[gnu::always_inline]] inline Index rows_of_band(const FixedPixels<WordBatch>&, const Bands& bands,
+                                                 int band) {
+  return band + 1 == bands.count ? bands.last_band_rows : bands.band_rows;
+}
+
 /// One sub-iteration on bands [first, last), in place. The rows just outside did not change in this
 /// step, so memory still holds what the rule must see. Returns a bit for each band that changed.
-template <class Rule, int sub>
-[[gnu::always_inline]] inline std::uint64_t sweep_bands(const Rule& rule, const Bands& bands,
-                                                        int first, int last) {
+template <class Rule, int sub, class Fixed>
+[[gnu::always_inline]] inline std::uint64_t sweep_bands(const Rule& rule, const Fixed& fixed,
+                                                        const Bands& bands, int first, int last) {
   std::uint64_t changed_bands = 0;
   std::uint64_t* row = bands.row(first * bands.band_rows);
   Window<Rule, RegisterRows> window(RegisterRows{row}, 0);
   for (int band = first; band < last; ++band) {
     WordBatch changed(std::uint64_t{0});
-    for (Index y = 0; y < bands.band_rows; ++y, row += kBlockWords) {
-      const WordBatch next = window.template next<sub>(rule, RegisterRows{row}, 0);
+    const Index rows = rows_of_band(fixed, bands, band);
+    for (Index y = 0; y < rows; ++y, row += kBlockWords) {
+      const WordBatch next =
+          fixed.apply(window.template next<sub>(rule, RegisterRows{row}, 0), window.centre());
       next.store_aligned(row);
       changed = ternary(changed, window.centre(), next,
                         [](auto a, auto b, auto c) { return a | (b ^ c); });
@@ -101,71 +120,110 @@ constexpr std::uint64_t with_adjacent(std::uint64_t bands) {
   return bands | bands << 1 | bands >> 1;
 }
 
-template <class Rule, int sub>
-std::uint64_t step(const Rule& rule, const Bands& bands, std::uint64_t active) {
+template <class Rule, int sub, class Fixed>
+std::uint64_t step(const Rule& rule, const Fixed& fixed, const Bands& bands, std::uint64_t active) {
   std::uint64_t changed = 0;
   while (active != 0) {
     const int first = __builtin_ctzll(active);
     const std::uint64_t above_first = ~active >> first;
     const int last = above_first == 0 ? 64 : first + __builtin_ctzll(above_first);
-    changed |= sweep_bands<Rule, sub>(rule, bands, first, last);
+    changed |= sweep_bands<Rule, sub>(rule, fixed, bands, first, last);
     active = last == 64 ? 0 : active >> last << last;
   }
   return changed;
 }
 
-/// One cycle; `changed[i]` are the bands that sub-iteration i changed when it last ran. True where
-/// any changed now.
-template <class Rule, int... subs>
-bool cycle(const Rule& rule, const Bands& bands, std::uint64_t all, std::uint64_t* changed,
-           std::integer_sequence<int, subs...>) {
+/// One iteration; `changed[i]` are the bands that sub-iteration i changed when it last ran. True
+/// where any changed now.
+template <class Rule, class Fixed, int... subs>
+bool iterate_once(const Rule& rule, const Fixed& fixed, const Bands& bands, std::uint64_t all,
+                  std::uint64_t* changed, std::integer_sequence<int, subs...>) {
   const auto recently = [&] { return with_adjacent((changed[subs] | ...)) & all; };
-  ((changed[subs] = step<Rule, subs>(rule, bands, recently())), ...);
+  ((changed[subs] = step<Rule, subs>(rule, fixed, bands, recently())), ...);
   return (changed[subs] | ...) != 0;
 }
 
-template <class Rule>
-int thin_rows(const Rule& rule, int max_iterations, const ConstBitPlaneView& source,
-              const BitPlaneView& target, std::uint64_t* scratch) {
-  const Index count = row_kernel_bands(source.height);
-  const Bands bands = {scratch + kMarginRows * kBlockWords, row_kernel_band_rows(source.height)};
-  for (Index y = 0; y < source.height; ++y) {
-    _mm512_store_si512(bands.row(y), _mm512_load_si512(source.row(y)));
-  }
-  const std::uint64_t all = count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+template <class Rule, class Fixed>
+int repeat(const Rule& rule, const Fixed& fixed, const Bands& bands, int max_iterations) {
+  const std::uint64_t all =
+      bands.count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bands.count) - 1;
   std::uint64_t changed[Rule::kSubIterations];
   for (std::uint64_t& mask : changed) mask = all;
-  int cycles = 1;
+  int iterations = 1;
   constexpr auto subs = std::make_integer_sequence<int, Rule::kSubIterations>{};
-  while (cycle<Rule>(rule, bands, all, changed, subs) && cycles < max_iterations) ++cycles;
-  for (Index y = 0; y < source.height; ++y) {
-    _mm512_store_si512(target.row(y), _mm512_load_si512(bands.row(y)));
+  while (iterate_once(rule, fixed, bands, all, changed, subs) && iterations < max_iterations) {
+    ++iterations;
   }
-  return cycles;
+  return iterations;
+}
+
+Bands bands_of(std::uint64_t* first_row, Index rows) {
+  const Index band_rows = row_kernel_band_rows(rows);
+  const Index count = row_kernel_bands(rows);
+  return {first_row, band_rows, static_cast<int>(count), rows - (count - 1) * band_rows};
+}
+
+/// The first and the last pixel of a row.
+WordBatch outermost_pixels(Index width) {
+  alignas(64) std::uint64_t words[kBlockWords] = {1};
+  if (width > 0) words[(width - 1) / kWordBits] |= std::uint64_t{1} << ((width - 1) % kWordBits);
+  return WordBatch::load_aligned(words);
 }
 
 template <class Rule>
-int fixed_rule(const RuleModel*, int max_iterations, const ConstBitPlaneView& source,
-               const BitPlaneView& target, std::uint64_t* scratch) {
-  return thin_rows(Rule{}, max_iterations, source, target, scratch);
+int repeat_in(std::uint64_t* rows, const Rule& rule, const RowKernelOptions& options, Index width,
+              Index height) {
+  if (options.border == Border::background) {
+    return repeat(rule, NothingFixed{}, bands_of(rows, height), options.max_iterations);
+  }
+  if (height <= 2) return 1;  // nothing but border
+  const FixedPixels<WordBatch> fixed = {outermost_pixels(width)};
+  return repeat(rule, fixed, bands_of(rows + kBlockWords, height - 2), options.max_iterations);
 }
 
-int model_rule(const RuleModel* model, int max_iterations, const ConstBitPlaneView& source,
-               const BitPlaneView& target, std::uint64_t* scratch) {
-  return thin_rows(MuxRule{model->program}, max_iterations, source, target, scratch);
+void copy_row(const std::uint64_t* from, std::uint64_t* to) {
+  WordBatch::load_aligned(from).store_aligned(to);
 }
 
-template <class... Rules>
-consteval RowKernelTable make_table(RuleList<Rules...>) {
-  return {{&fixed_rule<Rules>...}};
+template <class Rule>
+int thin_rows(const Rule& rule, const RowKernelOptions& options, const ConstBitPlaneView& source,
+              const BitPlaneView& target, std::uint64_t* scratch) {
+  std::uint64_t* rows = scratch + kMarginRows * kBlockWords;
+  for (Index y = 0; y < source.height; ++y) copy_row(source.row(y), rows + y * kBlockWords);
+  const int iterations = repeat_in(rows, rule, options, source.width, source.height);
+  for (Index y = 0; y < source.height; ++y) copy_row(rows + y * kBlockWords, target.row(y));
+  return iterations;
+}
+
+template <class Rule>
+int fixed_rule(const RowKernelOptions& options, const ConstBitPlaneView& source,
+               const BitPlaneView& target, std::uint64_t* scratch) {
+  return thin_rows(Rule{}, options, source, target, scratch);
+}
+
+int runtime_rule(const RowKernelOptions& options, const ConstBitPlaneView& source,
+                 const BitPlaneView& target, std::uint64_t* scratch) {
+  return thin_rows(MuxRule{options.rule->program}, options, source, target, scratch);
+}
+
+consteval RowKernels make_kernels() {
+  RowKernels kernels{{}, &runtime_rule};
+  for_each_parallel_rule(
+      [&]<class Type>(Rule rule) { kernels.by_rule[rule] = &fixed_rule<Type>; });
+  return kernels;
 }
 
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const RowKernelTable RowKernels<kThisIsa>::kTable = make_table(AllRules{});
+constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels = make_kernels();
+
+#else
 
 template <>
-constinit const RowKernel RowKernels<kThisIsa>::kModel = &model_rule;
+constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels = {};
+
+#endif
 
 }  // namespace thinbench::detail

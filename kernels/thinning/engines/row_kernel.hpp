@@ -1,10 +1,9 @@
-// Whole-image kernels that hold each row of up to 512 pixels in one 512-bit register.
+// Whole-image kernels that hold each row of up to 512 pixels in one register.
 #pragma once
 
-#include "dispatch/isa.hpp"
 #include "image/plane_view.hpp"
+#include "thinbench/options.hpp"
 #include "thinning/engines/passes.hpp"
-#include "thinning/rules.hpp"
 
 namespace thinbench::detail {
 
@@ -12,8 +11,8 @@ inline constexpr Index kRowKernelWidth = 512;
 
 /// Rows are grouped in at most 64 bands, one bit of a word each, of at least 8 rows.
 constexpr Index row_kernel_band_rows(Index height) {
-  constexpr Index least = 8;
-  return height <= 64 * least ? least : (height + 63) / 64;
+  constexpr Index min_rows = 8;
+  return height <= 64 * min_rows ? min_rows : (height + 63) / 64;
 }
 
 constexpr Index row_kernel_bands(Index height) {
@@ -26,36 +25,24 @@ constexpr Index row_kernel_scratch_words(Index height) {
   return (row_kernel_bands(height) * row_kernel_band_rows(height) + 2 * kMarginRows) * kBlockWords;
 }
 
-/// Repeats a rule until nothing changes or `max_iterations` are done; returns the number of cycles,
-/// the last included. Reads `source` and writes `target` once; works in `scratch`,
-/// `row_kernel_scratch_words` words on a cache line, of which all beyond the image's own rows must
-/// be zero and stay so. Needs width <= 512. `model` is nullptr for rules that need none.
-using RowKernel = int (*)(const RuleModel* model, int max_iterations, const ConstBitPlaneView& source,
-                          const BitPlaneView& target, std::uint64_t* scratch);
-
-template <class... Rules>
-consteval int rule_count(RuleList<Rules...>) {
-  return sizeof...(Rules);
-}
-
-/// The position of `Rule` in every table of one entry a rule.
-template <class Rule, class... Rules>
-consteval int rule_index(RuleList<Rules...>) {
-  int index = 0;
-  bool found = false;
-  ((found = found || __is_same(Rule, Rules), index += found ? 0 : 1), ...);
-  return index;
-}
-
-struct RowKernelTable {
-  RowKernel kernels[rule_count(AllRules{})];
+/// How often a rule is repeated, and what it does at the border.
+struct RowKernelOptions {
+  const RuntimeRule* rule;  // nullptr for rules that are fixed at compile time
+  Border border;
+  int max_iterations;
 };
 
-/// Compiled for the AVX-512 levels only.
-template <Isa isa>
+/// Repeats a rule until nothing changes or the limit is reached; returns the number of iterations,
+/// the last included. Reads `source` and writes `target` once; works in `scratch`,
+/// `row_kernel_scratch_words` words on a cache line, of which all beyond the image's own rows must
+/// be zero and stay so. Needs width <= kRowKernelWidth.
+using RowKernel = int (*)(const RowKernelOptions& options, const ConstBitPlaneView& source,
+                          const BitPlaneView& target, std::uint64_t* scratch);
+
+/// Empty where no register holds a row.
 struct RowKernels {
-  static const RowKernelTable kTable;
-  static const RowKernel kModel;  // any rule of eight neighbours, from a model
+  ByRule<RowKernel> by_rule;
+  RowKernel runtime;  // takes a RuntimeRule
 };
 
 }  // namespace thinbench::detail

@@ -5,41 +5,38 @@
 // about 8, the pixels an operation.
 //
 // simd_bytes: one pixel a byte lane, neighbours by unaligned loads: 3 loads, 1 store, the gates.
+#include "dispatch/exported.hpp"
 #include "simd/batch.hpp"
-#include "nets/model_passes.hpp"
-#include "nets/mux_rule.hpp"
+#include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 template <class Batch>
 struct SimdSweep {
   using Element = typename Batch::value_type;
   template <class Rule, int sub>
-  static std::uint64_t pass(const RuleModel*, const ConstPlaneView<Element>& source,
+  static std::uint64_t pass(const RuntimeRule*, const Element* fixed,
+                            const ConstPlaneView<Element>& source,
                             const PlaneView<Element>& target, const Band& band) {
-    return sweep_band<Rule, sub, Batch>(Rule{}, source, target, band);
+    return sweep_band<Rule, sub, Batch>(Rule{}, fixed, source, target, band);
   }
 };
 
-std::uint64_t model_pass(const RuleModel* model, const ConstBitPlaneView& source,
-                         const BitPlaneView& target, const Band& band) {
-  return sweep_band<MuxRule, 0, WordBatch>(MuxRule{model->program}, source, target, band);
+std::uint64_t runtime_pass(const RuntimeRule* rule, const std::uint64_t* fixed,
+                           const ConstBitPlaneView& source, const BitPlaneView& target,
+                           const Band& band) {
+  return sweep_band<MuxRule, 0, WordBatch>(MuxRule{rule->program}, fixed, source, target, band);
 }
 
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const PassTable<std::uint8_t> IsaPasses<kThisIsa>::kSimdBytes =
-    make_pass_table<SimdSweep<ByteBatch>>();
-
-template <>
-constinit const PassTable<std::uint64_t> IsaPasses<kThisIsa>::kSimdBitpacked =
-    make_pass_table<SimdSweep<WordBatch>>();
-
-template <>
-constinit const Pass<std::uint64_t> IsaModelPasses<kThisIsa>::kSimdBitpacked = &model_pass;
+constinit const SimdPasses Exported<SimdPasses, kThisIsa>::kKernels = {
+    passes_by_rule<SimdSweep<ByteBatch>>(), passes_by_rule<SimdSweep<WordBatch>>(), &runtime_pass};
 
 }  // namespace thinbench::detail

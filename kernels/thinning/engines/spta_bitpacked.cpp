@@ -16,6 +16,9 @@
 namespace thinbench::detail {
 namespace {
 
+/// The two scans of an iteration.
+enum class SptaScan : int { left_right, top_bottom };
+
 using Word = std::uint64_t;
 using Traits = WordTraits<Word>;
 
@@ -42,10 +45,11 @@ Word edge(Word dark, const Around& before, const Around& now) {
   return dark & ~b(4) & n(0) & (n(1) | n(2) | n(6) | n(7)) & (n(2) | ~b(3)) & (~b(5) | n(6));
 }
 
-Word left_right(Word dark, const Word* at, const Around& before, Around now) {
-  const Word left = edge<0>(dark, before, now);
-  now.n[4] = Traits::west(dark & ~left, at);  // the word before is done
-  return left | edge<4>(dark, before, now);
+/// `candidates` may be flagged, `centre` are foreground and not flagged.
+Word left_right(Word candidates, Word centre, const Word* at, const Around& before, Around now) {
+  const Word left = edge<0>(candidates, before, now);
+  now.n[4] = Traits::west(centre & ~left, at);  // the word before is done
+  return left | edge<4>(candidates, before, now);
 }
 
 /// `flagged_before`: whether the last pixel of the word before was flagged in this scan.
@@ -68,6 +72,9 @@ struct Rows {
   Index before_stride;
   BitPlaneView now;
   Index words;
+  const Word* changing;  // a 1 for every pixel of a row that may be flagged
+  Index first;        // the rows that may change
+  Index last;
 };
 
 Index words_of(Index width) {
@@ -87,13 +94,14 @@ Word run_row(const Rows& rows, Index y) {
     const bool flagged_before = (flagged >> 63) != 0;
     flagged = 0;
     if (dark != 0) {
+      const Word candidates = dark & rows.changing[i];
       const Around was = around(before + i, rows.before_stride);
       Around is = around(now + i, rows.now.stride);
       if constexpr (scan == SptaScan::left_right) {
-        flagged = left_right(dark, now + i, was, is);
+        flagged = left_right(candidates, dark, now + i, was, is);
       } else {
         is.n[4] = dark << 1 | west >> 63;
-        flagged = top_bottom(dark, was, is, flagged_before);
+        flagged = top_bottom(candidates, was, is, flagged_before);
       }
       now[i] = dark & ~flagged;
       any |= flagged;
@@ -108,34 +116,47 @@ void copy(const Word* from, Word* to, Index words) {
 }
 
 /// True where a pixel was flagged.
-bool run_pass(const Rows& rows) {
+bool iterate_once(const Rows& rows) {
   const Index height = rows.now.height;
   for (Index y = 0; y < height; ++y) {
     copy(rows.now.row(y), rows.before + y * rows.before_stride, rows.words);
   }
   Word flagged = 0;
-  for (Index y = 0; y < height; ++y) flagged |= run_row<SptaScan::left_right>(rows, y);
-  for (Index y = 0; y < height; ++y) flagged |= run_row<SptaScan::top_bottom>(rows, y);
+  for (Index y = rows.first; y < rows.last; ++y) flagged |= run_row<SptaScan::left_right>(rows, y);
+  for (Index y = rows.first; y < rows.last; ++y) flagged |= run_row<SptaScan::top_bottom>(rows, y);
   return flagged != 0;
 }
 
-Index scratch_words(Index width, Index height) {
-  return (height + 2) * (words_of(width) + 2);
-}
-
-int thin(Directions, const ConstBitPlaneView& source, const BitPlaneView& target, Word* scratch) {
-  const Index count = scratch_words(source.width, source.height);
+/// The rows in `scratch`: the image before an iteration with a margin, then the pixels that may change.
+Rows make_rows(Border border, const BitPlaneView& image, Word* scratch) {
+  const Index count = spta_scratch_words(image.width, image.height);
   for (Index i = 0; i < count; ++i) scratch[i] = 0;
-  const Index stride = words_of(source.width) + 2;
-  const Rows rows = {scratch + stride + 1, stride, target, words_of(source.width)};
-  for (Index y = 0; y < source.height; ++y) copy(source.row(y), target.row(y), rows.words);
-  int passes = 1;
-  while (run_pass(rows)) ++passes;
-  return passes;
+  const Index words = words_of(image.width);
+  const Index stride = words + 2;
+  Word* changing = scratch + (image.height + 2) * stride;
+  for (Index i = 0; i < words; ++i) changing[i] = ~Word{0};
+  const bool keep = border == Border::keep;
+  if (keep && words > 0) {
+    changing[0] &= ~Word{1};
+    changing[words - 1] &= ~(Word{1} << ((image.width - 1) % kWordBits));
+  }
+  const Index margin = keep ? 1 : 0;
+  return {scratch + stride + 1, stride, image, words, changing, margin, image.height - margin};
 }
 
 }  // namespace
 
-constinit const ImageKernel<std::uint64_t> SptaKernels::kBitpacked = {&thin, &scratch_words};
+Index spta_scratch_words(Index width, Index height) {
+  return (height + 3) * (words_of(width) + 2);
+}
+
+int thin_spta(Border border, int max_iterations, const ConstBitPlaneView& source,
+              const BitPlaneView& target, Word* scratch) {
+  const Rows rows = make_rows(border, target, scratch);
+  for (Index y = 0; y < source.height; ++y) copy(source.row(y), target.row(y), rows.words);
+  int iterations = 1;
+  while (iterate_once(rows) && iterations < max_iterations) ++iterations;
+  return iterations;
+}
 
 }  // namespace thinbench::detail

@@ -137,30 +137,62 @@ struct WordColumn {
   }
 };
 
+/// What of a word's new pixels must stay as it was: the pixels of a mask, or none.
+struct NothingFixed {
+  template <class Word>
+  [[gnu::always_inline]] static Word apply(Word next, Word) {
+    return next;
+  }
+};
+template <class Word>
+struct FixedPixels {
+  Word mask;
+  /// Rules only remove pixels, so what must stay is put back.
+  [[gnu::always_inline]] Word apply(Word next, Word before) const {
+    return ternary(next, before, mask, [](auto a, auto b, auto c) { return a | (b & c); });
+  }
+};
+
+/// Sub-iteration `sub` of `rule` on one column of words of a band; true where a pixel changed.
+template <class Rule, int sub, class Word, class Fixed>
+[[gnu::always_inline]] inline bool sweep_column(
+    const Rule& rule, const Fixed& fixed, const WordColumn<Word>& rows,
+    const PlaneView<typename WordTraits<Word>::Element>& target, const Band& band, Index x) {
+  using Traits = WordTraits<Word>;
+  Word changed = Traits::zero();
+  Window<Rule, WordColumn<Word>> window(rows, band.first);
+  for (Index y = band.first; y < band.last; ++y) {
+    const Word next = fixed.apply(window.template next<sub>(rule, rows, y), window.centre());
+    Traits::store(target.row(y) + x, next);
+    changed = ternary(changed, window.centre(), next,
+                      [](auto a, auto b, auto c) { return a | (b ^ c); });
+    window.move_down();
+  }
+  return Traits::any(changed);
+}
+
 /// Applies sub-iteration `sub` of `rule` to the tiles of `band`, see Pass. The views come by value
 /// because a store could otherwise be taken to change their fields.
 template <class Rule, int sub, class Word>
 [[gnu::always_inline]] inline std::uint64_t sweep_band(
-    const Rule& rule, ConstPlaneView<typename WordTraits<Word>::Element> source,
+    const Rule& rule, const typename WordTraits<Word>::Element* fixed,
+    ConstPlaneView<typename WordTraits<Word>::Element> source,
     PlaneView<typename WordTraits<Word>::Element> target, Band band) {
   using Traits = WordTraits<Word>;
-  std::uint64_t changed_columns = 0;
-  for (Index x = 0; x < source.row_elements; x += Traits::kElements) {
-    const std::uint64_t columns = band.columns & band.columns_of(x, x + Traits::kElements);
-    if (columns == 0) continue;
-    Word changed = Traits::zero();
-    const WordColumn<Word> rows = {source.data + x, source.stride};
-    Window<Rule, WordColumn<Word>> window(rows, band.first);
-    for (Index y = band.first; y < band.last; ++y) {
-      const Word next = window.template next<sub>(rule, rows, y);
-      Traits::store(target.row(y) + x, next);
-      changed = ternary(changed, window.centre(), next,
-                        [](auto a, auto b, auto c) { return a | (b ^ c); });
-      window.move_down();
+  const auto all_columns = [&](const auto& fixed_at) __attribute__((always_inline)) {
+    std::uint64_t changed = 0;
+    for (Index x = 0; x < source.row_elements; x += Traits::kElements) {
+      const std::uint64_t columns = band.columns & band.columns_of(x, x + Traits::kElements);
+      if (columns == 0) continue;
+      const WordColumn<Word> rows = {source.data + x, source.stride};
+      if (sweep_column<Rule, sub, Word>(rule, fixed_at(x), rows, target, band, x)) {
+        changed |= columns;
+      }
     }
-    if (Traits::any(changed)) changed_columns |= columns;
-  }
-  return changed_columns;
+    return changed;
+  };
+  if (fixed == nullptr) return all_columns([](Index) { return NothingFixed{}; });
+  return all_columns([&](Index x) { return FixedPixels<Word>{Traits::load(fixed + x)}; });
 }
 
 }  // namespace thinbench::detail

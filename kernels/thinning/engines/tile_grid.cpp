@@ -11,12 +11,12 @@ std::size_t count_of(Index elements) {
 
 }  // namespace
 
-TileGrid::TileGrid(Index width, Index height)
-    : width_(width),
-      height_(height),
-      strips_((width + kTileColumns - 1) / kTileColumns),
+TileGrid::TileGrid(Index width, Index height, Border border)
+    : strips_((width + kTileColumns - 1) / kTileColumns),
       tile_rows_((height + kTileRows - 1) / kTileRows),
       view_{} {
+  view_.width = width;
+  view_.height = height;
   // Odd, so that tiles of neighbouring strips never compete for one cache set.
   view_.strip_tiles = (tile_rows_ + 1) | 1;
   const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
@@ -32,12 +32,28 @@ TileGrid::TileGrid(Index width, Index height)
   }
   occupied_ = make_aligned<std::uint32_t>(count_of(view_.groups));
   view_.occupied = occupied_.get();
-  wanted_ = make_aligned<std::uint32_t>(count_of(TileGridView::kMaxSubIterations * view_.groups));
-  for (Index step = 0; step < TileGridView::kMaxSubIterations; ++step) {
+  wanted_ = make_aligned<std::uint32_t>(count_of(kMaxSubIterations * view_.groups));
+  for (Index step = 0; step < kMaxSubIterations; ++step) {
     view_.wanted[count_of(step)] = wanted_.get() + step * view_.groups;
   }
   occupied_groups_ = make_aligned<std::uint64_t>(count_of(group_words()));
   view_.occupied_groups = occupied_groups_.get();
+  if (border == Border::keep) mark_border_tiles();
+}
+
+void TileGrid::mark_border_tiles() {
+  border_tiles_ = make_aligned<std::uint32_t>(count_of(view_.groups));
+  view_.border_tiles = border_tiles_.get();
+  const auto mark = [&](Index strip, Index row) {
+    const Index tile = (strip + 1) * view_.strip_tiles + row;
+    border_tiles_[count_of(tile / kTileGroup)] |= std::uint32_t{1} << (tile % kTileGroup);
+  };
+  for (Index strip = 0; strip < strips_; ++strip) {
+    for (Index row = 0; row < tile_rows_; ++row) {
+      const bool outer_strip = strip == 0 || strip == strips_ - 1;
+      if (outer_strip || row == 0 || row == tile_rows_ - 1) mark(strip, row);
+    }
+  }
 }
 
 void TileGrid::find_occupied() {
@@ -75,23 +91,6 @@ Index TileGrid::begin(std::uint32_t* list, std::uint64_t* visited) {
   const Index count = list_occupied(list);
   std::copy_n(view_.occupied_groups, group_words(), visited);
   return count;
-}
-
-bool TileGrid::margin_is_zero() const {
-  const auto pixels_of = [&](Index tile, Index row) {
-    const Index strip = tile / view_.strip_tiles - 1;
-    const Index y = tile % view_.strip_tiles * kTileRows + row;
-    const Index columns = std::clamp<Index>(width_ - strip * kTileColumns, 0, kTileColumns);
-    if (strip < 0 || y >= height_) return std::uint32_t{0};
-    return static_cast<std::uint32_t>((std::uint64_t{1} << columns) - 1);
-  };
-  for (Index tile = -1; tile <= view_.groups * kTileGroup; ++tile) {
-    for (Index row = 0; row < kTileRows; ++row) {
-      const std::uint32_t inside = tile < 0 ? 0 : pixels_of(tile, row);
-      if ((view_.words[tile * kTileRows + row] & ~inside) != 0) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace thinbench::detail

@@ -11,6 +11,8 @@
 #include "image/byte_image.hpp"
 #include "image/layout.hpp"
 #include "image/plane_view.hpp"
+#include "thinbench/options.hpp"
+#include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {
 
@@ -20,8 +22,6 @@ inline constexpr Index kTileColumns = 32;
 inline constexpr Index kTileGroup = 32;
 
 struct TileGridView {
-  static constexpr int kMaxSubIterations = 4;
-
   Index strip_tiles;  // from a tile to its neighbour in the next strip
   Index groups;       // margins included
 
@@ -37,12 +37,18 @@ struct TileGridView {
   /// Bit a tile: it or a pixel beside it changed in that step of the cycle.
   std::array<std::uint32_t*, kMaxSubIterations> wanted;
   const std::uint64_t* occupied_groups;  // bit a group: one of its tiles is occupied
+
+  // Bit a tile: holds outermost pixels of the image, which keep their values. nullptr where all
+  // pixels may change.
+  const std::uint32_t* border_tiles;
+  Index width;
+  Index height;
 };
 
 /// Owns a grid. No allocation after construction.
 class TileGrid {
  public:
-  TileGrid(Index width, Index height);
+  TileGrid(Index width, Index height, Border border);
 
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
@@ -56,15 +62,11 @@ class TileGrid {
   /// how many.
   Index begin(std::uint32_t* list, std::uint64_t* visited);
 
-  /// For tests: whether all outside the image is light.
-  [[nodiscard]] bool margin_is_zero() const;
-
  private:
+  void mark_border_tiles();
   void find_occupied();
   Index list_occupied(std::uint32_t* list);
 
-  Index width_;
-  Index height_;
   Index strips_;
   Index tile_rows_;
   TileGridView view_;
@@ -72,6 +74,7 @@ class TileGrid {
   std::array<AlignedArray<std::uint16_t>, 3> changed_;
   AlignedArray<std::uint32_t> occupied_;
   AlignedArray<std::uint32_t> wanted_;
+  AlignedArray<std::uint32_t> border_tiles_;
   AlignedArray<std::uint64_t> occupied_groups_;
 };
 

@@ -3,10 +3,12 @@
 // Rows keep the pixels of neighbouring tiles together, tiles those of neighbouring rows. At AVX-512
 // 16 tiles are turned in registers, 16 loads, 64 shuffles and 16 stores for 8,192 pixels. Other
 // levels, and what is left at the edges, move a word of two tiles at a time.
+#include "dispatch/exported.hpp"
 #include "simd/batch.hpp"
 #include "thinning/engines/tile_passes.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 constexpr Index kWordsOf64 = 2;  // strips that one 64-bit word of a plane holds
@@ -148,7 +150,9 @@ void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_r
 
 }  // namespace
 
+}  // namespace THINBENCH_ISA
+
 template <>
-constinit const TileLayout TilePasses<kThisIsa>::kLayout = {&load_rows, &store_rows};
+constinit const TileLayout Exported<TileLayout, kThisIsa>::kKernels = {&load_rows, &store_rows};
 
 }  // namespace thinbench::detail

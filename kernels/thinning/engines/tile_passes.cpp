@@ -29,10 +29,12 @@
 
 #include <algorithm>
 
+#include "dispatch/exported.hpp"
 #include "simd/lane_bits.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 namespace {
 
 using Rows = Lanes32;   // a row of a tile in each lane
@@ -103,16 +105,59 @@ template <class Rule, int sub>
   return all;
 }
 
+/// Outermost pixels of the image within a tile.
+struct BorderOfTile {
+  std::uint32_t columns;  // in every row
+  std::uint32_t rows;     // bit a row: all of it
+};
+
+inline BorderOfTile border_of(const TileGridView& grid, Index tile) {
+  const Index x = (tile / grid.strip_tiles - 1) * kTileColumns;
+  const Index y = tile % grid.strip_tiles * kTileRows;
+  const auto bit = [](Index at, Index size) {
+    return 0 <= at && at < size ? std::uint32_t{1} << at : 0;
+  };
+  return {bit(-x, kTileColumns) | bit(grid.width - 1 - x, kTileColumns),
+          bit(-y, kTileRows) | bit(grid.height - 1 - y, kTileRows)};
+}
+
+/// As visit_tile, for a tile with pixels that keep their values; few tiles are.
 template <class Rule, int sub>
+[[gnu::noinline]] ChangedRows visit_border_tile(const TileGridView& grid, Index tile,
+                                                PendingTile& pending) {
+  const std::uint32_t* before = grid.words + tile * kTileRows;
+  static_cast<void>(visit_tile<Rule, sub>(before, grid.strip_tiles * kTileRows, pending));
+  const BorderOfTile border = border_of(grid, tile);
+  ChangedRows all{};
+  for (Index row = 0; row < kTileRows; ++row) {
+    const std::uint32_t fixed = (border.rows >> row & 1) != 0 ? ~std::uint32_t{0} : border.columns;
+    std::uint32_t& next = pending.words[row];
+    next |= before[row] & fixed;
+    const std::uint32_t changed = before[row] ^ next;
+    all.anywhere |= std::uint32_t{changed != 0} << row;
+    all.west |= (changed & 1) << row;
+    all.east |= (changed >> (kTileColumns - 1)) << row;
+  }
+  return all;
+}
+
+template <class Rule, int sub, bool has_border>
 [[gnu::always_inline]] inline void visit_tiles(const TileGridView& shared,
                                                const TileVisits& visits) {
   const TileGridView grid = shared;  // a store could otherwise be taken to change its fields
   const Index strip = grid.strip_tiles * kTileRows;
   PendingTile* pending = visits.pending;
   PendingTile* const pending_end = pending + visits.kept;
+  const auto next_pixels = [&](Index tile) __attribute__((always_inline)) {
+    if constexpr (has_border) {
+      if ((grid.border_tiles[tile / kTileGroup] >> (tile % kTileGroup) & 1) != 0) {
+        return visit_border_tile<Rule, sub>(grid, tile, *pending);
+      }
+    }
+    return visit_tile<Rule, sub>(grid.words + tile * kTileRows, strip, *pending);
+  };
   const auto visit = [&](Index tile) __attribute__((always_inline)) {
-    const ChangedRows changed =
-        visit_tile<Rule, sub>(grid.words + tile * kTileRows, strip, *pending);
+    const ChangedRows changed = next_pixels(tile);
     grid.changed_rows[tile] = static_cast<std::uint16_t>(changed.anywhere);
     grid.changed_west[tile] = static_cast<std::uint16_t>(changed.west);
     grid.changed_east[tile] = static_cast<std::uint16_t>(changed.east);
@@ -199,7 +244,7 @@ Index list_active(const TileGridView& shared_grid, const TileListing& shared_lis
   const TileGridView grid = shared_grid;  // stores could otherwise be taken to change the fields
   const TileListing listing = shared_listing;
   std::uint32_t* const wanted_now = grid.wanted[static_cast<std::size_t>(listing.step)];
-  const std::uint32_t* earlier_wanted[TileGridView::kMaxSubIterations];
+  const std::uint32_t* earlier_wanted[kMaxSubIterations];
   for (int back = 1; back < listing.length; ++back) {
     const int step = (listing.step + back) % listing.length;
     earlier_wanted[back] = grid.wanted[static_cast<std::size_t>(step)];
@@ -253,20 +298,19 @@ Index find_held(const std::uint32_t* tiles, Index count, std::uint32_t reach, In
 struct Tiles {
   template <class Rule, int sub>
   static void pass(const TileGridView& grid, const TileVisits& visits) {
-    visit_tiles<Rule, sub>(grid, visits);
+    if (grid.border_tiles == nullptr) {
+      visit_tiles<Rule, sub, false>(grid, visits);
+    } else {
+      visit_tiles<Rule, sub, true>(grid, visits);
+    }
   }
 };
 
 }  // namespace
+}  // namespace THINBENCH_ISA
 
 template <>
-constinit const StepTable<TileVisit> TilePasses<kThisIsa>::kTable =
-    make_step_table<TileVisit, Tiles>();
-
-template <>
-constinit const FindHeld TilePasses<kThisIsa>::kFindHeld = &find_held;
-
-template <>
-constinit const ListActive TilePasses<kThisIsa>::kListActive = &list_active;
+constinit const TileKernels Exported<TileKernels, kThisIsa>::kKernels = {
+    cycles_by_rule<TileVisit, Tiles>(), &list_active, &find_held};
 
 }  // namespace thinbench::detail

@@ -55,24 +55,18 @@ struct TileLayout {
   void (*store_rows)(const TileGridView& grid, const BitPlaneView& rows, Index tile_row);
 };
 
-/// What iterates over tiles: the sub-iterations of a rule at one level.
-struct TileEngine {
-  std::span<const TileVisit> cycle;
-  const ListActive* list_active;
-  const FindHeld* find_held;
-  const TileLayout* layout;
+/// What iterates over tiles at one ISA.
+struct TileKernels {
+  ByRule<Cycle<TileVisit>> by_rule;
+  ListActive list_active;
+  FindHeld find_held;
 };
 
-/// Compiled once for every instruction-set level.
-template <Isa isa>
-struct TilePasses {
-  static const StepTable<TileVisit> kTable;
-
-  static const ListActive kListActive;
-
-  static const FindHeld kFindHeld;
-
-  static const TileLayout kLayout;
+/// A rule's sub-iterations, and all that is the same for every rule.
+struct TileEngine {
+  std::span<const TileVisit> cycle;
+  const TileKernels* kernels;
+  const TileLayout* layout;
 };
 
 }  // namespace thinbench::detail

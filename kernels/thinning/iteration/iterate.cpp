@@ -5,14 +5,19 @@
 
 namespace thinbench::detail {
 
-TileActivity::TileActivity(Index height, Index row_elements, Index least_column)
-    : height_(height), row_elements_(row_elements) {
-  constexpr Index most_columns = 64;
-  const Index least_columns = std::max<Index>(1, row_elements / least_column);
-  column_elements_ = least_column * ((least_columns + most_columns - 1) / most_columns);
-  const Index columns = (least_columns * least_column + column_elements_ - 1) / column_elements_;
-  all_columns_ = row_elements == 0 ? 0 : ~std::uint64_t{0} >> (most_columns - columns);
-  const auto bands = static_cast<std::size_t>((height + kRows - 1) / kRows);
+RowRange changing_rows(Index height, Border border) {
+  if (border == Border::background) return {0, height};
+  return {1, std::max<Index>(1, height - 1)};
+}
+
+TileActivity::TileActivity(RowRange rows, Index row_elements, Index min_column)
+    : rows_(rows), row_elements_(row_elements) {
+  constexpr Index max_columns = 64;
+  const Index narrowest = std::max<Index>(1, row_elements / min_column);
+  column_elements_ = min_column * ((narrowest + max_columns - 1) / max_columns);
+  const Index columns = (narrowest * min_column + column_elements_ - 1) / column_elements_;
+  all_columns_ = row_elements == 0 ? 0 : ~std::uint64_t{0} >> (max_columns - columns);
+  const auto bands = static_cast<std::size_t>((rows.last - rows.first + kRows - 1) / kRows);
   active_.resize(bands);
   changed_.resize(bands);
   for (auto& step : history_) step.resize(bands);
@@ -40,9 +45,9 @@ std::span<const Band> TileActivity::begin_step(int cycle) {
   for (std::size_t band = 0; band < active_.size(); ++band) {
     const std::uint64_t columns = active_columns(band, cycle);
     if (columns == 0) continue;
-    const Index first = static_cast<Index>(band) * kRows;
-    active_[active_count_++] = {first, std::min(first + kRows, height_), columns, column_elements_,
-                                row_elements_};
+    const Index first = rows_.first + static_cast<Index>(band) * kRows;
+    active_[active_count_++] = {first, std::min(first + kRows, rows_.last), columns,
+                                column_elements_, row_elements_};
   }
   return {active_.data(), active_count_};
 }
@@ -52,7 +57,7 @@ bool TileActivity::end_step() {
   std::fill(now.begin(), now.end(), 0);
   bool any = false;
   for (std::size_t place = 0; place < active_count_; ++place) {
-    now[static_cast<std::size_t>(active_[place].first / kRows)] = changed_[place];
+    now[static_cast<std::size_t>((active_[place].first - rows_.first) / kRows)] = changed_[place];
     any = any || changed_[place] != 0;
   }
   // As if everything had changed in the first step: the second, which fills the other buffer, must
@@ -90,116 +95,72 @@ void clear_rows(const BitPlaneView& plane) {
   for (Index y = 0; y < plane.height; ++y) std::fill_n(plane.row(y), plane.row_elements, 0);
 }
 
-/// Copies one pixel; true where it was another.
-bool copy_pixel(const std::uint8_t* source, std::uint8_t* target, Index x) {
-  return std::exchange(target[x], source[x]) != source[x];
-}
-
-bool copy_pixel(const std::uint64_t* source, std::uint64_t* target, Index x) {
-  const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
-  const std::uint64_t different = (source[x / kWordBits] ^ target[x / kWordBits]) & bit;
-  target[x / kWordBits] ^= different;
-  return different != 0;
-}
-
-/// Gives the outermost pixels of a band their old values again; true where a pass had changed one.
+/// Copies the rows that never change.
 template <class T>
-bool restore_border(const ConstPlaneView<T>& source, const PlaneView<T>& target, const Band& band) {
-  bool restored = false;
-  for (Index y = band.first; y < band.last; ++y) {
-    const T* from = source.row(y);
-    if (y == 0 || y == source.height - 1) {
-      restored = restored || !std::equal(from, from + source.row_elements, target.row(y));
-      copy_row(source, target, y);
-    } else {
-      restored = copy_pixel(from, target.row(y), 0) || restored;
-      restored = copy_pixel(from, target.row(y), source.width - 1) || restored;
-    }
-  }
-  return restored;
-}
-
-/// Those of `columns` in which the two differ.
-template <class T>
-std::uint64_t differing_columns(const ConstPlaneView<T>& source, const PlaneView<T>& target,
-                                Band band, std::uint64_t columns) {
-  std::uint64_t differing = 0;
-  for (; columns != 0; columns &= columns - 1) {
-    band.columns = columns & (~columns + 1);
-    differing |= for_each_run(band, [&](Index y, Index from, Index to) {
-      return !std::equal(source.row(y) + from, source.row(y) + to, target.row(y) + from);
-    });
-  }
-  return differing;
-}
-
-/// What really changed in a band whose pass knows nothing of the border that is to be kept: engines
-/// stay free of it, and tiles are looked at twice only where a pixel on the frame had changed.
-template <class T>
-std::uint64_t with_border_kept(const ConstPlaneView<T>& source, const PlaneView<T>& target,
-                               const Band& band, std::uint64_t changed) {
-  if (!restore_border(source, target, band)) return changed;
-  return differing_columns(source, target, band, changed);
+void copy_fixed_rows(const RowRange& changing, const ConstPlaneView<T>& source,
+                     const PlaneView<T>& target) {
+  for (Index y = 0; y < std::min(changing.first, source.height); ++y) copy_row(source, target, y);
+  for (Index y = changing.last; y < source.height; ++y) copy_row(source, target, y);
 }
 
 }  // namespace
 
 template <class T>
-int iterate(std::span<const Pass<T>> cycle, const Conditions& conditions,
+int iterate(std::span<const Pass<T>> cycle, const Repetition<T>& repetition,
             const ConstPlaneView<T>& source, const PlaneView<T>& target,
             const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team) {
   activity.restart();
+  for (const PlaneView<T>& plane : {target, scratch}) {
+    copy_fixed_rows(repetition.rows, source, plane);
+  }
   ConstPlaneView<T> from = source;
   PlaneView<T> to = target;
   PlaneView<T> other = scratch;
-  int cycles = 0;
+  int iterations = 0;
   bool changed = true;
-  while (changed && cycles < conditions.max_iterations) {
+  while (changed && iterations < repetition.max_iterations) {
     changed = false;
     for (const Pass<T> pass : cycle) {
       const auto band_pass = [&](const Band& band) {
-        const std::uint64_t columns = pass(conditions.model, from, to, band);
-        if (conditions.border == Border::background) return columns;
-        return with_border_kept(from, to, band, columns);
+        return pass(repetition.rule, repetition.fixed, from, to, band);
       };
       changed = run_step(static_cast<int>(cycle.size()), activity, team, band_pass) || changed;
       from = to;
       std::swap(to, other);
     }
-    ++cycles;
+    ++iterations;
   }
-  // After a cycle without change both buffers hold the result.
+  // After an iteration without change both buffers hold the result.
   if (changed && from.data != target.data) copy_rows(from, target);
-  return cycles;
+  return iterations;
 }
 
-int iterate_changes(ChangePass pass, const Conditions& conditions, const ConstBitPlaneView& source,
-                    const std::array<BitPlaneView, 3>& buffers, TileActivity& activity,
-                    ThreadTeam& team) {
-  // A step writes what is three steps old: a tile must have been quiet for two to be passed over.
+int iterate_changes(ChangePass pass, const Repetition<std::uint64_t>& repetition,
+                    const ConstBitPlaneView& source, const std::array<BitPlaneView, 3>& buffers,
+                    TileActivity& activity, ThreadTeam& team) {
+  // A step writes what is three steps old: a tile must have been quiet for two to be skipped.
   constexpr int quiet_steps = 2;
   activity.restart();
   clear_rows(buffers[2]);
+  for (const BitPlaneView& plane : buffers) copy_fixed_rows(repetition.rows, source, plane);
   ConstBitPlaneView previous = buffers[2];
   ConstBitPlaneView current = source;
-  int passes = 0;
-  for (bool changed = true; changed && passes < conditions.max_iterations; ++passes) {
-    const BitPlaneView& next = buffers[static_cast<std::size_t>(passes) % buffers.size()];
+  int iterations = 0;
+  for (bool changed = true; changed && iterations < repetition.max_iterations; ++iterations) {
+    const BitPlaneView& next = buffers[static_cast<std::size_t>(iterations) % buffers.size()];
     changed = run_step(quiet_steps, activity, team, [&](const Band& band) {
-      const std::uint64_t columns = pass(conditions.model, previous, current, next, band);
-      if (conditions.border == Border::background) return columns;
-      return with_border_kept(current, next, band, columns);
+      return pass(repetition.rule, repetition.fixed, previous, current, next, band);
     });
     previous = std::exchange(current, next);
   }
   if (current.data != buffers[0].data) copy_rows(current, buffers[0]);
-  return passes;
+  return iterations;
 }
 
-template int iterate(std::span<const Pass<std::uint8_t>>, const Conditions&,
+template int iterate(std::span<const Pass<std::uint8_t>>, const Repetition<std::uint8_t>&,
                      const ConstBytePlaneView&, const BytePlaneView&, const BytePlaneView&,
                      TileActivity&, ThreadTeam&);
-template int iterate(std::span<const Pass<std::uint64_t>>, const Conditions&,
+template int iterate(std::span<const Pass<std::uint64_t>>, const Repetition<std::uint64_t>&,
                      const ConstBitPlaneView&, const BitPlaneView&, const BitPlaneView&,
                      TileActivity&, ThreadTeam&);
 

@@ -1,16 +1,24 @@
-// Passes until nothing changes, over tiles, skipping those that cannot change any more.
+// Iterations until nothing changes, over tiles, skipping those that cannot change any more.
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "image/thread_team.hpp"
-#include "thinning/border.hpp"
+#include "thinbench/options.hpp"
 #include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {
+
+/// Rows [first, last) of an image.
+struct RowRange {
+  Index first;
+  Index last;
+};
+
+/// The rows that may change.
+[[nodiscard]] RowRange changing_rows(Index height, Border border);
 
 /// Which tiles still change. Rows are grouped in bands of kRows, bands are cut into at most 64
 /// columns; a tile can only change in a step if it or one of its eight neighbours changed in one of
@@ -18,14 +26,14 @@ namespace thinbench::detail {
 class TileActivity {
  public:
   static constexpr Index kRows = 16;
-  static constexpr int kMaxSubIterations = 4;
 
-  /// Rows of `row_elements` elements, `least_column` of which are the narrowest column.
-  TileActivity(Index height, Index row_elements, Index least_column);
+  /// Rows of `row_elements` elements, `min_column` of which are the narrowest column.
+  TileActivity(RowRange rows, Index row_elements, Index min_column);
 
   /// Forgets everything: the next step is the first.
   void restart();
-  /// Begins a step and lists the bands that have tiles to visit. `cycle` is at most kMaxSubIterations.
+  /// Begins a step and lists the bands that have tiles to visit. `cycle` is at most
+  /// kMaxSubIterations.
   std::span<const Band> begin_step(int cycle);
   /// What a pass returned for the band of this place in the list. Different places may be set from
   /// different threads.
@@ -36,7 +44,7 @@ class TileActivity {
  private:
   [[nodiscard]] std::uint64_t active_columns(std::size_t band, int cycle) const;
 
-  Index height_;
+  RowRange rows_;
   Index row_elements_;
   Index column_elements_;
   std::uint64_t all_columns_;
@@ -48,25 +56,27 @@ class TileActivity {
 };
 
 /// What a repetition depends on beside its passes.
-struct Conditions {
-  const RuleModel* model = nullptr;
-  int max_iterations = std::numeric_limits<int>::max();
-  Border border = Border::background;
+template <class T>
+struct Repetition {
+  const RuntimeRule* rule = nullptr;
+  int max_iterations = kUnlimited;
+  RowRange rows = {};           // those that may change
+  const T* fixed = nullptr;     // see Pass
 };
 
 /// Repeats a cycle of passes until it changes nothing or the limit is reached; returns how many
-/// cycles ran, the last one included. Reads `source` once, then alternates between `target` and
-/// `scratch`; the result is in `target`. All planes have one size and do not overlap. No
-/// allocation.
+/// iterations ran, the last one included. Reads `source` once, then alternates between `target` and
+/// `scratch`; the result is in `target`. All planes have one size and do not overlap; `activity`
+/// was made for the rows of `repetition`. No allocation.
 template <class T>
-int iterate(std::span<const Pass<T>> cycle, const Conditions& conditions,
+int iterate(std::span<const Pass<T>> cycle, const Repetition<T>& repetition,
             const ConstPlaneView<T>& source, const PlaneView<T>& target,
             const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team);
 
 /// The same for one pass that needs to know what changed. `buffers` are three planes besides
 /// `source`; the result is in the first.
-int iterate_changes(ChangePass pass, const Conditions& conditions, const ConstBitPlaneView& source,
-                    const std::array<BitPlaneView, 3>& buffers, TileActivity& activity,
-                    ThreadTeam& team);
+int iterate_changes(ChangePass pass, const Repetition<std::uint64_t>& repetition,
+                    const ConstBitPlaneView& source, const std::array<BitPlaneView, 3>& buffers,
+                    TileActivity& activity, ThreadTeam& team);
 
 }  // namespace thinbench::detail

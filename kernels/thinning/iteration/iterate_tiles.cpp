@@ -30,8 +30,8 @@ Index part_begin(Index count, Index part, Index parts) {
 
 }  // namespace
 
-TileWorkspace::TileWorkspace(Index width, Index height, int threads)
-    : grid_(width, height), max_held_(static_cast<Index>(reach_of(grid_.view()))) {
+TileWorkspace::TileWorkspace(Index width, Index height, Border border, int threads)
+    : grid_(width, height, border), max_held_(static_cast<Index>(reach_of(grid_.view()))) {
   const Index tiles = grid_.view().groups * kTileGroup;
   const Index shares = tiles < threads * kMinShare ? 1 : threads;
   // A share has no more tiles than its part of the list; one thread alone, which all tiles may fall
@@ -71,7 +71,7 @@ class TileIteration {
     const Index shares = active_ < team_.threads() * kMinShare ? 1 : team_.threads();
     const Index lists = std::min(shares, words_);
     const TileVisit visit = engine_.cycle[static_cast<std::size_t>(step)];
-    kept_ = (*engine_.find_held)(list_, active_, reach_of(grid_), kept_, workspace_.max_held_);
+    kept_ = engine_.kernels->find_held(list_, active_, reach_of(grid_), kept_, workspace_.max_held_);
     for_each_share(shares, [&](Index share) {
       if (share != 0) visit(grid_, held(share, shares));
       visit(grid_, rest(share, shares));
@@ -131,7 +131,7 @@ class TileIteration {
     return next_list_ + tiles + share * kTileGroup;
   }
   [[nodiscard]] Index list_share(int step, Index share, Index shares) const {
-    return (*engine_.list_active)(
+    return engine_.kernels->list_active(
         grid_, {step, static_cast<int>(engine_.cycle.size()), part_begin(words_, share, shares),
                 part_begin(words_, share + 1, shares), visited_, next_visited_,
                 list_of_share(share, shares)});
@@ -162,12 +162,12 @@ class TileIteration {
 int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
                   const ThreadTeam& team) {
   TileIteration iteration(engine, workspace, team);
-  int cycles = 0;
+  int iterations = 0;
   do {
     for (int step = 0; step < static_cast<int>(engine.cycle.size()); ++step) iteration.step(step);
-    ++cycles;
-  } while (iteration.any_active() && cycles < max_iterations);
-  return cycles;
+    ++iterations;
+  } while (iteration.any_active() && iterations < max_iterations);
+  return iterations;
 }
 
 }  // namespace thinbench::detail

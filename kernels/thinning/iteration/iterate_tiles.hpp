@@ -11,7 +11,7 @@ namespace thinbench::detail {
 /// Memory of one repetition: the grid, the list of active tiles and those that are not written yet.
 class TileWorkspace {
  public:
-  TileWorkspace(Index width, Index height, int threads);
+  TileWorkspace(Index width, Index height, Border border, int threads);
 
   [[nodiscard]] TileGrid& grid() { return grid_; }
   [[nodiscard]] const TileGrid& grid() const { return grid_; }
@@ -30,8 +30,7 @@ class TileWorkspace {
 };
 
 /// Repeats a cycle on the pixels that were loaded into the grid, until it changes nothing or
-/// `max_iterations` are done; returns how many ran, the last one included. The background goes on
-/// outside the image. The workspace was made for as many threads as the team has, or more. No
+/// `max_iterations` are done; returns how many ran, the last one included. The workspace was made for as many threads as the team has, or more. No
 /// allocation.
 int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
                   const ThreadTeam& team);

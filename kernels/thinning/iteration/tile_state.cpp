@@ -15,12 +15,15 @@ View rows_of_tiles(const View& view, Index tile_row) {
 
 }  // namespace
 
-TileState::TileState(const TileEngine& engine, const TileSetting& setting)
+TileState::TileState(const TileEngine& engine, const ThinningSetting& setting)
     : engine_(engine),
-      setting_(setting),
+      isa_(setting.isa),
+      width_(setting.width),
+      height_(setting.height),
+      max_iterations_(setting.max_iterations),
       team_(setting.width, setting.height, setting.threads),
       conversion_(plane_conversion<std::uint64_t>(setting.isa)),
-      workspace_(setting.width, setting.height, setting.threads) {
+      workspace_(setting.width, setting.height, setting.border, setting.threads) {
   const int most = static_cast<int>(
       std::min<Index>(setting.threads, std::max<Index>(1, workspace_.grid().tile_rows())));
   rows_.reserve(static_cast<std::size_t>(most));
@@ -28,18 +31,12 @@ TileState::TileState(const TileEngine& engine, const TileSetting& setting)
 }
 
 void TileState::load(const ConstImageView& source) {
-  if (!planes_) planes_.emplace(setting_.isa, setting_.width, setting_.height);
+  if (!planes_) planes_.emplace(isa_, width_, height_);
   read_planes(team_, source, *planes_);
 }
 
 void TileState::store(const ImageView& destination) const {
   write_planes(team_, planes_.value(), destination);
-}
-
-bool TileState::margins_are_zero() const {
-  const auto all_zero = [](const BitPlane& plane) { return plane.margin_is_zero(); };
-  const bool planes = !planes_ || (all_zero(planes_->source) && all_zero(planes_->result));
-  return planes && std::ranges::all_of(rows_, all_zero) && workspace_.grid().margin_is_zero();
 }
 
 int TileState::thin() {
@@ -52,13 +49,13 @@ int TileState::thin() {
       layout.load_rows(grid.view(), rows_of_tiles(from, row), row);
     }
   });
-  const int cycles = iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+  const int iterations = iterate_tiles(engine_, max_iterations_, workspace_, team_.threads());
   team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
       layout.store_rows(grid.view(), rows_of_tiles(to, row), row);
     }
   });
-  return cycles;
+  return iterations;
 }
 
 template <class Body>
@@ -67,7 +64,7 @@ void TileState::for_tile_rows(const Body& body) {
   team_.for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
     BitPlaneView band = rows_[next++].view();
     for (Index row = first; row < last; ++row) {
-      band.height = std::min(kTileRows, setting_.height - row * kTileRows);
+      band.height = std::min(kTileRows, height_ - row * kTileRows);
       body(row, band);
     }
   });
@@ -79,13 +76,13 @@ int TileState::run(const ConstImageView& source, const ImageView& destination) {
     conversion_.read(rows_of_tiles(source, row), rows);
     engine_.layout->load_rows(grid, rows, row);
   });
-  const int cycles = iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
-  const auto write = row_writer(conversion_, setting_.width * setting_.height);
+  const int iterations = iterate_tiles(engine_, max_iterations_, workspace_, team_.threads());
+  const auto write = row_writer(conversion_, width_ * height_);
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     engine_.layout->store_rows(grid, rows, row);
     write(rows, rows_of_tiles(destination, row));
   });
-  return cycles;
+  return iterations;
 }
 
 }  // namespace thinbench::detail

@@ -5,21 +5,13 @@
 #include <vector>
 
 #include "thinning/iteration/iterate_tiles.hpp"
-#include "thinning/iteration/state.hpp"
+#include "thinning/iteration/plane_state.hpp"
 
 namespace thinbench::detail {
 
-struct TileSetting {
-  Isa isa;
-  Index width;
-  Index height;
-  int threads;
-  int max_iterations;
-};
-
 class TileState final : public ThinningState {
  public:
-  TileState(const TileEngine& engine, const TileSetting& setting);
+  TileState(const TileEngine& engine, const ThinningSetting& setting);
 
   /// A row of tiles at a time is packed and laid out while it is in the first cache, and back.
   int run(const ConstImageView& source, const ImageView& destination) override;
@@ -29,7 +21,6 @@ class TileState final : public ThinningState {
   void load(const ConstImageView& source) override;
   int thin() override;
   void store(const ImageView& destination) const override;
-  [[nodiscard]] bool margins_are_zero() const override;
 
  private:
   /// Calls `body(tile_row, rows)` for every row of tiles, with room for its pixels.
@@ -37,7 +28,10 @@ class TileState final : public ThinningState {
   void for_tile_rows(const Body& body);
 
   TileEngine engine_;
-  TileSetting setting_;
+  Isa isa_;
+  Index width_;
+  Index height_;
+  int max_iterations_;
   BandTeam team_;
   const PlaneConversion<std::uint64_t>& conversion_;
   TileWorkspace workspace_;

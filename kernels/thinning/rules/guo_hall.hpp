@@ -64,7 +64,7 @@ struct GuoHall {
   }
 
   template <int sub, class Lane>
-  [[gnu::always_inline]] static constexpr Lane printed(const Neighbourhood<Lane>& as_seen) {
+  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
     const Neighbourhood<Lane> n = turned<4 * sub>(as_seen);
     const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
     const Lane crossings =
@@ -79,6 +79,11 @@ struct GuoHall {
     const bool removed = (crossings == 1) & (fewer >= 2) & (fewer <= 3) & (edge == 0);
     return static_cast<Lane>(n.p & (removed ? 0 : 1));
   }
+};
+
+template <>
+struct RuleType<Rule::guo_hall> {
+  using Type = GuoHall;
 };
 
 }  // namespace thinbench::detail

@@ -59,7 +59,7 @@ struct NaccacheShinghal {
   /// The same, as printed: four expressions and a count of the FALSE ones, on words that hold 0 or
   /// 1 in a whole lane. What a compiler is given to vectorise.
   template <int sub, class Lane>
-  [[gnu::always_inline]] static constexpr Lane printed(const Neighbourhood<Lane>& n) {
+  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n) {
     const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
     const Lane b4 = static_cast<Lane>(n.n0 & (n.n1 | n.n2 | n.n6 | n.n7) & (n.n2 | negated(n.n3)) &
                                       (negated(n.n5) | n.n6));
@@ -73,6 +73,11 @@ struct NaccacheShinghal {
     const Lane one_or_two_false = true_count == 3 || true_count == 2 ? 1 : 0;
     return static_cast<Lane>(n.p & negated(one_or_two_false));
   }
+};
+
+template <>
+struct RuleType<Rule::naccache_shinghal> {
+  using Type = NaccacheShinghal;
 };
 
 }  // namespace thinbench::detail

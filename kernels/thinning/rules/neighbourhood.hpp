@@ -8,8 +8,13 @@
 #pragma once
 
 #include "simd/word.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench::detail {
+
+/// The type that implements a parallel rule; specialised in the rule's own file.
+template <Rule rule>
+struct RuleType;
 
 template <class Word>
 struct Neighbourhood {

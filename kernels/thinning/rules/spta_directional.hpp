@@ -30,13 +30,18 @@ struct SptaDirectional {
   }
 
   template <int sub, class Lane>
-  [[gnu::always_inline]] static constexpr Lane printed(const Neighbourhood<Lane>& as_seen) {
+  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
     const Neighbourhood<Lane> n = turned<kTurns[sub]>(as_seen);
     const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
     const Lane b4 = static_cast<Lane>(n.n0 & (n.n1 | n.n2 | n.n6 | n.n7) & (n.n2 | negated(n.n3)) &
                                       (negated(n.n5) | n.n6));
     return static_cast<Lane>(n.p & negated(static_cast<Lane>(negated(n.n4) & b4)));
   }
+};
+
+template <>
+struct RuleType<Rule::spta_directional> {
+  using Type = SptaDirectional;
 };
 
 }  // namespace thinbench::detail

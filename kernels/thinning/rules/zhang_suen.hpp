@@ -79,7 +79,7 @@ struct ZhangSuen {
 
   /// As published, on words that hold 0 or 1 in a whole lane.
   template <int sub, class Lane>
-  [[gnu::always_inline]] static constexpr Lane printed(const Neighbourhood<Lane>& as_seen) {
+  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
     const Neighbourhood<Lane> n = turned<4 * sub>(as_seen);
     const auto rises = [](Lane from, Lane to) { return static_cast<Lane>((from ^ 1) & to); };
     const Lane steps = static_cast<Lane>(rises(n.n2, n.n1) + rises(n.n1, n.n0) + rises(n.n0, n.n7) +
@@ -90,6 +90,11 @@ struct ZhangSuen {
     const bool removed = (steps == 1) & (dark >= 2) & (dark <= 6) & (inner == 0);
     return static_cast<Lane>(n.p & (removed ? 0 : 1));
   }
+};
+
+template <>
+struct RuleType<Rule::zhang_suen> {
+  using Type = ZhangSuen;
 };
 
 }  // namespace thinbench::detail

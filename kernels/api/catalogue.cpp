@@ -1,0 +1,153 @@
+#include "api/catalogue.hpp"
+
+#include "api/option_checks.hpp"
+#include "image/checks.hpp"
+#include "midpoints/variants.hpp"
+#include "nets/variants.hpp"
+#include "regions/variants.hpp"
+#include "thinning/variants.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+std::vector<ThinningVariant> variants_of(Rule rule) {
+  if (is_parallel_rule(rule)) return parallel_rule_variants(rule);
+  if (rule == Rule::spta) return spta_variants();
+  if (rule == Rule::midpoint_scan) return midpoint_variants();
+  return net_variants(rule);
+}
+
+std::vector<ThinningOperation> make_thinning_operations() {
+  std::vector<ThinningOperation> operations;
+  for (const RuleInfo& info : kRules) {
+    operations.push_back({info.rule, info.operation, info.description, variants_of(info.rule),
+                          default_net(info.rule) != nullptr, info.rule == Rule::midpoint_scan});
+  }
+  return operations;
+}
+
+std::vector<EdgeOperation> make_edge_operations() {
+  std::vector<EdgeOperation> operations;
+  for (const EdgeOperatorInfo& info : kEdgeOperators) {
+    operations.push_back({info.op, info.operation, info.description, edge_variants(info.op)});
+  }
+  return operations;
+}
+
+std::vector<RegionsOperation> make_regions_operations() {
+  const auto operation = [](RegionsTask task, std::string_view name, std::string_view description) {
+    return RegionsOperation{task, name, description, regions_variants(task)};
+  };
+  return {operation(RegionsTask::holes, "holes",
+                    "objects (8-connected) and their holes, with areas and centres"),
+          operation(RegionsTask::components, "components",
+                    "objects (8-connected) alone, with areas and centres"),
+          operation(RegionsTask::fill, "fill_holes",
+                    "objects with all that they enclose, interior contours filled"),
+          operation(RegionsTask::euler_eight, "euler_number",
+                    "8-connected objects minus 4-connected holes"),
+          operation(RegionsTask::euler_four, "euler_number_4",
+                    "4-connected objects minus 8-connected holes")};
+}
+
+template <class Operations, class Matches>
+const auto& first_that(const Operations& operations, const Matches& matches) {
+  for (const auto& operation : operations) {
+    if (matches(operation)) return operation;
+  }
+  throw std::invalid_argument("no such operation");
+}
+
+}  // namespace
+
+std::span<const ThinningOperation> thinning_operations() {
+  static const std::vector<ThinningOperation> operations = make_thinning_operations();
+  return operations;
+}
+
+std::span<const EdgeOperation> edge_operations() {
+  static const std::vector<EdgeOperation> operations = make_edge_operations();
+  return operations;
+}
+
+std::span<const RegionsOperation> regions_operations() {
+  static const std::vector<RegionsOperation> operations = make_regions_operations();
+  return operations;
+}
+
+const LocaliseOperation& localise_operation() {
+  static const LocaliseOperation operation = {
+      "localise_objects",
+      "grey picture to Sobel's edges, contours, filled interiors and centres of objects and holes",
+      localise_variants()};
+  return operation;
+}
+
+const ThinningOperation& operation_of(Rule rule) {
+  return first_that(thinning_operations(), [&](const auto& one) { return one.rule == rule; });
+}
+
+const EdgeOperation& operation_of(EdgeOperator op) {
+  return first_that(edge_operations(), [&](const auto& one) { return one.op == op; });
+}
+
+const RegionsOperation& operation_of(RegionsTask task) {
+  return first_that(regions_operations(), [&](const auto& one) { return one.task == task; });
+}
+
+Options with_useful_threads(const Options& options, bool can_share, Index width, Index height) {
+  require_threads(options.threads);
+  Options useful = options;
+  const bool is_small = height <= 0 || width < (kMinPixelsForThreads + height - 1) / height;
+  if (!options.technique && (is_small || !can_share)) useful.threads = 1;
+  return useful;
+}
+
+std::unique_ptr<ThinningState> make_state(const ThinningOperation& operation,
+                                          const ThinningVariant& variant, Index width, Index height,
+                                          const Options& options) {
+  require_size(width, height);
+  require_max_pixels(width, height);
+  check_variant(variant, width, options);
+  check_thinning_options(operation, options);
+  return variant.make({operation.rule, variant.isa, width, height,
+                       variant.threaded ? options.threads : 1, options.border,
+                       options.max_iterations, options.directions,
+                       options.net ? options.net : default_net(operation.rule)});
+}
+
+std::unique_ptr<EdgeState> make_state(const EdgeOperation& operation, const EdgeVariant& variant,
+                                      Index width, Index height, const EdgeThresholds& thresholds,
+                                      const Options& options) {
+  require_size(width, height);
+  require_max_pixels(width, height);
+  check_variant(variant, width, options);
+  check_no_thinning_options(operation.name, options);
+  check_thresholds(thresholds);
+  return variant.make({operation.op, thresholds, variant.isa, width, height,
+                       variant.threaded ? options.threads : 1});
+}
+
+std::unique_ptr<RegionsState> make_state(const RegionsOperation& operation,
+                                         const RegionsVariant& variant, Index width, Index height,
+                                         const Options& options) {
+  check_regions_size(width, height);
+  check_variant(variant, width, options);
+  check_no_thinning_options(operation.name, options);
+  return variant.make(
+      {operation.task, variant.isa, width, height, variant.threaded ? options.threads : 1});
+}
+
+std::unique_ptr<LocaliseState> make_state(const LocaliseOperation& operation,
+                                          const LocaliseVariant& variant, Index width, Index height,
+                                          const EdgeThresholds& thresholds,
+                                          const Options& options) {
+  check_regions_size(width, height);
+  check_variant(variant, width, options);
+  check_no_thinning_options(operation.name, options);
+  check_thresholds(thresholds);
+  return variant.make({EdgeOperator::sobel, thresholds, variant.isa, width, height,
+                       variant.threaded ? options.threads : 1});
+}
+
+}  // namespace thinbench::detail

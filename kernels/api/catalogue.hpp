@@ -1,0 +1,89 @@
+// The one place that lists operations with their variants. The public functions choose among them;
+// tests, benchmarks and programs walk them.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "edges/state.hpp"
+#include "localise/state.hpp"
+#include "regions/state.hpp"
+#include "thinning/state.hpp"
+
+namespace thinbench::detail {
+
+struct ThinningOperation {
+  Rule rule;
+  std::string_view name;
+  std::string_view description;
+  std::vector<ThinningVariant> variants;
+  bool is_net;            // takes Options::net
+  bool takes_directions;  // takes Options::directions; needs one iteration
+};
+
+struct EdgeOperation {
+  EdgeOperator op;
+  std::string_view name;
+  std::string_view description;
+  std::vector<EdgeVariant> variants;
+};
+
+struct RegionsOperation {
+  RegionsTask task;
+  std::string_view name;
+  std::string_view description;
+  std::vector<RegionsVariant> variants;
+};
+
+struct LocaliseOperation {
+  std::string_view name;
+  std::string_view description;
+  std::vector<LocaliseVariant> variants;
+};
+
+// All live as long as the program.
+[[nodiscard]] std::span<const ThinningOperation> thinning_operations();
+[[nodiscard]] std::span<const EdgeOperation> edge_operations();
+[[nodiscard]] std::span<const RegionsOperation> regions_operations();
+[[nodiscard]] const LocaliseOperation& localise_operation();
+
+[[nodiscard]] const ThinningOperation& operation_of(Rule rule);
+[[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
+[[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
+
+/// Each makes one variant, which must be of the operation. Throw std::invalid_argument for whatever
+/// does not fit, see the public functions; std::bad_alloc where memory is short.
+[[nodiscard]] std::unique_ptr<ThinningState> make_state(const ThinningOperation& operation,
+                                                        const ThinningVariant& variant, Index width,
+                                                        Index height, const Options& options);
+[[nodiscard]] std::unique_ptr<EdgeState> make_state(const EdgeOperation& operation,
+                                                    const EdgeVariant& variant, Index width,
+                                                    Index height, const EdgeThresholds& thresholds,
+                                                    const Options& options);
+[[nodiscard]] std::unique_ptr<RegionsState> make_state(const RegionsOperation& operation,
+                                                       const RegionsVariant& variant, Index width,
+                                                       Index height, const Options& options);
+[[nodiscard]] std::unique_ptr<LocaliseState> make_state(const LocaliseOperation& operation,
+                                                        const LocaliseVariant& variant, Index width,
+                                                        Index height,
+                                                        const EdgeThresholds& thresholds,
+                                                        const Options& options);
+
+/// Options with the number of threads that pays: where the technique is left open, one below 2^20
+/// pixels and where no variant shares its work.
+[[nodiscard]] Options with_useful_threads(const Options& options, bool can_share, Index width,
+                                          Index height);
+
+/// The variant that the options ask for on an image of this size. Throws std::invalid_argument where
+/// the number of threads is out of range or no variant fits.
+template <class Operation>
+[[nodiscard]] const auto& choose(const Operation& operation, Index width, Index height,
+                                 const Options& options) {
+  bool can_share = false;
+  for (const auto& variant : operation.variants) can_share = can_share || variant.threaded;
+  return choose_variant(operation.name, operation.variants, width,
+                        with_useful_threads(options, can_share, width, height));
+}
+
+}  // namespace thinbench::detail

@@ -1,0 +1,51 @@
+#include "thinbench/regions.hpp"
+
+#include "api/catalogue.hpp"
+#include "image/check_views.hpp"
+
+namespace thinbench {
+namespace {
+
+using detail::RegionsState;
+using detail::RegionsTask;
+
+/// After the work is done.
+std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& source,
+                                       const Options& options) {
+  detail::check_views(source, source, detail::InPlace::allowed);
+  const detail::RegionsOperation& operation = detail::operation_of(task);
+  const auto& variant = detail::choose(operation, source.width, source.height, options);
+  auto state = detail::make_state(operation, variant, source.width, source.height, options);
+  state->load(source);
+  state->compute();
+  return state;
+}
+
+}  // namespace
+
+Regions find_regions(ConstImageView source, const Options& options) {
+  const auto state = computed(RegionsTask::holes, source, options);
+  const detail::RegionLists lists = state->regions();
+  return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
+}
+
+std::vector<Region> find_components(ConstImageView source, const Options& options) {
+  const auto state = computed(RegionsTask::components, source, options);
+  const detail::RegionLists lists = state->regions();
+  return {lists.objects.begin(), lists.objects.end()};
+}
+
+std::int64_t euler_number(ConstImageView source, const Options& options) {
+  return computed(RegionsTask::euler_eight, source, options)->number();
+}
+
+std::int64_t euler_number_4(ConstImageView source, const Options& options) {
+  return computed(RegionsTask::euler_four, source, options)->number();
+}
+
+void fill_holes(ConstImageView source, ImageView destination, const Options& options) {
+  detail::check_views(source, destination, detail::InPlace::allowed);
+  computed(RegionsTask::fill, source, options)->store(destination);
+}
+
+}  // namespace thinbench

@@ -1,0 +1,80 @@
+#include "edges/state.hpp"
+
+#include "dispatch/exported.hpp"
+#include "image/checks.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+using enum Technique;
+using State = std::unique_ptr<EdgeState>;
+
+template <class Kernel, class Target>
+void run_bands(const ThreadTeam& team, Kernel kernel, const EdgeThresholds& thresholds,
+               const ConstImageView& source, const Target& target) {
+  if (source.width == 0) return;
+  team.for_ranges(source.height, [&](Index first, Index last) {
+    kernel(thresholds, source, target, EdgeRows{first, last});
+  });
+}
+
+State make_autovec(const EdgeSetting& setting) {
+  return std::make_unique<EdgeState>(kernels_of<AutovecEdgeKernels>(setting.isa).bytes[setting.op],
+                                     setting);
+}
+State make_16bit(const EdgeSetting& setting) {
+  return std::make_unique<EdgeState>(kernels_of<EdgeKernels>(setting.isa).simd_16bit[setting.op],
+                                     setting);
+}
+State make_8bit(const EdgeSetting& setting) {
+  return std::make_unique<EdgeState>(kernels_of<EdgeKernels>(setting.isa).simd_8bit[setting.op],
+                                     setting);
+}
+
+void check_threshold(const char* name, int value) {
+  require(0 <= value && value <= kMaxThreshold, std::string(name) +
+                                                    ": expected an integer in [0, 255], got " +
+                                                    std::to_string(value));
+}
+
+}  // namespace
+
+EdgeState::EdgeState(EdgesToBytes kernel, const EdgeSetting& setting)
+    : kernel_(kernel), thresholds_(setting.thresholds), team_(setting.threads) {}
+
+void EdgeState::run(const ConstImageView& source, const ImageView& destination) {
+  run_bands(team_, kernel_, thresholds_, source, destination);
+}
+
+PackedEdges::PackedEdges(const EdgeSetting& setting)
+    : kernel_(kernels_of<EdgeKernels>(setting.isa).to_bits[setting.op]),
+      thresholds_(setting.thresholds),
+      team_(setting.threads),
+      bits_(setting.width, setting.height) {}
+
+ConstBitPlaneView PackedEdges::run(const ConstImageView& source) {
+  run_bands(team_, kernel_, thresholds_, source, bits_.view());
+  return bits_.view();
+}
+
+void check_thresholds(const EdgeThresholds& thresholds) {
+  check_threshold("gradient_threshold", thresholds.gradient_threshold);
+  check_threshold("brightness_threshold", thresholds.brightness_threshold);
+}
+
+std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
+  EdgeVariants list;
+  for (const Isa isa : kAllIsas) {
+    if (isa == Isa::avx512icl) continue;  // adds nothing that these kernels could use
+    list.add(autovec, isa, &make_autovec, {0});
+    list.add(simd_16bit, isa, &make_16bit, {1});
+    if (kernels_of<EdgeKernels>(isa).simd_8bit[op] != nullptr) {
+      list.add_with_threads(simd_8bit, isa, &make_8bit, {2});
+    } else {
+      list.add(simd_16bit, isa, &make_16bit, {1}, true);
+    }
+  }
+  return list.take();
+}
+
+}  // namespace thinbench::detail

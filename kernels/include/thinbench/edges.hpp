@@ -1,0 +1,97 @@
+// Edges of grey images: section 2.1 of the paper.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
+
+namespace thinbench {
+
+enum class EdgeOperator : std::uint8_t {
+  roberts4,
+  roberts9,
+  mero_vassy,
+  mero_vassy_5x5,
+  sobel,
+  prewitt,
+};
+
+struct EdgeOperatorInfo {
+  EdgeOperator op;
+  std::string_view name;
+  std::string_view operation;  // its name in results
+  std::string_view description;
+};
+
+/// In the order of the enumeration.
+inline constexpr std::array kEdgeOperators = {
+    EdgeOperatorInfo{EdgeOperator::roberts4, "roberts4", "edges_roberts4",
+                     "edges by Roberts' cross of 2 x 2 pixels"},
+    EdgeOperatorInfo{EdgeOperator::roberts9, "roberts9", "edges_roberts9",
+                     "edges by the corner cross of the 3 x 3 window"},
+    EdgeOperatorInfo{EdgeOperator::mero_vassy, "mero_vassy", "edges_mero_vassy",
+                     "edges by Mero and Vassy's split window, 3 x 3"},
+    EdgeOperatorInfo{EdgeOperator::mero_vassy_5x5, "mero_vassy_5x5", "edges_mero_vassy_5x5",
+                     "edges by Mero and Vassy's split window, 5 x 5"},
+    EdgeOperatorInfo{EdgeOperator::sobel, "sobel", "edges_sobel", "edges by Sobel's operator"},
+    EdgeOperatorInfo{EdgeOperator::prewitt, "prewitt", "edges_prewitt",
+                     "edges by Prewitt's operator"},
+};
+
+[[nodiscard]] constexpr const EdgeOperatorInfo& edge_operator_info(EdgeOperator op) {
+  return kEdgeOperators[static_cast<std::size_t>(op)];
+}
+
+/// The operator of this name, or of the operation of this name.
+[[nodiscard]] constexpr std::optional<EdgeOperator> edge_operator_from_name(std::string_view name) {
+  for (const EdgeOperatorInfo& info : kEdgeOperators) {
+    if (info.name == name || info.operation == name) return info.op;
+  }
+  return std::nullopt;
+}
+
+/// In grey levels, both from 0 to 255: P1 and P2 of the paper. An edge needs a scaled gradient above
+/// `gradient_threshold` and a pixel above `brightness_threshold` in its 3 x 3 neighbourhood: the
+/// background is the bright side.
+struct EdgeThresholds {
+  int gradient_threshold = 40;
+  int brightness_threshold = 128;
+};
+
+inline constexpr int kMaxThreshold = 255;
+
+/// Writes the edges of `source` to `destination`: 255 where
+///   |gx| + |gy| > scale * P1   and   the brightest pixel of the 3 x 3 neighbourhood > P2,
+/// else 0. The scale is the operator's own: a vertical step of height h reads h (Roberts 2, Prewitt
+/// 3, Sobel and Mero-Vassy 4, Mero-Vassy in 5 x 5 pixels 12). All in integers, nothing is rounded.
+///
+/// gx and gy, by rows of the window ("/" between them):
+///   roberts4     1 0 / 0 -1               and  0 1 / -1 0, the pixel at the upper left
+///   roberts9     1 0 0 / 0 0 0 / 0 0 -1   and  0 0 1 / 0 0 0 / -1 0 0
+///   prewitt      -1 0 1 / -1 0 1 / -1 0 1 and  -1 -1 -1 / 0 0 0 / 1 1 1
+///   sobel        -1 0 1 / -2 0 2 / -1 0 1 and  -1 -2 -1 / 0 0 0 / 1 2 1
+///   mero_vassy   0 1 1 / -1 0 1 / -1 -1 0 and  -1 -1 0 / -1 0 1 / 0 1 1; in 5 x 5 pixels likewise
+///                the right less the left side of the falling and of the rising diagonal
+/// The paper names its operators and publishes no masks. Chosen here: |gx| + |gy| as the magnitude;
+/// the corners of the window for Roberts' 9 points, of which there is no standard; and the split
+/// along both diagonals, as no text that quotes Mero and Vassy's masks was found.
+///
+/// Border: edge replication, so that no edge arises at the border by itself. Grey levels are as
+/// files hold them, 255 for white, and P2 demands a bright background beside the edge: invert images
+/// of bright objects on dark ground first. The two views have one size and do not overlap.
+///
+/// Of `options`, only technique, ISA and threads may be set. May be called from any number of
+/// threads. Throws std::invalid_argument for a threshold outside [0, 255], sizes that differ or are
+/// negative, a stride below the width, a null image, an overlap, or options that no variant fits;
+/// std::bad_alloc where memory is short. Nothing is written then.
+///
+/// Not known to hold: that contours are closed or one pixel wide; at a step they are two pixels
+/// wide or more, but for roberts4. Source: section 2.1 of the paper, steps a) to d).
+void detect_edges(EdgeOperator op, ConstImageView source, ImageView destination,
+                  const EdgeThresholds& thresholds = {}, const Options& options = {});
+
+}  // namespace thinbench

@@ -1,0 +1,97 @@
+#include <array>
+#include <bitset>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "thinning/runtime_rule.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+using Order = std::array<int, kNeighbours>;  // from the root down
+using Function = std::bitset<256>;          // by descriptor, variables renumbered by the order
+
+/// The function with variable order[i] moved to bit 7 - i, so that halves are cofactors.
+Function reordered(const std::uint8_t* stays, const Order& order) {
+  Function function;
+  for (std::size_t code = 0; code < 256; ++code) {
+    std::size_t descriptor = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      descriptor |= (code >> (7 - i) & 1) << order[i];
+    }
+    function[code] = stays[descriptor] != 0;
+  }
+  return function;
+}
+
+/// Builds bottom up; equal sub-functions become one value.
+class Builder {
+ public:
+  explicit Builder(const Order& order) : order_(order) {}
+
+  MuxProgram build(const Function& function) {
+    static_cast<void>(value_of(function, 0, 256, 0));
+    return program_;
+  }
+
+ private:
+  int value_of(const Function& function, std::size_t first, std::size_t size, std::size_t depth) {
+    if (size == 1) return function[first] ? 1 : 0;
+    const int low = value_of(function, first, size / 2, depth + 1);
+    const int high = value_of(function, first + size / 2, size / 2, depth + 1);
+    if (low == high) return low;
+    const auto key = std::make_tuple(order_[depth], high, low);
+    const auto found = values_.find(key);
+    if (found != values_.end()) return found->second;
+    program_.nodes[program_.count] = {static_cast<std::uint8_t>(order_[depth]),
+                                      static_cast<std::uint8_t>(high),
+                                      static_cast<std::uint8_t>(low)};
+    return values_[key] = 2 + program_.count++;
+  }
+
+  Order order_;
+  std::map<std::tuple<int, int, int>, int> values_;
+  MuxProgram program_{};
+};
+
+MuxProgram built(const std::uint8_t* stays, const Order& order) {
+  return Builder(order).build(reordered(stays, order));
+}
+
+/// Where the function is constant there is no node: one that chooses between equal values stands
+/// in.
+MuxProgram with_result(MuxProgram program, bool constant) {
+  if (program.count == 0) {
+    const std::uint8_t value = constant ? 1 : 0;
+    program.nodes[program.count++] = {0, value, value};
+  }
+  return program;
+}
+
+}  // namespace
+
+MuxProgram make_mux_program(const std::uint8_t* stays) {
+  Order order{};
+  std::iota(order.begin(), order.end(), 0);
+  MuxProgram best = built(stays, order);
+  for (bool improved = true; improved;) {
+    improved = false;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t j = i + 1; j < order.size(); ++j) {
+        std::swap(order[i], order[j]);
+        const MuxProgram candidate = built(stays, order);
+        if (candidate.count < best.count) {
+          best = candidate;
+          improved = true;
+        } else {
+          std::swap(order[i], order[j]);
+        }
+      }
+    }
+  }
+  return with_result(best, stays[0] != 0);
+}
+
+}  // namespace thinbench::detail

@@ -1,0 +1,96 @@
+// States that keep the image in a plane: packing and unpacking by bands of rows.
+#pragma once
+
+#include "image/packing.hpp"
+#include "image/planes.hpp"
+#include "image/thread_team.hpp"
+#include "thinning/state.hpp"
+
+namespace thinbench::detail {
+
+/// Source and result planes with the conversions of one instruction-set level.
+template <class T>
+struct Planes {
+  Planes(Isa isa, Index width, Index height)
+      : conversion(plane_conversion<T>(isa)), source(width, height), result(width, height) {}
+  const PlaneConversion<T>& conversion;
+  Plane<T> source;
+  Plane<T> result;
+};
+
+/// Rows [first, last) of any view.
+template <class View>
+[[nodiscard]] View rows_of_view(View view, Index first, Index last) {
+  view.data = view.row(first);
+  view.height = last - first;
+  return view;
+}
+
+/// Shares bands of rows of large images among threads.
+class BandTeam {
+ public:
+  BandTeam(Index width, Index height, int threads)
+      : team_(threads), is_large_(width * height >= kMinPixelsForThreads) {}
+
+  [[nodiscard]] ThreadTeam& threads() { return team_; }
+  [[nodiscard]] const ThreadTeam& threads() const { return team_; }
+
+  /// Calls `body(first, last)` on ranges of [0, count), as many as threads where the image is
+  /// large, else one.
+  template <class Body>
+  void for_bands(Index count, const Body& body) const {
+    if (is_large_) {
+      team_.for_ranges(count, body);
+    } else {
+      body(Index{0}, count);
+    }
+  }
+
+ private:
+  ThreadTeam team_;
+  bool is_large_;
+};
+
+template <class T>
+void read_planes(const BandTeam& team, const ConstImageView& view, Planes<T>& planes) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    planes.conversion.read(rows_of_view(view, first, last),
+                           rows_of_view(planes.source.view(), first, last));
+  });
+}
+
+/// What writes rows of an image of so many pixels.
+template <class T>
+[[nodiscard]] auto row_writer(const PlaneConversion<T>& conversion, Index pixels) {
+  return pixels >= kStreamedBytes ? conversion.write_streamed : conversion.write;
+}
+
+template <class T>
+void write_planes(const BandTeam& team, const Planes<T>& planes, const ImageView& view) {
+  const auto write = row_writer(planes.conversion, view.width * view.height);
+  team.for_bands(view.height, [&](Index first, Index last) {
+    write(rows_of_view(planes.result.view(), first, last), rows_of_view(view, first, last));
+  });
+}
+
+/// A state that keeps its planes in `planes`. Bands of rows of large images are converted on as
+/// many threads as the rest runs on.
+template <class T>
+struct PlaneState : ThinningState {
+  explicit PlaneState(const ThinningSetting& setting)
+      : planes(setting.isa, setting.width, setting.height),
+        bands(setting.width, setting.height, setting.threads),
+        team(bands.threads()) {}
+
+  void load(const ConstImageView& view) override { read_planes(bands, view, planes); }
+  void store(const ImageView& view) const override { write_planes(bands, planes, view); }
+
+  /// The image as it was loaded.
+  [[nodiscard]] ConstPlaneView<T> source() const { return planes.source.view(); }
+
+  Planes<T> planes;
+  BandTeam bands;
+  ThreadTeam& team;
+};
+
+}  // namespace thinbench::detail
