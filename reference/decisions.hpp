@@ -1,27 +1,50 @@
-// What decides on one dark pixel, as printed. Over any kind of truth value and number, because two
-// things run it: the references, on bool and float, and the count of operations, on types that
-// count what is done with them.
+// What decides on one foreground pixel, as published. Over any kind of truth value and number,
+// because two things run it: the references, on bool and float, and the count of operations, on
+// types that count what is done with them.
 #pragma once
 
 #include <cmath>
 
-#include "nets/weights.hpp"
+#include "thinbench/nets.hpp"
 
 namespace thinbench::reference {
 
-/// Section 3.1: TRUE where the pixel is no edge point of the side, or a break or end point.
+/// The sides of section 3.1, in the order of its expressions.
+enum class Side { left, right, top, bottom };
+
+/// B4, B0, B2 or B6 over the neighbours, n[0] east, then anticlockwise; foreground is TRUE. The
+/// complemented literals read `m`, which is `n` again but for the sequential SPTA.
+template <class Truth>
+Truth expression(Side side, const Truth (&n)[8], const Truth (&m)[8]) {
+  switch (side) {
+    case Side::left:
+      return n[0] && (n[1] || n[2] || n[6] || n[7]) && (n[2] || !m[3]) && (!m[5] || n[6]);
+    case Side::right:
+      return n[4] && (n[2] || n[3] || n[5] || n[6]) && (n[6] || !m[7]) && (!m[1] || n[2]);
+    case Side::top:
+      return n[6] && (n[0] || n[4] || n[5] || n[7]) && (n[0] || !m[1]) && (!m[3] || n[4]);
+    case Side::bottom:
+      break;
+  }
+  return n[2] && (n[0] || n[1] || n[3] || n[4]) && (n[4] || !m[5]) && (!m[7] || n[0]);
+}
+
+/// The neighbour on a side: a pixel is an edge point of the side where that is background.
+constexpr int neighbour_on(Side side) {
+  constexpr int neighbours[] = {4, 0, 2, 6};
+  return neighbours[static_cast<int>(side)];
+}
+
+/// All four: TRUE where the pixel is no edge point of the side, or a break or end point.
 template <class Truth>
 struct Expressions {
   Truth b0, b2, b4, b6;
 };
 
-/// The four expressions over the neighbours, n[0] east, then anticlockwise, dark is TRUE.
 template <class Truth>
 Expressions<Truth> expressions_of(const Truth (&n)[8]) {
-  return {n[4] && (n[2] || n[3] || n[5] || n[6]) && (n[6] || !n[7]) && (!n[1] || n[2]),
-          n[6] && (n[0] || n[4] || n[5] || n[7]) && (n[0] || !n[1]) && (!n[3] || n[4]),
-          n[0] && (n[1] || n[2] || n[6] || n[7]) && (n[2] || !n[3]) && (!n[5] || n[6]),
-          n[2] && (n[0] || n[1] || n[3] || n[4]) && (n[4] || !n[5]) && (!n[7] || n[0])};
+  return {expression(Side::right, n, n), expression(Side::top, n, n), expression(Side::left, n, n),
+          expression(Side::bottom, n, n)};
 }
 
 template <class Number, class Truth>
@@ -30,9 +53,9 @@ Number false_count(const Expressions<Truth>& b) {
   return one_if_false(b.b0) + one_if_false(b.b2) + one_if_false(b.b4) + one_if_false(b.b6);
 }
 
-/// A dark pixel stays unless one or two of its expressions are FALSE.
+/// A foreground pixel is kept unless one or two of its expressions are FALSE.
 template <class Number>
-bool stays_with(Number false_count) {
+bool keeps_with(Number false_count) {
   return false_count != Number(1) && false_count != Number(2);
 }
 
@@ -65,13 +88,14 @@ Number two_layer_output(const TwoLayerWeights& net, const Number (&n)[8]) {
   return activated<activation>(net_input(net.output, hidden));
 }
 
-/// The step (4): whether a dark pixel stays.
+/// The step (4): whether a foreground pixel is kept.
 template <Activation activation, class Number>
 bool two_layer_keeps(const TwoLayerWeights& net, const Number (&n)[8]) {
   return two_layer_output<activation>(net, n) >= Number(0.5F);
 }
 
-/// Equations (5) to (7): the descriptor picks the net, which says whether a dark pixel stays.
+/// Equations (5) to (7): the descriptor picks the net, which says whether a foreground pixel is
+/// kept.
 template <class Number>
 bool cluster_keeps(const ClusterWeights& cluster, const Number (&n)[8]) {
   using std::ldexp;

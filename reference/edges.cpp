@@ -76,45 +76,38 @@ int brightest_neighbour(const Picture& f, Index x, Index y) {
   return brightest;
 }
 
-struct Operator {
-  std::string_view operation;
-  Gradient (*gradient)(const Picture& f, Index x, Index y);
-  int scale;
-};
-
-constexpr Operator kOperators[] = {
-    {"edges_roberts4", &roberts4, 2},
-    {"edges_roberts9", &roberts9, 2},
-    {"edges_mero_vassy", &mero_vassy<1>, 4},
-    {"edges_mero_vassy_5x5", &mero_vassy<2>, 12},
-    {"edges_sobel", &sobel, 4},
-    {"edges_prewitt", &prewitt, 3},
-};
-
-template <std::size_t which>
-void edges(int p1, int p2, ConstImageView source, ImageView destination) {
-  constexpr Operator op = kOperators[which];
+template <Gradient (*gradient)(const Picture& f, Index x, Index y), int scale>
+void edges_by(const EdgeThresholds& thresholds, ConstImageView source, ImageView destination) {
+  const auto [p1, p2] = thresholds;
   const Picture picture = {source};
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) {
-      const Gradient gradient = op.gradient(picture, x, y);
-      const int magnitude = std::abs(gradient.gx) + std::abs(gradient.gy);
-      const bool edge = magnitude > p1 * op.scale && brightest_neighbour(picture, x, y) > p2;
+      const Gradient at = gradient(picture, x, y);
+      const int magnitude = std::abs(at.gx) + std::abs(at.gy);
+      const bool edge = magnitude > p1 * scale && brightest_neighbour(picture, x, y) > p2;
       destination.row(y)[x] = edge ? 255 : 0;
     }
   }
 }
 
-constexpr EdgeDetection kDetections[] = {&edges<0>, &edges<1>, &edges<2>,
-                                         &edges<3>, &edges<4>, &edges<5>};
-
 }  // namespace
 
-EdgeDetection find_edges(std::string_view operation) {
-  for (std::size_t i = 0; i < std::size(kOperators); ++i) {
-    if (kOperators[i].operation == operation) return kDetections[i];
+EdgeDetection edges(EdgeOperator op) {
+  switch (op) {
+    case EdgeOperator::roberts4:
+      return &edges_by<&roberts4, 2>;
+    case EdgeOperator::roberts9:
+      return &edges_by<&roberts9, 2>;
+    case EdgeOperator::mero_vassy:
+      return &edges_by<&mero_vassy<1>, 4>;
+    case EdgeOperator::mero_vassy_5x5:
+      return &edges_by<&mero_vassy<2>, 12>;
+    case EdgeOperator::sobel:
+      return &edges_by<&sobel, 4>;
+    case EdgeOperator::prewitt:
+      break;
   }
-  return nullptr;
+  return &edges_by<&prewitt, 3>;
 }
 
 }  // namespace thinbench::reference

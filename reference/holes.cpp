@@ -14,7 +14,8 @@ struct Point {
 
 enum class Neighbours : std::uint8_t { four, eight };
 
-/// An image in a light frame one pixel wide, and the number of the region that took each pixel.
+/// An image in a background margin one pixel wide, and the number of the region that took each
+/// pixel.
 class Flood {
  public:
   explicit Flood(const ConstImageView& source)
@@ -23,7 +24,7 @@ class Flood {
         height_(source.height),
         numbers_(static_cast<std::size_t>((width_ + 2) * (height_ + 2)), 0) {}
 
-  [[nodiscard]] bool dark(Index x, Index y) const { return image_.dark(x, y); }
+  [[nodiscard]] bool foreground(Index x, Index y) const { return image_.at(x, y); }
   [[nodiscard]] std::uint32_t& number(Index x, Index y) {
     return numbers_[static_cast<std::size_t>((y + 1) * (width_ + 2) + x + 1)];
   }
@@ -44,7 +45,7 @@ class Flood {
           if (neighbours == Neighbours::four && dx != 0 && dy != 0) continue;
           const Point next = {here.x + dx, here.y + dy};
           if (!inside_frame(next) || number(next.x, next.y) != 0) continue;
-          if (dark(next.x, next.y) != dark(x, y)) continue;
+          if (foreground(next.x, next.y) != foreground(x, y)) continue;
           number(next.x, next.y) = with;
           waiting.push_back(next);
         }
@@ -88,11 +89,11 @@ Regions find(const ConstImageView& source, Neighbours of_objects) {
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) {
       if (flood.number(x, y) != 0) continue;
-      const bool is_object = flood.dark(x, y);
+      const bool is_object = flood.foreground(x, y);
       std::vector<Region>& list = is_object ? found.objects : found.holes;
       const auto id = static_cast<std::uint32_t>(list.size() + 1);
       list.push_back(flood.fill(x, y, is_object ? of_objects : of_holes, id));
-      if (!is_object) list.back().owner = flood.number(x - 1, y);
+      if (!is_object) list.back().enclosing_object = flood.number(x - 1, y);
     }
   }
   return found;

@@ -1,10 +1,11 @@
-// Section 2.2 of the paper in plain code: hole detection as printed, and the same for any picture.
+// Section 2.2 of the paper in plain code: hole detection as published, and the same for any
+// picture.
 #pragma once
 
 #include <vector>
 
-#include "image/plane_view.hpp"
-#include "regions/region.hpp"
+#include "thinbench/image_view.hpp"
+#include "thinbench/region.hpp"
 
 namespace thinbench::reference {
 
@@ -18,7 +19,7 @@ struct LiteralHoles {
   [[nodiscard]] int holes() const { return flag == 255 ? 0 : 254 - flag; }
 };
 
-/// The relabelling scan, steps a) to e) as printed, on a picture of contours (255 are points of
+/// The relabelling scan, steps a) to e) as published, on a picture of contours (255 are points of
 /// contours, anything else is background and taken as 0). `labels` gets the grey levels; same size.
 ///
 ///   a) Scan line by line to the first 255 point; it and the flag become 254.
@@ -34,8 +35,8 @@ struct LiteralHoles {
 /// more than 254 levels are needed at once.
 LiteralHoles holes_literal(ConstImageView contours, ImageView labels);
 
-/// Points of objects that have a light pixel to the west, north, east or south: what the scan above
-/// is to be given for a binary image. 0 and 255.
+/// Points of objects that have a background pixel to the west, north, east or south: what the scan
+/// above is to be given for a binary image. 0 and 255.
 void contours_of(ConstImageView source, ImageView destination);
 
 /// Objects and holes as region.hpp defines them, each by flood fill from its first pixel.
@@ -48,8 +49,8 @@ struct Regions {
 /// The objects alone.
 [[nodiscard]] Regions components(ConstImageView source);
 
-/// Objects (255) with everything that they enclose: light stays only what reaches the border by
-/// steps to the west, north, east or south. May be in place.
+/// Objects (255) with everything that they enclose: background stays only what reaches the border
+/// by steps to the west, north, east or south. May be in place.
 void fill_holes(ConstImageView source, ImageView destination);
 
 /// Objects minus holes, by counting both: 8-connected objects with 4-connected holes, and the other

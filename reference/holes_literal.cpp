@@ -103,13 +103,14 @@ LiteralHoles holes_literal(ConstImageView contours, ImageView labels) {
 }
 
 void contours_of(ConstImageView source, ImageView destination) {
-  const auto dark = [&](Index x, Index y) {
+  const auto foreground = [&](Index x, Index y) {
     return x >= 0 && x < source.width && y >= 0 && y < source.height && source.row(y)[x] != 0;
   };
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) {
-      const bool enclosed = dark(x - 1, y) && dark(x, y - 1) && dark(x + 1, y) && dark(x, y + 1);
-      destination.row(y)[x] = dark(x, y) && !enclosed ? kPoint : 0;
+      const bool enclosed = foreground(x - 1, y) && foreground(x, y - 1) && foreground(x + 1, y) &&
+                            foreground(x, y + 1);
+      destination.row(y)[x] = foreground(x, y) && !enclosed ? kPoint : 0;
     }
   }
 }

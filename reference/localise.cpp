@@ -5,7 +5,7 @@
 namespace thinbench::reference {
 namespace {
 
-/// What a pixel is found to be; the frame, one pixel wide, counts as light.
+/// What a pixel is found to be; the margin, one pixel wide, counts as background.
 enum class Kind : std::uint8_t { unknown, outside, outermost_contour, inside };
 
 class Outlines {
@@ -33,7 +33,7 @@ class Outlines {
   [[nodiscard]] bool takes(Kind kind, Index x, Index y) {
     const bool inside_frame = x >= -1 && x <= width_ && y >= -1 && y <= height_;
     if (!inside_frame || this->kind(x, y) != Kind::unknown) return false;
-    return contours_.dark(x, y) == (kind == Kind::outermost_contour);
+    return contours_.at(x, y) == (kind == Kind::outermost_contour);
   }
 
   /// Gives (x, y) a kind, and all that can be reached from there: contours by eight steps, what
@@ -87,14 +87,15 @@ void outlined_objects(ConstImageView contours, ImageView destination) {
   }
 }
 
-Regions localise_objects(EdgeDetection edges, int p1, int p2, ConstImageView source) {
+Regions localise_objects(EdgeDetection edges, const EdgeThresholds& thresholds,
+                         ConstImageView source) {
   const auto pixels = static_cast<std::size_t>(source.width * source.height);
   std::vector<std::uint8_t> contours(pixels);
   std::vector<std::uint8_t> objects(pixels);
   const auto view = [&](std::vector<std::uint8_t>& image) {
     return ImageView{image.data(), source.width, source.height, source.width};
   };
-  edges(p1, p2, source, view(contours));
+  edges(thresholds, source, view(contours));
   outlined_objects(view(contours), view(objects));
   return holes(view(objects));
 }

@@ -13,6 +13,7 @@ void outlined_objects(ConstImageView contours, ImageView destination);
 
 /// Edges by `edges`, the objects that they outline, and the regions of those: a contour within
 /// another, filled, is a hole.
-[[nodiscard]] Regions localise_objects(EdgeDetection edges, int p1, int p2, ConstImageView source);
+[[nodiscard]] Regions localise_objects(EdgeDetection edges, const EdgeThresholds& thresholds,
+                                       ConstImageView source);
 
 }  // namespace thinbench::reference

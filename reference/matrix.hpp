@@ -3,18 +3,19 @@
 
 #include <vector>
 
-#include "image/plane_view.hpp"
+#include "thinbench/image_view.hpp"
 
 namespace thinbench::reference {
 
-/// A matrix of dark (1) and light (0) pixels, one byte each, in a light frame one pixel wide.
+/// A matrix of foreground (1) and background (0) pixels, one byte each, with a margin of background
+/// one pixel wide.
 class Matrix {
  public:
   Matrix(Index width, Index height)
       : stride_(width + 2), pixels_(static_cast<std::size_t>(stride_ * (height + 2))) {}
 
-  [[nodiscard]] bool dark(Index x, Index y) const { return pixels_[index(x, y)] != 0; }
-  void set(Index x, Index y, bool dark) { pixels_[index(x, y)] = dark ? 1 : 0; }
+  [[nodiscard]] bool at(Index x, Index y) const { return pixels_[index(x, y)] != 0; }
+  void set(Index x, Index y, bool foreground) { pixels_[index(x, y)] = foreground ? 1 : 0; }
 
  private:
   [[nodiscard]] std::size_t index(Index x, Index y) const {
@@ -36,7 +37,7 @@ inline Matrix matrix_of(const ConstImageView& source) {
 inline void write_matrix(const Matrix& image, const ImageView& destination) {
   for (Index y = 0; y < destination.height; ++y) {
     for (Index x = 0; x < destination.width; ++x) {
-      destination.row(y)[x] = image.dark(x, y) ? 255 : 0;
+      destination.row(y)[x] = image.at(x, y) ? 255 : 0;
     }
   }
 }

@@ -1,25 +1,25 @@
 #include "reference.hpp"
-#include "sub_iterations.hpp"
+#include "repeat.hpp"
 
 namespace thinbench::reference {
 namespace {
 
 bool interior(const Matrix& image, Index x, Index y) {
-  return image.dark(x, y) && image.dark(x + 1, y) && image.dark(x, y - 1) && image.dark(x - 1, y) &&
-         image.dark(x, y + 1);
+  return image.at(x, y) && image.at(x + 1, y) && image.at(x, y - 1) && image.at(x - 1, y) &&
+         image.at(x, y + 1);
 }
 
-bool goes(const Matrix& image, Index x, Index y) {
-  const auto dark = [&](Index dx, Index dy) { return image.dark(x + dx, y + dy); };
+bool is_removed(const Matrix& image, Index x, Index y) {
+  const auto pixel = [&](Index dx, Index dy) { return image.at(x + dx, y + dy); };
   const auto inner = [&](Index dx, Index dy) { return interior(image, x + dx, y + dy); };
-  const bool a1 = (inner(1, 0) && !dark(-1, 0)) || (inner(0, -1) && !dark(0, 1)) ||
-                  (inner(-1, 0) && !dark(1, 0)) || (inner(0, 1) && !dark(0, -1));
+  const bool a1 = (inner(1, 0) && !pixel(-1, 0)) || (inner(0, -1) && !pixel(0, 1)) ||
+                  (inner(-1, 0) && !pixel(1, 0)) || (inner(0, 1) && !pixel(0, -1));
   bool a2 = false;
   bool b = false;
   for (const Index dx : {-1, 1}) {
     for (const Index dy : {-1, 1}) {
-      a2 = a2 || (inner(dx, dy) && !dark(-dx, 0) && !dark(0, -dy));
-      b = b || (dark(dx, dy) && !dark(dx, 0) && !dark(0, dy));
+      a2 = a2 || (inner(dx, dy) && !pixel(-dx, 0) && !pixel(0, -dy));
+      b = b || (pixel(dx, dy) && !pixel(dx, 0) && !pixel(0, dy));
     }
   }
   return (a1 || a2) && !b;
@@ -27,9 +27,12 @@ bool goes(const Matrix& image, Index x, Index y) {
 
 }  // namespace
 
-int thin_mb2(Border border, ConstImageView source, ImageView destination) {
-  const auto removed = [](const Matrix& image, Index x, Index y, int) { return goes(image, x, y); };
-  return repeat_sub_iterations(1, border, source, destination, removed);
+template <>
+int thin<Rule::mb2>(const Repetition& repetition, ConstImageView source, ImageView destination) {
+  const auto removed = [](const Matrix& image, Index x, Index y, int) {
+    return is_removed(image, x, y);
+  };
+  return repeat(1, repetition, source, destination, removed);
 }
 
 }  // namespace thinbench::reference

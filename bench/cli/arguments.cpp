@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-#include "dispatch/variant_choice.hpp"
+#include "thinbench/options.hpp"
 
 namespace thinbench {
 namespace {

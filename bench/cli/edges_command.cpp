@@ -48,8 +48,8 @@ const EdgeOperation& operator_named(const std::string& name) {
   refuse_name("operator", name, known);
 }
 
-VariantRequest wish_of(const EdgesOptions& options) {
-  VariantRequest wish;
+Options wish_of(const EdgesOptions& options) {
+  Options wish;
   if (!options.technique.empty()) wish.technique = technique_named(options.technique);
   if (!options.isa.empty()) wish.isa = isa_named(options.isa);
   wish.threads = options.threads;
@@ -68,7 +68,7 @@ ByteImage bright_ground(ByteImage grey, bool invert) {
 
 int run(const EdgesOptions& options, std::ostream& out) {
   const EdgeOperation& operation = operator_named(options.op);
-  const VariantRequest wish = wish_of(options);
+  const Options wish = wish_of(options);
   check_ending(options.out);
   const ByteImage grey = bright_ground(read_grey(options.in), options.invert);
   const EdgeVariant& variant = variant_for(operation, grey.width(), wish);

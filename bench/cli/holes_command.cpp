@@ -14,7 +14,7 @@
 #include "picture/objects.hpp"
 #include "picture/overlay.hpp"
 #include "picture/picture.hpp"
-#include "thinbench_holes.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench {
 namespace {
@@ -46,7 +46,7 @@ Json region_json(const Region& region, std::size_t id) {
        {region.left, region.top, region.right - region.left + 1, region.bottom - region.top + 1}}};
 }
 
-void print_json(const FoundHoles& found, std::ostream& out) {
+void print_json(const Regions& found, std::ostream& out) {
   Json objects = Json::array();
   for (std::size_t i = 0; i < found.objects.size(); ++i) {
     objects.push_back(region_json(found.objects[i], i + 1));
@@ -54,7 +54,7 @@ void print_json(const FoundHoles& found, std::ostream& out) {
   }
   for (std::size_t i = 0; i < found.holes.size(); ++i) {
     const Region& hole = found.holes[i];
-    objects[hole.owner - 1]["holes"].push_back(region_json(hole, i + 1));
+    objects[hole.enclosing_object - 1]["holes"].push_back(region_json(hole, i + 1));
   }
   out << Json{{"objects", std::move(objects)}}.dump(2) << '\n';
 }
@@ -65,9 +65,9 @@ void print_region(const char* kind, std::size_t id, const Region& region, std::o
       << region.right - region.left + 1 << ' ' << region.bottom - region.top + 1 << '\n';
 }
 
-void print_list(const FoundHoles& found, std::ostream& out) {
+void print_list(const Regions& found, std::ostream& out) {
   std::vector<std::vector<std::size_t>> holes_of(found.objects.size() + 1);
-  for (std::size_t i = 0; i < found.holes.size(); ++i) holes_of[found.holes[i].owner].push_back(i);
+  for (std::size_t i = 0; i < found.holes.size(); ++i) holes_of[found.holes[i].enclosing_object].push_back(i);
   out << std::fixed << std::setprecision(2) << found.objects.size()
       << (found.objects.size() == 1 ? " object, " : " objects, ") << found.holes.size()
       << (found.holes.size() == 1 ? " hole\n" : " holes\n");
@@ -80,7 +80,7 @@ void print_list(const FoundHoles& found, std::ostream& out) {
 }
 
 int find(const HolesCommandOptions& options, std::ostream& out) {
-  VariantRequest wish;
+  Options wish;
   if (!options.technique.empty()) wish.technique = technique_named(options.technique);
   if (!options.isa.empty()) wish.isa = isa_named(options.isa);
   wish.threads = options.threads;
@@ -90,8 +90,8 @@ int find(const HolesCommandOptions& options, std::ostream& out) {
   const ByteImage objects = objects_of(copy_of(grey.view()), options.threshold, options.invert);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.threads));
-  const FoundHoles found =
-      find_holes(objects.view(), {variant.technique, variant.isa, options.threads});
+  const Regions found =
+      find_regions(objects.view(), {variant.technique, variant.isa, options.threads});
   if (!options.overlay.empty()) {
     write_overlay(options.overlay, grey.view(), objects.view(), found);
   }

@@ -9,7 +9,7 @@
 #include "cli/command.hpp"
 #include "image/thread_team.hpp"
 #include "peers/peers.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {

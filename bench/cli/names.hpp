@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "catalog.hpp"
+#include "api/catalogue.hpp"
 
 namespace thinbench {
 

@@ -10,7 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {

@@ -43,8 +43,8 @@ struct RunOptions {
   bool invert = false;
 };
 
-ThinningOptions thinning_options(const RunOptions& options) {
-  ThinningOptions how;
+Options thinning_options(const RunOptions& options) {
+  Options how;
   if (!options.technique.empty()) how.technique = technique_named(options.technique);
   if (!options.isa.empty()) how.isa = isa_named(options.isa);
   how.threads = options.threads;
@@ -80,7 +80,7 @@ struct Thinned {
 };
 
 Thinned thinned(const ThinningOperation& operation, const ThinningVariant& variant,
-                const ByteImage& objects, const ThinningOptions& how) {
+                const ByteImage& objects, const Options& how) {
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(how.threads));
   ThinningPlan plan(operation, variant, objects.width(), objects.height(),
@@ -94,7 +94,7 @@ Thinned thinned(const ThinningOperation& operation, const ThinningVariant& varia
 
 int run(const RunOptions& options, std::ostream& out) {
   const ThinningOperation& operation = operation_named(options.operation);
-  ThinningOptions how = thinning_options(options);
+  Options how = thinning_options(options);
   how.model = model_from_file(operation, options.weights);
   how.directions = directions_named(operation, options.directions);
   check_ending(options.out);

@@ -69,7 +69,7 @@ Variants of_technique(const Choice& choice, std::optional<Technique> technique) 
 
 /// The variants of the wanted kind, wherever they run. `subject` begins the refusals.
 Variants wanted_variants(const std::string& subject, const Variants& candidates,
-                         const VariantRequest& wish) {
+                         const Options& wish) {
   Variants wanted;
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(wanted),
                [&](const VariantFacts* one) { return one->isa == wish.isa.value_or(one->isa); });
@@ -84,7 +84,7 @@ Variants wanted_variants(const std::string& subject, const Variants& candidates,
   throw UsageError(subject + " runs on one thread only, not on " + std::to_string(wish.threads));
 }
 
-std::size_t place_for(const Choice& choice, Index width, const VariantRequest& wish) {
+std::size_t place_for(const Choice& choice, Index width, const Options& wish) {
   if (wish.isa) check_isa(*wish.isa);
   const std::string subject(wish.technique ? std::string(technique_name(*wish.technique))
                                            : choice.operation);
@@ -111,25 +111,25 @@ std::vector<const ThinningVariant*> with_border(const ThinningOperation& operati
 }  // namespace
 
 const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
-                                   const ThinningOptions& options) {
+                                   const Options& options) {
   const Border border = options.border.value_or(operation.border);
   const std::vector<const ThinningVariant*> candidates = with_border(operation, border);
   std::vector<VariantFacts> facts;
   for (const ThinningVariant* one : candidates) facts.push_back(facts_of(*one));
   const std::string kept = border == Border::keep ? " with the border kept" : "";
-  const VariantRequest wish = {options.technique, options.isa, options.threads};
+  const Options wish = {options.technique, options.isa, options.threads};
   return *candidates[place_for({std::string(operation.name) + kept, facts}, width, wish)];
 }
 
 const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
-                               const VariantRequest& wish) {
+                               const Options& wish) {
   std::vector<VariantFacts> facts;
   for (const EdgeVariant& one : operation.variants) facts.push_back(one.facts);
   return operation.variants[place_for({std::string(operation.name), facts}, width, wish)];
 }
 
 const HolesVariant& variant_for(const HolesOperation& operation, Index width,
-                                const VariantRequest& wish) {
+                                const Options& wish) {
   std::vector<VariantFacts> facts;
   for (const HolesVariant& one : operation.variants) facts.push_back(facts_of(one));
   return operation.variants[place_for({std::string(operation.name), facts}, width, wish)];

@@ -3,19 +3,19 @@
 
 #include <string>
 
-#include "thinbench.hpp"
-#include "thinbench_edges.hpp"
-#include "thinbench_holes.hpp"
+#include "thinbench/thinning.hpp"
+#include "thinbench/edges.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench {
 
 /// Throws UsageError where no variant has this technique, instruction set and kind of threads,
 /// std::runtime_error where none of them runs here or on pictures of this width.
 [[nodiscard]] const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
-                                                 const ThinningOptions& options);
+                                                 const Options& options);
 [[nodiscard]] const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
-                                             const VariantRequest& wish);
+                                             const Options& wish);
 [[nodiscard]] const HolesVariant& variant_for(const HolesOperation& operation, Index width,
-                                              const VariantRequest& wish);
+                                              const Options& wish);
 
 }  // namespace thinbench

@@ -11,7 +11,7 @@
 #include "cli/verify_images.hpp"
 #include "cli/verify_progress.hpp"
 #include "cli/verify_report.hpp"
-#include "dispatch/variant_choice.hpp"
+#include "thinbench/options.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {

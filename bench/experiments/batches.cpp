@@ -10,7 +10,7 @@
 
 #include "harness/operation.hpp"
 #include "support/text.hpp"
-#include "thinbench_batch.hpp"
+#include "thinbench/batch.hpp"
 
 namespace thinbench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "simd/word.hpp"
 #include "decisions.hpp"
-#include "nets/weights.hpp"
+#include "thinbench/nets.hpp"
 
 namespace thinbench {
 

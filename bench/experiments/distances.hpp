@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 

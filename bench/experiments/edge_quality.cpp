@@ -8,7 +8,7 @@
 #include "experiments/distances.hpp"
 #include "scene/scene.hpp"
 #include "support/text.hpp"
-#include "thinbench_edges.hpp"
+#include "thinbench/edges.hpp"
 
 namespace thinbench {
 namespace {

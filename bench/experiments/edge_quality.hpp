@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "image/byte_image.hpp"
-#include "edges/thresholds.hpp"
+#include "support/byte_image.hpp"
+#include "thinbench/edges.hpp"
 #include "experiments/report.hpp"
 
 namespace thinbench {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 #include "experiments/report.hpp"
 
 namespace thinbench {

@@ -1,7 +1,7 @@
 // What can be counted and measured on a skeleton. Outside the image everything is light.
 #pragma once
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 

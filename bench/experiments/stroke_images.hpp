@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/stack.hpp"
+#include "thinbench/image_view.hpp"
 
 namespace thinbench {
 

@@ -11,7 +11,7 @@
 #include "scene/scene.hpp"
 #include "support/picture_names.hpp"
 #include "support/text.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {

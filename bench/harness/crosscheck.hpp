@@ -12,7 +12,7 @@ namespace thinbench {
 /// Runs the job on `input` inside larger buffers: strides exceed the width, the destination is
 /// filled with garbage first, and the job has worked on another image of the same size. Returns
 /// what is wrong: first differing pixel with a window round it, first differing number, bytes
-/// written beside the destination, a changed input or margin. Nothing where all is as it should be.
+/// written beside the destination, a changed input. Nothing where all is as it should be.
 [[nodiscard]] std::optional<std::string> find_mismatch(Job& job, const ConstImageView& input,
                                                        const Outcome& expected);
 

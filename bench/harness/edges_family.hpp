@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "edges/plan.hpp"
+#include "api/catalogue.hpp"
 #include "harness/operation.hpp"
 
 namespace thinbench {
@@ -12,12 +12,12 @@ namespace thinbench {
 /// With the default thresholds.
 [[nodiscard]] std::vector<Operation> edges_family();
 
-/// The reference of an edge operation with these thresholds; a p2 of -1 leaves the second out.
-[[nodiscard]] JobMaker edges_reference(std::string_view operation,
-                                       const EdgeThresholds& thresholds);
+/// The reference of an edge operator with these thresholds; a brightness threshold of -1 omits the
+/// second.
+[[nodiscard]] JobMaker edges_reference(EdgeOperator op, const EdgeThresholds& thresholds);
 
 /// One operation with these thresholds; it must outlive the result.
-[[nodiscard]] Operation edges_operation(const EdgeOperation& operation,
+[[nodiscard]] Operation edges_operation(const detail::EdgeOperation& operation,
                                         const EdgeThresholds& thresholds);
 
 }  // namespace thinbench

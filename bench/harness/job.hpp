@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 
@@ -38,14 +38,12 @@ class Job {
   virtual void kernel();
   virtual void store(const ImageView& output) const;
 
-  /// What the latest run or kernel gave beside the image, such as the number of passes.
+  /// What the latest run or kernel gave beside the image, such as the number of iterations.
   [[nodiscard]] virtual std::vector<std::int64_t> numbers() const { return {}; }
-  /// What number `index` is, in the words of a message: "passes".
+  /// What number `index` is, in the words of a message: "iterations".
   [[nodiscard]] virtual std::string name_of_number(std::size_t index) const;
 
   [[nodiscard]] virtual bool gives_image() const { return true; }
-  /// Whether everything outside the rows of the job's own memory is as it should be.
-  [[nodiscard]] virtual bool margins_are_intact() const { return true; }
 };
 
 using JobMaker = std::function<std::unique_ptr<Job>(Index width, Index height, int threads)>;

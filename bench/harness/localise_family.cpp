@@ -2,10 +2,9 @@
 
 #include <memory>
 
-#include "catalog.hpp"
-#include "harness/holes_family.hpp"
+#include "api/catalogue.hpp"
+#include "harness/regions_family.hpp"
 #include "localise.hpp"
-#include "localise/plan.hpp"
 
 namespace thinbench {
 namespace {
@@ -18,28 +17,24 @@ class RegionJob : public Job {
   }
 };
 
-class PlanJob final : public RegionJob {
+class StateJob final : public RegionJob {
  public:
-  PlanJob(const LocaliseVariant& variant, Index width, Index height, int threads)
-      : plan_(variant, width, height, {EdgeOperator::sobel, {}, threads}) {}
+  explicit StateJob(std::unique_ptr<detail::LocaliseState> state) : state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    lists_ = plan_.run(input);
+    lists_ = state_->run(input);
   }
   [[nodiscard]] std::vector<std::int64_t> numbers() const override { return numbers_of(lists_); }
-  [[nodiscard]] bool margins_are_intact() const override { return plan_.margins_are_zero(); }
 
  private:
-  LocalisePlan plan_;
-  RegionLists lists_;
+  std::unique_ptr<detail::LocaliseState> state_;
+  detail::RegionLists lists_;
 };
 
 class ReferenceJob final : public RegionJob {
  public:
   void run(const ConstImageView& input, const ImageView& /*output*/) override {
-    const EdgeThresholds thresholds;
-    regions_ = reference::localise_objects(reference::find_edges("edges_sobel"), thresholds.p1,
-                                           thresholds.p2, input);
+    regions_ = reference::localise_objects(reference::edges(EdgeOperator::sobel), {}, input);
   }
   [[nodiscard]] std::vector<std::int64_t> numbers() const override {
     return numbers_of({regions_.objects, regions_.holes});
@@ -49,28 +44,31 @@ class ReferenceJob final : public RegionJob {
   reference::Regions regions_;
 };
 
-Variant variant_of(const LocaliseVariant& variant) {
-  const TechniqueInfo& info = technique_info(variant.facts.technique);
+Variant variant_of(const detail::LocaliseOperation& operation,
+                   const detail::LocaliseVariant& variant) {
+  const TechniqueInfo& info = technique_info(variant.technique);
   return {info.name,
           info.description,
-          variant.facts.isa,
-          variant.facts.threaded,
+          variant.isa,
+          variant.threaded,
           false,
-          [&variant](Index width, Index height, int threads) -> std::unique_ptr<Job> {
-            return std::make_unique<PlanJob>(variant, width, height, threads);
+          [&operation, &variant](Index width, Index height, int threads) -> std::unique_ptr<Job> {
+            return std::make_unique<StateJob>(
+                make_state(operation, variant, width, height, {}, {.threads = threads}));
           },
-          [&variant](Index width) { return unavailable_reason(variant.facts, width); }};
+          [&variant](Index width) { return unavailable_reason(variant, width); }};
 }
 
 }  // namespace
 
 std::vector<Operation> localise_family() {
-  const LocaliseOperation& chain = localise_operation();
+  const detail::LocaliseOperation& chain = detail::localise_operation();
   Operation result = {std::string(chain.name), chain.description, InputKind::grey, {}, {}};
-  for (const LocaliseVariant& variant : chain.variants) {
-    result.variants.push_back(variant_of(variant));
+  for (const detail::LocaliseVariant& variant : chain.variants) {
+    result.variants.push_back(variant_of(chain, variant));
   }
   result.reference = [](Index, Index, int) { return std::make_unique<ReferenceJob>(); };
+  result.operation = chain.name;
   result.in_size_series = true;
   return {result};
 }

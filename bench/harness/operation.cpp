@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "harness/edges_family.hpp"
-#include "harness/holes_family.hpp"
 #include "harness/localise_family.hpp"
+#include "harness/regions_family.hpp"
 #include "harness/thinning_family.hpp"
 
 namespace thinbench {
@@ -20,7 +20,7 @@ const std::vector<Operation>& all_operations() {
   static const std::vector<Operation> operations = [] {
     std::vector<Operation> all;
     for (const auto& family :
-         {thinning_family(), edges_family(), holes_family(), localise_family()})
+         {thinning_family(), edges_family(), regions_family(), localise_family()})
       all.insert(all.end(), family.begin(), family.end());
     return all;
   }();

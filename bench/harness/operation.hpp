@@ -1,12 +1,13 @@
 // Operations of all families in one form: what verify, list, the timings and the report walk.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "dispatch/isa.hpp"
 #include "harness/job.hpp"
+#include "thinbench/options.hpp"
 
 namespace thinbench {
 
@@ -19,7 +20,7 @@ struct Variant {
   bool has_kernel_scope;  // works on a representation of its own
   JobMaker make_job;
   /// Why it cannot run here on an image of this width; empty where it can.
-  std::function<std::string_view(Index width)> unavailable_reason;
+  std::function<std::string(Index width)> unavailable_reason;
   /// Somebody else's code, or a limit such as a copy: timed beside the variants, never offered by
   /// the library.
   bool is_peer = false;
@@ -30,16 +31,19 @@ struct Variant {
   bool for_series_of_sizes = true;
 
   /// The level as rows name it; peers choose their own at run time.
-  [[nodiscard]] std::string_view isa_label() const { return is_peer ? "own" : isa_name(isa); }
+  [[nodiscard]] std::string_view isa_label() const { return is_peer ? "native" : isa_name(isa); }
 };
 
+/// An operation with the options that change what it gives. Every case is verified.
 struct Operation {
+  /// Unique: the operation's name, with the border where it is kept and the limit of iterations
+  /// where there is one, such as "thin_guo_hall:keep" and "net_two_layer_linear:1".
   std::string name;
   std::string_view description;
   InputKind takes;
   std::vector<Variant> variants;
   JobMaker reference;
-  /// What the first of its numbers counts, where that is worth a column: "passes".
+  /// What the first of its numbers counts, where that is worth a column: "iterations".
   std::string_view counter = {};
   /// A net: its pictures are those of the rule that it learned.
   bool is_net = false;
@@ -47,6 +51,13 @@ struct Operation {
   bool in_size_series = false;
   /// Too slow for the big sets of test images; another operation covers the same code.
   bool small_sets_only = false;
+  /// The name without border and limit.
+  std::string_view operation = {};
+  /// Thinning only.
+  std::optional<Border> border = std::nullopt;
+  std::optional<int> max_iterations = std::nullopt;
+  /// False for cases that are verified and not timed unless they are asked for by name.
+  bool timed = true;
 };
 
 /// The operations of the library, family after family.

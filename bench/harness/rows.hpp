@@ -19,7 +19,7 @@ struct Row {
   std::string name;  // operation/technique/isa/threads
 
   /// Why the row cannot run on images of this width here; empty where it can.
-  [[nodiscard]] std::string_view unavailable_reason(Index width) const {
+  [[nodiscard]] std::string unavailable_reason(Index width) const {
     return variant->unavailable_reason(width);
   }
 };

@@ -1,95 +1,124 @@
 #include "harness/thinning_family.hpp"
 
-#include <stdexcept>
 #include <utility>
 
-#include "catalog.hpp"
 #include "reference.hpp"
 
 namespace thinbench {
 namespace {
 
+using detail::ThinningState;
+using detail::ThinningVariant;
+
 /// What all thinning gives beside the image.
 class CountingJob : public Job {
  public:
-  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return {passes_}; }
-  [[nodiscard]] std::string name_of_number(std::size_t) const override { return "passes"; }
+  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return {iterations_}; }
+  [[nodiscard]] std::string name_of_number(std::size_t) const override { return "iterations"; }
 
  protected:
-  int passes_ = 0;
+  int iterations_ = 0;
 };
 
-class PlanJob final : public CountingJob {
+class StateJob final : public CountingJob {
  public:
-  explicit PlanJob(ThinningPlan plan) : plan_(std::move(plan)) {}
+  explicit StateJob(std::unique_ptr<ThinningState> state) : state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    passes_ = plan_.run(input, output);
+    iterations_ = state_->run(input, output);
   }
-  void load(const ConstImageView& input) override { plan_.load(input); }
-  void kernel() override { passes_ = plan_.thin(); }
-  void store(const ImageView& output) const override { plan_.store(output); }
-  [[nodiscard]] bool margins_are_intact() const override { return plan_.margins_are_zero(); }
+  void load(const ConstImageView& input) override { state_->load(input); }
+  void kernel() override { iterations_ = state_->thin(); }
+  void store(const ImageView& output) const override { state_->store(output); }
 
  private:
-  ThinningPlan plan_;
+  std::unique_ptr<ThinningState> state_;
 };
 
 class ReferenceJob final : public CountingJob {
  public:
-  explicit ReferenceJob(reference::Thinning function) : function_(function) {}
+  ReferenceJob(Rule rule, const ThinningCase& options)
+      : function_(reference::thinning(rule)), repetition_{options.border, options.max_iterations} {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    passes_ = function_(input, output);
+    iterations_ = function_(repetition_, input, output);
   }
 
  private:
   reference::Thinning function_;
+  reference::Repetition repetition_;
 };
 
-std::unique_ptr<Job> reference_job(std::string_view operation) {
-  const reference::Thinning function = reference::find_thinning(operation);
-  if (function == nullptr) throw std::logic_error(std::string(operation) + " has no reference");
-  return std::make_unique<ReferenceJob>(function);
-}
-
-Variant variant_of(const ThinningOperation& operation, const ThinningVariant& variant) {
+Variant variant_of(const detail::ThinningOperation& operation, const ThinningVariant& variant,
+                   const ThinningCase& options) {
   const TechniqueInfo& info = technique_info(variant.technique);
   return {info.name,
           info.description,
           variant.isa,
           variant.threaded,
           true,
-          [&operation, &variant](Index width, Index height, int threads) {
-            return thinning_job({operation, variant, width, height, PlanOptions{threads}});
+          [&operation, &variant, options](Index width, Index height, int threads) {
+            return thinning_job(make_state(operation, variant, width, height,
+                                           {.border = options.border,
+                                            .max_iterations = options.max_iterations,
+                                            .threads = threads,
+                                            .net = options.net}));
           },
-          [&variant](Index width) { return unavailable_reason(variant, width); }};
+          [&variant, options](Index width) {
+            return unavailable_reason(variant, width, options.border);
+          }};
+}
+
+std::string case_name(std::string_view operation, const ThinningCase& options) {
+  std::string name(operation);
+  if (options.border == Border::keep) name += ":keep";
+  if (options.max_iterations != kUnlimited) {
+    name.append(":").append(std::to_string(options.max_iterations));
+  }
+  return name;
+}
+
+/// OpenCV keeps the border, by these two rules.
+bool has_peer_with_border(Rule rule) {
+  return rule == Rule::zhang_suen || rule == Rule::guo_hall;
 }
 
 }  // namespace
 
-std::unique_ptr<Job> thinning_job(ThinningPlan plan) {
-  return std::make_unique<PlanJob>(std::move(plan));
+std::unique_ptr<Job> thinning_job(std::unique_ptr<ThinningState> state) {
+  return std::make_unique<StateJob>(std::move(state));
 }
 
-Operation thinning_operation(const ThinningOperation& operation) {
+Operation thinning_operation(const detail::ThinningOperation& operation,
+                             const ThinningCase& options) {
   Operation result = {
-      std::string(operation.name), operation.description, InputKind::binary, {}, {}};
+      case_name(operation.name, options), operation.description, InputKind::binary, {}, {}};
   for (const ThinningVariant& variant : operation.variants) {
-    result.variants.push_back(variant_of(operation, variant));
+    result.variants.push_back(variant_of(operation, variant, options));
   }
-  result.reference = [name = operation.name](Index, Index, int) { return reference_job(name); };
-  result.counter = "passes";
-  result.is_net = operation.default_model != nullptr;
-  result.in_size_series = operation.name == "thin_naccache_shinghal";
-  result.small_sets_only = result.is_net && operation.max_iterations > 1;
+  result.reference = [rule = operation.rule, options](Index, Index, int) {
+    return std::make_unique<ReferenceJob>(rule, options);
+  };
+  result.counter = "iterations";
+  result.is_net = operation.is_net;
+  result.operation = operation.name;
+  result.border = options.border;
+  if (options.max_iterations != kUnlimited) result.max_iterations = options.max_iterations;
+  const bool plain = options.border == Border::background && !result.max_iterations;
+  result.in_size_series = plain && operation.rule == Rule::naccache_shinghal;
+  result.small_sets_only = operation.is_net && !result.max_iterations;
+  result.timed = options.border == Border::background || has_peer_with_border(operation.rule);
   return result;
 }
 
 std::vector<Operation> thinning_family() {
   std::vector<Operation> family;
-  for (const ThinningOperation& operation : thinning_operations()) {
-    family.push_back(thinning_operation(operation));
+  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
+    for (const Border border : {Border::background, Border::keep}) {
+      family.push_back(thinning_operation(operation, {border}));
+      const bool has_single = operation.is_net && operation.rule != Rule::net_two_layer_rounded;
+      if (has_single) family.push_back(thinning_operation(operation, {border, 1}));
+    }
   }
   return family;
 }

@@ -1,20 +1,29 @@
-// Thinning rules and nets as the harness sees them: an image, and the number of passes it took.
+// Thinning rules and nets as the harness sees them: an image, and the number of iterations.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "api/catalogue.hpp"
 #include "harness/operation.hpp"
-#include "thinning/plan.hpp"
 
 namespace thinbench {
 
+/// Every rule with both borders, and the nets limited to one iteration.
 [[nodiscard]] std::vector<Operation> thinning_family();
 
-/// One operation; the table that it points to must outlive the result. Its reference is looked up
-/// by name, and only when it is needed.
-[[nodiscard]] Operation thinning_operation(const ThinningOperation& operation);
+/// What changes the result of an operation.
+struct ThinningCase {
+  Border border = Border::background;
+  int max_iterations = kUnlimited;
+  std::shared_ptr<const NetModel> net = nullptr;  // instead of the rule's own
+};
 
-[[nodiscard]] std::unique_ptr<Job> thinning_job(ThinningPlan plan);
+/// One operation; the table that it points to must outlive the result. With another net it has no
+/// reference of its own.
+[[nodiscard]] Operation thinning_operation(const detail::ThinningOperation& operation,
+                                           const ThinningCase& options = {});
+
+[[nodiscard]] std::unique_ptr<Job> thinning_job(std::unique_ptr<detail::ThinningState> state);
 
 }  // namespace thinbench

@@ -9,7 +9,7 @@
 
 #include <sys/utsname.h>
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 #include "image/layout.hpp"
 
 namespace thinbench {

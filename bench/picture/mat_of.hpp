@@ -3,7 +3,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "image/plane_view.hpp"
+#include "thinbench/image_view.hpp"
 
 namespace thinbench {
 

@@ -1,7 +1,7 @@
 // Which pixels of a grey picture are objects.
 #pragma once
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 

@@ -98,7 +98,7 @@ void draw_holes(cv::Mat& picture, const std::vector<Region>& holes) {
 }  // namespace
 
 void write_overlay(const std::string& path, const ConstImageView& grey, const ConstImageView& objects,
-                   const FoundHoles& found) {
+                   const Regions& found) {
   check_colour_ending(path);
   cv::Mat picture;
   cv::cvtColor(mat_of(grey), picture, cv::COLOR_GRAY2BGR);

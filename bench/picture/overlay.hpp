@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "thinbench_holes.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench {
 
@@ -13,6 +13,6 @@ namespace thinbench {
 /// image in which `found` was found; all have one size. The file appears as a whole or not at all.
 /// Throws PictureError.
 void write_overlay(const std::string& path, const ConstImageView& grey, const ConstImageView& objects,
-                   const FoundHoles& found);
+                   const Regions& found);
 
 }  // namespace thinbench

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 

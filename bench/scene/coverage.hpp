@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 #include "scene/shapes.hpp"
 
 namespace thinbench::scene_detail {

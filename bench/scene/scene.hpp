@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 #include "scene/layout.hpp"
 #include "scene/scene.hpp"
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <utility>
 
-#include "dispatch/technique.hpp"
+#include "thinbench/options.hpp"
 
 namespace thinbench {
 namespace {

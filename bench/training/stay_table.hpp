@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "nets/weights.hpp"
+#include "thinbench/nets.hpp"
 #include "thinning/rule_table.hpp"
 
 namespace thinbench {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "nets/weights.hpp"
+#include "thinbench/nets.hpp"
 #include "training/stay_table.hpp"
 
 namespace thinbench {

@@ -66,10 +66,12 @@ class ThinningBatch::Engine {
 class ThinningBatch::LaneEngine final : public Engine {
  public:
   LaneEngine(LaneKernel kernel, Index height, int max_iterations, bool keep_border, int threads)
-      : Engine(threads), kernel_(kernel), max_iterations_(max_iterations), keep_border_(keep_border) {
+      : Engine(threads),
+        kernel_(kernel),
+        max_iterations_(max_iterations),
+        keep_border_(keep_border) {
     for (std::size_t worker = 0; worker < workers(); ++worker) {
-      scratch_.push_back(
-          detail::make_aligned<std::uint64_t>(
+      scratch_.push_back(detail::make_aligned<std::uint64_t>(
           static_cast<std::size_t>(detail::lane_scratch_words(height))));
     }
   }

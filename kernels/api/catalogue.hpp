@@ -75,8 +75,8 @@ struct LocaliseOperation {
 [[nodiscard]] Options with_useful_threads(const Options& options, bool can_share, Index width,
                                           Index height);
 
-/// The variant that the options ask for on an image of this size. Throws std::invalid_argument where
-/// the number of threads is out of range or no variant fits.
+/// The variant that the options ask for on an image of this size. Throws std::invalid_argument
+/// where the number of threads is out of range or no variant fits.
 template <class Operation>
 [[nodiscard]] const auto& choose(const Operation& operation, Index width, Index height,
                                  const Options& options) {

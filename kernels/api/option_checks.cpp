@@ -17,7 +17,8 @@ void check_net(const ThinningOperation& operation, const std::shared_ptr<const N
   if (net == nullptr) return;
   const std::string name(operation.name);
   require(operation.is_net, name + " takes no weights");
-  require(is_for_rule(*net, operation.rule), name + ": the weights are those of another kind of net");
+  require(is_for_rule(*net, operation.rule),
+          name + ": the weights are those of another kind of net");
 }
 
 }  // namespace

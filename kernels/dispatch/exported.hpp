@@ -23,7 +23,8 @@ template <class Kernels>
 [[nodiscard]] const Kernels& kernels_of(Isa isa) {
   static constexpr auto table = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::array{&Exported<Kernels, kAllIsas[i]>::kKernels...};
-  }(std::make_index_sequence<kAllIsas.size()>{});
+  }
+  (std::make_index_sequence<kAllIsas.size()>{});
   return *table.at(static_cast<std::size_t>(isa));
 }
 

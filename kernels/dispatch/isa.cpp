@@ -17,8 +17,7 @@ struct IsaInfo {
 };
 
 constexpr Features kSse42Features = Features::sse4_2 | Features::popcnt;
-constexpr Features kAvx2Features =
-    kSse42Features | Features::avx2 | Features::bmi | Features::bmi2;
+constexpr Features kAvx2Features = kSse42Features | Features::avx2 | Features::bmi | Features::bmi2;
 constexpr Features kAvx512Features = kAvx2Features | Features::avx512f | Features::avx512cd |
                                      Features::avx512dq | Features::avx512bw | Features::avx512vl;
 constexpr Features kAvx512IclFeatures =

@@ -22,9 +22,9 @@ inline constexpr int kPrioritiesPerIsa = 100;
 struct VariantInfo {
   Technique technique;
   Isa isa;
-  bool threaded = false;         // shares the work among the threads asked for
-  Index max_width = kAnyWidth;   // wider images need another variant
-  bool keeps_border = true;      // can compute with Border::keep
+  bool threaded = false;        // shares the work among the threads asked for
+  Index max_width = kAnyWidth;  // wider images need another variant
+  bool keeps_border = true;     // can compute with Border::keep
   int priority = 0;
 };
 

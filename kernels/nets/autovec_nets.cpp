@@ -108,12 +108,13 @@ std::uint64_t pass(const RuntimeRule* rule, const std::uint8_t* fixed,
                    const ConstBytePlaneView& source, const BytePlaneView& target,
                    const Band& band) {
   return for_each_run(band, [&](Index y, Index from, Index to) {
-    return row<Strip>(net_of(rule), fixed == nullptr ? nullptr : fixed + from,
-                      source.row(y) + from, source.stride, target.row(y) + from, to - from);
+    return row<Strip>(net_of(rule), fixed == nullptr ? nullptr : fixed + from, source.row(y) + from,
+                      source.stride, target.row(y) + from, to - from);
   });
 }
 
-/// Below AVX-512 these loops take longer than the reference: docs/experiments.md#compiler-vectorisation-of-nets.
+/// Below AVX-512 these loops take longer than the reference:
+/// docs/experiments.md#compiler-vectorisation-of-nets.
 consteval AutovecNetKernels make_kernels() {
   constexpr Isa isa = Isa::THINBENCH_ISA;
   if constexpr (isa == Isa::avx512 || isa == Isa::avx512icl) {

@@ -150,8 +150,8 @@ class ChangedNeighbourhoods {
   std::uint64_t here_;
 };
 
-/// A whole ChangePass by one decider. `fixed(x)` are the pixels of word x of any row that keep their
-/// value.
+/// A whole ChangePass by one decider. `fixed(x)` are the pixels of word x of any row that keep
+/// their value.
 template <class Decider, class Fixed>
 [[gnu::always_inline]] inline std::uint64_t decide_changed_but(
     const Decider& decider, const Fixed& fixed, const ConstBitPlaneView& previous,

@@ -5,9 +5,9 @@
 // each answer, and for each pair of hidden neurons 2 interleavings, 2 multiply-adds and 2 additions
 // in 16 bits: about 115 operations for 64 pixels on AVX-512.
 #include "dispatch/exported.hpp"
-#include "simd/batch.hpp"
 #include "nets/changed_pixels.hpp"
 #include "nets/net_kernels.hpp"
+#include "simd/batch.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {

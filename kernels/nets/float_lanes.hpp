@@ -2,8 +2,8 @@
 // ISA files only.
 #pragma once
 
-#include "simd/batch.hpp"
 #include "nets/exponential.hpp"
+#include "simd/batch.hpp"
 
 namespace thinbench::detail {
 

@@ -10,8 +10,8 @@ namespace thinbench::detail {
 
 /// The two-layer net with a linear threshold in 8-bit fixed point: `weight` and `bias` hold
 /// multiples of 1 / scale, a hidden answer is an integer in [0, 2 limit] with limit = 3 scale, and
-/// the net says foreground where the sum of output weights times answers plus the output's bias, in 16
-/// bits, is not negative.
+/// the net says foreground where the sum of output weights times answers plus the output's bias, in
+/// 16 bits, is not negative.
 struct FixedPointNet {
   std::int8_t weight[kHiddenNeurons][kNetInputs];
   std::int8_t bias[kHiddenNeurons];
@@ -34,10 +34,10 @@ struct NetModel : detail::RuntimeRule {
   float cluster_column[kNetInputs + 1][kMaxClusterNets];
   float cluster_last[kMaxClusterNets];
   detail::FixedPointNet fixed_point;
-  bool fixed_point_is_exact;        // equal to the float net on all 256 descriptors
+  bool fixed_point_is_exact;  // equal to the float net on all 256 descriptors
 };
 
-}  // namespace thinbench::detail
+}  // namespace thinbench
 
 namespace thinbench::detail {
 

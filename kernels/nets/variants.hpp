@@ -15,8 +15,8 @@ namespace thinbench::detail {
 [[nodiscard]] std::shared_ptr<const NetModel> default_net(Rule rule);
 
 /// All techniques for a rule that is a net. Those that only need its table (lut, bitpacked,
-/// simd_bitpacked, simd_bitpacked_row) are the same for all nets, and use a rule's own circuit where
-/// the net has learned it.
+/// simd_bitpacked, simd_bitpacked_row) are the same for all nets, and use a rule's own circuit
+/// where the net has learned it.
 [[nodiscard]] std::vector<ThinningVariant> net_variants(Rule rule);
 
 }  // namespace thinbench::detail

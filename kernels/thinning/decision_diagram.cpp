@@ -11,7 +11,7 @@ namespace thinbench::detail {
 namespace {
 
 using Order = std::array<int, kNeighbours>;  // from the root down
-using Function = std::bitset<256>;          // by descriptor, variables renumbered by the order
+using Function = std::bitset<256>;           // by descriptor, variables renumbered by the order
 
 /// The function with variable order[i] moved to bit 7 - i, so that halves are cofactors.
 Function reordered(const std::uint8_t* stays, const Order& order) {

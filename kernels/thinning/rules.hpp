@@ -23,7 +23,8 @@ constexpr void for_each_parallel_rule(const Body& body) {
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     (visit.template operator()<i>(), ...);
-  }(std::make_index_sequence<kRules.size()>{});
+  }
+  (std::make_index_sequence<kRules.size()>{});
 }
 
 }  // namespace thinbench::detail

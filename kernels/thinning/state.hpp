@@ -18,7 +18,7 @@ struct ThinningSetting {
   int threads;
   Border border;
   int max_iterations;
-  Directions directions;                           // of the midpoint scan
+  Directions directions;                            // of the midpoint scan
   std::shared_ptr<const RuntimeRule> runtime_rule;  // of nets; nullptr for other rules
 };
 

@@ -6,7 +6,7 @@
 #include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "support/temporary_folder.hpp"
-#include "thinbench_edges.hpp"
+#include "thinbench/edges.hpp"
 
 namespace thinbench {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench {
 

@@ -5,7 +5,7 @@
 #include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "support/temporary_folder.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -97,7 +97,7 @@ TEST_F(RunCommand, directions_choose_where_skeleton_scan_looks) {
     EXPECT_EQ(run_with({"run", "skeleton_scan", in, out, "--directions", names}).status, 0);
     return read_grey(out);
   };
-  ThinningOptions how;
+  Options how;
   how.directions = kNoDirections;
   how.directions->add(Direction::rows);
   how.directions->add(Direction::diagonals);

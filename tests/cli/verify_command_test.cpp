@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "catalog.hpp"
+#include "api/catalogue.hpp"
 #include "cli/verify_report.hpp"
 #include "harness/thinning_family.hpp"
 #include "picture/picture.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 #include "counts/counted_input.hpp"
 
 namespace thinbench {

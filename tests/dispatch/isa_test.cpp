@@ -1,4 +1,4 @@
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 
 #include <cstdlib>
 

@@ -4,7 +4,7 @@
 #include "harness/crosscheck.hpp"
 #include "harness/edges_family.hpp"
 #include "harness/grey_images.hpp"
-#include "thinbench_edges.hpp"
+#include "thinbench/edges.hpp"
 
 namespace thinbench {
 namespace {
@@ -150,7 +150,7 @@ TEST(DetectEdges, refuses_views_that_are_no_images_or_overlap_in_part) {
 }
 
 TEST(DetectEdges, refuses_what_there_is_not_and_lists_what_there_is) {
-  const auto refusal_of = [](const VariantRequest& wish) -> std::string {
+  const auto refusal_of = [](const Options& wish) -> std::string {
     try {
       static_cast<void>(choose_variant(*find_edge_operation(kSobel), 100, wish));
     } catch (const std::invalid_argument& error) {

@@ -10,7 +10,7 @@
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
 #include "support/given_pictures.hpp"
-#include "thinbench_edges.hpp"
+#include "thinbench/edges.hpp"
 
 namespace thinbench {
 namespace {

@@ -10,7 +10,7 @@
 #include "harness/test_images.hpp"
 #include "picture/picture.hpp"
 #include "support/temporary_folder.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {

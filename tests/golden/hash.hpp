@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench::golden {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "catalog.hpp"
+#include "api/catalogue.hpp"
 #include "harness/crosscheck.hpp"
 #include "harness/grey_images.hpp"
 #include "harness/thinning_family.hpp"

@@ -13,7 +13,7 @@
 #include "regions/pictures.hpp"
 #include "localise/plan.hpp"
 #include "scene/scene.hpp"
-#include "thinbench_localise.hpp"
+#include "thinbench/localise.hpp"
 
 namespace thinbench {
 namespace {
@@ -100,7 +100,7 @@ TEST(LocaliseObjects, finds_each_part_of_the_scene_with_its_holes_and_nothing_el
     SceneOptions options;
     options.noise_sigma_16 = 16 * sigma;
     const Scene scene = render_scene(options);
-    const FoundHoles found = localise_objects(scene.grey.view());
+    const Regions found = localise_objects(scene.grey.view());
     EXPECT_EQ(found.objects.size(), scene.parts.size()) << sigma;
     EXPECT_EQ(found.holes.size(), scene.holes.size()) << sigma;
     for (const SceneHole& hole : scene.holes) {
@@ -109,7 +109,7 @@ TEST(LocaliseObjects, finds_each_part_of_the_scene_with_its_holes_and_nothing_el
       const std::size_t id = id_at(found.holes, hole.centre, kHoleTolerance);
       ASSERT_NE(object, 0U) << part.kind << " " << part.id << ", sigma " << sigma;
       ASSERT_NE(id, 0U) << hole.kind << " " << hole.id << ", sigma " << sigma;
-      EXPECT_EQ(found.holes[id - 1].owner, object) << hole.id;
+      EXPECT_EQ(found.holes[id - 1].enclosing_object, object) << hole.id;
     }
   }
 }
@@ -118,7 +118,7 @@ TEST(LocaliseObjects, has_areas_that_are_too_large_by_the_width_of_edges) {
   SceneOptions options;
   options.noise_sigma_16 = 0;
   const Scene scene = render_scene(options);
-  const FoundHoles found = localise_objects(scene.grey.view());
+  const Regions found = localise_objects(scene.grey.view());
   for (const SceneHole& hole : scene.holes) {
     const std::size_t id = id_at(found.holes, hole.centre, kHoleTolerance);
     ASSERT_NE(id, 0U);
@@ -169,7 +169,7 @@ TEST(LocalisePlan, gives_the_same_after_an_image_with_many_more_regions) {
   const Scene scene = render_scene();
   const ByteImage& grey = scene.grey;
   const ByteImage crowded = grey_noise_image(grey.width(), grey.height(), 90, 170, 3);
-  const FoundHoles expected = localise_objects(grey.view());
+  const Regions expected = localise_objects(grey.view());
   for (const LocaliseVariant& variant : localise_rows()) {
     if (!unavailable_reason(variant.facts, grey.width()).empty()) continue;
     LocalisePlan plan(variant, grey.width(), grey.height(), {EdgeOperator::sobel, {}, 3});

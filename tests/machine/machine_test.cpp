@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dispatch/isa.hpp"
+#include "thinbench/isa.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace thinbench {

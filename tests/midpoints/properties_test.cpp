@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/components.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 #include "thinning/property_pictures.hpp"
 
 namespace thinbench {
@@ -18,7 +18,7 @@ using property_pictures::pictures;
 
 ByteImage scanned(const ByteImage& image, Directions directions = {}) {
   ByteImage result(image.width(), image.height());
-  ThinningOptions options;
+  Options options;
   options.directions = directions;
   thin("skeleton_scan", image.view(), result.view(), options);
   return result;

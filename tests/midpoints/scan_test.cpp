@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "catalog.hpp"
+#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "reference.hpp"
 #include "midpoints/counter.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -124,7 +124,7 @@ TEST(SkeletonScan, runs_longer_than_short_counters_keep_their_centres) {
 
 TEST(SkeletonScan, other_operations_take_no_directions) {
   ByteImage image(5, 5);
-  ThinningOptions options;
+  Options options;
   options.directions = Directions{};
   EXPECT_EQ(thin("skeleton_scan", image.view(), image.view(), options), 1);
   EXPECT_THROW(thin("thin_mb2", image.view(), image.view(), options), std::invalid_argument);

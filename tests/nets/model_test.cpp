@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "catalog.hpp"
+#include "api/catalogue.hpp"
 #include "harness/crosscheck.hpp"
 #include "harness/test_images.hpp"
 #include "harness/thinning_family.hpp"

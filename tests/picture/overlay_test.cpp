@@ -20,7 +20,7 @@ cv::Mat3b overlay_of(const ByteImage& objects) {
     for (Index x = 0; x < grey.width(); ++x) grey.at(x, y) = kGrey;
   }
   const std::string path = folder.file("overlay.png");
-  write_overlay(path, grey.view(), objects.view(), find_holes(objects.view()));
+  write_overlay(path, grey.view(), objects.view(), find_regions(objects.view()));
   return cv::imread(path, cv::IMREAD_COLOR);
 }
 

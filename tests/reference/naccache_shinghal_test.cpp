@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 #include "reference.hpp"
 
 namespace thinbench {

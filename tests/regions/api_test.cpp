@@ -12,11 +12,11 @@ namespace {
 TEST(FindHoles, refuses_bad_views_and_wishes) {
   const ByteImage image(10, 4);
   ConstImageView view = image.view();
-  EXPECT_THROW((void)find_holes({nullptr, 10, 4, 64}), std::invalid_argument);
-  EXPECT_THROW((void)find_holes({view.data, -1, 4, 64}), std::invalid_argument);
-  EXPECT_THROW((void)find_holes({view.data, 10, 4, 9}), std::invalid_argument);
-  EXPECT_THROW((void)find_holes(view, {Technique::lut}), std::invalid_argument);
-  EXPECT_THROW((void)find_holes(view, {{}, {}, 0}), std::invalid_argument);
+  EXPECT_THROW((void)find_regions({nullptr, 10, 4, 64}), std::invalid_argument);
+  EXPECT_THROW((void)find_regions({view.data, -1, 4, 64}), std::invalid_argument);
+  EXPECT_THROW((void)find_regions({view.data, 10, 4, 9}), std::invalid_argument);
+  EXPECT_THROW((void)find_regions(view, {Technique::lut}), std::invalid_argument);
+  EXPECT_THROW((void)find_regions(view, {{}, {}, 0}), std::invalid_argument);
   EXPECT_THROW((void)find_components(view, {Technique::lut}), std::invalid_argument);
   EXPECT_THROW((void)euler_number_4({view.data, 10, 4, 9}), std::invalid_argument);
 }
@@ -37,8 +37,8 @@ TEST(FillHoles, refuses_bad_views_and_partial_overlap) {
 
 TEST(FindComponents, gives_the_objects_of_find_holes) {
   const ByteImage image = noise_image(200, 100, 45, 2, 5);
-  EXPECT_EQ(find_components(image.view()), find_holes(image.view()).objects);
-  EXPECT_EQ(find_components(image.view(), {{}, {}, 3}), find_holes(image.view()).objects);
+  EXPECT_EQ(find_components(image.view()), find_regions(image.view()).objects);
+  EXPECT_EQ(find_components(image.view(), {{}, {}, 3}), find_regions(image.view()).objects);
 }
 
 TEST(EulerNumber, depends_on_which_side_touches_at_corners) {
@@ -50,8 +50,8 @@ TEST(EulerNumber, depends_on_which_side_touches_at_corners) {
 TEST(FindHoles, has_nothing_to_say_of_images_without_pixels) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}}) {
     const ByteImage image(width, height);
-    EXPECT_TRUE(find_holes(image.view()).objects.empty());
-    EXPECT_TRUE(find_holes(image.view(), {{}, {}, 4}).holes.empty());
+    EXPECT_TRUE(find_regions(image.view()).objects.empty());
+    EXPECT_TRUE(find_regions(image.view(), {{}, {}, 4}).holes.empty());
     EXPECT_EQ(euler_number(image.view()), 0);
   }
 }

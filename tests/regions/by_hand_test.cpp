@@ -12,7 +12,7 @@ using holes_test::with_every_way;
 TEST(Holes, plate_with_two_holes_has_their_areas_centres_and_boxes) {
   const ByteImage image =
       picture({".........", ".#######.", ".#.##..#.", ".####..#.", ".#######."});
-  with_every_way(image.view(), [](const FoundHoles& found, const std::string& way) {
+  with_every_way(image.view(), [](const Regions& found, const std::string& way) {
     ASSERT_EQ(found.objects.size(), 1U) << way;
     EXPECT_EQ(found.objects[0], (Region{23, 88, 58, 1, 1, 7, 4, 0})) << way;
     ASSERT_EQ(found.holes.size(), 2U) << way;
@@ -26,20 +26,20 @@ TEST(Holes, plate_with_two_holes_has_their_areas_centres_and_boxes) {
 TEST(Holes, object_inside_a_hole_is_an_object_of_its_own_and_no_part_of_the_hole) {
   const ByteImage image =
       picture({"#######", "#.....#", "#.###.#", "#.#.#.#", "#.###.#", "#.....#", "#######"});
-  with_every_way(image.view(), [](const FoundHoles& found, const std::string& way) {
+  with_every_way(image.view(), [](const Regions& found, const std::string& way) {
     ASSERT_EQ(found.objects.size(), 2U) << way;
     ASSERT_EQ(found.holes.size(), 2U) << way;
     EXPECT_EQ(found.objects[1].area, 8) << way;
     EXPECT_EQ(found.holes[0].area, 16) << way;  // the ring of light alone
-    EXPECT_EQ(found.holes[0].owner, 1U) << way;
+    EXPECT_EQ(found.holes[0].enclosing_object, 1U) << way;
     EXPECT_EQ(found.holes[1].area, 1) << way;
-    EXPECT_EQ(found.holes[1].owner, 2U) << way;
+    EXPECT_EQ(found.holes[1].enclosing_object, 2U) << way;
   });
 }
 
 TEST(Holes, objects_touch_at_corners_and_background_does_not) {
   const ByteImage diamond = picture({".#.", "#.#", ".#."});
-  with_every_way(diamond.view(), [](const FoundHoles& found, const std::string& way) {
+  with_every_way(diamond.view(), [](const Regions& found, const std::string& way) {
     EXPECT_EQ(found.objects.size(), 1U) << way;
     ASSERT_EQ(found.holes.size(), 1U) << way;
     EXPECT_EQ(found.holes[0], (Region{1, 1, 1, 1, 1, 1, 1, 1})) << way;
@@ -50,7 +50,7 @@ TEST(Holes, light_that_reaches_the_border_is_no_hole) {
   for (const ByteImage& image : {picture({"#.#", "#.#", "###"}), picture({"###", "..#", "###"}),
                                  picture({"###", "#..", "###"}), picture({"###", "#.#", "#.#"}),
                                  picture({"...", "...", "..."}), picture({"###", "###", "###"})}) {
-    with_every_way(image.view(), [](const FoundHoles& found, const std::string& way) {
+    with_every_way(image.view(), [](const Regions& found, const std::string& way) {
       EXPECT_TRUE(found.holes.empty()) << way;
     });
   }
@@ -59,11 +59,11 @@ TEST(Holes, light_that_reaches_the_border_is_no_hole) {
 TEST(Holes, are_numbered_by_their_first_pixels_across_objects) {
   const ByteImage image = picture(
       {"......###", "###...#.#", "#.#...###", "###......", "###..####", "#.#..#.##", "###..####"});
-  with_every_way(image.view(), [](const FoundHoles& found, const std::string& way) {
+  with_every_way(image.view(), [](const Regions& found, const std::string& way) {
     ASSERT_EQ(found.objects.size(), 3U) << way;
     ASSERT_EQ(found.holes.size(), 4U) << way;
-    const std::vector<std::uint32_t> owners = {found.holes[0].owner, found.holes[1].owner,
-                                               found.holes[2].owner, found.holes[3].owner};
+    const std::vector<std::uint32_t> owners = {found.holes[0].enclosing_object, found.holes[1].enclosing_object,
+                                               found.holes[2].enclosing_object, found.holes[3].enclosing_object};
     EXPECT_EQ(owners, (std::vector<std::uint32_t>{1, 2, 2, 3})) << way;
   });
 }
@@ -71,7 +71,7 @@ TEST(Holes, are_numbered_by_their_first_pixels_across_objects) {
 TEST(Holes, region_that_grows_together_from_many_beginnings_keeps_the_first) {
   const ByteImage comb =
       picture({"#.#.#.#.#", "#.#.#.#.#", "#########", "#.......#", "#.#.#.#.#", "#########"});
-  with_every_way(comb.view(), [](const FoundHoles& found, const std::string& way) {
+  with_every_way(comb.view(), [](const Regions& found, const std::string& way) {
     ASSERT_EQ(found.objects.size(), 1U) << way;
     EXPECT_EQ(found.objects[0].area, 35) << way;
     ASSERT_EQ(found.holes.size(), 1U) << way;
@@ -113,7 +113,7 @@ TEST(Holes, spiral_is_one_object_and_one_hole_once_its_mouth_is_closed) {
     ByteImage image = spiral(size);
     const Index light = size * size - reference::components(image.view()).objects[0].area;
     image.at(0, 1) = 255;  // the mouth is at the second row of the first column
-    with_every_way(image.view(), [&](const FoundHoles& found, const std::string& way) {
+    with_every_way(image.view(), [&](const Regions& found, const std::string& way) {
       ASSERT_EQ(found.objects.size(), 1U) << way << " at " << size;
       ASSERT_EQ(found.holes.size(), 1U) << way << " at " << size;
       EXPECT_EQ(found.holes[0].area, light - 1) << way << " at " << size;
@@ -134,7 +134,7 @@ TEST(Holes, wide_rows_and_tall_images_do_not_overflow_short_sums) {
     const reference::Regions expected = reference::holes(image.view());
     ASSERT_EQ(expected.holes.size(), 2U);
     with_every_way(image.view(),
-                   [&, columns = width](const FoundHoles& found, const std::string& way) {
+                   [&, columns = width](const Regions& found, const std::string& way) {
                      EXPECT_EQ(found.objects, expected.objects) << way << " at " << columns;
                      EXPECT_EQ(found.holes, expected.holes) << way << " at " << columns;
                    });

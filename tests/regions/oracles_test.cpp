@@ -11,7 +11,7 @@
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
 #include "support/given_pictures.hpp"
-#include "thinbench_holes.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench {
 namespace {
@@ -76,7 +76,7 @@ void expect_near(const std::vector<Summary>& found, const std::vector<Summary>& 
 }
 
 void expect_as_opencv(const ByteImage& image, const std::string& what) {
-  const FoundHoles found = find_holes(image.view());
+  const Regions found = find_regions(image.view());
   const cv::Mat dark = framed(image);
   const cv::Point corner(0, 0);
   expect_near(summaries(found.objects), opencv_summaries(dark, 8, corner), what + ", objects");
@@ -136,7 +136,7 @@ TEST(HolesOracle, euler_formula_holds_on_all_4x4_images_and_by_every_counter) {
 TEST(HolesOracle, euler_formula_holds_on_noise) {
   for (int percent = 5; percent < 100; percent += 10) {
     const ByteImage image = noise_image(517, 301, percent, 1, 7);
-    const FoundHoles found = find_holes(image.view());
+    const Regions found = find_regions(image.view());
     EXPECT_EQ(static_cast<std::int64_t>(found.objects.size()) -
                   static_cast<std::int64_t>(found.holes.size()),
               euler_number(image.view()))
@@ -160,7 +160,7 @@ TEST(HolesOracle, opencv_finds_the_same_objects_and_holes) {
 /// hole contour's parent.
 TEST(HolesOracle, opencv_gives_each_hole_the_same_owner) {
   const ByteImage image = noise_image(200, 150, 60, 4, 5);
-  const FoundHoles found = find_holes(image.view());
+  const Regions found = find_regions(image.view());
   std::vector<std::vector<cv::Point>> contours;
   std::vector<cv::Vec4i> hierarchy;
   cv::findContours(framed(image), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
@@ -180,7 +180,7 @@ TEST(HolesOracle, opencv_gives_each_hole_the_same_owner) {
                     region.bottom - region.top + 1);
   };
   for (const Region& hole : found.holes) {
-    mine.emplace_back(box_of(hole), box_of(found.objects[hole.owner - 1]));
+    mine.emplace_back(box_of(hole), box_of(found.objects[hole.enclosing_object - 1]));
   }
   const auto key = [](const std::tuple<cv::Rect, cv::Rect>& pair) {
     const auto& [a, b] = pair;
@@ -196,12 +196,12 @@ TEST(HolesOracle, opencv_gives_each_hole_the_same_owner) {
 /// The largest distance of a hole's centre from the truth; -1 where holes or owners differ.
 double worst_centre(const SceneOptions& options) {
   const Scene scene = render_scene(options);
-  const FoundHoles found = find_holes(scene.binary.view());
+  const Regions found = find_regions(scene.binary.view());
   if (found.holes.size() != scene.holes.size()) return -1;
   double worst = 0;
   for (std::size_t i = 0; i < found.holes.size(); ++i) {
     const Region& hole = found.holes[i];
-    if (static_cast<int>(hole.owner) != scene.holes[i].part) return -1;
+    if (static_cast<int>(hole.enclosing_object) != scene.holes[i].part) return -1;
     worst = std::max(worst, std::hypot(hole.centre_x() - scene.holes[i].centre.x,
                                        hole.centre_y() - scene.holes[i].centre.y));
   }
@@ -231,9 +231,9 @@ TEST(HolesOracle, plate_of_a_drawn_picture_has_exactly_seven_holes) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
   const ByteImage grey = read_grey(path.string());
   for (const int threshold : {64, 128, 200}) {
-    const FoundHoles found = find_holes(threshold_dark(grey.view(), threshold).view());
+    const Regions found = find_regions(threshold_dark(grey.view(), threshold).view());
     const auto of_plate = std::count_if(found.holes.begin(), found.holes.end(),
-                                        [](const Region& hole) { return hole.owner == 1; });
+                                        [](const Region& hole) { return hole.enclosing_object == 1; });
     EXPECT_EQ(of_plate, 7) << threshold;
   }
 }

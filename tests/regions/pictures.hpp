@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "holes.hpp"
-#include "thinbench_holes.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench::holes_test {
 
@@ -25,11 +25,11 @@ inline ByteImage picture(const std::vector<std::string>& lines) {
 template <class Check>
 void with_every_way(const ConstImageView& image, const Check& check) {
   const reference::Regions plain = reference::holes(image);
-  check(FoundHoles{plain.objects, plain.holes}, "reference");
+  check(Regions{plain.objects, plain.holes}, "reference");
   for (const HolesVariant& variant : find_holes_operation("holes")->variants) {
     if (!unavailable_reason(facts_of(variant), image.width).empty()) continue;
     const int threads = variant.threaded ? 3 : 1;
-    check(find_holes(image, {variant.technique, variant.isa, threads}),
+    check(find_regions(image, {variant.technique, variant.isa, threads}),
           std::string(technique_name(variant.technique)) + "/" +
               std::string(isa_name(variant.isa)) + "/" + std::to_string(threads));
   }

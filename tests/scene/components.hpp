@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench::scene_test {
 

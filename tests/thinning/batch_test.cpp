@@ -9,7 +9,7 @@
 #include "harness/operation.hpp"
 #include "harness/test_images.hpp"
 #include "support/splitmix64.hpp"
-#include "thinbench_batch.hpp"
+#include "thinbench/batch.hpp"
 
 namespace thinbench {
 namespace {
@@ -88,7 +88,7 @@ Index first_difference(StackView a, StackView b) {
   return -1;
 }
 
-void expect_batch(std::string_view operation, Stack& source, const ThinningOptions& options,
+void expect_batch(std::string_view operation, Stack& source, const Options& options,
                   Expected& expected) {
   const StackView in = source.view();
   Stack out(in.count, in.width, in.height, 3, 5);
@@ -295,7 +295,7 @@ TEST(ThinBatch, names_what_is_wrong_with_a_stack) {
 }
 
 TEST(ThinBatch, refuses_options_that_do_not_fit) {
-  const auto refused = [](std::string_view operation, Index width, const ThinningOptions& options) {
+  const auto refused = [](std::string_view operation, Index width, const Options& options) {
     return refusal_of([&] { ThinningBatch(operation, width, 5, options); });
   };
   EXPECT_EQ(refused("thin_all", 5, {}), "no operation is named thin_all");

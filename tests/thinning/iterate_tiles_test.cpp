@@ -7,7 +7,7 @@
 #include "image/packing.hpp"
 #include "reference.hpp"
 #include "support/splitmix64.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {

@@ -7,7 +7,7 @@
 #include "harness/test_images.hpp"
 #include "picture/mat_of.hpp"
 #include "scene/scene.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -26,7 +26,7 @@ ByteImage by_opencv(const Pair& pair, ByteImage& image) {
 }
 
 ByteImage by_library(const std::string& operation, const ByteImage& image,
-                     const ThinningOptions& options = {}) {
+                     const Options& options = {}) {
   ByteImage result(image.width(), image.height());
   thin(operation, image.view(), result.view(), options);
   return result;
@@ -52,7 +52,7 @@ class AgainstOpenCv : public testing::TestWithParam<Pair> {
     const Outcome reference = expected_of(keeping, image.view());
     EXPECT_TRUE(equal(reference.image.view(), expected.view())) << what << ", reference";
     EXPECT_TRUE(equal(by_library(keeping, image).view(), expected.view())) << what;
-    ThinningOptions option;
+    Options option;
     option.border = Border::keep;
     EXPECT_TRUE(equal(by_library(plain, image, option).view(), expected.view())) << what;
     ByteImage inner = without_frame(image);

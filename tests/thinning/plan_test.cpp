@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "catalog.hpp"
+#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
-#include "thinbench_batch.hpp"
+#include "thinbench/batch.hpp"
 
 namespace {
 // Of all threads, counted by the replaced operators below. oneTBB takes the memory of its tasks

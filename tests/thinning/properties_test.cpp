@@ -8,7 +8,7 @@
 #include "scene/components.hpp"
 #include "scene/scene.hpp"
 #include "small_images.hpp"
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 #include "thinning/property_pictures.hpp"
 
 namespace thinbench {

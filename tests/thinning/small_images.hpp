@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "image/byte_image.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench::small_images {
 

@@ -1,5 +1,5 @@
 // The public edge: what it chooses and what it refuses.
-#include "thinbench.hpp"
+#include "thinbench/thinning.hpp"
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kOperation = "thin_naccache_shinghal";
 
 std::string refusal(const ConstImageView& source, const ImageView& destination,
-                    const ThinningOptions& options = {}, std::string_view operation = kOperation) {
+                    const Options& options = {}, std::string_view operation = kOperation) {
   try {
     thin(operation, source, destination, options);
   } catch (const std::invalid_argument& error) {
@@ -55,7 +55,7 @@ TEST(ChooseVariant, follows_the_options) {
   EXPECT_TRUE(variant.threaded);
 }
 
-int worthwhile(const ThinningOptions& options, Index width, Index height) {
+int worthwhile(const Options& options, Index width, Index height) {
   return worthwhile_threads(*find_thinning_operation(kOperation), options, width, height);
 }
 

@@ -54,9 +54,9 @@ inline constexpr std::array kEdgeOperators = {
   return std::nullopt;
 }
 
-/// In grey levels, both from 0 to 255: P1 and P2 of the paper. An edge needs a scaled gradient above
-/// `gradient_threshold` and a pixel above `brightness_threshold` in its 3 x 3 neighbourhood: the
-/// background is the bright side.
+/// In grey levels, both from 0 to 255: P1 and P2 of the paper. An edge needs a scaled gradient
+/// above `gradient_threshold` and a pixel above `brightness_threshold` in its 3 x 3 neighbourhood:
+/// the background is the bright side.
 struct EdgeThresholds {
   int gradient_threshold = 40;
   int brightness_threshold = 128;
@@ -81,8 +81,8 @@ inline constexpr int kMaxThreshold = 255;
 /// along both diagonals, as no text that quotes Mero and Vassy's masks was found.
 ///
 /// Border: edge replication, so that no edge arises at the border by itself. Grey levels are as
-/// files hold them, 255 for white, and P2 demands a bright background beside the edge: invert images
-/// of bright objects on dark ground first. The two views have one size and do not overlap.
+/// files hold them, 255 for white, and P2 demands a bright background beside the edge: invert
+/// images of bright objects on dark ground first. The two views have one size and do not overlap.
 ///
 /// Of `options`, only technique, ISA and threads may be set. May be called from any number of
 /// threads. Throws std::invalid_argument for a threshold outside [0, 255], sizes that differ or are

@@ -25,7 +25,8 @@ struct Neuron {
   float bias;
 };
 
-/// The 8-8-1 net of section 3.2. The output is the new value of a foreground pixel, foreground from 0.5 up.
+/// The 8-8-1 net of section 3.2. The output is the new value of a foreground pixel, foreground from
+/// 0.5 up.
 struct TwoLayerWeights {
   Neuron hidden[kHiddenNeurons];
   Neuron output;  // fed by the hidden neurons

@@ -18,9 +18,10 @@ struct Regions {
 
 // In all of these 0 is background, anything else foreground; everything outside the image is
 // background, objects are 8-connected and holes 4-connected. Of `options`, only technique, ISA and
-// threads may be set. They may be called from any number of threads, and throw std::invalid_argument
-// for a negative size, a stride below the width, a null image, sides above 2^29 or more than 2^32
-// pixels, and options that no variant fits; std::bad_alloc where memory is short.
+// threads may be set. They may be called from any number of threads, and throw
+// std::invalid_argument for a negative size, a stride below the width, a null image, sides above
+// 2^29 or more than 2^32 pixels, and options that no variant fits; std::bad_alloc where memory is
+// short.
 //
 // The paper's own relabelling scan is not offered: its count is correct on one object with thick
 // walls only, and it has 254 labels. It is kept as holes_literal in reference/holes.hpp, to measure

@@ -74,9 +74,10 @@ struct Autovec {
     Bytes above = source - stride;
     Bytes here = source;
     Bytes below = source + stride;
-    return write_pixels(fixed, here, target, count, [&](Index x) __attribute__((always_inline)) {
-      return Rule::template published<sub>(neighbourhood_at(above, here, below, x));
-    });
+    return write_pixels(
+        fixed, here, target, count, [&](Index x) __attribute__((always_inline)) {
+          return Rule::template published<sub>(neighbourhood_at(above, here, below, x));
+        });
   }
 
   template <TwoStageRule Rule, int sub>
@@ -91,8 +92,8 @@ struct Autovec {
       Bytes here = strip;
       Bytes below = strip + stride;
       const std::uint8_t some = write_pixels(
-          fixed == nullptr ? nullptr : fixed + first, here, target + first, FeatureStrip::kPixels,
-          [&](Index x) __attribute__((always_inline)) {
+          fixed == nullptr ? nullptr : fixed + first, here, target + first,
+          FeatureStrip::kPixels, [&](Index x) __attribute__((always_inline)) {
             return Rule::template published<sub>(
                 neighbourhood_at(above, here, below, x),
                 neighbourhood_at(features.rows[0] + 1, features.rows[1] + 1, features.rows[2] + 1,

@@ -22,8 +22,7 @@ struct Bitpacked {
 std::uint64_t runtime_pass(const RuntimeRule* rule, const std::uint64_t* fixed,
                            const ConstBitPlaneView& source, const BitPlaneView& target,
                            const Band& band) {
-  return sweep_band<MuxRule, 0, std::uint64_t>(MuxRule{rule->program}, fixed, source, target,
-                                               band);
+  return sweep_band<MuxRule, 0, std::uint64_t>(MuxRule{rule->program}, fixed, source, target, band);
 }
 
 }  // namespace

@@ -240,7 +240,7 @@ int thin_lanes(const LaneJob& job, Index first, Index last, void* scratch) {
     const Index images = last - image < Lanes::kImages ? last - image : Lanes::kImages;
     read_group(job.source, image, images, rows);
     const int iterations = thin_group<Rule>(rows, inside, job.max_iterations,
-                                        ahead_of<Lanes>(job, image + images, last), subs);
+                                            ahead_of<Lanes>(job, image + images, last), subs);
     write_group(rows, image, images, job.target);
     if (iterations > most) most = iterations;
   }

@@ -123,9 +123,9 @@ struct Lut {
   using Element = std::uint8_t;
   template <class Rule, int sub>
   requires(!TwoStageRule<Rule>)  // their 21 pixels would need tables of two million entries
-      static std::uint64_t pass(const RuntimeRule*, const std::uint8_t* fixed,
-                                const ConstBytePlaneView& source, const BytePlaneView& target,
-                                const Band& band) {
+      static std::uint64_t
+      pass(const RuntimeRule*, const std::uint8_t* fixed, const ConstBytePlaneView& source,
+           const BytePlaneView& target, const Band& band) {
     static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
     return lut_rows(kTable.data() + 256, fixed, source, target, band);
   }

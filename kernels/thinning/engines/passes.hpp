@@ -90,8 +90,8 @@ struct ByRule {
   constexpr T& operator[](Rule rule) { return entries[static_cast<std::size_t>(rule)]; }
 };
 
-/// What `Engine::template pass<Type, sub>` gives for every sub-iteration of every parallel rule that
-/// the engine knows.
+/// What `Engine::template pass<Type, sub>` gives for every sub-iteration of every parallel rule
+/// that the engine knows.
 template <class Function, class Engine>
 consteval ByRule<Cycle<Function>> cycles_by_rule() {
   ByRule<Cycle<Function>> table;
@@ -105,7 +105,8 @@ consteval ByRule<Cycle<Function>> cycles_by_rule() {
     };
     [&]<int... subs>(std::integer_sequence<int, subs...>) {
       (add.template operator()<subs>(), ...);
-    }(std::make_integer_sequence<int, Type::kSubIterations>{});
+    }
+    (std::make_integer_sequence<int, Type::kSubIterations>{});
   });
   return table;
 }

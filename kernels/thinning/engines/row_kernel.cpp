@@ -208,8 +208,7 @@ int runtime_rule(const RowKernelOptions& options, const ConstBitPlaneView& sourc
 
 consteval RowKernels make_kernels() {
   RowKernels kernels{{}, &runtime_rule};
-  for_each_parallel_rule(
-      [&]<class Type>(Rule rule) { kernels.by_rule[rule] = &fixed_rule<Type>; });
+  for_each_parallel_rule([&]<class Type>(Rule rule) { kernels.by_rule[rule] = &fixed_rule<Type>; });
   return kernels;
 }
 

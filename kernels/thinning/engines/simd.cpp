@@ -20,8 +20,8 @@ struct SimdSweep {
   using Element = typename Batch::value_type;
   template <class Rule, int sub>
   static std::uint64_t pass(const RuntimeRule*, const Element* fixed,
-                            const ConstPlaneView<Element>& source,
-                            const PlaneView<Element>& target, const Band& band) {
+                            const ConstPlaneView<Element>& source, const PlaneView<Element>& target,
+                            const Band& band) {
     return sweep_band<Rule, sub, Batch>(Rule{}, fixed, source, target, band);
   }
 };

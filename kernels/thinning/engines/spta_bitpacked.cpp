@@ -73,7 +73,7 @@ struct Rows {
   BitPlaneView now;
   Index words;
   const Word* changing;  // a 1 for every pixel of a row that may be flagged
-  Index first;        // the rows that may change
+  Index first;           // the rows that may change
   Index last;
 };
 
@@ -127,7 +127,8 @@ bool iterate_once(const Rows& rows) {
   return flagged != 0;
 }
 
-/// The rows in `scratch`: the image before an iteration with a margin, then the pixels that may change.
+/// The rows in `scratch`: the image before an iteration with a margin, then the pixels that may
+/// change.
 Rows make_rows(Border border, const BitPlaneView& image, Word* scratch) {
   const Index count = spta_scratch_words(image.width, image.height);
   for (Index i = 0; i < count; ++i) scratch[i] = 0;

@@ -164,8 +164,8 @@ template <class Rule, int sub, class Word, class Fixed>
   for (Index y = band.first; y < band.last; ++y) {
     const Word next = fixed.apply(window.template next<sub>(rule, rows, y), window.centre());
     Traits::store(target.row(y) + x, next);
-    changed = ternary(changed, window.centre(), next,
-                      [](auto a, auto b, auto c) { return a | (b ^ c); });
+    changed =
+        ternary(changed, window.centre(), next, [](auto a, auto b, auto c) { return a | (b ^ c); });
     window.move_down();
   }
   return Traits::any(changed);

@@ -60,8 +60,8 @@ template <class T>
 struct Repetition {
   const RuntimeRule* rule = nullptr;
   int max_iterations = kUnlimited;
-  RowRange rows = {};           // those that may change
-  const T* fixed = nullptr;     // see Pass
+  RowRange rows = {};        // those that may change
+  const T* fixed = nullptr;  // see Pass
 };
 
 /// Repeats a cycle of passes until it changes nothing or the limit is reached; returns how many

@@ -71,7 +71,8 @@ class TileIteration {
     const Index shares = active_ < team_.threads() * kMinShare ? 1 : team_.threads();
     const Index lists = std::min(shares, words_);
     const TileVisit visit = engine_.cycle[static_cast<std::size_t>(step)];
-    kept_ = engine_.kernels->find_held(list_, active_, reach_of(grid_), kept_, workspace_.max_held_);
+    kept_ =
+        engine_.kernels->find_held(list_, active_, reach_of(grid_), kept_, workspace_.max_held_);
     for_each_share(shares, [&](Index share) {
       if (share != 0) visit(grid_, held(share, shares));
       visit(grid_, rest(share, shares));

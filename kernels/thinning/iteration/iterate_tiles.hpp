@@ -30,8 +30,8 @@ class TileWorkspace {
 };
 
 /// Repeats a cycle on the pixels that were loaded into the grid, until it changes nothing or
-/// `max_iterations` are done; returns how many ran, the last one included. The workspace was made for as many threads as the team has, or more. No
-/// allocation.
+/// `max_iterations` are done; returns how many ran, the last one included. The workspace was made
+/// for as many threads as the team has, or more. No allocation.
 int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
                   const ThreadTeam& team);
 

@@ -44,7 +44,7 @@ struct Mb2 {
   /// As published, on words that hold 0 or 1 in a whole lane.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n,
-                                                       const Neighbourhood<Lane>& i) {
+                                                         const Neighbourhood<Lane>& i) {
     const auto off = [](Lane a) { return static_cast<Lane>(a ^ 1); };
     const Lane a1 = static_cast<Lane>((i.n0 & off(n.n4)) | (i.n2 & off(n.n6)) | (i.n4 & off(n.n0)) |
                                       (i.n6 & off(n.n2)));

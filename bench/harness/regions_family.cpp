@@ -1,74 +1,77 @@
-#include "harness/holes_family.hpp"
+#include "harness/regions_family.hpp"
 
 #include <array>
 #include <memory>
 
-#include "catalog.hpp"
+#include "api/catalogue.hpp"
 #include "holes.hpp"
-#include "regions/plan.hpp"
 
 namespace thinbench {
 namespace {
 
+using detail::RegionsOperation;
+using detail::RegionsState;
+using detail::RegionsTask;
+using detail::RegionsVariant;
+
 constexpr std::size_t kCounts = 2;
 constexpr std::array kMembers = {"area", "sum of x", "sum of y", "left",
-                                 "top",  "right",    "bottom",   "owner"};
+                                 "top",  "right",    "bottom",   "enclosing object"};
 
 void append(std::vector<std::int64_t>& numbers, const Region& region) {
   numbers.insert(numbers.end(), {region.area, region.sum_x, region.sum_y, region.left, region.top,
-                                 region.right, region.bottom, region.owner});
+                                 region.right, region.bottom, region.enclosing_object});
 }
 
 /// Jobs of one task; what they give follows from it.
 class TaskJob : public Job {
  public:
-  explicit TaskJob(HolesTask task) : task_(task) {}
+  explicit TaskJob(RegionsTask task) : task_(task) {}
 
-  [[nodiscard]] bool gives_image() const override { return task_ == HolesTask::fill; }
+  [[nodiscard]] bool gives_image() const override { return task_ == RegionsTask::fill; }
 
   [[nodiscard]] std::string name_of_number(std::size_t index) const override {
-    if (task_ != HolesTask::holes && task_ != HolesTask::components) return "Euler number";
+    if (task_ != RegionsTask::holes && task_ != RegionsTask::components) return "Euler number";
     return name_of_region_number(index);
   }
 
  protected:
-  [[nodiscard]] HolesTask task() const { return task_; }
+  [[nodiscard]] RegionsTask task() const { return task_; }
 
  private:
-  HolesTask task_;
+  RegionsTask task_;
 };
 
-class PlanJob final : public TaskJob {
+class StateJob final : public TaskJob {
  public:
-  PlanJob(const HolesOperation& operation, const HolesVariant& variant, Index width, Index height,
-          int threads)
-      : TaskJob(operation.task), plan_(operation, variant, width, height, threads) {}
+  StateJob(RegionsTask task, std::unique_ptr<RegionsState> state)
+      : TaskJob(task), state_(std::move(state)) {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    plan_.run(input);
-    if (gives_image()) plan_.store(output);
+    state_->load(input);
+    state_->compute();
+    if (gives_image()) state_->store(output);
   }
-  void load(const ConstImageView& input) override { plan_.load(input); }
-  void kernel() override { plan_.compute(); }
-  void store(const ImageView& output) const override { plan_.store(output); }
+  void load(const ConstImageView& input) override { state_->load(input); }
+  void kernel() override { state_->compute(); }
+  void store(const ImageView& output) const override { state_->store(output); }
 
   [[nodiscard]] std::vector<std::int64_t> numbers() const override {
     switch (task()) {
-      case HolesTask::holes:
-      case HolesTask::components:
-        return numbers_of(plan_.regions());
-      case HolesTask::euler_eight:
-      case HolesTask::euler_four:
-        return {plan_.number()};
-      case HolesTask::fill:
+      case RegionsTask::holes:
+      case RegionsTask::components:
+        return numbers_of(state_->regions());
+      case RegionsTask::euler_eight:
+      case RegionsTask::euler_four:
+        return {state_->number()};
+      case RegionsTask::fill:
         return {};
     }
     return {};
   }
-  [[nodiscard]] bool margins_are_intact() const override { return plan_.margins_are_zero(); }
 
  private:
-  HolesPlan plan_;
+  std::unique_ptr<RegionsState> state_;
 };
 
 class ReferenceJob final : public TaskJob {
@@ -77,19 +80,19 @@ class ReferenceJob final : public TaskJob {
 
   void run(const ConstImageView& input, const ImageView& output) override {
     switch (task()) {
-      case HolesTask::holes:
+      case RegionsTask::holes:
         regions_ = reference::holes(input);
         break;
-      case HolesTask::components:
+      case RegionsTask::components:
         regions_ = reference::components(input);
         break;
-      case HolesTask::euler_eight:
+      case RegionsTask::euler_eight:
         number_ = reference::euler_number(input);
         break;
-      case HolesTask::euler_four:
+      case RegionsTask::euler_four:
         number_ = reference::euler_number_4(input);
         break;
-      case HolesTask::fill:
+      case RegionsTask::fill:
         reference::fill_holes(input, output);
         break;
     }
@@ -97,7 +100,7 @@ class ReferenceJob final : public TaskJob {
 
   [[nodiscard]] std::vector<std::int64_t> numbers() const override {
     if (gives_image()) return {};
-    const bool gives_lists = task() == HolesTask::holes || task() == HolesTask::components;
+    const bool gives_lists = task() == RegionsTask::holes || task() == RegionsTask::components;
     if (!gives_lists) return {number_};
     return numbers_of({regions_.objects, regions_.holes});
   }
@@ -107,7 +110,7 @@ class ReferenceJob final : public TaskJob {
   std::int64_t number_ = 0;
 };
 
-Variant variant_of(const HolesOperation& operation, const HolesVariant& variant) {
+Variant variant_of(const RegionsOperation& operation, const RegionsVariant& variant) {
   const TechniqueInfo& info = technique_info(variant.technique);
   return {info.name,
           info.description,
@@ -115,17 +118,20 @@ Variant variant_of(const HolesOperation& operation, const HolesVariant& variant)
           variant.threaded,
           true,
           [&operation, &variant](Index width, Index height, int threads) -> std::unique_ptr<Job> {
-            return std::make_unique<PlanJob>(operation, variant, width, height, threads);
+            return std::make_unique<StateJob>(
+                operation.task,
+                make_state(operation, variant, width, height, {.threads = threads}));
           },
-          [&variant](Index width) { return unavailable_reason(facts_of(variant), width); }};
+          [&variant](Index width) { return unavailable_reason(variant, width); }};
 }
 
-Operation operation_of_table(const HolesOperation& operation) {
+Operation operation_of_table(const RegionsOperation& operation) {
   Operation result = {
       std::string(operation.name), operation.description, InputKind::binary, {}, {}};
-  for (const HolesVariant& variant : operation.variants) {
+  for (const RegionsVariant& variant : operation.variants) {
     result.variants.push_back(variant_of(operation, variant));
   }
+  result.operation = operation.name;
   result.in_size_series = operation.name == "holes";
   result.reference = [task = operation.task](Index, Index, int) {
     return std::make_unique<ReferenceJob>(task);
@@ -135,7 +141,7 @@ Operation operation_of_table(const HolesOperation& operation) {
 
 }  // namespace
 
-std::vector<std::int64_t> numbers_of(const RegionLists& lists) {
+std::vector<std::int64_t> numbers_of(const detail::RegionLists& lists) {
   std::vector<std::int64_t> numbers = {static_cast<std::int64_t>(lists.objects.size()),
                                        static_cast<std::int64_t>(lists.holes.size())};
   for (const Region& object : lists.objects) append(numbers, object);
@@ -150,9 +156,9 @@ std::string name_of_region_number(std::size_t index) {
          std::to_string(region + 1) + " of both lists";
 }
 
-std::vector<Operation> holes_family() {
+std::vector<Operation> regions_family() {
   std::vector<Operation> family;
-  for (const HolesOperation& operation : holes_operations()) {
+  for (const RegionsOperation& operation : detail::regions_operations()) {
     family.push_back(operation_of_table(operation));
   }
   return family;
