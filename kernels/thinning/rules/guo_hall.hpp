@@ -6,7 +6,7 @@
 namespace thinbench::detail {
 
 /// Guo and Hall, "Parallel thinning with two-subiteration algorithms", CACM 32(3), 1989: removed
-/// where C = 1, N is 2 or 3 and the sub-iteration's edge condition holds (second: turned by half a
+/// where C = 1, N is 2 or 3 and the sub-iteration's edge condition holds (second: rotated by half a
 /// turn).
 ///
 /// Invariants: topology, idempotent, subset.
@@ -15,7 +15,7 @@ struct GuoHall {
 
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    return by_fewest_instructions<GuoHall>(turned<4 * sub>(as_seen));
+    return by_fewest_instructions<GuoHall>(rotated<4 * sub>(as_seen));
   }
 
   /// Ten gates, update included.
@@ -65,7 +65,7 @@ struct GuoHall {
 
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
-    const Neighbourhood<Lane> n = turned<4 * sub>(as_seen);
+    const Neighbourhood<Lane> n = rotated<4 * sub>(as_seen);
     const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
     const Lane crossings =
         static_cast<Lane>((negated(n.n2) & (n.n1 | n.n0)) + (negated(n.n0) & (n.n7 | n.n6)) +

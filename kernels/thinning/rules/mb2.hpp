@@ -6,10 +6,10 @@
 namespace thinbench::detail {
 
 /// Bernard and Manzanera's MB2, "Improved low complexity fully parallel thinning algorithm", ICIAP
-/// 1999. The feature is I, the interior: a dark pixel with four dark direct neighbours. Removed
-/// where (a1 or a2) and not b: a1 is I on one side and light opposite, a2 is I on a diagonal and
-/// light at the two opposite direct neighbours, b is a dark diagonal between two light direct
-/// neighbours.
+/// 1999. The feature is I, the interior: a foreground pixel with four foreground 4-neighbours.
+/// Removed where (a1 or a2) and not b: a1 is I on one side and background opposite, a2 is I on a
+/// diagonal and background at the two opposite 4-neighbours, b is a dark diagonal between two
+/// background direct neighbours.
 ///
 /// Invariants: topology, idempotent, subset. Lines two pixels wide stay where the width is even.
 struct Mb2 {

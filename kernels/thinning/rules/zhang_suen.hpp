@@ -6,9 +6,9 @@
 namespace thinbench::detail {
 
 /// Zhang and Suen, "A fast parallel algorithm for thinning digital patterns", CACM 27(3), 1984: a
-/// dark pixel is removed where it has 2 to 6 dark neighbours, one step from light to dark on the
-/// way round it, and a light one among n0, n2, n6 and among n0, n4, n6 (second sub-iteration: the
-/// same turned by half a turn).
+/// foreground pixel is removed where it has 2 to 6 foreground neighbours, one step from background
+/// to foreground on the way round it, and a background one among n0, n2, n6 and among n0, n4, n6
+/// (second sub-iteration: the same rotated by half a turn).
 ///
 /// Invariants: idempotent, the result is a subset. NOT invariant: squares of 2 x 2 pixels vanish,
 /// and with them components; 327,477 of the 2^25 images of 5 x 5 pixels change topology.
@@ -17,7 +17,7 @@ struct ZhangSuen {
 
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    return by_fewest_instructions<ZhangSuen>(turned<4 * sub>(as_seen));
+    return by_fewest_instructions<ZhangSuen>(rotated<4 * sub>(as_seen));
   }
 
   /// Eleven gates, update included. Found by simulated annealing over networks.
@@ -80,14 +80,15 @@ struct ZhangSuen {
   /// As published, on words that hold 0 or 1 in a whole lane.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
-    const Neighbourhood<Lane> n = turned<4 * sub>(as_seen);
+    const Neighbourhood<Lane> n = rotated<4 * sub>(as_seen);
     const auto rises = [](Lane from, Lane to) { return static_cast<Lane>((from ^ 1) & to); };
     const Lane steps = static_cast<Lane>(rises(n.n2, n.n1) + rises(n.n1, n.n0) + rises(n.n0, n.n7) +
                                          rises(n.n7, n.n6) + rises(n.n6, n.n5) + rises(n.n5, n.n4) +
                                          rises(n.n4, n.n3) + rises(n.n3, n.n2));
-    const Lane dark = static_cast<Lane>(n.n0 + n.n1 + n.n2 + n.n3 + n.n4 + n.n5 + n.n6 + n.n7);
+    const Lane neighbours =
+        static_cast<Lane>(n.n0 + n.n1 + n.n2 + n.n3 + n.n4 + n.n5 + n.n6 + n.n7);
     const Lane inner = static_cast<Lane>((n.n2 & n.n0 & n.n6) | (n.n0 & n.n6 & n.n4));
-    const bool removed = (steps == 1) & (dark >= 2) & (dark <= 6) & (inner == 0);
+    const bool removed = (steps == 1) & (neighbours >= 2) & (neighbours <= 6) & (inner == 0);
     return static_cast<Lane>(n.p & (removed ? 0 : 1));
   }
 };
