@@ -34,6 +34,16 @@ struct FeatureStrip {
   }
 };
 
+/// The rule's published arithmetic; its expression where it gives none.
+template <class Rule, int sub, class... Neighbourhoods>
+[[gnu::always_inline]] inline std::uint8_t new_pixel(const Neighbourhoods&... at) {
+  if constexpr (requires { Rule::template published<sub>(at...); }) {
+    return Rule::template published<sub>(at...);
+  } else {
+    return static_cast<std::uint8_t>(Rule{}.template next<sub>(at...) & 1);
+  }
+}
+
 /// New pixels of a strip of a row, `next(x)` for each; returns what changed. Where `fixed` is
 /// given, pixels with a 1 there keep their value.
 template <class Next>
@@ -76,7 +86,7 @@ struct Autovec {
     Bytes below = source + stride;
     return write_pixels(
         fixed, here, target, count, [&](Index x) __attribute__((always_inline)) {
-          return Rule::template published<sub>(neighbourhood_at(above, here, below, x));
+          return new_pixel<Rule, sub>(neighbourhood_at(above, here, below, x));
         });
   }
 
@@ -94,7 +104,7 @@ struct Autovec {
       const std::uint8_t some = write_pixels(
           fixed == nullptr ? nullptr : fixed + first, here, target + first,
           FeatureStrip::kPixels, [&](Index x) __attribute__((always_inline)) {
-            return Rule::template published<sub>(
+            return new_pixel<Rule, sub>(
                 neighbourhood_at(above, here, below, x),
                 neighbourhood_at(features.rows[0] + 1, features.rows[1] + 1, features.rows[2] + 1,
                                  x));
