@@ -7,14 +7,14 @@
 // without any at once; with VBMI2 one compress turns the 64 bits of a word into the list of its
 // boundaries. Most rows of a picture of parts repeat the runs of the row above with slightly moved
 // ends.
-#include "simd/batch.hpp"
 #include "regions/run_engine.hpp"
 #include "regions/simd_keys.hpp"
+#include "simd/vector.hpp"
 
 namespace thinbench {
 namespace {
 
-using KeyBatch = xsimd::batch<Key, Architecture>;
+using KeyBatch = BatchOf<Key>;
 constexpr Index kLanes = static_cast<Index>(KeyBatch::size);
 static_assert(kLanes <= kKeyPadding);
 
@@ -68,9 +68,7 @@ struct Matching {
 
 /// Sums wrap round like unsigned numbers: runs that reach the frame have keys without meaning.
 [[gnu::always_inline]] inline KeyBatch product(KeyBatch a, KeyBatch b) {
-  using Unsigned = xsimd::batch<std::uint32_t, Architecture>;
-  return xsimd::bitwise_cast<KeyBatch>(xsimd::bitwise_cast<Unsigned>(a) *
-                                       xsimd::bitwise_cast<Unsigned>(b));
+  return reinterpreted<KeyBatch>(reinterpreted<Lanes32>(a) * reinterpreted<Lanes32>(b));
 }
 
 [[gnu::always_inline]] inline void add_row(const RunSlots& slots, const Key* keys, Index count,

@@ -24,30 +24,16 @@
 // the loop without moves of registers, 1 % faster.
 #include "thinning/engines/row_kernel.hpp"
 
-#include "simd/batch.hpp"
 #include "nets/mux_rule.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench {
 namespace {
 
-/// Lane i of the result is lane i - 1 of `row`; lane 0, beyond the margin, is light.
-[[gnu::always_inline]] inline __m512i previous_words(__m512i row) {
-  return _mm512_alignr_epi64(row, _mm512_setzero_si512(), 7);
-}
-
-[[gnu::always_inline]] inline __m512i next_words(__m512i row) {
-  return _mm512_alignr_epi64(_mm512_setzero_si512(), row, 1);
-}
-
-[[gnu::always_inline]] inline RowOfThree<WordBatch> with_neighbours(__m512i row) {
-#ifdef __AVX512VBMI2__
-  return {_mm512_shldi_epi64(row, previous_words(row), 1), row,
-          _mm512_shrdi_epi64(row, next_words(row), 1)};
-#else
-  return {_mm512_or_si512(_mm512_slli_epi64(row, 1), _mm512_srli_epi64(previous_words(row), 63)),
-          row, _mm512_or_si512(_mm512_srli_epi64(row, 1), _mm512_slli_epi64(next_words(row), 63))};
-#endif
+/// Beyond the margin there is background.
+[[gnu::always_inline]] inline RowOfThree<WordBatch> with_neighbours(WordBatch row) {
+  return {west_neighbour<1>(row, previous_word(row)), row, east_neighbour<1>(row, next_word(row))};
 }
 
 /// The working image: rows of one block each between two zero rows, in bands of equal height.
@@ -63,7 +49,7 @@ struct RegisterRows {
   const std::uint64_t* data;  // row 0
 
   [[gnu::always_inline]] RowOfThree<WordBatch> row(Index y) const {
-    return with_neighbours(_mm512_load_si512(data + y * kBlockWords));
+    return with_neighbours(WordBatch::load_aligned(data + y * kBlockWords));
   }
 
   template <class Rule>
@@ -130,7 +116,7 @@ int thin_rows(const Rule& rule, int max_iterations, const ConstBitPlaneView& sou
   const Index count = row_kernel_bands(source.height);
   const Bands bands = {scratch + kMarginRows * kBlockWords, row_kernel_band_rows(source.height)};
   for (Index y = 0; y < source.height; ++y) {
-    _mm512_store_si512(bands.row(y), _mm512_load_si512(source.row(y)));
+    WordBatch::load_aligned(source.row(y)).store_aligned(bands.row(y));
   }
   const std::uint64_t all = count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
   std::uint64_t changed[Rule::kSubIterations];
@@ -139,7 +125,7 @@ int thin_rows(const Rule& rule, int max_iterations, const ConstBitPlaneView& sou
   constexpr auto subs = std::make_integer_sequence<int, Rule::kSubIterations>{};
   while (cycle<Rule>(rule, bands, all, changed, subs) && cycles < max_iterations) ++cycles;
   for (Index y = 0; y < source.height; ++y) {
-    _mm512_store_si512(target.row(y), _mm512_load_si512(bands.row(y)));
+    WordBatch::load_aligned(bands.row(y)).store_aligned(target.row(y));
   }
   return cycles;
 }

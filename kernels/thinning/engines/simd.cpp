@@ -5,9 +5,9 @@
 // about 8, the pixels an operation.
 //
 // simd_bytes: one pixel a byte lane, neighbours by unaligned loads: 3 loads, 1 store, the gates.
-#include "simd/batch.hpp"
 #include "nets/model_passes.hpp"
 #include "nets/mux_rule.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/sweep.hpp"
 
