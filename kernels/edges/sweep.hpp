@@ -8,8 +8,8 @@
 // between strips, and for the pages they touch to stay in the translation buffer.
 #pragma once
 
-#include "simd/grey_lanes.hpp"
 #include "edges/kernels.hpp"
+#include "simd/vector.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {

@@ -44,17 +44,8 @@ struct PairedLanes {
   static constexpr Index kElements = 2;
 
   [[gnu::always_inline]] static RowOfThree<Word> with_neighbours(Word row) {
-#if defined(__AVX512F__)
-    const Word first = _mm512_bslli_epi128(row, 8);
-    const Word second = _mm512_bsrli_epi128(row, 8);
-#elif defined(__AVX2__)
-    const Word first = _mm256_bslli_epi128(row, 8);
-    const Word second = _mm256_bsrli_epi128(row, 8);
-#else
-    const Word first = _mm_bslli_si128(row, 8);
-    const Word second = _mm_bsrli_si128(row, 8);
-#endif
-    return {west_neighbour<1>(row, first), row, east_neighbour<1>(row, second)};
+    return {west_neighbour<1>(row, previous_in_pair(row)), row,
+            east_neighbour<1>(row, next_in_pair(row))};
   }
 };
 

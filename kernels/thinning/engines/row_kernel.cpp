@@ -25,33 +25,21 @@
 #include "thinning/engines/row_kernel.hpp"
 
 #include "dispatch/exported.hpp"
-#include "simd/batch.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
-
-#ifdef __AVX512F__
 inline namespace THINBENCH_ISA {
 namespace {
 
-/// Lane i of the result is lane i - 1 of `row`; lane 0, beyond the margin, is light.
-[[gnu::always_inline]] inline __m512i previous_words(__m512i row) {
-  return _mm512_alignr_epi64(row, _mm512_setzero_si512(), 7);
-}
+// Templates of a word type, which is always WordBatch, so that nothing is compiled where no
+// register holds a row.
 
-[[gnu::always_inline]] inline __m512i next_words(__m512i row) {
-  return _mm512_alignr_epi64(_mm512_setzero_si512(), row, 1);
-}
-
-[[gnu::always_inline]] inline RowOfThree<WordBatch> with_neighbours(__m512i row) {
-#ifdef __AVX512VBMI2__
-  return {_mm512_shldi_epi64(row, previous_words(row), 1), row,
-          _mm512_shrdi_epi64(row, next_words(row), 1)};
-#else
-  return {_mm512_or_si512(_mm512_slli_epi64(row, 1), _mm512_srli_epi64(previous_words(row), 63)),
-          row, _mm512_or_si512(_mm512_srli_epi64(row, 1), _mm512_slli_epi64(next_words(row), 63))};
-#endif
+/// Beyond the margin there is background.
+template <class Word>
+[[gnu::always_inline]] inline RowOfThree<Word> with_neighbours(Word row) {
+  return {west_neighbour<1>(row, previous_word(row)), row, east_neighbour<1>(row, next_word(row))};
 }
 
 /// The working image: rows of one block each, between margins. The rows that may change are grouped
@@ -66,17 +54,18 @@ struct Bands {
 };
 
 /// The rows of the working image.
+template <class Word>
 struct RegisterRows {
   const std::uint64_t* data;  // row 0
 
-  [[gnu::always_inline]] RowOfThree<WordBatch> row(Index y) const {
-    return with_neighbours(_mm512_load_si512(data + y * kBlockWords));
+  [[gnu::always_inline]] RowOfThree<Word> row(Index y) const {
+    return with_neighbours(Word::load_aligned(data + y * kBlockWords));
   }
 
   template <class Rule>
-  [[gnu::always_inline]] RowOfThree<WordBatch> features(Index, const RowOfThree<WordBatch>& above,
-                                                        const RowOfThree<WordBatch>& here,
-                                                        const RowOfThree<WordBatch>& below) const {
+  [[gnu::always_inline]] RowOfThree<Word> features(Index, const RowOfThree<Word>& above,
+                                                   const RowOfThree<Word>& here,
+                                                   const RowOfThree<Word>& below) const {
     return with_neighbours(Rule::feature(cross(above.centre, here, below.centre)));
   }
 };
@@ -98,13 +87,14 @@ template <class Rule, int sub, class Fixed>
                                                         const Bands& bands, int first, int last) {
   std::uint64_t changed_bands = 0;
   std::uint64_t* row = bands.row(first * bands.band_rows);
-  Window<Rule, RegisterRows> window(RegisterRows{row}, 0);
+  using Rows = RegisterRows<WordBatch>;
+  Window<Rule, Rows> window(Rows{row}, 0);
   for (int band = first; band < last; ++band) {
     WordBatch changed(std::uint64_t{0});
     const Index rows = rows_of_band(fixed, bands, band);
     for (Index y = 0; y < rows; ++y, row += kBlockWords) {
       const WordBatch next =
-          fixed.apply(window.template next<sub>(rule, RegisterRows{row}, 0), window.centre());
+          fixed.apply(window.template next<sub>(rule, Rows{row}, 0), window.centre());
       next.store_aligned(row);
       changed = ternary(changed, window.centre(), next,
                         [](auto a, auto b, auto c) { return a | (b ^ c); });
@@ -201,14 +191,20 @@ int fixed_rule(const RowKernelOptions& options, const ConstBitPlaneView& source,
   return thin_rows(Rule{}, options, source, target, scratch);
 }
 
+template <class Rule>
 int runtime_rule(const RowKernelOptions& options, const ConstBitPlaneView& source,
                  const BitPlaneView& target, std::uint64_t* scratch) {
-  return thin_rows(MuxRule{options.rule->program}, options, source, target, scratch);
+  return thin_rows(Rule{options.rule->program}, options, source, target, scratch);
 }
 
+template <bool available>
 consteval RowKernels make_kernels() {
-  RowKernels kernels{{}, &runtime_rule};
-  for_each_parallel_rule([&]<class Type>(Rule rule) { kernels.by_rule[rule] = &fixed_rule<Type>; });
+  RowKernels kernels{};
+  if constexpr (available) {
+    kernels.runtime = &runtime_rule<MuxRule>;
+    for_each_parallel_rule(
+        [&]<class Type>(Rule rule) { kernels.by_rule[rule] = &fixed_rule<Type>; });
+  }
   return kernels;
 }
 
@@ -216,13 +212,7 @@ consteval RowKernels make_kernels() {
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels = make_kernels();
-
-#else
-
-template <>
-constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels = {};
-
-#endif
+constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels =
+    make_kernels<kRegisterHoldsRow>();
 
 }  // namespace thinbench::detail

@@ -30,7 +30,7 @@
 #include <algorithm>
 
 #include "dispatch/exported.hpp"
-#include "simd/lane_bits.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
@@ -201,20 +201,16 @@ template <class Rule, int sub, bool has_border>
 
 [[gnu::always_inline]] inline Index append_tiles(std::uint32_t* list, Index first,
                                                  std::uint32_t tiles) {
-#ifdef __AVX512F__
-  const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const __m512i low = _mm512_add_epi32(lanes, _mm512_set1_epi32(static_cast<int>(first)));
-  const __m512i high = _mm512_add_epi32(low, _mm512_set1_epi32(16));
-  const auto low_tiles = static_cast<__mmask16>(tiles);
-  const auto high_tiles = static_cast<__mmask16>(tiles >> 16);
-  _mm512_storeu_si512(list, _mm512_maskz_compress_epi32(low_tiles, low));
-  _mm512_storeu_si512(list + __builtin_popcount(low_tiles),
-                      _mm512_maskz_compress_epi32(high_tiles, high));
-#else
-  for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
-    *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(left));
+  if constexpr (kHasCompress) {
+    static_assert(!kHasCompress || 2 * kRowLanes == kTileGroup);
+    const Lanes32 low = lane_numbers() + Lanes32(static_cast<std::uint32_t>(first));
+    store_compressed(list, low, tiles);
+    store_compressed(list + __builtin_popcount(tiles & 0xFFFF), low + Lanes32(16), tiles >> 16);
+  } else {
+    for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
+      *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(left));
+    }
   }
-#endif
   return __builtin_popcount(tiles);
 }
 
