@@ -8,8 +8,8 @@
 
 #include "image/planes.hpp"
 #include "support/splitmix64.hpp"
-#include "thinning/iteration/state.hpp"
 #include "thinning/engines/tile_passes.hpp"
+#include "thinning/iteration/state.hpp"
 
 namespace thinbench {
 namespace {
