@@ -1,4 +1,6 @@
 // Batches of small images: equal to the reference one by one, and what the public edge refuses.
+#include "thinbench/batch.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
@@ -9,7 +11,6 @@
 #include "harness/operation.hpp"
 #include "harness/test_images.hpp"
 #include "support/splitmix64.hpp"
-#include "thinbench/batch.hpp"
 
 namespace thinbench {
 namespace {

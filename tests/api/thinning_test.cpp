@@ -1,12 +1,11 @@
 // The public edge: what it chooses and what it refuses.
-#include "thinbench/thinning.hpp"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "harness/operation.hpp"
 #include "harness/test_images.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {

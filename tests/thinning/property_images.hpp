@@ -7,10 +7,10 @@
 #include "harness/test_images.hpp"
 #include "scene/scene.hpp"
 
-namespace thinbench::property_pictures {
+namespace thinbench::property_images {
 
 /// Noise of many kinds, and scenes.
-inline std::vector<ByteImage> pictures() {
+inline std::vector<ByteImage> property_images() {
   std::vector<ByteImage> images;
   std::uint64_t seed = 500;
   for (const int percent : {30, 50, 70, 90, 97}) {
@@ -23,7 +23,7 @@ inline std::vector<ByteImage> pictures() {
   return images;
 }
 
-/// Pixels that are marked and light in the image.
+/// Pixels that are marked and background in the image.
 inline Index marked_outside(const ByteImage& marks, const ByteImage& image) {
   Index outside = 0;
   for (Index y = 0; y < image.height(); ++y) {
@@ -34,4 +34,4 @@ inline Index marked_outside(const ByteImage& marks, const ByteImage& image) {
   return outside;
 }
 
-}  // namespace thinbench::property_pictures
+}  // namespace thinbench::property_images
