@@ -19,8 +19,8 @@ struct Neighbours {
 
 /// What a decision makes of each descriptor.
 template <class Keeps>
-StayTable table_by(const Keeps& keeps) {
-  StayTable table{};
+KeepTable table_by(const Keeps& keeps) {
+  KeepTable table{};
   for (int k = 0; k < kDescriptors; ++k) {
     table[static_cast<std::size_t>(k)] = keeps(Neighbours<float>(k).n);
   }
@@ -87,7 +87,7 @@ std::vector<OperationCount> count_methods(const ClusterWeights& cluster) {
 }  // namespace
 
 OperationCounts run_operation_counts() {
-  const StayTable rule = stay_table_of_rule();
+  const KeepTable rule = keep_table_of_rule();
   const ClusterWeights cluster =
       cluster_weights(train_cluster(rule, {kMaxClusterNets, /*small_integers=*/true}));
   const auto of_cluster = [&](const auto& n) { return reference::cluster_keeps(cluster, n); };

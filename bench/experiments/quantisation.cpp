@@ -29,7 +29,7 @@ void for_each_number(Net& net, const Visit& visit) {
 }
 
 QuantisationRow measure(Quantisation way, int bits) {
-  const StayTable rule = stay_table_of_rule();
+  const KeepTable rule = keep_table_of_rule();
   const HiddenLayerNet net = quantised(to_net(kPaperTwoLayer), way, bits);
   float largest = 0;
   for_each_number(net, [&](float value) { largest = std::max(largest, std::abs(value)); });
@@ -59,7 +59,7 @@ std::vector<QuantisationRow> run_quantisation() {
 }
 
 ExperimentReport quantisation_report(const std::vector<QuantisationRow>& rows) {
-  const StayTable rule = stay_table_of_rule();
+  const KeepTable rule = keep_table_of_rule();
   const HiddenLayerNet printed = to_net(kPaperTwoLayer);
   nlohmann::ordered_json json = {
       {"descriptors", kDescriptors},
