@@ -16,6 +16,16 @@ template <class Json>
   return json;
 }
 
+/// What labels_json made; no border and no limit where the object is older than these.
+template <class Json>
+[[nodiscard]] CaseLabels labels_from(const Json& json) {
+  CaseLabels labels = {json.value("operation", ""), json.value("border", "")};
+  if (json.contains("max_iterations") && !json.at("max_iterations").is_null()) {
+    labels.max_iterations = json.at("max_iterations").template get<int>();
+  }
+  return labels;
+}
+
 /// The same after "case", the unique name.
 template <class Json>
 [[nodiscard]] Json case_json(const Operation& operation) {
