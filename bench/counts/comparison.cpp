@@ -32,12 +32,12 @@ std::string difference_of(const Json& before, const Json& now) {
 struct StoredCount {
   std::uint64_t instructions = 0;
   std::string method;  // with valgrind's version
-  std::optional<std::int64_t> passes = std::nullopt;
+  std::optional<std::int64_t> iterations = std::nullopt;
 };
 
 using StoredCounts = std::map<std::string, StoredCount>;
 
-/// Before schema 2, rows named no method.
+/// Before schema 3, iterations were called passes; before schema 2, rows named no method.
 StoredCounts counts_in(const Json& document) {
   const std::string single_steps = method_name(Method::single_steps);
   StoredCounts counts;
@@ -46,7 +46,9 @@ StoredCounts counts_in(const Json& document) {
     if (method != single_steps) method.append(" ").append(document.at("valgrind"));
     StoredCount& count = counts[row.at("row")];
     count = {row.at("instructions"), std::move(method)};
-    if (row.contains("passes")) count.passes = row.at("passes");
+    for (const char* field : {"iterations", "passes"}) {
+      if (row.contains(field)) count.iterations = row.at(field);
+    }
   }
   return counts;
 }
@@ -79,8 +81,8 @@ std::string line_of(const MovedRow& moved) {
          (moved.is_more() ? "+" : "") + fixed(100 * (ratio - 1), 1) + " %)\n";
 }
 
-std::string line_of(const ChangedPasses& changed) {
-  return changed.row + ": " + std::to_string(changed.before) + " passes before, " +
+std::string line_of(const ChangedIterations& changed) {
+  return changed.row + ": " + std::to_string(changed.before) + " iterations before, " +
          std::to_string(changed.now) + " now\n";
 }
 
@@ -125,8 +127,8 @@ Comparison compare(const Json& before, const Json& now) {
       continue;
     }
     ++comparison.compared;
-    if (old->second.passes && count.passes && old->second.passes != count.passes) {
-      comparison.passes.push_back({row, *old->second.passes, *count.passes});
+    if (old->second.iterations && count.iterations && old->second.iterations != count.iterations) {
+      comparison.iterations.push_back({row, *old->second.iterations, *count.iterations});
     }
     if (is_moved(old->second.instructions, count.instructions)) {
       comparison.moved.push_back({row, old->second.instructions, count.instructions});
@@ -140,7 +142,7 @@ std::string to_text(const Comparison& comparison) {
   if (!comparison.why_not.empty()) return "nothing compared: " + comparison.why_not + "\n";
   std::string text;
   for (const MovedRow& moved : comparison.moved) text += line_of(moved);
-  for (const ChangedPasses& changed : comparison.passes) text += line_of(changed);
+  for (const ChangedIterations& changed : comparison.iterations) text += line_of(changed);
   if (comparison.otherwise_counted > 0) {
     text += std::to_string(comparison.otherwise_counted) +
             " rows not compared: they were counted by another method or valgrind\n";

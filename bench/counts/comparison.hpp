@@ -21,8 +21,8 @@ struct MovedRow {
   [[nodiscard]] bool is_more() const { return now == 0 || now > before; }
 };
 
-/// A row that reads its picture another number of times, which no speed of a kernel explains.
-struct ChangedPasses {
+/// A row that takes another number of iterations, which no speed of a kernel explains.
+struct ChangedIterations {
   std::string row;
   std::int64_t before;
   std::int64_t now;
@@ -34,10 +34,10 @@ struct Comparison {
   std::size_t otherwise_counted = 0;  // by another method than before: not compared
   std::vector<MovedRow> moved;        // by more than the tolerance
 
-  std::vector<ChangedPasses> passes;  // of rows that were compared
+  std::vector<ChangedIterations> iterations;  // of rows that were compared
 
   [[nodiscard]] std::size_t more() const;
-  [[nodiscard]] bool fails() const { return more() > 0 || !passes.empty(); }
+  [[nodiscard]] bool fails() const { return more() > 0 || !iterations.empty(); }
 };
 
 /// The document of counts in a file. Throws std::runtime_error with one line that names the file

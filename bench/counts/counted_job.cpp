@@ -22,7 +22,7 @@ ByteImage read_pixels(std::istream& stream, Index width, Index height) {
   return image;
 }
 
-/// "operation/technique/isa/threads", with which the name of a row begins.
+/// "case/technique/isa/threads/", with which the name of a row begins.
 std::string start_of(const Operation& operation, const Variant& variant) {
   return row_name(operation.name, variant.technique, variant.isa_label(), 1) + "/";
 }

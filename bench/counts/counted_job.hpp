@@ -19,7 +19,7 @@ inline constexpr const char* kCallFailed = "call failed";
 
 struct CountedJob {
   TimedInput input;
-  std::vector<std::string> rows;  // operation/technique/isa/threads/scope/input
+  std::vector<std::string> rows;  // case/technique/isa/threads/scope/input
 };
 
 void write_job(std::ostream& stream, const TimedInput& input, const std::vector<std::string>& rows);

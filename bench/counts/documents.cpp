@@ -6,6 +6,7 @@
 
 #include <gnu/libc-version.h>
 
+#include "harness/case_json.hpp"
 #include "machine/machine.hpp"
 
 namespace thinbench {
@@ -43,23 +44,23 @@ Json document_of(const char* kind, int schema, const TimedInput& input,
 
 Json row_json(const RowCount& count) {
   const TimedRow& row = *count.row;
-  Json json = {{"row", row.name},
-               {"operation", row.operation->name},
-               {"technique", row.variant->technique},
+  Json json = {{"row", row.name}};
+  json.update(case_json<Json>(*row.operation));
+  json.update({{"technique", row.variant->technique},
                {"isa", row.variant->isa_label()},
                {"threads", row.threads},
                {"scope", scope_name(row.scope)},
                {"input", row.input->name},
                {"instructions", count.instructions},
-               {"method", method_name(count.method)}};
+               {"method", method_name(count.method)}});
   if (row.counter) json[std::string(row.operation->counter)] = *row.counter;
   return json;
 }
 
-/// What a technique of rows does for one row in one pass; empty where passes are not counted.
-std::optional<double> instructions_a_row_and_pass(const RowCount& count) {
+/// What one row of pixels takes in one iteration; nothing where iterations are not counted.
+std::optional<double> instructions_per_row_and_iteration(const RowCount& count) {
   const TimedRow& row = *count.row;
-  if (row.operation->counter != "passes" || row.counter.value_or(0) <= 0) return std::nullopt;
+  if (row.operation->counter != "iterations" || row.counter.value_or(0) <= 0) return std::nullopt;
   return static_cast<double>(count.instructions) /
          static_cast<double>(*row.counter * row.input->height());
 }
@@ -72,11 +73,11 @@ Json limit_json(const RowLimit& limit, double issue_width) {
   Json json = row_json(limit.count);
   json["ns"] = rounded(limit.time.seconds * 1e9, 10);
   json["cycle_ns"] = rounded(limit.time.seconds_a_cycle * 1e9, 1e5);
-  json["instructions_a_cycle"] = rounded(limit.instructions_a_cycle(), 1000);
+  json["instructions_per_cycle"] = rounded(limit.instructions_per_cycle(), 1000);
   json["limit_ns"] = rounded(limit.limit_seconds(issue_width) * 1e9, 10);
-  json["percent_of_limit"] = rounded(100 * limit.instructions_a_cycle() / issue_width, 10);
-  if (const auto each = instructions_a_row_and_pass(limit.count)) {
-    json["instructions_a_row_and_pass"] = rounded(*each, 10);
+  json["percent_of_limit"] = rounded(100 * limit.instructions_per_cycle() / issue_width, 10);
+  if (const auto each = instructions_per_row_and_iteration(limit.count)) {
+    json["instructions_per_row_and_iteration"] = rounded(*each, 10);
   }
   return json;
 }
@@ -128,14 +129,14 @@ std::string counts_table(const RowCounts& counts) {
 }
 
 std::string limits_table(const Limits& limits, double issue_width) {
-  std::string text = line("%-80s %12s %10s %8s %10s %9s\n", "row", "instructions", "us", "a cycle",
-                          "limit us", "of limit");
+  std::string text = line("%-80s %12s %10s %9s %10s %9s\n", "row", "instructions", "us",
+                          "per cycle", "limit us", "of limit");
   for (const RowLimit& limit : limits.rows) {
     text +=
-        line("%-80s %12llu %10.2f %8.2f %10.2f %7.0f %%\n", limit.count.row->name.c_str(),
+        line("%-80s %12llu %10.2f %9.2f %10.2f %7.0f %%\n", limit.count.row->name.c_str(),
              static_cast<unsigned long long>(limit.count.instructions), limit.time.seconds * 1e6,
-             limit.instructions_a_cycle(), limit.limit_seconds(issue_width) * 1e6,
-             100 * limit.instructions_a_cycle() / issue_width);
+             limit.instructions_per_cycle(), limit.limit_seconds(issue_width) * 1e6,
+             100 * limit.instructions_per_cycle() / issue_width);
   }
   return text;
 }

@@ -11,14 +11,15 @@
 
 namespace thinbench {
 
-/// Since 2, rows name their method; before, all were counted by single steps.
-inline constexpr int kCountsSchema = 2;
+/// Since 3, rows name case, border and limit, and passes are called iterations; since 2, they name
+/// their method; before, all were counted by single steps.
+inline constexpr int kCountsSchema = 3;
 inline constexpr int kFirstCountsSchema = 1;
 inline constexpr int kLimitsSchema = 1;
 inline constexpr const char* kInstructionsKind = "instructions";
 
-/// What must be equal for counts to be comparable: compiler and flags, the C library and the level
-/// of the processor, which its functions choose by.
+/// What must be equal for counts to be comparable: compiler and flags, the C library and the
+/// highest ISA of the processor, which its functions choose by.
 [[nodiscard]] nlohmann::ordered_json build_json();
 
 /// Flat rows, so that any tool makes CSV of them.

@@ -21,10 +21,10 @@ struct RowLimit {
   RowCount count;
   CallTime time;
 
-  [[nodiscard]] double instructions_a_cycle() const {
+  [[nodiscard]] double instructions_per_cycle() const {
     return static_cast<double>(count.instructions) * time.seconds_a_cycle / time.seconds;
   }
-  /// No core that issues so many instructions a cycle takes less.
+  /// No core that issues so many instructions per cycle takes less.
   [[nodiscard]] double limit_seconds(double issue_width) const {
     return static_cast<double>(count.instructions) / issue_width * time.seconds_a_cycle;
   }
@@ -36,7 +36,7 @@ struct Limits {
   CallgrindUse callgrind = {};
 };
 
-/// Of each operation the row that takes the least time end to end, and no other.
+/// Of each case the row that takes the least time end to end, and no other.
 [[nodiscard]] std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows);
 
 /// Times and then counts rows, of one input, which outlive the limits. A row whose time makes more

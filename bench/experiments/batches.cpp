@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/catalogue.hpp"
 #include "harness/operation.hpp"
 #include "support/text.hpp"
 #include "thinbench/batch.hpp"
@@ -16,8 +17,7 @@ namespace thinbench {
 namespace {
 
 constexpr std::array<Index, 2> kSides = {28, 64};
-constexpr std::array<std::string_view, 3> kOperations = {"thin_guo_hall", "thin_zhang_suen",
-                                                         "thin_naccache_shinghal"};
+constexpr std::array kRulesOfBatches = {Rule::guo_hall, Rule::zhang_suen, Rule::naccache_shinghal};
 constexpr std::uint64_t kSeed = 1999;
 
 template <class Work>
@@ -37,28 +37,24 @@ double median(std::vector<double> values) {
 /// One variant, image after image.
 struct Single {
   std::string name;
-  ThinningPlan plan;
+  std::unique_ptr<detail::ThinningState> state;
 
-  int run(const ConstStackView& source, const StackView& destination) {
-    int most = 0;
-    for (Index i = 0; i < source.count; ++i) {
-      most = std::max(most, plan.run(source.image(i), destination.image(i)));
-    }
-    return most;
+  void run(const ConstStackView& source, const StackView& destination) {
+    for (Index i = 0; i < source.count; ++i) state->run(source.image(i), destination.image(i));
   }
 };
 
 /// The fastest variant on one thread, by the least of a few runs over some of the images.
-Single fastest_single(const ThinningOperation& operation, ConstStackView source,
+Single fastest_single(const detail::ThinningOperation& operation, ConstStackView source,
                       const StackView& destination) {
   source.count = std::min<Index>(source.count, 500);
   std::optional<Single> fastest;
   double least = 0;
-  for (const ThinningVariant& variant : operation.variants) {
+  for (const detail::ThinningVariant& variant : operation.variants) {
     if (variant.threaded || !unavailable_reason(variant, source.width).empty()) continue;
     Single single = {std::string(technique_name(variant.technique)) + " (" +
                          std::string(isa_name(variant.isa)) + ")",
-                     ThinningPlan(operation, variant, source.width, source.height)};
+                     make_state(operation, variant, source.width, source.height, {})};
     const auto run = [&] { single.run(source, destination); };
     run();
     const double took = std::min({seconds(run), seconds(run), seconds(run)});
@@ -84,26 +80,26 @@ struct Round {
   double single, batch;
 };
 
-/// Both ways by turns, so that whoever else uses the core disturbs both.
+/// Both ways interleaved, so that what else uses the core disturbs both.
 Round time_round(Single& single, ThinningBatch& batch, const ConstStackView& source,
                  const StackView& destination, int turns) {
   std::vector<double> singles;
   std::vector<double> batches;
   for (int turn = 0; turn < turns; ++turn) {
     singles.push_back(seconds([&] { single.run(source, destination); }));
-    batches.push_back(seconds([&] { batch.run(source, destination); }));
+    batches.push_back(seconds([&] { batch(source, destination); }));
   }
   return {median(singles), median(batches)};
 }
 
-BatchRow row_of(const ThinningOperation& operation, const ConstStackView& source,
+BatchRow row_of(const detail::ThinningOperation& operation, const ConstStackView& source,
                 const BatchesChoice& choice) {
   ImageStack made(source.count, source.width);
   Single single = fastest_single(operation, source, made.view());
-  ThinningBatch batch(operation, source.width, source.height);
+  ThinningBatch batch(operation.rule, source.width, source.height);
   single.run(source, made.view());
   require_reference(operation.name, source, made.view());
-  const int passes = batch.run(source, made.view());
+  const int iterations = batch(source, made.view());
   require_reference(operation.name, source, made.view());
   std::vector<double> singles;
   std::vector<double> batches;
@@ -118,8 +114,8 @@ BatchRow row_of(const ThinningOperation& operation, const ConstStackView& source
   const auto images = static_cast<double>(source.count);
   return {std::string(operation.name),
           source.width,
-          dark_share(source),
-          passes,
+          foreground_share(source),
+          iterations,
           single.name,
           std::string(isa_name(best_isa())),
           images / median(singles),
@@ -132,10 +128,12 @@ BatchRow row_of(const ThinningOperation& operation, const ConstStackView& source
 nlohmann::ordered_json json_of(const BatchRow& row) {
   return {{"operation", row.operation},
           {"side", row.side},
-          {"dark", row.dark},
-          {"passes", row.passes},
+          {"border", border_name(Border::background)},
+          {"max_iterations", nullptr},
+          {"foreground", row.foreground},
+          {"iterations", row.iterations},
           {"single", row.single},
-          {"level", row.level},
+          {"isa", row.isa},
           {"single_per_second", row.single_per_second},
           {"batch_per_second", row.batch_per_second},
           {"ratio", row.ratio},
@@ -149,8 +147,8 @@ std::vector<BatchRow> run_batches(const BatchesChoice& choice) {
   std::vector<BatchRow> rows;
   for (const Index side : kSides) {
     const ImageStack source = stroke_images(choice.images, side, kSeed);
-    for (const std::string_view name : kOperations) {
-      rows.push_back(row_of(*find_thinning_operation(name), source.view(), choice));
+    for (const Rule rule : kRulesOfBatches) {
+      rows.push_back(row_of(detail::operation_of(rule), source.view(), choice));
     }
   }
   return rows;
@@ -164,13 +162,13 @@ ExperimentReport batches_report(const std::vector<BatchRow>& rows, const Batches
   std::vector<std::vector<std::string>> cells;
   for (const BatchRow& row : rows) {
     json["rows"].push_back(json_of(row));
-    cells.push_back({row.operation, std::to_string(row.side), row.single, row.level,
+    cells.push_back({row.operation, std::to_string(row.side), row.single, row.isa,
                      fixed(row.single_per_second / 1e6, 3), fixed(row.batch_per_second / 1e6, 3),
                      fixed(row.ratio, 2),
                      fixed(row.ratio_low, 2) + " to " + fixed(row.ratio_high, 2)});
   }
   return {experiment_json("batches", json, options),
-          "Millions of images a second on one thread, one by one by the fastest variant and as a "
+          "Millions of images per second on one thread, one by one by the fastest variant and as a "
           "batch, " +
               std::to_string(choice.images) + " images of strokes, and the ratio (of " +
               std::to_string(choice.rounds) +

@@ -12,17 +12,17 @@ namespace thinbench {
 struct BatchesChoice {
   Index images = 10000;
   int rounds = 9;  // at least 3
-  int turns = 5;   // of each way in a round, by turns
+  int turns = 5;   // of each way in a round, interleaved
   static BatchesChoice quick() { return {2000, 9, 1}; }
 };
 
 struct BatchRow {
   std::string operation;
   Index side;
-  double dark;         // share of all pixels
-  int passes;          // the most that an image takes
-  std::string single;  // technique and level of the fastest variant, one image after another
-  std::string level;   // of the batch
+  double foreground;   // share of all pixels
+  int iterations;      // the maximum over the images
+  std::string single;  // technique and ISA of the fastest variant, one image after another
+  std::string isa;     // of the batch
   double single_per_second;
   double batch_per_second;
   double ratio;  // of the two: median over rounds, all but the lowest, all but the highest

@@ -19,7 +19,7 @@ int largest_weight(const IntegerNeuron& neuron) {
 }  // namespace
 
 std::vector<TrainedRun> run_cluster_runs() {
-  return train_cluster(stay_table_of_rule(), {kMaxClusterNets, /*small_integers=*/true});
+  return train_cluster(keep_table_of_rule(), {kMaxClusterNets, /*small_integers=*/true});
 }
 
 ExperimentReport cluster_runs_report(const std::vector<TrainedRun>& runs) {

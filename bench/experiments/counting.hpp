@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "simd/word.hpp"
 #include "decisions.hpp"
+#include "simd/word.hpp"
 #include "thinbench/nets.hpp"
 
 namespace thinbench {
@@ -153,6 +153,10 @@ class CountedWord {
   std::uint64_t value_;
 };
 
+}  // namespace thinbench
+
+namespace thinbench::detail {
+
 /// With three inputs `ternary` is one gate; with two it is its expression, the general way.
 template <>
 struct TernaryGate<CountedWord<3>> {
@@ -164,4 +168,4 @@ struct TernaryGate<CountedWord<3>> {
   }
 };
 
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -41,10 +41,9 @@ double share(double part, double all) {
   return all > 0 ? part / all : 1;
 }
 
-ByteImage edges_of(const EdgeOperation& operation, const ConstImageView& grey,
-                   const EdgeThresholds& thresholds) {
+ByteImage edges_of(EdgeOperator op, const ConstImageView& grey, const EdgeThresholds& thresholds) {
   ByteImage edges(grey.width, grey.height);
-  detect_edges(operation.name, grey, edges.view(), thresholds);
+  detect_edges(op, grey, edges.view(), thresholds);
   return edges;
 }
 
@@ -56,18 +55,19 @@ Scene noisy_scene(int sigma, int seed) {
   return render_scene(options);
 }
 
-EdgeQualityRow measure(const EdgeOperation& operation, int sigma, const EdgeQualityChoice& choice,
+EdgeQualityRow measure(const EdgeOperatorInfo& info, int sigma, const EdgeQualityChoice& choice,
                        const std::vector<Scene>& scenes, const TrueContours& contours) {
-  EdgeQualityRow row = {std::string(operation.name), sigma, {0, 0, 0, 0}, 0};
+  EdgeQualityRow row = {std::string(info.operation), sigma, {0, 0, 0, 0}, 0};
   const double weight = 1.0 / choice.seeds;
   for (const Scene& scene : scenes) {
-    const ByteImage edges = edges_of(operation, scene.grey.view(), choice.thresholds);
+    const ByteImage edges = edges_of(info.op, scene.grey.view(), choice.thresholds);
     const EdgeQuality one = edge_quality(contours, edges.view());
     row.quality.precision += weight * one.precision;
     row.quality.recall += weight * one.recall;
     row.quality.figure_of_merit += weight * one.figure_of_merit;
     row.quality.marked += weight * one.marked;
-    const ByteImage more = edges_of(operation, scene.grey.view(), {choice.thresholds.p1, 0});
+    const ByteImage more =
+        edges_of(info.op, scene.grey.view(), {choice.thresholds.gradient_threshold, 0});
     row.precision_without_p2 += weight * edge_quality(contours, more.view()).precision;
   }
   return row;
@@ -112,8 +112,8 @@ std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice) {
     std::vector<Scene> scenes;
     scenes.reserve(static_cast<std::size_t>(choice.seeds));
     for (int seed = 0; seed < choice.seeds; ++seed) scenes.push_back(noisy_scene(sigma, seed));
-    for (const EdgeOperation& operation : edge_operations()) {
-      rows.push_back(measure(operation, sigma, choice, scenes, contours));
+    for (const EdgeOperatorInfo& info : kEdgeOperators) {
+      rows.push_back(measure(info, sigma, choice, scenes, contours));
     }
   }
   return rows;
@@ -121,13 +121,15 @@ std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice) {
 
 ExperimentReport edge_quality_report(const std::vector<EdgeQualityRow>& rows,
                                      const EdgeQualityChoice& choice, const std::string& options) {
-  nlohmann::ordered_json json = {{"p1", choice.thresholds.p1},
-                                 {"p2", choice.thresholds.p2},
+  nlohmann::ordered_json json = {{"gradient_threshold", choice.thresholds.gradient_threshold},
+                                 {"brightness_threshold", choice.thresholds.brightness_threshold},
                                  {"seeds", choice.seeds},
                                  {"rows", nlohmann::ordered_json::array()}};
   std::vector<std::vector<std::string>> cells;
   for (const EdgeQualityRow& row : rows) {
     json["rows"].push_back({{"operation", row.operation},
+                            {"border", ""},
+                            {"max_iterations", nullptr},
                             {"sigma", row.sigma},
                             {"precision", row.quality.precision},
                             {"recall", row.quality.recall},
@@ -139,8 +141,8 @@ ExperimentReport edge_quality_report(const std::vector<EdgeQualityRow>& rows,
                      fixed(row.quality.marked, 3), fixed(row.precision_without_p2, 3)});
   }
   return {experiment_json("edge-quality", json, options),
-          "Edges with P1 " + std::to_string(choice.thresholds.p1) + " and P2 " +
-              std::to_string(choice.thresholds.p2) +
+          "Edges with P1 " + std::to_string(choice.thresholds.gradient_threshold) + " and P2 " +
+              std::to_string(choice.thresholds.brightness_threshold) +
               " against the true contours of the scene; a pixel beside is near enough, so where "
               "much is marked, much is found by chance:\n\n" +
               markdown_table({"Operation", "Noise sigma", "Precision", "Recall",

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/report.hpp"
 #include "support/byte_image.hpp"
 #include "thinbench/edges.hpp"
-#include "experiments/report.hpp"
 
 namespace thinbench {
 
@@ -31,7 +31,7 @@ struct EdgeQualityRow {
   std::string operation;
   int sigma;
   EdgeQuality quality;          // means over the seeds
-  double precision_without_p2;  // the same with P2 = 0
+  double precision_without_p2;  // the same with P2, the brightness threshold, 0
 };
 
 /// The contours of a binary image, both 255 on 0.
@@ -41,9 +41,9 @@ struct TrueContours {
 };
 [[nodiscard]] TrueContours true_contours(const ConstImageView& binary);
 
-/// Compares edges, 255 on 0, with contours. Precision and recall take either side of a border for
-/// right. Pratt's figure wants contours one pixel wide: with both sides it would ask for edges two
-/// pixels wide; so edges that are lose by their second pixel.
+/// Compares edges, 255 on 0, with contours. Precision and recall take either side of a border as
+/// correct. Pratt's figure wants contours one pixel wide: with both sides it would ask for edges
+/// two pixels wide; so edges that are lose by their second pixel.
 [[nodiscard]] EdgeQuality edge_quality(const TrueContours& contours, const ConstImageView& edges);
 
 /// Every operator at every noise.

@@ -22,7 +22,7 @@ HiddenNeuronsRow measure(int hidden, const HiddenNeuronsChoice& choice) {
   std::vector<int> epochs;
   for (int seed = 1; seed <= choice.seeds; ++seed) {
     const TrainedTwoLayer trained =
-        train_two_layer(stay_table_of_rule(), {.seed = static_cast<std::uint64_t>(seed),
+        train_two_layer(keep_table_of_rule(), {.seed = static_cast<std::uint64_t>(seed),
                                                .hidden = hidden,
                                                .max_restarts = 0,
                                                .max_epochs = choice.max_epochs,

@@ -1,13 +1,13 @@
-// "Hole detection and localisation" (section 2.2): on which pictures the count of the relabelling
-// scan, as printed, is right.
+// "Hole detection and localisation" (section 2.2): on which images the count of the relabelling
+// scan, as published, is correct.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "support/byte_image.hpp"
 #include "experiments/report.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 

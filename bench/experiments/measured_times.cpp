@@ -7,16 +7,20 @@
 #include <stdexcept>
 #include <vector>
 
+#include "thinbench/options.hpp"
+
 namespace thinbench {
 namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Names with commas would be quoted, but only a picture can be called so, and no picture is read.
+/// Names with commas would be quoted, but only an image file can be called so, and none is read.
+/// Nothing behind the last comma is an empty cell, too.
 Cells cells_of(const std::string& line) {
   Cells cells;
   std::istringstream stream(line);
   for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  if (line.ends_with(',')) cells.emplace_back();
   return cells;
 }
 
@@ -30,8 +34,15 @@ class Table {
   }
 
   [[nodiscard]] std::size_t column(const std::string& name) const {
+    const auto found = newer_column(name);
+    if (!found) fail("has no column " + name);
+    return *found;
+  }
+
+  /// Nothing where the file is older than the column.
+  [[nodiscard]] std::optional<std::size_t> newer_column(const std::string& name) const {
     const auto found = std::find(header_.begin(), header_.end(), name);
-    if (found == header_.end()) fail("has no column " + name);
+    if (found == header_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - header_.begin());
   }
 
@@ -41,7 +52,7 @@ class Table {
     if (!std::getline(file_, line)) return false;
     ++line_;
     cells = cells_of(line);
-    if (cells.size() < header_.size()) fail("line " + std::to_string(line_) + " is cut off");
+    if (cells.size() < header_.size()) fail("line " + std::to_string(line_) + " is truncated");
     return true;
   }
 
@@ -84,8 +95,13 @@ TimesByOperation read_measured_times(const std::string& folder) {
   const std::size_t scope = table.column("scope");
   const std::size_t input = table.column("input");
   const std::size_t median = table.column("median_ns");
+  const std::optional<std::size_t> border = table.newer_column("border");
+  const std::optional<std::size_t> limit = table.newer_column("max_iterations");
   TimesByOperation times;
   for (Cells row; table.next(row);) {
+    if ((border && row[*border] == border_name(Border::keep)) || (limit && !row[*limit].empty())) {
+      continue;
+    }
     if (row[threads] != "1" || row[scope] != "end_to_end" || row[input] != "scene") continue;
     note(times[row[operation]], row[technique], row[isa], table.number(row[median]));
   }

@@ -19,8 +19,8 @@ struct Neighbours {
 
 /// What a decision makes of each descriptor.
 template <class Keeps>
-StayTable table_by(const Keeps& keeps) {
-  StayTable table{};
+KeepTable table_by(const Keeps& keeps) {
+  KeepTable table{};
   for (int k = 0; k < kDescriptors; ++k) {
     table[static_cast<std::size_t>(k)] = keeps(Neighbours<float>(k).n);
   }
@@ -41,7 +41,7 @@ void keep_larger(Operations& most, const Operations& other) {
   most.comparisons = std::max(most.comparisons, other.comparisons);
 }
 
-/// Counts `decide(k)` for each descriptor k of a dark pixel.
+/// Counts `decide(k)` for each descriptor k of a foreground pixel.
 template <class Decide>
 OperationCount count(std::string method, std::string paper, const Decide& decide) {
   OperationCount result = {std::move(method), std::move(paper), {}};
@@ -56,10 +56,10 @@ OperationCount count(std::string method, std::string paper, const Decide& decide
 template <int inputs>
 Gates count_gates() {
   using Word = CountedWord<inputs>;
-  const auto n = [](int variable) { return Word(counting_pattern(variable, 0)); };
+  const auto n = [](int variable) { return Word(detail::counting_pattern(variable, 0)); };
   Word::counted = Gates{};
-  (void)NaccacheShinghal::next<0>(
-      Neighbourhood<Word>{n(8), n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7)});
+  (void)detail::NaccacheShinghal::next<0>(
+      detail::Neighbourhood<Word>{n(8), n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7)});
   return Word::counted;
 }
 
@@ -69,7 +69,7 @@ std::vector<OperationCount> count_methods(const ClusterWeights& cluster) {
   const auto expressions = [](int k) {
     return reference::false_count<CountedFloat>(reference::expressions_of(Truths(k).n));
   };
-  const auto rule = [&](int k) { (void)reference::stays_with(expressions(k)); };
+  const auto rule = [&](int k) { (void)reference::keeps_with(expressions(k)); };
   const auto sigmoid = [](int k) { (void)two_layer<Activation::sigmoid>(Numbers(k).n); };
   const auto linear = [](int k) { (void)two_layer<Activation::linear>(Numbers(k).n); };
   const auto of_cluster = [&cluster](int k) {
@@ -87,7 +87,7 @@ std::vector<OperationCount> count_methods(const ClusterWeights& cluster) {
 }  // namespace
 
 OperationCounts run_operation_counts() {
-  const StayTable rule = stay_table_of_rule();
+  const KeepTable rule = keep_table_of_rule();
   const ClusterWeights cluster =
       cluster_weights(train_cluster(rule, {kMaxClusterNets, /*small_integers=*/true}));
   const auto of_cluster = [&](const auto& n) { return reference::cluster_keeps(cluster, n); };

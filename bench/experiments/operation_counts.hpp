@@ -1,5 +1,5 @@
-// "A clue indicating the speed is the number of operations" (section 4): counted a dark pixel by
-// running each method on counting types, and again after compilation to a circuit.
+// "A clue indicating the speed is the number of operations" (section 4): counted per foreground
+// pixel by running each method on counting types, and again after compilation to a circuit.
 #pragma once
 
 #include <string>

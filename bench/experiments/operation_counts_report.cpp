@@ -24,7 +24,7 @@ Json gates_json(const Gates& gates) {
 }
 
 Json counts_json(const OperationCounts& counts) {
-  Json json = {{"per", "dark pixel; each kind's largest count over the 256 neighbourhoods"},
+  Json json = {{"per", "foreground pixel; each kind's largest count over the 256 neighbourhoods"},
                {"methods", Json::array()},
                {"circuit",
                 {{"two_input", gates_json(counts.circuit.two_input)},
@@ -65,8 +65,8 @@ std::string circuit_markdown(const CircuitCount& circuit) {
                                     std::to_string(gates.inverters)};
   };
   return markdown_table({"Circuit", "Gates", "Inverters"},
-                        {row("Two inputs a gate", circuit.two_input),
-                         row("Three inputs a gate", circuit.three_input)});
+                        {row("Two inputs per gate", circuit.two_input),
+                         row("Three inputs per gate", circuit.three_input)});
 }
 
 std::string nets_markdown(const std::vector<CompiledNet>& nets) {
@@ -79,7 +79,7 @@ std::string nets_markdown(const std::vector<CompiledNet>& nets) {
 
 ExperimentReport operation_counts_report(const OperationCounts& counts) {
   return {experiment_json("operation-counts", counts_json(counts)),
-          "Operations a dark pixel, counted by running each method; at most, over the 256 "
+          "Operations per foreground pixel, counted by running each method; at most, over the 256 "
           "neighbourhoods:\n\n" +
               methods_markdown(counts.methods) +
               "\nThe rule as a circuit, the AND with the pixel included. One evaluation serves all "

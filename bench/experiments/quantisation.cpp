@@ -29,7 +29,7 @@ void for_each_number(Net& net, const Visit& visit) {
 }
 
 QuantisationRow measure(Quantisation way, int bits) {
-  const StayTable rule = stay_table_of_rule();
+  const KeepTable rule = keep_table_of_rule();
   const HiddenLayerNet net = quantised(to_net(kPaperTwoLayer), way, bits);
   float largest = 0;
   for_each_number(net, [&](float value) { largest = std::max(largest, std::abs(value)); });
@@ -59,13 +59,13 @@ std::vector<QuantisationRow> run_quantisation() {
 }
 
 ExperimentReport quantisation_report(const std::vector<QuantisationRow>& rows) {
-  const StayTable rule = stay_table_of_rule();
-  const HiddenLayerNet printed = to_net(kPaperTwoLayer);
+  const KeepTable rule = keep_table_of_rule();
+  const HiddenLayerNet as_published = to_net(kPaperTwoLayer);
   nlohmann::ordered_json json = {
       {"descriptors", kDescriptors},
-      {"as_printed",
-       {{"right_sigmoid", agreement(table_of(printed, Activation::sigmoid), rule)},
-        {"right_linear", agreement(table_of(printed, Activation::linear), rule)}}},
+      {"as_published",
+       {{"right_sigmoid", agreement(table_of(as_published, Activation::sigmoid), rule)},
+        {"right_linear", agreement(table_of(as_published, Activation::linear), rule)}}},
       {"rows", nlohmann::ordered_json::array()}};
   std::vector<std::vector<std::string>> cells;
   for (const QuantisationRow& row : rows) {
@@ -80,7 +80,7 @@ ExperimentReport quantisation_report(const std::vector<QuantisationRow>& rows) {
   }
   return {
       experiment_json("quantisation", json),
-      "Descriptors of 256 on which the net of Table 1 is right, its weights in fixed point:\n\n" +
+      "Descriptors of 256 on which the net of Table 1 is correct, its weights in fixed point:\n\n" +
           markdown_table({"Weights", "Fractional bits", "Sigmoid", "Linear threshold",
                           "Largest weight as an integer"},
                          cells)};

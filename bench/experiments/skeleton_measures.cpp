@@ -14,8 +14,8 @@ namespace {
 constexpr double kSteep = 0.8;
 constexpr Index kReach = 3;
 
-/// A light pixel all round, so that the outside is seen.
-ByteImage framed(const ConstImageView& image) {
+/// With background pixels all round, so that the outside is seen.
+ByteImage padded(const ConstImageView& image) {
   ByteImage result(image.width + 2, image.height + 2);
   for (Index y = 0; y < image.height; ++y) {
     for (Index x = 0; x < image.width; ++x) result.at(x + 1, y + 1) = image.row(y)[x] != 0 ? 1 : 0;
@@ -68,7 +68,7 @@ class Parts {
   std::vector<std::pair<Index, Index>> open_;
 };
 
-/// The eight neighbours in order round a pixel of a framed image.
+/// The eight neighbours in order round a pixel of a padded image.
 std::array<int, 8> ring_at(const ByteImage& image, Index x, Index y) {
   return {image.at(x + 1, y), image.at(x + 1, y - 1), image.at(x, y - 1), image.at(x - 1, y - 1),
           image.at(x - 1, y), image.at(x - 1, y + 1), image.at(x, y + 1), image.at(x + 1, y + 1)};
@@ -88,29 +88,29 @@ void add_pixel(SkeletonShape& shape, const std::array<int, 8>& ring) {
       ring[0] != 0 && ring[6] != 0 && ring[7] != 0 ? 1 : 0;  // the pixel at its top left
 }
 
-/// Euclidean distances to light, and 0 everywhere outside.
+/// Euclidean distances to the background, and 0 everywhere outside.
 class DistanceMap {
  public:
   explicit DistanceMap(const ConstImageView& image)
-      : width_(image.width), height_(image.height), to_light_(light_of(image).view()) {}
+      : width_(image.width), height_(image.height), to_background_(background_of(image).view()) {}
 
   [[nodiscard]] double at(Index x, Index y) const {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return 0;
-    return std::sqrt(static_cast<double>(to_light_.squared(x + 1, y + 1)));
+    return std::sqrt(static_cast<double>(to_background_.squared(x + 1, y + 1)));
   }
 
  private:
-  static ByteImage light_of(const ConstImageView& image) {
-    ByteImage light = framed(image);
-    for (Index y = 0; y < light.height(); ++y) {
-      for (Index x = 0; x < light.width(); ++x) light.at(x, y) ^= 1;
+  static ByteImage background_of(const ConstImageView& image) {
+    ByteImage background = padded(image);
+    for (Index y = 0; y < background.height(); ++y) {
+      for (Index x = 0; x < background.width(); ++x) background.at(x, y) ^= 1;
     }
-    return light;
+    return background;
   }
 
   Index width_;
   Index height_;
-  Distances to_light_;
+  Distances to_background_;
 };
 
 bool rises_steeply(const DistanceMap& map, Index x, Index y) {
@@ -128,13 +128,13 @@ bool rises_steeply(const DistanceMap& map, Index x, Index y) {
 }  // namespace
 
 Topology topology_of(const ConstImageView& image) {
-  const ByteImage all = framed(image);
+  const ByteImage all = padded(image);
   return {Parts(copy_of(all.view()), 1, true).count(),
           Parts(copy_of(all.view()), 0, false).count() - 1};
 }
 
 SkeletonShape shape_of(const ConstImageView& skeleton) {
-  const ByteImage all = framed(skeleton);
+  const ByteImage all = padded(skeleton);
   SkeletonShape shape;
   for (Index y = 1; y <= skeleton.height; ++y) {
     for (Index x = 1; x <= skeleton.width; ++x) {
@@ -184,7 +184,7 @@ double overlap(const ConstImageView& a, const ConstImageView& b) {
   return either > 0 ? both / either : 1;
 }
 
-ByteImage quarter_turned(const ConstImageView& image) {
+ByteImage rotated_by_quarter(const ConstImageView& image) {
   ByteImage result(image.height, image.width);
   for (Index y = 0; y < image.height; ++y) {
     for (Index x = 0; x < image.width; ++x) result.at(y, image.width - 1 - x) = image.row(y)[x];

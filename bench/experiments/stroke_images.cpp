@@ -36,7 +36,7 @@ bool is_near(Point p, Point a, Point b, std::int64_t radius) {
   return twice_area * twice_area <= radius * radius * length2;
 }
 
-/// Darkens the pixels whose centres lie within `radius` of the line from `a` to `b`.
+/// Draws the pixels whose centres lie within `radius` of the line from `a` to `b`.
 void draw_line(const ImageView& image, Point a, Point b, std::int64_t radius) {
   const auto [left, right] = std::minmax(a.x, b.x);
   const auto [top, bottom] = std::minmax(a.y, b.y);
@@ -103,16 +103,16 @@ ImageStack stroke_images(Index count, Index side, std::uint64_t seed) {
   return stack;
 }
 
-double dark_share(const ConstStackView& stack) {
-  Index dark = 0;
+double foreground_share(const ConstStackView& stack) {
+  Index foreground = 0;
   for (Index i = 0; i < stack.count; ++i) {
     for (Index y = 0; y < stack.height; ++y) {
       const std::uint8_t* row = stack.image(i).row(y);
-      dark += stack.width - std::count(row, row + stack.width, std::uint8_t{0});
+      foreground += stack.width - std::count(row, row + stack.width, std::uint8_t{0});
     }
   }
   const Index pixels = stack.count * stack.width * stack.height;
-  return pixels == 0 ? 0 : static_cast<double>(dark) / static_cast<double>(pixels);
+  return pixels == 0 ? 0 : static_cast<double>(foreground) / static_cast<double>(pixels);
 }
 
 }  // namespace thinbench

@@ -8,7 +8,7 @@
 
 namespace thinbench {
 
-/// Owns images of one size without gaps, light at first.
+/// Owns images of one size without gaps, background at first.
 class ImageStack {
  public:
   ImageStack(Index count, Index side);
@@ -23,11 +23,11 @@ class ImageStack {
 };
 
 /// Images of `side` x `side` pixels, each a line through 3 to 6 random points, 2 to 4 28ths of the
-/// side thick, whose points are 4 28ths of it or more from the frame. Sides up to 1024. The same
-/// bytes on every machine.
+/// side thick, whose points are 4 28ths of it or more from the image border. Sides up to 1024. The
+/// same bytes on every machine.
 [[nodiscard]] ImageStack stroke_images(Index count, Index side, std::uint64_t seed);
 
-/// Dark pixels of all, from 0 to 1; 0 without pixels.
-[[nodiscard]] double dark_share(const ConstStackView& stack);
+/// Foreground pixels of all, from 0 to 1; 0 without pixels.
+[[nodiscard]] double foreground_share(const ConstStackView& stack);
 
 }  // namespace thinbench

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "support/text.hpp"
+#include "thinbench/options.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench {
 namespace {
@@ -32,8 +34,11 @@ std::string ratio_text(const Ratio& ratio) {
 }
 
 nlohmann::ordered_json row_json(const ThenAndNow& row) {
+  const bool iterates = rule_from_name(row.paper.operation).has_value();
   nlohmann::ordered_json json = {{"method", row.paper.method},
                                  {"operation", row.paper.operation},
+                                 {"border", iterates ? border_name(Border::background) : ""},
+                                 {"max_iterations", nullptr},
                                  {"paper_seconds", row.paper.seconds},
                                  {"paper_ratio", row.then_ratio}};
   if (row.now.reference_ns) json["reference_ns"] = *row.now.reference_ns;

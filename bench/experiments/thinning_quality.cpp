@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "picture/objects.hpp"
 #include "picture/picture.hpp"
@@ -19,19 +20,23 @@ namespace {
 constexpr Index kBlobSide = 256;
 constexpr Index kBlobReach = 4;
 
-std::vector<std::string_view> measured_operations() {
-  std::vector<std::string_view> names;
-  for (const ThinningOperation& operation : thinning_operations()) {
-    if (operation.default_model != nullptr || operation.border == Border::keep) continue;
-    names.push_back(operation.name);
+std::vector<Rule> measured_rules() {
+  std::vector<Rule> rules;
+  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
+    if (!operation.is_net) rules.push_back(operation.rule);
   }
-  return names;
+  return rules;
+}
+
+std::string name_of(Rule rule) {
+  return std::string(rule_info(rule).operation);
 }
 
 /// The inputs that are always there, and names that the skeleton of another input would have.
 std::regex reserved_names() {
-  const auto operations = measured_operations();
-  return std::regex("scene|blobs|.*_(" + joined({operations.begin(), operations.end()}, "|") + ")");
+  std::vector<std::string> names;
+  for (const Rule rule : measured_rules()) names.push_back(name_of(rule));
+  return std::regex("scene|blobs|.*_(" + joined(names, "|") + ")");
 }
 
 struct Thinned {
@@ -39,58 +44,59 @@ struct Thinned {
   int iterations;
 };
 
-Thinned thinned(std::string_view operation, const ConstImageView& image) {
+Thinned thinned(Rule rule, const ConstImageView& image) {
   Thinned result{ByteImage(image.width, image.height), 0};
-  result.iterations = thin(operation, image, result.skeleton.view());
+  result.iterations = thin(rule, image, result.skeleton.view());
   return result;
 }
 
-ByteImage turned(const ConstImageView& image, int quarters) {
+ByteImage rotated(const ConstImageView& image, int quarters) {
   ByteImage result = copy_of(image);
-  for (int turn = 0; turn < quarters; ++turn) result = quarter_turned(result.view());
+  for (int turn = 0; turn < quarters; ++turn) result = rotated_by_quarter(result.view());
   return result;
 }
 
-/// With the skeletons of the image turned by one, two and three quarters, each turned back.
-double least_overlap(std::string_view operation, const ConstImageView& image,
-                     const ConstImageView& skeleton) {
+/// With the skeletons of the image rotated by one, two and three quarters, each rotated back.
+double least_overlap(Rule rule, const ConstImageView& image, const ConstImageView& skeleton) {
   double least = 1;
   for (int quarters = 1; quarters < 4; ++quarters) {
-    const ByteImage other = thinned(operation, turned(image, quarters).view()).skeleton;
-    least = std::min(least, overlap(skeleton, turned(other.view(), 4 - quarters).view()));
+    const ByteImage other = thinned(rule, rotated(image, quarters).view()).skeleton;
+    least = std::min(least, overlap(skeleton, rotated(other.view(), 4 - quarters).view()));
   }
   return least;
 }
 
-QualityRow measure(std::string_view operation, const QualityInput& input, const Topology& before,
+QualityRow measure(Rule rule, const QualityInput& input, const Topology& before,
                    const ByteImage& axis) {
   const ConstImageView image = input.image.view();
-  const Thinned result = thinned(operation, image);
+  const Thinned result = thinned(rule, image);
   const ConstImageView skeleton = result.skeleton.view();
-  return {std::string(operation),
+  return {name_of(rule),
           input.name,
           before,
           topology_of(skeleton),
           shape_of(skeleton),
           distance_from(axis.view(), skeleton),
-          least_overlap(operation, image, skeleton),
+          least_overlap(rule, image, skeleton),
           result.iterations};
 }
 
-int dark_round(const ByteImage& noise, Index x, Index y) {
-  int dark = 0;
+int foreground_round(const ByteImage& noise, Index x, Index y) {
+  int foreground = 0;
   for (Index row = std::max<Index>(0, y - kBlobReach);
        row <= std::min(noise.height() - 1, y + kBlobReach); ++row) {
     for (Index column = std::max<Index>(0, x - kBlobReach);
          column <= std::min(noise.width() - 1, x + kBlobReach); ++column) {
-      dark += noise.at(column, row) != 0 ? 1 : 0;
+      foreground += noise.at(column, row) != 0 ? 1 : 0;
     }
   }
-  return dark;
+  return foreground;
 }
 
 nlohmann::ordered_json json_of(const QualityRow& row) {
   return {{"operation", row.operation},
+          {"border", border_name(Border::background)},
+          {"max_iterations", nullptr},
           {"input", row.input},
           {"objects_before", row.before.objects},
           {"objects_after", row.after.objects},
@@ -131,7 +137,9 @@ ByteImage blobs(Index width, Index height, std::uint64_t seed) {
   const ByteImage noise = noise_image(width, height, 50, 1, seed);
   ByteImage result(width, height);
   for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) result.at(x, y) = dark_round(noise, x, y) > most ? 255 : 0;
+    for (Index x = 0; x < width; ++x) {
+      result.at(x, y) = foreground_round(noise, x, y) > most ? 255 : 0;
+    }
   }
   return result;
 }
@@ -152,8 +160,8 @@ std::vector<QualityRow> run_thinning_quality(const std::vector<QualityInput>& in
   for (const QualityInput& input : inputs) {
     const Topology before = topology_of(input.image.view());
     const ByteImage axis = medial_axis_of(input.image.view());
-    for (const std::string_view operation : measured_operations()) {
-      rows.push_back(measure(operation, input, before, axis));
+    for (const Rule rule : measured_rules()) {
+      rows.push_back(measure(rule, input, before, axis));
     }
   }
   return rows;
@@ -163,9 +171,9 @@ void write_skeletons(const std::string& folder, const std::vector<QualityInput>&
   for (const QualityInput& input : inputs) {
     const std::string stem = folder + "/quality_" + input.name;
     write_grey(stem + ".png", input.image.view());
-    for (const std::string_view operation : measured_operations()) {
-      write_grey(stem + "_" + std::string(operation) + ".png",
-                 thinned(operation, input.image.view()).skeleton.view());
+    for (const Rule rule : measured_rules()) {
+      write_grey(stem + "_" + name_of(rule) + ".png",
+                 thinned(rule, input.image.view()).skeleton.view());
     }
   }
 }
@@ -181,7 +189,7 @@ ExperimentReport thinning_quality_report(const std::vector<QualityRow>& rows,
   return {
       experiment_json("quality", json, options),
       "Skeletons. Distances are from the ridge of the exact distance map, in pixels; least "
-      "symmetry is the smallest overlap with the skeletons of the input turned by 90, 180 and "
+      "symmetry is the smallest overlap with the skeletons of the input rotated by 90, 180 and "
       "270 degrees:\n\n" +
           markdown_table({"Input", "Operation", "Objects", "Holes", "Pixels", "2x2 blocks", "Ends",
                           "Branches", "Mean distance", "Largest", "Least symmetry", "Iterations"},

@@ -21,7 +21,7 @@ struct QualityRow {
   Topology after;
   SkeletonShape shape;
   AxisDistance from_axis;
-  double least_symmetry;  // smallest overlap with the skeletons of the turned input, turned back
+  double least_symmetry;  // smallest overlap with the skeletons of the rotated input, rotated back
   int iterations;
 };
 
@@ -29,10 +29,10 @@ struct QualityRow {
 /// as their files, each unlike all other inputs and files of skeletons. Throws PictureError.
 [[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures);
 
-/// Noise of half the pixels, dark where most of the 9 x 9 pixels round it are.
+/// Noise of half the pixels, foreground where most of the 9 x 9 pixels round it are.
 [[nodiscard]] ByteImage blobs(Index width, Index height, std::uint64_t seed);
 
-/// Every thinning operation that is no net and keeps no border, on every input.
+/// Every thinning rule that is no net, with zero padding, on every input.
 [[nodiscard]] std::vector<QualityRow> run_thinning_quality(const std::vector<QualityInput>& inputs);
 
 /// The inputs and their skeletons as pictures `quality_<input>[_<operation>].png` in a folder.

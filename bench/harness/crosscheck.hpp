@@ -21,7 +21,7 @@ namespace thinbench {
 [[nodiscard]] std::optional<std::string> find_kernel_mismatch(Job& job, const ConstImageView& input,
                                                               const Outcome& expected);
 
-/// A window of the image round (x, y), '#' dark and '.' light.
+/// A window of the image round (x, y), '#' foreground and '.' background.
 [[nodiscard]] std::string window_text(const ConstImageView& image, Index x, Index y);
 
 }  // namespace thinbench

@@ -45,7 +45,8 @@ Variant variant_of(const detail::EdgeOperation& operation, const detail::EdgeVar
             return std::make_unique<StateJob>(
                 make_state(operation, variant, width, height, thresholds, {.threads = threads}));
           },
-          [&variant](Index width) { return unavailable_reason(variant, width); }};
+          [&variant](Index width) { return unavailable_reason(variant, width); },
+          variant.priority};
 }
 
 }  // namespace

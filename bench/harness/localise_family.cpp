@@ -56,7 +56,8 @@ Variant variant_of(const detail::LocaliseOperation& operation,
             return std::make_unique<StateJob>(
                 make_state(operation, variant, width, height, {}, {.threads = threads}));
           },
-          [&variant](Index width) { return unavailable_reason(variant, width); }};
+          [&variant](Index width) { return unavailable_reason(variant, width); },
+          variant.priority};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace thinbench {
 
-/// One way to compute an operation: a row of its table.
+/// One way to compute an operation.
 struct Variant {
   std::string_view technique;
   std::string_view description;  // of the technique
@@ -21,8 +21,10 @@ struct Variant {
   JobMaker make_job;
   /// Why it cannot run here on an image of this width; empty where it can.
   std::function<std::string(Index width)> unavailable_reason;
-  /// Somebody else's code, or a limit such as a copy: timed beside the variants, never offered by
-  /// the library.
+  /// The library prefers the variant with the higher one.
+  int priority = 0;
+  /// Another project's code, or a lower bound such as a copy: timed beside the variants, never
+  /// offered by the library.
   bool is_peer = false;
   /// What a peer that does something else is compared with; empty for the operation's own
   /// reference.
@@ -30,11 +32,18 @@ struct Variant {
   /// False for peers so slow that a series of sizes would take longer than all else.
   bool for_series_of_sizes = true;
 
-  /// The level as rows name it; peers choose their own at run time.
+  /// The ISA in names of results; peers choose theirs at run time.
   [[nodiscard]] std::string_view isa_label() const { return is_peer ? "native" : isa_name(isa); }
 };
 
-/// An operation with the options that change what it gives. Every case is verified.
+/// How results list a case beside its name.
+struct CaseLabels {
+  std::string operation;  // the plain name
+  std::string border;     // "background", "keep", or empty where the operation has none
+  std::optional<int> max_iterations = std::nullopt;
+};
+
+/// A case: an operation with the options that change what it gives. Every case is verified.
 struct Operation {
   /// Unique: the operation's name, with the border where it is kept and the limit of iterations
   /// where there is one, such as "thin_guo_hall:keep" and "net_two_layer_linear:1".
@@ -45,7 +54,7 @@ struct Operation {
   JobMaker reference;
   /// What the first of its numbers counts, where that is worth a column: "iterations".
   std::string_view counter = {};
-  /// A net: its pictures are those of the rule that it learned.
+  /// A net: its images are those of the rule that it learned.
   bool is_net = false;
   /// Stands for its like in the series of sizes, which takes long.
   bool in_size_series = false;
@@ -56,9 +65,22 @@ struct Operation {
   /// Thinning only.
   std::optional<Border> border = std::nullopt;
   std::optional<int> max_iterations = std::nullopt;
-  /// False for cases that are verified and not timed unless they are asked for by name.
+  /// False for cases that are verified, but timed, counted and compared only where a filter spells
+  /// their name out, see is_requested().
   bool timed = true;
+
+  [[nodiscard]] CaseLabels labels() const {
+    return {std::string(operation.empty() ? std::string_view(name) : operation),
+            std::string(border ? border_name(*border) : std::string_view()), max_iterations};
+  }
 };
+
+/// Whether a case is timed and counted with this filter, a regular expression for names of results:
+/// all that are timed as a rule, and those whose name stands in the filter letter by letter, as in
+/// "^thin_mb2:keep/".
+[[nodiscard]] inline bool is_requested(const Operation& operation, std::string_view filter) {
+  return operation.timed || filter.find(operation.name) != std::string_view::npos;
+}
 
 /// The operations of the library, family after family.
 [[nodiscard]] const std::vector<Operation>& all_operations();

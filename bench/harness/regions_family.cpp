@@ -122,7 +122,8 @@ Variant variant_of(const RegionsOperation& operation, const RegionsVariant& vari
                 operation.task,
                 make_state(operation, variant, width, height, {.threads = threads}));
           },
-          [&variant](Index width) { return unavailable_reason(variant, width); }};
+          [&variant](Index width) { return unavailable_reason(variant, width); },
+          variant.priority};
 }
 
 Operation operation_of_table(const RegionsOperation& operation) {

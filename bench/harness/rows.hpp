@@ -8,7 +8,7 @@
 
 namespace thinbench {
 
-/// "operation/technique/isa/threads", as rows are called everywhere.
+/// "case/technique/isa/threads", as rows are called everywhere.
 [[nodiscard]] std::string row_name(std::string_view operation, std::string_view technique,
                                    std::string_view isa, int threads);
 
@@ -16,7 +16,7 @@ struct Row {
   const Operation* operation;
   const Variant* variant;
   int threads;
-  std::string name;  // operation/technique/isa/threads
+  std::string name;  // case/technique/isa/threads
 
   /// Why the row cannot run on images of this width here; empty where it can.
   [[nodiscard]] std::string unavailable_reason(Index width) const {

@@ -66,7 +66,8 @@ Variant variant_of(const detail::ThinningOperation& operation, const ThinningVar
           },
           [&variant, options](Index width) {
             return unavailable_reason(variant, width, options.border);
-          }};
+          },
+          variant.priority};
 }
 
 std::string case_name(std::string_view operation, const ThinningCase& options) {

@@ -43,7 +43,7 @@ void Verifier::compare(std::size_t row, const TestImage& image, const Outcome& e
 VerifySummary summary_of(const Verifier& verifier) {
   VerifySummary summary;
   for (std::size_t row = 0; row < verifier.rows().size(); ++row) {
-    const RowVerdict& verdict = verifier.verdict(row);
+    const VerificationResult& verdict = verifier.verdict(row);
     if (!verdict.first_mismatch.empty()) {
       ++summary.failed;
     } else if (verdict.compared > 0) {

@@ -10,8 +10,8 @@
 
 namespace thinbench {
 
-/// What became of one row over all images that were shown to it.
-struct RowVerdict {
+/// How one variant compared with the reference over all images that were shown to it.
+struct VerificationResult {
   long compared = 0;           // images
   std::string first_mismatch;  // empty where all were equal
 };
@@ -21,18 +21,18 @@ class Verifier {
  public:
   explicit Verifier(std::vector<Row> rows);
 
-  /// Rows that take another kind of image or cannot run on one of this width are passed over; a row
+  /// Rows that take another kind of image or cannot run on one of this width are skipped; a row
   /// with a mismatch is not tried again.
   void show(const TestImage& image);
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-  [[nodiscard]] const RowVerdict& verdict(std::size_t row) const { return verdicts_[row]; }
+  [[nodiscard]] const VerificationResult& verdict(std::size_t row) const { return verdicts_[row]; }
 
  private:
   void compare(std::size_t row, const TestImage& image, const Outcome& expected);
 
   std::vector<Row> rows_;
-  std::vector<RowVerdict> verdicts_;
+  std::vector<VerificationResult> verdicts_;
   std::vector<std::unique_ptr<Job>> jobs_;  // for images of the latest size
   Index width_ = -1;
   Index height_ = -1;

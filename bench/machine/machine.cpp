@@ -75,6 +75,12 @@ std::string utc_now() {
   return {text.data(), length};
 }
 
+/// Null where nothing caps it.
+Json isa_cap_json() {
+  const std::optional<Isa> cap = isa_cap();
+  return cap ? Json(isa_name(*cap)) : Json();
+}
+
 Json available_isas() {
   Json names = Json::array();
   for (const Isa isa : kAllIsas) {
@@ -109,7 +115,7 @@ Json machine_json(const std::string& commit, const Json& options) {
           {"date", utc_now()},
           {"options", options},
           {"isa_available", available_isas()},
-          {"isa_cap", isa_name(isa_cap())}};
+          {"isa_cap", isa_cap_json()}};
 }
 
 }  // namespace thinbench

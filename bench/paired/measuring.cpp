@@ -36,7 +36,8 @@ class Calls {
         workspace_(input_of(row_named(group.entries.front().name, operations, inputs))) {
     for (const std::size_t i : shuffled(group.entries.size(), seed)) {
       const std::string& name = group.entries[i].name;
-      gaps_.push_back(make_aligned<std::uint8_t>(kAlignment * (splitmix64(seed, i) % 64)));
+      gaps_.push_back(
+          detail::make_aligned<std::uint8_t>(detail::kAlignment * (splitmix64(seed, i) % 64)));
       calls_.try_emplace(name, row_named(name, operations, inputs), workspace_.source(),
                          workspace_.destination());
     }
@@ -69,15 +70,15 @@ class Calls {
   static void check(const Entry& entry, const TimedCall& call) {
     const std::string hash = hash_of(call.outcome());
     if (hash == entry.hash) return;
-    throw std::runtime_error(entry.name + " gave another result (" + hash + ") than was proved (" +
-                             entry.hash + ")");
+    throw std::runtime_error(entry.name + " gave another result (" + hash +
+                             ") than was verified (" + entry.hash + ")");
   }
 
   const Group& group_;
   Workspace workspace_;
   /// Between the memory of rows: without them it would lie at the same place of a page in every
   /// process, and by chance at a good or a bad one.
-  std::vector<AlignedArray<std::uint8_t>> gaps_;
+  std::vector<detail::AlignedArray<std::uint8_t>> gaps_;
   std::map<std::string, TimedCall> calls_;
   std::set<std::size_t> checked_;
 };

@@ -16,7 +16,7 @@ using LineSink = std::function<void(const std::string& line)>;
 [[nodiscard]] std::string hash_of(const Outcome& outcome);
 
 /// Measures all groups of the order, in an order that depends on the seed, and tells `answer` of
-/// each when it is done. The first result of every row is compared with the one that was proved,
+/// each when it is done. The first result of every row is compared with the verified one,
 /// by its hash. Throws std::runtime_error for another result or an unknown row.
 void measure(const Order& order, std::uint64_t seed, const std::vector<Operation>& operations,
              const LineSink& answer);

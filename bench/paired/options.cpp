@@ -8,16 +8,16 @@ namespace {
 
 void add_choice_of_rows(CLI::App& app, PairedOptions& options) {
   app.add_option("--image", options.pictures, "time this picture, not the scene (repeatable)");
-  app.add_option("--filter", options.filter,
-                 "rows whose name operation/technique/isa/threads/scope/input matches");
-  app.add_flag("--highest-level", options.highest_level,
-               "only the highest instruction-set level of each technique");
+  app.add_option(
+      "--filter", options.filter,
+      "results whose name case/technique/isa/threads/scope/input matches, see thinbench_timings");
+  app.add_flag("--highest-level", options.highest_level, "only the highest ISA of each technique");
   app.add_option("--slowest", options.slowest_ms,
-                 "leave out rows whose call takes more milliseconds, and operations whose "
+                 "omit rows whose call takes more milliseconds, and cases whose "
                  "reference takes 100 times as much")
       ->check(real_number(0, 1e9))
       ->type_name("MS");
-  app.add_flag("--no-peers", options.no_peers, "leave out other people's code and the copy");
+  app.add_flag("--no-peers", options.no_peers, "omit other projects' code and the copy");
 }
 
 void add_amounts(CLI::App& app, PairedOptions& options) {
@@ -51,7 +51,7 @@ void add_options(CLI::App& app, PairedOptions& options) {
   app.add_flag("--quiet", options.quiet, "no table on standard output");
   app.add_option("--measure-with-seed", options.measure_with_seed)->group("");
   app.footer(
-      "The rows of an operation on an input are measured beside its fastest, the anchor A, in "
+      "The rows of a case on an input are measured beside its fastest, the anchor A, in "
       "epochs\n"
       "of about 0.3 ms: A B A C A ...; calls of more than 1 ms once a round, beside all its "
       "epochs\n"

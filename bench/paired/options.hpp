@@ -10,8 +10,8 @@
 
 namespace thinbench {
 
-/// Operations whose reference takes so many times the limit for a row are left out, too: big
-/// pictures would take hours.
+/// Cases whose reference takes so many times the limit for a row are omitted, too: big images would
+/// take hours.
 inline constexpr double kSlowReference = 100;
 
 struct PairedOptions {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "harness/case_json.hpp"
 #include "paired/row_names.hpp"
 #include "support/text.hpp"
 
@@ -30,7 +31,7 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Without operation and input, which the row says: technique/isa/threads/scope.
+/// Without case and input, which the row says: technique/isa/threads/scope.
 std::string short_name(const Entry& entry) {
   const std::vector<std::string> fields = fields_of(entry.name);
   return joined({fields.begin() + 1, fields.end() - 1}, "/");
@@ -38,6 +39,8 @@ std::string short_name(const Entry& entry) {
 
 std::vector<std::string> csv_fields(const PairResult& result) {
   std::vector<std::string> fields = fields_of(result.row->name);
+  const CaseLabels& labels = result.row->labels;
+  if (!labels.operation.empty()) fields.front() = labels.operation;
   const std::vector<std::string> more = {
       result.against,
       digits(result.estimate.ratio),
@@ -52,7 +55,9 @@ std::vector<std::string> csv_fields(const PairResult& result) {
       result.row->hash,
       joined(result.flags, ";"),
       "1",
-      short_name(*result.base)};
+      short_name(*result.base),
+      labels.border,
+      labels.max_iterations ? std::to_string(*labels.max_iterations) : ""};
   fields.insert(fields.end(), more.begin(), more.end());
   for (std::string& field : fields) field = csv_field(field);
   return fields;
@@ -109,6 +114,7 @@ json sample_json(const Group& group, std::size_t index, const GroupTimes& times,
                  {"input_hash", entry.input.hash},
                  {"pixels", entry.input.pixels},
                  {"layout", times.layout}};
+  sample.update(labels_json<json>(entry.labels));
   if (entry.calls != entry.counted) sample["counted"] = entry.counted;
   if (!entry.threaded) sample["thread_cpu"] = clock_json(times.entries[index].thread_cpu);
   if (entry.threaded || is_base_of_threads(group, index)) {
@@ -131,7 +137,8 @@ std::string table_line(const PairResult& result) {
 std::string to_csv(const std::vector<PairResult>& results) {
   std::string text =
       "operation,technique,isa,threads,scope,input,against,ratio,low,high,processes,rounds,"
-      "reference_ns,variant_ns,clock,layout,output_hash,flags,verified,against_row\n";
+      "reference_ns,variant_ns,clock,layout,output_hash,flags,verified,against_row,border,"
+      "max_iterations\n";
   for (const PairResult& result : results) text += joined(csv_fields(result), ",") + "\n";
   return text;
 }
@@ -166,7 +173,7 @@ std::string verdict_line(const std::vector<PairResult>& results) {
   return std::string(verdict_of(controls)) + ": a row against itself " +
          digits(controls.same.ratio) + ", slowed by 10 % " + digits(controls.slowed.ratio) + "; " +
          std::to_string(controls.failed_groups) + " of " + std::to_string(controls.groups) +
-         " operations flagged by their own controls; intervals from " + std::to_string(ranks.low) +
+         " cases flagged by their own controls; intervals from " + std::to_string(ranks.low) +
          " to " + std::to_string(ranks.high) + " of " + std::to_string(processes) +
          " ordered process values, coverage " + fixed(100 * ranks.coverage, 1) + " %";
 }

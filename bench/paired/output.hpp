@@ -9,7 +9,9 @@
 namespace thinbench {
 
 /// speedups.csv; columns are only ever added at the right. `layout` is the place of source and
-/// destination in a page, `flags` are separated by ';', `against_row` names the other row.
+/// destination in a page, `flags` are separated by ';', `against_row` names the other row,
+/// `operation` is the plain name: with `border` and `max_iterations`, empty where there is none, it
+/// tells cases apart.
 [[nodiscard]] std::string to_csv(const std::vector<PairResult>& results);
 
 /// Raw samples as JSON lines: first what was done, then one object for each row and process with

@@ -25,8 +25,8 @@ std::int64_t warm_up_of(const CalibratedRow& row, std::int64_t calls) {
 Entry entry_of(const CalibratedRow& row) {
   const bool long_call = row.seconds > kLongCall;
   const std::int64_t calls = long_call ? 1 : calls_an_epoch(row.seconds);
-  return {row.row->name, Role::row,           calls,    calls,    warm_up_of(row, calls),
-          long_call,     row.row->threads > 1, row.hash, row.input};
+  return {row.row->name,        Role::row, calls,     calls,     warm_up_of(row, calls), long_call,
+          row.row->threads > 1, row.hash,  row.input, row.labels};
 }
 
 bool is_own_variant(const TimedRow& row) {

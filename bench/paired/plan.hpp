@@ -31,6 +31,7 @@ struct CalibratedRow {
   double seconds;  // a call
   std::string hash;
   InputFacts input = {};
+  CaseLabels labels = {};
 };
 
 enum class Role {
@@ -41,7 +42,7 @@ enum class Role {
 
 /// Something that a round visits.
 struct Entry {
-  std::string name;  // operation/technique/isa/threads/scope/input; entries may share it
+  std::string name;  // case/technique/isa/threads/scope/input; entries may share it
   Role role = Role::row;
   std::int64_t calls = 1;    // an epoch
   std::int64_t counted = 1;  // by what its time is divided
@@ -50,6 +51,7 @@ struct Entry {
   bool threaded = false;
   std::string hash;  // of the result
   InputFacts input = {};
+  CaseLabels labels = {};
 };
 
 /// Two entries to be compared.
@@ -59,7 +61,7 @@ struct Pair {
   std::string against;  // "reference", "best_scalar", "best_autovec"; controls: "same", "slowed"
 };
 
-/// The rows of one operation on one input, reference first, measured in common rounds.
+/// The rows of one case on one input, reference first, measured in common rounds.
 struct Group {
   std::vector<Entry> entries;
   std::vector<Pair> pairs;
@@ -74,7 +76,7 @@ struct PlanLimits {
   double seconds_per_pair = 0.02;  // in each process
 };
 
-/// Puts rows of one operation and input, the reference first, into a plan. The anchor is
+/// Puts rows of one case and input, the reference first, into a plan. The anchor is
 /// the fastest row on one thread, the controls are made of the next.
 [[nodiscard]] Group plan_group(const std::vector<CalibratedRow>& rows, const PlanLimits& limits);
 

@@ -7,7 +7,7 @@
 namespace thinbench {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name) {
+[[noreturn]] void reject(const std::string& name) {
   throw std::runtime_error("there is no row '" + name + "'");
 }
 
@@ -22,7 +22,7 @@ const Variant* variant_of(const Operation& operation, const std::vector<std::str
       return &variant;
     }
   }
-  refuse(name);
+  reject(name);
 }
 
 template <class Thing>
@@ -30,7 +30,7 @@ const Thing& named(const std::vector<Thing>& things, const std::string& wanted,
                    const std::string& name) {
   const auto found = std::find_if(things.begin(), things.end(),
                                   [&](const Thing& thing) { return thing.name == wanted; });
-  if (found == things.end()) refuse(name);
+  if (found == things.end()) reject(name);
   return *found;
 }
 
@@ -41,7 +41,7 @@ std::vector<std::string> fields_of(const std::string& name) {
   std::vector<std::string> fields;
   std::istringstream stream(name);
   for (std::string field; std::getline(stream, field, '/');) fields.push_back(field);
-  if (fields.size() != kFields) refuse(name);
+  if (fields.size() != kFields) reject(name);
   return fields;
 }
 

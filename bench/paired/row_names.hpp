@@ -1,4 +1,4 @@
-// From the names of rows back to the rows, without proving them again.
+// From the names of rows back to the rows, without verifying them again.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace thinbench {
 
-/// The six fields of operation/technique/isa/threads/scope/input. Throws std::runtime_error for
+/// The six fields of case/technique/isa/threads/scope/input. Throws std::runtime_error for
 /// fewer or more.
 [[nodiscard]] std::vector<std::string> fields_of(const std::string& name);
 

@@ -38,10 +38,14 @@ CalibratedRow calibrated(const TimedRow& row) {
   for (int i = more_calls(seconds); i > 0; --i) seconds = std::min(seconds, timed());
   std::string hash = hash_of(call.outcome());
   const ConstImageView input = row.input->view(row.operation->takes);
-  return {&row, seconds, std::move(hash), {pixel_hash(input), input.width * input.height}};
+  return {&row,
+          seconds,
+          std::move(hash),
+          {pixel_hash(input), input.width * input.height},
+          row.operation->labels()};
 }
 
-/// Rows by operation and input, in the order of the selection; reference first.
+/// Rows by case and input, in the order of the selection; reference first.
 std::vector<std::vector<CalibratedRow>> calibrated_rows(const std::vector<TimedRow>& rows) {
   std::vector<std::vector<CalibratedRow>> groups;
   Progress progress("calibrating", static_cast<double>(rows.size()));
@@ -97,7 +101,7 @@ std::vector<std::vector<GroupTimes>> measured(const Order& order, const PairedOp
   const int processes = options.processes;
   double seconds = 0;
   for (const Group& group : order.groups) seconds += group.seconds * processes;
-  std::cerr << "measuring " << order.groups.size() << " operations in " << processes
+  std::cerr << "measuring " << order.groups.size() << " cases in " << processes
             << " processes, about " << std::lround(seconds) << " s\n";
   Progress progress("measuring", seconds);
   std::vector<std::vector<GroupTimes>> result;
@@ -115,8 +119,8 @@ int run(const PairedOptions& options, const std::vector<Operation>& operations,
     if (!path.empty()) check_target(path);
   }
   const std::vector<TimedInput> inputs = timed_inputs({options.pictures, 0});
-  const Selection selection = rows_asked_for(
-      options.filter, operations, inputs, options.highest_level ? Levels::highest : Levels::all);
+  const Selection selection = rows_asked_for(options.filter, operations, inputs,
+                                             options.highest_level ? Levels::highest : Levels::all);
   const Order order{options.pictures, planned(selection, options)};
   const auto processes = measured(order, options, measurer);
   const std::vector<PairResult> results = results_of(order.groups, processes);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "support/byte_image.hpp"
 #include "image/layout.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 
@@ -19,8 +19,8 @@ inline constexpr std::size_t kDestinationOffset = kPage / 2;
 class Workspace {
  public:
   explicit Workspace(const ConstImageView& input)
-      : stride_(padded_row_bytes(input.width)),
-        memory_(make_aligned<std::uint8_t>(2 * area(input) + kPage)),
+      : stride_(detail::padded_row_bytes(input.width)),
+        memory_(detail::make_aligned<std::uint8_t>(2 * area(input) + kPage)),
         source_{place(memory_.get(), kSourceOffset), input.width, input.height, stride_},
         destination_{place(source_.data + area(input), kDestinationOffset), input.width,
                      input.height, stride_} {
@@ -45,7 +45,7 @@ class Workspace {
   }
 
   Index stride_;
-  AlignedArray<std::uint8_t> memory_;
+  detail::AlignedArray<std::uint8_t> memory_;
   ImageView source_;
   ImageView destination_;
 };

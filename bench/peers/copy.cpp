@@ -1,4 +1,4 @@
-// The limit of everything that reads a byte and writes a byte a pixel.
+// The lower bound of everything that reads a byte and writes a byte per pixel.
 #include <cstring>
 
 #include "peers/peers.hpp"

@@ -1,5 +1,5 @@
-// The limits of everything that reads packed images: the packed words copied, where an operation
-// gives an image, and the packed words read, where it gives numbers.
+// The lower bounds of everything that reads packed images: the packed words copied, where an
+// operation gives an image, and the packed words read, where it gives numbers.
 #include <cstring>
 
 #include "image/packing.hpp"
@@ -9,6 +9,11 @@
 namespace thinbench {
 namespace {
 
+using detail::BitPlane;
+using detail::BitPlaneView;
+using detail::kWordBits;
+using detail::PlaneConversion;
+
 Index words_of(const BitPlaneView& plane) {
   return (plane.width + kWordBits - 1) / kWordBits;
 }
@@ -16,7 +21,7 @@ Index words_of(const BitPlaneView& plane) {
 class CopyBitsJob final : public Job {
  public:
   CopyBitsJob(Index width, Index height)
-      : conversion_(plane_conversion<std::uint64_t>(best_isa())),
+      : conversion_(detail::plane_conversion<std::uint64_t>(best_isa())),
         source_(width, height),
         target_(width, height) {}
 
@@ -60,7 +65,7 @@ class CombinedJob : public Job {
 class ReadBitsJob final : public CombinedJob {
  public:
   ReadBitsJob(Index width, Index height)
-      : conversion_(plane_conversion<std::uint64_t>(best_isa())), source_(width, height) {}
+      : conversion_(detail::plane_conversion<std::uint64_t>(best_isa())), source_(width, height) {}
 
   void run(const ConstImageView& input, const ImageView&) override {
     load(input);

@@ -14,7 +14,9 @@ constexpr int kSobelScale = 4;
 
 class SobelJob final : public Job {
  public:
-  explicit SobelJob(bool with_p2) : with_p2_(with_p2) { cv::setNumThreads(1); }
+  explicit SobelJob(bool with_brightness) : with_brightness_(with_brightness) {
+    cv::setNumThreads(1);
+  }
 
   void run(const ConstImageView& input, const ImageView& output) override {
     if (input.width == 0 || input.height == 0) return;
@@ -24,34 +26,35 @@ class SobelJob final : public Job {
     cv::absdiff(gx_, cv::Scalar(0), gx_);
     cv::absdiff(gy_, cv::Scalar(0), gy_);
     cv::add(gx_, gy_, gx_);
-    cv::compare(gx_, thresholds_.p1 * kSobelScale, edges, cv::CMP_GT);
-    if (!with_p2_) return;
+    cv::compare(gx_, thresholds_.gradient_threshold * kSobelScale, edges, cv::CMP_GT);
+    if (!with_brightness_) return;
     cv::dilate(source, brightest_, cv::Mat());
-    cv::compare(brightest_, thresholds_.p2, brightest_, cv::CMP_GT);
+    cv::compare(brightest_, thresholds_.brightness_threshold, brightest_, cv::CMP_GT);
     cv::bitwise_and(edges, brightest_, edges);
   }
 
  private:
-  bool with_p2_;
+  bool with_brightness_;
   EdgeThresholds thresholds_;
   cv::Mat gx_;
   cv::Mat gy_;
   cv::Mat brightest_;
 };
 
-JobMaker sobel(bool with_p2) {
-  return [with_p2](Index, Index, int) { return std::make_unique<SobelJob>(with_p2); };
+JobMaker sobel(bool with_brightness) {
+  return
+      [with_brightness](Index, Index, int) { return std::make_unique<SobelJob>(with_brightness); };
 }
 
 }  // namespace
 
 std::vector<Variant> opencv_edge_peers(const Operation& operation) {
   if (operation.name != "edges_sobel") return {};
-  EdgeThresholds without_p2;
-  without_p2.p2 = -1;
+  EdgeThresholds gradient_only;
+  gradient_only.brightness_threshold = -1;
   return {peer_variant("opencv", "OpenCV: spatialGradient, dilate, both thresholds", sobel(true)),
-          peer_variant("opencv_gradient", "OpenCV: spatialGradient and the threshold P1 only",
-                       sobel(false), edges_reference(operation.name, without_p2))};
+          peer_variant("opencv_gradient", "OpenCV: spatialGradient and its threshold only",
+                       sobel(false), edges_reference(EdgeOperator::sobel, gradient_only))};
 }
 
 std::string opencv_description() {

@@ -1,5 +1,5 @@
-// Thinning by OpenCV's ximgproc module. It keeps the border, so it is compared with the references
-// that do; how many passes it took cannot be read from it.
+// Thinning by OpenCV's ximgproc module. It keeps the border, so it belongs to the cases that do, to
+// which it is equal in every pixel; how many iterations it took cannot be read from it.
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
@@ -24,11 +24,11 @@ class ThinningJob final : public Job {
   cv::Mat skeleton_;
 };
 
-Variant thinning_peer(const char* keeping_operation, cv::ximgproc::ThinningTypes type) {
+Variant thinning_peer(const Operation& operation, cv::ximgproc::ThinningTypes type) {
   Variant peer = peer_variant(
       "opencv", "OpenCV: ximgproc::thinning, which keeps the border",
       [type](Index, Index, int) { return std::make_unique<ThinningJob>(type); },
-      image_only(operation_of(keeping_operation).reference));
+      image_only(operation.reference));
   peer.for_series_of_sizes = false;
   return peer;
 }
@@ -36,11 +36,11 @@ Variant thinning_peer(const char* keeping_operation, cv::ximgproc::ThinningTypes
 }  // namespace
 
 std::vector<Variant> opencv_thinning_peers(const Operation& operation) {
-  if (operation.name == "thin_zhang_suen") {
-    return {thinning_peer("thin_zhang_suen_keep_border", cv::ximgproc::THINNING_ZHANGSUEN)};
+  if (operation.name == "thin_zhang_suen:keep") {
+    return {thinning_peer(operation, cv::ximgproc::THINNING_ZHANGSUEN)};
   }
-  if (operation.name == "thin_guo_hall") {
-    return {thinning_peer("thin_guo_hall_keep_border", cv::ximgproc::THINNING_GUOHALL)};
+  if (operation.name == "thin_guo_hall:keep") {
+    return {thinning_peer(operation, cv::ximgproc::THINNING_GUOHALL)};
   }
   return {};
 }

@@ -36,11 +36,11 @@ class ImageOnlyJob final : public Job {
 
 const std::vector<Peer>& peers() {
   static const std::vector<Peer> all = {
-      {"copy", "the input's bytes copied to the output: a limit that no operation passes"},
-      {"opencv", opencv_description() + "; the whole operation; thinning keeps the border"},
-      {"opencv_gradient", opencv_description() + "; does less: no threshold P2"},
-      {"copy_bits", "the packed words copied: a limit for work on packed images"},
-      {"read_bits", "the packed words read: a limit for work that gives numbers"},
+      {"copy", "the input's bytes copied to the output: a lower bound for every operation"},
+      {"opencv", opencv_description() + "; the whole operation, equal in every pixel", true},
+      {"opencv_gradient", opencv_description() + "; does less: no brightness threshold"},
+      {"copy_bits", "the packed words copied: a lower bound for work on packed images"},
+      {"read_bits", "the packed words read: a lower bound for work that gives numbers"},
       {"opencv_contours", opencv_description() + "; areas and centres of polygons, not of pixels"},
       {"opencv_stats", opencv_description() + "; does less: no holes"},
       {"opencv_components", opencv_description() + "; labels objects, counts no holes"},
@@ -66,7 +66,7 @@ Variant peer_variant(std::string_view technique, std::string_view description, J
                      JobMaker own_reference) {
   Variant variant = {
       technique, description, Isa::baseline, false, false, std::move(make_job), [](Index) {
-        return std::string_view();
+        return std::string();
       }};
   variant.is_peer = true;
   variant.own_reference = std::move(own_reference);

@@ -1,4 +1,5 @@
-// Peers: other people's code for the same work, and limits such as a copy, timed in the same run.
+// Peers: other projects' code for the same work, and lower bounds such as a copy, timed in the same
+// run.
 #pragma once
 
 #include <string>
@@ -13,6 +14,9 @@ namespace thinbench {
 struct Peer {
   std::string_view technique;
   std::string about;  // version, instruction sets, threads
+  /// Whether it gives the very pixels of the operation that it stands beside: only then is the
+  /// ratio of the two times a comparison of like with like.
+  bool equal_output = false;
 };
 
 [[nodiscard]] const std::vector<Peer>& peers();

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "harness/case_json.hpp"
 #include "paired/statistics.hpp"
 
 namespace thinbench {
@@ -19,22 +20,25 @@ double rounded(double value, double parts) {
 }
 
 json to_json(const BaselineRow& row) {
-  return {{"ratio", rounded(row.speedup.ratio, 1e3)},
-          {"low", rounded(row.speedup.low, 1e3)},
-          {"high", rounded(row.speedup.high, 1e3)},
-          {"reference_ns", rounded(row.times.reference_ns, 1)},
-          {"variant_ns", rounded(row.times.row_ns, 1)},
-          {"input_hash", row.input_hash}};
+  json object = labels_json<json>(row.labels);
+  object.update({{"ratio", rounded(row.speedup.ratio, 1e3)},
+                 {"low", rounded(row.speedup.low, 1e3)},
+                 {"high", rounded(row.speedup.high, 1e3)},
+                 {"reference_ns", rounded(row.times.reference_ns, 1)},
+                 {"variant_ns", rounded(row.times.row_ns, 1)},
+                 {"input_hash", row.input_hash}});
+  return object;
 }
 
 BaselineRow row_from(const json& row) {
   return {{row.at("ratio"), row.at("low"), row.at("high")},
           {row.at("reference_ns"), row.at("variant_ns")},
-          row.at("input_hash")};
+          row.at("input_hash"),
+          labels_from(row)};
 }
 
 Baseline baseline_from(const json& object) {
-  if (!object.is_object()) throw std::runtime_error("it is no JSON object, or cut short");
+  if (!object.is_object()) throw std::runtime_error("it is no JSON object, or truncated");
   if (object.value("kind", "") != "baseline") throw std::runtime_error("it is no baseline");
   if (object.at("schema") != kSchema) {
     throw std::runtime_error("its schema " + object.at("schema").dump() + " is unknown");
@@ -53,7 +57,8 @@ std::map<std::string, BaselineRow> rows_of(const MeasuredRun& run) {
   std::map<std::string, BaselineRow> rows;
   for (const auto& [name, row] : run.rows) {
     const Estimate estimate = estimate_of(row.logs);
-    rows[name] = {{estimate.ratio, estimate.low, estimate.high}, row.times, row.input_hash};
+    rows[name] = {
+        {estimate.ratio, estimate.low, estimate.high}, row.times, row.input_hash, row.labels};
   }
   return rows;
 }

@@ -1,4 +1,4 @@
-// Speed-ups that were measured before on this kind of machine, with their history.
+// Speed-ups that were measured before on this kind of machine, by name, with their history.
 #pragma once
 
 #include <map>
@@ -15,6 +15,7 @@ struct BaselineRow {
   Change speedup;  // over the reference
   PairTimes times;
   std::string input_hash;
+  CaseLabels labels = {};
 };
 
 struct Baseline {

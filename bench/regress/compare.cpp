@@ -12,8 +12,8 @@ namespace {
 
 using Logs = std::vector<double>;
 
-RowVerdict skipped(const std::string& name, const std::string& reason) {
-  RowVerdict row;
+RegressionVerdict skipped(const std::string& name, const std::string& reason) {
+  RegressionVerdict row;
   row.name = name;
   row.reason = reason;
   return row;
@@ -38,13 +38,13 @@ std::string why_not_judged(const MeasuredRow& row, std::size_t processes, const 
   return {};
 }
 
-void give_verdict(RowVerdict& row) {
+void give_verdict(RegressionVerdict& row) {
   if (row.reason.empty()) row.verdict = judge(row.change, row.tolerance);
 }
 
-RowVerdict row_against(const MeasuredRow& row, const BaselineRow& before, std::size_t processes,
-                       const Rules& rules) {
-  RowVerdict verdict = skipped(row.name, why_not_judged(row, processes, rules));
+RegressionVerdict row_against(const MeasuredRow& row, const BaselineRow& before,
+                              std::size_t processes, const Rules& rules) {
+  RegressionVerdict verdict = skipped(row.name, why_not_judged(row, processes, rules));
   if (row.input_hash != before.input_hash) verdict.reason = "another picture than in the baseline";
   verdict.tolerance = tolerance_of(kStoredTolerance, row.pixels, rules.cache_kib);
   verdict.change = change_of(row.logs, before.speedup.ratio);
@@ -54,9 +54,9 @@ RowVerdict row_against(const MeasuredRow& row, const BaselineRow& before, std::s
   return verdict;
 }
 
-RowVerdict row_between(const MeasuredRow& before, const MeasuredRow& now, std::size_t processes,
-                       const Rules& rules) {
-  RowVerdict verdict = skipped(now.name, why_not_judged(now, processes, rules));
+RegressionVerdict row_between(const MeasuredRow& before, const MeasuredRow& now,
+                              std::size_t processes, const Rules& rules) {
+  RegressionVerdict verdict = skipped(now.name, why_not_judged(now, processes, rules));
   if (before.logs.size() != now.logs.size()) {
     verdict.reason = "not measured by every process";
     return verdict;
@@ -78,10 +78,10 @@ std::map<std::string, std::set<std::string>> names_by_group(const Rows& rows) {
 
 template <class RowsBefore>
 void doubt_new_neighbours(const RowsBefore& before, const MeasuredRun& run,
-                          std::vector<RowVerdict>& rows) {
+                          std::vector<RegressionVerdict>& rows) {
   const auto then = names_by_group(before);
   const auto now = names_by_group(run.rows);
-  for (RowVerdict& row : rows) {
+  for (RegressionVerdict& row : rows) {
     if (row.verdict != Verdict::fail) continue;
     const std::string group = group_of(row.name);
     if (then.at(group) == now.at(group)) continue;
@@ -92,9 +92,9 @@ void doubt_new_neighbours(const RowsBefore& before, const MeasuredRun& run,
 
 /// Rows of both, and what only one of them has.
 template <class RowsBefore, class Judge>
-std::vector<RowVerdict> compared(const RowsBefore& before, const MeasuredRun& run,
-                                 const Judge& judge_row) {
-  std::vector<RowVerdict> rows;
+std::vector<RegressionVerdict> compared(const RowsBefore& before, const MeasuredRun& run,
+                                        const Judge& judge_row) {
+  std::vector<RegressionVerdict> rows;
   for (const auto& [name, row] : run.rows) {
     const auto earlier = before.find(name);
     rows.push_back(earlier == before.end() ? skipped(name, "new: there is nothing to compare with")
@@ -120,9 +120,9 @@ const MeasuredRow* scalar_row(const MeasuredRun& run, std::vector<std::string> f
   return found == run.rows.end() ? nullptr : &found->second;
 }
 
-RowVerdict simd_against_scalar(const MeasuredRun& run, const MeasuredRow& row) {
+RegressionVerdict simd_against_scalar(const MeasuredRun& run, const MeasuredRow& row) {
   const MeasuredRow* scalar = scalar_row(run, fields_of(row.name));
-  RowVerdict verdict = skipped(row.name, why_not_judged(row, run.processes, {}));
+  RegressionVerdict verdict = skipped(row.name, why_not_judged(row, run.processes, {}));
   if (scalar != nullptr && scalar->logs.size() != run.processes) {
     verdict.reason = "not measured by every process";
   }
@@ -138,22 +138,22 @@ RowVerdict simd_against_scalar(const MeasuredRun& run, const MeasuredRow& row) {
 
 }  // namespace
 
-std::vector<RowVerdict> against_baseline(const MeasuredRun& run, const Baseline& baseline,
-                                         const Rules& rules) {
+std::vector<RegressionVerdict> against_baseline(const MeasuredRun& run, const Baseline& baseline,
+                                                const Rules& rules) {
   return compared(baseline.rows, run, [&](const BaselineRow& before, const MeasuredRow& now) {
     return row_against(now, before, run.processes, rules);
   });
 }
 
-std::vector<RowVerdict> between(const MeasuredRun& before, const MeasuredRun& now,
-                                const Rules& rules) {
+std::vector<RegressionVerdict> between(const MeasuredRun& before, const MeasuredRun& now,
+                                       const Rules& rules) {
   return compared(before.rows, now, [&](const MeasuredRow& earlier, const MeasuredRow& row) {
     return row_between(earlier, row, now.processes, rules);
   });
 }
 
-std::vector<RowVerdict> against_scalar(const MeasuredRun& run) {
-  std::vector<RowVerdict> rows;
+std::vector<RegressionVerdict> against_scalar(const MeasuredRun& run) {
+  std::vector<RegressionVerdict> rows;
   for (const auto& [name, row] : run.rows) {
     const bool is_simd = fields_of(name)[1].starts_with("simd");
     if (is_simd && !row.threaded) rows.push_back(simd_against_scalar(run, row));
@@ -161,8 +161,8 @@ std::vector<RowVerdict> against_scalar(const MeasuredRun& run) {
   return rows;
 }
 
-void doubt(const ControlVerdicts& controls, std::vector<RowVerdict>& rows) {
-  for (RowVerdict& row : rows) {
+void doubt(const ControlVerdicts& controls, std::vector<RegressionVerdict>& rows) {
+  for (RegressionVerdict& row : rows) {
     const bool failed = !controls.pass || controls.failed_groups.count(group_of(row.name)) > 0;
     if (!failed || row.verdict == Verdict::skipped) continue;
     row.verdict = Verdict::undecided;
@@ -170,11 +170,12 @@ void doubt(const ControlVerdicts& controls, std::vector<RowVerdict>& rows) {
   }
 }
 
-void confirm(const std::vector<RowVerdict>& again, std::vector<RowVerdict>& rows) {
-  for (RowVerdict& row : rows) {
-    const auto found = std::find_if(again.begin(), again.end(), [&](const RowVerdict& other) {
-      return other.name == row.name && other.verdict != Verdict::skipped;
-    });
+void confirm(const std::vector<RegressionVerdict>& again, std::vector<RegressionVerdict>& rows) {
+  for (RegressionVerdict& row : rows) {
+    const auto found =
+        std::find_if(again.begin(), again.end(), [&](const RegressionVerdict& other) {
+          return other.name == row.name && other.verdict != Verdict::skipped;
+        });
     if (found == again.end()) continue;
     const Verdict first = row.verdict;
     row = *found;

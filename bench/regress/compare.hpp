@@ -12,8 +12,8 @@
 
 namespace thinbench {
 
-struct RowVerdict {
-  std::string name;
+struct RegressionVerdict {
+  std::string name;  // case/technique/isa/threads/scope/input
   Verdict verdict = Verdict::skipped;
   std::string reason;  // where it is not plainly what the interval says
   double tolerance = 0;
@@ -30,22 +30,22 @@ struct Rules {
 
 /// Every row of either. A row that seems slower, but was measured beside other rows than in the
 /// baseline, is inconclusive: neighbours alone can change a time by more than the tolerance.
-[[nodiscard]] std::vector<RowVerdict> against_baseline(const MeasuredRun& run,
-                                                       const Baseline& baseline,
-                                                       const Rules& rules);
+[[nodiscard]] std::vector<RegressionVerdict> against_baseline(const MeasuredRun& run,
+                                                              const Baseline& baseline,
+                                                              const Rules& rules);
 
-/// Process by process, as both were measured by turns.
-[[nodiscard]] std::vector<RowVerdict> between(const MeasuredRun& before, const MeasuredRun& now,
-                                              const Rules& rules);
+/// Process by process, as both were measured interleaved.
+[[nodiscard]] std::vector<RegressionVerdict> between(const MeasuredRun& before,
+                                                     const MeasuredRun& now, const Rules& rules);
 
 /// Every SIMD row on one thread against the scalar row of the same kind and scope where there is
 /// one, else against the reference.
-[[nodiscard]] std::vector<RowVerdict> against_scalar(const MeasuredRun& run);
+[[nodiscard]] std::vector<RegressionVerdict> against_scalar(const MeasuredRun& run);
 
 /// Rows that were measured while a control failed are inconclusive.
-void doubt(const ControlVerdicts& controls, std::vector<RowVerdict>& rows);
+void doubt(const ControlVerdicts& controls, std::vector<RegressionVerdict>& rows);
 
 /// Takes the rows that were measured again for confirmed or not.
-void confirm(const std::vector<RowVerdict>& again, std::vector<RowVerdict>& rows);
+void confirm(const std::vector<RegressionVerdict>& again, std::vector<RegressionVerdict>& rows);
 
 }  // namespace thinbench

@@ -17,7 +17,7 @@ void add_compare(CLI::App& program, RegressOptions& options) {
   app->add_option("--old-again", options.old_again, "and those measured by turns with --again");
   old->excludes(baselines);
   app->add_option("--rerun-out", options.rerun_out,
-                  "write here which operations have to be measured again, as A|B|C")
+                  "write here which cases have to be measured again, as A|B|C")
       ->check(not_empty());
   app->add_flag("--judge-threads", options.judge_threads,
                 "judge rows with threads, too: only where no one else uses the cores");

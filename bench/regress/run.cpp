@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "harness/case_json.hpp"
 #include "paired/row_names.hpp"
 #include "paired/statistics.hpp"
 
@@ -76,6 +77,7 @@ class Reader {
     MeasuredRow& row = run_.rows[name];
     row.name = name;
     row.threaded = threaded;
+    row.labels = labels_from(sample);
     row.input_hash = sample.value("input_hash", "");
     row.pixels = sample.value("pixels", std::int64_t{0});
     row.logs.push_back(log);
@@ -113,7 +115,7 @@ std::map<std::size_t, std::vector<json>> processes_in(std::istream& stream) {
     json sample = parsed(line);
     processes[sample.at("process").get<std::size_t>()].push_back(std::move(sample));
   }
-  if (processes.size() != head.at("processes")) throw std::runtime_error("it is cut short");
+  if (processes.size() != head.at("processes")) throw std::runtime_error("it is truncated");
   return processes;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/operation.hpp"
+
 namespace thinbench {
 
 /// Medians over processes, in nanoseconds a call.
@@ -15,15 +17,17 @@ struct PairTimes {
 };
 
 struct MeasuredRow {
-  std::string name;  // operation/technique/isa/threads/scope/input
+  std::string name;  // case/technique/isa/threads/scope/input
   bool threaded = false;
-  std::string input_hash;  // empty and 0 where the samples are older than these fields
+  CaseLabels labels =
+      {};  // these three are empty and 0 where the samples are older than the fields
+  std::string input_hash;
   std::int64_t pixels = 0;
   std::vector<double> logs;  // ln(reference's time / row's time), a process each
   PairTimes times;
 };
 
-/// The controls of an operation on an input. Which row they are made of may differ between
+/// The controls of a case on an input. Which row they are made of may differ between
 /// processes that were planned one by one.
 struct MeasuredControls {
   std::vector<std::string> base;
@@ -37,7 +41,7 @@ struct MeasuredRun {
   std::map<std::string, MeasuredControls> controls;  // by group_of(name)
 };
 
-/// Operation and input of a row: "operation/input". Rows of a group are measured side by side.
+/// Case and input of a row: "case/input". Rows of a group are measured side by side.
 [[nodiscard]] std::string group_of(const std::string& row);
 
 /// Processes are counted on from file to file. Throws std::runtime_error for what

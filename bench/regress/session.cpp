@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using Rows = std::vector<RowVerdict>;
+using Rows = std::vector<RegressionVerdict>;
 
 /// What one measurement says.
 struct Findings {
@@ -103,7 +103,7 @@ class Gate {
 
 std::vector<Verdict> verdicts_of(const Rows& rows) {
   std::vector<Verdict> verdicts;
-  for (const RowVerdict& row : rows) verdicts.push_back(row.verdict);
+  for (const RegressionVerdict& row : rows) verdicts.push_back(row.verdict);
   return verdicts;
 }
 
@@ -115,16 +115,17 @@ Verdict overall_of(const Findings& found) {
   return changes == Verdict::pass && simd == Verdict::undecided ? simd : changes;
 }
 
-/// Whole operations, since the rows of one are measured side by side.
-std::string operations_in_doubt(const Findings& found) {
-  std::set<std::string> operations;
+/// Whole cases, since the rows of one are measured side by side. Their names are filters for these
+/// very cases, see is_requested().
+std::string cases_in_doubt(const Findings& found) {
+  std::set<std::string> cases;
   for (const Rows& rows : {found.changes, found.simd}) {
-    for (const RowVerdict& row : rows) {
+    for (const RegressionVerdict& row : rows) {
       const bool settled = row.verdict == Verdict::pass || row.verdict == Verdict::skipped;
-      if (!settled) operations.insert(row.name.substr(0, row.name.find('/')));
+      if (!settled) cases.insert(row.name.substr(0, row.name.find('/')));
     }
   }
-  return joined({operations.begin(), operations.end()}, "|");
+  return joined({cases.begin(), cases.end()}, "|");
 }
 
 void print(const Findings& found, bool all) {
@@ -138,7 +139,7 @@ int compare(const RegressOptions& options, const json& machine) {
   const Gate gate(options, machine);
   Findings found = gate.find(options.run, options.old);
   if (!options.rerun_out.empty()) {
-    write_whole_file(options.rerun_out, operations_in_doubt(found) + "\n");
+    write_whole_file(options.rerun_out, cases_in_doubt(found) + "\n");
   }
   const std::string controls = "controls " + to_line(found.controls) + "\n";
   std::string controls_again;

@@ -18,7 +18,7 @@ std::string moved(const char* side, double before, double now) {
          (percent > 0 ? "slower" : "faster");
 }
 
-bool is_faster(const RowVerdict& row) {
+bool is_faster(const RegressionVerdict& row) {
   return row.verdict == Verdict::pass && row.change.low > 1 + row.tolerance;
 }
 
@@ -27,13 +27,13 @@ std::string interval_text(const Change& change) {
          ")";
 }
 
-std::string heading(const RowVerdict& row) {
+std::string heading(const RegressionVerdict& row) {
   std::string verdict(name_of(row.verdict));
   verdict.resize(kIndent, ' ');
   return verdict + row.name + "\n" + std::string(kIndent, ' ');
 }
 
-std::string reason_of(const RowVerdict& row) {
+std::string reason_of(const RegressionVerdict& row) {
   return row.reason.empty() ? "\n" : "; " + row.reason + "\n";
 }
 
@@ -41,23 +41,23 @@ std::string us(double ns) {
   return fixed(ns / 1000, 1);
 }
 
-std::string change_text(const RowVerdict& row) {
+std::string change_text(const RegressionVerdict& row) {
   return heading(row) + "speed-up x " + interval_text(row.change) + ", limit " +
          fixed(1 - row.tolerance, 2) + "; row " + us(row.before.row_ns) + " -> " +
          us(row.now.row_ns) + " us, reference " + us(row.before.reference_ns) + " -> " +
          us(row.now.reference_ns) + " us: " + what_moved(row.before, row.now) + reason_of(row);
 }
 
-std::string simd_text(const RowVerdict& row) {
+std::string simd_text(const RegressionVerdict& row) {
   return heading(row) + interval_text(row.change) + " times as fast as scalar code, limit " +
          fixed(1 - row.tolerance, 2) + "; " + us(row.now.row_ns) + " us, scalar " +
          us(row.before.row_ns) + " us" + reason_of(row);
 }
 
 /// One line for each reason.
-std::string skipped_text(const std::vector<RowVerdict>& rows) {
+std::string skipped_text(const std::vector<RegressionVerdict>& rows) {
   std::map<std::string, int> numbers;
-  for (const RowVerdict& row : rows) {
+  for (const RegressionVerdict& row : rows) {
     if (row.verdict == Verdict::skipped) ++numbers[row.reason];
   }
   std::string text;
@@ -78,27 +78,27 @@ std::string what_moved(const PairTimes& before, const PairTimes& now) {
   return parts.empty() ? "neither moved by 3 %" : joined(parts, ", ");
 }
 
-std::string to_table(const std::vector<RowVerdict>& rows, bool all) {
+std::string to_table(const std::vector<RegressionVerdict>& rows, bool all) {
   std::string text;
-  for (const RowVerdict& row : rows) {
+  for (const RegressionVerdict& row : rows) {
     const bool shown = all || row.verdict != Verdict::pass || is_faster(row);
     if (shown && row.verdict != Verdict::skipped) text += change_text(row);
   }
   return text + skipped_text(rows);
 }
 
-std::string to_simd_table(const std::vector<RowVerdict>& rows, bool all) {
+std::string to_simd_table(const std::vector<RegressionVerdict>& rows, bool all) {
   std::string text;
-  for (const RowVerdict& row : rows) {
+  for (const RegressionVerdict& row : rows) {
     const bool shown = all || row.verdict != Verdict::pass;
     if (shown && row.verdict != Verdict::skipped) text += simd_text(row);
   }
   return text + skipped_text(rows);
 }
 
-std::string counts(const std::vector<RowVerdict>& rows) {
+std::string counts(const std::vector<RegressionVerdict>& rows) {
   std::map<Verdict, int> numbers;
-  for (const RowVerdict& row : rows) ++numbers[row.verdict];
+  for (const RegressionVerdict& row : rows) ++numbers[row.verdict];
   std::vector<std::string> parts;
   parts.reserve(numbers.size());
   for (const auto& [verdict, number] : numbers) {

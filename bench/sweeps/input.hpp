@@ -15,7 +15,7 @@ enum class Picture : std::uint8_t {
   noise,     // random blocks, see noise_image
   scene,     // the scene, laid out like tiles
   enlarged,  // the scene, every pixel a square of pixels
-  squares,   // dark squares as far apart as they are wide
+  squares,   // foreground squares as far apart as they are wide
 };
 
 struct SweepInput {
@@ -23,7 +23,7 @@ struct SweepInput {
   Index width = 0;
   Index height = 0;
   Index grain = 0;  // side of a block of noise, of a square or of an enlarged pixel (pixels)
-  int percent = 0;  // of the noise's blocks that are dark
+  int percent = 0;  // of the noise's blocks that are foreground
 
   bool operator==(const SweepInput&) const = default;
   bool operator<(const SweepInput& other) const { return fields() < other.fields(); }
@@ -37,7 +37,7 @@ struct SweepInput {
   }
 };
 
-/// Throws std::logic_error for grey noise, squares or enlargements: they exist in two colours only.
+/// Throws std::logic_error for grey noise, squares or enlargements: they are binary.
 [[nodiscard]] ByteImage make_input(const SweepInput& input, InputKind kind);
 
 /// Makes images and keeps them as long as they fit into a limit together.

@@ -10,6 +10,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "harness/case_json.hpp"
 #include "support/whole_file.hpp"
 #include "timing/inputs.hpp"
 
@@ -27,18 +28,19 @@ constexpr int kSchema = 1;
 
 /// What identifies a point, as its lines have it.
 json place_of(const Point& point) {
-  return {{"sweep", point.sweep},
-          {"x", point.x},
-          {"y", point.y ? json(*point.y) : json()},
-          {"operation", point.operation->name},
-          {"technique", point.variant->technique},
-          {"isa", point.variant->isa_label()},
-          {"threads", point.threads}};
+  json place = case_json<json>(*point.operation);
+  place.update({{"sweep", point.sweep},
+                {"x", point.x},
+                {"y", point.y ? json(*point.y) : json()},
+                {"technique", point.variant->technique},
+                {"isa", point.variant->isa_label()},
+                {"threads", point.threads}});
+  return place;
 }
 
 std::string key_of(const json& line) {
   std::string key;
-  for (const char* name : {"sweep", "x", "y", "operation", "technique", "isa", "threads"}) {
+  for (const char* name : {"sweep", "x", "y", "case", "technique", "isa", "threads"}) {
     key += line.at(name).dump() + " ";
   }
   return key;

@@ -44,8 +44,7 @@ void add_options(CLI::App& app, SweepOptions& options) {
   app.add_option("--only", options.only, "this sweep, not all (repeatable)")
       ->check(name_of_sweep())
       ->type_name("NAME");
-  app.add_option("--filter", options.filter,
-                 "rows whose name operation/technique/isa/threads matches");
+  app.add_option("--filter", options.filter, "rows whose name case/technique/isa/threads matches");
   app.add_flag("--quick", options.quick, "smaller images and coarser steps");
   app.add_option("--rounds", options.rounds, "samples of every point")
       ->capture_default_str()
@@ -69,7 +68,7 @@ void add_options(CLI::App& app, SweepOptions& options) {
 }  // namespace
 
 bool parse_options(const std::vector<std::string>& arguments, SweepOptions& options) {
-  CLI::App app("How times depend on density, size, threads, depth and level", "thinbench_sweeps");
+  CLI::App app("How times depend on density, size, threads, depth and ISA", "thinbench_sweeps");
   add_options(app, options);
   app.footer(footer());
   return parse_or_help(app, arguments);

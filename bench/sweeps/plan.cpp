@@ -12,12 +12,12 @@ namespace thinbench {
 namespace {
 
 constexpr std::array kSweeps = {
-    SweepInfo{"density", "percent of noise that is dark, side of its blocks"},
+    SweepInfo{"density", "percent of noise that is foreground, side of its blocks"},
     SweepInfo{"size", "side of a square of the scene, awkward ones too"},
     SweepInfo{"threads", "1 to all, on the scene and on 10 x 10 of it"},
-    SweepInfo{"depth", "side of dark squares, which passes have to eat up"},
+    SweepInfo{"depth", "side of foreground squares, which iterations have to erode"},
     SweepInfo{"enlarged", "times that the scene is enlarged, strokes to 580 pixels"},
-    SweepInfo{"isa", "instruction-set level, every technique, on the scene"},
+    SweepInfo{"isa", "ISA, every technique, on the scene"},
 };
 
 constexpr Index kSceneWidth = 510;
@@ -27,6 +27,7 @@ constexpr std::array kAwkwardSides = {33, 63, 65, 100, 127, 511, 513, 1000, 1023
 
 using Names = std::vector<std::string_view>;
 
+/// With zero padding and without a limit: their cases have the plain names.
 const Names& drawn_operations() {
   static const Names names = {"thin_guo_hall", "thin_naccache_shinghal",
                               "skeleton_scan", "edges_sobel",
@@ -37,9 +38,9 @@ const Names& drawn_operations() {
 /// Collects the points of one sweep after another.
 class Planner {
  public:
-  Planner(const PlanOptions& options, const std::vector<Operation>& operations)
+  Planner(const SweepPlanOptions& options, const std::vector<Operation>& operations)
       : options_(options), operations_(operations) {
-    // Refuses a malformed filter in words of its own.
+    // Rejects a malformed filter in words of its own.
     static_cast<void>(matching_rows(options.filter, {1}, operations));
     pattern_ = std::regex(options.filter);
   }
@@ -178,7 +179,7 @@ class Planner {
     if (std::regex_search(point.row(), pattern_)) points_.push_back(point);
   }
 
-  const PlanOptions& options_;
+  const SweepPlanOptions& options_;
   const std::vector<Operation>& operations_;
   std::regex pattern_;
   std::vector<Point> points_;
@@ -201,7 +202,7 @@ std::string Point::name() const {
   return text + " " + row() + " on " + input.name();
 }
 
-std::vector<Point> plan_points(const PlanOptions& options,
+std::vector<Point> plan_points(const SweepPlanOptions& options,
                                const std::vector<Operation>& operations) {
   return Planner(options, operations).all();
 }

@@ -30,7 +30,7 @@ struct Point {
   const Variant* variant = nullptr;
   int threads = 1;
 
-  /// operation/technique/isa/threads.
+  /// case/technique/isa/threads.
   [[nodiscard]] std::string row() const;
   /// Tells points apart, and names them in messages.
   [[nodiscard]] std::string name() const;
@@ -40,7 +40,7 @@ struct Point {
   }
 };
 
-struct PlanOptions {
+struct SweepPlanOptions {
   std::vector<std::string> only;  // names of sweeps; all where empty
   std::string filter;             // rows whose name contains a match
   bool quick = false;             // smaller images and coarser steps
@@ -49,7 +49,7 @@ struct PlanOptions {
 
 /// The points of all sweeps that are asked for, input by input. Rows that cannot run here are left
 /// out. Points point to `operations`. Throws std::invalid_argument where the filter is malformed.
-[[nodiscard]] std::vector<Point> plan_points(const PlanOptions& options,
+[[nodiscard]] std::vector<Point> plan_points(const SweepPlanOptions& options,
                                              const std::vector<Operation>& operations);
 
 /// 1 to 8, steps of about a half more, and `processors` itself.

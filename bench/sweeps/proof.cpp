@@ -23,8 +23,8 @@ std::string short_name(const Variant& variant) {
 
 /// How many pixels a reference would look at.
 std::int64_t visits_of(const Point& point, const Outcome& outcome) {
-  const bool counts_passes = point.operation->counter == "passes";
-  return point.input.pixels() * (counts_passes ? outcome.numbers.front() : 1);
+  const bool iterates = point.operation->counter == "iterations";
+  return point.input.pixels() * (iterates ? outcome.numbers.front() : 1);
 }
 
 /// The better of two calls: the first one touches every page.

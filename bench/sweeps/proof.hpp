@@ -17,7 +17,8 @@ struct Proof {
 };
 
 /// Compares rows with their references. Where a reference would visit more than kMostVisits pixels,
-/// counted once a pass, the best scalar row stands in for it; for that row the library's choice.
+/// counted once per iteration, the best scalar row stands in for it; for that row the library's
+/// choice.
 class Prover {
  public:
   static constexpr std::int64_t kMostVisits = std::int64_t{1} << 26;

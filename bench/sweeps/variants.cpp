@@ -1,25 +1,17 @@
 #include "sweeps/variants.hpp"
 
 #include <functional>
-#include <utility>
-
-#include "thinbench/options.hpp"
 
 namespace thinbench {
 namespace {
-
-/// Levels first, then the order of techniques, which ends with the fastest.
-std::pair<Isa, int> rank_of(const Variant& variant) {
-  const auto technique = technique_from_name(variant.technique);
-  return {variant.isa, technique ? static_cast<int>(*technique) : -1};
-}
 
 const Variant* best(const Operation& operation, Index width,
                     const std::function<bool(const Variant&)>& is_wanted) {
   const Variant* found = nullptr;
   for (const Variant& variant : operation.variants) {
-    if (variant.is_peer || !is_wanted(variant) || !variant.unavailable_reason(width).empty()) continue;
-    if (found == nullptr || rank_of(variant) > rank_of(*found)) found = &variant;
+    if (variant.is_peer || !is_wanted(variant) || !variant.unavailable_reason(width).empty())
+      continue;
+    if (found == nullptr || variant.priority > found->priority) found = &variant;
   }
   return found;
 }

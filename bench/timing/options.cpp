@@ -10,7 +10,7 @@ void add_options(CLI::App& app, TimingOptions& options) {
   app.add_option("--image", options.inputs.pictures,
                  "time this picture, not the scene (repeatable)");
   app.add_option("--filter", options.filter,
-                 "rows whose name operation/technique/isa/threads/scope/input matches");
+                 "results whose name case/technique/isa/threads/scope/input matches");
   app.add_option("--largest-square", options.inputs.largest_square,
                  "where the series of sizes ends; 0 for none")
       ->capture_default_str()
@@ -28,11 +28,13 @@ void add_options(CLI::App& app, TimingOptions& options) {
       ->check(not_empty());
   app.add_option("--pictures-out", options.pictures_out, "write inputs and results to this folder")
       ->check(not_empty());
-  app.add_flag("--highest-level", options.highest_level,
-               "only the highest instruction-set level of each technique");
-  app.add_flag("--no-peers", options.no_peers, "leave out other people's code and the copy");
+  app.add_flag("--highest-level", options.highest_level, "only the highest ISA of each technique");
+  app.add_flag("--no-peers", options.no_peers, "omit other projects' code and the copy");
   app.add_flag("--quiet", options.quiet, "no table on standard output");
   app.footer(
+      "A case is an operation, with ':keep' where the image border is kept and ':N' for at most N\n"
+      "iterations. Of the cases that keep the border only those of OpenCV's rules are timed; name\n"
+      "another in the filter: --filter '^thin_mb2:keep/'.\n"
       "Options that start with --benchmark_ go to Google Benchmark, such as\n"
       "  --benchmark_out=timings.json --benchmark_out_format=json\n"
       "Examples:\n"
@@ -43,7 +45,7 @@ void add_options(CLI::App& app, TimingOptions& options) {
 }  // namespace
 
 bool parse_options(int count, char** arguments, TimingOptions& options) {
-  CLI::App app("Time every operation, each way proved equal to its reference first",
+  CLI::App app("Time every operation, each variant verified against its reference first",
                "thinbench_timings");
   add_options(app, options);
   return parse_or_help(app, {arguments + 1, arguments + count});

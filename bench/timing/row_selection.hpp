@@ -10,7 +10,7 @@ namespace thinbench {
 
 [[nodiscard]] std::vector<Operation> without_peers(std::vector<Operation> operations);
 
-/// select_rows of what the user asked for. Says on standard error which rows were not equal to
+/// select_rows of what the user requested. Reports on standard error which rows were not equal to
 /// their reference and how many were skipped. Throws UsageError where nothing is left.
 [[nodiscard]] Selection rows_asked_for(const std::string& filter,
                                        const std::vector<Operation>& operations,

@@ -56,6 +56,13 @@ std::set<std::string_view> peer_techniques(const std::vector<Operation>& operati
   return techniques;
 }
 
+/// Operating systems differ in what they make of a colon.
+std::string file_stem(const Operation& operation) {
+  std::string stem = operation.name;
+  std::replace(stem.begin(), stem.end(), ':', '_');
+  return stem;
+}
+
 nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInput>& inputs,
                          const std::set<std::string_view>& techniques) {
   nlohmann::json json = {{"schema", 1},
@@ -74,7 +81,9 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
   }
   for (const Peer& peer : peers()) {
     if (techniques.count(peer.technique) == 0) continue;
-    json["peers"].push_back({{"technique", peer.technique}, {"about", peer.about}});
+    json["peers"].push_back({{"technique", peer.technique},
+                             {"about", peer.about},
+                             {"equal_output", peer.equal_output}});
   }
   for (const SkippedRow& row : selection.skipped) {
     json["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
@@ -84,16 +93,34 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
 
 void write_pictures(const std::string& folder, const Selection& selection) {
   for (const TimedRow& row : selection.rows) {
-    // Nets learned the rule: their pictures would be the rule's again.
+    // Nets learned the rule: their images would be the rule's again.
     if (row.variant != nullptr || row.input->size_sweep || row.operation->is_net) continue;
     const ConstImageView input = row.input->view(row.operation->takes);
     const std::string stem = folder + "/" + row.input->name;
     write_grey(stem + (row.operation->takes == InputKind::grey ? "_grey.png" : ".png"), input);
     const auto reference = row.operation->reference(input.width, input.height, 1);
     if (!reference->gives_image()) continue;
-    write_grey(stem + "_" + row.operation->name + ".png",
+    write_grey(stem + "_" + file_stem(*row.operation) + ".png",
                outcome_of(*reference, input).image.view());
   }
+}
+
+/// Beside the times. Google Benchmark has a field "iterations" of its own, the timed calls, so the
+/// iterations of thinning are "counted_iterations"; the border is the label, as counters are
+/// numbers.
+void add_facts(benchmark::State& state, const TimedRow& row) {
+  state.counters["width"] = static_cast<double>(row.input->width());
+  state.counters["height"] = static_cast<double>(row.input->height());
+  if (row.counter) {
+    state.counters["counted_" + std::string(row.operation->counter)] =
+        static_cast<double>(*row.counter);
+  }
+  const CaseLabels labels = row.operation->labels();
+  if (!labels.border.empty()) state.SetLabel(labels.border);
+  if (labels.max_iterations) state.counters["max_iterations"] = *labels.max_iterations;
+  if (row.plan_bytes) state.counters["plan_bytes"] = static_cast<double>(*row.plan_bytes);
+  if (row.variant != nullptr && row.variant->is_peer) state.counters["peer"] = 1;
+  state.counters["verified"] = 1;
 }
 
 void run_row(benchmark::State& state, const TimedRow& row, bool warm_up) {
@@ -103,14 +130,7 @@ void run_row(benchmark::State& state, const TimedRow& row, bool warm_up) {
     call();
     benchmark::ClobberMemory();
   }
-  state.counters["width"] = static_cast<double>(row.input->width());
-  state.counters["height"] = static_cast<double>(row.input->height());
-  if (row.counter) {
-    state.counters[std::string(row.operation->counter)] = static_cast<double>(*row.counter);
-  }
-  if (row.plan_bytes) state.counters["plan_bytes"] = static_cast<double>(*row.plan_bytes);
-  if (row.variant != nullptr && row.variant->is_peer) state.counters["peer"] = 1;
-  state.counters["verified"] = 1;
+  add_facts(state, row);
 }
 
 /// Registers all rows; returns the seconds that they will take.
@@ -138,8 +158,8 @@ double register_rows(const std::vector<TimedRow>& rows, const TimingOptions& opt
 int run(const TimingOptions& options, const std::vector<Operation>& operations) {
   if (!options.rows_out.empty()) check_target(options.rows_out);
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
-  const Selection selection = rows_asked_for(
-      options.filter, operations, inputs, options.highest_level ? Levels::highest : Levels::all);
+  const Selection selection = rows_asked_for(options.filter, operations, inputs,
+                                             options.highest_level ? Levels::highest : Levels::all);
   if (!options.rows_out.empty()) {
     write_whole_file(options.rows_out,
                      rows_json(selection, inputs, peer_techniques(operations)).dump(2));

@@ -18,7 +18,7 @@ std::vector<int> thread_counts() {
   return cores == 2 ? std::vector{2} : std::vector{2, cores};
 }
 
-/// Whether no higher level of the row's technique and threads runs here.
+/// Whether no higher ISA of the row's technique and threads runs here.
 bool is_highest_level(const Row& row) {
   const auto same_kind = [&](const Variant& other) {
     return other.technique == row.variant->technique && other.threaded == row.variant->threaded;
@@ -30,7 +30,7 @@ bool is_highest_level(const Row& row) {
   return row.variant->isa == highest;
 }
 
-/// Series of sizes show the highest level of each technique.
+/// Series of sizes show the highest ISA of each technique.
 bool in_size_sweep(const Row& row) {
   return row.operation->in_size_series && row.variant->for_series_of_sizes && is_highest_level(row);
 }
@@ -50,7 +50,8 @@ class Selector {
  public:
   Selector(const std::string& filter, const std::vector<Operation>& operations,
            const std::vector<TimedInput>& inputs, Levels levels)
-      : pattern_(filter),
+      : filter_(filter),
+        pattern_(filter),
         operations_(operations),
         inputs_(inputs),
         all_rows_(matching_rows("", thread_counts(), operations)) {
@@ -63,12 +64,12 @@ class Selector {
     std::vector<Task> tasks;
     for (const TimedInput& input : inputs_) {
       for (const Operation& operation : operations_) {
-        tasks.push_back(task_of(operation, input));
+        if (is_requested(operation, filter_)) tasks.push_back(task_of(operation, input));
       }
     }
     double total = 0;
     for (const Task& task : tasks) total += task.pixels();
-    Progress progress("proving", total);
+    Progress progress("verifying", total);
     for (const Task& task : tasks) carry_out(task, progress);
     return std::move(selection_);
   }
@@ -79,7 +80,7 @@ class Selector {
     std::vector<Scope> scopes;
   };
 
-  /// An operation on an input: what has to be proved and timed.
+  /// A case on an input: what has to be verified and timed.
   struct Task {
     const Operation* operation;
     const TimedInput* input;
@@ -131,7 +132,7 @@ class Selector {
     if (task.reference) need_reference();
     for (const auto& [row, scopes] : task.rows) {
       std::optional<std::int64_t> plan_bytes;
-      if (admissible(*row, input) && proved(*row, input, need_reference(), plan_bytes)) {
+      if (admissible(*row, input) && verified(*row, input, need_reference(), plan_bytes)) {
         for (const Scope scope : scopes) {
           add_timed({timed_name(*row, scope, input),
                      row->operation,
@@ -163,9 +164,9 @@ class Selector {
     return false;
   }
 
-  /// `expected` is what the operation's own reference gave; `plan_bytes` is set.
-  bool proved(const Row& row, const TimedInput& input, const Outcome& expected,
-              std::optional<std::int64_t>& plan_bytes) {
+  /// `expected` is what the case's own reference gave; `plan_bytes` is set.
+  bool verified(const Row& row, const TimedInput& input, const Outcome& expected,
+                std::optional<std::int64_t>& plan_bytes) {
     const ConstImageView view = input.view(row.operation->takes);
     const std::optional<std::int64_t> before = heap_bytes_in_use();
     const auto job = row.variant->make_job(view.width, view.height, row.threads);
@@ -197,6 +198,7 @@ class Selector {
     selection_.rows.push_back(std::move(row));
   }
 
+  std::string filter_;
   std::regex pattern_;
   const std::vector<Operation>& operations_;
   const std::vector<TimedInput>& inputs_;
@@ -208,7 +210,7 @@ class Selector {
 
 Selection select_rows(const std::string& filter, const std::vector<Operation>& operations,
                       const std::vector<TimedInput>& inputs, Levels levels) {
-  static_cast<void>(matching_rows(filter, {2}));  // refuses a malformed filter with a clear message
+  static_cast<void>(matching_rows(filter, {2}));  // rejects a malformed filter with a clear message
   return Selector(filter, operations, inputs, levels).select();
 }
 

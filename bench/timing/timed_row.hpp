@@ -1,4 +1,4 @@
-// What is timed: one row of the tables (or a reference) in one scope on one input.
+// What is timed: one variant (or a reference) in one scope on one input.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace thinbench {
 
 enum class Scope {
-  kernel,    // the variant's own representation in and out
+  kernel,      // the variant's own representation in and out
   end_to_end,  // bytes in, bytes out
 };
 
@@ -19,11 +19,11 @@ enum class Scope {
   return scope == Scope::kernel ? "kernel" : "end_to_end";
 }
 
-/// Which instruction-set levels of a technique are timed.
+/// Which ISAs of a technique are timed.
 enum class Levels { all, highest };
 
 struct TimedRow {
-  std::string name;  // operation/technique/isa/threads/scope/input
+  std::string name;  // case/technique/isa/threads/scope/input
   const Operation* operation;
   const Variant* variant;  // nullptr for the reference
   int threads;
@@ -52,8 +52,9 @@ struct Selection {
 };
 
 /// Compares every row whose name matches `filter` with the reference on every input. References
-/// come along with any row of their operation and input. Series of sizes get one row a technique:
-/// the highest available level, end to end. Rows point to `operations` and `inputs`.
+/// come along with any row of their case and input. Cases that are not timed as a rule take part
+/// where the filter spells their name out, see is_requested(). Series of sizes get one row per
+/// technique: the highest available ISA, end to end. Rows point to `operations` and `inputs`.
 [[nodiscard]] Selection select_rows(const std::string& filter,
                                     const std::vector<Operation>& operations,
                                     const std::vector<TimedInput>& inputs,

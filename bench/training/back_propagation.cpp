@@ -16,7 +16,7 @@ float hundredths(double value) {
 
 }  // namespace
 
-BackPropagation::BackPropagation(const StayTable& table, int hidden, Random& random)
+BackPropagation::BackPropagation(const KeepTable& table, int hidden, Random& random)
     : table_(table), hidden_(static_cast<std::size_t>(hidden)), answers_(hidden_) {
   constexpr double kFirstStep = 0.02;
   weights_.resize(hidden_ * kRow + hidden_ + 1);
@@ -75,15 +75,15 @@ void BackPropagation::move_weights() {
 
 int BackPropagation::epoch() {
   gradient_.assign(weights_.size(), 0.0);
-  int right = 0;
+  int correct = 0;
   for (std::size_t k = 0; k < table_.size(); ++k) {
     const double out = answer(k);
-    right += (out >= 0.5) == table_[k] ? 1 : 0;
+    correct += (out >= 0.5) == table_[k] ? 1 : 0;
     add_gradient(k, out - (table_[k] ? 1.0 : 0.0));
   }
   move_weights();
   std::swap(previous_, gradient_);
-  return right;
+  return correct;
 }
 
 HiddenLayerNet BackPropagation::rounded_net() const {

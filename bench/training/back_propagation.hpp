@@ -1,4 +1,4 @@
-// One net being taught: the gradient of its error over all vectors, and one step down it.
+// One net in training: the gradient of its error over all vectors, and one step down it.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,10 @@ namespace thinbench {
 class BackPropagation {
  public:
   /// Random weights in [-1, 1).
-  BackPropagation(const StayTable& table, int hidden, Random& random);
+  BackPropagation(const KeepTable& table, int hidden, Random& random);
 
-  /// Shows all vectors and moves all weights; returns how many were right before the move.
+  /// Shows all vectors and moves all weights; returns how many answers were correct before the
+  /// move.
   int epoch();
 
   /// The weights rounded to hundredths.
@@ -31,7 +32,7 @@ class BackPropagation {
 
   static constexpr std::size_t kRow = kNetInputs + 1;  // weights of a hidden neuron, then its bias
 
-  const StayTable& table_;
+  const KeepTable& table_;
   std::size_t hidden_;
   std::vector<double> inputs_;    // kRow for each vector, the last always 1
   std::vector<double> weights_;   // hidden rows, then the output's weights and bias

@@ -1,7 +1,7 @@
 #include "training/cluster_text.hpp"
 
 #include "support/text.hpp"
-#include "training/stay_table.hpp"
+#include "training/keep_table.hpp"
 
 namespace thinbench {
 namespace {
@@ -11,14 +11,14 @@ std::string times_and_descriptor(const WeightedDescriptor& term) {
   return term.times == 1 ? text : std::to_string(term.times) + "×" + text;
 }
 
-/// "5 + 52 + 65 = 17 + 37 + 68": as vectors, the removed ones add up to the ones that stay.
-std::string equation(const Contradiction& contradiction, const StayTable& table) {
+/// "5 + 52 + 65 = 17 + 37 + 68": as vectors, the removed ones add up to the kept ones.
+std::string equation(const Contradiction& contradiction, const KeepTable& table) {
   std::vector<std::string> removed;
-  std::vector<std::string> staying;
+  std::vector<std::string> kept;
   for (const WeightedDescriptor& term : contradiction) {
-    (stays(table, term.descriptor) ? staying : removed).push_back(times_and_descriptor(term));
+    (keeps(table, term.descriptor) ? kept : removed).push_back(times_and_descriptor(term));
   }
-  return joined(removed, " + ") + " = " + joined(staying, " + ");
+  return joined(removed, " + ") + " = " + joined(kept, " + ");
 }
 
 /// A float literal of C++: 7.18F, -1.0F, 1e+20F.
@@ -38,7 +38,7 @@ std::string net_initialiser(const ClusterNet& net) {
 }  // namespace
 
 std::string cluster_markdown(const std::vector<TrainedRun>& runs) {
-  const StayTable table = stay_table_of_rule();
+  const KeepTable table = keep_table_of_rule();
   std::vector<std::vector<std::string>> rows;
   for (const TrainedRun& trained : runs) {
     std::vector<std::string> row = {std::to_string(trained.run.first) + "-" +
@@ -50,7 +50,7 @@ std::string cluster_markdown(const std::vector<TrainedRun>& runs) {
     rows.push_back(row);
   }
   return markdown_table({"Descriptors", "W0", "W1", "W2", "W3", "W4", "W5", "W6", "W7", "B",
-                         "Epochs", "One more is impossible: removed = staying"},
+                         "Epochs", "One more is impossible: removed = kept"},
                         rows);
 }
 
@@ -62,10 +62,10 @@ std::string cluster_header(const ClusterWeights& weights, const std::string& com
          "descriptors of\n// the modified Naccache-Shinghal rule, with as few nets as can be. Made "
          "by\n//     " +
          command +
-         "\n#pragma once\n\n#include \"nets/weights.hpp\"\n\nnamespace thinbench {\n\n"
+         "\n#pragma once\n\n#include \"thinbench/nets.hpp\"\n\nnamespace thinbench::detail {\n\n"
          "inline constexpr ClusterWeights kTrainedCluster = {\n    " +
          std::to_string(weights.count) + ",\n    {" + joined(nets, ",\n     ") +
-         "}};\n\n}  // namespace thinbench\n";
+         "}};\n\n}  // namespace thinbench::detail\n";
 }
 
 }  // namespace thinbench

@@ -13,9 +13,9 @@ void check(bool holds, const char* what, DescriptorRun run) {
                          std::to_string(run.first) + " to " + std::to_string(run.last));
 }
 
-/// The end of the longest separable run from `first` on, by bisection: what can be learned stays so
-/// when it is shortened.
-std::pair<int, Contradiction> longest_run(const StayTable& table, int first) {
+/// The end of the longest separable run from `first` on, by bisection: what can be learned can be
+/// learned when it is shortened.
+std::pair<int, Contradiction> longest_run(const KeepTable& table, int first) {
   int last = first;  // one vector is always separable
   int too_far = kDescriptors;
   Contradiction reason;
@@ -33,18 +33,18 @@ std::pair<int, Contradiction> longest_run(const StayTable& table, int first) {
   return {last, reason};
 }
 
-TrainedRun train_run(const StayTable& table, int first, bool small_integers) {
+TrainedRun train_run(const KeepTable& table, int first, bool small_integers) {
   auto [last, reason] = longest_run(table, first);
   const DescriptorRun run = {first, last};
-  TaughtNeuron taught = teach_perceptron(table, run);
-  if (small_integers) taught.neuron = shrink(taught.neuron, table, run);
-  check(recognises(taught.neuron, table, run), "the neuron", run);
-  return {run, taught.neuron, taught.epochs, std::move(reason)};
+  TrainedNeuron trained = train_perceptron(table, run);
+  if (small_integers) trained.neuron = shrink(trained.neuron, table, run);
+  check(recognises(trained.neuron, table, run), "the neuron", run);
+  return {run, trained.neuron, trained.epochs, std::move(reason)};
 }
 
 }  // namespace
 
-std::vector<TrainedRun> train_cluster(const StayTable& table, const ClusterTraining& training) {
+std::vector<TrainedRun> train_cluster(const KeepTable& table, const ClusterTraining& training) {
   std::vector<TrainedRun> runs;
   for (int first = 0; first < kDescriptors; first = runs.back().run.last + 1) {
     runs.push_back(train_run(table, first, training.small_integers));

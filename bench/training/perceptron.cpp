@@ -18,15 +18,16 @@ void add_vector(IntegerNeuron& neuron, int descriptor, int sign) {
   neuron.bias += sign;
 }
 
-/// Sets the bias of smallest magnitude with which the weights are right; nothing if there is none.
-std::optional<IntegerNeuron> with_smallest_bias(IntegerNeuron neuron, const StayTable& table,
+/// Sets the bias of smallest magnitude with which the weights are correct; nothing if there is
+/// none.
+std::optional<IntegerNeuron> with_smallest_bias(IntegerNeuron neuron, const KeepTable& table,
                                                 DescriptorRun run) {
   neuron.bias = 0;
   std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
   std::int32_t highest = std::numeric_limits<std::int32_t>::max();
   for (int k = run.first; k <= run.last; ++k) {
     const std::int32_t sum = net_input(neuron, k);
-    if (stays(table, k)) {
+    if (keeps(table, k)) {
       lowest = std::max(lowest, -sum);
     } else {
       highest = std::min(highest, -sum - 1);
@@ -45,7 +46,7 @@ std::int64_t magnitude(const IntegerNeuron& neuron) {
 
 /// One smaller neuron among those that differ by a step of one in up to `steps` weights.
 std::optional<IntegerNeuron> smaller(const IntegerNeuron& neuron, std::int64_t than,
-                                     const StayTable& table, DescriptorRun run, std::size_t from,
+                                     const KeepTable& table, DescriptorRun run, std::size_t from,
                                      int steps) {
   const std::optional<IntegerNeuron> fitted = with_smallest_bias(neuron, table, run);
   if (fitted && magnitude(*fitted) < than) return fitted;
@@ -70,31 +71,31 @@ std::int32_t net_input(const IntegerNeuron& neuron, int descriptor) {
   return sum;
 }
 
-bool recognises(const IntegerNeuron& neuron, const StayTable& table, DescriptorRun run) {
+bool recognises(const IntegerNeuron& neuron, const KeepTable& table, DescriptorRun run) {
   for (int k = run.first; k <= run.last; ++k) {
-    if ((net_input(neuron, k) >= 0) != stays(table, k)) return false;
+    if ((net_input(neuron, k) >= 0) != keeps(table, k)) return false;
   }
   return true;
 }
 
-TaughtNeuron teach_perceptron(const StayTable& table, DescriptorRun run) {
-  TaughtNeuron taught;
-  for (bool changed = true; changed; ++taught.epochs) {
-    if (taught.epochs == kMostEpochs) {
+TrainedNeuron train_perceptron(const KeepTable& table, DescriptorRun run) {
+  TrainedNeuron trained;
+  for (bool changed = true; changed; ++trained.epochs) {
+    if (trained.epochs == kMostEpochs) {
       throw std::runtime_error("the perceptron rule found no weights for descriptors " +
                                std::to_string(run.first) + " to " + std::to_string(run.last));
     }
     changed = false;
     for (int k = run.first; k <= run.last; ++k) {
-      if ((net_input(taught.neuron, k) >= 0) == stays(table, k)) continue;
-      add_vector(taught.neuron, k, stays(table, k) ? 1 : -1);
+      if ((net_input(trained.neuron, k) >= 0) == keeps(table, k)) continue;
+      add_vector(trained.neuron, k, keeps(table, k) ? 1 : -1);
       changed = true;
     }
   }
-  return taught;
+  return trained;
 }
 
-IntegerNeuron shrink(const IntegerNeuron& neuron, const StayTable& table, DescriptorRun run) {
+IntegerNeuron shrink(const IntegerNeuron& neuron, const KeepTable& table, DescriptorRun run) {
   constexpr int kSteps = 3;
   IntegerNeuron best = neuron;
   while (const auto found = smaller(best, magnitude(best), table, run, 0, kSteps)) best = *found;

@@ -1,5 +1,5 @@
 // The search is phase one of the simplex method for: multiples m >= 0 with sum of m s (n, 1) = 0
-// and sum of m = 1, s being +1 for vectors that stay and -1 for those that are removed.
+// and sum of m = 1, s being +1 for vectors that are kept and -1 for those that are removed.
 //
 // All in integers, without fractions (Edmonds): the tableau holds the true numbers times one common
 // positive denominator, which is the last pivot. Each entry is then a minor of a matrix with ten
@@ -19,7 +19,7 @@ constexpr std::size_t kNone = ~std::size_t{0};
 
 class Tableau {
  public:
-  Tableau(const StayTable& table, DescriptorRun run)
+  Tableau(const KeepTable& table, DescriptorRun run)
       : first_(run.first), columns_(static_cast<std::size_t>(run.last - run.first) + 1) {
     for (Row& row : rows_) row.resize(columns_ + 1);  // the last column: the right-hand side
     for (std::size_t c = 0; c < columns_; ++c) fill_column(c, table);
@@ -52,9 +52,9 @@ class Tableau {
  private:
   using Row = std::vector<std::int64_t>;
 
-  void fill_column(std::size_t c, const StayTable& table) {
+  void fill_column(std::size_t c, const KeepTable& table) {
     const int k = first_ + static_cast<int>(c);
-    const int sign = stays(table, k) ? 1 : -1;
+    const int sign = keeps(table, k) ? 1 : -1;
     for (int i = 0; i < kNetInputs; ++i) {
       rows_[static_cast<std::size_t>(i)][c] = sign * neighbour(k, i);
     }
@@ -110,17 +110,17 @@ class Tableau {
 
 }  // namespace
 
-Contradiction find_contradiction(const StayTable& table, DescriptorRun run) {
+Contradiction find_contradiction(const KeepTable& table, DescriptorRun run) {
   Tableau tableau(table, run);
   return tableau.solve() ? tableau.solution() : Contradiction{};
 }
 
-bool proves_inseparable(const Contradiction& contradiction, const StayTable& table,
+bool proves_inseparable(const Contradiction& contradiction, const KeepTable& table,
                         DescriptorRun run) {
   std::array<std::int64_t, kNetInputs + 1> difference{};
   for (const auto& [k, times] : contradiction) {
     if (times <= 0 || k < run.first || k > run.last) return false;
-    const std::int64_t signed_times = stays(table, k) ? times : -times;
+    const std::int64_t signed_times = keeps(table, k) ? times : -times;
     for (int i = 0; i < kNetInputs; ++i) {
       difference[static_cast<std::size_t>(i)] += signed_times * neighbour(k, i);
     }

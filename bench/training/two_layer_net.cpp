@@ -47,8 +47,8 @@ bool net_keeps(const HiddenLayerNet& net, const float (&n)[kNetInputs], Activati
   return activate(out, activation) >= 0.5F;
 }
 
-StayTable table_of(const HiddenLayerNet& net, Activation activation) {
-  StayTable table{};
+KeepTable table_of(const HiddenLayerNet& net, Activation activation) {
+  KeepTable table{};
   for (int k = 0; k < kDescriptors; ++k) {
     float n[kNetInputs];
     for (int i = 0; i < kNetInputs; ++i) n[i] = static_cast<float>(neighbour(k, i));
@@ -57,7 +57,7 @@ StayTable table_of(const HiddenLayerNet& net, Activation activation) {
   return table;
 }
 
-int agreement(const StayTable& a, const StayTable& b) {
+int agreement(const KeepTable& a, const KeepTable& b) {
   int equal = 0;
   for (std::size_t k = 0; k < a.size(); ++k) equal += a[k] == b[k] ? 1 : 0;
   return equal;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "thinbench/nets.hpp"
-#include "training/stay_table.hpp"
+#include "training/keep_table.hpp"
 
 namespace thinbench {
 
@@ -22,15 +22,15 @@ struct HiddenLayerNet {
 /// Equation (1) or (2), with an exponential that is the same on every machine.
 [[nodiscard]] float activate(float x, Activation activation);
 
-/// Equation (3) and the step function (4): whether a dark pixel with these neighbours, 0 or 1,
-/// stays.
+/// Equation (3) and the step function (4): whether a foreground pixel with these neighbours, 0 or
+/// 1, is kept.
 [[nodiscard]] bool net_keeps(const HiddenLayerNet& net, const float (&n)[kNetInputs],
                              Activation activation);
 
 /// What the net says of each descriptor.
-[[nodiscard]] StayTable table_of(const HiddenLayerNet& net, Activation activation);
+[[nodiscard]] KeepTable table_of(const HiddenLayerNet& net, Activation activation);
 
 /// Entries that two tables share, of 256.
-[[nodiscard]] int agreement(const StayTable& a, const StayTable& b);
+[[nodiscard]] int agreement(const KeepTable& a, const KeepTable& b);
 
 }  // namespace thinbench

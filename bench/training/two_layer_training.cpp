@@ -11,7 +11,7 @@ struct Rated {
   int linear = 0;
 };
 
-Rated rate(HiddenLayerNet net, const StayTable& table) {
+Rated rate(HiddenLayerNet net, const KeepTable& table) {
   const int sigmoid = agreement(table_of(net, Activation::sigmoid), table);
   const int linear = agreement(table_of(net, Activation::linear), table);
   return {std::move(net), sigmoid, linear};
@@ -23,7 +23,7 @@ bool better(const Rated& a, const Rated& b) {
 
 }  // namespace
 
-TrainedTwoLayer train_two_layer(const StayTable& table, const TwoLayerTraining& training) {
+TrainedTwoLayer train_two_layer(const KeepTable& table, const TwoLayerTraining& training) {
   const auto good = [&](const Rated& rated) {
     return rated.sigmoid == kDescriptors && (!training.also_linear || rated.linear == kDescriptors);
   };

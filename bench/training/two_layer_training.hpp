@@ -12,7 +12,7 @@ struct TwoLayerTraining {
   int hidden = kHiddenNeurons;
   int max_restarts = 20;    // fresh random weights after the first
   int max_epochs = 2000;    // of each start; an epoch shows all 256 vectors
-  bool also_linear = true;  // go on until equation (2) in place of (1) is right as well
+  bool also_linear = true;  // go on until equation (2) in place of (1) is correct as well
 };
 
 /// The net, its weights rounded to hundredths as Table 1 prints them, and what it took.
@@ -25,10 +25,10 @@ struct TrainedTwoLayer {
   int total_epochs = 0;  // of all starts
 };
 
-/// Teaches a stay-table with the sigmoid, seeded: the same numbers on every machine. Stops when the
-/// rounded weights are right on all 256 descriptors, or after the allowed starts; then the best net
-/// seen is returned.
-[[nodiscard]] TrainedTwoLayer train_two_layer(const StayTable& table,
+/// Trains a net on a keep table with the sigmoid, seeded: the same numbers on every machine. Stops
+/// when the rounded weights are correct on all 256 descriptors, or after the allowed starts; then
+/// the best net seen is returned.
+[[nodiscard]] TrainedTwoLayer train_two_layer(const KeepTable& table,
                                               const TwoLayerTraining& training);
 
 }  // namespace thinbench
