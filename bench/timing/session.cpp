@@ -9,7 +9,7 @@
 
 #include "cli/command.hpp"
 #include "peers/peers.hpp"
-#include "picture/objects.hpp"
+#include "picture/binarise.hpp"
 #include "picture/picture.hpp"
 #include "support/whole_file.hpp"
 #include "timing/inputs.hpp"
@@ -70,7 +70,7 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
                               {"height", input.height()},
                               {"hash", pixel_hash(input.binary.view())},
                               {"grey_hash", pixel_hash(input.grey.view())},
-                              {"object_pixels", object_pixels(input.binary.view())}});
+                              {"object_pixels", foreground_pixels(input.binary.view())}});
   }
   for (const Peer& peer : peers()) {
     if (techniques.count(peer.technique) == 0) continue;
@@ -137,7 +137,9 @@ double register_rows(const std::vector<TimedRow>& rows, const TimingOptions& opt
 
 int run(const TimingOptions& options, const std::vector<Operation>& operations) {
   if (!options.rows_out.empty()) check_target(options.rows_out);
-  const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
+  InputChoice choice = options.inputs;
+  choice.log = &std::cerr;
+  const std::vector<TimedInput> inputs = timed_inputs(choice);
   const Selection selection = rows_asked_for(
       options.filter, operations, inputs, options.highest_level ? Levels::highest : Levels::all);
   if (!options.rows_out.empty()) {
