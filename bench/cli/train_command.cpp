@@ -24,7 +24,7 @@ Examples:
   thinbench train two-layer --hidden 5 --max-restarts 100)";
 
 constexpr const char* kClusterExamples =
-    R"(The perceptron rule adds and subtracts vectors of 0 and 1, so weights are whole numbers in
+    R"(The perceptron rule adds and subtracts vectors of 0 and 1, so weights are integers in
 either case; --integer goes on to shrink them.
 
 Examples:
@@ -140,8 +140,7 @@ Command add_cluster(CLI::App& train) {
       ->check(whole_number(1, kMaxClusterNets))
       ->type_name("N")
       ->capture_default_str();
-  app->add_flag("--integer", options->training.small_integers,
-                "Make the weights small whole numbers");
+  app->add_flag("--integer", options->training.small_integers, "Make the weights small integers");
   add_file_option(*app, "--out", options->out, "Write the weights here, as JSON");
   add_file_option(*app, "--header", options->header, "Write the weights here, as a C++ header");
   app->footer(kClusterExamples);

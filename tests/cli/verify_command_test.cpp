@@ -43,6 +43,21 @@ TEST(VerifyCommand, compares_on_given_pictures_too) {
   EXPECT_NE(run.err.find("pictures: 1 images"), std::string::npos) << run.err;
 }
 
+TEST(VerifyCommand, given_images_are_binarised_as_asked_for_and_remarked_on_once) {
+  const std::string filter = "(thin_naccache_shinghal/bitpacked|edges_sobel/lut)/baseline/1";
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.pgm");
+  ByteImage image(30, 20);
+  image.at(9, 9) = 200;
+  write_grey(file, image.view());
+  const ProgramRun run = run_with({"verify", "--quick", "--filter", filter, "--image", file,
+                                   "--foreground", "dark", "--threshold", "90"});
+  EXPECT_EQ(run.status, 0);
+  const std::string warning = "warning: " + file + ": 99.8 % of the image is foreground";
+  EXPECT_EQ(run.err.find(warning), 0U) << run.err;
+  EXPECT_EQ(run.err.find("warning", 1), std::string::npos) << run.err;
+}
+
 TEST(VerifyCommand, takes_thread_counts_once_each) {
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/baseline/3",
@@ -80,7 +95,7 @@ TEST(VerifyCommand, refuses_malformed_arguments_before_it_starts) {
   EXPECT_EQ(failure_of({"verify", "--image", "absent.png"}, 1),
             "cannot read 'absent.png': there is no such file");
   EXPECT_EQ(failure_of({"verify", "--threads", "0"}, 2),
-            "--threads: '0' is no whole number from 1 to 1024; see 'thinbench verify --help'");
+            "--threads: expected an integer in [1, 1024], got '0'; see 'thinbench verify --help'");
 }
 
 /// Changes nothing, ever.
