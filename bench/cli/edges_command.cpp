@@ -32,35 +32,31 @@ its 3 x 3 neighbourhood, a pixel above P2. P2 lies below the background, which i
 where the foreground is bright, the image is inverted first (255 - g for g). By default P2 is the
 highest grey level of the foreground, by --threshold, so that all of the background is above it.)";
 
-constexpr std::string_view kPrefix = "edges_";
-
 struct EdgesOptions {
   std::string in;
   std::string out;
   std::string op = "sobel";
   std::string technique;
   std::string isa;
-  int gradient_threshold = EdgeThresholds{}.p1;
+  int gradient_threshold = EdgeThresholds{}.gradient_threshold;
   std::optional<int> brightness_threshold;
   int threads = 1;
   BinariseOptions binarise;
 };
 
-const EdgeOperation& operator_named(const std::string& name) {
-  if (const auto* operation = find_edge_operation(std::string(kPrefix) + name)) return *operation;
+const detail::EdgeOperation& operator_named(const std::string& name) {
+  if (const auto op = edge_operator_from_name(name)) return detail::operation_of(*op);
   std::vector<std::string_view> known;
-  for (const EdgeOperation& operation : edge_operations()) {
-    known.push_back(operation.name.substr(kPrefix.size()));
-  }
-  refuse_name("operator", name, known);
+  for (const EdgeOperatorInfo& info : kEdgeOperators) known.push_back(info.name);
+  reject_name("operator", name, known);
 }
 
-Options wish_of(const EdgesOptions& options) {
-  Options wish;
-  if (!options.technique.empty()) wish.technique = technique_named(options.technique);
-  if (!options.isa.empty()) wish.isa = isa_named(options.isa);
-  wish.threads = options.threads;
-  return wish;
+Options options_of(const EdgesOptions& options) {
+  Options result;
+  if (!options.technique.empty()) result.technique = technique_named(options.technique);
+  if (!options.isa.empty()) result.isa = isa_named(options.isa);
+  result.threads = options.threads;
+  return result;
 }
 
 void invert(ByteImage& grey) {
@@ -88,24 +84,24 @@ Prepared prepared(const EdgesOptions& options, std::ostream& log) {
 }
 
 int run(const EdgesOptions& options, const Console& console) {
-  const EdgeOperation& operation = operator_named(options.op);
-  const Options wish = wish_of(options);
+  const detail::EdgeOperation& operation = operator_named(options.op);
+  const Options how = options_of(options);
   check_extension(options.out);
   std::ostringstream remarks;  // failures are one line, without them
   const auto [grey, brightness_threshold] = prepared(options, remarks);
   const EdgeThresholds thresholds = {options.gradient_threshold, brightness_threshold};
-  const EdgeVariant& variant = variant_for(operation, grey.width(), wish);
+  const detail::EdgeVariant& variant = variant_for(operation, grey.width(), how);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(wish.threads));
-  EdgePlan plan(operation, variant, grey.width(), grey.height(), {thresholds, wish.threads});
+                                    static_cast<std::size_t>(how.threads));
+  const auto state = make_state(operation, variant, grey.width(), grey.height(), thresholds, how);
   ByteImage edges(grey.width(), grey.height());
   const auto start = std::chrono::steady_clock::now();
-  plan.run(grey.view(), edges.view());
+  state->run(grey.view(), edges.view());
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   write_grey(options.out, edges.view());
   console.err << remarks.str();
-  console.out << row_name(operation.name, technique_name(variant.facts.technique),
-                          isa_name(variant.facts.isa), wish.threads)
+  console.out << row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
+                          how.threads)
               << ": " << grey.width() << " x " << grey.height() << ", "
               << foreground_pixels(edges.view()) << " edge pixels, " << std::fixed
               << std::setprecision(3) << time.count() << " ms\n";
@@ -115,13 +111,13 @@ int run(const EdgesOptions& options, const Console& console) {
 void add_thresholds(CLI::App& app, EdgesOptions& options) {
   app.add_option("--gradient-threshold,--p1", options.gradient_threshold,
                  "P1 of the paper: an edge has a greater gradient, 0 to 255")
-      ->check(whole_number(0, kLargestThreshold))
+      ->check(whole_number(0, kMaxThreshold))
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--brightness-threshold,--p2", options.brightness_threshold,
                  "P2 of the paper: beside an edge the background is brighter, 0 to 255 (default: "
                  "from --threshold)")
-      ->check(whole_number(0, kLargestThreshold))
+      ->check(whole_number(0, kMaxThreshold))
       ->type_name("N");
 }
 

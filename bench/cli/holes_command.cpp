@@ -27,8 +27,8 @@ constexpr const char* kExamples = R"(Examples:
   thinbench holes coins.png --min-area 50 --overlay found.png
 
 What was taken as foreground, unless you chose it, and what is doubtful about it goes to standard
-error. --min-area leaves out objects of fewer pixels, with all their holes, and holes of fewer pixels
-(an object in a hole that is left out is not). The list, the JSON and the overlay show what remains;
+error. --min-area omits objects of fewer pixels, with all their holes, and holes of fewer pixels
+(an object in a hole that is omitted is not). The list, the JSON and the overlay show what remains;
 there, objects and holes have ids 1, 2, 3, ... again, in the same order: by their first pixels.)";
 
 struct HolesCommandOptions {
@@ -66,8 +66,8 @@ Json objects_json(const Regions& found) {
   return objects;
 }
 
-void print_json(const Regions& found, const BinaryImage& binary,
-                const HolesCommandOptions& options, std::ostream& out) {
+void print_json(const Regions& found, const BinaryImage& binary, const HolesCommandOptions& options,
+                std::ostream& out) {
   const Json json = {{"foreground", foreground_name(binary.foreground)},
                      {"threshold", binary.threshold},
                      {"threshold_method", options.binarise.threshold ? "given" : "otsu"},
@@ -84,7 +84,8 @@ void print_region(const char* kind, std::size_t id, const Region& region, std::o
 
 void print_list(const Regions& found, std::ostream& out) {
   std::vector<std::vector<std::size_t>> holes_of(found.objects.size() + 1);
-  for (std::size_t i = 0; i < found.holes.size(); ++i) holes_of[found.holes[i].enclosing_object].push_back(i);
+  for (std::size_t i = 0; i < found.holes.size(); ++i)
+    holes_of[found.holes[i].enclosing_object].push_back(i);
   out << std::fixed << std::setprecision(2) << found.objects.size()
       << (found.objects.size() == 1 ? " object, " : " objects, ") << found.holes.size()
       << (found.holes.size() == 1 ? " hole\n" : " holes\n");
@@ -96,27 +97,30 @@ void print_list(const Regions& found, std::ostream& out) {
   }
 }
 
-Options wish_of(const HolesCommandOptions& options) {
-  Options wish;
-  if (!options.technique.empty()) wish.technique = technique_named(options.technique);
-  if (!options.isa.empty()) wish.isa = isa_named(options.isa);
-  wish.threads = options.threads;
-  return wish;
+Options options_of(const HolesCommandOptions& options) {
+  Options result;
+  if (!options.technique.empty()) result.technique = technique_named(options.technique);
+  if (!options.isa.empty()) result.isa = isa_named(options.isa);
+  result.threads = options.threads;
+  return result;
 }
 
-Regions found_in(const ByteImage& objects, const Options& wish) {
-  const HolesVariant& variant = variant_for(*find_holes_operation("holes"), objects.width(), wish);
+Regions found_in(const ByteImage& objects, const Options& options) {
+  const auto& operation = detail::operation_of(detail::RegionsTask::holes);
+  const detail::RegionsVariant& variant = variant_for(operation, objects.width(), options);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(wish.threads));
-  return find_regions(objects.view(), {variant.technique, variant.isa, wish.threads});
+                                    static_cast<std::size_t>(options.threads));
+  return find_regions(
+      objects.view(),
+      {.threads = options.threads, .isa = variant.isa, .technique = variant.technique});
 }
 
 int run(const HolesCommandOptions& options, const Console& console) {
-  const Options wish = wish_of(options);
+  const Options how = options_of(options);
   if (!options.overlay.empty()) check_colour_extension(options.overlay);
   const ByteImage grey = read_grey(options.in);
   const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
-  const Regions all = found_in(binary.image, wish);
+  const Regions all = found_in(binary.image, how);
   if (!options.overlay.empty()) {
     write_overlay(options.overlay, grey.view(), binary.image.view(), all, options.min_area);
   }
@@ -150,7 +154,7 @@ Command add_holes_command(CLI::App& program) {
   add_threads_option(*app, options->threads);
   add_binarise_options(*app, options->binarise);
   app->add_option("--min-area", options->min_area,
-                  "Leave out objects and holes of fewer than N pixels, 1 to 2^31")
+                  "Omit objects and holes of fewer than N pixels, 1 to 2^31")
       ->check(whole_number(1, kMaxPicturePixels))
       ->type_name("N")
       ->capture_default_str();

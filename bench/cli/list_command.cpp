@@ -10,7 +10,6 @@
 #include "cli/command.hpp"
 #include "image/thread_team.hpp"
 #include "peers/peers.hpp"
-#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -37,18 +36,10 @@ struct ListedRow {
 
   [[nodiscard]] std::string threads() const { return variant.threaded ? "n" : "1"; }
   /// Of images for which the library chooses the row by itself.
-  [[nodiscard]] Index least_pixels() const {
-    const bool is_thinning = find_thinning_operation(operation.name) != nullptr;
-    return is_thinning && variant.threaded ? kMinPixelsForThreads : 0;
+  [[nodiscard]] Index min_pixels() const {
+    return variant.threaded ? detail::kMinPixelsForThreads : 0;
   }
 };
-
-/// Whether the library prefers `a`: the higher level and, on one level, the later technique. The
-/// one place that repeats the order of dispatch/variant_choice.cpp.
-bool is_faster(const Variant& a, const Variant& b) {
-  if (a.isa != b.isa) return a.isa > b.isa;
-  return technique_from_name(a.technique) > technique_from_name(b.technique);
-}
 
 /// The variant that the library takes here, on one thread; nullptr where there is none.
 const Variant* fastest_of(const Operation& operation) {
@@ -57,7 +48,7 @@ const Variant* fastest_of(const Operation& operation) {
     const bool is_candidate =
         !variant.is_peer && !variant.threaded && variant.unavailable_reason(kListedWidth).empty();
     if (!is_candidate) continue;
-    if (fastest == nullptr || is_faster(variant, *fastest)) fastest = &variant;
+    if (fastest == nullptr || variant.priority > fastest->priority) fastest = &variant;
   }
   return fastest;
 }
@@ -81,7 +72,7 @@ void print_json(std::ostream& out) {
                     {"technique", row.variant.technique},
                     {"isa", row.variant.isa_label()},
                     {"threads", row.threads()},
-                    {"least_pixels", row.least_pixels()},
+                    {"least_pixels", row.min_pixels()},
                     {"available", row.reason.empty()},
                     {"reason", row.reason},
                     {"peer", row.variant.is_peer},
@@ -132,7 +123,7 @@ void print_variants(std::ostream& out) {
                      row.reason.empty() ? "yes" : "no: " + row.reason});
   }
   print_aligned(lines, out);
-  out << "\nThinning with --threads: images of fewer than " << kMinPixelsForThreads
+  out << "\nWith --threads: images of fewer than " << detail::kMinPixelsForThreads
       << " pixels run on one thread all the same,\nwhich is faster, unless --technique asks for "
          "one with threads.\n";
 }

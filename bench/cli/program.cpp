@@ -66,7 +66,7 @@ class Program {
       const auto found = std::find_if(level->begin(), level->end(), [&](const Command& command) {
         return command.app->get_name() == word;
       });
-      if (found == level->end()) refuse_name("command", word, names_of(*level));
+      if (found == level->end()) reject_name("command", word, names_of(*level));
       level = &found->parts;
     }
     if (!level->empty()) {

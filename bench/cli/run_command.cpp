@@ -1,9 +1,9 @@
 // thinbench run: thins one image file into another.
+#include <algorithm>
 #include <chrono>
 #include <climits>
 #include <iomanip>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <string>
 
@@ -48,25 +48,19 @@ struct RunOptions {
   BinariseOptions binarise;
 };
 
-/// The only place where --max-iterations meets the library, whose options do not take it yet.
-void limit_iterations(const RunOptions& options, Options&) {
-  if (options.max_iterations > 0) throw UsageError("--max-iterations is not supported yet");
-}
-
 Options thinning_options(const RunOptions& options) {
   Options how;
   if (!options.technique.empty()) how.technique = technique_named(options.technique);
   if (!options.isa.empty()) how.isa = isa_named(options.isa);
   how.threads = options.threads;
   if (!options.border.empty()) how.border = border_named(options.border);
-  limit_iterations(options, how);
+  if (options.max_iterations > 0) how.max_iterations = options.max_iterations;
   return how;
 }
 
-/// The directions named in a list such as "rows,columns"; none where the list is empty.
-std::optional<Directions> directions_named(const ThinningOperation& operation,
-                                           const std::string& list) {
-  if (list.empty()) return std::nullopt;
+/// The directions named in a list such as "rows,columns"; all where the list is empty.
+Directions directions_named(const detail::ThinningOperation& operation, const std::string& list) {
+  if (list.empty()) return {};
   if (!operation.takes_directions) {
     throw UsageError("--directions: " + std::string(operation.name) + " is no scan and takes none");
   }
@@ -90,15 +84,14 @@ struct Thinned {
   double milliseconds;
 };
 
-Thinned thinned(const ThinningOperation& operation, const ThinningVariant& variant,
+Thinned thinned(const detail::ThinningOperation& operation, const detail::ThinningVariant& variant,
                 const ByteImage& objects, const Options& how) {
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(how.threads));
-  ThinningPlan plan(operation, variant, objects.width(), objects.height(),
-                    {how.threads, how.model, how.border, how.directions});
+  const auto state = make_state(operation, variant, objects.width(), objects.height(), how);
   ByteImage skeleton(objects.width(), objects.height());
   const auto start = std::chrono::steady_clock::now();
-  const int iterations = plan.run(objects.view(), skeleton.view());
+  const int iterations = state->run(objects.view(), skeleton.view());
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   return {std::move(skeleton), iterations, time.count()};
 }
@@ -115,15 +108,17 @@ std::string summary(const ByteImage& objects, const Thinned& result) {
 }
 
 int run(const RunOptions& options, const Console& console) {
-  const ThinningOperation& operation = operation_named(options.operation);
+  const detail::ThinningOperation& operation = operation_named(options.operation);
   Options how = thinning_options(options);
-  how.model = model_from_file(operation, options.weights);
+  how.net = net_from_file(operation, options.weights);
   how.directions = directions_named(operation, options.directions);
   check_extension(options.out);
   std::ostringstream remarks;  // failures are one line, without them
   const ByteImage objects = read_binary(options.in, options.binarise, &remarks);
-  how.threads = worthwhile_threads(operation, how, objects.width(), objects.height());
-  const ThinningVariant& variant = variant_for(operation, objects.width(), how);
+  const bool can_share =
+      std::ranges::any_of(operation.variants, &detail::ThinningVariant::threaded);
+  how = detail::with_useful_threads(how, can_share, objects.width(), objects.height());
+  const detail::ThinningVariant& variant = variant_for(operation, objects.width(), how);
   const Thinned result = thinned(operation, variant, objects, how);
   write_grey(options.out, result.skeleton.view());
   console.err << remarks.str();
@@ -156,7 +151,7 @@ Command add_run_command(CLI::App& program) {
       ->type_name("FILE");
   app->add_option("--border", options->border,
                   "background: outside the image all is background; keep: the outermost rows and "
-                  "columns never change, as in OpenCV (default: the operation's own)")
+                  "columns never change, as in OpenCV (default: background)")
       ->check(not_empty())
       ->type_name("NAME");
   app->add_option(

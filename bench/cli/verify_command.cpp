@@ -12,8 +12,8 @@
 #include "cli/verify_images.hpp"
 #include "cli/verify_progress.hpp"
 #include "cli/verify_report.hpp"
-#include "thinbench/options.hpp"
 #include "peers/peers.hpp"
+#include "thinbench/options.hpp"
 
 namespace thinbench {
 namespace {

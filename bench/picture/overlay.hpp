@@ -14,7 +14,6 @@ namespace thinbench {
 /// regions of at least `min_area` pixels, with the ids that `selected` gives them. The file appears
 /// as a whole or not at all. Throws PictureError.
 void write_overlay(const std::string& path, const ConstImageView& grey,
-                   const ConstImageView& objects, const Regions& found,
-                   std::int64_t min_area = 1);
+                   const ConstImageView& objects, const Regions& found, std::int64_t min_area = 1);
 
 }  // namespace thinbench

@@ -10,7 +10,8 @@ KeptRegions kept_regions(const Regions& found, std::int64_t min_area) {
   }
   for (std::size_t i = 0; i < found.holes.size(); ++i) {
     const Region& hole = found.holes[i];
-    if (is_large(hole) && is_large(found.objects[hole.enclosing_object - 1])) kept.holes.push_back(i);
+    if (is_large(hole) && is_large(found.objects[hole.enclosing_object - 1]))
+      kept.holes.push_back(i);
   }
   return kept;
 }
