@@ -105,6 +105,8 @@ template <int pixels, class T, class A>
 
 }  // namespace THINBENCH_ISA
 
+// Specialisations stand where their template does, outside the namespace of the ISA.
+
 /// Byte lanes, one pixel each: neighbours are one element away.
 template <>
 struct WordTraits<ByteBatch> {
