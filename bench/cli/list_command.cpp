@@ -53,9 +53,15 @@ const Variant* fastest_of(const Operation& operation) {
   return fastest;
 }
 
+/// Borders and limits are options of an operation, not operations.
+bool is_listed(const Operation& operation) {
+  return operation.border != Border::keep && !operation.max_iterations;
+}
+
 std::vector<ListedRow> all_rows() {
   std::vector<ListedRow> rows;
   for (const Operation& operation : operations_with_peers()) {
+    if (!is_listed(operation)) continue;
     const Variant* fastest = fastest_of(operation);
     for (const Variant& variant : operation.variants) {
       rows.push_back(
@@ -105,6 +111,7 @@ std::ptrdiff_t variants_here(const Operation& operation) {
 void print_operations(std::ostream& out) {
   std::vector<Cells> lines = {{"operation", "variants", "fastest", "what it does"}};
   for (const Operation& operation : operations_with_peers()) {
+    if (!is_listed(operation)) continue;
     const Variant* fastest = fastest_of(operation);
     lines.push_back({operation.name, std::to_string(variants_here(operation)),
                      fastest == nullptr ? "none"
