@@ -1,5 +1,4 @@
-#include "thinning/plan.hpp"
-
+// Thinning allocates nothing while it runs.
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -10,6 +9,7 @@
 #include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "thinbench/batch.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace {
 // Of all threads, counted by the replaced operators below. oneTBB takes the memory of its tasks
@@ -46,84 +46,48 @@ std::atomic<long> allocations = 0;
 namespace thinbench {
 namespace {
 
-const ThinningOperation& any_operation() {
-  return thinning_operations().front();
-}
-
-TEST(ThinningPlan, running_allocates_nothing) {
+TEST(Thinner, allocates_nothing_after_it_was_made) {
   const ByteImage image = noise_image(300, 90, 97, 1, 5);
   ByteImage out(300, 90);
-  for (const ThinningOperation& operation : thinning_operations()) {
-    for (const ThinningVariant& variant : operation.variants) {
-      if (!unavailable_reason(variant, 300).empty()) continue;
-      ThinningPlan plan(operation, variant, 300, 90, {variant.threaded ? 3 : 1});
-      if (variant.threaded) plan.run(image.view(), out.view());  // wakes the threads
-      const long before = allocations;
-      plan.run(image.view(), out.view());
-      EXPECT_EQ(allocations, before) << technique_name(variant.technique);
+  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
+    for (const detail::ThinningVariant& variant : operation.variants) {
+      for (const Border border : {Border::background, Border::keep}) {
+        if (!unavailable_reason(variant, 300, border).empty()) continue;
+        Thinner thinner(operation.rule, 300, 90,
+                        {.border = border,
+                         .threads = variant.threaded ? 3 : 1,
+                         .isa = variant.isa,
+                         .technique = variant.technique});
+        if (variant.threaded) thinner(image.view(), out.view());  // starts the threads
+        const long before = allocations;
+        thinner(image.view(), out.view());
+        EXPECT_EQ(allocations, before)
+            << operation.name << " by " << technique_name(variant.technique) << " at "
+            << isa_name(variant.isa);
+      }
     }
   }
 }
 
-TEST(ThinningBatch, running_allocates_nothing) {
+TEST(ThinningBatch, allocates_nothing_after_it_was_made) {
   std::vector<std::uint8_t> pixels(50 * 28 * 28, 255);
   const StackView stack = {pixels.data(), 50, 28, 28, 28, 28 * 28};
-  for (const ThinningOperation& operation : thinning_operations()) {
+  for (const RuleInfo& info : kRules) {
     for (const int threads : {1, 3}) {
-      ThinningBatch batch(operation, 28, 28, {.threads = threads});
-      batch.run(stack, stack);  // wakes the threads
+      ThinningBatch batch(info.rule, 28, 28, {.threads = threads});
+      batch(stack, stack);  // starts the threads
       const long before = allocations;
-      batch.run(stack, stack);
-      EXPECT_EQ(allocations, before) << operation.name;
+      batch(stack, stack);
+      EXPECT_EQ(allocations, before) << info.name;
     }
   }
 }
 
-TEST(ThinningPlan, kernel_keeps_its_input_and_may_be_repeated) {
-  const ByteImage image = noise_image(100, 40, 97, 1, 6);
-  for (const ThinningVariant& variant : any_operation().variants) {
-    if (!unavailable_reason(variant, 100).empty()) continue;
-    ThinningPlan plan(any_operation(), variant, 100, 40, {2});
-    plan.load(image.view());
-    const int passes = plan.thin();
-    ByteImage first(100, 40);
-    plan.store(first.view());
-    EXPECT_EQ(plan.thin(), passes);
-    ByteImage second(100, 40);
-    plan.store(second.view());
-    EXPECT_TRUE(equal(first.view(), second.view())) << technique_name(variant.technique);
-  }
-}
-
-TEST(ThinningPlan, source_and_destination_may_be_one_image) {
-  const ByteImage image = noise_image(77, 30, 95, 1, 7);
-  for (const ThinningVariant& variant : any_operation().variants) {
-    if (!unavailable_reason(variant, 77).empty()) continue;
-    ThinningPlan plan(any_operation(), variant, 77, 30);
-    ByteImage apart(77, 30);
-    plan.run(image.view(), apart.view());
-    ByteImage in_place = copy_of(image.view());
-    plan.run(in_place.view(), in_place.view());
-    EXPECT_TRUE(equal(apart.view(), in_place.view())) << technique_name(variant.technique);
-  }
-}
-
-TEST(ThinningPlan, refuses_what_it_cannot_run) {
-  const ThinningVariant& variant = any_operation().variants.front();
-  EXPECT_THROW(ThinningPlan(any_operation(), variant, -1, 5), std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(any_operation(), variant, Index{1} << 40, 2), std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(any_operation(), variant, PTRDIFF_MAX, PTRDIFF_MAX),
-               std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(any_operation(), variant, 5, 5, {0}), std::invalid_argument);
-  EXPECT_THROW(ThinningPlan(any_operation(), variant, 5, 5, {1025}), std::invalid_argument);
-}
-
-TEST(ThinningPlan, refuses_images_wider_than_the_variant) {
-  for (const ThinningVariant& variant : any_operation().variants) {
-    if (variant.technique != Technique::simd_bitpacked_row) continue;
-    EXPECT_FALSE(unavailable_reason(variant, 513).empty());
-    EXPECT_THROW(ThinningPlan(any_operation(), variant, 513, 5), std::invalid_argument);
-  }
+TEST(Allocations, are_counted) {
+  const long before = allocations;
+  const ByteImage image(300, 90);
+  const std::vector<int> numbers(5);
+  EXPECT_EQ(allocations, before + 2);
 }
 
 }  // namespace
