@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from report.cases import Case, case_in
 from report.errors import ReportError
 from report.experiment_layout import Table, columns, counted
 from report.json_fields import Fields
@@ -12,15 +13,15 @@ from report.plot_batches import plot_batches
 
 @dataclass(frozen=True)
 class BatchRow:
-    """Images a second of one operation at one size."""
+    """Images per second of one case at one size."""
 
-    operation: str
+    case: Case
     side: int
-    dark: float
-    passes: int
+    foreground: float
+    iterations: int
     single: str
-    """Technique and level of what thins one by one."""
-    level: str
+    """Technique and ISA of what thins one by one."""
+    isa: str
     single_per_second: float
     batch_per_second: float
     ratio: float
@@ -30,7 +31,7 @@ class BatchRow:
 
 @dataclass(frozen=True)
 class Batches:
-    """Both ways, by operation and size."""
+    """Both ways, by case and size."""
 
     command: str
     images: int
@@ -48,23 +49,25 @@ def _row(row: Fields) -> BatchRow:
     ratio, low, high = (row.positive(key) for key in ("ratio", "ratio_low", "ratio_high"))
     if not low <= ratio <= high:
         raise ReportError(f"{row.where}: ratio is {ratio}; it must lie from {low} to {high}")
-    return BatchRow(row.text("operation"), row.count("side", 1), row.at_most("dark", 1),
-                    row.count("passes", 1), row.text("single"), row.text("level"),
+    return BatchRow(case_in(row), row.count("side", 1),
+                    row.at_most(row.renamed("foreground", "dark"), 1),
+                    row.count(row.renamed("iterations", "passes"), 1), row.text("single"),
+                    row.text(row.renamed("isa", "level")),
                     row.positive("single_per_second"), row.positive("batch_per_second"),
                     ratio, low, high)
 
 
 def batches_table(data: Batches) -> Table:
-    """A row for each operation and size."""
-    header = columns(["Operation", "One by one", "Batch"],
+    """A row for each case and size."""
+    header = columns(["Case", "One by one", "Batch"],
                      ["Side", "Images/s, one by one", "Images/s, batch", "Ratio"])
-    rows = tuple((row.operation, row.single, row.level, str(row.side),
+    rows = tuple((row.case.name, row.single, row.isa, str(row.side),
                   f"{row.single_per_second:,.0f}", f"{row.batch_per_second:,.0f}",
                   f"{row.ratio:.2f}× ({row.ratio_low:.2f} to {row.ratio_high:.2f})")
                  for row in data.rows)
     sentence = (f"{counted(data.images, 'image')} of random strokes, bytes in to bytes out, on one "
                 "thread: one by one by whichever variant was fastest, and as a batch with one "
-                f"image a lane. Both ran by turns; of {data.rounds} rounds the median, and in "
+                f"image per lane. Both ran interleaved; of {data.rounds} rounds the median, and in "
                 "brackets all but the lowest and the highest. Every image was equal to its "
                 "reference.")
     return Table("Many small images", sentence, header, rows, data.command, _verdict(data),

@@ -68,7 +68,7 @@ def _edge_quality(data: EdgeQuality) -> Table:
 
 def _edge_sentence(data: EdgeQuality) -> str:
     most = max(data.rows, key=lambda row: row.marked)
-    return (f"P1 is {data.p1}, P2 is {data.p2}; means over {counted(data.seeds, 'seed')} of the "
+    return (f"P1 is {data.gradient_threshold}, P2 is {data.brightness_threshold}; means over {counted(data.seeds, 'seed')} of the "
             "noise, in grey levels. True contours are the pixels on both sides of a part's border "
             "in the scene without noise. Precision: edge pixels with a contour pixel at most one "
             "pixel away; recall: contour pixels with an edge pixel that near; marked: edge pixels "

@@ -59,7 +59,7 @@ class Quantisation:
     command: str
     descriptors: int
     rows: tuple[FixedPoint, ...]
-    as_printed: dict[str, int]
+    as_published: dict[str, int]
     """With the weights of Table 1 themselves, by the activation's name; empty in older files."""
 
 
@@ -139,8 +139,8 @@ class EdgeQuality:
     """Every operator at every noise."""
 
     command: str
-    p1: int
-    p2: int
+    gradient_threshold: int
+    brightness_threshold: int
     seeds: int
     rows: tuple[EdgeRates, ...]
 
@@ -209,8 +209,9 @@ def _quantisation(fields: Fields) -> Quantisation:
     rows = tuple(FixedPoint(row.text("weights"), row.count("fractional_bits"), _right(row, total),
                             row.count("largest_integer"))
                  for row in fields.some("rows"))
-    printed = _right(fields.child("as_printed"), total) if fields.has("as_printed") else {}
-    return Quantisation(fields.text("command"), total, rows, printed)
+    key = fields.renamed("as_published", "as_printed")
+    published = _right(fields.child(key), total) if fields.has(key) else {}
+    return Quantisation(fields.text("command"), total, rows, published)
 
 
 def _right(fields: Fields, total: int) -> dict[str, int]:
@@ -244,7 +245,8 @@ def _edge_quality(fields: Fields) -> EdgeQuality:
                                "precision", "recall", "figure_of_merit", "marked",
                                "precision_without_p2")))
                  for row in fields.some("rows"))
-    return EdgeQuality(fields.text("command"), fields.count("p1"), fields.count("p2"),
+    return EdgeQuality(fields.text("command"), fields.count(fields.renamed("gradient_threshold", "p1")),
+                       fields.count(fields.renamed("brightness_threshold", "p2")),
                        fields.count("seeds", 1), rows)
 
 

@@ -14,10 +14,10 @@ PAPER_THINNING = "thin_naccache_shinghal"
 
 @dataclass(frozen=True)
 class Finding:
-    """The reference and the fastest variants of one operation on one input, and the peers in the
-    scope of the best."""
+    """The reference and the fastest variants of one case on one input, and the peers in the scope of
+    the best."""
 
-    operation: str
+    case: str
     input: str
     reference: Row
     end_to_end: Row | None
@@ -40,10 +40,9 @@ class Noise:
 
 
 def find(study: Study) -> list[Finding]:
-    """One finding for each operation and each input outside the size sweep."""
-    return [_find_one(study.select(operation, name), operation, name)
-            for operation in study.operations for name in study.pictures
-            if study.select(operation, name)]
+    """One finding for each case and each input outside the size sweep."""
+    return [_find_one(study.select(case, name), case, name)
+            for case in study.cases for name in study.pictures if study.select(case, name)]
 
 
 def noise_of(study: Study) -> Noise:
@@ -66,7 +65,7 @@ def main_sentence(findings: list[Finding]) -> str:
     place = min(_place_in_headline(row) for row in rows)
     top = max((row for row in rows if _place_in_headline(row) == place),
               key=lambda row: row.speedup)
-    return (f"Fastest: {top.name.variant_label} runs {top.name.operation} on {top.name.input} in "
+    return (f"Fastest: {top.name.variant_label} runs {top.name.case.name} on {top.name.input} in "
             f"{duration(top.median_ns)} {_scope_words(top)}, {three_digits(top.speedup)} times as "
             f"fast as the scalar reference ({duration(top.reference_ns)}){_interval_words(top)}.")
 
@@ -101,20 +100,19 @@ def fastest(rows: Iterable[Row]) -> Row | None:
     return ordered[0] if ordered else None
 
 
-def _find_one(rows: list[Row], operation: str, input_name: str) -> Finding:
+def _find_one(rows: list[Row], case: str, input_name: str) -> Finding:
     variants = [row for row in rows if not row.name.is_reference and not row.is_peer]
     best = {scope: fastest(row for row in variants if row.name.scope == scope)
             for scope in (END_TO_END, KERNEL)}
     reference = next(row for row in rows if row.name.is_reference)
     quoted = END_TO_END if best[END_TO_END] else KERNEL
     peers = tuple(row for row in rows if row.is_peer and row.name.scope == quoted)
-    return Finding(operation, input_name, reference, best[END_TO_END], best[KERNEL], peers)
+    return Finding(case, input_name, reference, best[END_TO_END], best[KERNEL], peers)
 
 
 def _place_in_headline(row: Row) -> int:
-    operation = row.name.operation
-    wanted = (operation == PAPER_THINNING, operation.startswith("thin_"),
-              not operation.startswith("net_"))
+    case = row.name.case.name
+    wanted = (case == PAPER_THINNING, case.startswith("thin_"), not case.startswith("net_"))
     return wanted.index(True) if True in wanted else len(wanted)
 
 

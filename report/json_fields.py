@@ -27,6 +27,10 @@ class Fields:
         """True if the field is there and not null."""
         return self.data.get(key) is not None
 
+    def renamed(self, key: str, old: str) -> str:
+        """What the field is called in this file: files from before it was renamed have `old`."""
+        return old if self.has(old) and not self.has(key) else key
+
     def text(self, key: str) -> str:
         """A non-empty string."""
         value = self.required(key)
@@ -129,6 +133,6 @@ def _parsed(path: Path, part: Callable[[str], str]) -> Fields:
 
 
 def _shown(value: Any) -> str:
-    """The value as JSON, cut short if it is long."""
+    """The value as JSON, truncated if it is long."""
     text = json.dumps(value, ensure_ascii=False)
     return text if len(text) <= 60 else text[:57] + "..."

@@ -1,4 +1,4 @@
-"""What stands between a row and its limit, in one word each."""
+"""The bottleneck of a row that does not reach its limit, in one word each."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from report.limit_rows import Limit, Limits, copy_ns, timed_ns
 from report.model import END_TO_END, Study
 
 REACHED_PERCENT = 80.0
-"""From this share of the limit up nothing stands between."""
+"""From this share of the limit up there is no bottleneck to name."""
 
 COPY_SHARE = 0.5
 """The part of a row's time from which a copy of the same bytes is the reason."""
@@ -26,16 +26,16 @@ TABLE_LOADS, BRANCHES, LISTS = "table loads", "branches", "lists"
 SENTENCES = {
     UNSTEADY: "Times disagree: in the table of all rows the same row took at least a tenth less.",
     BYTES: "The copy beside the row takes at least half of its time.",
-    VECTOR_PORTS: "On Intel's processors 512-bit instructions start at most two a cycle and shorter "
+    VECTOR_PORTS: "On Intel's processors 512-bit instructions start at most two per cycle and shorter "
                   "vector instructions at most three; only loads, stores and scalar instructions "
                   "come on top of them.",
     INTEGER_PORTS: "On Intel's processors arithmetic in general registers starts at most four or "
-                   "five times a cycle, shifts and branches at most twice.",
+                   "five times per cycle, shifts and branches at most twice.",
     TABLE_LOADS: "A look-up waits for the pixels that its place is made of, and loads start at most "
-                 "two or three a cycle.",
-    BRANCHES: "How often loops run follows the picture; where a branch is guessed wrongly, what was "
-              "begun is thrown away.",
-    LISTS: "Lists of active tiles are made in every step, and each tile is loaded across cache lines "
+                 "two or three per cycle.",
+    BRANCHES: "How often loops run follows the picture; where a branch is mispredicted, what was "
+              "begun is discarded.",
+    LISTS: "Lists of active tiles are made in every sub-iteration, and each tile is loaded across cache lines "
            "and stored twice.",
     NOT_KNOWN: "No bound of the technique is known.",
 }
@@ -45,7 +45,6 @@ OF_TECHNIQUE = {
     "lut_sliding": TABLE_LOADS,
     "union_find": BRANCHES,
     "autovec": VECTOR_PORTS,
-    "simd_float_bytes": VECTOR_PORTS,
     "simd_float_bits": VECTOR_PORTS,
     "simd_fixed_point": VECTOR_PORTS,
     "bitpacked": INTEGER_PORTS,
@@ -54,7 +53,6 @@ OF_TECHNIQUE = {
     "simd_bitpacked": VECTOR_PORTS,
     "simd_bitpacked_tiles": LISTS,
     "simd_bitpacked_row": VECTOR_PORTS,
-    "simd_to_bits": VECTOR_PORTS,
     "simd_16bit": VECTOR_PORTS,
     "simd_8bit": VECTOR_PORTS,
     "simd_runs": BRANCHES,

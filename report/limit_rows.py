@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from report.cases import Case, case_in
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
 from report.model import SCOPES, Study
@@ -18,16 +19,16 @@ COPIES = ("copy", COPY_BITS, "read_bits")
 class Limit:
     """One call of a row: what it executes, how long it takes, and how long it must."""
 
-    operation: str
+    case: Case
     scope: str
     technique: str
     isa: str
     instructions: int
-    instructions_a_cycle: float
+    instructions_per_cycle: float
     ns: float
     limit_ns: float
     percent: float
-    a_row_and_pass: float | None
+    per_row_and_iteration: float | None
 
 
 @dataclass(frozen=True)
@@ -57,14 +58,14 @@ def load_limits(directory: Path) -> Limits | None:
 def copy_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
     """The time of a copy in the row's representation.
 
-    A bit-packed row whose operation has none is as well compared with any operation's copy of
+    A bit-packed row whose case has none is as well compared with any case's copy of
     packed bits: both take and leave the same memory.
     """
-    rows = [row for operation in (limit.operation, *study.operations)
-            for row in study.select(operation, limits.input)
+    rows = [row for case in (limit.case.name, *study.cases)
+            for row in study.select(case, limits.input)
             if row.is_peer and row.name.scope == limit.scope]
     own = (row for row in rows
-           if row.name.operation == limit.operation and row.name.technique in COPIES)
+           if row.name.case == limit.case and row.name.technique in COPIES)
     packed = (row for row in rows
               if "bitpacked" in limit.technique and row.name.technique == COPY_BITS)
     return next((row.median_ns for row in (*own, *packed)), None)
@@ -73,7 +74,7 @@ def copy_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
 def timed_ns(study: Study, limits: Limits, limit: Limit) -> float | None:
     """The time of the same row among the timings of the run, where it was measured apart."""
     variant = (limit.technique, limit.isa, 1)
-    return next((row.median_ns for row in study.select(limit.operation, limits.input)
+    return next((row.median_ns for row in study.select(limit.case.name, limits.input)
                  if (row.name.variant, row.name.scope) == (variant, limit.scope)), None)
 
 
@@ -86,8 +87,9 @@ def _limit(row: Fields) -> Limit:
     scope = row.text("scope")
     if scope not in SCOPES:
         raise ReportError(f"{row.where}: scope is '{scope}'; it must be {' or '.join(SCOPES)}")
-    key = "instructions_a_row_and_pass"
-    return Limit(row.text("operation"), scope, row.text("technique"), row.text("isa"),
-                 row.count("instructions"), row.number("instructions_a_cycle"),
+    key = row.renamed("instructions_per_row_and_iteration", "instructions_a_row_and_pass")
+    per_cycle = row.renamed("instructions_per_cycle", "instructions_a_cycle")
+    return Limit(case_in(row), scope, row.text("technique"), row.text("isa"),
+                 row.count("instructions"), row.number(per_cycle),
                  row.positive("ns"), row.number("limit_ns"), row.number("percent_of_limit"),
                  row.number(key) if row.has(key) else None)

@@ -10,18 +10,18 @@ from report.model import SCOPES, Study
 from report.plot_limits import plot_limits
 
 TITLE = "Time against limit"
-HEADER = columns(["Operation", "Scope", "Technique", "ISA"],
-                 ["Instructions", "A cycle", "µs", "Limit µs", "Of limit", "A row and pass",
-                  "Copy µs"]) + (Column("Between", False),)
+HEADER = columns(["Case", "Scope", "Technique", "ISA"],
+                 ["Instructions", "Per cycle", "µs", "Limit µs", "Of limit",
+                  "Per row and iteration", "Copy µs"]) + (Column("Bottleneck", False),)
 
 
 def limits_table(study: Study, limits: Limits | None) -> Table | None:
-    """The rows by operation and scope, the fastest first; None where nothing was counted."""
+    """The rows by case and scope, the fastest first; None where nothing was counted."""
     if limits is None or not limits.rows:
         return None
-    order = {name: place for place, name in enumerate(study.operations)}
+    order = {name: place for place, name in enumerate(study.cases)}
     rows = sorted(limits.rows, key=lambda row: (
-        order.get(row.operation, len(order)), SCOPES.index(row.scope), row.ns))
+        order.get(row.case.name, len(order)), SCOPES.index(row.scope), row.ns))
     cells = tuple((*_cells(row, copy_ns(study, limits, row)), reason(study, limits, row))
                   for row in rows)
     return Table(TITLE, _sentence(limits), HEADER, cells, "thinbench instructions --limits",
@@ -41,14 +41,14 @@ def _sentence(limits: Limits) -> str:
             "same bytes, of packed bits for bit-packed techniques, where it was timed on the same "
             "input; where an operation gives numbers, its input is packed and read."
             f"{left_out} Where less than {REACHED_PERCENT:g} % of the limit is reached, the last "
-            f"column names what stands between: {' and '.join(MEASURED)} follow from times, any "
+            f"column names the bottleneck: {' and '.join(MEASURED)} follow from times, any "
             "other word is a known bound of the technique and was not measured for the row.")
 
 
 def _cells(row: Limit, copy: float | None) -> tuple[str, ...]:
-    each = row.a_row_and_pass
-    return (row.operation, scope_label(row.scope), row.technique, row.isa,
-            f"{row.instructions:,}", f"{row.instructions_a_cycle:.2f}", microseconds(row.ns),
+    each = row.per_row_and_iteration
+    return (row.case.name, scope_label(row.scope), row.technique, row.isa,
+            f"{row.instructions:,}", f"{row.instructions_per_cycle:.2f}", microseconds(row.ns),
             microseconds(row.limit_ns), f"{row.percent:.0f} %",
             NOTHING if each is None else f"{each:.1f}",
             NOTHING if copy is None else microseconds(copy))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from report.cases import Case, case_named, checked_border, isa_label, place_of_peer
 from report.controls import load_controls
 from report.errors import ReportError
 from report.json_fields import Fields, read_object
@@ -18,10 +19,11 @@ from report.model import (SCOPES, Input, PairedRatio, Peer, Row, RowName, Skippe
 from report.provenance import check_provenance
 from report.speedups import load_speedups
 
-NAME_FORM = "operation/technique/isa/threads/scope/input"
+NAME_FORM = "case/technique/isa/threads/scope/input"
 NANOSECONDS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 Repetitions = dict[RowName, list[Fields]]
+References = dict[tuple[Case, str], float]
 
 
 def load_study(directory: Path) -> Study:
@@ -49,34 +51,48 @@ def load_study(directory: Path) -> Study:
         peers=_load_peers(rows_file), controls=load_controls(directory) if speedups else None)
 
 
-def parse_name(text: str, where: str) -> RowName:
-    """Splits a benchmark's name; what Google Benchmark appends to the six fields is dropped."""
+def parse_name(text: str, where: str, border: str = "") -> RowName:
+    """Splits a benchmark's name; what Google Benchmark appends to the six fields is dropped.
+
+    `border` is the row's label, which older runs lack.
+    """
     fields = text.split("/")[:6]
     if len(fields) < 6 or not all(field.strip() and field.isprintable() for field in fields):
         raise ReportError(f"{where}: malformed name '{text}'; it must be {NAME_FORM}")
-    operation, technique, isa, threads, scope, input_name = fields
+    case_name, technique, isa, threads, scope, input_name = fields
+    case = case_named(case_name, border)
+    if case is None:
+        raise ReportError(f"{where}: malformed name '{text}': case is '{case_name}'; it must be "
+                          "operation, operation:keep, operation:N or operation:keep:N")
     if not (threads.isascii() and threads.isdigit() and int(threads) > 0):
         raise ReportError(f"{where}: malformed name '{text}': threads is '{threads}'; "
                           "it must be a whole number above zero")
     if scope not in SCOPES:
         raise ReportError(f"{where}: malformed name '{text}': scope is '{scope}'; "
                           f"it must be {' or '.join(SCOPES)}")
-    return RowName(operation, technique, isa, int(threads), scope, input_name)
+    return RowName(case, technique, isa_label(isa), int(threads), scope, input_name)
 
 
 def _load_rows(timings: Fields) -> list[Row]:
     repetitions: Repetitions = defaultdict(list)
     for entry in _iterations(timings):
-        repetitions[parse_name(entry.text("name"), timings.where)].append(entry)
+        border = checked_border(entry.data.get("label", ""), entry.where)
+        repetitions[parse_name(entry.text("name"), timings.where, border)].append(entry)
     if not repetitions:
         raise ReportError(f"{timings.where}: no rows; at least one benchmark of run_type "
                           "'iteration' is needed (no aggregates-only output, no empty filter)")
     samples = {name: tuple(_time_ns(name, entry) for entry in entries)
                for name, entries in repetitions.items()}
-    references = {(name.operation, name.input): float(np.median(times))
+    references = {(name.case, name.input): float(np.median(times))
                   for name, times in samples.items() if name.is_reference}
-    return [_make_row(name, entries, samples[name], references, timings.where)
+    return [_make_row(_placed(name, references), entries, samples[name], references, timings.where)
             for name, entries in repetitions.items()]
+
+
+def _placed(name: RowName, references: References) -> RowName:
+    """Beside the case whose pixels it gives, where that was timed."""
+    case = place_of_peer(name.case, name.technique)
+    return replace(name, case=case) if (case, name.input) in references else name
 
 
 def _iterations(timings: Fields) -> Iterator[Fields]:
@@ -100,35 +116,37 @@ def _time_ns(name: RowName, entry: Fields) -> float:
 
 
 def _make_row(name: RowName, entries: list[Fields], samples_ns: tuple[float, ...],
-              references: dict[tuple[str, str], float], where: str) -> Row:
+              references: References, where: str) -> Row:
     for entry in entries:
         if entry.data.get("verified") != 1:
             raise ReportError(f"{where}: row {name} was not verified: its counter 'verified' is "
                               f"{entry.data.get('verified')}; it must be 1")
-    reference_ns = references.get((name.operation, name.input))
+    reference_ns = references.get((name.case, name.input))
     if reference_ns is None:
-        needed = f"{name.operation}/reference/baseline/1/end_to_end/{name.input}"
+        needed = f"{name.case.name}/reference/baseline/1/end_to_end/{name.input}"
         raise ReportError(f"{where}: row {name} has nothing to be compared to; a row {needed} "
                           "is needed")
     shapes = {_shape(entry) for entry in entries}
     if len(shapes) > 1:
         raise ReportError(f"{where}: row {name}: the repetitions disagree on (width, height, "
-                          f"passes): {sorted(shapes, key=str)}; they must be equal")
+                          f"iterations): {sorted(shapes, key=str)}; they must be equal")
     return Row(name, *shapes.pop(), samples_ns=samples_ns, reference_ns=reference_ns,
                is_peer=entries[0].data.get("peer") == 1,
                plan_bytes=entries[0].count("plan_bytes") if entries[0].has("plan_bytes") else None)
 
 
 def _shape(entry: Fields) -> tuple[int, int, int | None]:
-    passes = entry.count("passes") if entry.has("passes") else None
-    return entry.count("width", 1), entry.count("height", 1), passes
+    key = entry.renamed("counted_iterations", "passes")
+    iterations = entry.count(key) if entry.has(key) else None
+    return entry.count("width", 1), entry.count("height", 1), iterations
 
 
 def _load_peers(rows_file: Fields) -> tuple[Peer, ...]:
-    """Runs from before there were peers have none."""
+    """Runs from before there were peers have none; older ones do not say which are equal."""
     if not rows_file.has("peers"):
         return ()
-    return tuple(Peer(fields.text("technique"), fields.text("about"))
+    return tuple(Peer(fields.text("technique"), fields.text("about"),
+                      fields.data.get("equal_output", fields.text("technique") == "opencv") is True)
                  for fields in rows_file.children("peers"))
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from report.cases import Case
 from report.controls import Controls
 from report.run_options import RunOptions
 
@@ -42,7 +43,7 @@ def input_order(name: str) -> tuple[int, int, str]:
 class RowName:
     """The six fields that identify a row."""
 
-    operation: str
+    case: Case
     technique: str
     isa: str
     threads: int
@@ -50,12 +51,12 @@ class RowName:
     input: str
 
     def __str__(self) -> str:
-        parts = (self.operation, self.technique, self.isa, self.threads, self.scope, self.input)
+        parts = (self.case.name, self.technique, self.isa, self.threads, self.scope, self.input)
         return "/".join(map(str, parts))
 
     @property
     def is_reference(self) -> bool:
-        """True for the row that every speed-up of its operation and input divides."""
+        """True for the row that every speed-up of its case and input divides."""
         return (self.technique, self.isa, self.threads, self.scope) == (
             REFERENCE, BASELINE, 1, END_TO_END)
 
@@ -96,11 +97,11 @@ class Row:
     name: RowName
     width: int
     height: int
-    passes: int | None
+    iterations: int | None
     samples_ns: tuple[float, ...]
     reference_ns: float
     is_peer: bool = False
-    """True for other people's code and for limits such as a copy: compared with, never quoted."""
+    """True for other projects' code and lower bounds such as a copy: compared with, never quoted."""
     paired: PairedRatio | None = None
     """The speed-up as measured in pairs; rows of the size sweep have none."""
     plan_bytes: int | None = None
@@ -128,7 +129,7 @@ class Row:
 
     @property
     def speedup(self) -> float:
-        """How many times as fast as the reference on the same operation and input.
+        """How many times as fast as the reference on the same case and input.
 
         As measured in pairs where it was; else the ratio of two medians.
         """
@@ -180,6 +181,8 @@ class Peer:
 
     technique: str
     about: str
+    equal_output: bool = False
+    """True where it gives the very pixels of the case that it stands beside."""
 
 
 @dataclass(frozen=True)
@@ -228,11 +231,16 @@ class Study:
     """None where no speed-up was measured in pairs."""
 
     @property
-    def operations(self) -> list[str]:
-        """Every operation that was timed: thinning first, nets that learn it last."""
-        names = {row.name.operation for row in self.rows}
+    def cases(self) -> list[str]:
+        """Every case that was timed, by name: thinning first, nets that learn it last."""
+        names = {row.name.case.name for row in self.rows}
         return sorted(names, key=lambda name: (name.startswith("net_"),
                                                not name.startswith("thin_"), name))
+
+    @property
+    def equal_peers(self) -> set[str]:
+        """Peers whose times may be divided by a row's: they give the same pixels."""
+        return {peer.technique for peer in self.peers if peer.equal_output}
 
     @property
     def has_pairs(self) -> bool:
@@ -245,19 +253,19 @@ class Study:
         names = {row.name.input for row in self.rows}
         return sorted((n for n in names if not is_sweep_input(n)), key=input_order)
 
-    def select(self, operation: str, input_name: str) -> list[Row]:
-        """The rows of one operation on one input, in the order of the tables."""
-        wanted = (operation, input_name)
-        return [r for r in self.rows if (r.name.operation, r.name.input) == wanted]
+    def select(self, case: str, input_name: str) -> list[Row]:
+        """The rows of one case on one input, in the order of the tables."""
+        wanted = (case, input_name)
+        return [r for r in self.rows if (r.name.case.name, r.name.input) == wanted]
 
-    def sweep(self, operation: str) -> list[Row]:
-        """The rows of one operation on the squares, from small to large."""
+    def sweep(self, case: str) -> list[Row]:
+        """The rows of one case on the squares, from small to large."""
         return [r for r in self.rows
-                if r.name.operation == operation and is_sweep_input(r.name.input)]
+                if r.name.case.name == case and is_sweep_input(r.name.input)]
 
 
 def table_order(row: Row) -> tuple:
-    """Sort key of every table: operation, input, scope, then fastest first."""
+    """Sort key of every table: case, input, scope, then fastest first."""
     name = row.name
-    return (name.operation, input_order(name.input), SCOPES.index(name.scope), row.median_ns,
+    return (name.case.name, input_order(name.input), SCOPES.index(name.scope), row.median_ns,
             name.variant)

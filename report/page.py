@@ -14,6 +14,7 @@ from markupsafe import Markup
 from PIL import Image
 
 from report import formatting
+from report.cases import file_stem
 from report.claims.claim import Claim, to_table
 from report.errors import ReportError
 from report.experiment_layout import TITLE, Table
@@ -131,8 +132,9 @@ def _pictures(study: Study, room: Room) -> list[list[Picture]]:
     for item in sorted(study.inputs, key=lambda item: input_order(item.name)):
         names = [(item.name, f"{item.name}, the input: {item.object_pixels:,} object pixels"),
                  (f"{item.name}_grey", f"{item.name}, the grey input of the edge operators")]
-        names += [(f"{item.name}_{operation}", f"{operation} of {item.name}")
-                  for operation in study.operations]
+        # Older runs wrote _keep_border where it is _keep now.
+        names += [(f"{item.name}_{file_stem(case)}{end}", f"{case} of {item.name}")
+                  for case in study.cases for end in ("", "_border")]
         group = [_picture(study, name, caption, (item.width, item.height), room)
                  for name, caption in names if (study.directory / _path(name)).is_file()]
         groups.append(group)

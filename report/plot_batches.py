@@ -1,4 +1,4 @@
-"""Images a second, one by one and as a batch."""
+"""Images per second, one by one and as a batch."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BAR = 0.38
 
 
 def plot_batches(data: Batches) -> Plot:
-    """A panel for each size; two bars for each operation."""
+    """A panel for each size; two bars for each case."""
     sides = list(dict.fromkeys(row.side for row in data.rows))
     with styled():
         figure = Figure(figsize=(WIDTH, HEIGHT))
@@ -40,25 +40,25 @@ def _draw(axes: Axes, rows: list[BatchRow], side: int) -> None:
               height=BAR, color=ORANGE, label="one by one")
     axes.barh([place + BAR / 2 for place in places], [row.batch_per_second / 1e6 for row in rows],
               height=BAR, color=BLUE, label="batch")
-    axes.set_yticks(list(places), [row.operation for row in rows])
+    axes.set_yticks(list(places), [row.case.name for row in rows])
     axes.set_title(f"{side} x {side} pixels", pad=8)
-    axes.set_xlabel("million images a second")
+    axes.set_xlabel("million images per second")
 
 
 def _caption(data: Batches) -> str:
-    return (f"Images a second of {data.images:,} images of strokes on one thread, one by one by "
+    return (f"Images per second of {data.images:,} images of strokes on one thread, one by one by "
             "the fastest variant and as a batch.")
 
 
 def _alt(data: Batches) -> str:
-    parts = [f"{row.operation} at {row.side} x {row.side}: {row.single_per_second:,.0f}, "
+    parts = [f"{row.case.name} at {row.side} x {row.side}: {row.single_per_second:,.0f}, "
              f"{row.batch_per_second:,.0f}" for row in data.rows]
-    return f"Bars of images a second, one by one and as a batch. {'; '.join(parts)}."
+    return f"Bars of images per second, one by one and as a batch. {'; '.join(parts)}."
 
 
 def _csv(data: Batches) -> str:
-    header = ("operation", "side", "single", "level", "single_per_second", "batch_per_second",
-              "ratio", "ratio_low", "ratio_high")
-    return csv_text(header, ((row.operation, row.side, row.single, row.level,
+    header = ("operation", "side", "single", "isa", "single_per_second", "batch_per_second",
+              "ratio", "ratio_low", "ratio_high", "border", "max_iterations")
+    return csv_text(header, ((row.case.operation, row.side, row.single, row.isa,
                               row.single_per_second, row.batch_per_second, row.ratio,
-                              row.ratio_low, row.ratio_high) for row in data.rows))
+                              row.ratio_low, row.ratio_high, *row.case.columns) for row in data.rows))

@@ -1,4 +1,4 @@
-"""Time against limit: the fastest row of each operation, what bounds it, and a copy."""
+"""Time against limit: the fastest row of each case, what bounds it, and a copy."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Dot:
 
     row: Limit
     copy_ns: float | None
-    between: str
+    bottleneck: str
     y: int
 
     @property
@@ -40,32 +40,32 @@ class Dot:
 
 def plot_limits(study: Study, limits: Limits) -> Plot | None:
     """The figure, or None if nothing was counted."""
-    operations = [name for name in study.operations
-                  if any(row.operation == name for row in limits.rows)]
+    cases = [name for name in study.cases
+             if any(row.case.name == name for row in limits.rows)]
     dots = [_fastest(study, limits, name, scope, place)
-            for place, name in enumerate(operations) for scope in SCOPES]
+            for place, name in enumerate(cases) for scope in SCOPES]
     drawn = [dot for dot in dots if dot]
     if not drawn:
         return None
     with styled():
-        height = TOP + BOTTOM + PITCH * len(operations)
+        height = TOP + BOTTOM + PITCH * len(cases)
         figure = Figure(figsize=(WIDTH, height))
         panels = figure.subplots(1, 2, sharex=True, sharey=True, gridspec_kw={
             "left": LEFT / WIDTH, "right": 1 - RIGHT / WIDTH, "wspace": 0.06,
             "top": 1 - TOP / height, "bottom": BOTTOM / height})
         title(figure, f"Time against limit on {limits.input}",
-              "the fastest row of each operation on one thread among those that were counted; "
+              "the fastest row of each case on one thread among those that were counted; "
               "log scale, left is faster")
-        _set_limits(panels[0], drawn, len(operations))
+        _set_limits(panels[0], drawn, len(cases))
         for axes, scope in zip(panels, SCOPES):
             _draw_panel(axes, [dot for dot in drawn if dot.row.scope == scope], scope)
-        _label_lines(panels[0], operations)
+        _label_lines(panels[0], cases)
         _explain(figure, limits)
         return rendered(figure, "limits", _caption(limits), _alt(drawn), _csv(drawn))
 
 
-def _fastest(study: Study, limits: Limits, operation: str, scope: str, place: int) -> Dot | None:
-    rows = [row for row in limits.rows if (row.operation, row.scope) == (operation, scope)]
+def _fastest(study: Study, limits: Limits, case: str, scope: str, place: int) -> Dot | None:
+    rows = [row for row in limits.rows if (row.case.name, row.scope) == (case, scope)]
     best = min(rows, key=lambda row: row.ns, default=None)
     if best is None:
         return None
@@ -95,44 +95,45 @@ def _draw_panel(axes: Axes, dots: list[Dot], scope: str) -> None:
             axes.plot(dot.copy_ns, dot.y, linestyle="", **COPY)
         [time] = axes.plot(dot.row.ns, dot.y, linestyle="", **TIME)
         axes.plot(dot.row.limit_ns, dot.y, linestyle="", **LIMIT)
-        hover(time, f"{dot.row.operation}, {dot.row.technique} ({dot.row.isa}): "
+        hover(time, f"{dot.row.case.name}, {dot.row.technique} ({dot.row.isa}): "
                     f"{duration(dot.row.ns)}, limit {duration(dot.row.limit_ns)}")
         axes.text(max(dot.times), dot.y, f"\N{NO-BREAK SPACE}\N{NO-BREAK SPACE}{dot.row.percent:.0f} %",
                   va="center_baseline", size=8.5, color=INK)
 
 
-def _label_lines(axes: Axes, operations: list[str]) -> None:
+def _label_lines(axes: Axes, cases: list[str]) -> None:
     inches = blended_transform_factory(axes.figure.dpi_scale_trans, axes.transData)
-    for place, name in enumerate(operations):
+    for place, name in enumerate(cases):
         axes.text(0.2, place, name, transform=inches, size=9.5, va="center_baseline")
 
 
 def _explain(figure: Figure, limits: Limits) -> None:
     """The marks in words, in one line below the title."""
     handles = [figure.axes[0].plot([], [], linestyle="", label=label, **look)[0]
-               for label, look in ((f"limit of {limits.issue_width:g} instructions a cycle", LIMIT),
+               for label, look in ((f"limit of {limits.issue_width:g} instructions per cycle", LIMIT),
                                    ("measured time", TIME), ("copy, or only reading", COPY))]
     figure.legend(handles=handles, loc="upper left", frameon=False, ncols=3, labelcolor=MUTED,
                   bbox_to_anchor=(0.1 / WIDTH, 1 - 0.68 / figure.get_figheight()))
 
 
 def _caption(limits: Limits) -> str:
-    return ("The fastest counted row of each operation: its time (dot), the time in which its "
-            f"instructions would be issued at {limits.issue_width:g} a cycle (bar), and a copy "
+    return ("The fastest counted row of each case: its time (dot), the time in which its "
+            f"instructions would be issued at {limits.issue_width:g} per cycle (bar), and a copy "
             "of the same memory, or a read where numbers come out (diamond), where one was timed. "
             "The number is the limit in percent of the time.")
 
 
 def _csv(dots: list[Dot]) -> str:
     header = ("operation", "scope", "technique", "isa", "instructions", "ns", "limit_ns",
-              "percent_of_limit", "copy_ns", "between")
-    return csv_text(header, ((row.operation, row.scope, row.technique, row.isa, row.instructions,
-                              row.ns, row.limit_ns, row.percent, copy_ns or "", between)
-                             for row, copy_ns, between in (
-                                 (dot.row, dot.copy_ns, dot.between) for dot in dots)))
+              "percent_of_limit", "copy_ns", "bottleneck", "border", "max_iterations")
+    return csv_text(header, ((row.case.operation, row.scope, row.technique, row.isa,
+                              row.instructions, row.ns, row.limit_ns, row.percent, copy_ns or "",
+                              bottleneck, *row.case.columns)
+                             for row, copy_ns, bottleneck in (
+                                 (dot.row, dot.copy_ns, dot.bottleneck) for dot in dots)))
 
 
 def _alt(dots: list[Dot]) -> str:
-    parts = [f"{dot.row.operation}, {scope_label(dot.row.scope)}, {dot.row.technique}: "
+    parts = [f"{dot.row.case.name}, {scope_label(dot.row.scope)}, {dot.row.technique}: "
              f"{duration(dot.row.ns)}, limit {duration(dot.row.limit_ns)}" for dot in dots]
     return f"Dots of time beside marks of limits. {'; '.join(parts)}."

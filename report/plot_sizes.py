@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.transforms import blended_transform_factory
 
+from report.cases import file_stem
 from report.formatting import kibibytes, round_duration, scope_label, three_digits
 from report.model import REFERENCE, Cache, Row, Study
 from report.plot_style import (CYCLE, INK, MARKERS, MUTED, WIDTH, Plot, hover, label_ticks,
@@ -38,9 +39,9 @@ class Line:
         return self.rows[0].name.variant_label.replace(" (", "\n(")
 
 
-def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
-    """The figure for one operation and scope, or None if the sweep has no variant in it."""
-    sweep = choose_lines(study.sweep(operation), scope)
+def plot_sizes(study: Study, case: str, scope: str) -> Plot | None:
+    """The figure for one case and scope, or None if the sweep has no variant in it."""
+    sweep = choose_lines(study.sweep(case), scope)
     if not any(row.name.scope == scope and not row.name.is_reference
                for rows in sweep for row in rows):
         return None
@@ -51,7 +52,7 @@ def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
     panels = figure.subplots(1, 2, gridspec_kw={
         "left": LEFT / WIDTH, "right": 1 - RIGHT / WIDTH, "wspace": BETWEEN / PANEL_WIDTH,
         "top": 1 - TOP / HEIGHT, "bottom": BOTTOM / HEIGHT})
-    title(figure, f"{operation} by image size, {scope_label(scope)}",
+    title(figure, f"{case} by image size, {scope_label(scope)}",
           "the best variant of each technique at the largest size, and the best on one thread; "
           "both axes log, lower is faster")
     _draw_panel(panels[0], lines, lambda row: row.median_ns, "Time per image", round_duration)
@@ -59,8 +60,8 @@ def plot_sizes(study: Study, operation: str, scope: str) -> Plot | None:
                 lambda value: f"{value:g}")
     for axes in panels:
         _mark_caches(axes, study.machine.caches)
-    return rendered(figure, f"sizes_{operation}_{scope}", _caption(operation, scope),
-                    _alt(operation, scope, lines), to_csv(row for line in lines for row in line.rows))
+    return rendered(figure, f"sizes_{file_stem(case)}_{scope}", _caption(case, scope),
+                    _alt(case, scope, lines), to_csv(row for line in lines for row in line.rows))
 
 
 def choose_lines(sweep: list[Row], scope: str) -> list[list[Row]]:
@@ -163,15 +164,15 @@ def _side(row: Row) -> float:
     return sqrt(row.pixels)
 
 
-def _caption(operation: str, scope: str) -> str:
-    return (f"{operation}, {scope_label(scope)}: time per image and per pixel over square images. "
+def _caption(case: str, scope: str) -> str:
+    return (f"{case}, {scope_label(scope)}: time per image and per pixel over square images. "
             "The dashed line is the reference, always end to end. Dotted lines mark where one "
             "image of bytes fills a cache; a bit-packed image, eight times smaller, fills it at "
             "2.8 times that side.")
 
 
-def _alt(operation: str, scope: str, lines: list[Line]) -> str:
+def _alt(case: str, scope: str, lines: list[Line]) -> str:
     ends = [f"{line.rows[0].name.variant_label}: {three_digits(line.rows[-1].ns_per_pixel)} ns per pixel"
             for line in lines]
-    return (f"Lines of time against image size for {operation}, {scope_label(scope)}. "
+    return (f"Lines of time against image size for {case}, {scope_label(scope)}. "
             f"At the largest size, {'; '.join(ends)}.")

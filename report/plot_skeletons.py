@@ -1,4 +1,4 @@
-"""A contact sheet: the same detail of one input, thinned by each operation."""
+"""A contact sheet: the same detail of one input, thinned by each case."""
 
 from __future__ import annotations
 
@@ -23,13 +23,14 @@ SHAPE, PAPER = "#c9ced5", "#f4f5f7"
 def plot_skeletons(name: str, rows: list[Skeleton], folder: Path,
                    symmetry: str) -> Plot | None:
     """The figure, or None if the pictures were not written; `symmetry` heads a column of its CSV."""
-    operations = [row.operation for row in rows]
-    paths = [folder / f"quality_{name}{end}.png" for end in ("", *(f"_{o}" for o in operations))]
+    cases = [row.case for row in rows]
+    ends = ("", *(f"_{case.stem}" for case in cases))
+    paths = [folder / f"quality_{name}{end}.png" for end in ends]
     if not all(path.is_file() for path in paths):
         return None
-    shape, *skeletons = map(_dark, paths)
+    shape, *skeletons = map(_foreground, paths)
     detail = busiest(shape)
-    down = -(-len(operations) // ACROSS)
+    down = -(-len(cases) // ACROSS)
     with styled():
         height = TOP + PITCH * down
         figure = Figure(figsize=(WIDTH, height))
@@ -37,13 +38,14 @@ def plot_skeletons(name: str, rows: list[Skeleton], folder: Path,
             "left": 0.02, "right": 0.98, "bottom": 0.1 / height, "top": 1 - (TOP + 0.2) / height,
             "wspace": 0.06, "hspace": 0.12})
         title(figure, f"Skeletons of {name}", f"the {DETAIL} x {DETAIL} pixels with most contour; "
-              "grey: the object, dark: its skeleton")
+              "grey: the object, blue: its skeleton")
         for axes in panels.flat:
             axes.set_axis_off()
-        for axes, operation, skeleton in zip(panels.flat, operations, skeletons):
-            _draw(axes, operation, shape[detail], skeleton[detail])
+        for axes, case, skeleton in zip(panels.flat, cases, skeletons):
+            _draw(axes, case.name, shape[detail], skeleton[detail])
         return rendered(figure, f"skeletons_{name}", _caption(name),
-                        f"{_caption(name)} Operations: {', '.join(operations)}.", _csv(rows, symmetry))
+                        f"{_caption(name)} Cases: {', '.join(case.name for case in cases)}.",
+                        _csv(rows, symmetry))
 
 
 def busiest(shape: np.ndarray) -> tuple[slice, slice]:
@@ -57,7 +59,7 @@ def busiest(shape: np.ndarray) -> tuple[slice, slice]:
     return max(windows, key=lambda window: int(contour[window].sum()))
 
 
-def _dark(path: Path) -> np.ndarray:
+def _foreground(path: Path) -> np.ndarray:
     try:
         with Image.open(path) as picture:
             return np.asarray(picture.convert("L")) >= 128
@@ -65,21 +67,22 @@ def _dark(path: Path) -> np.ndarray:
         raise ReportError(f"{path}: cannot be read: {error}; a picture is needed") from None
 
 
-def _draw(axes: Axes, operation: str, shape: np.ndarray, skeleton: np.ndarray) -> None:
+def _draw(axes: Axes, case: str, shape: np.ndarray, skeleton: np.ndarray) -> None:
     colours = np.array([to_rgb(colour) for colour in (PAPER, SHAPE, BLUE)])
     axes.imshow(colours[np.where(skeleton, 2, shape.astype(int))], interpolation="none")
-    axes.set_title(operation, pad=4)
+    axes.set_title(case, pad=4)
 
 
 def _csv(rows: list[Skeleton], symmetry: str) -> str:
     header = ("operation", "input", "objects_before", "objects_after", "holes_before",
               "holes_after", "pixels", "blocks", "ends", "branches", "mean_distance",
-              "largest_distance", symmetry, "iterations")
-    return csv_text(header, ((row.operation, row.input, *row.objects, *row.holes, row.pixels,
+              "largest_distance", symmetry, "iterations", "border", "max_iterations")
+    return csv_text(header, ((row.case.operation, row.input, *row.objects, *row.holes, row.pixels,
                               row.blocks, row.ends, row.branches, row.mean_distance,
-                              row.largest_distance, row.least_symmetry, row.iterations)
+                              row.largest_distance, row.least_symmetry, row.iterations,
+                              *row.case.columns)
                              for row in rows))
 
 
 def _caption(name: str) -> str:
-    return f"The same detail of {name}, thinned by every operation."
+    return f"The same detail of {name}, thinned by every case."

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.transforms import blended_transform_factory
 
+from report.cases import file_stem
 from report.findings import Finding, fastest
 from report.formatting import NOTHING, duration, scope_label, speedup_text, times
 from report.model import BASELINE, SCOPES, Row, Study
@@ -43,8 +44,8 @@ class Bar:
 
 
 def plot_speedups(study: Study, finding: Finding) -> Plot | None:
-    """The figure for one operation and input, or None if there is only the reference."""
-    rows = [row for row in study.select(finding.operation, finding.input)
+    """The figure for one case and input, or None if there is only the reference."""
+    rows = [row for row in study.select(finding.case, finding.input)
             if not row.name.is_reference]
     if not rows:
         return None
@@ -55,16 +56,16 @@ def plot_speedups(study: Study, finding: Finding) -> Plot | None:
     panels = figure.subplots(1, 2, sharex=True, sharey=True, gridspec_kw={
         "left": LEFT / WIDTH, "right": 1 - RIGHT / WIDTH, "wspace": 0.06,
         "top": 1 - TOP / height, "bottom": BOTTOM / height})
-    title(figure, f"{finding.operation} on {finding.input}: speed-up over the scalar reference",
+    title(figure, f"{finding.case} on {finding.input}: speed-up over the scalar reference",
           f"{finding.reference.width} x {finding.reference.height} pixels, the reference takes "
           f"{duration(finding.reference.median_ns)}; log scale, longer is faster")
     _set_limits(panels[0], rows, depth)
     for axes, scope in zip(panels, SCOPES):
         _draw_panel(axes, bars, scope)
     _label_bars(panels[0], bars)
-    return rendered(figure, f"speedup_{finding.operation}_{finding.input}",
+    return rendered(figure, f"speedup_{file_stem(finding.case)}_{finding.input}",
                     _caption(finding), _alt(finding, rows),
-                    to_csv(study.select(finding.operation, finding.input)))
+                    to_csv(study.select(finding.case, finding.input)))
 
 
 def look_of(isa: str) -> tuple[str, str]:
@@ -145,7 +146,7 @@ def _label_bars(axes: Axes, bars: list[Bar]) -> None:
 
 
 def _caption(finding: Finding) -> str:
-    return (f"{finding.operation} on {finding.input}: speed-up of each variant, grouped by "
+    return (f"{finding.case} on {finding.input}: speed-up of each variant, grouped by "
             "technique. Colour and hatch tell the instruction set; bold is the fastest of a panel; "
             "a dash was not timed in that scope.")
 
@@ -153,5 +154,5 @@ def _caption(finding: Finding) -> str:
 def _alt(finding: Finding, rows: list[Row]) -> str:
     parts = [f"{row.name.variant_label}, {scope_label(row.name.scope)}: {times(row.speedup)}"
              for row in (finding.end_to_end, finding.kernel) if row]
-    return (f"Bars of the speed-up of {len(rows)} rows of {finding.operation} on {finding.input}. "
+    return (f"Bars of the speed-up of {len(rows)} rows of {finding.case} on {finding.input}. "
             f"Fastest: {'; '.join(parts)}.")

@@ -10,9 +10,9 @@ from report.plot_style import Plot, styled
 
 
 def make_plots(study: Study) -> list[Plot]:
-    """Speed-ups for every operation and picture, then the size sweeps."""
+    """Speed-ups for every case and picture, then the size sweeps."""
     with styled():
         speedups = [plot_speedups(study, finding) for finding in find(study)]
-        sizes = [plot_sizes(study, operation, scope)
-                 for operation in study.operations for scope in SCOPES]
+        sizes = [plot_sizes(study, case, scope)
+                 for case in study.cases for scope in SCOPES]
         return [plot for plot in speedups + sizes if plot]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from report.cases import Case, case_in
 from report.json_fields import Fields
 
 LEAST, ONE_TURN = "least_symmetry", "symmetry"
@@ -11,9 +12,9 @@ LEAST, ONE_TURN = "least_symmetry", "symmetry"
 
 @dataclass(frozen=True)
 class Skeleton:
-    """What was measured on the skeleton of one input by one operation."""
+    """What was measured on the skeleton of one input by one case."""
 
-    operation: str
+    case: Case
     input: str
     objects: tuple[int, int]
     """Before and after, as are the holes."""
@@ -25,7 +26,7 @@ class Skeleton:
     mean_distance: float
     largest_distance: float
     least_symmetry: float
-    """The smallest overlap with the skeletons of the turned input."""
+    """The smallest overlap with the skeletons of the rotated input."""
     iterations: int
 
     @property
@@ -36,12 +37,12 @@ class Skeleton:
 
 @dataclass(frozen=True)
 class Quality:
-    """Every operation on every input."""
+    """Every case on every input."""
 
     command: str
     rows: tuple[Skeleton, ...]
     turns: int = 3
-    """By how many quarters the input was turned at most; files of older versions: by one."""
+    """By how many quarters the input was rotated at most; files of older versions: by one."""
 
     @property
     def symmetry_field(self) -> str:
@@ -66,7 +67,7 @@ def parse_quality(fields: Fields) -> Quality:
 def _skeleton(row: Fields, symmetry: str) -> Skeleton:
     def change(of: str) -> tuple[int, int]:
         return row.count(f"{of}_before"), row.count(f"{of}_after")
-    return Skeleton(row.text("operation"), row.text("input"), change("objects"), change("holes"),
+    return Skeleton(case_in(row), row.text("input"), change("objects"), change("holes"),
                     row.count("pixels"), row.count("blocks"), row.count("ends"),
                     row.count("branches"),
                     row.number("mean_distance"), row.number("largest_distance"),

@@ -7,7 +7,9 @@ import io
 import math
 from pathlib import Path
 
+from report.cases import case_in, isa_label, place_of_peer
 from report.errors import ReportError
+from report.json_fields import Fields
 from report.model import SCOPES, PairedRatio, RowName
 
 CSV = "speedups.csv"
@@ -31,12 +33,18 @@ def load_speedups(directory: Path) -> dict[RowName, PairedRatio]:
     missing = [column for column in COLUMNS if column not in (reader.fieldnames or ())]
     if missing:
         raise ReportError(f"{path}: column '{missing[0]}' is missing; it must be given")
-    return dict(_read(line, f"{path}: line {number}") for number, line in enumerate(lines, 2)
-                if line["against"] == REFERENCE)
+    found = (_read(line, f"{path}: line {number}") for number, line in enumerate(lines, 2)
+             if line["against"] == REFERENCE)
+    return {name: ratio for name, ratio in found if not _is_misplaced(name)}
+
+
+def _is_misplaced(name: RowName) -> bool:
+    """True for a peer that was compared with a reference to which it is not equal."""
+    return place_of_peer(name.case, name.technique) != name.case
 
 
 def _read(line: dict[str, str], where: str) -> tuple[RowName, PairedRatio]:
-    if any(line[column] is None for column in COLUMNS):
+    if any(value is None for value in line.values()):
         raise ReportError(f"{where}: fields are missing; measure it again")
     if line["scope"] not in SCOPES:
         raise ReportError(f"{where}: scope is '{line['scope']}'; it must be "
@@ -46,7 +54,7 @@ def _read(line: dict[str, str], where: str) -> tuple[RowName, PairedRatio]:
             raise ReportError(f"{where}: {column} is ''; it must be given")
     if line["verified"] != "1":
         raise ReportError(f"{where}: verified is '{line['verified']}'; it must be 1")
-    name = RowName(line["operation"], line["technique"], line["isa"],
+    name = RowName(case_in(Fields(line, where)), line["technique"], isa_label(line["isa"]),
                    int(_positive(line, "threads", where)), line["scope"], line["input"])
     low, ratio, high = (_positive(line, column, where) for column in ("low", "ratio", "high"))
     if not low <= ratio <= high:

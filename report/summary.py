@@ -1,10 +1,11 @@
-"""The plain-text summary that `build` prints: one block for each operation and picture."""
+"""The plain-text summary that `build` prints: one block for each case and picture."""
 
 from __future__ import annotations
 
 import textwrap
 from dataclasses import dataclass
 
+from report.experiment_layout import counted
 from report.findings import (Finding, find, main_sentence, noise_of, noise_sentence,
                              speedup_sentence)
 from report.formatting import NOTHING, microseconds, times
@@ -45,11 +46,12 @@ def to_text(study: Study) -> str:
 
 def _block(study: Study, finding: Finding) -> list[str]:
     reference = finding.reference
-    passes = "" if reference.passes is None else f", {reference.passes} passes"
-    title = _cut(f"{finding.operation} on {finding.input}", 70)
-    title += f" ({reference.width} x {reference.height}{passes})"
+    count = reference.iterations
+    iterations = "" if count is None else f", {counted(count, 'iteration')}"
+    title = _cut(f"{finding.case} on {finding.input}", 70)
+    title += f" ({reference.width} x {reference.height}{iterations})"
     header = _columns("technique", "isa", "threads", "kernel µs", "x", "end-to-end µs", "x")
-    lines = sorted(_lines(study.select(finding.operation, finding.input)),
+    lines = sorted(_lines(study.select(finding.case, finding.input)),
                    key=lambda line: (line.rows[0].median_ns, line.variant))
     body = [_text_line(line, finding.best) for line in lines]
     return [title, "  " + header, "  " + "-" * len(header), *body]

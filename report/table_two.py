@@ -14,7 +14,7 @@ from report.model import END_TO_END, KERNEL, SCENE, Row, Study
 
 TITLE = "Table 2 then and now"
 RULE = "thin_naccache_shinghal"
-ARITHMETIC = ("simd_float_bits", "simd_float_bytes", "simd_fixed_point", "autovec")
+ARITHMETIC = ("simd_float_bits", "simd_fixed_point", "autovec")
 """Techniques that evaluate a net's sums and activations for every pixel."""
 CIRCUIT = ("simd_bitpacked", "simd_bitpacked_row")
 """Techniques that evaluate the gates to which a net was compiled."""
@@ -55,8 +55,8 @@ def _now(study: Study, row: PaperRow) -> Now:
                fastest(r for r in timed if not r.name.is_reference and not r.is_peer))
 
 
-def _one_thread(study: Study, operation: str, scope: str) -> list[Row]:
-    return [row for row in study.select(operation, SCENE)
+def _one_thread(study: Study, case: str, scope: str) -> list[Row]:
+    return [row for row in study.select(case, SCENE)
             if row.name.threads == 1 and row.name.scope == scope]
 
 
@@ -118,7 +118,7 @@ def _arithmetic_verdict(study: Study, nets: list[str], rule: Row | None) -> str:
     verdict = (f"is still slower than the rule: {three_digits(factor)} times its time"
                if factor > 1 else
                f"is no longer slower than the rule: {three_digits(1 / factor)} times as fast")
-    return (f"A net evaluated by honest arithmetic {verdict} ({net.name.operation}, "
+    return (f"A net evaluated by honest arithmetic {verdict} ({net.name.case.name}, "
             f"{net.name.variant_label}, {duration(net.median_ns)}; the rule, "
             f"{rule.name.variant_label}, {duration(rule.median_ns)}; end to end, one thread).")
 

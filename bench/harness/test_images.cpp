@@ -9,7 +9,7 @@
 namespace thinbench {
 namespace {
 
-constexpr std::uint8_t kDark = 255;
+constexpr std::uint8_t kForeground = 255;
 
 struct Noise {
   int percent;
@@ -53,14 +53,14 @@ ByteImage four_by_four_sheet(std::uint64_t first) {
     const Index left = static_cast<Index>(cell % 64) * pitch;
     const Index top = static_cast<Index>(cell / 64) * pitch;
     for (int bit = 0; bit < 16; ++bit) {
-      const bool dark = ((first + cell) >> bit & 1) != 0;
-      sheet.at(left + bit % 4, top + bit / 4) = dark ? kDark : 0;
+      const bool set = ((first + cell) >> bit & 1) != 0;
+      sheet.at(left + bit % 4, top + bit / 4) = set ? kForeground : 0;
     }
   }
   return sheet;
 }
 
-/// All of them on sheets, and some alone, where they touch the frame.
+/// All of them on sheets, and some alone, where they touch the image border.
 void generate_four_by_four(const TestImageSink& sink) {
   for (std::uint64_t first = 0; first < 65536; first += 4096) {
     sink({"4 x 4, bits from " + std::to_string(first), four_by_four_sheet(first)});
@@ -99,14 +99,14 @@ ByteImage filled(Index width, Index height, std::uint8_t value) {
   return image;
 }
 
-/// Dark bars of growing thickness along all four sides, so that shapes run into the frame.
-ByteImage bars_on_frame(Index width, Index height, Index thickness) {
+/// Foreground bars of growing thickness along all four sides, so that shapes run into the border.
+ByteImage bars_on_border(Index width, Index height, Index thickness) {
   ByteImage image(width, height);
   for (Index y = 0; y < height; ++y) {
     for (Index x = 0; x < width; ++x) {
       const bool edge =
           x < thickness || y < thickness || x >= width - thickness || y >= height - thickness;
-      image.at(x, y) = edge ? kDark : 0;
+      image.at(x, y) = edge ? kForeground : 0;
     }
   }
   return image;
@@ -124,11 +124,11 @@ void generate_shapes(const TestImageSink& sink) {
                                       {513, 40},
                                       {700, 90}}) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    sink({"light " + size, filled(width, height, 0)});
-    sink({"dark " + size, filled(width, height, kDark)});
+    sink({"background " + size, filled(width, height, 0)});
+    sink({"foreground " + size, filled(width, height, kForeground)});
     for (const Index thickness : {1, 2, 5, 12}) {
-      sink({"bars of " + std::to_string(thickness) + " on the frame of " + size,
-            bars_on_frame(width, height, thickness)});
+      sink({"bars of " + std::to_string(thickness) + " on the border of " + size,
+            bars_on_border(width, height, thickness)});
     }
   }
 }
@@ -141,9 +141,9 @@ ByteImage noise_image(Index width, Index height, int percent, Index granularity,
   for (Index y = 0; y < height; ++y) {
     for (Index x = 0; x < width; ++x) {
       const auto block = static_cast<std::uint64_t>((y / granularity) << 32 | (x / granularity));
-      const bool dark =
+      const bool set =
           splitmix64(splitmix64(seed) ^ block) % 100 < static_cast<std::uint64_t>(percent);
-      image.at(x, y) = dark ? kDark : 0;
+      image.at(x, y) = set ? kForeground : 0;
     }
   }
   return image;
@@ -152,7 +152,7 @@ ByteImage noise_image(Index width, Index height, int percent, Index granularity,
 ByteImage image_of_bits(Index width, Index height, std::uint64_t bits) {
   ByteImage image(width, height);
   for (Index i = 0; i < width * height; ++i) {
-    image.at(i % width, i / width) = (bits >> i & 1) != 0 ? kDark : 0;
+    image.at(i % width, i / width) = (bits >> i & 1) != 0 ? kForeground : 0;
   }
   return image;
 }
@@ -164,7 +164,7 @@ ByteImage neighbourhood_sheet(Index phase) {
     const Index left = phase + 4 * (code % cells_in_row);
     const Index top = 4 * (code / cells_in_row);
     for (Index i = 0; i < 9; ++i) {
-      image.at(left + i % 3, top + i / 3) = (code >> i & 1) != 0 ? kDark : 0;
+      image.at(left + i % 3, top + i / 3) = (code >> i & 1) != 0 ? kForeground : 0;
     }
   }
   return image;
@@ -172,10 +172,10 @@ ByteImage neighbourhood_sheet(Index phase) {
 
 const std::vector<TestImageSet>& test_image_sets() {
   static const std::vector<TestImageSet> binary = {
-      {"shapes", "empty, light, dark and frame-touching images", generate_shapes},
+      {"shapes", "empty, background, foreground and border-touching images", generate_shapes},
       {"sheets", "all 512 neighbourhoods at every phase of a word", generate_sheets},
       {"sizes", "widths 1..200, 509..515, 1023..1025 by heights 1, 2, 3, 17, 64", generate_sizes},
-      {"tiles", "tiles that sleep, bands shared between threads", generate_tiles},
+      {"tiles", "tiles at rest, bands shared between threads", generate_tiles},
       {"four_by_four", "all 65,536 images of 4 x 4 pixels", generate_four_by_four},
   };
   static const std::vector<TestImageSet> sets = [] {

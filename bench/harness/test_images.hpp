@@ -17,12 +17,12 @@ struct TestImage {
   InputKind kind = InputKind::binary;
 };
 
-/// Random blocks of `granularity` x `granularity` pixels, each dark with probability `percent` /
-/// 100. The same bytes on every machine.
+/// Random blocks of `granularity` x `granularity` pixels, each foreground with probability
+/// `percent` / 100. The same bytes on every machine.
 [[nodiscard]] ByteImage noise_image(Index width, Index height, int percent, Index granularity,
                                     std::uint64_t seed);
 
-/// The image of a number: pixel (x, y) is dark where bit y * width + x is set.
+/// The image of a number: pixel (x, y) is foreground where bit y * width + x is set.
 [[nodiscard]] ByteImage image_of_bits(Index width, Index height, std::uint64_t bits);
 
 /// All 512 neighbourhoods in cells of 4 x 4 pixels, the first cell at column `phase`.
@@ -39,7 +39,7 @@ struct TestImageSet {
 };
 
 /// Binary: widths 1 to 200 and around 512 and 1024 by five heights; all 4 x 4 images; every
-/// neighbourhood at every phase of a word; plain, empty and frame-touching shapes; images of many
+/// neighbourhood at every phase of a word; plain, empty and border-touching shapes; images of many
 /// tiles. Grey: see grey_image_sets.
 [[nodiscard]] const std::vector<TestImageSet>& test_image_sets();
 

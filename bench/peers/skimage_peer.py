@@ -3,8 +3,8 @@
 Usage: skimage_peer.py DIR TIMINGS REPETITIONS FILTER
 
 DIR holds rows.json and pictures/, TIMINGS is Google Benchmark's JSON file. Its functions give other
-pixels than any operation here, so each is compared with itself on a copy of the input, and must
-give a subset. Where scikit-image is not installed, its rows are recorded as skipped.
+pixels than any case here, so each is compared with itself on a copy of the input, and must give a
+subset. They treat everything outside the image as background, as the cases that they stand beside. Where scikit-image is not installed, its rows are recorded as skipped.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def main(directory: Path, timings_path: Path, repetitions: int, pattern: str) ->
     timed = {entry["name"].split("/iterations:")[0] for entry in timings["benchmarks"]}
     for operation, technique, function in ROWS:
         for item in rows["inputs"]:
-            name = f"{operation}/{technique}/own/1/end_to_end/{item['name']}"
+            name = f"{operation}/{technique}/native/1/end_to_end/{item['name']}"
             reference = f"{operation}/reference/baseline/1/end_to_end/{item['name']}"
             picture = directory / "pictures" / f"{item['name']}.png"
             if reference in timed and picture.exists() and re.search(pattern, name):
@@ -54,7 +54,8 @@ def add(name: str, function: str, picture: Path, timings: dict[str, Any], rows: 
         return
     about = {"technique": technique,
              "about": f"scikit-image {skimage.__version__}, {function}, 1 thread, from Python; other "
-                      "pixels than any operation's, compared with itself only"}
+                      "pixels than any operation's, compared with itself only",
+             "equal_output": False}
     if about not in rows["peers"]:
         rows["peers"].append(about)
     objects = np.asarray(Image.open(picture).convert("L")) >= 128
@@ -71,6 +72,7 @@ def measured(name: str, function: Callable[[Picture], Picture], objects: Picture
         sys.exit(f"skimage_peer: {name}: gives no repeatable subset of its input")
     height, width = objects.shape
     common = {"name": name, "run_type": "iteration", "time_unit": "ns", "iterations": 1,
+              "label": "background",
               "width": float(width), "height": float(height), "verified": 1.0, "peer": 1.0}
     return [common | {"repetition_index": index} | times(function, objects)
             for index in range(repetitions)]

@@ -24,8 +24,8 @@ pictures that do not fit the cache of a core): less cannot be told on another da
 other commit is built in a scratch folder, processes of both builds take turns, and 5 % are enough.
 
   --against COMMIT  compare this working tree with a commit, not with the baseline
-  --filter REGEX    rows whose name operation/technique/isa/threads/scope/input matches; default: fast
-                    rows on one thread, about a minute (with --against some minutes and a build)
+  --filter REGEX    results whose name case/technique/isa/threads/scope/input matches; default: fast
+                    ones on one thread, about a minute (with --against some minutes and a build)
   --image FILE      measure on this image instead of the built-in scene; repeatable
   --foreground, --threshold
                     which pixels of these images are foreground, as for ./study

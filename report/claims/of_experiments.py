@@ -38,14 +38,14 @@ def operation_counts(data: OperationCounts | None) -> Claim:
 def linear_threshold(data: Quantisation | None) -> Claim:
     """Section 3.2: equation (2) in place of (1)."""
     claim = "With the linear threshold (2) in place of the sigmoid (1) recognition stays at 100 %"
-    if data is None or not data.as_printed:
+    if data is None or not data.as_published:
         return open_claim(claim, "thinbench experiment quantisation")
-    right = data.as_printed
+    right = data.as_published
     figure = ", ".join(f"{name}: {count} of {data.descriptors}" for name, count in right.items())
     verdict = Verdict.of([all(count == data.descriptors for count in right.values())])
-    why = ("Table 1 as printed gives the rule's answer to every neighbourhood with both functions."
+    why = ("Table 1 as published gives the rule's answer to every neighbourhood with both functions."
            if verdict is Verdict.HOLDS else
-           "Table 1 as printed gives a wrong answer to some neighbourhood.")
+           "Table 1 as published gives a wrong answer to some neighbourhood.")
     return Claim(claim, verdict, figure, why, data.command)
 
 
@@ -96,14 +96,14 @@ def reliable_edges(data: EdgeQuality | None) -> Claim:
               f"{worst.sigma} precision falls to {worst.precision:.0%} ({worst.operation}; "
               f"{worst.precision_without_p2:.0%} without P2)")
     why = ("All operators stand all noise that was tried." if verdict is Verdict.HOLDS else
-           "With fixed thresholds noise passes P1, and P2 only rejects what is dark enough.")
+           "With fixed thresholds noise exceeds P1, and P2 only rejects what is dark enough.")
     return Claim(claim, verdict, figure, why, data.command)
 
 
 def connected_skeleton(data: Quality | None) -> Claim:
     """Section 3.1: that the procedure as printed makes a skeleton."""
     claim = "The printed procedure keeps a skeleton connected"
-    rows = [row for row in data.rows if row.operation == PRINTED_RULE] if data else []
+    rows = [row for row in data.rows if row.case.name == PRINTED_RULE] if data else []
     if data is None or not rows:
         return open_claim(claim, "thinbench experiment quality")
     verdict = Verdict.of([row.objects[0] == row.objects[1] for row in rows])

@@ -16,7 +16,7 @@ COMMAND = "./study"
 NETS = ("net_two_layer_sigmoid", "net_two_layer_linear", "net_single_layer_cluster")
 INTEGER_NET = "net_two_layer_linear"
 INTEGERS = ("simd_fixed_point",)
-FLOATS = ("simd_float_bits", "simd_float_bytes")
+FLOATS = ("simd_float_bits",)
 BYTES = ("lut", "lut_sliding", "autovec", "simd_bytes")
 BITS = ("bitpacked", "simd_bitpacked", "simd_bitpacked_row")
 NO_COST = 1.05
@@ -104,9 +104,9 @@ def _why_nets(slower: bool, free: bool) -> str:
             "Even their arithmetic is not slower than the rule any more.")
 
 
-def _rows(study: Study, operations: Iterable[str], techniques: Iterable[str]) -> list[Row]:
+def _rows(study: Study, cases: Iterable[str], techniques: Iterable[str]) -> list[Row]:
     """Variants on the scene, one thread, bytes to bytes."""
-    return [row for operation in operations for row in study.select(operation, SCENE)
+    return [row for case in cases for row in study.select(case, SCENE)
             if row.name.technique in techniques and row.name.threads == 1
             and row.name.scope == END_TO_END and not row.is_peer]
 
@@ -117,14 +117,14 @@ def _scalar(study: Study, techniques: Iterable[str]) -> Row | None:
                    ("lut", "bitpacked"))
 
 
-def _best(study: Study, operation: str) -> Row | None:
-    return fastest(row for row in study.select(operation, SCENE)
+def _best(study: Study, case: str) -> Row | None:
+    return fastest(row for row in study.select(case, SCENE)
                    if row.name.threads == 1 and row.name.scope == END_TO_END
                    and not row.name.is_reference and not row.is_peer)
 
 
-def _reference(study: Study, operation: str) -> Row | None:
-    return next((row for row in study.select(operation, SCENE) if row.name.is_reference), None)
+def _reference(study: Study, case: str) -> Row | None:
+    return next((row for row in study.select(case, SCENE) if row.name.is_reference), None)
 
 
 def _ratio(above: Row | None, below: Row | None) -> Interval | None:

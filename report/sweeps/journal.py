@@ -7,6 +7,7 @@ import lzma
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from report.cases import case_in
 from report.errors import ReportError
 from report.json_fields import Fields
 from report.machine import load_machine
@@ -69,7 +70,7 @@ def _lines(path: Path) -> list[Fields]:
     except (ValueError, EOFError, lzma.LZMAError) as error:
         raise ReportError(f"{path}: damaged: {error}; measure it again") from None
     if not text.endswith("\n"):
-        raise ReportError(f"{path}: its last line is cut off; {RESUME}")
+        raise ReportError(f"{path}: its last line is truncated; {RESUME}")
     return [_line(line, f"{path}: line {number}")
             for number, line in enumerate(text.splitlines(), 1)]
 
@@ -87,13 +88,13 @@ def _take(line: Fields, series: dict[Place, _Series]) -> None:
         raise ReportError(f"{line.where}: sweep is '{sweep}'; it must be one of "
                           f"{', '.join(SWEEPS)}")
     place = Place(sweep, line.number("x"), line.number("y") if line.has("y") else None,
-                  line.text("operation"), line.text("technique"), line.text("isa"),
+                  case_in(line), line.text("technique"), line.text("isa"),
                   line.count("threads", 1))
     pixels = line.count("pixels", 1)
     found = series.setdefault(place, _Series(pixels, line.text("proved_against"),
                                              line.text("clock")))
     number = line.count("round")
     if number in found.by_round or pixels != found.pixels:
-        raise ReportError(f"{line.where}: round {number} of {place.operation} at x {place.x:g} is "
+        raise ReportError(f"{line.where}: round {number} of {place.case.name} at x {place.x:g} is "
                           "there twice or on another size; each point has one sample a round")
     found.by_round[number] = line.positive("ns") / line.count("calls", 1) / pixels

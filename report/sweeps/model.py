@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from report.cases import Case
 from report.intervals import median_bounds
 from report.model import Machine
 
@@ -21,7 +22,7 @@ class Place:
     sweep: str
     x: float
     y: float | None
-    operation: str
+    case: Case
     technique: str
     isa: str
     threads: int
@@ -52,7 +53,7 @@ class Point:
     def words(self) -> str:
         """For whoever points at it in a figure."""
         low, high = self.bounds
-        row = f"{self.place.operation}, {self.place.technique}, {self.place.isa}"
+        row = f"{self.place.case.name}, {self.place.technique}, {self.place.isa}"
         return f"{row}: {self.median:.4g} ns per pixel ({low:.4g} to {high:.4g})"
 
 
@@ -84,7 +85,7 @@ class Journal:
                       key=lambda point: (point.place.x, point.place.y or 0))
 
 
-def operations_of(points: list[Point]) -> list[str]:
-    """Operations with points, thinning first."""
-    names = {point.place.operation for point in points}
+def cases_of(points: list[Point]) -> list[str]:
+    """Cases with points, by name, thinning first."""
+    names = {point.place.case.name for point in points}
     return sorted(names, key=lambda name: (not name.startswith("thin_"), name))

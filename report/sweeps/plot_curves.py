@@ -14,7 +14,7 @@ from report.formatting import kibibytes, three_digits
 from report.model import Cache
 from report.plot_style import (BLUE, CYCLE, GREEN, MARKERS, MUTED, ORANGE, PURPLE, WIDTH, Plot,
                                label_ticks, log_ticks, rendered, title)
-from report.sweeps.model import Point, operations_of
+from report.sweeps.model import Point, cases_of
 from report.sweeps.tables import points_csv
 
 LEFT, RIGHT, TOP, BOTTOM = 0.7, 0.25, 1.2, 0.6
@@ -35,21 +35,21 @@ class Curve:
 
 
 def plot_sizes(points: list[Point], caches: tuple[Cache, ...]) -> Plot | None:
-    """A panel for each operation, or None if no size was measured."""
-    operations = operations_of(points)
-    if not operations:
+    """A panel for each case, or None if no size was measured."""
+    cases = cases_of(points)
+    if not cases:
         return None
-    figure, panels = _panels(len(operations), 2)
+    figure, panels = _panels(len(cases), 2)
     title(figure, "Image size, powers of two and awkward ones",
           "nanoseconds per pixel of the library's choice and the best scalar row on one thread; both "
           "axes log, lower is faster")
     sides = {point.place.x for point in points}
-    for axes, operation in zip(panels, operations):
-        own = [point for point in points if point.place.operation == operation]
+    for axes, case in zip(panels, cases):
+        own = [point for point in points if point.place.case.name == case]
         _draw(axes, [_times(own, kind) for kind in _kinds(own)], KINDS)
         _log_axes(axes, [side for side in sides if _is_power(side)], sides)
         _mark_caches(axes, caches)
-        axes.set_title(operation, pad=16)
+        axes.set_title(case, pad=16)
         axes.set_xlabel("side of the square, pixels")
         axes.legend(frameon=False, fontsize=8, loc="best")
     return rendered(figure, "sweep_size", (
@@ -59,34 +59,34 @@ def plot_sizes(points: list[Point], caches: tuple[Cache, ...]) -> Plot | None:
 
 
 def plot_depths(points: list[Point]) -> Plot | None:
-    """One panel with a curve for each operation, or None if no depth was measured."""
+    """One panel with a curve for each case, or None if no depth was measured."""
     if not points:
         return None
     side = round(points[0].pixels**0.5)
-    return _curves_of_operations(points, "sweep_depth", f"Depth of strokes, {side} x {side} pixels", (
-        "nanoseconds per pixel of the library's choice on one thread, a quarter of the image dark in "
-        "squares; both axes log, lower is faster"), "side of a dark square, pixels", (
-        "Dark squares of growing side. Each pass takes a layer off, so that deep squares take more "
-        "passes; skeleton_scan has none."), "side of squares")
+    return _curves_of_cases(points, "sweep_depth", f"Depth of strokes, {side} x {side} pixels", (
+        "nanoseconds per pixel of the library's choice on one thread, a quarter of the image foreground "
+        "in squares; both axes log, lower is faster"), "side of a foreground square, pixels", (
+        "Foreground squares of growing side. Each iteration takes a layer off, so that deep squares "
+        "take more of them; skeleton_scan takes one."), "side of squares")
 
 
 def plot_enlargements(points: list[Point]) -> Plot | None:
     """The same over how many times the scene is enlarged."""
     if not points:
         return None
-    return _curves_of_operations(points, "sweep_enlarged", "The scene, enlarged", (
+    return _curves_of_cases(points, "sweep_enlarged", "The scene, enlarged", (
         "nanoseconds per pixel of the library's choice on one thread; both axes log, lower is "
         "faster"), "times enlarged in both directions", (
         "Ten times is 5100 x 4120 pixels with strokes up to 580 pixels wide: ten times as many "
-        "passes, of which most find most of the image at rest."), "enlargement")
+        "iterations, of which most find most of the image at rest."), "enlargement")
 
 
-def _curves_of_operations(points: list[Point], name: str, heading: str, explanation: str,
+def _curves_of_cases(points: list[Point], name: str, heading: str, explanation: str,
                           x_label: str, caption: str, alternative: str) -> Plot:
     figure, (axes,) = _panels(1, 1, 3.6, 0.9)
     title(figure, heading, explanation)
-    curves = [_times([point for point in points if point.place.operation == operation], None,
-                     operation) for operation in operations_of(points)]
+    curves = [_times([point for point in points if point.place.case.name == case], None,
+                     case) for case in cases_of(points)]
     _draw(axes, curves, CYCLE)
     places = {point.place.x for point in points}
     _log_axes(axes, list(places), places)
@@ -153,13 +153,13 @@ def _times(points: list[Point], kind: tuple[str, str] | None, label: str = "") -
 def _speedups(points: list[Point]) -> list[Curve]:
     """Where one thread was measured, too, and at least one other number."""
     curves = []
-    for operation in operations_of(points):
-        own = [point for point in points if point.place.operation == operation]
+    for case in cases_of(points):
+        own = [point for point in points if point.place.case.name == case]
         alone = next((point for point in own if point.place.threads == 1), None)
         if alone is None or len(own) < 2:
             continue
         curves.append(Curve(
-            operation, [p.place.x for p in own], [alone.median / p.median for p in own],
+            case, [p.place.x for p in own], [alone.median / p.median for p in own],
             [1.0 if p is alone else alone.bounds[0] / p.bounds[1] for p in own],
             [1.0 if p is alone else alone.bounds[1] / p.bounds[0] for p in own]))
     return curves
@@ -221,6 +221,6 @@ def _mark_caches(axes: Axes, caches: tuple[Cache, ...]) -> None:
 
 def _alt(what: str, points: list[Point]) -> str:
     last = max(point.place.x for point in points)
-    ends = [f"{point.place.operation} by {point.place.technique} {three_digits(point.median)}"
+    ends = [f"{point.place.case.name} by {point.place.technique} {three_digits(point.median)}"
             for point in points if point.place.x == last]
     return (f"Curves over {what}. At {last:g}, nanoseconds per pixel: {'; '.join(ends)}.")

@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from report.formatting import three_digits
 from report.plot_style import WIDTH, Plot, hover, rendered, title
-from report.sweeps.model import Point, operations_of
+from report.sweeps.model import Point, cases_of
 from report.sweeps.tables import points_csv
 
 LEFT, RIGHT, TOP, BOTTOM = 0.6, 0.2, 1.1, 0.55
@@ -27,11 +27,11 @@ LEAST_SPAN = 4.0
 
 
 def plot_density(points: list[Point]) -> Plot | None:
-    """A map for each operation, or None if no density was measured."""
-    operations = operations_of(points)
-    if not operations:
+    """A map for each case, or None if no density was measured."""
+    cases = cases_of(points)
+    if not cases:
         return None
-    rows = -(-len(operations) // COLUMNS)
+    rows = -(-len(cases) // COLUMNS)
     height = TOP + BOTTOM + rows * PANEL_HEIGHT + (rows - 1) * BETWEEN
     figure = Figure(figsize=(WIDTH, height))
     panels = figure.subplots(rows, COLUMNS, squeeze=False, gridspec_kw={
@@ -41,11 +41,11 @@ def plot_density(points: list[Point]) -> Plot | None:
     title(figure, f"Density and granularity of noise, {side} x {side} pixels",
           "nanoseconds per pixel of the library's choice on one thread; each map has its own colours, "
           "in equal ratios from dark, fast, to light, slow")
-    for axes, operation in zip(panels.flat, operations):
-        _draw_map(axes, [point for point in points if point.place.operation == operation])
-    for axes in panels.flat[len(operations):]:
+    for axes, case in zip(panels.flat, cases):
+        _draw_map(axes, [point for point in points if point.place.case.name == case])
+    for axes in panels.flat[len(cases):]:
         axes.set_axis_off()
-    return rendered(figure, "sweep_density", _caption(), _alt(points, operations),
+    return rendered(figure, "sweep_density", _caption(), _alt(points, cases),
                     points_csv(points), PNG_COLOURS)
 
 
@@ -81,27 +81,27 @@ def _draw_map(axes: Axes, points: list[Point]) -> None:
         spine.set_visible(False)
     axes.set_xticks([place + 0.5 for place in range(len(across))], [f"{x:g}" for x in across])
     axes.set_yticks([place + 0.5 for place in range(len(up))], [f"{y:g}" for y in up])
-    axes.set_xlabel("dark blocks, %")
+    axes.set_xlabel("foreground blocks, %")
     axes.set_ylabel("side of a block, pixels")
     axes.set_title(_heading(points))
 
 
 def _heading(points: list[Point]) -> str:
     place = points[0].place
-    return f"{place.operation} ({place.technique.replace('_', ' ')}, {place.isa})"
+    return f"{place.case.name} ({place.technique.replace('_', ' ')}, {place.isa})"
 
 
 def _caption() -> str:
-    return ("Random blocks of 1 to 16 pixels, of which 0 to 100 % are dark. An image that is "
-            "dark all over takes thinning the most passes.")
+    return ("Random blocks of 1 to 16 pixels, of which 0 to 100 % are foreground. An image that "
+            "is foreground all over takes thinning the most iterations.")
 
 
-def _alt(points: list[Point], operations: list[str]) -> str:
+def _alt(points: list[Point], cases: list[str]) -> str:
     parts = []
-    for operation in operations:
-        own = [point for point in points if point.place.operation == operation]
+    for case in cases:
+        own = [point for point in points if point.place.case.name == case]
         worst = max(own, key=lambda point: point.median)
         best = min(point.median for point in own)
-        parts.append(f"{operation} from {three_digits(best)} to {three_digits(worst.median)} at "
+        parts.append(f"{case} from {three_digits(best)} to {three_digits(worst.median)} at "
                      f"{worst.place.x:g} % in blocks of {worst.place.y or 0:g}")
     return f"Heat maps of nanoseconds per pixel: {'; '.join(parts)}."

@@ -6,24 +6,27 @@ from report.errors import ReportError
 from report.experiment_layout import Table, columns
 from report.formatting import NOTHING
 from report.intervals import Interval
-from report.sweeps.model import Journal, Place, Point, operations_of
+from report.sweeps.model import Journal, Place, Point, cases_of
 from report.tables import csv_text
 
 CSV_HEADER = ("sweep", "x", "y", "operation", "technique", "isa", "threads", "pixels",
-              "ns_per_pixel", "low", "high", "rounds", "clock", "proved_against", "compiler")
+              "ns_per_pixel", "low", "high", "rounds", "clock", "proved_against", "compiler",
+              "border", "max_iterations")
 
 
 def to_csv(journals: list[Journal]) -> str:
     """A line a point: the median, and between which bounds it lies; y is empty where there is
     none. Columns are only ever added at the right."""
     return csv_text(CSV_HEADER, (
-        (*_fields(point), journal.compiler) for journal in journals
+        (*_fields(point), journal.compiler, *point.place.case.columns) for journal in journals
         for point in sorted(journal.points, key=_order)))
 
 
 def points_csv(points: list[Point]) -> str:
     """What a figure draws, as numbers."""
-    return csv_text(CSV_HEADER[:-1], map(_fields, sorted(points, key=_order)))
+    header = [column for column in CSV_HEADER if column != "compiler"]
+    return csv_text(header, ((*_fields(point), *point.place.case.columns)
+                             for point in sorted(points, key=_order)))
 
 
 def levels_table(points: list[Point], levels: tuple[str, ...]) -> Table | None:
@@ -33,11 +36,11 @@ def levels_table(points: list[Point], levels: tuple[str, ...]) -> Table | None:
     if not levels:
         return None
     return Table(
-        "Instruction-set levels",
-        "Nanoseconds a pixel of the fastest technique of each level, on the scene, end to end.",
-        columns(["Operation"], list(levels)),
+        "Instruction sets",
+        "Nanoseconds per pixel of the fastest technique of each ISA, on the scene, end to end.",
+        columns(["Case"], list(levels)),
         tuple((name, *(_fastest_text(points, name, level) for level in levels))
-              for name in operations_of(points)),
+              for name in cases_of(points)),
         "./study sweeps --only isa")
 
 
@@ -55,7 +58,7 @@ def compiler_table(journals: list[Journal]) -> Table | None:
         "Compilers", f"The same code built by {names[0]} and by {names[1]}, processes by turns: "
         "every technique at its highest level, on the scene. Above 1 the second build takes "
         f"longer. Flags: {one.machine.compiler['flags']}.",
-        columns(["Operation", "Technique", "ISA"], [f"{names[0]}, µs", f"{names[1]}, µs",
+        columns(["Case", "Technique", "ISA"], [f"{names[0]}, µs", f"{names[1]}, µs",
                                                     "Second / first"]),
         tuple(_pair(first, second) for first, second in pairs),
         "./study sweeps --compiler clang")
@@ -63,26 +66,26 @@ def compiler_table(journals: list[Journal]) -> Table | None:
 
 def _order(point: Point) -> tuple:
     place = point.place
-    return (place.sweep, place.operation, place.x, place.y or 0, place.technique, place.isa)
+    return (place.sweep, place.case.name, place.x, place.y or 0, place.technique, place.isa)
 
 
 def _fields(point: Point) -> list[object]:
     place, (low, high) = point.place, point.bounds
     return [place.sweep, f"{place.x:g}", "" if place.y is None else f"{place.y:g}",
-            place.operation, place.technique, place.isa, place.threads,
+            place.case.operation, place.technique, place.isa, place.threads,
             point.pixels, f"{point.median:.6g}", f"{low:.6g}", f"{high:.6g}", len(point.samples),
             point.clock, point.proved_against]
 
 
-def fastest_of(points: list[Point], operation: str, level: str) -> Point | None:
-    """The fastest technique of an operation on a level."""
+def fastest_of(points: list[Point], case: str, level: str) -> Point | None:
+    """The fastest technique of an case on a level."""
     found = [point for point in points
-             if (point.place.operation, point.place.isa) == (operation, level)]
+             if (point.place.case.name, point.place.isa) == (case, level)]
     return min(found, key=lambda point: point.median, default=None)
 
 
-def _fastest_text(points: list[Point], operation: str, level: str) -> str:
-    point = fastest_of(points, operation, level)
+def _fastest_text(points: list[Point], case: str, level: str) -> str:
+    point = fastest_of(points, case, level)
     return f"{point.median:.4f} ({point.place.technique})" if point else NOTHING
 
 
@@ -99,21 +102,21 @@ def _check_same_machine(journals: list[Journal]) -> None:
 
 
 def _highest_levels(points: list[Point]) -> list[Point]:
-    """Each technique at its highest level, by operation, the fastest first."""
+    """Each technique at its highest level, by case, the fastest first."""
     highest: dict[tuple[str, str], Point] = {}
     for point in points:
-        key = (point.place.operation, point.place.technique)
+        key = (point.place.case.name, point.place.technique)
         if key not in highest or point.place.x > highest[key].place.x:
             highest[key] = point
-    order = operations_of(points)
+    order = cases_of(points)
     return sorted(highest.values(),
-                  key=lambda point: (order.index(point.place.operation), point.median))
+                  key=lambda point: (order.index(point.place.case.name), point.median))
 
 
 def _pair(first: Point, second: Point) -> tuple[str, ...]:
     place: Place = first.place
     (first_low, first_high), (low, high) = first.bounds, second.bounds
     ratio = Interval(second.median / first.median, low / first_high, high / first_low)
-    return (place.operation, place.technique, place.isa,
+    return (place.case.name, place.technique, place.isa,
             *(f"{point.median * point.pixels / 1e3:,.2f}" for point in (first, second)),
             ratio.text)

@@ -57,7 +57,7 @@ def entries(name: str, size: tuple[int, int], times_ns: list[float]) -> list[dic
     if name.split("/")[3] != "1":
         right, wrong = wrong, right
     common = {"name": f"{name}/iterations:9/process_time", "time_unit": "ns", "width": width,
-              "height": height, "passes": 14.0, "verified": 1.0}
+              "height": height, "counted_iterations": 14.0, "label": "background", "verified": 1.0}
     found = [common | {"run_type": "iteration", right: t, wrong: 2 * t, "repetition_index": i}
              for i, t in enumerate(times_ns)]
     aggregate = {"name": common["name"] + "_median", "run_type": "aggregate",

@@ -9,6 +9,7 @@ import pytest
 from conftest import OPERATION, ROOT, Run, entries, jittered
 
 from report.build import claims_text
+from report.cases import Case
 from report.claims import Verdict, judge
 from report.claims import of_experiments as experiments
 from report.claims import of_times as times
@@ -78,7 +79,7 @@ def test_edges_are_reliable_as_far_as_precision_reaches(at_16, verdict):
 
 @pytest.mark.parametrize("after, verdict", [(22, Verdict.HOLDS), (23, Verdict.FAILS)])
 def test_skeleton_is_connected_only_with_as_many_objects_as_before(after, verdict):
-    row = Skeleton(OPERATION, "scene", (22, after), (47, 47), 9, 0, 0, 0, 0.0, 0.0, 1.0, 31)
+    row = Skeleton(Case(OPERATION), "scene", (22, after), (47, 47), 9, 0, 0, 0, 0.0, 0.0, 1.0, 31)
     claim = experiments.connected_skeleton(Quality("command", (row,)))
     assert claim.verdict is verdict and f"{after} after" in claim.figure
 

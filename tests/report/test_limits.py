@@ -15,12 +15,12 @@ from report.limit_reasons import OF_TECHNIQUE, SENTENCES
 
 
 def make_limits(**changed: Any) -> dict[str, Any]:
-    """Two scopes of a row, of which one has passes; times are near those of the run."""
+    """Two scopes of a row, of which one has iterations; times are near those of the run."""
     row = {"operation": OPERATION, "technique": "simd_bitpacked", "isa": "avx512",
            "scope": "end_to_end", "instructions": 300000, "ns": 45000.0,
-           "instructions_a_cycle": 3.25, "limit_ns": 25000.0, "percent_of_limit": 54.2}
+           "instructions_per_cycle": 3.25, "limit_ns": 25000.0, "percent_of_limit": 54.2}
     kernel = row | {"scope": "kernel", "ns": 22000.0, "limit_ns": 12000.0,
-                    "instructions_a_row_and_pass": 52.04}
+                    "instructions_per_row_and_iteration": 52.04}
     return {"schema": 1, "kind": "limits", "issue_width": 6.0,
             "input": {"name": "scene", "width": 510, "height": 412},
             "rows": [kernel, row | changed], "skipped": [{"row": "x", "reason": "y"}]}
@@ -71,7 +71,7 @@ def test_figure_shows_the_fastest_row_of_each_operation_and_scope(run):
     limits["rows"].append(limits["rows"][1] | {"technique": "lut", "ns": 90000.0})
     build(write(run, limits).directory)
     rows = list(csv.DictReader((run.directory / "plots/limits.csv").read_text().splitlines()))
-    assert [(row["scope"], row["ns"], row["limit_ns"], row["between"]) for row in rows] == [
+    assert [(row["scope"], row["ns"], row["limit_ns"], row["bottleneck"]) for row in rows] == [
         ("end_to_end", "45000.0", "25000.0", "vector ports"),
         ("kernel", "22000.0", "12000.0", "vector ports")]
     drawing = (run.directory / "plots/limits.svg").read_text()
@@ -83,9 +83,9 @@ def test_figure_shows_the_fastest_row_of_each_operation_and_scope(run):
 
 def techniques() -> list[str]:
     """The names in the catalogue."""
-    text = (ROOT / "kernels/core/technique.hpp").read_text()
-    names = re.findall(r'TechniqueInfo\{Technique::k\w+,\s*"(\w+)"', text)
-    assert len(names) == len(set(re.findall(r"Technique::(k\w+),", text))) > 0
+    text = (ROOT / "kernels/include/thinbench/options.hpp").read_text()
+    names = re.findall(r'TechniqueInfo\{Technique::\w+,\s*"(\w+)"', text)
+    assert len(names) == len(set(re.findall(r"Technique::(\w+),", text))) > 0
     return names
 
 
@@ -94,7 +94,7 @@ def test_every_technique_has_a_known_bound():
     assert not missing, (f"{', '.join(missing)}: OF_TECHNIQUE in report/limit_reasons.py must say "
                          "what bounds them")
     gone = [name for name in OF_TECHNIQUE if name not in techniques()]
-    assert not gone, f"{', '.join(gone)}: in OF_TECHNIQUE, but no technique in technique.hpp"
+    assert not gone, f"{', '.join(gone)}: in OF_TECHNIQUE, but no technique in options.hpp"
     assert set(OF_TECHNIQUE.values()) <= SENTENCES.keys()
 
 

@@ -12,6 +12,7 @@ from report.build import build
 from report.errors import ReportError
 from report.findings import find
 from report.loading import load_study, parse_name
+from report.cases import Case
 from report.model import Row, RowName
 from report.page import to_html
 
@@ -54,18 +55,18 @@ def test_time_units_are_converted(run):
 
 def test_suffixes_of_the_library_are_dropped():
     name = parse_name("thin/lut/avx2/2/kernel/scene/iterations:9/repeats:5/real_time", "here")
-    assert name == RowName("thin", "lut", "avx2", 2, "kernel", "scene")
+    assert name == RowName(Case("thin"), "lut", "avx2", 2, "kernel", "scene")
 
 
 def test_one_interrupted_repetition_does_not_make_a_row_noisy():
-    name = RowName("thin", "lut", "baseline", 1, "kernel", "scene")
+    name = RowName(Case("thin"), "lut", "baseline", 1, "kernel", "scene")
     calm = Row(name, 2, 2, 1, (100.0, 101.0, 100.0, 101.0, 100.0, 101.0, 900.0), 200.0)
     wild = Row(name, 2, 2, 1, (100.0, 110.0, 120.0, 130.0), 200.0)
     assert not calm.is_noisy and wild.is_noisy
 
 
 def test_spread_of_one_repetition_is_unknown():
-    row = Row(RowName("thin", "lut", "baseline", 1, "kernel", "scene"), 2, 2, 1, (100.0,), 200.0)
+    row = Row(RowName(Case("thin"), "lut", "baseline", 1, "kernel", "scene"), 2, 2, 1, (100.0,), 200.0)
     assert row.spread_percent is None and not row.is_noisy
 
 
@@ -73,9 +74,9 @@ def test_unknown_techniques_and_counters_left_out_are_accepted(run):
     name = f"{OPERATION}/quantum/avx1024/8/kernel/scene"
     added = entries(name, SIZES["scene"], jittered(5e4, name))
     for entry in added:
-        del entry["passes"]
+        del entry["counted_iterations"]
     run.timings["benchmarks"] += added
-    assert row_of(run, "quantum").passes is None
+    assert row_of(run, "quantum").iterations is None
 
 
 @pytest.mark.parametrize("name", [
@@ -182,7 +183,7 @@ def test_row_of_another_size_than_its_input_is_refused(run, refusal):
 
 
 def test_repetitions_that_disagree_are_refused(run, refusal):
-    run.iterations("/lut/baseline/1/end_to_end/scene")[0]["passes"] = 15.0
+    run.iterations("/lut/baseline/1/end_to_end/scene")[0]["counted_iterations"] = 15.0
     assert "disagree" in refusal(run.write())
 
 

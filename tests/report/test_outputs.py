@@ -19,7 +19,7 @@ from report.summary import to_text
 
 HEADER = ("operation,technique,isa,threads,scope,input,width,height,passes,median_ns,min_ns,"
           "ns_per_pixel,speedup_vs_reference,verified,repetitions,spread_percent,peer,"
-          "speedup_low,speedup_high,speedup_from,plan_bytes")
+          "speedup_low,speedup_high,speedup_from,plan_bytes,border,max_iterations")
 PLOTS = (f"speedup_{OPERATION}_scene", f"sizes_{OPERATION}_end_to_end",
          f"sizes_{OPERATION}_kernel")
 FILES = {f"{plot}.{ending}" for plot in PLOTS for ending in ("csv", "png", "svg")}

@@ -55,7 +55,7 @@ def test_without_pictures_there_is_a_table_and_no_sheet(run):
     quality = load_experiments(run.directory).quality
     assert quality
     [table] = make_quality_tables(quality, run.directory)
-    assert table.plot is None and table.sentence.startswith("Every operation leaves as many")
+    assert table.plot is None and table.sentence.startswith("Every case leaves as many")
 
 
 @pytest.mark.parametrize(("key", "value"), [("least_symmetry", 1.5), ("pixels", -1), ("ends", None)])
@@ -69,11 +69,11 @@ def test_files_of_one_turn_are_read_and_called_so(run):
         row["symmetry"] = row.pop("least_symmetry")
     build(write(run, quality).directory)
     csv = run.directory / "plots/skeletons_blobs.csv"
-    assert csv.read_text().splitlines()[0].endswith(",largest_distance,symmetry,iterations")
-    assert "over one turn, by 90 degrees" in (run.directory / "experiments.md").read_text()
+    assert csv.read_text().splitlines()[0].endswith(",largest_distance,symmetry,iterations,border,max_iterations")
+    assert "over one rotation, by 90 degrees" in (run.directory / "experiments.md").read_text()
     build(write(Run(run.directory.parent / "new"), make_quality()).directory)
     new = (run.directory.parent / "new/experiments.md").read_text()
-    assert "over turns by 90, 180 and 270 degrees" in new
+    assert "over rotations by 90, 180 and 270 degrees" in new
 
 
 def test_file_that_is_no_picture_is_refused(run, refusal):

@@ -12,7 +12,7 @@ from conftest import ROOT, Run, entries, jittered
 sys.path.insert(0, str(ROOT / "bench" / "peers"))
 import skimage_peer  # noqa: E402
 
-NAME = "thin_guo_hall/skimage_thin/own/1/end_to_end/scene"
+NAME = "thin_guo_hall/skimage_thin/native/1/end_to_end/scene"
 
 
 @pytest.fixture

@@ -111,8 +111,8 @@ def test_csv_has_a_line_a_point_and_says_what_proved_it(written):
     assert head.startswith("sweep,x,y,operation,technique,isa,threads,pixels,ns_per_pixel,")
     assert len(lines) == journal_of(folder).planned
     assert ("depth,16,,thin_guo_hall,simd_bitpacked,avx512,1,100,2,1.94,2.06,9,"
-            "thread_cpu,reference,GNU 12.2.0") in lines
-    assert sum(line.endswith(",simd_bitpacked/avx512,GNU 12.2.0") for line in lines) == 4
+            "thread_cpu,reference,GNU 12.2.0,background,") in lines
+    assert sum(",simd_bitpacked/avx512,GNU 12.2.0," in line for line in lines) == 4
 
 
 def texts_of(svg: bytes) -> list[str]:
@@ -200,7 +200,7 @@ def test_journals_that_cannot_be_trusted_are_refused(written):
     lines = all_sweeps()
     whole = text_of(lines)
     assert "schema is 2; it must be 1" in refusal(written(text_of(lines, header(lines, schema=2))))
-    assert "its last line is cut off; thinbench_sweeps --resume completes it" in refusal(
+    assert "its last line is truncated; thinbench_sweeps --resume completes it" in refusal(
         written(whole[:-20]))
     assert "line 2: not JSON" in refusal(written(text_of([]) .replace("}\n", "}\nnonsense\n")))
     assert "must be 'header'" in refusal(written(whole.split("\n", 1)[1]))
