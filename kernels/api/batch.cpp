@@ -9,7 +9,6 @@
 #include "api/catalogue.hpp"
 #include "dispatch/exported.hpp"
 #include "image/byte_image.hpp"
-#include "image/check_stacks.hpp"
 #include "image/checks.hpp"
 #include "image/thread_team.hpp"
 #include "thinning/engines/lane_kernels.hpp"
