@@ -9,7 +9,6 @@
 #include "api/catalogue.hpp"
 #include "dispatch/exported.hpp"
 #include "image/byte_image.hpp"
-#include "image/check_stacks.hpp"
 #include "image/checks.hpp"
 #include "image/thread_team.hpp"
 #include "thinning/engines/lane_kernels.hpp"
@@ -19,7 +18,7 @@ namespace thinbench {
 using detail::LaneKernel;
 using detail::ThinningState;
 
-/// Thins images on the threads of a team.
+/// Shares the images of a stack among threads, the workers.
 class ThinningBatch::Engine {
  public:
   explicit Engine(int threads) : team_(threads), iterations_(static_cast<std::size_t>(threads)) {}
@@ -29,7 +28,7 @@ class ThinningBatch::Engine {
 
   [[nodiscard]] virtual bool one_by_one() const = 0;
 
-  /// The stacks have pixels.
+  /// For stacks with pixels.
   int run(const ConstStackView& source, const StackView& destination) {
     const Index groups = (source.count + kGroup - 1) / kGroup;
     const Index workers = team_.threads();
@@ -50,11 +49,11 @@ class ThinningBatch::Engine {
   [[nodiscard]] std::size_t workers() const { return iterations_.size(); }
 
  private:
-  /// Threads share the images in units that fill the widest register.
+  /// Workers get multiples of so many images, which fill the widest register.
   static constexpr Index kGroup = 16;
 
-  /// Thins images [first, last) with what belongs to a worker and returns the largest
-  /// number of iterations.
+  /// Thins images [first, last) in the memory of a worker and returns the largest number of
+  /// iterations.
   virtual int thin(std::size_t worker, const ConstStackView& source, const StackView& destination,
                    Index first, Index last) = 0;
 
@@ -62,7 +61,7 @@ class ThinningBatch::Engine {
   std::vector<int> iterations_;  // by worker
 };
 
-/// One image a lane.
+/// One image per lane.
 class ThinningBatch::LaneEngine final : public Engine {
  public:
   LaneEngine(LaneKernel kernel, Index height, int max_iterations, bool keep_border, int threads)
@@ -91,7 +90,7 @@ class ThinningBatch::LaneEngine final : public Engine {
   std::vector<detail::AlignedArray<std::uint64_t>> scratch_;  // by worker
 };
 
-/// A state for one image, run for each.
+/// One image after another.
 class ThinningBatch::SingleEngine final : public Engine {
  public:
   explicit SingleEngine(std::vector<std::unique_ptr<ThinningState>> states)
@@ -102,11 +101,12 @@ class ThinningBatch::SingleEngine final : public Engine {
  private:
   int thin(std::size_t worker, const ConstStackView& source, const StackView& destination,
            Index first, Index last) override {
-    int most = 0;
+    int iterations = 0;
     for (Index i = first; i < last; ++i) {
-      most = std::max(most, states_[worker]->run(source.image(i), destination.image(i)));
+      iterations =
+          std::max(iterations, states_[worker]->run(source.image(i), destination.image(i)));
     }
-    return most;
+    return iterations;
   }
 
   std::vector<std::unique_ptr<ThinningState>> states_;  // by worker
@@ -118,7 +118,7 @@ ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options
   Options single = options;
   single.threads = 1;
   const detail::ThinningOperation& operation = detail::operation_of(rule);
-  // The state for one image rejects whatever does not fit together; lanes need it for that only.
+  // Lanes need the state for one image only for its checks.
   const auto make_state = [&] {
     detail::require_size(width, height);
     const auto& variant = detail::choose(operation, width, height, single);

@@ -32,9 +32,8 @@ State make_8bit(const EdgeSetting& setting) {
 }
 
 void check_threshold(const char* name, int value) {
-  require(0 <= value && value <= kMaxThreshold, std::string(name) +
-                                                    ": expected an integer in [0, 255], got " +
-                                                    std::to_string(value));
+  require(0 <= value && value <= kMaxThreshold,
+          std::string(name) + ": expected an integer in [0, 255], got " + std::to_string(value));
 }
 
 }  // namespace
@@ -65,7 +64,7 @@ void check_thresholds(const EdgeThresholds& thresholds) {
 std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
   EdgeVariants list;
   for (const Isa isa : kAllIsas) {
-    if (isa == Isa::avx512icl) continue;  // adds nothing that these kernels could use
+    if (isa == Isa::avx512icl) continue;  // has no instruction that these kernels use
     list.add(autovec, isa, &make_autovec, {0});
     list.add(simd_16bit, isa, &make_16bit, {1});
     if (kernels_of<EdgeKernels>(isa).simd_8bit[op] != nullptr) {

@@ -1,4 +1,4 @@
-// Owners of the two representations that kernels work on.
+// Memory of planes.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace thinbench::detail {
 
-/// Owns a plane. Rows start on cache lines; the margin and the padding are zero.
+/// Owns a plane. Rows start on cache lines; margin and padding are zero.
 template <class T>
 class Plane {
  public:

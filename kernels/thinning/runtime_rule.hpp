@@ -1,5 +1,4 @@
-// A rule that is known at run time only: its table, and what engines derive from it. Plain data, so
-// that files of every ISA can read it.
+// Rules that are known at run time only: plain data, for files of every ISA.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +7,8 @@ namespace thinbench::detail {
 
 inline constexpr int kNeighbours = 8;
 
-/// One step of a decision diagram: the value numbered `high` where neighbour n_variable is
-/// foreground, else the one numbered `low`. Values 0 and 1 are background and foreground, value
-/// i + 2 is that of node i.
+/// A node of a decision diagram: value `high` where neighbour n_variable is foreground, else value
+/// `low`. Values 0 and 1 are background and foreground, value i + 2 is that of node i.
 struct MuxNode {
   std::uint8_t variable;
   std::uint8_t high;
@@ -25,10 +23,10 @@ struct MuxProgram {
   MuxNode nodes[kMaxNodes];
 };
 
-/// The diagram of `table`, which has the result for each descriptor. No node reads a later one.
+/// The diagram of `table`, the result by descriptor. No node reads a later one.
 [[nodiscard]] MuxProgram make_mux_program(const std::uint8_t* table);
 
-/// A deletion rule of one sub-iteration over eight neighbours.
+/// A rule of one sub-iteration over eight neighbours.
 struct RuntimeRule {
   std::uint8_t new_pixel[512];      // by k + 256 p, k being the descriptor; 0 or 1
   std::uint16_t pixel_pairs[4096];  // the same for windows of four columns, see pair_table.hpp

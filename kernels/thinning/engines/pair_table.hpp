@@ -1,4 +1,4 @@
-// The table of lut_sliding: two new pixels for a window of four columns.
+// The table of lut_sliding: two new pixels by window of four columns.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@ namespace thinbench::detail {
 
 inline constexpr std::size_t kPairTableSize = 4096;
 
-/// `pairs[window]` holds the new pixels of the middle of columns 1 and 2, one a byte. Column c of
-/// the window is its bits 3 c to 3 c + 2, south first. `new_pixel` goes by k + 256 p, k being the
-/// descriptor.
+/// `pairs[window]` holds the new pixels in the middle of columns 1 and 2, one per byte. Column c of
+/// the window is its bits 3 c to 3 c + 2, south first. The index of `new_pixel` is k + 256 p, with
+/// the descriptor k.
 constexpr void fill_pair_table(const std::uint8_t* new_pixel, std::uint16_t* pairs) {
-  // Bit i of three adjacent columns is this bit of k + 256 p.
+  // Bit i of three adjacent columns is bit bit_of[i] of k + 256 p.
   constexpr int bit_of[9] = {5, 4, 3, 6, 8, 2, 7, 0, 1};
   const auto pixel = [&](std::size_t columns) {
     std::size_t index = 0;

@@ -17,7 +17,7 @@ TileGrid::TileGrid(Index width, Index height, Border border)
       view_{} {
   view_.width = width;
   view_.height = height;
-  // Odd, so that tiles of neighbouring strips never compete for one cache set.
+  // Odd, so that tiles of neighbouring strips never share a cache set.
   view_.strip_tiles = (tile_rows_ + 1) | 1;
   const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
   view_.groups = tiles / kTileGroup;
@@ -60,8 +60,8 @@ void TileGrid::find_occupied() {
   for (Index group = 0; group < view_.groups; ++group) {
     std::uint32_t tiles = 0;
     for (Index i = 0; i < kTileGroup; ++i) {
-      const bool dark = view_.changed_rows[group * kTileGroup + i] != 0;
-      tiles |= std::uint32_t{dark} << i;
+      const bool occupied = view_.changed_rows[group * kTileGroup + i] != 0;
+      tiles |= std::uint32_t{occupied} << i;
     }
     occupied_[count_of(group)] = tiles;
   }

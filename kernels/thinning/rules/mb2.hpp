@@ -8,8 +8,8 @@ namespace thinbench::detail {
 /// Bernard and Manzanera's MB2, "Improved low complexity fully parallel thinning algorithm", ICIAP
 /// 1999. The feature is I, the interior: a foreground pixel with four foreground 4-neighbours.
 /// Removed where (a1 or a2) and not b: a1 is I on one side and background opposite, a2 is I on a
-/// diagonal and background at the two opposite 4-neighbours, b is a dark diagonal between two
-/// background direct neighbours.
+/// diagonal and background at the two opposite 4-neighbours, b is a foreground diagonal
+/// between two background 4-neighbours.
 ///
 /// Invariants: topology, idempotent, subset. Lines two pixels wide stay where the width is even.
 struct Mb2 {
@@ -41,7 +41,7 @@ struct Mb2 {
     return ternary(edge, alone, n.p, [](auto a, auto b, auto c) { return (~a | b) & c; });
   }
 
-  /// As published, on words that hold 0 or 1 in a whole lane.
+  /// As published, on lanes that hold 0 or 1.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n,
                                                          const Neighbourhood<Lane>& i) {

@@ -6,22 +6,20 @@
 namespace thinbench::detail {
 
 /// The modified Naccache-Shinghal rule of the paper (section 3.1): a foreground pixel is removed
-/// where one or two of B0, B2, B4, B6 are FALSE, and stays where none, three or four are.
+/// where one or two of B0, B2, B4, B6 are FALSE, and kept where none, three or four are.
 ///
-/// Invariants: a background pixel stays background; the rule is symmetric under quarter turns and
-/// mirrors; each removal on its own keeps topology. NOT invariant: removing all at once, as an
-/// iteration does, takes bars of two pixels' width away and breaks slanted lines, so skeletons of
-/// the published procedure fall into fragments: 13,908,139 of the 2^25 images of 5 x 5 pixels
-/// change topology.
+/// Invariants: background stays background; symmetric under rotation by 90 degrees and reflection;
+/// each single removal keeps topology. NOT invariant: topology. Removing all at once, as an
+/// iteration does, erases bars two pixels wide and breaks slanted lines, so skeletons fall into
+/// fragments: 13,908,139 of the 2^25 images of 5 x 5 pixels change topology.
 struct NaccacheShinghal {
   static constexpr int kSubIterations = 1;
 
-  /// The new pixel. Two circuits, because the best for gates of three inputs is a poor one for two:
-  /// on the test image it is 10 % faster with vpternlog, 5 to 10 % slower on AVX2 and SSE and 40 %
-  /// in general registers, where its chain is longer.
+  /// Two circuits, because the best one of three-input gates has a longer dependency chain where
+  /// each gate takes several instructions: docs/experiments.md#one-circuit-for-every-isa.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
-    return by_fewest_instructions<NaccacheShinghal>(n);
+    return by_native_gates<NaccacheShinghal>(n);
   }
 
   /// removed = (n6 X | n2 Y) ~(n0 n2 n4 n6) with X = n4 ~n1 | n0 ~n3 and Y = n4 ~n7 | n0 ~n5: 14
@@ -35,10 +33,9 @@ struct NaccacheShinghal {
     return n.p & ~(edge & ~inner);
   }
 
-  /// Eight gates, update included. `north` is the part of n2 Y that the case n0 n6 leaves, and each
-  /// of the two terms after it takes one half of X. Found by simulated annealing over networks;
-  /// four gates were shown to be too few for the decision alone, seven with the update were not
-  /// found.
+  /// Eight gates, update included. `north` is the part of n2 Y that the case n0 n6 leaves; each of
+  /// the next two gates takes one half of X. Searched for fewer:
+  /// docs/experiments.md#smaller-circuits.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_three_input_gates(const Neighbourhood<Word>& n) {
     constexpr auto both = [](auto a, auto b, auto) { return a & b; };
@@ -58,8 +55,8 @@ struct NaccacheShinghal {
                    [](auto a, auto b, auto c) { return ~(a | b) & c; });
   }
 
-  /// The same, as published: four expressions and a count of the FALSE ones, on words that hold 0
-  /// or 1 in a whole lane. What a compiler is given to vectorise.
+  /// As published: four expressions and a count of the FALSE ones, on lanes that hold 0 or 1.
+  /// Engines use it where compilers vectorise.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n) {
     const Neighbourhood<Lane> c = complement(n);

@@ -5,10 +5,9 @@
 
 namespace thinbench::detail {
 
-/// One direction per sub-iteration, each on the result of the one before: left, right, top, bottom
-/// edge points of Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), that is, foreground pixels
-/// with a background neighbour on that side whose expression (B4, B0, B2 or B6) is TRUE, are
-/// removed.
+/// Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), one direction per sub-iteration: left,
+/// right, top, bottom. Removes edge points, which are foreground pixels with a background neighbour
+/// on that side, where the expression of the side (B4, B0, B2 or B6) is TRUE.
 ///
 /// Invariants: topology (8-connected objects, 4-connected background), idempotent, subset.
 struct SptaDirectional {

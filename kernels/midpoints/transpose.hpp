@@ -1,44 +1,50 @@
-// How rows and diagonals become columns, and come back.
+// How rows and diagonals become columns, and back.
 #pragma once
 
-#include "simd/word.hpp"
-#include "midpoints/unrolled.hpp"
+#include "midpoints/counter.hpp"
 #include "midpoints/work.hpp"
+#include "simd/word.hpp"
 
 namespace thinbench::detail {
 
-/// Batch `word` of a row that is turned by `pixels` towards the east; `ring` holds the row twice.
+/// Batch `word` of a row rotated left by `pixels`, that is, to the east; `ring` has the row twice.
 template <class Word>
-[[gnu::always_inline]] inline Word turned_word(const std::uint64_t* ring, Index words, Index pixels,
-                                               Index word) {
+[[gnu::always_inline]] inline Word rotl_row(const std::uint64_t* ring, Index words, Index pixels,
+                                            Index word) {
   using Traits = WordTraits<Word>;
   const std::uint64_t* from = ring + words - pixels / kWordBits + word;
   const int shift = static_cast<int>(pixels % kWordBits);
   return (Traits::load(from) << shift) | (Traits::load(from - 1) >> 1 >> (kWordBits - 1 - shift));
 }
 
-/// By how many pixels rows are turned, one after another, so that diagonals become columns.
-class Turn {
- public:
-  [[gnu::always_inline]] Turn(const Sheet& sheet, Direction direction, Index y)
-      : around_(sheet.words * kWordBits),
-        step_(direction == Direction::antidiagonals ? 1 : around_ - 1),
-        pixels_(y % around_ * step_ % around_) {}
+/// The same in a register, for word types that hold a whole row and specialise this.
+template <class Word>
+struct RegisterTurn {
+  static constexpr bool kAvailable = false;
+};
 
-  [[nodiscard, gnu::always_inline]] Index there() const { return pixels_; }
+/// The rotation of successive rows that makes diagonals columns.
+class DiagonalRotation {
+ public:
+  [[gnu::always_inline]] DiagonalRotation(const PackedRows& rows, Direction direction, Index y)
+      : ring_pixels_(rows.words * kWordBits),
+        per_row_(direction == Direction::antidiagonals ? 1 : ring_pixels_ - 1),
+        pixels_(y % ring_pixels_ * per_row_ % ring_pixels_) {}
+
+  [[nodiscard, gnu::always_inline]] Index forward() const { return pixels_; }
   [[nodiscard, gnu::always_inline]] Index back() const {
-    return pixels_ == 0 ? 0 : around_ - pixels_;
+    return pixels_ == 0 ? 0 : ring_pixels_ - pixels_;
   }
   [[gnu::always_inline]] void move_down() {
-    pixels_ += step_;
-    if (pixels_ >= around_) pixels_ -= around_;
+    pixels_ += per_row_;
+    if (pixels_ >= ring_pixels_) pixels_ -= ring_pixels_;
   }
 
  private:
-  Index around_, step_, pixels_;
+  Index ring_pixels_, per_row_, pixels_;
 };
 
-/// 64 rows of one batch: a block of 64 x 64 pixels a lane.
+/// 64 rows of one batch: a block of 64 x 64 pixels per lane.
 template <class Word>
 struct Blocks {
   using Traits = WordTraits<Word>;
@@ -71,28 +77,29 @@ struct Blocks {
   }
 
   /// Pixel (x, y) of each block becomes pixel (y, x): halves are exchanged, then quarters ... Eight
-  /// rows stay in registers for three of the six steps.
+  /// rows stay in registers for three of the six stages.
   [[gnu::always_inline]] void transpose() {
-    for (Index y = 0; y < 8; ++y) three_steps<8>(y);
-    for (Index y = 0; y < kWordBits; y += 8) three_steps<1>(y);
+    for (Index y = 0; y < 8; ++y) three_stages<8>(y);
+    for (Index y = 0; y < kWordBits; y += 8) three_stages<1>(y);
   }
 
  private:
-  /// Exchanges between rows y, y + apart ... y + 7 apart.
-  template <int apart>
-  [[gnu::always_inline]] void three_steps(Index y) {
+  /// Exchanges between rows y, y + distance ... y + 7 distance.
+  template <int distance>
+  [[gnu::always_inline]] void three_stages(Index y) {
     Word eight[8];
-    unrolled<8>([&](auto i) __attribute__((always_inline)) { eight[i] = row(y + i * apart); });
-    step<4, 4 * apart>(eight);
-    step<2, 2 * apart>(eight);
-    step<1, apart>(eight);
-    unrolled<8>([&](auto i) __attribute__((always_inline)) { set_row(y + i * apart, eight[i]); });
+    unrolled<8>([&](auto i) __attribute__((always_inline)) { eight[i] = row(y + i * distance); });
+    exchange<4, 4 * distance>(eight);
+    exchange<2, 2 * distance>(eight);
+    exchange<1, distance>(eight);
+    unrolled<8>([&](auto i)
+                    __attribute__((always_inline)) { set_row(y + i * distance, eight[i]); });
   }
 
-  /// The high parts, of `pixels` pixels each, of every row change places with the low parts of the
-  /// row that is `places` places on.
+  /// Exchanges the high parts, of `pixels` pixels each, of every row with the low parts of the row
+  /// `places` places on.
   template <int places, int pixels>
-  [[gnu::always_inline]] static void step(Word* eight) {
+  [[gnu::always_inline]] static void exchange(Word* eight) {
     constexpr std::uint64_t low = ~std::uint64_t{0} / ((std::uint64_t{1} << pixels) + 1);
     unrolled<8>([&](auto i) __attribute__((always_inline)) {
       if constexpr ((i & places) == 0) {
