@@ -78,7 +78,7 @@ std::span<const RegionsOperation> regions_operations() {
 const LocaliseOperation& localise_operation() {
   static const LocaliseOperation operation = {
       "localise_objects",
-      "grey picture to Sobel's edges, contours, filled interiors and centres of objects and holes",
+      "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
       localise_variants()};
   return operation;
 }

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "nets/exponential.hpp"
-#include "thinning/engines/pair_table.hpp"
 
 namespace thinbench::detail {
 namespace {

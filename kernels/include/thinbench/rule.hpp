@@ -1,5 +1,5 @@
-// The catalogue of thinning rules. A new parallel rule is a line in each of the two lists here, a
-// file in kernels/thinning/rules/, a reference and a test.
+// The catalogue of thinning rules. A new parallel rule needs a line in each of the two lists here,
+// a file in kernels/thinning/rules/, a reference and a test.
 #pragma once
 
 #include <array>

@@ -8,7 +8,6 @@
 // docs/experiments.md#one-column-per-pixel.
 #include <cstring>
 
-#include "thinning/engines/pair_table.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/rule_table.hpp"
 

@@ -33,8 +33,8 @@ TileGrid::TileGrid(Index width, Index height, Border border)
   occupied_ = make_aligned<std::uint32_t>(count_of(view_.groups));
   view_.occupied = occupied_.get();
   wanted_ = make_aligned<std::uint32_t>(count_of(kMaxSubIterations * view_.groups));
-  for (Index step = 0; step < kMaxSubIterations; ++step) {
-    view_.wanted[count_of(step)] = wanted_.get() + step * view_.groups;
+  for (Index sub = 0; sub < kMaxSubIterations; ++sub) {
+    view_.wanted[count_of(sub)] = wanted_.get() + sub * view_.groups;
   }
   occupied_groups_ = make_aligned<std::uint64_t>(count_of(group_words()));
   view_.occupied_groups = occupied_groups_.get();

@@ -11,7 +11,8 @@ namespace thinbench::detail {
 /// diagonal and background at the two opposite 4-neighbours, b is a foreground diagonal
 /// between two background 4-neighbours.
 ///
-/// Invariants: topology, idempotent, subset. Lines two pixels wide stay where the width is even.
+/// Invariants: topology, idempotent, subset. NOT invariant: thinness; strokes of even width become
+/// two pixels wide.
 struct Mb2 {
   static constexpr int kSubIterations = 1;
   static constexpr bool kTwoStages = true;
