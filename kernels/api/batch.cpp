@@ -15,15 +15,38 @@
 
 namespace thinbench {
 
-using detail::LaneKernel;
+namespace {
+
+/// Thins images [first, last) in memory of its own and returns the largest number of iterations.
+using Worker = std::function<int(const ConstStackView& source, const StackView& destination,
+                                 Index first, Index last)>;
+
+Worker lane_worker(detail::LaneKernel kernel, Index height, const Options& options) {
+  const auto words = static_cast<std::size_t>(detail::lane_scratch_words(height));
+  const std::shared_ptr<std::uint64_t[]> scratch = detail::make_aligned<std::uint64_t>(words);
+  const int max_iterations = options.max_iterations;
+  const bool keep_border = options.border == Border::keep;
+  return [=](const ConstStackView& source, const StackView& destination, Index first, Index last) {
+    return kernel({source, destination, max_iterations, keep_border}, first, last, scratch.get());
+  };
+}
+
+Worker single_worker(std::shared_ptr<detail::ThinningState> state) {
+  return [state = std::move(state)](const ConstStackView& source, const StackView& destination,
+                                    Index first, Index last) {
+    int iterations = 0;
+    for (Index i = first; i < last; ++i) {
+      iterations = std::max(iterations, state->run(source.image(i), destination.image(i)));
+    }
+    return iterations;
+  };
+}
+
+}  // namespace
 
 /// Shares the images of a stack among threads.
 class ThinningBatch::Engine {
  public:
-  /// Thins images [first, last) in memory of its own and returns the largest number of iterations.
-  using Worker = std::function<int(const ConstStackView& source, const StackView& destination,
-                                   Index first, Index last)>;
-
   Engine(std::vector<Worker> workers, bool one_by_one)
       : team_(static_cast<int>(workers.size())),
         workers_(std::move(workers)),
@@ -67,34 +90,16 @@ ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options
     const auto& variant = detail::choose(operation, width, height, single);
     return detail::make_state(operation, variant, width, height, single);
   };
-  // Lanes need the state for one image only for its checks.
-  std::shared_ptr<detail::ThinningState> state = make_state();
+  auto state = make_state();  // lanes need it only for its checks
   const Isa isa = options.isa.value_or(best_isa());
-  const LaneKernel kernel = detail::kernels_of<detail::LaneKernels>(isa).by_rule[rule];
+  const detail::LaneKernel kernel = detail::kernels_of<detail::LaneKernels>(isa).by_rule[rule];
   const bool in_lanes = kernel != nullptr && !options.technique && width <= detail::kMaxLaneWidth;
-  std::vector<Engine::Worker> workers;
+  std::vector<Worker> workers;
   for (int i = 0; i < options.threads; ++i) {
     if (in_lanes) {
-      const auto words = static_cast<std::size_t>(detail::lane_scratch_words(height));
-      std::shared_ptr<std::uint64_t[]> scratch = detail::make_aligned<std::uint64_t>(words);
-      workers.emplace_back([kernel, scratch, max_iterations = options.max_iterations,
-                            keep_border = options.border == Border::keep](const auto& source,
-                                                                          const auto& destination,
-                                                                          Index first, Index last) {
-        return kernel({source, destination, max_iterations, keep_border}, first, last,
-                      scratch.get());
-      });
+      workers.push_back(lane_worker(kernel, height, options));
     } else {
-      if (i > 0) state = make_state();
-      workers.emplace_back(
-          [state](const auto& source, const auto& destination, Index first, Index last) {
-            int iterations = 0;
-            for (Index image = first; image < last; ++image) {
-              iterations =
-                  std::max(iterations, state->run(source.image(image), destination.image(image)));
-            }
-            return iterations;
-          });
+      workers.push_back(single_worker(i == 0 ? std::move(state) : make_state()));
     }
   }
   engine_ = std::make_unique<Engine>(std::move(workers), !in_lanes);
