@@ -67,11 +67,12 @@ std::string enumeration(const std::vector<std::string_view>& words, const char* 
   return text;
 }
 
-const ThinningOperation& operation_named(std::string_view name) {
-  if (const ThinningOperation* operation = find_thinning_operation(name)) return *operation;
+const detail::ThinningOperation& operation_named(std::string_view name) {
   std::vector<std::string_view> known;
-  known.reserve(thinning_operations().size());
-  for (const ThinningOperation& operation : thinning_operations()) known.push_back(operation.name);
+  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
+    if (operation.name == name) return operation;
+    known.push_back(operation.name);
+  }
   refuse_name("operation", name, known);
 }
 

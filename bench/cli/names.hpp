@@ -23,7 +23,7 @@ namespace thinbench {
                                       const char* before_last = " and ");
 
 /// Each throws UsageError for an unknown name.
-[[nodiscard]] const ThinningOperation& operation_named(std::string_view name);
+[[nodiscard]] const detail::ThinningOperation& operation_named(std::string_view name);
 [[nodiscard]] Technique technique_named(std::string_view name);
 [[nodiscard]] Isa isa_named(std::string_view name);
 [[nodiscard]] Border border_named(std::string_view name);
