@@ -58,7 +58,7 @@ TEST(Comparison, another_number_of_passes_fails_whatever_instructions_say) {
   EXPECT_TRUE(fewer.fails());
   EXPECT_EQ(to_text(fewer),
             "a: 1000 instructions before, 900 now (-10.0 %)\n"
-            "a: 7 passes before, 6 now\n"
+            "a: 7 iterations before, 6 now\n"
             "1 rows compared: 0 take more instructions, 1 fewer (tolerance 1 %)\n");
 }
 
