@@ -9,7 +9,7 @@ namespace {
 
 TEST(TrainedNets, are_followed_by_every_variant) {
   for (const std::uint64_t seed : {2U, 3U}) {
-    const TrainedTwoLayer trained = train_two_layer(stay_table_of_rule(), {.seed = seed});
+    const TrainedTwoLayer trained = train_two_layer(keep_table_of_rule(), {.seed = seed});
     ASSERT_EQ(trained.right_linear, 256);
     expect_every_variant_follows(to_weights(trained.net), Activation::linear);
     expect_every_variant_follows(to_weights(trained.net), Activation::sigmoid);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "support/byte_image.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace thinbench {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "picture/mat_of.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench {
 namespace {

@@ -260,7 +260,7 @@ TEST(ParallelRules, only_remove_pixels) {
 
 TEST(Rotation, by_half_a_turn_swaps_opposite_neighbours) {
   const Neighbourhood<int> n = {8, 0, 1, 2, 3, 4, 5, 6, 7};
-  const Neighbourhood<int> half = turned<4>(n);
+  const Neighbourhood<int> half = rotated<4>(n);
   EXPECT_EQ(half.n0, 4);
   EXPECT_EQ(half.n3, 7);
   EXPECT_EQ(half.n7, 3);
