@@ -1,4 +1,4 @@
-// Processor features; an instruction set is a set of them.
+// Processor features, of which instruction sets are sets.
 #pragma once
 
 #include <cstdint>
