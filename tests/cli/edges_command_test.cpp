@@ -32,10 +32,10 @@ class EdgesCommand : public testing::Test {
     EXPECT_EQ(folder.names(), Names{"in.png"});
     return text;
   }
-  void expect_output(const ByteImage& grey, std::string_view operation,
+  void expect_output(const ByteImage& grey, EdgeOperator op,
                      const EdgeThresholds& thresholds) const {
     ByteImage expected(grey.width(), grey.height());
-    detect_edges(operation, grey.view(), expected.view(), thresholds);
+    detect_edges(op, grey.view(), expected.view(), thresholds);
     EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
   }
 
@@ -51,7 +51,7 @@ TEST_F(EdgesCommand, writes_the_edges_and_one_line) {
   EXPECT_EQ(result.status, 0) << result.err;
   const std::regex line(R"(edges_prewitt/\w+/[\w.]+/1: 90 x 40, \d+ edge pixels, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
-  expect_output(picture(), "edges_prewitt", {70, 200});
+  expect_output(picture(), EdgeOperator::prewitt, {70, 200});
 }
 
 TEST_F(EdgesCommand, long_names_of_the_thresholds_say_the_same) {
@@ -59,14 +59,14 @@ TEST_F(EdgesCommand, long_names_of_the_thresholds_say_the_same) {
       run({"--gradient-threshold", "70", "--brightness-threshold", "200", "--foreground", "dark"})
           .status,
       0);
-  expect_output(picture(), "edges_sobel", {70, 200});
+  expect_output(picture(), EdgeOperator::sobel, {70, 200});
 }
 
 TEST_F(EdgesCommand, brightness_threshold_is_the_top_of_the_dark_foreground_by_default) {
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "180"}).status, 0);
-  expect_output(picture(), "edges_sobel", {EdgeThresholds{}.p1, 179});
+  expect_output(picture(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 179});
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "0"}).status, 0);
-  expect_output(picture(), "edges_sobel", {EdgeThresholds{}.p1, 0});
+  expect_output(picture(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 0});
 }
 
 ByteImage inverted_picture() {
@@ -81,9 +81,11 @@ ByteImage inverted_picture() {
 
 TEST_F(EdgesCommand, images_with_bright_foreground_are_inverted_first) {
   EXPECT_EQ(run({"--p2", "250", "--foreground", "bright"}).status, 0);
-  expect_output(inverted_picture(), "edges_sobel", {EdgeThresholds{}.p1, 250});
+  expect_output(inverted_picture(), EdgeOperator::sobel,
+                {EdgeThresholds{}.gradient_threshold, 250});
   EXPECT_EQ(run({"--foreground", "bright", "--threshold", "180"}).status, 0);
-  expect_output(inverted_picture(), "edges_sobel", {EdgeThresholds{}.p1, 255 - 180});
+  expect_output(inverted_picture(), EdgeOperator::sobel,
+                {EdgeThresholds{}.gradient_threshold, 255 - 180});
 }
 
 /// A square of one level on another, far from the border.

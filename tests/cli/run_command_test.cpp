@@ -32,7 +32,7 @@ ByteImage skeleton_of(const ByteImage& grey, int threshold, bool invert) {
       image.at(x, y) = (grey.at(x, y) >= threshold) != invert ? 1 : 0;
     }
   }
-  thin(kOperation, image.view(), image.view());
+  thin(Rule::naccache_shinghal, image.view(), image.view());
   return image;
 }
 
@@ -99,8 +99,13 @@ TEST_F(RunCommand, skeletons_are_foreground_again) {
   EXPECT_TRUE(equal(read_grey(out).view(), skeleton.view()));
 }
 
-TEST_F(RunCommand, max_iterations_are_not_supported_yet) {
-  EXPECT_EQ(failure({"--max-iterations", "3"}, 2), "--max-iterations is not supported yet");
+TEST_F(RunCommand, max_iterations_end_the_thinning_early) {
+  const ProgramRun result = run({"--max-iterations", "2"});
+  EXPECT_NE(result.out.find(", 2 iterations, "), std::string::npos) << result.out << result.err;
+  ByteImage expected(bars().width(), bars().height());
+  thin(Rule::naccache_shinghal, binarise(bars(), {}).image.view(), expected.view(),
+       {.max_iterations = 2});
+  EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
 }
 
 TEST_F(RunCommand, uses_the_variant_that_was_asked_for) {
@@ -124,15 +129,15 @@ TEST_F(RunCommand, directions_choose_where_skeleton_scan_looks) {
   };
   Options how;
   how.directions = kNoDirections;
-  how.directions->add(Direction::rows);
-  how.directions->add(Direction::diagonals);
+  how.directions.add(Direction::rows);
+  how.directions.add(Direction::diagonals);
   ByteImage expected = bars();
   for (Index y = 0; y < expected.height(); ++y) {
     for (Index x = 0; x < expected.width(); ++x) {
       expected.at(x, y) = expected.at(x, y) >= 61 ? 1 : 0;
     }
   }
-  thin("skeleton_scan", expected.view(), expected.view(), how);
+  thin(Rule::midpoint_scan, expected.view(), expected.view(), how);
   EXPECT_TRUE(equal(scan("rows,diagonals").view(), expected.view()));
   EXPECT_FALSE(equal(scan("columns").view(), expected.view()));
 }

@@ -36,7 +36,7 @@ std::optional<std::string> difference(std::string_view operation, std::string_vi
 TEST(ThinningPeers, opencv_equals_the_references_that_keep_the_border) {
   for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
     const Scene scene = render_scene({kind});
-    for (const char* operation : {"thin_zhang_suen", "thin_guo_hall"}) {
+    for (const char* operation : {"thin_zhang_suen:keep", "thin_guo_hall:keep"}) {
       const auto found = difference(operation, "opencv", scene.binary);
       EXPECT_FALSE(found) << operation << ": " << found.value_or("");
     }
@@ -45,7 +45,7 @@ TEST(ThinningPeers, opencv_equals_the_references_that_keep_the_border) {
 
 TEST(ThinningPeers, opencv_differs_from_the_plain_reference_at_the_border) {
   const Scene scene = render_scene({SceneKind::frame_touching});
-  const auto job = peer("thin_guo_hall", "opencv").make_job(510, 412, 1);
+  const auto job = peer("thin_guo_hall:keep", "opencv").make_job(510, 412, 1);
   const Outcome plain = expected_of("thin_guo_hall", scene.binary.view());
   EXPECT_FALSE(equal(outcome_of(*job, scene.binary.view()).image.view(), plain.image.view()));
 }
