@@ -6,8 +6,8 @@
 // in 16 bits: about 115 operations for 64 pixels on AVX-512.
 #include "dispatch/exported.hpp"
 #include "nets/changed_pixels.hpp"
-#include "nets/net_kernels.hpp"
 #include "nets/model.hpp"
+#include "nets/net_kernels.hpp"
 #include "simd/vector.hpp"
 
 namespace thinbench::detail {

@@ -200,6 +200,7 @@ Index label_rows(const ConstBitPlaneView& image, Index first, Index last, RunLab
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const RunEngine Exported<RunEngine, kThisIsa>::kKernels = {&label_rows<true>, &label_rows<false>};
+constinit const RunEngine Exported<RunEngine, kThisIsa>::kKernels = {&label_rows<true>,
+                                                                     &label_rows<false>};
 
 }  // namespace thinbench::detail

@@ -27,8 +27,8 @@
 
 #include <xsimd/xsimd.hpp>
 
-#include "thinbench/isa.hpp"
 #include "thinbench/image_view.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {

@@ -1,5 +1,5 @@
-// A row of up to 512 pixels in one 512-bit register; the whole image (26 KB for 412 rows) is thinned
-// in place in scratch memory that stays in the first-level cache.
+// A row of up to 512 pixels in one 512-bit register; the whole image (26 KB for 412 rows) is
+// thinned in place in scratch memory that stays in the first-level cache.
 //
 // Cost per row and sub-iteration: 1 load, 1 store, 4 instructions for the two neighbours (2 lane
 // shifts, 2 funnel shifts; 6 without VBMI2), the rule's gates, 1 to notice change, 1 more where the

@@ -1,11 +1,11 @@
 // Sub-iterations on tiles of 16 x 32 packed pixels, only those within one pixel of which something
 // changed since the sub-iteration last ran. Compiled once for every ISA.
 //
-// Cost per tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's gates,
-// 1 to notice change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from there
-// to the grid; a rule of two stages takes 16 funnel shifts and 15 loads, of which GCC makes 20. An
-// image is in the grid once: new pixels wait until no neighbour needs the old ones.
-// As few wait as the list allows: with room for the densest list, 32 KB for 4,120 rows, they pushed
+// Cost per tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's
+// gates, 1 to notice change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from
+// there to the grid; a rule of two stages takes 16 funnel shifts and 15 loads, of which GCC
+// makes 20. An image is in the grid once: new pixels wait until no neighbour needs the old ones. As
+// few wait as the list allows: with room for the densest list, 32 KB for 4,120 rows, they pushed
 // the grid out of the first cache, and Zhang-Suen's rule took 14 % longer on deep strokes.
 //
 // It visits 8,613 tiles of the test image with Guo-Hall's rule, where the row kernel visits 18,228
