@@ -1,4 +1,4 @@
-// Processor features, of which instruction sets are sets.
+// Processor features; an instruction set is a set of them.
 #pragma once
 
 #include <cstdint>
