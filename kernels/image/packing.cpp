@@ -1,12 +1,10 @@
-// Conversions between byte images and planes, compiled once for every instruction-set level.
+// Conversions between byte images and planes, compiled once for every ISA.
 //
 // Packing compares 64 bytes with zero and keeps one bit of each: 1 (AVX-512), 2 (AVX2) or 4 (SSE2)
 // comparisons and mask moves for a word. Unpacking spreads the bits again: a mask move on AVX-512,
 // else each byte of the word is broadcast to the lanes of its bits and tested there. Both are bound
-// by the bytes moved, 1 byte a pixel. Prefetching the rows kBytesAhead further on took an eighth
-// off packing 21 MB that no cache held; non-temporal (prefetchnta) it took twice as long. Moving
-// whole cache lines instead of 64 bytes that cross two, the bits of each put together from two
-// words, took the same time.
+// by the bytes moved, 1 byte per pixel. Rows are prefetched kBytesAhead bytes ahead:
+// docs/experiments.md#prefetching-source-rows. Not adopted: docs/experiments.md#whole-cache-lines.
 #include "image/packing.hpp"
 
 #include "simd/vector.hpp"

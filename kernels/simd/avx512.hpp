@@ -174,15 +174,15 @@ inline WordBatch next_word(WordBatch a) {
 // of an index count: lane 0 gets lane 8 - n.
 inline WordBatch rotated(WordBatch row, Index pixels) {
   const __m512i lanes = _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 6, 7);
-  const __m512i here = _mm512_sub_epi64(lanes, _mm512_set1_epi64(pixels / kWordBits));
+  const __m512i here = _mm512_sub_epi64(lanes, _mm512_set1_epi64(pixels / 64));
   const __m512i before = _mm512_sub_epi64(here, _mm512_set1_epi64(1));
-  const __m512i up = _mm512_set1_epi64(pixels % kWordBits);
+  const __m512i up = _mm512_set1_epi64(pixels % 64);
   const __m512i high = _mm512_permutexvar_epi64(here, row);
   const __m512i low = _mm512_permutexvar_epi64(before, row);
 #ifdef __AVX512VBMI2__
   return _mm512_shldv_epi64(high, low, up);
 #else
-  const __m512i down = _mm512_sub_epi64(_mm512_set1_epi64(kWordBits), up);  // 64 gives 0
+  const __m512i down = _mm512_sub_epi64(_mm512_set1_epi64(64), up);  // 64 gives 0
   return _mm512_or_si512(_mm512_sllv_epi64(high, up), _mm512_srlv_epi64(low, down));
 #endif
 }

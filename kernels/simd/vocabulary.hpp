@@ -28,7 +28,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "thinbench/isa.hpp"
-#include "image/plane_view.hpp"
+#include "thinbench/image_view.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
@@ -89,7 +89,7 @@ struct Square {
 };
 
 /// Whether rows of up to 512 pixels fit one register.
-inline constexpr bool kRegisterHoldsRow = static_cast<Index>(WordBatch::size) == kBlockWords;
+inline constexpr bool kRegisterHoldsRow = 8 * sizeof(WordBatch) == 512;
 
 // ---- Bytes and bits.
 

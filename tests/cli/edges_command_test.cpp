@@ -114,8 +114,10 @@ TEST_F(EdgesCommand, finds_the_edges_of_either_polarity_without_options) {
 }
 
 TEST_F(EdgesCommand, uses_the_variant_that_was_asked_for) {
-  const ProgramRun result = run({"--technique", "lut", "--threads", "3"});
-  EXPECT_EQ(result.out.rfind("edges_sobel/lut/baseline/3: ", 0), 0U) << result.out << result.err;
+  const ProgramRun result =
+      run({"--technique", "simd_16bit", "--isa", "baseline", "--threads", "3"});
+  EXPECT_EQ(result.out.rfind("edges_sobel/simd_16bit/baseline/3: ", 0), 0U)
+      << result.out << result.err;
 }
 
 TEST_F(EdgesCommand, bad_arguments_are_one_line_and_no_output) {

@@ -69,7 +69,7 @@ TEST(ExperimentCommand, table_2_refuses_what_is_no_results_folder) {
   static_cast<void>(folder.with("timings.csv", "operation,technique\n"));
   EXPECT_EQ(failure_of(args, 1), csv + ": has no column isa");
   static_cast<void>(folder.with("timings.csv", std::string(kHeader) + "a,b,c\n"));
-  EXPECT_EQ(failure_of(args, 1), csv + ": line 2 is cut off");
+  EXPECT_EQ(failure_of(args, 1), csv + ": line 2 is truncated");
   static_cast<void>(
       folder.with("timings.csv", std::string(kHeader) + "a,b,c,1,end_to_end,scene,fast\n"));
   EXPECT_EQ(failure_of(args, 1), csv + ": line 2: 'fast' is no time");

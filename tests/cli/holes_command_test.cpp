@@ -178,7 +178,10 @@ TEST_F(HolesCommand, variants_that_cannot_run_are_explained_as_by_the_other_comm
             "union_find runs on one thread only, not on 2");
   write_grey(in, ByteImage(65535, 1).view());
   EXPECT_EQ(failure_of({"holes", in, "--technique", "simd_runs"}, 1),
-            "simd_runs takes pictures up to 65534 pixels wide; this one has 65535");
+            "simd_runs takes images up to 65534 pixels wide; this one has 65535");
+}
+
+TEST_F(HolesCommand, isas_above_the_cap_are_explained) {
   const IsaCap cap("baseline");
   if (!cpu_supports(Isa::avx2)) GTEST_SKIP() << "needs avx2";
   EXPECT_EQ(failure_of({"holes", in, "--isa", "avx2"}, 1),

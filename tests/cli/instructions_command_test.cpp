@@ -43,13 +43,13 @@ TEST(InstructionsCommand, more_instructions_than_stored_are_exit_status_1_and_no
   EXPECT_EQ(run_with(counting({"--against", none})).status, 4);
 }
 
-TEST(InstructionsCommand, limits_give_instructions_a_cycle) {
+TEST(InstructionsCommand, limits_give_instructions_per_cycle) {
   const ProgramRun run = run_with(counting({"--limits", "--quick", "--json"}));
   EXPECT_EQ(run.status, 0) << run.err;
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json.at("/input/height"_json_pointer), 24);
   ASSERT_EQ(json.at("rows").size(), 1U);
-  EXPECT_GT(json.at("/rows/0/instructions_a_cycle"_json_pointer), 0.1);
+  EXPECT_GT(json.at("/rows/0/instructions_per_cycle"_json_pointer), 0.1);
 }
 
 TEST(InstructionsCommand, images_are_binarised_as_asked_for) {

@@ -215,7 +215,7 @@ TEST(Program, options_of_images_need_one_where_the_scene_is_the_default) {
 TEST(Program, malformed_cap_stops_every_command) {
   const IsaCap cap("sse9");
   const std::string text =
-      "THINBENCH_MAX_ISA=sse9 is no level; use baseline, sse4.2, avx2, avx512 or avx512icl";
+      "THINBENCH_MAX_ISA: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got 'sse9'";
   int stopped = 0;
   for (Words words : all_commands()) {
     if (words.empty() || !commands_below(words).empty()) continue;

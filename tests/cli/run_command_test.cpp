@@ -179,8 +179,8 @@ TEST_F(RunCommand, unknown_technique_and_isa_get_the_nearest_known_name) {
 TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
   EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
             "lut_sliding runs on one thread only, not on 2");
-  EXPECT_EQ(failure({"--technique", "simd_float_bytes"}, 2)
-                .find("thin_naccache_shinghal is not made by simd_float_bytes, only by lut, "),
+  EXPECT_EQ(failure({"--technique", "simd_float_bits"}, 2)
+                .find("thin_naccache_shinghal is not made by simd_float_bits, only by lut, "),
             0U);
   if (!isa_available(Isa::sse42)) GTEST_SKIP() << "needs sse4.2";
   EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
@@ -210,7 +210,7 @@ TEST_F(RunCommand, picture_wider_than_the_limit_is_refused) {
   if (!isa_available(Isa::avx512)) GTEST_SKIP() << "needs avx512";
   write_grey(in, bars(600).view());
   EXPECT_EQ(failure({"--technique", "simd_bitpacked_row"}, 1),
-            "simd_bitpacked_row takes pictures up to 512 pixels wide; this one has 600");
+            "simd_bitpacked_row takes images up to 512 pixels wide; this one has 600");
 }
 
 TEST_F(RunCommand, unreadable_input_is_one_line_and_no_output) {
@@ -236,7 +236,7 @@ TEST_F(RunCommand, unwritable_output_is_one_line_and_no_output) {
 TEST_F(RunCommand, trained_weights_drive_every_technique) {
   const std::string weights = folder.file("weights.json");
   ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
-  for (const char* technique : {"lut", "autovec", "simd_float_bits", "simd_bitpacked"}) {
+  for (const char* technique : {"lut", "lut_sliding", "simd_float_bits", "simd_bitpacked"}) {
     const ProgramRun result = run_with({"run", "net_single_layer_cluster", in, out, "--weights",
                                         weights, "--technique", technique, "--isa", "baseline"});
     EXPECT_EQ(result.status, 0) << result.err;

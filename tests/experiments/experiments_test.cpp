@@ -250,7 +250,7 @@ TEST(ExperimentReports, numbers_of_the_tables_stand_in_the_files) {
   EXPECT_EQ(counts.at("/methods/0/sums/logical"_json_pointer), 40);
   EXPECT_EQ(counts.at("/methods/4/sums/arithmetic"_json_pointer), 39);
   const Json quantisation = Json::parse(quantisation_report(run_quantisation()).json);
-  EXPECT_EQ(quantisation.at("/as_printed/right_linear"_json_pointer), 256);
+  EXPECT_EQ(quantisation.at("/as_published/right_linear"_json_pointer), 256);
   EXPECT_EQ(quantisation.at("/rows/0/right_sigmoid"_json_pointer), 251);
   const Json hidden = Json::parse(
       hidden_neurons_report({{7, 9, 250, 240, 0, 0}, {8, 9, 256, 256, 5, 200}}, {}).json);

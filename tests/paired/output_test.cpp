@@ -37,10 +37,10 @@ TEST_F(Output, csv_has_the_columns_that_readers_know) {
   const std::vector<std::string> lines = lines_of(to_csv(results));
   EXPECT_EQ(lines[0],
             "operation,technique,isa,threads,scope,input,against,ratio,low,high,processes,rounds,"
-            "reference_ns,variant_ns,clock,layout,output_hash,flags,verified,against_row");
+            "reference_ns,variant_ns,clock,layout,output_hash,flags,verified,against_row,border,max_iterations");
   EXPECT_EQ(lines[1],
             "copy,lut,baseline,1,end_to_end,scene,reference,2,1.994,2.006,9,18,1000000,500000,"
-            "thread_cpu,0+2048,0123456789abcdef,via,1,reference/baseline/1/end_to_end");
+            "thread_cpu,0+2048,0123456789abcdef,via,1,reference/baseline/1/end_to_end,,");
   EXPECT_EQ(lines.size(), 1 + results.size());
 }
 
@@ -63,7 +63,7 @@ TEST_F(Output, samples_are_json_lines_from_which_the_ratios_follow) {
 
 TEST_F(Output, verdict_says_interval_and_coverage) {
   EXPECT_EQ(verdict_line(results),
-            "PASS: a row against itself 1, slowed by 10 % 0.90937; 0 of 1 operations flagged by "
+            "PASS: a row against itself 1, slowed by 10 % 0.90937; 0 of 1 cases flagged by "
             "their own controls; intervals from 2 to 8 of 9 ordered process values, coverage "
             "96.1 %");
 }

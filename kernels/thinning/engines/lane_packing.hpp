@@ -4,6 +4,7 @@
 // ends with the row and may overlap the one before.
 #pragma once
 
+#include "image/plane_view.hpp"
 #include "simd/vector.hpp"
 
 namespace thinbench::detail {

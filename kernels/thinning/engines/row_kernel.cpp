@@ -1,27 +1,13 @@
-// A row of up to 512 pixels in one 512-bit register; the whole image (26 KB for 412 rows) is
-// thinned in place in scratch memory that stays in the first-level cache.
+// A row of up to 512 pixels in one 512-bit register; the whole image (26 KB for 412 rows) is thinned
+// in place in scratch memory that stays in the first-level cache.
 //
-// Cost a row and sub-iteration: 1 load, 1 store, 4 instructions for the two neighbours (2 lane
-// shifts, 2 funnel shifts; 6 without VBMI2), the rule's gates, 1 to notice change. Rows are grouped
-// in bands; a band whose neighbourhood did not change during the last cycle is not visited.
+// Cost per row and sub-iteration: 1 load, 1 store, 4 instructions for the two neighbours (2 lane
+// shifts, 2 funnel shifts; 6 without VBMI2), the rule's gates, 1 to notice change, 1 more where the
+// border is kept. Rows are grouped in bands; a band whose neighbourhood did not change during the
+// last iteration is skipped. Bands are bits of one word here, because the image is one column of
+// registers that changes in place; planes and tiles need lists of their own.
 //
-// Counted and left: with column x in register x mod 8 most neighbours lie in other registers, and a
-// row of Guo-Hall's takes 11 vector instructions instead of 15. But then a register's lanes lie
-// rows apart (13 at best), and fewer can be passed over: 22,336 instead of 18,228 rows on the test
-// image. Bands of 4 rows instead of 7 would visit 17,332. Neighbours kept for the next
-// sub-iteration would serve rows that this one did not change only: those that it changed need the
-// shifts anew, and which is which would be a branch a row. Column x in
-// register x mod 8 again, with eight rows that follow each other in its lanes: no more rows are
-// visited than here, and 2 lane shifts a register serve all six neighbours above and below, 13.75
-// instructions a row instead of 15 for Guo-Hall's, 11.75 instead of 13 for the printed rule; left
-// for what that gains at most, pixels being packed in another order.
-//
-// Measured and left, with Guo-Hall's rule, 15 vector instructions a row: neighbours from
-// unaligned loads instead of lane shifts, 13 instructions, the same time, since each of these loads
-// crosses a cache line; column x in lane x mod 8, where neighbours are the row itself stored a lane
-// beside and its two outermost lanes shifted, 11 instructions and 8 % slower with the lanes taken
-// from the register, 2.6 times as slow with the lanes read back from memory; three rows a turn of
-// the loop without moves of registers, 1 % faster.
+// Measured, not adopted: docs/experiments.md#row-kernel.
 #include "thinning/engines/row_kernel.hpp"
 
 #include "dispatch/exported.hpp"

@@ -1,8 +1,8 @@
 // Sub-iterations on tiles of 16 x 32 packed pixels, only those within one pixel of which something
-// changed since the sub-iteration last ran. Compiled once for every instruction-set level.
+// changed since the sub-iteration last ran. Compiled once for every ISA.
 //
-// Cost a tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's gates,
-// 1 to see the change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from there
+// Cost per tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's gates,
+// 1 to notice change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from there
 // to the grid; a rule of two stages takes 16 funnel shifts and 15 loads, of which GCC makes 20. An
 // image is in the grid once: new pixels wait until no neighbour needs the old ones.
 // As few wait as the list allows: with room for the densest list, 32 KB for 4,120 rows, they pushed
@@ -13,18 +13,7 @@
 // instructions alone are 10, stores 3 and loads across lines 2. It wins where strokes are deep or
 // images large: most tiles are quiet then.
 //
-// Measured and left:
-// - huge pages, prefetching the tiles ahead, writing only rows that changed, and a list that knows
-//   in which direction groups changed: nothing gained;
-// - a wavefront, in which several steps follow each other strip by strip while pixels are in a near
-//   cache: 31 cycles a visit, lists included, instead of 30 on the scene tiled 10 x 10, and 44
-//   instead of 38 on the scene enlarged 10 times: what each short list costs is more than what
-//   nearer pixels save;
-// - tiles of 32 x 32 in two registers, even and odd rows, 8 funnel shifts instead of 12: the loop
-//   alone took 8 % less for the same pixels, with fewer visits of larger tiles counted in;
-// - flags of neighbours above and below moved as bits instead of loaded twice: the same time.
-// With strips a multiple of 32 tiles apart, writes and reads compete for the same addresses modulo
-// 4096: 6 % slower.
+// Measured, not adopted: docs/experiments.md#tiles.
 #include "thinning/engines/tile_passes.hpp"
 
 #include <algorithm>
