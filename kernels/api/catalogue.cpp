@@ -53,7 +53,7 @@ std::vector<RegionsOperation> make_regions_operations() {
                     "4-connected objects minus 8-connected holes")};
 }
 
-/// The operation whose `key` is `wanted`, an enumerator that `name` says in the text.
+/// The operation with this value of `key`; `name` is for the message.
 template <class Operations, class Key, class Wanted>
 const auto& operation_with(const Operations& operations, Key key, Wanted wanted,
                            const std::string& name) {

@@ -27,7 +27,7 @@ template <class T>
   return AlignedArray<T>(new (memory) T[count]());
 }
 
-/// Owns an image, zeroed at first, with rows as padded_row_bytes lays them out.
+/// Owns an image, zeroed at first, with rows padded by padded_row_bytes.
 class ByteImage {
  public:
   ByteImage() = default;

@@ -50,7 +50,7 @@ class LabelledRuns {
   /// The root of each label of a colour; that of all background connected to the border is 0.
   [[nodiscard]] const Label* roots(int colour) { return table(colour).parents; }
   [[nodiscard]] Label labels(int colour) { return table(colour).count; }
-  /// For the root of a hole: a label of the contour round it. For other labels: any contour's.
+  /// For the root of a hole: a label of the contour around it. For other labels: any contour's.
   [[nodiscard]] Label contour_of_hole(Label root) {
     return table(0).regions[root].enclosing_object;
   }

@@ -10,7 +10,7 @@
 
 namespace thinbench::detail {
 
-/// Labels a band and owns the memory for it: 44 bytes per column, a few thousand bytes, and labels.
+/// Labels a band and owns the memory for it: 44 bytes per column, a few thousand more, and labels.
 class RunBand {
  public:
   explicit RunBand(Index width);

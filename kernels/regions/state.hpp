@@ -37,8 +37,6 @@ class RegionsState {
   virtual ~RegionsState() = default;
   RegionsState(const RegionsState&) = delete;
   RegionsState& operator=(const RegionsState&) = delete;
-  RegionsState(RegionsState&&) = delete;
-  RegionsState& operator=(RegionsState&&) = delete;
 
   /// Packs the image.
   virtual void load(const ConstImageView& source) = 0;

@@ -33,8 +33,6 @@ class ThinningState {
   virtual ~ThinningState() = default;
   ThinningState(const ThinningState&) = delete;
   ThinningState& operator=(const ThinningState&) = delete;
-  ThinningState(ThinningState&&) = delete;
-  ThinningState& operator=(ThinningState&&) = delete;
 
   virtual void load(const ConstImageView& source) = 0;
   /// Returns the number of iterations, including the last one, which changed nothing.

@@ -22,8 +22,8 @@ inline constexpr std::array kAllIsas = {Isa::baseline, Isa::sse42, Isa::avx2, Is
 /// avx2 and the sets that it contains are available. It is read once, when it is first needed.
 inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 
-/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl". This and the others that take an Isa throw
-/// std::invalid_argument for a number that is none of the enumeration.
+/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl". All functions of an Isa throw
+/// std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] std::string_view isa_name(Isa isa);
 [[nodiscard]] std::optional<Isa> isa_from_name(std::string_view name);
 

@@ -1,5 +1,6 @@
-// The original SPTA, with sequential scans: a pixel's decision depends on those before it, so byte
-// lanes and threads are impossible. Packed words resolve the dependence within a row by carries.
+// The original SPTA, with sequential scans: a pixel's decision depends on those before it, so
+// there are no byte lanes and no threads. Packed words resolve the dependence within a row by
+// carries.
 //
 // Invariants: topology (8-connected objects, 4-connected background), idempotent, subset.
 #pragma once

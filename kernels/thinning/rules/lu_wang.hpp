@@ -5,18 +5,17 @@
 
 namespace thinbench::detail {
 
-/// Lu and Wang, "A comment on 'A fast parallel algorithm for thinning digital patterns'", CACM 29(3),
-/// 1986: as Zhang and Suen's rule, but a pixel needs 3 to 6 foreground neighbours to be removed, not
-/// 2 to 6, so that slanted lines two pixels wide keep their length.
+/// Lu and Wang, "A comment on 'A fast parallel algorithm for thinning digital patterns'", CACM
+/// 29(3), 1986: Zhang and Suen's rule with 3 to 6 foreground neighbours instead of 2 to 6, so that
+/// slanted lines two pixels wide keep their length.
 ///
-/// Invariants: idempotent, the result is a subset. NOT invariant: topology, as for Zhang and Suen's
-/// rule.
+/// Invariants: idempotent, subset. NOT invariant: topology, as for Zhang and Suen's rule.
 struct LuWang {
   static constexpr int kSubIterations = 2;
 
-  /// Where Zhang and Suen remove a pixel, its foreground neighbours follow each other on the way
-  /// round it, so three or more of them include two that are two steps apart. Six gates beside
-  /// theirs.
+  /// Where Zhang and Suen remove a pixel, its foreground neighbours are consecutive, so three or
+  /// more of them include two at distance two around the pixel. Six three-input or nine two-input
+  /// gates more.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
     const Word two_sides = (n.n0 | n.n4) & (n.n2 | n.n6);
