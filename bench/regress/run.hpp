@@ -19,12 +19,11 @@ struct PairTimes {
 struct MeasuredRow {
   std::string name;  // case/technique/isa/threads/scope/input
   bool threaded = false;
-  CaseLabels labels =
-      {};  // these three are empty and 0 where the samples are older than the fields
-  std::string input_hash;
+  std::string input_hash;  // empty and 0 where the samples are older than these fields
   std::int64_t pixels = 0;
   std::vector<double> logs;  // ln(reference's time / row's time), a process each
   PairTimes times;
+  CaseLabels labels = {};  // empty where the samples are older
 };
 
 /// The controls of a case on an input. Which row they are made of may differ between

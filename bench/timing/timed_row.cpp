@@ -158,9 +158,9 @@ class Selector {
   }
 
   bool admissible(const Row& row, const TimedInput& input) {
-    const std::string_view reason = row.unavailable_reason(input.width());
+    std::string reason = row.unavailable_reason(input.width());
     if (reason.empty()) return true;
-    selection_.skipped.push_back({row.name + "/" + input.name, std::string(reason)});
+    selection_.skipped.push_back({row.name + "/" + input.name, std::move(reason)});
     return false;
   }
 
