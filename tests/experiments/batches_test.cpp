@@ -27,8 +27,8 @@ TEST(StrokeImages, differ_and_are_as_dark_as_written_digits) {
   for (Index i = 1; i < stack.count; ++i) {
     EXPECT_FALSE(equal(stack.image(i - 1), stack.image(i))) << i;
   }
-  EXPECT_GT(dark_share(stack), 0.1);
-  EXPECT_LT(dark_share(stack), 0.3);
+  EXPECT_GT(foreground_share(stack), 0.1);
+  EXPECT_LT(foreground_share(stack), 0.3);
 }
 
 TEST(StrokeImages, leave_two_pixels_at_the_frame_light) {
@@ -45,7 +45,7 @@ TEST(StrokeImages, leave_two_pixels_at_the_frame_light) {
 }
 
 TEST(StrokeImages, of_no_images_or_no_pixels_are_not_dark) {
-  EXPECT_EQ(dark_share(stroke_images(0, 28, 1).view()), 0);
+  EXPECT_EQ(foreground_share(stroke_images(0, 28, 1).view()), 0);
 }
 
 TEST(Batches, have_a_row_for_each_operation_and_size_with_ordered_ratios) {
@@ -57,7 +57,7 @@ TEST(Batches, have_a_row_for_each_operation_and_size_with_ordered_ratios) {
     EXPECT_LE(row.ratio, row.ratio_high);
     EXPECT_GT(row.single_per_second, 0);
     EXPECT_GT(row.batch_per_second, 0);
-    EXPECT_GT(row.passes, 1);
+    EXPECT_GT(row.iterations, 1);
   }
   const ExperimentReport report = batches_report(rows, choice, " --quick");
   const auto json = nlohmann::json::parse(report.json);

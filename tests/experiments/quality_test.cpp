@@ -73,9 +73,9 @@ TEST(SkeletonMeasures, overlap_is_both_over_either) {
 
 TEST(SkeletonMeasures, four_quarter_turns_are_none) {
   const ByteImage image = image_of({"#..", ".##"});
-  ByteImage turned = quarter_turned(image.view());
+  ByteImage turned = rotated_by_quarter(image.view());
   EXPECT_TRUE(equal(turned.view(), image_of({".#", ".#", "#."}).view()));
-  for (int turn = 1; turn < 4; ++turn) turned = quarter_turned(turned.view());
+  for (int turn = 1; turn < 4; ++turn) turned = rotated_by_quarter(turned.view());
   EXPECT_TRUE(equal(turned.view(), image.view()));
 }
 
@@ -106,17 +106,17 @@ TEST(ThinningQuality, pictures_never_get_the_name_of_the_file_of_a_skeleton) {
 
 ByteImage turned(const ConstImageView& image, int quarters) {
   ByteImage result = copy_of(image);
-  for (int turn = 0; turn < quarters; ++turn) result = quarter_turned(result.view());
+  for (int turn = 0; turn < quarters; ++turn) result = rotated_by_quarter(result.view());
   return result;
 }
 
 /// The overlap of the skeleton with that of the image turned by so many quarters.
 double overlap_turned(const std::string& operation, const ConstImageView& image, int quarters) {
   ByteImage skeleton(image.width, image.height);
-  thin(operation, image, skeleton.view());
+  thin(*rule_from_name(operation), image, skeleton.view());
   const ByteImage source = turned(image, quarters);
   ByteImage other(source.width(), source.height());
-  thin(operation, source.view(), other.view());
+  thin(*rule_from_name(operation), source.view(), other.view());
   return overlap(skeleton.view(), turned(other.view(), 4 - quarters).view());
 }
 

@@ -140,14 +140,14 @@ TEST(PairedSession, result_other_than_the_proved_one_stops_a_process) {
 TEST(PairedSession, program_measures_in_processes_of_its_own) {
   const TemporaryFolder folder;
   const std::string command = std::string(THINBENCH_PAIRED_PROGRAM) +
-                              " --filter '^edges_sobel/lut/' --processes 2 --rounds 1 --csv-out " +
+                              " --filter '^holes/union_find/' --processes 2 --rounds 1 --csv-out " +
                               folder.file("s.csv") + " >" + folder.file("out") + " 2>" +
                               folder.file("err");
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c)
   const int exit_status = status / 256;
   EXPECT_TRUE(exit_status == 0 || exit_status == kInconclusive) << bytes_of(folder.file("err"));
   EXPECT_NE(bytes_of(folder.file("s.csv"))
-                .find("\nedges_sobel,lut,baseline,1,end_to_end,scene,"
+                .find("\nholes,union_find,baseline,1,end_to_end,scene,"
                       "reference,"),
             std::string::npos);
 }

@@ -19,32 +19,34 @@ Baseline baseline_of(const MeasuredRun& run) {
   return baseline;
 }
 
-const RowVerdict& row_of(const std::vector<RowVerdict>& rows, const std::string& name) {
+const RegressionVerdict& row_of(const std::vector<RegressionVerdict>& rows,
+                                const std::string& name) {
   return *std::find_if(rows.begin(), rows.end(),
-                       [&](const RowVerdict& row) { return row.name == name; });
+                       [&](const RegressionVerdict& row) { return row.name == name; });
 }
 
-int number_of(const std::vector<RowVerdict>& rows, Verdict verdict) {
-  return static_cast<int>(std::count_if(
-      rows.begin(), rows.end(), [&](const RowVerdict& row) { return row.verdict == verdict; }));
+int number_of(const std::vector<RegressionVerdict>& rows, Verdict verdict) {
+  return static_cast<int>(
+      std::count_if(rows.begin(), rows.end(),
+                    [&](const RegressionVerdict& row) { return row.verdict == verdict; }));
 }
 
 /// As ./study regress does it: what is not PASS is measured again, controls are heeded.
 template <class Compare>
-std::vector<RowVerdict> gated(const Compare& compare, Neighbour neighbour, std::uint64_t seed,
-                              double slowed) {
+std::vector<RegressionVerdict> gated(const Compare& compare, Neighbour neighbour,
+                                     std::uint64_t seed, double slowed) {
   const auto judged = [&](std::uint64_t run_seed) {
     const MeasuredRun run = run_for_tests(run_seed, slowed);
-    std::vector<RowVerdict> rows = compare(run, run_seed);
+    std::vector<RegressionVerdict> rows = compare(run, run_seed);
     doubt(judge_controls(run, neighbour), rows);
     return rows;
   };
-  std::vector<RowVerdict> rows = judged(seed);
+  std::vector<RegressionVerdict> rows = judged(seed);
   confirm(judged(seed + 1000), rows);
   return rows;
 }
 
-std::vector<RowVerdict> two_builds(std::uint64_t seed, double slowed) {
+std::vector<RegressionVerdict> two_builds(std::uint64_t seed, double slowed) {
   return gated(
       [](const MeasuredRun& run, std::uint64_t run_seed) {
         return between(run_for_tests(run_seed + 5000), run, kRules);
@@ -52,7 +54,7 @@ std::vector<RowVerdict> two_builds(std::uint64_t seed, double slowed) {
       Neighbour::next_process, seed, slowed);
 }
 
-std::vector<RowVerdict> against_stored(std::uint64_t seed, double slowed) {
+std::vector<RegressionVerdict> against_stored(std::uint64_t seed, double slowed) {
   const Baseline baseline = baseline_of(run_for_tests(seed + 7000));
   return gated([&](const MeasuredRun& run,
                    std::uint64_t) { return against_baseline(run, baseline, kRules); },
@@ -60,7 +62,7 @@ std::vector<RowVerdict> against_stored(std::uint64_t seed, double slowed) {
 }
 
 TEST(Gate, planted_slow_down_of_ten_percent_fails_between_two_builds_and_no_other_row_does) {
-  const std::vector<RowVerdict> rows = two_builds(1, 0.10);
+  const std::vector<RegressionVerdict> rows = two_builds(1, 0.10);
   EXPECT_EQ(row_of(rows, kFirst).verdict, Verdict::fail) << to_table(rows, true);
   EXPECT_EQ(number_of(rows, Verdict::fail), 1) << to_table(rows, true);
 }
@@ -97,7 +99,7 @@ TEST(Gate, threads_are_reported_and_judged_only_when_asked_for) {
   MeasuredRun now = run_for_tests(1, 0.5);
   now.rows[kFirst].threaded = true;
   const MeasuredRun before = run_for_tests(2);
-  const RowVerdict skipped = row_of(between(before, now, kRules), kFirst);
+  const RegressionVerdict skipped = row_of(between(before, now, kRules), kFirst);
   EXPECT_EQ(skipped.verdict, Verdict::skipped);
   EXPECT_EQ(skipped.reason, "threads: reported, not judged");
   EXPECT_EQ(row_of(between(before, now, {true, 2048}), kFirst).verdict, Verdict::fail);
@@ -110,7 +112,7 @@ TEST(Gate, rows_without_a_counterpart_or_of_another_picture_are_skipped) {
   now.rows[kFirst].input_hash = "another";
   now.rows["copy/new/avx2/1/kernel/scene"] = now.rows[row_for_tests(2)];
   now.rows["copy/new/avx2/1/kernel/scene"].name = "copy/new/avx2/1/kernel/scene";
-  const std::vector<RowVerdict> rows = against_baseline(now, baseline, kRules);
+  const std::vector<RegressionVerdict> rows = against_baseline(now, baseline, kRules);
   EXPECT_EQ(row_of(rows, row_for_tests(1)).reason, "not measured in this run");
   EXPECT_EQ(row_of(rows, kFirst).reason, "another picture than in the baseline");
   EXPECT_EQ(row_of(rows, "copy/new/avx2/1/kernel/scene").reason,
@@ -121,7 +123,7 @@ TEST(Gate, rows_without_a_counterpart_or_of_another_picture_are_skipped) {
 TEST(Gate, row_with_other_neighbours_is_in_doubt_rather_than_slower) {
   MeasuredRun now = run_for_tests(1, 0.5);
   now.rows.erase(row_for_tests(1));
-  const RowVerdict row = row_of(between(run_for_tests(2), now, kRules), kFirst);
+  const RegressionVerdict row = row_of(between(run_for_tests(2), now, kRules), kFirst);
   EXPECT_EQ(row.verdict, Verdict::undecided);
   EXPECT_EQ(row.reason, "measured beside other rows than before");
 }
@@ -145,7 +147,7 @@ TEST(Gate, simd_slower_than_scalar_code_of_its_kind_fails) {
   add("copy/simd_bitpacked/avx512/1/kernel/scene", 11);
   add("copy/simd_bytes/avx2/1/kernel/scene", 2);
   add("copy/simd_bytes/baseline/1/kernel/scene", 0.9);
-  const std::vector<RowVerdict> rows = against_scalar(run);
+  const std::vector<RegressionVerdict> rows = against_scalar(run);
   EXPECT_EQ(rows.size(), 4U);
   EXPECT_EQ(row_of(rows, "copy/simd_bitpacked/avx2/1/kernel/scene").verdict, Verdict::fail);
   EXPECT_EQ(row_of(rows, "copy/simd_bitpacked/avx512/1/kernel/scene").verdict, Verdict::pass);

@@ -26,9 +26,9 @@ TEST(GateControls, row_that_differs_from_itself_puts_all_rows_in_doubt) {
   shift(run.controls["copy/scene"].same, 0.03);
   const ControlVerdicts verdicts = judge_controls(run, Neighbour::same_process);
   EXPECT_FALSE(verdicts.pass);
-  std::vector<RowVerdict> rows = between(run_for_tests(2), run, {false, 2048});
+  std::vector<RegressionVerdict> rows = between(run_for_tests(2), run, {false, 2048});
   doubt(verdicts, rows);
-  for (const RowVerdict& row : rows) EXPECT_EQ(row.verdict, Verdict::undecided) << row.name;
+  for (const RegressionVerdict& row : rows) EXPECT_EQ(row.verdict, Verdict::undecided) << row.name;
   EXPECT_EQ(rows.front().reason, "a control failed");
 }
 

@@ -80,11 +80,12 @@ Measured by_turns(const TemporaryFolder& folder) {
   return measured;
 }
 
-RowVerdict verdict_on(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+RegressionVerdict verdict_on(const std::vector<std::string>& before,
+                             const std::vector<std::string>& now) {
   const MeasuredRun run = read_run(now);
-  std::vector<RowVerdict> rows = between(read_run(before), run, {false, 2048});
+  std::vector<RegressionVerdict> rows = between(read_run(before), run, {false, 2048});
   doubt(judge_controls(run, Neighbour::next_process), rows);
-  for (const RowVerdict& row : rows) {
+  for (const RegressionVerdict& row : rows) {
     if (row.name == kRow) return row;
   }
   ADD_FAILURE() << "there is no row " << kRow;
@@ -96,8 +97,8 @@ TEST(GateMeasured, row_slowed_by_a_tenth_does_not_pass_and_the_same_row_does_not
   testing::internal::CaptureStderr();
   const Measured measured = by_turns(folder);
   const std::string said = testing::internal::GetCapturedStderr();
-  const RowVerdict slowed = verdict_on(measured.before, measured.slowed);
-  const RowVerdict same = verdict_on(measured.before, measured.same);
+  const RegressionVerdict slowed = verdict_on(measured.before, measured.slowed);
+  const RegressionVerdict same = verdict_on(measured.before, measured.same);
   EXPECT_NE(slowed.verdict, Verdict::pass) << to_table({slowed}, true) << said;
   EXPECT_NE(same.verdict, Verdict::fail) << to_table({same}, true) << said;
   RecordProperty("slowed", to_table({slowed}, true));

@@ -56,7 +56,7 @@ TEST(GateSamples, files_that_are_no_whole_samples_are_refused_by_name) {
   EXPECT_TRUE(ends_with(error_of(folder.with("a", whole.substr(0, whole.size() - 20))),
                         "a': a line is no JSON object"));
   EXPECT_TRUE(ends_with(error_of(folder.with("b", whole.substr(0, whole.find('\n') + 1))),
-                        "b': it is cut short"));
+                        "b': it is truncated"));
   EXPECT_TRUE(ends_with(error_of(folder.with("c", "{\"kind\": \"run\", \"schema\": 2}\n")),
                         "c': its schema is unknown"));
   EXPECT_TRUE(ends_with(error_of(folder.with("d", "{}\n")), "d': it holds no samples"));

@@ -135,7 +135,7 @@ TEST_F(GateSession, baselines_that_cannot_be_read_are_refused_in_one_line) {
     EXPECT_EQ(result.err.find('\n'), result.err.size() - 1);
     return result.err.substr(result.err.rfind(".json': ") + 8);
   };
-  EXPECT_EQ(refused("{\"kind\": \"base"), "it is no JSON object, or cut short\n");
+  EXPECT_EQ(refused("{\"kind\": \"base"), "it is no JSON object, or truncated\n");
   EXPECT_EQ(refused("{}"), "it is no baseline\n");
   EXPECT_EQ(refused(R"({"kind": "baseline", "schema": 2})"), "its schema 2 is unknown\n");
 }

@@ -45,7 +45,7 @@ std::map<std::string, int> samples_of(const std::string& path) {
 }
 
 const std::vector<std::string> kTiny = {"--only", "isa", "--quick", "--filter",
-                                        "^edges_sobel/(lut|autovec)/baseline/"};
+                                        "^thin_guo_hall/(lut|autovec)/baseline/"};
 
 std::vector<std::string> tiny(std::vector<std::string> more) {
   more.insert(more.begin(), kTiny.begin(), kTiny.end());

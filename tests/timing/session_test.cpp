@@ -105,7 +105,7 @@ TEST(TimingSession, no_peers_leaves_them_out_of_rows_and_list) {
       "--largest-square", "0",
       "--repetitions",    "1",
       "--seconds",        "0.0001",
-      "--filter",         "^edges_sobel/(copy/own|lut/baseline)/1/",
+      "--filter",         "^edges_sobel/(copy/native|autovec/baseline)/1/",
       "--rows-out",       rows};
   EXPECT_EQ(run(args, operations_with_peers()).err.find("2 variants equal"), 0U);
   EXPECT_EQ(nlohmann::json::parse(bytes_of(rows)).at("peers").size(), peers().size());

@@ -13,14 +13,14 @@ namespace thinbench {
 namespace {
 
 const std::vector<TrainedRun>& trained(bool small_integers) {
-  static const std::vector<TrainedRun> plain = train_cluster(stay_table_of_rule(), {});
+  static const std::vector<TrainedRun> plain = train_cluster(keep_table_of_rule(), {});
   static const std::vector<TrainedRun> small =
-      train_cluster(stay_table_of_rule(), {kMaxClusterNets, true});
+      train_cluster(keep_table_of_rule(), {kMaxClusterNets, true});
   return small_integers ? small : plain;
 }
 
 /// Equations (6) and (7) in single precision.
-bool keeps(const Neuron& neuron, int k) {
+bool says_keep(const Neuron& neuron, int k) {
   float sum = neuron.bias;
   for (int i = 0; i < kNetInputs; ++i) {
     sum += neuron.weight[i] * static_cast<float>(neighbour(k, i));
@@ -29,11 +29,11 @@ bool keeps(const Neuron& neuron, int k) {
 }
 
 void expect_right_on_all_descriptors(const ClusterWeights& weights) {
-  const StayTable rule = stay_table_of_rule();
+  const KeepTable rule = keep_table_of_rule();
   int net = 0;
   for (int k = 0; k < kDescriptors; ++k) {
     if (k > weights.nets[net].last) ++net;
-    EXPECT_EQ(keeps(weights.nets[net].neuron, k), stays(rule, k)) << k;
+    EXPECT_EQ(says_keep(weights.nets[net].neuron, k), keeps(rule, k)) << k;
   }
   EXPECT_EQ(net + 1, weights.count);
 }
@@ -49,7 +49,7 @@ TEST(ClusterTraining, greedy_cut_gives_exactly_the_twelve_runs) {
 }
 
 TEST(ClusterTraining, every_run_is_learned_and_one_more_descriptor_is_impossible) {
-  const StayTable rule = stay_table_of_rule();
+  const KeepTable rule = keep_table_of_rule();
   for (const TrainedRun& run : trained(false)) {
     const auto [first, last] = run.run;
     EXPECT_TRUE(recognises(run.neuron, rule, run.run)) << first;
@@ -71,9 +71,9 @@ TEST(ClusterTraining, small_integers_are_no_larger_than_three) {
 }
 
 TEST(ClusterTraining, fewer_nets_than_needed_are_refused_with_the_number) {
-  EXPECT_NO_THROW((void)train_cluster(stay_table_of_rule(), {12, false}));
+  EXPECT_NO_THROW((void)train_cluster(keep_table_of_rule(), {12, false}));
   try {
-    (void)train_cluster(stay_table_of_rule(), {11, false});
+    (void)train_cluster(keep_table_of_rule(), {11, false});
     FAIL() << "11 nets were accepted";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "the rule takes 12 nets, proved to be the fewest; allowed are 11");
@@ -90,7 +90,7 @@ TEST(ClusterTraining, the_committed_header_is_what_training_makes) {
 }
 
 TEST(ClusterTraining, the_committed_weights_are_right_on_all_256_descriptors) {
-  expect_right_on_all_descriptors(kTrainedCluster);
+  expect_right_on_all_descriptors(detail::kTrainedCluster);
 }
 
 }  // namespace

@@ -10,15 +10,15 @@ namespace {
 
 constexpr DescriptorRun kSquare = {0, 3};  // all values of n0 and n1
 
-StayTable exclusive_or() {
-  StayTable table{};
+KeepTable exclusive_or() {
+  KeepTable table{};
   table[1] = table[2] = true;
   return table;
 }
 
-StayTable random_table(std::uint64_t seed) {
+KeepTable random_table(std::uint64_t seed) {
   Random random(seed);
-  StayTable table{};
+  KeepTable table{};
   for (bool& entry : table) entry = (random.next() & 1) != 0;
   return table;
 }
@@ -34,7 +34,7 @@ TEST(Separation, exclusive_or_is_contradicted_by_the_two_diagonals) {
 }
 
 TEST(Separation, altered_contradictions_prove_nothing) {
-  const StayTable table = exclusive_or();
+  const KeepTable table = exclusive_or();
   EXPECT_FALSE(proves_inseparable({}, table, kSquare));
   EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}, {3, 2}}, table, kSquare));
   EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}}, table, kSquare));
@@ -43,7 +43,7 @@ TEST(Separation, altered_contradictions_prove_nothing) {
 }
 
 TEST(Separation, majority_of_eight_neighbours_is_separable) {
-  StayTable table{};
+  KeepTable table{};
   for (unsigned k = 0; k < kDescriptors; ++k) table[k] = __builtin_popcount(k) >= 4;
   EXPECT_TRUE(find_contradiction(table, {0, 255}).empty());
 }
@@ -52,12 +52,12 @@ TEST(Separation, runs_of_random_tables_have_either_a_neuron_or_a_contradiction) 
   int separable = 0;
   int contradicted = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const StayTable table = random_table(seed);
+    const KeepTable table = random_table(seed);
     const int first = static_cast<int>(seed * 2);
     const DescriptorRun run = {first, first + 3 + static_cast<int>(seed % 20)};
     const Contradiction found = find_contradiction(table, run);
     if (found.empty()) {
-      EXPECT_TRUE(recognises(teach_perceptron(table, run).neuron, table, run)) << seed;
+      EXPECT_TRUE(recognises(train_perceptron(table, run).neuron, table, run)) << seed;
       ++separable;
     } else {
       EXPECT_TRUE(proves_inseparable(found, table, run)) << seed;
@@ -69,13 +69,13 @@ TEST(Separation, runs_of_random_tables_have_either_a_neuron_or_a_contradiction) 
 }
 
 TEST(Perceptron, gives_up_on_a_run_that_no_neuron_can_learn) {
-  EXPECT_THROW((void)teach_perceptron(exclusive_or(), kSquare), std::runtime_error);
+  EXPECT_THROW((void)train_perceptron(exclusive_or(), kSquare), std::runtime_error);
 }
 
 TEST(Perceptron, shrinking_keeps_the_answers_and_never_grows) {
-  const StayTable table = stay_table_of_rule();
+  const KeepTable table = keep_table_of_rule();
   const DescriptorRun run = {213, 224};
-  const IntegerNeuron taught = teach_perceptron(table, run).neuron;
+  const IntegerNeuron taught = train_perceptron(table, run).neuron;
   const IntegerNeuron small = shrink(taught, table, run);
   const auto magnitude = [](const IntegerNeuron& neuron) {
     int sum = std::abs(neuron.bias);

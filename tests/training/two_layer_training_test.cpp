@@ -8,13 +8,13 @@ namespace thinbench {
 namespace {
 
 TrainedTwoLayer train(std::uint64_t seed) {
-  return train_two_layer(stay_table_of_rule(), {.seed = seed});
+  return train_two_layer(keep_table_of_rule(), {.seed = seed});
 }
 
 TEST(TwoLayerNet, table_1_is_right_on_all_256_descriptors_with_both_activations) {
   const HiddenLayerNet net = to_net(kPaperTwoLayer);
-  EXPECT_EQ(table_of(net, Activation::sigmoid), stay_table_of_rule());
-  EXPECT_EQ(table_of(net, Activation::linear), stay_table_of_rule());
+  EXPECT_EQ(table_of(net, Activation::sigmoid), keep_table_of_rule());
+  EXPECT_EQ(table_of(net, Activation::linear), keep_table_of_rule());
 }
 
 TEST(TwoLayerNet, equation_2_is_linear_up_to_three_and_flat_beyond) {
@@ -29,7 +29,7 @@ TEST(TwoLayerTraining, training_reaches_all_256_vectors_with_both_activations) {
     const TrainedTwoLayer trained = train(seed);
     EXPECT_EQ(trained.right_sigmoid, 256) << seed;
     EXPECT_EQ(trained.right_linear, 256) << seed;
-    EXPECT_EQ(table_of(trained.net, Activation::sigmoid), stay_table_of_rule()) << seed;
+    EXPECT_EQ(table_of(trained.net, Activation::sigmoid), keep_table_of_rule()) << seed;
   }
 }
 
@@ -50,13 +50,13 @@ TEST(TwoLayerTraining, other_seeds_give_other_weights) {
 
 TEST(TwoLayerTraining, effort_is_bounded_and_the_best_net_is_returned) {
   const TrainedTwoLayer trained =
-      train_two_layer(stay_table_of_rule(), {.hidden = 2, .max_restarts = 1, .max_epochs = 100});
+      train_two_layer(keep_table_of_rule(), {.hidden = 2, .max_restarts = 1, .max_epochs = 100});
   EXPECT_EQ(trained.restarts, 1);
   EXPECT_EQ(trained.total_epochs, 200);
   EXPECT_LT(trained.right_sigmoid, 256);
   EXPECT_GE(trained.right_sigmoid, 176);  // as many as "always stays" gets right
   EXPECT_EQ(trained.right_sigmoid,
-            agreement(table_of(trained.net, Activation::sigmoid), stay_table_of_rule()));
+            agreement(table_of(trained.net, Activation::sigmoid), keep_table_of_rule()));
 }
 
 TEST(TwoLayerTraining, nets_of_other_sizes_are_not_written_as_eight_neurons) {

@@ -54,12 +54,12 @@ TEST(WeightsFile, two_layer_weights_read_back_bit_for_bit) {
 
 TEST(WeightsFile, cluster_weights_read_back_bit_for_bit) {
   const std::string path = testing::TempDir() + "cluster_weights.json";
-  write_whole_file(path, weights_json(kTrainedCluster, "thinbench train cluster"));
+  write_whole_file(path, weights_json(detail::kTrainedCluster, "thinbench train cluster"));
   const auto weights = std::get<ClusterWeights>(read_weights(path));
-  ASSERT_EQ(weights.count, kTrainedCluster.count);
+  ASSERT_EQ(weights.count, detail::kTrainedCluster.count);
   for (int n = 0; n < weights.count; ++n) {
-    EXPECT_EQ(weights.nets[n].last, kTrainedCluster.nets[n].last);
-    expect_equal(weights.nets[n].neuron, kTrainedCluster.nets[n].neuron);
+    EXPECT_EQ(weights.nets[n].last, detail::kTrainedCluster.nets[n].last);
+    expect_equal(weights.nets[n].neuron, detail::kTrainedCluster.nets[n].neuron);
   }
 }
 
@@ -92,7 +92,7 @@ TEST(WeightsFile, malformed_two_layer_weights_are_refused_with_the_field_named) 
 
 TEST(WeightsFile, malformed_clusters_are_refused_with_the_field_named) {
   const auto error = [](const std::string& pointer, const Json& value) {
-    return error_with(kTrainedCluster, pointer, value);
+    return error_with(detail::kTrainedCluster, pointer, value);
   };
   EXPECT_EQ(error("/nets/0/first", 1),
             "weights.json: nets[0].first must be 0: the runs cover 0 to 255 in order");
