@@ -1,6 +1,5 @@
-// What decides on one foreground pixel, as published. Over any kind of truth value and number,
-// because two things run it: the references, on bool and float, and the count of operations, on
-// types that count what is done with them.
+// The decision on one foreground pixel, as published. Over any type of truth value and number: the
+// references use bool and float, the count of operations uses types that count them.
 #pragma once
 
 #include <cmath>
@@ -12,8 +11,8 @@ namespace thinbench::reference {
 /// The sides of section 3.1, in the order of its expressions.
 enum class Side { left, right, top, bottom };
 
-/// B4, B0, B2 or B6 over the neighbours, n[0] east, then anticlockwise; foreground is TRUE. The
-/// complemented literals read `m`, which is `n` again but for the sequential SPTA.
+/// B4, B0, B2 or B6 over the neighbours, n[0] east, then anticlockwise; foreground is TRUE.
+/// Complemented literals read `m`, which differs from `n` in the sequential SPTA only.
 template <class Truth>
 Truth expression(Side side, const Truth (&n)[8], const Truth (&m)[8]) {
   switch (side) {
@@ -29,13 +28,13 @@ Truth expression(Side side, const Truth (&n)[8], const Truth (&m)[8]) {
   return n[2] && (n[0] || n[1] || n[3] || n[4]) && (n[4] || !m[5]) && (!m[7] || n[0]);
 }
 
-/// The neighbour on a side: a pixel is an edge point of the side where that is background.
+/// The neighbour on a side. A pixel is an edge point of the side if it is background.
 constexpr int neighbour_on(Side side) {
   constexpr int neighbours[] = {4, 0, 2, 6};
   return neighbours[static_cast<int>(side)];
 }
 
-/// All four: TRUE where the pixel is no edge point of the side, or a break or end point.
+/// For an edge point of a side: FALSE where it is a break or end point.
 template <class Truth>
 struct Expressions {
   Truth b0, b2, b4, b6;
@@ -80,7 +79,7 @@ Number activated(Number x) {
   }
 }
 
-/// Equation (3), once for each hidden neuron and once for the output.
+/// Equation (3), for each hidden neuron and for the output.
 template <Activation activation, class Number>
 Number two_layer_output(const TwoLayerWeights& net, const Number (&n)[8]) {
   Number hidden[8];
@@ -88,14 +87,14 @@ Number two_layer_output(const TwoLayerWeights& net, const Number (&n)[8]) {
   return activated<activation>(net_input(net.output, hidden));
 }
 
-/// The step (4): whether a foreground pixel is kept.
+/// Equation (4): whether a foreground pixel is kept.
 template <Activation activation, class Number>
 bool two_layer_keeps(const TwoLayerWeights& net, const Number (&n)[8]) {
   return two_layer_output<activation>(net, n) >= Number(0.5F);
 }
 
-/// Equations (5) to (7): the descriptor picks the net, which says whether a foreground pixel is
-/// kept.
+/// Equations (5) to (7): the descriptor selects the net, which decides whether a foreground pixel
+/// is kept.
 template <class Number>
 bool cluster_keeps(const ClusterWeights& cluster, const Number (&n)[8]) {
   using std::ldexp;

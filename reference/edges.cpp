@@ -6,8 +6,8 @@
 namespace thinbench::reference {
 namespace {
 
-/// A grey picture that continues beyond its frame with its outermost pixels.
-struct Picture {
+/// A grey image with edge replication.
+struct GreyImage {
   ConstImageView view;
 
   [[nodiscard]] int at(Index x, Index y) const {
@@ -21,16 +21,16 @@ struct Gradient {
   int gy;
 };
 
-Gradient roberts4(const Picture& f, Index x, Index y) {
+Gradient roberts4(const GreyImage& f, Index x, Index y) {
   return {f.at(x, y) - f.at(x + 1, y + 1), f.at(x + 1, y) - f.at(x, y + 1)};
 }
 
-Gradient roberts9(const Picture& f, Index x, Index y) {
+Gradient roberts9(const GreyImage& f, Index x, Index y) {
   return {f.at(x - 1, y - 1) - f.at(x + 1, y + 1), f.at(x + 1, y - 1) - f.at(x - 1, y + 1)};
 }
 
-/// Columns and rows of the window weighed 1, `middle`, 1: Prewitt with 1, Sobel with 2.
-Gradient weighed(const Picture& f, Index x, Index y, int middle) {
+/// Columns and rows of the window weighted 1, `middle`, 1: Prewitt with 1, Sobel with 2.
+Gradient weighted(const GreyImage& f, Index x, Index y, int middle) {
   const auto column = [&](Index at) {
     return f.at(at, y - 1) + middle * f.at(at, y) + f.at(at, y + 1);
   };
@@ -40,21 +40,21 @@ Gradient weighed(const Picture& f, Index x, Index y, int middle) {
   return {column(x + 1) - column(x - 1), row(y + 1) - row(y - 1)};
 }
 
-Gradient prewitt(const Picture& f, Index x, Index y) {
-  return weighed(f, x, y, 1);
+Gradient prewitt(const GreyImage& f, Index x, Index y) {
+  return weighted(f, x, y, 1);
 }
 
-Gradient sobel(const Picture& f, Index x, Index y) {
-  return weighed(f, x, y, 2);
+Gradient sobel(const GreyImage& f, Index x, Index y) {
+  return weighted(f, x, y, 2);
 }
 
 int sign(Index value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// The window split by its two diagonals, `up` pointing up.
+/// The window split by its two diagonals.
 template <int reach>
-Gradient mero_vassy(const Picture& f, Index x, Index y) {
+Gradient mero_vassy(const GreyImage& f, Index x, Index y) {
   Gradient split = {0, 0};
   for (Index up = -reach; up <= reach; ++up) {
     for (Index right = -reach; right <= reach; ++right) {
@@ -66,7 +66,7 @@ Gradient mero_vassy(const Picture& f, Index x, Index y) {
   return split;
 }
 
-int brightest_neighbour(const Picture& f, Index x, Index y) {
+int brightest_neighbour(const GreyImage& f, Index x, Index y) {
   int brightest = 0;
   for (Index row = y - 1; row <= y + 1; ++row) {
     for (Index column = x - 1; column <= x + 1; ++column) {
@@ -76,15 +76,16 @@ int brightest_neighbour(const Picture& f, Index x, Index y) {
   return brightest;
 }
 
-template <Gradient (*gradient)(const Picture& f, Index x, Index y), int scale>
+template <Gradient (*gradient)(const GreyImage& f, Index x, Index y), int scale>
 void edges_by(const EdgeThresholds& thresholds, ConstImageView source, ImageView destination) {
-  const auto [p1, p2] = thresholds;
-  const Picture picture = {source};
+  const auto [gradient_threshold, brightness_threshold] = thresholds;
+  const GreyImage image = {source};
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) {
-      const Gradient at = gradient(picture, x, y);
+      const Gradient at = gradient(image, x, y);
       const int magnitude = std::abs(at.gx) + std::abs(at.gy);
-      const bool edge = magnitude > p1 * scale && brightest_neighbour(picture, x, y) > p2;
+      const bool edge = magnitude > gradient_threshold * scale &&
+                        brightest_neighbour(image, x, y) > brightness_threshold;
       destination.row(y)[x] = edge ? 255 : 0;
     }
   }

@@ -14,8 +14,7 @@ struct Point {
 
 enum class Neighbours : std::uint8_t { four, eight };
 
-/// An image in a background margin one pixel wide, and the number of the region that took each
-/// pixel.
+/// An image in a background margin one pixel wide, and the number of each pixel's region.
 class Flood {
  public:
   explicit Flood(const ConstImageView& source)
@@ -29,7 +28,7 @@ class Flood {
     return numbers_[static_cast<std::size_t>((y + 1) * (width_ + 2) + x + 1)];
   }
 
-  /// Numbers all pixels of the colour of (x, y) that can be reached from there, and sums them up.
+  /// Numbers all pixels connected to (x, y), and sums them up.
   Region fill(Index x, Index y, Neighbours neighbours, std::uint32_t with) {
     const auto column = static_cast<std::int32_t>(x);
     const auto row = static_cast<std::int32_t>(y);
@@ -44,7 +43,7 @@ class Flood {
         for (Index dx = -1; dx <= 1; ++dx) {
           if (neighbours == Neighbours::four && dx != 0 && dy != 0) continue;
           const Point next = {here.x + dx, here.y + dy};
-          if (!inside_frame(next) || number(next.x, next.y) != 0) continue;
+          if (!inside_margin(next) || number(next.x, next.y) != 0) continue;
           if (foreground(next.x, next.y) != foreground(x, y)) continue;
           number(next.x, next.y) = with;
           waiting.push_back(next);
@@ -55,7 +54,7 @@ class Flood {
   }
 
  private:
-  [[nodiscard]] bool inside_frame(const Point& point) const {
+  [[nodiscard]] bool inside_margin(const Point& point) const {
     return point.x >= -1 && point.x <= width_ && point.y >= -1 && point.y <= height_;
   }
 
@@ -79,7 +78,7 @@ class Flood {
 
 constexpr std::uint32_t kOutside = UINT32_MAX;
 
-/// The pixel before the first one of a hole lies on the object round the hole.
+/// The western neighbour of a hole's first pixel belongs to the enclosing object.
 Regions find(const ConstImageView& source, Neighbours of_objects) {
   const Neighbours of_holes =
       of_objects == Neighbours::eight ? Neighbours::four : Neighbours::eight;

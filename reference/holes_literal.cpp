@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint8_t kPoint = 255;
 
-/// The grey levels during the scan, in a frame of background.
+/// The grey levels during the scan, in a background margin.
 class Levels {
  public:
   explicit Levels(const ConstImageView& contours)
@@ -64,7 +64,7 @@ class Scan {
     const std::array<int, 4> abcd = neighbours();
     const int largest = *std::max_element(abcd.begin(), abcd.end());
     levels_.at(x, y) = static_cast<std::uint8_t>(largest == 0 ? next_level() : largest);
-    // A replacement increments smaller levels, so each neighbour is looked at afresh.
+    // A replacement increments smaller levels, so each neighbour is read again.
     for (std::size_t i = 0; i < abcd.size(); ++i) {
       const int level = neighbours()[i];
       if (level == 0 || level >= largest) continue;

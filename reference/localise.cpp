@@ -5,7 +5,7 @@
 namespace thinbench::reference {
 namespace {
 
-/// What a pixel is found to be; the margin, one pixel wide, counts as background.
+/// The class of a pixel; the margin, one pixel wide, is background.
 enum class Kind : std::uint8_t { unknown, outside, outermost_contour, inside };
 
 class Outlines {
@@ -31,13 +31,13 @@ class Outlines {
   };
 
   [[nodiscard]] bool takes(Kind kind, Index x, Index y) {
-    const bool inside_frame = x >= -1 && x <= width_ && y >= -1 && y <= height_;
-    if (!inside_frame || this->kind(x, y) != Kind::unknown) return false;
+    const bool inside_margin = x >= -1 && x <= width_ && y >= -1 && y <= height_;
+    if (!inside_margin || this->kind(x, y) != Kind::unknown) return false;
     return contours_.at(x, y) == (kind == Kind::outermost_contour);
   }
 
-  /// Gives (x, y) a kind, and all that can be reached from there: contours by eight steps, what
-  /// lies between them by four.
+  /// Assigns a kind to (x, y) and all pixels connected to it: contours are 8-connected, regions
+  /// between them 4-connected.
   void spread(Index x, Index y, Kind kind) {
     std::vector<Point> waiting = {{x, y}};
     this->kind(x, y) = kind;

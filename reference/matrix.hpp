@@ -7,8 +7,7 @@
 
 namespace thinbench::reference {
 
-/// A matrix of foreground (1) and background (0) pixels, one byte each, with a margin of background
-/// one pixel wide.
+/// Foreground (1) and background (0) pixels, one byte each, in a background margin one pixel wide.
 class Matrix {
  public:
   Matrix(Index width, Index height)

@@ -5,7 +5,7 @@
 namespace thinbench::reference {
 namespace {
 
-/// One step along a direction, in the order in which pixels are visited.
+/// From a pixel to the next along a direction.
 struct Step {
   Index x;
   Index y;

@@ -6,7 +6,7 @@
 namespace thinbench::reference {
 namespace {
 
-/// The neighbours of a pixel as numbers, foreground is 1: the inputs of every net.
+/// The inputs of every net: foreground neighbours are 1.
 struct Inputs {
   float n[8];
 };
@@ -18,7 +18,7 @@ Inputs inputs_at(const Matrix& image, Index x, Index y) {
   return inputs;
 }
 
-/// The iterations of the published procedure, with a net to say whether a foreground pixel is kept.
+/// The published procedure with a net that decides whether a foreground pixel is kept.
 template <class Keeps>
 int thin_by(const Keeps& keeps, const Repetition& repetition, ConstImageView source,
             ImageView destination) {

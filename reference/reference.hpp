@@ -1,5 +1,5 @@
-// The paper in plain code: one short function per operation, obviously correct, never tuned. It
-// shares data types with the kernels (views of images, options, weights of nets) and no code that
+// The paper in plain code: one short function per operation, obviously correct, never tuned. Shares
+// data types with the kernels (views of images, options, weights of nets), but no code that
 // computes.
 #pragma once
 
@@ -13,41 +13,39 @@
 
 namespace thinbench::reference {
 
-/// How often to repeat, and what to do at the border.
 struct Repetition {
   Border border = Border::background;
   int max_iterations = kUnlimited;
 };
 
-/// Thinning by a rule, each in a file of its own:
+/// Thinning by a rule, one file per rule:
 ///
-/// naccache_shinghal: the modified rule of section 3.1, exactly as published. For each foreground
-/// pixel four expressions over its eight neighbours are calculated (n0 = east, then anticlockwise,
-/// foreground is TRUE):
+/// naccache_shinghal: the modified rule of section 3.1, exactly as published. Each foreground pixel
+/// has four expressions over its eight neighbours (n0 = east, then anticlockwise, foreground is
+/// TRUE):
 ///   B4 = n0 (n1 + n2 + n6 + n7) (n2 + !n3) (!n5 + n6)    left edge points
 ///   B0 = n4 (n2 + n3 + n5 + n6) (n6 + !n7) (!n1 + n2)    right edge points
 ///   B2 = n6 (n0 + n4 + n5 + n7) (n0 + !n1) (!n3 + n4)    top edge points
 ///   B6 = n2 (n0 + n1 + n3 + n4) (n4 + !n5) (!n7 + n0)    bottom edge points
-/// If one or two of them are FALSE the pixel becomes background in a second matrix, else it is
-/// copied. The second matrix then becomes the image, until an iteration changes nothing. Topology
-/// is not kept.
+/// If one or two of them are FALSE the pixel is background in a second matrix, else it is copied.
+/// The second matrix then becomes the image, until an iteration changes nothing. Does not keep
+/// topology.
 ///
 /// zhang_suen (CACM 27(3), 1984): two sub-iterations. The neighbours p2 ... p9 go clockwise from
-/// the north; a is the number of steps from background to foreground on the way round, b that of
-/// foreground neighbours. Equal to OpenCV's THINNING_ZHANGSUEN where the border is kept.
+/// the north; a is the number of transitions from background to foreground around the pixel, b that
+/// of foreground neighbours. Equal to OpenCV's THINNING_ZHANGSUEN where the border is kept.
 ///
 /// guo_hall (CACM 32(3), 1989): algorithm A1. Equal to OpenCV's THINNING_GUOHALL where the border
 /// is kept.
 ///
 /// spta (Naccache and Shinghal, IEEE SMC 14(3), 1984): sequential. An iteration is two scans in
 /// raster order: left and right edge points first, then top and bottom ones. A foreground pixel is
-/// flagged where it is an edge point of a side whose expression (above) is TRUE; there unprimed
-/// literals read "foreground and not yet flagged", the edge test and primed literals "background
-/// before the iteration". Flagged pixels become background after the iteration. Keeps topology, is
-/// idempotent.
+/// flagged where it is an edge point of a side with a TRUE expression (above). Unprimed literals
+/// read "foreground and not yet flagged", the edge test and primed literals "background before the
+/// iteration". Flagged pixels become background after the iteration. Keeps topology, idempotent.
 ///
-/// spta_directional: the same in four parallel sub-iterations: left, right, top and bottom edge
-/// points whose expression is TRUE are removed, each side on the result of the one before.
+/// spta_directional: the same in four parallel sub-iterations, which remove left, right, top and
+/// bottom edge points with a TRUE expression, each from the result of the one before.
 ///
 /// mb2 (Bernard and Manzanera 1999): fully parallel, support 5 x 5. I is a foreground pixel with
 /// four foreground 4-neighbours; a1: I on one side and background opposite; a2: I on a diagonal and
@@ -60,7 +58,7 @@ struct Repetition {
 ///
 /// Outside the image everything is background; with Border::keep the outermost pixels never change.
 /// `source`: 0 is background, anything else foreground; `destination`: 0 and 255, same size, may be
-/// the source. Returns the number of iterations, the last, which changed nothing, included.
+/// the source. Returns the number of iterations, including the last, which changed nothing.
 template <Rule rule>
 int thin(const Repetition& repetition, ConstImageView source, ImageView destination);
 
@@ -70,46 +68,45 @@ using Thinning = int (*)(const Repetition& repetition, ConstImageView source,
 /// The reference of a rule chosen at run time.
 [[nodiscard]] Thinning thinning(Rule rule);
 
-/// The paper's own method, end of section 3.1: the image is scanned along each of `directions`, and
-/// the midpoint of every run of foreground pixels, p[first ... last], is marked:
+/// The paper's own method, end of section 3.1: scans the image along each of `directions` and marks
+/// the midpoint of every run of foreground pixels, p[first ... last]:
 ///   midpoint = first + floor((last - first) / 2)
 /// The paper says "marking the centre point of the object segment" and no more. Chosen here: of the
-/// two middle pixels of an even run the first in the order of the scan (the western one in rows,
-/// else the northern one); a single pixel is the midpoint of itself, so that lines one pixel wide
-/// stay whole; outside the image everything is background, so that the border ends a run. The
-/// result is the union of all marks; with Border::keep the outermost pixels are those of the
-/// source.
+/// two middle pixels of an even run the first in scan order (the western one in rows, else the
+/// northern one); a single pixel is its own midpoint, so that lines one pixel wide are kept;
+/// outside the image everything is background, so the border ends a run. The result is the union of
+/// all marks; with Border::keep the outermost pixels are those of the source.
 ///
-/// Views as above; returns 1, there is one iteration. The result is a subset of the image with at
-/// least one pixel of every 8-component. It is neither connected nor thin in general, and not
-/// idempotent: it keeps no topology.
+/// Views as above; returns 1, the number of iterations. The result is a subset of the image with at
+/// least one pixel of every 8-component. In general it is neither connected nor thin nor
+/// idempotent; topology is not kept.
 int midpoint_scan(Directions directions, Border border, ConstImageView source,
                   ImageView destination);
 
 /// Thinning by the two-layer net of section 3.2: the published procedure, but a foreground pixel is
-/// kept where the net says 0.5 or more, equations (3) and (4) with activation (1) or (2). Single
+/// kept where the output is 0.5 or more, equations (3) and (4) with activation (1) or (2). Single
 /// precision; sums start with the bias and go from input 0 to input 7.
 int net_two_layer(const TwoLayerWeights& net, Activation activation, const Repetition& repetition,
                   ConstImageView source, ImageView destination);
 
-/// Thinning by the cluster of single-layer nets of section 3.3: the descriptor (5) picks the net,
+/// Thinning by the cluster of single-layer nets of section 3.3: the descriptor (5) selects the net,
 /// (6) and (7) decide; otherwise as net_two_layer.
 int net_single_layer_cluster(const ClusterWeights& cluster, const Repetition& repetition,
                              ConstImageView source, ImageView destination);
 
-/// The output of the two-layer net before the step (4), for eight inputs.
+/// The output of the two-layer net before equation (4), for eight inputs.
 [[nodiscard]] float two_layer_answer(const TwoLayerWeights& net, Activation activation,
                                      const float* inputs);
 
 /// Equation (1) or (2).
 [[nodiscard]] float activation_answer(Activation activation, float x);
 
-/// Edges by steps a) to d) of section 2.1: `destination` is 255 where the scaled gradient is bigger
-/// than the gradient threshold and the brightest pixel of the 3 x 3 neighbourhood is bigger than
-/// the brightness threshold, else 0.
+/// Edges by steps a) to d) of section 2.1: `destination` is 255 where the scaled gradient exceeds
+/// the gradient threshold and the brightest pixel of the 3 x 3 neighbourhood exceeds the brightness
+/// threshold, else 0.
 ///
-/// The magnitude is |gx| + |gy|, an integer, compared with the threshold times the operator's
-/// scale, by which a vertical step of height h reads h, so that nothing is rounded. Border: edge
+/// The magnitude |gx| + |gy| is compared with the threshold times the operator's scale, which gives
+/// a vertical step of height h the value h; all in integers, nothing is rounded. Border: edge
 /// replication. `source` and `destination` have one size and do not overlap.
 using EdgeDetection = void (*)(const EdgeThresholds& thresholds, ConstImageView source,
                                ImageView destination);

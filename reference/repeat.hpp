@@ -1,5 +1,4 @@
-// How parallel thinning runs: sub-iterations, each into a second matrix, until an iteration changes
-// nothing.
+// Parallel thinning: sub-iterations, each into a second matrix, until an iteration changes nothing.
 #pragma once
 
 #include <utility>
@@ -19,14 +18,14 @@ inline Neighbours neighbours_at(const Matrix& image, Index x, Index y) {
            image.at(x - 1, y), image.at(x - 1, y + 1), image.at(x, y + 1), image.at(x + 1, y + 1)}};
 }
 
-/// Whether the border option leaves this pixel alone.
+/// Whether this pixel must not change.
 inline bool is_fixed(Border border, const ConstImageView& image, Index x, Index y) {
   const bool outermost = x == 0 || y == 0 || x == image.width - 1 || y == image.height - 1;
   return border == Border::keep && outermost;
 }
 
-/// `removed(image, x, y, sub)` says whether a foreground pixel is removed in sub-iteration `sub`.
-/// Returns the number of iterations, the last, which changed nothing, included.
+/// `removed(image, x, y, sub)`: whether sub-iteration `sub` removes a foreground pixel. Returns the
+/// number of iterations, including the last, which changed nothing.
 template <class Removed>
 int repeat(int sub_iterations, const Repetition& repetition, ConstImageView source,
            ImageView destination, const Removed& removed) {

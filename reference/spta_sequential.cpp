@@ -5,14 +5,13 @@
 namespace thinbench::reference {
 namespace {
 
-/// The image before the iteration, and the pixels that are foreground and not flagged yet.
+/// The image before the iteration, and foreground that is not flagged yet.
 struct Matrices {
   Matrix before;
   Matrix now;
 };
 
-/// Whether a foreground pixel that is not flagged is an edge point of the side and its expression
-/// is TRUE.
+/// Whether a foreground pixel is an edge point of the side with a TRUE expression.
 bool flags(const Matrices& image, Index x, Index y, Side side) {
   const Neighbours before = neighbours_at(image.before, x, y);
   const Neighbours now = neighbours_at(image.now, x, y);

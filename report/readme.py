@@ -1,4 +1,6 @@
-"""Fills the tables of a README with the figures of a run: between marks, nothing else is touched."""
+"""Fills the tables of a README with the figures of a run: between marks, nothing else is touched.
+
+The headline and the line on the run must be marked; the other tables where the README wants them."""
 
 from __future__ import annotations
 
@@ -17,14 +19,15 @@ def fill_readme(directory: Path, readme: Path) -> str:
     """Writes the tables of the run in `directory` into `readme`; returns what was done."""
     study = load_study(directory)
     text = _read(readme)
-    for name, make in SHORT_TABLES.items():
-        table = make(study)
+    names = [name for name in SHORT_TABLES if name == "headline" or _begin(name) in text]
+    for name in names:
+        table = SHORT_TABLES[name](study)
         text = _replaced(text, name, markdown_table(table.header, table.rows), readme)
     text = _replaced(text, "run", _run_line(study, readme), readme)
     temporary = readme.with_name(f".{readme.name}.{os.getpid()}.tmp")
     temporary.write_text(text, encoding="utf-8")
     temporary.replace(readme)
-    return f"{readme}: {len(SHORT_TABLES)} tables of {directory}"
+    return f"{readme}: {len(names)} tables of {directory}"
 
 
 def _read(readme: Path) -> str:
@@ -34,8 +37,12 @@ def _read(readme: Path) -> str:
         raise ReportError(f"{readme}: cannot be read: {error.strerror}") from None
 
 
+def _begin(name: str) -> str:
+    return f"<!-- {name}: made by report readme -->"
+
+
 def _replaced(text: str, name: str, table: str, readme: Path) -> str:
-    begin, end = f"<!-- {name}: made by report readme -->", f"<!-- end of {name} -->"
+    begin, end = _begin(name), f"<!-- end of {name} -->"
     pattern = re.compile(f"{re.escape(begin)}\n.*?{re.escape(end)}", re.DOTALL)
     if not pattern.search(text):
         raise ReportError(f"{readme}: no '{begin}' with its '{end}'; both marks are needed")

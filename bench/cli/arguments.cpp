@@ -1,9 +1,11 @@
 #include "cli/arguments.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <sstream>
 
+#include "cli/names.hpp"
 #include "thinbench/options.hpp"
 
 namespace thinbench {
@@ -18,15 +20,24 @@ std::optional<Number> number_from(const std::string& text) {
   return number;
 }
 
+std::string expected(const std::string& what, const std::string& text) {
+  return "expected " + what + ", got '" + text + "'";
+}
+
+/// "a number in [0, 2.5]".
 template <class Number>
-CLI::Validator number_in(Number lowest, Number highest, const std::string& kind) {
+std::string number_range(const std::string& kind, Number lowest, Number highest) {
   std::ostringstream range;
-  range << "from " << lowest << " to " << highest;
-  const auto check = [=, span = range.str()](std::string& text) -> std::string {
+  range << kind << " in [" << lowest << ", " << highest << "]";
+  return range.str();
+}
+
+/// Takes numbers from `lowest` to `highest`, without the zeros in front; `what` names them.
+template <class Number>
+CLI::Validator number_in(Number lowest, Number highest, const std::string& what) {
+  const auto check = [=](std::string& text) -> std::string {
     const auto number = number_from<Number>(text);
-    if (!number || !(*number >= lowest && *number <= highest)) {
-      return "'" + text + "' is no " + kind + " " + span;
-    }
+    if (!number || !(*number >= lowest && *number <= highest)) return expected(what, text);
     text = text.substr(std::min(text.find_first_not_of('0'), text.size() - 1));
     return {};
   };
@@ -36,16 +47,33 @@ CLI::Validator number_in(Number lowest, Number highest, const std::string& kind)
 }  // namespace
 
 CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest) {
-  return number_in(lowest, highest, "whole number");
+  return number_in(lowest, highest, number_range("an integer", lowest, highest));
 }
 
 CLI::Validator real_number(double lowest, double highest) {
-  return number_in(lowest, highest, "number");
+  return number_in(lowest, highest, number_range("a number", lowest, highest));
+}
+
+CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest, const std::string& word) {
+  const std::string what = number_range("an integer", lowest, highest) + " or '" + word + "'";
+  const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
+    return text == word ? std::string() : number(text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string_view>& names) {
+  const auto check = [names](std::string& text) {
+    const bool known = std::find(names.begin(), names.end(), text) != names.end();
+    return known ? std::string() : expected(enumeration(names, " or "), text);
+  };
+  return {check, ""};
 }
 
 CLI::Validator not_empty() {
-  return {[](std::string& text) { return text.empty() ? "its value is empty" : std::string(); },
-          ""};
+  return {
+      [](std::string& text) { return text.empty() ? expected("a value", text) : std::string(); },
+      ""};
 }
 
 void add_threads_option(CLI::App& app, int& threads) {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -12,7 +14,13 @@ namespace thinbench {
 
 [[nodiscard]] CLI::Validator real_number(double lowest, double highest);
 
-/// Refuses "", which stands for "not given" behind the options.
+/// An integer in this range or, instead, the word.
+[[nodiscard]] CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
+                                        const std::string& word);
+
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string_view>& names);
+
+/// Rejects "", which stands for "not given" behind the options.
 [[nodiscard]] CLI::Validator not_empty();
 
 /// `--threads N`, one thread by default.

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "experiments/batches.hpp"
 #include "experiments/cluster_runs.hpp"
@@ -22,6 +23,7 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   thinbench experiment quantisation --out quantisation.json
   thinbench experiment hidden-neurons --quick
+  thinbench experiment quality --image parts.jpg --foreground dark
   thinbench experiment table-2 --results results/my-machine/2026-11-21-abc)";
 
 struct ExperimentOptions {
@@ -29,16 +31,17 @@ struct ExperimentOptions {
   std::string results;
   bool quick = false;
   std::vector<std::string> images;
+  BinariseOptions binarise;
   std::string pictures;
 };
 
-/// The pictures by their files' names: folders are nobody's business.
-std::string image_options(const std::vector<std::string>& images) {
+/// The images by their files' names: directories are private.
+std::string image_options(const ExperimentOptions& options) {
   std::string text;
-  for (const std::string& image : images) {
+  for (const std::string& image : options.images) {
     text += " --image " + std::filesystem::path(image).filename().string();
   }
-  return text;
+  return text + binarise_words(options.binarise);
 }
 
 ExperimentReport edge_quality(const ExperimentOptions& options, const Console&) {
@@ -81,10 +84,11 @@ ExperimentReport table_2(const ExperimentOptions& options, const Console&) {
                         " --results " + options.results);
 }
 
-ExperimentReport quality(const ExperimentOptions& options, const Console&) {
-  const std::vector<QualityInput> inputs = quality_inputs(options.images);
+ExperimentReport quality(const ExperimentOptions& options, const Console& console) {
+  const std::vector<QualityInput> inputs =
+      quality_inputs(options.images, options.binarise, &console.err);
   ExperimentReport report =
-      thinning_quality_report(run_thinning_quality(inputs), image_options(options.images));
+      thinning_quality_report(run_thinning_quality(inputs), image_options(options));
   if (!options.pictures.empty()) write_skeletons(options.pictures, inputs);
   return report;
 }
@@ -113,7 +117,8 @@ AddedExperiment add(CLI::App& parent, const std::string& name, const char* what,
   app->add_option("--out", options->out, "Write the data here, as JSON")
       ->check(not_empty())
       ->type_name("FILE");
-  app->footer("Examples:\n  thinbench experiment " + name + " --out " + name + ".json");
+  const std::string call = "\n  thinbench experiment " + name;
+  app->footer("Examples:" + call + call + " --out " + name + ".json");
   const auto work = [options, experiment](const Console& console) {
     return run(*options, experiment, console);
   };
@@ -124,12 +129,15 @@ AddedExperiment add_quality(CLI::App& parent) {
   AddedExperiment added =
       add(parent, "quality", "Skeletons of every thinning operation: topology, place, symmetry",
           &quality);
+  CLI::Option* image =
+      added.command.app
+          ->add_option("--image", added.options->images, "Image to thin as well (repeatable)")
+          ->type_name("FILE")
+          ->allow_extra_args(false);
+  add_binarise_options(*added.command.app, added.options->binarise, image);
   added.command.app
-      ->add_option("--image", added.options->images, "Picture to thin as well (repeatable)")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  added.command.app
-      ->add_option("--pictures-out", added.options->pictures, "Write the skeletons to this folder")
+      ->add_option("--pictures-out", added.options->pictures,
+                   "Write the skeletons to this directory")
       ->check(not_empty())
       ->type_name("DIR");
   return added;
@@ -165,7 +173,7 @@ Command add_experiment_command(CLI::App& program) {
       add(*app, "table-2", "The paper's times and their ratios", &table_2);
   times.command.app
       ->add_option("--results", times.options->results,
-                   "Results folder of a study, whose times are set beside the paper's")
+                   "Results directory of a study, whose times are set beside the paper's")
       ->check(not_empty())
       ->type_name("DIR");
   const AddedExperiment many =

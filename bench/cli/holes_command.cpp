@@ -1,4 +1,4 @@
-// thinbench holes: the objects of a picture and their holes, as a list, as JSON and drawn.
+// thinbench holes: the objects of an image and their holes, as a list, as JSON and drawn.
 #include <iomanip>
 #include <memory>
 #include <string>
@@ -8,30 +8,37 @@
 #include <tbb/global_control.h>
 
 #include "cli/arguments.hpp"
+#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/variant_choice.hpp"
-#include "picture/objects.hpp"
+#include "picture/binarise.hpp"
 #include "picture/overlay.hpp"
 #include "picture/picture.hpp"
+#include "picture/region_filter.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
-  thinbench holes parts.png --invert
-  thinbench holes parts.jpg --invert --threshold 100 --json > parts.json
-  thinbench holes drawing.png --overlay holes.png)";
+  thinbench holes parts.png
+  thinbench holes parts.jpg --foreground dark --threshold 100 --json > parts.json
+  thinbench holes coins.png --min-area 50 --overlay found.png
+
+What was taken as foreground, unless you chose it, and what is doubtful about it goes to standard
+error. --min-area omits objects of fewer pixels, with all their holes, and holes of fewer pixels
+(an object in a hole that is omitted is not). The list, the JSON and the overlay show what remains;
+there, objects and holes have ids 1, 2, 3, ... again, in the same order: by their first pixels.)";
 
 struct HolesCommandOptions {
   std::string in;
   std::string overlay;
   std::string technique;
   std::string isa;
+  std::int64_t min_area = 1;
   int threads = 1;
-  int threshold = kDefaultThreshold;
-  bool invert = false;
+  BinariseOptions binarise;
   bool json = false;
 };
 
@@ -46,7 +53,7 @@ Json region_json(const Region& region, std::size_t id) {
        {region.left, region.top, region.right - region.left + 1, region.bottom - region.top + 1}}};
 }
 
-void print_json(const Regions& found, std::ostream& out) {
+Json objects_json(const Regions& found) {
   Json objects = Json::array();
   for (std::size_t i = 0; i < found.objects.size(); ++i) {
     objects.push_back(region_json(found.objects[i], i + 1));
@@ -56,7 +63,17 @@ void print_json(const Regions& found, std::ostream& out) {
     const Region& hole = found.holes[i];
     objects[hole.enclosing_object - 1]["holes"].push_back(region_json(hole, i + 1));
   }
-  out << Json{{"objects", std::move(objects)}}.dump(2) << '\n';
+  return objects;
+}
+
+void print_json(const Regions& found, const BinaryImage& binary, const HolesCommandOptions& options,
+                std::ostream& out) {
+  const Json json = {{"foreground", foreground_name(binary.foreground)},
+                     {"threshold", binary.threshold},
+                     {"threshold_method", options.binarise.threshold ? "given" : "otsu"},
+                     {"min_area", options.min_area},
+                     {"objects", objects_json(found)}};
+  out << json.dump(2) << '\n';
 }
 
 void print_region(const char* kind, std::size_t id, const Region& region, std::ostream& out) {
@@ -67,7 +84,8 @@ void print_region(const char* kind, std::size_t id, const Region& region, std::o
 
 void print_list(const Regions& found, std::ostream& out) {
   std::vector<std::vector<std::size_t>> holes_of(found.objects.size() + 1);
-  for (std::size_t i = 0; i < found.holes.size(); ++i) holes_of[found.holes[i].enclosing_object].push_back(i);
+  for (std::size_t i = 0; i < found.holes.size(); ++i)
+    holes_of[found.holes[i].enclosing_object].push_back(i);
   out << std::fixed << std::setprecision(2) << found.objects.size()
       << (found.objects.size() == 1 ? " object, " : " objects, ") << found.holes.size()
       << (found.holes.size() == 1 ? " hole\n" : " holes\n");
@@ -79,26 +97,39 @@ void print_list(const Regions& found, std::ostream& out) {
   }
 }
 
-int find(const HolesCommandOptions& options, std::ostream& out) {
-  Options wish;
-  if (!options.technique.empty()) wish.technique = technique_named(options.technique);
-  if (!options.isa.empty()) wish.isa = isa_named(options.isa);
-  wish.threads = options.threads;
-  if (!options.overlay.empty()) check_colour_ending(options.overlay);
-  const ByteImage grey = read_grey(options.in);
-  const HolesVariant& variant = variant_for(*find_holes_operation("holes"), grey.width(), wish);
-  const ByteImage objects = objects_of(copy_of(grey.view()), options.threshold, options.invert);
+Options options_of(const HolesCommandOptions& options) {
+  Options result;
+  if (!options.technique.empty()) result.technique = technique_named(options.technique);
+  if (!options.isa.empty()) result.isa = isa_named(options.isa);
+  result.threads = options.threads;
+  return result;
+}
+
+Regions found_in(const ByteImage& objects, const Options& options) {
+  const auto& operation = detail::operation_of(detail::RegionsTask::holes);
+  const detail::RegionsVariant& variant = variant_for(operation, objects.width(), options);
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.threads));
-  const Regions found =
-      find_regions(objects.view(), {variant.technique, variant.isa, options.threads});
+  return find_regions(
+      objects.view(),
+      {.threads = options.threads, .isa = variant.isa, .technique = variant.technique});
+}
+
+int run(const HolesCommandOptions& options, const Console& console) {
+  const Options how = options_of(options);
+  if (!options.overlay.empty()) check_colour_extension(options.overlay);
+  const ByteImage grey = read_grey(options.in);
+  const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
+  const Regions all = found_in(binary.image, how);
   if (!options.overlay.empty()) {
-    write_overlay(options.overlay, grey.view(), objects.view(), found);
+    write_overlay(options.overlay, grey.view(), binary.image.view(), all, options.min_area);
   }
+  print_remarks(options.in, binary, options.binarise, console.err);
+  const Regions found = selected(all, kept_regions(all, options.min_area));
   if (options.json) {
-    print_json(found, out);
+    print_json(found, binary, options, console.out);
   } else {
-    print_list(found, out);
+    print_list(found, console.out);
   }
   return kSuccess;
 }
@@ -106,11 +137,12 @@ int find(const HolesCommandOptions& options, std::ostream& out) {
 }  // namespace
 
 Command add_holes_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("holes", "List the objects of a picture and their holes");
+  CLI::App* app = program.add_subcommand("holes", "List the objects of an image and their holes");
   const auto options = std::make_shared<HolesCommandOptions>();
-  app->add_option("IN", options->in, "Picture to read")->required()->type_name("");
+  app->add_option("IN", options->in, "Image to read")->required()->type_name("");
   app->add_flag("--json", options->json, "Print JSON");
-  app->add_option("--overlay", options->overlay, "Picture to write with all that was found")
+  app->add_option("--overlay", options->overlay,
+                  "Image to write, with all that was found drawn on it")
       ->check(not_empty())
       ->type_name("OUT");
   app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
@@ -120,13 +152,14 @@ Command add_holes_command(CLI::App& program) {
       ->check(not_empty())
       ->type_name("NAME");
   add_threads_option(*app, options->threads);
-  app->add_option("--threshold", options->threshold, "Objects are pixels >= T, 0 to 255")
-      ->check(whole_number(0, 255))
-      ->type_name("T")
+  add_binarise_options(*app, options->binarise);
+  app->add_option("--min-area", options->min_area,
+                  "Omit objects and holes of fewer than N pixels, 1 to 2^31")
+      ->check(whole_number(1, kMaxPicturePixels))
+      ->type_name("N")
       ->capture_default_str();
-  app->add_flag("--invert", options->invert, "Objects are pixels < T instead");
   app->footer(kExamples);
-  return {app, [options](const Console& console) { return find(*options, console.out); }};
+  return {app, [options](const Console& console) { return run(*options, console); }};
 }
 
 }  // namespace thinbench

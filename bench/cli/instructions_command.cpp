@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "counts/comparison.hpp"
 #include "counts/counted_input.hpp"
@@ -21,9 +22,9 @@ constexpr const char* kExamples = R"(Examples:
 Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
 valgrind is installed, its callgrind counts all but AVX-512; the rest is counted by a trap of the
 processor after each instruction, which takes microseconds, and rows that take more than --most-steps
-are skipped. So the input is small: every 5th pixel of every 16th row of the picture.
+are skipped. So the input is small: every 5th pixel of every 16th row of the image.
 
---limits takes the whole picture, times the rows too, and measures the core's frequency. The limit
+--limits takes the whole image, times the rows too, and measures the core's frequency. The limit
 of a row is the time in which --issue-width instructions a cycle would be issued; how many a core
 can issue is not measured but assumed, and more than 100 % shows that it can issue more.
 
@@ -40,6 +41,7 @@ struct InstructionsOptions {
   std::string image;
   std::string out;
   std::string against;
+  BinariseOptions binarise;
   std::uint64_t most_steps = 0;  // 0 for what suits the input
   double issue_width = 6;
   bool json = false;
@@ -53,18 +55,18 @@ struct InstructionsOptions {
   }
 };
 
-TimedInput input_for(const InstructionsOptions& options) {
+TimedInput input_for(const InstructionsOptions& options, std::ostream& log) {
   std::vector<std::string> pictures;
   if (!options.image.empty()) pictures.push_back(options.image);
-  TimedInput whole = std::move(timed_inputs({pictures, 0}).front());
+  TimedInput whole = std::move(timed_inputs({pictures, 0, options.binarise, &log}).front());
   if (!options.limits) return small_copy(whole);
   return options.quick ? middle_rows(whole, kQuickRows) : std::move(whole);
 }
 
 /// The one input in the form that rows are selected by.
-std::vector<TimedInput> inputs_for(const InstructionsOptions& options) {
+std::vector<TimedInput> inputs_for(const InstructionsOptions& options, std::ostream& log) {
   std::vector<TimedInput> inputs;
-  inputs.push_back(input_for(options));
+  inputs.push_back(input_for(options, log));
   return inputs;
 }
 
@@ -89,16 +91,16 @@ struct Results {
   std::string why_not_callgrind;
 };
 
-Results counted(const InstructionsOptions& options) {
-  const std::vector<TimedInput> inputs = inputs_for(options);
+Results counted(const InstructionsOptions& options, std::ostream& log) {
+  const std::vector<TimedInput> inputs = inputs_for(options, log);
   const Selection selection = selected(options, inputs);
   const RowCounts counts = counts_of(selection.rows, options.steps());
   return {counts_json(inputs.front(), counts, options.steps()), counts_table(counts),
           counts.skipped.size(), counts.callgrind.why_not};
 }
 
-Results limited(const InstructionsOptions& options) {
-  const std::vector<TimedInput> inputs = inputs_for(options);
+Results limited(const InstructionsOptions& options, std::ostream& log) {
+  const std::vector<TimedInput> inputs = inputs_for(options, log);
   std::vector<TimedRow> rows = selected(options, inputs).rows;
   if (options.quick) rows = fastest_rows(rows);
   const Limits limits = limits_of(rows, options.steps());
@@ -136,7 +138,8 @@ int run(const InstructionsOptions& options, const Console& console) {
   check(options);
   nlohmann::json before;
   if (!options.against.empty()) before = read_counts(options.against);
-  const Results results = options.limits ? limited(options) : counted(options);
+  const Results results =
+      options.limits ? limited(options, console.err) : counted(options, console.err);
   const std::string json = results.document.dump(1) + "\n";
   if (!options.out.empty()) write_whole_file(options.out, json);
   say_what_is_missing(results, options, console);
@@ -148,9 +151,11 @@ int run(const InstructionsOptions& options, const Console& console) {
 void add_options(CLI::App& app, InstructionsOptions& options) {
   app.add_option("--filter", options.filter, "Only rows whose name contains a match")
       ->type_name("REGEX");
-  app.add_option("--image", options.image, "Picture to take instead of the scene")
-      ->check(not_empty())
-      ->type_name("FILE");
+  CLI::Option* image =
+      app.add_option("--image", options.image, "Image to take instead of the scene")
+          ->check(not_empty())
+          ->type_name("FILE");
+  add_binarise_options(app, options.binarise, image);
   app.add_option("--most-steps", options.most_steps,
                  "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
                  "with --limits 800000, quick 100000)")
@@ -165,7 +170,7 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
       ->type_name("FILE");
   app.add_flag("--limits", options.limits, "Time rows as well, and say what bounds them");
   app.add_flag("--quick", options.quick,
-               "With --limits: 24 rows of the picture, the fastest row of each operation");
+               "With --limits: 24 rows of the image, the fastest row of each operation");
   app.add_option("--issue-width", options.issue_width,
                  "Instructions that the core is assumed to issue in a cycle")
       ->check(real_number(1, 100))

@@ -1,45 +1,71 @@
-// thinbench list: every way to compute every operation, and whether it runs here.
+// thinbench list: the operations, and every way to compute them.
 #include <algorithm>
-#include <array>
 #include <iomanip>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
 #include "image/thread_team.hpp"
 #include "peers/peers.hpp"
-#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
   thinbench list
-  thinbench list --json | jq '.[] | select(.available) | .technique'
-  THINBENCH_MAX_ISA=sse4.2 thinbench list)";
+  thinbench list --variants | grep thin_guo_hall
+  thinbench list --json | jq '.[] | select(.fastest) | .operation + " " + .technique'
+  THINBENCH_MAX_ISA=sse4.2 thinbench list
 
-constexpr std::size_t kColumns = 5;
-using Cells = std::array<std::string, kColumns>;
+Without options, a line for each operation: how many of its variants this machine can run, which of
+them the library takes on one thread for an image 1024 pixels wide, and what it does.)";
+
+using Cells = std::vector<std::string>;
+
+/// Some variants are for narrow images only.
+constexpr Index kListedWidth = 1024;
 
 struct ListedRow {
   const Operation& operation;
   const Variant& variant;
   std::string reason;  // empty where it runs
+  bool is_fastest;
 
   [[nodiscard]] std::string threads() const { return variant.threaded ? "n" : "1"; }
-  /// Of pictures for which the library chooses the row by itself.
-  [[nodiscard]] Index least_pixels() const {
-    const bool is_thinning = find_thinning_operation(operation.name) != nullptr;
-    return is_thinning && variant.threaded ? kMinPixelsForThreads : 0;
+  /// Of images for which the library chooses the row by itself.
+  [[nodiscard]] Index min_pixels() const {
+    return variant.threaded ? detail::kMinPixelsForThreads : 0;
   }
 };
+
+/// The variant that the library takes here, on one thread; nullptr where there is none.
+const Variant* fastest_of(const Operation& operation) {
+  const Variant* fastest = nullptr;
+  for (const Variant& variant : operation.variants) {
+    const bool is_candidate =
+        !variant.is_peer && !variant.threaded && variant.unavailable_reason(kListedWidth).empty();
+    if (!is_candidate) continue;
+    if (fastest == nullptr || variant.priority > fastest->priority) fastest = &variant;
+  }
+  return fastest;
+}
+
+/// Borders and limits are options of an operation, not operations.
+bool is_listed(const Operation& operation) {
+  return operation.border != Border::keep && !operation.max_iterations;
+}
 
 std::vector<ListedRow> all_rows() {
   std::vector<ListedRow> rows;
   for (const Operation& operation : operations_with_peers()) {
+    if (!is_listed(operation)) continue;
+    const Variant* fastest = fastest_of(operation);
     for (const Variant& variant : operation.variants) {
-      rows.push_back({operation, variant, std::string(variant.unavailable_reason(0))});
+      rows.push_back(
+          {operation, variant, std::string(variant.unavailable_reason(0)), &variant == fastest});
     }
   }
   return rows;
@@ -52,29 +78,51 @@ void print_json(std::ostream& out) {
                     {"technique", row.variant.technique},
                     {"isa", row.variant.isa_label()},
                     {"threads", row.threads()},
-                    {"least_pixels", row.least_pixels()},
+                    {"least_pixels", row.min_pixels()},
                     {"available", row.reason.empty()},
                     {"reason", row.reason},
                     {"peer", row.variant.is_peer},
+                    {"fastest", row.is_fastest},
                     {"description", row.variant.description}});
   }
   out << list.dump(2) << '\n';
 }
 
 void print_aligned(const std::vector<Cells>& lines, std::ostream& out) {
-  std::array<std::size_t, kColumns> widths{};
+  std::vector<std::size_t> widths(lines.front().size());
   for (const Cells& cells : lines) {
-    for (std::size_t i = 0; i < kColumns; ++i) widths[i] = std::max(widths[i], cells[i].size());
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
   }
   for (const Cells& cells : lines) {
-    for (std::size_t i = 0; i + 1 < kColumns; ++i) {
+    for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
       out << std::left << std::setw(static_cast<int>(widths[i]) + 2) << cells[i];
     }
     out << cells.back() << '\n';
   }
 }
 
-void print_table(std::ostream& out) {
+/// Of the library's own.
+std::ptrdiff_t variants_here(const Operation& operation) {
+  return std::count_if(
+      operation.variants.begin(), operation.variants.end(),
+      [](const Variant& one) { return !one.is_peer && one.unavailable_reason(0).empty(); });
+}
+
+void print_operations(std::ostream& out) {
+  std::vector<Cells> lines = {{"operation", "variants", "fastest", "what it does"}};
+  for (const Operation& operation : operations_with_peers()) {
+    if (!is_listed(operation)) continue;
+    const Variant* fastest = fastest_of(operation);
+    lines.push_back({operation.name, std::to_string(variants_here(operation)),
+                     fastest == nullptr ? "none"
+                                        : std::string(fastest->technique) + "/" +
+                                              std::string(isa_name(fastest->isa)),
+                     std::string(operation.description)});
+  }
+  print_aligned(lines, out);
+}
+
+void print_variants(std::ostream& out) {
   std::vector<Cells> lines = {{"operation", "technique", "isa", "threads", "available"}};
   for (const ListedRow& row : all_rows()) {
     lines.push_back({row.operation.name, std::string(row.variant.technique),
@@ -82,22 +130,37 @@ void print_table(std::ostream& out) {
                      row.reason.empty() ? "yes" : "no: " + row.reason});
   }
   print_aligned(lines, out);
-  out << "\nThinning with --threads: pictures of fewer than " << kMinPixelsForThreads
+  out << "\nWith --threads: images of fewer than " << detail::kMinPixelsForThreads
       << " pixels run on one thread all the same,\nwhich is faster, unless --technique asks for "
          "one with threads.\n";
+}
+
+struct ListOptions {
+  bool variants = false;
+  bool json = false;
+};
+
+int list(const ListOptions& options, std::ostream& out) {
+  if (options.json) {
+    print_json(out);
+  } else if (options.variants) {
+    print_variants(out);
+  } else {
+    print_operations(out);
+  }
+  return kSuccess;
 }
 
 }  // namespace
 
 Command add_list_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("list", "List every way to compute every operation");
-  const auto json = std::make_shared<bool>(false);
-  app->add_flag("--json", *json, "Print a JSON array instead of a table");
+  CLI::App* app = program.add_subcommand("list", "List the operations and how each is computed");
+  const auto options = std::make_shared<ListOptions>();
+  app->add_flag("--variants", options->variants,
+                "A line for each variant of each operation, and whether it runs here");
+  app->add_flag("--json", options->json, "All variants as a JSON array instead of a table");
   app->footer(kExamples);
-  return {app, [json](const Console& console) {
-            *json ? print_json(console.out) : print_table(console.out);
-            return kSuccess;
-          }};
+  return {app, [options](const Console& console) { return list(*options, console.out); }};
 }
 
 }  // namespace thinbench

@@ -49,7 +49,7 @@ std::optional<std::string_view> nearest_name(std::string_view word,
   return nearest;
 }
 
-void refuse_name(std::string_view kind, std::string_view word,
+void reject_name(std::string_view kind, std::string_view word,
                  const std::vector<std::string_view>& known) {
   std::string text = "no " + std::string(kind) + " is named '" + std::string(word) + "'; ";
   if (const auto nearest = nearest_name(word, known)) {
@@ -67,12 +67,12 @@ std::string enumeration(const std::vector<std::string_view>& words, const char* 
   return text;
 }
 
-const ThinningOperation& operation_named(std::string_view name) {
-  if (const ThinningOperation* operation = find_thinning_operation(name)) return *operation;
+const detail::ThinningOperation& operation_named(std::string_view name) {
+  if (const auto rule = rule_from_name(name)) return detail::operation_of(*rule);
   std::vector<std::string_view> known;
-  known.reserve(thinning_operations().size());
-  for (const ThinningOperation& operation : thinning_operations()) known.push_back(operation.name);
-  refuse_name("operation", name, known);
+  known.reserve(kRules.size());
+  for (const RuleInfo& info : kRules) known.push_back(info.operation);
+  reject_name("operation", name, known);
 }
 
 Technique technique_named(std::string_view name) {
@@ -80,7 +80,7 @@ Technique technique_named(std::string_view name) {
   std::vector<std::string_view> known;
   known.reserve(kTechniques.size());
   for (const TechniqueInfo& info : kTechniques) known.push_back(info.name);
-  refuse_name("technique", name, known);
+  reject_name("technique", name, known);
 }
 
 Isa isa_named(std::string_view name) {
@@ -88,7 +88,7 @@ Isa isa_named(std::string_view name) {
   std::vector<std::string_view> known;
   known.reserve(kAllIsas.size());
   for (const Isa isa : kAllIsas) known.push_back(isa_name(isa));
-  refuse_name("instruction set", name, known);
+  reject_name("instruction set", name, known);
 }
 
 Border border_named(std::string_view name) {
@@ -103,7 +103,7 @@ Direction direction_named(std::string_view name) {
   for (const Direction direction : kAllDirections) {
     if (kDirectionNames[static_cast<std::size_t>(direction)] == name) return direction;
   }
-  refuse_name("direction", name, {kDirectionNames.begin(), kDirectionNames.end()});
+  reject_name("direction", name, {kDirectionNames.begin(), kDirectionNames.end()});
 }
 
 }  // namespace thinbench

@@ -1,4 +1,4 @@
-// Names that users type: found, or refused with the nearest known one.
+// Names that users type: found, or rejected with the nearest known one.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace thinbench {
     std::string_view word, const std::vector<std::string_view>& known);
 
 /// Throws UsageError: "no <kind> is named '<word>'; did you mean ...", or the list of all.
-[[noreturn]] void refuse_name(std::string_view kind, std::string_view word,
+[[noreturn]] void reject_name(std::string_view kind, std::string_view word,
                               const std::vector<std::string_view>& known);
 
 /// "a, b and c".
@@ -23,7 +23,7 @@ namespace thinbench {
                                       const char* before_last = " and ");
 
 /// Each throws UsageError for an unknown name.
-[[nodiscard]] const ThinningOperation& operation_named(std::string_view name);
+[[nodiscard]] const detail::ThinningOperation& operation_named(std::string_view name);
 [[nodiscard]] Technique technique_named(std::string_view name);
 [[nodiscard]] Isa isa_named(std::string_view name);
 [[nodiscard]] Border border_named(std::string_view name);

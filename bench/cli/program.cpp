@@ -16,14 +16,16 @@ namespace thinbench {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
-  thinbench run thin_naccache_shinghal parts.png skeleton.png --invert
-  thinbench edges parts.png edges.png --operator sobel --p1 40 --p2 128
-  thinbench holes parts.png --invert --overlay found.png
+  thinbench list
+  thinbench run thin_naccache_shinghal parts.png skeleton.png
+  thinbench edges parts.png edges.png --operator sobel
+  thinbench holes parts.png --foreground dark --min-area 20 --overlay found.png
   thinbench verify --quick
   thinbench train cluster
   thinbench instructions --out counts.json
-  thinbench list
 
+Commands that read images agree on which pixels are foreground: by default the class, of two found by
+Otsu's method, that covers less of the image border; else what --foreground and --threshold say.
 THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)";
 
 constexpr const char* kLeadIn = "thinbench: ";
@@ -64,7 +66,7 @@ class Program {
       const auto found = std::find_if(level->begin(), level->end(), [&](const Command& command) {
         return command.app->get_name() == word;
       });
-      if (found == level->end()) refuse_name("command", word, names_of(*level));
+      if (found == level->end()) reject_name("command", word, names_of(*level));
       level = &found->parts;
     }
     if (!level->empty()) {
@@ -127,7 +129,7 @@ class Program {
     }
   }
 
-  CLI::App app_{"Thin binary pictures fast, and prove that every variant is right", "thinbench"};
+  CLI::App app_{"Thin binary images fast, and verify that every variant is right", "thinbench"};
   Commands commands_;
   Console console_;
 };

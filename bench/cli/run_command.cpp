@@ -1,19 +1,22 @@
-// thinbench run: thins one picture file into another.
+// thinbench run: thins one image file into another.
+#include <algorithm>
 #include <chrono>
+#include <climits>
 #include <iomanip>
 #include <memory>
-#include <optional>
+#include <sstream>
 #include <string>
 
 #include <tbb/global_control.h>
 
 #include "cli/arguments.hpp"
+#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/variant_choice.hpp"
 #include "cli/weights_option.hpp"
 #include "harness/rows.hpp"
-#include "picture/objects.hpp"
+#include "picture/binarise.hpp"
 #include "picture/picture.hpp"
 
 namespace thinbench {
@@ -21,13 +24,15 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   thinbench run thin_naccache_shinghal drawing.png skeleton.png
-  thinbench run thin_naccache_shinghal parts.jpg skeleton.png --invert --threshold 100
+  thinbench run thin_naccache_shinghal parts.jpg skeleton.png --foreground dark --threshold 100
   thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8
-  thinbench run thin_zhang_suen parts.png skeleton.png --border keep
+  thinbench run thin_zhang_suen parts.png skeleton.png --border keep --max-iterations 3
   thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
   thinbench run skeleton_scan parts.png marks.png --directions rows,columns
 
-Pictures of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
+OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
+you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
+need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
 
 struct RunOptions {
   std::string operation;
@@ -39,8 +44,8 @@ struct RunOptions {
   std::string border;
   std::string directions;
   int threads = 1;
-  int threshold = kDefaultThreshold;
-  bool invert = false;
+  int max_iterations = 0;  // 0 for no limit
+  BinariseOptions binarise;
 };
 
 Options thinning_options(const RunOptions& options) {
@@ -49,13 +54,13 @@ Options thinning_options(const RunOptions& options) {
   if (!options.isa.empty()) how.isa = isa_named(options.isa);
   how.threads = options.threads;
   if (!options.border.empty()) how.border = border_named(options.border);
+  if (options.max_iterations > 0) how.max_iterations = options.max_iterations;
   return how;
 }
 
-/// The directions named in a list such as "rows,columns"; none where the list is empty.
-std::optional<Directions> directions_named(const ThinningOperation& operation,
-                                           const std::string& list) {
-  if (list.empty()) return std::nullopt;
+/// The directions named in a list such as "rows,columns"; all where the list is empty.
+Directions directions_named(const detail::ThinningOperation& operation, const std::string& list) {
+  if (list.empty()) return {};
   if (!operation.takes_directions) {
     throw UsageError("--directions: " + std::string(operation.name) + " is no scan and takes none");
   }
@@ -75,53 +80,64 @@ std::optional<Directions> directions_named(const ThinningOperation& operation,
 
 struct Thinned {
   ByteImage skeleton;
-  int passes;
+  int iterations;
   double milliseconds;
 };
 
-Thinned thinned(const ThinningOperation& operation, const ThinningVariant& variant,
+Thinned thinned(const detail::ThinningOperation& operation, const detail::ThinningVariant& variant,
                 const ByteImage& objects, const Options& how) {
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(how.threads));
-  ThinningPlan plan(operation, variant, objects.width(), objects.height(),
-                    {how.threads, how.model, how.border, how.directions});
+  const auto state = make_state(operation, variant, objects.width(), objects.height(), how);
   ByteImage skeleton(objects.width(), objects.height());
   const auto start = std::chrono::steady_clock::now();
-  const int passes = plan.run(objects.view(), skeleton.view());
+  const int iterations = state->run(objects.view(), skeleton.view());
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  return {std::move(skeleton), passes, time.count()};
+  return {std::move(skeleton), iterations, time.count()};
 }
 
-int run(const RunOptions& options, std::ostream& out) {
-  const ThinningOperation& operation = operation_named(options.operation);
+/// "90 x 40, 7 iterations, 1200 foreground pixels before, 130 after, 0.042 ms".
+std::string summary(const ByteImage& objects, const Thinned& result) {
+  std::ostringstream text;
+  text << objects.width() << " x " << objects.height() << ", " << result.iterations
+       << (result.iterations == 1 ? " iteration, " : " iterations, ")
+       << foreground_pixels(objects.view()) << " foreground pixels before, "
+       << foreground_pixels(result.skeleton.view()) << " after, " << std::fixed
+       << std::setprecision(3) << result.milliseconds << " ms";
+  return text.str();
+}
+
+int run(const RunOptions& options, const Console& console) {
+  const detail::ThinningOperation& operation = operation_named(options.operation);
   Options how = thinning_options(options);
-  how.model = model_from_file(operation, options.weights);
+  how.net = net_from_file(operation, options.weights);
   how.directions = directions_named(operation, options.directions);
-  check_ending(options.out);
-  const ByteImage objects = objects_of(read_grey(options.in), options.threshold, options.invert);
-  how.threads = worthwhile_threads(operation, how, objects.width(), objects.height());
-  const ThinningVariant& variant = variant_for(operation, objects.width(), how);
+  check_extension(options.out);
+  std::ostringstream remarks;  // failures are one line, without them
+  const ByteImage objects = read_binary(options.in, options.binarise, &remarks);
+  const bool can_share =
+      std::ranges::any_of(operation.variants, &detail::ThinningVariant::threaded);
+  how = detail::with_useful_threads(how, can_share, objects.width(), objects.height());
+  const detail::ThinningVariant& variant = variant_for(operation, objects.width(), how);
   const Thinned result = thinned(operation, variant, objects, how);
   write_grey(options.out, result.skeleton.view());
-  out << row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
-                  how.threads)
-      << ": " << objects.width() << " x " << objects.height() << ", " << result.passes
-      << (result.passes == 1 ? " pass, " : " passes, ") << object_pixels(objects.view())
-      << " object pixels before, " << object_pixels(result.skeleton.view()) << " after, "
-      << std::fixed << std::setprecision(3) << result.milliseconds << " ms\n";
+  console.err << remarks.str();
+  console.out << row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
+                          how.threads)
+              << ": " << summary(objects, result) << '\n';
   return kSuccess;
 }
 
 }  // namespace
 
 Command add_run_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("run", "Thin a picture file into another");
+  CLI::App* app = program.add_subcommand("run", "Thin an image file into another");
   const auto options = std::make_shared<RunOptions>();
   app->add_option("OPERATION", options->operation, "Name of an operation, see 'thinbench list'")
       ->required()
       ->type_name("");
-  app->add_option("IN", options->in, "Picture to read")->required()->type_name("");
-  app->add_option("OUT", options->out, "Picture to write: .png, .pgm, .bmp or .tif")
+  app->add_option("IN", options->in, "Image to read")->required()->type_name("");
+  app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")
       ->required()
       ->type_name("");
   app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
@@ -134,8 +150,8 @@ Command add_run_command(CLI::App& program) {
       ->check(not_empty())
       ->type_name("FILE");
   app->add_option("--border", options->border,
-                  "background: all is light outside the picture; keep: the outermost rows and "
-                  "columns never change, as in OpenCV (default: the operation's own)")
+                  "background: outside the image all is background; keep: the outermost rows and "
+                  "columns never change, as in OpenCV (default: background)")
       ->check(not_empty())
       ->type_name("NAME");
   app->add_option(
@@ -143,14 +159,14 @@ Command add_run_command(CLI::App& program) {
          "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)")
       ->check(not_empty())
       ->type_name("NAME,...");
+  app->add_option("--max-iterations", options->max_iterations,
+                  "Stop after N iterations (default: when nothing changes any more)")
+      ->check(whole_number(1, INT_MAX))
+      ->type_name("N");
+  add_binarise_options(*app, options->binarise);
   add_threads_option(*app, options->threads);
-  app->add_option("--threshold", options->threshold, "Objects are pixels >= T, 0 to 255")
-      ->check(whole_number(0, 255))
-      ->type_name("T")
-      ->capture_default_str();
-  app->add_flag("--invert", options->invert, "Objects are pixels < T instead");
   app->footer(kExamples);
-  return {app, [options](const Console& console) { return run(*options, console.out); }};
+  return {app, [options](const Console& console) { return run(*options, console); }};
 }
 
 }  // namespace thinbench

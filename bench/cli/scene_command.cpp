@@ -1,4 +1,4 @@
-// thinbench scene: the benchmark's test picture and its ground truth.
+// thinbench scene: the benchmark's test image and its ground truth.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -39,9 +39,9 @@ SceneOptions scene_options(const SceneCommandOptions& options) {
 
 int draw(const SceneCommandOptions& options, std::ostream& out) {
   if (options.out.empty() && !options.truth) {
-    throw UsageError("scene needs OUT, a picture to write, or --truth");
+    throw UsageError("scene needs OUT, an image to write, or --truth");
   }
-  if (!options.out.empty()) check_ending(options.out);
+  if (!options.out.empty()) check_extension(options.out);
   const Scene scene = render_scene(scene_options(options));
   if (!options.out.empty()) {
     write_grey(options.out, (options.binary ? scene.binary : scene.grey).view());
@@ -60,7 +60,7 @@ int draw(const SceneCommandOptions& options, std::ostream& out) {
 Command add_scene_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("scene", "Draw machined parts whose geometry is known");
   const auto options = std::make_shared<SceneCommandOptions>();
-  app->add_option("OUT", options->out, "Picture to write: .png, .pgm, .bmp or .tif")->type_name("");
+  app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")->type_name("");
   app->add_flag("--frame-touching", options->frame_touching, "Let parts touch the frame");
   app->add_flag("--binary", options->binary, "255 on parts, 0 elsewhere, instead of grey");
   app->add_option("--scale", options->scale, "Magnification of 510 x 412 pixels, 1 to 100")

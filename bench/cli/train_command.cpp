@@ -24,7 +24,7 @@ Examples:
   thinbench train two-layer --hidden 5 --max-restarts 100)";
 
 constexpr const char* kClusterExamples =
-    R"(The perceptron rule adds and subtracts vectors of 0 and 1, so weights are whole numbers in
+    R"(The perceptron rule adds and subtracts vectors of 0 and 1, so weights are integers in
 either case; --integer goes on to shrink them.
 
 Examples:
@@ -74,7 +74,7 @@ int run_two_layer(const TwoLayerOptions& options, const Console& console) {
                      std::to_string(options.training.hidden));
   }
   check_targets({options.out, options.markdown});
-  const TrainedTwoLayer trained = train_two_layer(stay_table_of_rule(), options.training);
+  const TrainedTwoLayer trained = train_two_layer(keep_table_of_rule(), options.training);
   if (trained.right_sigmoid != kDescriptors) {
     throw std::runtime_error("training reached " + std::to_string(trained.right_sigmoid) +
                              " of 256 descriptors in " + std::to_string(trained.total_epochs) +
@@ -93,7 +93,7 @@ int run_two_layer(const TwoLayerOptions& options, const Console& console) {
 
 int run_cluster(const ClusterOptions& options, const Console& console) {
   check_targets({options.out, options.header});
-  const std::vector<TrainedRun> runs = train_cluster(stay_table_of_rule(), options.training);
+  const std::vector<TrainedRun> runs = train_cluster(keep_table_of_rule(), options.training);
   const ClusterWeights weights = cluster_weights(runs);
   const std::string command = std::string("thinbench train cluster") +
                               (options.training.small_integers ? " --integer" : "");
@@ -140,8 +140,7 @@ Command add_cluster(CLI::App& train) {
       ->check(whole_number(1, kMaxClusterNets))
       ->type_name("N")
       ->capture_default_str();
-  app->add_flag("--integer", options->training.small_integers,
-                "Make the weights small whole numbers");
+  app->add_flag("--integer", options->training.small_integers, "Make the weights small integers");
   add_file_option(*app, "--out", options->out, "Write the weights here, as JSON");
   add_file_option(*app, "--header", options->header, "Write the weights here, as a C++ header");
   app->footer(kClusterExamples);

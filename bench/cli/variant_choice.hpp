@@ -1,21 +1,26 @@
 // The variant that a user asked for, or the reason why there is none, in words that help.
 #pragma once
 
-#include <string>
+#include <span>
+#include <string_view>
+#include <vector>
 
-#include "thinbench/thinning.hpp"
-#include "thinbench/edges.hpp"
-#include "thinbench/regions.hpp"
+#include "api/catalogue.hpp"
 
 namespace thinbench {
 
-/// Throws UsageError where no variant has this technique, instruction set and kind of threads,
-/// std::runtime_error where none of them runs here or on pictures of this width.
-[[nodiscard]] const ThinningVariant& variant_for(const ThinningOperation& operation, Index width,
-                                                 const Options& options);
-[[nodiscard]] const EdgeVariant& variant_for(const EdgeOperation& operation, Index width,
-                                             const Options& wish);
-[[nodiscard]] const HolesVariant& variant_for(const HolesOperation& operation, Index width,
-                                              const Options& wish);
+/// Its index. Throws UsageError where no variant has this technique, ISA and kind of threads,
+/// std::runtime_error where none of them runs here or on images of this width.
+[[nodiscard]] std::size_t variant_index_for(std::string_view operation,
+                                            std::span<const detail::VariantInfo> variants,
+                                            Index width, const Options& options);
+
+template <class Operation>
+[[nodiscard]] const auto& variant_for(const Operation& operation, Index width,
+                                      const Options& options) {
+  const std::vector<detail::VariantInfo> infos(operation.variants.begin(),
+                                               operation.variants.end());
+  return operation.variants[variant_index_for(operation.name, infos, width, options)];
+}
 
 }  // namespace thinbench

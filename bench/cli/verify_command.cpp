@@ -7,12 +7,13 @@
 #include <tbb/global_control.h>
 
 #include "cli/arguments.hpp"
+#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "cli/verify_images.hpp"
 #include "cli/verify_progress.hpp"
 #include "cli/verify_report.hpp"
-#include "thinbench/options.hpp"
 #include "peers/peers.hpp"
+#include "thinbench/options.hpp"
 
 namespace thinbench {
 namespace {
@@ -25,12 +26,13 @@ constexpr const char* kExamples = R"(Examples:
 Rows are named operation/technique/isa/threads. The last line on standard output is
 "N passed, M failed, K skipped". The exit status is 1 after a mismatch and 2 where nothing ran.
 
-Pictures of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
+Images of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
 
 struct VerifyOptions {
   std::string filter;
   std::vector<std::string> images;
   std::vector<int> threads = {2, 7};
+  BinariseOptions binarise;
   bool quick = false;
 };
 
@@ -63,8 +65,10 @@ bool any_runs_here(const std::vector<Row>& rows) {
 }
 
 /// The sets that some row takes.
-std::vector<TestImageSet> chosen_sets(const VerifyOptions& options, const std::vector<Row>& rows) {
-  std::vector<TestImageSet> sets = verify_image_sets(options.quick, options.images);
+std::vector<TestImageSet> chosen_sets(const VerifyOptions& options, const std::vector<Row>& rows,
+                                      std::ostream& log) {
+  std::vector<TestImageSet> sets =
+      verify_image_sets(options.quick, options.images, options.binarise, log);
   std::erase_if(sets, [&](const TestImageSet& set) {
     return std::none_of(rows.begin(), rows.end(),
                         [&](const Row& row) { return row.operation->takes == set.kind; });
@@ -78,7 +82,7 @@ int run(const VerifyOptions& options, const Console& console) {
     console.out << "0 passed, 0 failed, 0 skipped" << std::endl;
     throw UsageError("no row matches the filter '" + options.filter + "'; see 'thinbench list'");
   }
-  const std::vector<TestImageSet> sets = chosen_sets(options, verifier.rows());
+  const std::vector<TestImageSet> sets = chosen_sets(options, verifier.rows(), console.err);
   const int most = *std::max_element(options.threads.begin(), options.threads.end());
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(most));
@@ -93,9 +97,11 @@ Command add_verify_command(CLI::App& program) {
   const auto options = std::make_shared<VerifyOptions>();
   app->add_option("--filter", options->filter, "Only rows whose name contains a match")
       ->type_name("REGEX");
-  app->add_option("--image", options->images, "Picture to compare on as well (repeatable)")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  CLI::Option* image =
+      app->add_option("--image", options->images, "Image to compare on as well (repeatable)")
+          ->type_name("FILE")
+          ->allow_extra_args(false);
+  add_binarise_options(*app, options->binarise, image);
   app->add_option("--threads", options->threads,
                   "Threads of threaded rows, 1 to " + std::to_string(kMaxThreads) +
                       " (repeatable; default: 2 and 7)")

@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "picture/objects.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
 
@@ -22,10 +21,17 @@ TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind k
           kind == InputKind::grey ? std::move(scene.grey) : std::move(scene.binary), kind};
 }
 
-TestImage picture_image(const std::string& file, InputKind kind) {
-  ByteImage grey = read_grey(file);
-  return {file, kind == InputKind::grey ? std::move(grey) : objects_of(std::move(grey)), kind};
-}
+/// Files to compare on, and how they become binary.
+struct GivenImages {
+  const std::vector<std::string>& files;
+  const BinariseOptions& binarise;
+  std::ostream& log;
+
+  [[nodiscard]] TestImage image(const std::string& file, InputKind kind) const {
+    if (kind == InputKind::grey) return {file, read_grey(file), kind};
+    return {file, read_binary(file, binarise, &log), kind};
+  }
+};
 
 /// A set of images that are there already.
 TestImageSet set_of(std::string name, std::string claim, std::vector<TestImage> images) {
@@ -49,23 +55,24 @@ TestImageSet scenes(InputKind kind) {
   return set_of(named(kind, "scenes"), "the scenes that benchmarks use", std::move(images));
 }
 
-TestImageSet pictures(InputKind kind, const std::vector<std::string>& files) {
+TestImageSet pictures(InputKind kind, const GivenImages& given) {
   std::vector<TestImage> images;
-  images.reserve(files.size());
-  for (const std::string& file : files) images.push_back(picture_image(file, kind));
+  images.reserve(given.files.size());
+  for (const std::string& file : given.files) images.push_back(given.image(file, kind));
   return set_of(named(kind, "pictures"), "the given files", std::move(images));
 }
 
 }  // namespace
 
-std::vector<TestImageSet> verify_image_sets(bool quick, const std::vector<std::string>& files) {
+std::vector<TestImageSet> verify_image_sets(bool quick, const std::vector<std::string>& files,
+                                            const BinariseOptions& binarise, std::ostream& log) {
   std::vector<TestImageSet> sets;
   for (const TestImageSet& set : test_image_sets()) {
     if (!quick || !is_big(set)) sets.push_back(set);
   }
   for (const InputKind kind : {InputKind::binary, InputKind::grey}) {
     sets.push_back(scenes(kind));
-    if (!files.empty()) sets.push_back(pictures(kind, files));
+    if (!files.empty()) sets.push_back(pictures(kind, {files, binarise, log}));
   }
   return sets;
 }

@@ -3,12 +3,12 @@
 namespace thinbench {
 namespace {
 
-void print_verdict(const Row& row, const RowVerdict& verdict, std::ostream& out) {
+void print_verdict(const Row& row, const VerificationResult& verdict, std::ostream& out) {
   if (!verdict.first_mismatch.empty()) {
     out << "mismatch: " << verdict.first_mismatch;
     if (verdict.first_mismatch.back() != '\n') out << '\n';
   } else if (verdict.compared == 0) {
-    const std::string_view reason = row.unavailable_reason(0);
+    const std::string reason = row.unavailable_reason(0);
     out << "skipped: " << row.name << ": "
         << (reason.empty() ? "every image is wider than its limit" : reason) << '\n';
   }

@@ -6,6 +6,7 @@
 
 #include "experiments/report.hpp"
 #include "experiments/skeleton_measures.hpp"
+#include "picture/binarise.hpp"
 
 namespace thinbench {
 
@@ -25,9 +26,12 @@ struct QualityRow {
   int iterations;
 };
 
-/// The test scene and blobs of smoothed noise; given pictures follow, object = pixels >= 128, named
-/// as their files, each unlike all other inputs and files of skeletons. Throws PictureError.
-[[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures);
+/// The test scene and blobs of smoothed noise; given images follow, binarised with the remarks in
+/// `log`, named as their files, each unlike all other inputs and files of skeletons. Throws
+/// PictureError.
+[[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures,
+                                                       const BinariseOptions& binarise = {},
+                                                       std::ostream* log = nullptr);
 
 /// Noise of half the pixels, foreground where most of the 9 x 9 pixels round it are.
 [[nodiscard]] ByteImage blobs(Index width, Index height, std::uint64_t seed);

@@ -97,7 +97,7 @@ std::string hash_of(const Outcome& outcome) {
 
 void measure(const Order& order, std::uint64_t seed, const std::vector<Operation>& operations,
              const LineSink& answer) {
-  const std::vector<TimedInput> inputs = timed_inputs({order.pictures, 0});
+  const std::vector<TimedInput> inputs = timed_inputs({order.pictures, 0, order.binarise});
   for (const std::size_t index : shuffled(order.groups.size(), seed)) {
     const Group& group = order.groups[index];
     const std::uint64_t group_seed = splitmix64(seed, index);

@@ -1,13 +1,16 @@
 #include "paired/options.hpp"
 
 #include "cli/arguments.hpp"
+#include "cli/binarise_options.hpp"
 #include "cli/parse_errors.hpp"
 
 namespace thinbench {
 namespace {
 
 void add_choice_of_rows(CLI::App& app, PairedOptions& options) {
-  app.add_option("--image", options.pictures, "time this picture, not the scene (repeatable)");
+  CLI::Option* image =
+      app.add_option("--image", options.pictures, "time this image, not the scene (repeatable)");
+  add_binarise_options(app, options.binarise, image);
   app.add_option(
       "--filter", options.filter,
       "results whose name case/technique/isa/threads/scope/input matches, see thinbench_timings");

@@ -16,6 +16,7 @@ inline constexpr double kSlowReference = 100;
 
 struct PairedOptions {
   std::vector<std::string> pictures;
+  BinariseOptions binarise;
   std::string filter;
   std::string samples_out;
   std::string csv_out;

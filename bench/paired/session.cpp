@@ -118,10 +118,11 @@ int run(const PairedOptions& options, const std::vector<Operation>& operations,
   for (const std::string& path : {options.csv_out, options.samples_out}) {
     if (!path.empty()) check_target(path);
   }
-  const std::vector<TimedInput> inputs = timed_inputs({options.pictures, 0});
-  const Selection selection = rows_asked_for(options.filter, operations, inputs,
-                                             options.highest_level ? Levels::highest : Levels::all);
-  const Order order{options.pictures, planned(selection, options)};
+  const std::vector<TimedInput> inputs =
+      timed_inputs({options.pictures, 0, options.binarise, &std::cerr});
+  const Selection selection = rows_asked_for(
+      options.filter, operations, inputs, options.highest_level ? Levels::highest : Levels::all);
+  const Order order{options.pictures, options.binarise, planned(selection, options)};
   const auto processes = measured(order, options, measurer);
   const std::vector<PairResult> results = results_of(order.groups, processes);
   if (!options.csv_out.empty()) write_whole_file(options.csv_out, to_csv(results));

@@ -65,8 +65,20 @@ void from_json(const json& object, EntryTimes& times) {
   object.at("wall").get_to(times.wall);
 }
 
+void to_json(json& object, const BinariseOptions& options) {
+  object = {{"foreground", options.foreground}};
+  if (options.threshold) object["threshold"] = *options.threshold;
+}
+
+void from_json(const json& object, BinariseOptions& options) {
+  object.at("foreground").get_to(options.foreground);
+  if (object.contains("threshold")) options.threshold = object["threshold"].get<int>();
+}
+
 std::string to_line(const Order& order) {
-  return json({{"pictures", order.pictures}, {"groups", order.groups}}).dump() + "\n";
+  const json object = {
+      {"pictures", order.pictures}, {"binarise", order.binarise}, {"groups", order.groups}};
+  return object.dump() + "\n";
 }
 
 std::string to_line(const GroupTimes& times) {
@@ -78,6 +90,7 @@ std::string to_line(const GroupTimes& times) {
 Order order_from(const std::string& line) {
   const json object = parsed(line);
   return {object.at("pictures").get<std::vector<std::string>>(),
+          object.at("binarise").get<BinariseOptions>(),
           object.at("groups").get<std::vector<Group>>()};
 }
 

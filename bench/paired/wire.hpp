@@ -12,6 +12,7 @@ namespace thinbench {
 /// All that a process has to know.
 struct Order {
   std::vector<std::string> pictures;  // instead of the scene
+  BinariseOptions binarise;           // of the pictures
   std::vector<Group> groups;
 };
 

@@ -20,21 +20,46 @@ bool comes_before(const cv::Point& a, const cv::Point& b) {
   return std::tie(a.y, a.x) < std::tie(b.y, b.x);
 }
 
-/// Draws all outlines and returns the first pixel of each object, in the order of their ids.
-std::vector<cv::Point> draw_outlines(cv::Mat& picture, const ConstImageView& objects) {
-  std::vector<std::vector<cv::Point>> contours;
+using Contour = std::vector<cv::Point>;
+
+/// An outline and its first pixel, by rows and from the left.
+struct Outline {
+  cv::Point first;
+  Contour contour;
+};
+
+/// Outlines by region: those of objects, and those round holes.
+struct Outlines {
+  std::vector<Outline> objects;
+  std::vector<Outline> holes;
+};
+
+/// Both lists in the order of the regions' ids. An object's outline begins with its first pixel;
+/// that round a hole, which lies on the object, with the pixel above the hole's first.
+Outlines outlines_of(const ConstImageView& objects) {
+  std::vector<Contour> contours;
   std::vector<cv::Vec4i> hierarchy;
   cv::findContours(mat_of(objects), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
-  std::vector<cv::Point> first_pixels;
+  Outlines outlines;
   for (std::size_t i = 0; i < contours.size(); ++i) {
-    const auto& contour = contours[i];
+    const cv::Point first = *std::min_element(contours[i].begin(), contours[i].end(), comes_before);
     const bool is_hole = hierarchy[i][3] >= 0;
-    cv::polylines(picture, contour, true, is_hole ? kHoleColour : kObjectColour);
-    if (is_hole) continue;
-    first_pixels.push_back(*std::min_element(contour.begin(), contour.end(), comes_before));
+    (is_hole ? outlines.holes : outlines.objects).push_back({first, std::move(contours[i])});
   }
-  std::sort(first_pixels.begin(), first_pixels.end(), comes_before);
-  return first_pixels;
+  const auto in_order = [](const Outline& a, const Outline& b) {
+    return comes_before(a.first, b.first);
+  };
+  std::sort(outlines.objects.begin(), outlines.objects.end(), in_order);
+  std::sort(outlines.holes.begin(), outlines.holes.end(), in_order);
+  return outlines;
+}
+
+/// Draws the outlines at these positions.
+void draw_outlines(cv::Mat& picture, const std::vector<Outline>& outlines,
+                   const std::vector<std::size_t>& positions, const cv::Scalar& colour) {
+  for (const std::size_t i : positions) {
+    cv::polylines(picture, outlines[i].contour, true, colour);
+  }
 }
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
@@ -77,12 +102,13 @@ void draw_centre(cv::Mat& picture, const Region& region, const cv::Scalar& colou
 }
 
 /// Numbers of objects stand above their first pixels, where no hole of theirs is.
-void draw_objects(cv::Mat& picture, const std::vector<Region>& objects,
-                  const std::vector<cv::Point>& first_pixels) {
+void draw_objects(cv::Mat& picture, const std::vector<Region>& objects, const Outlines& outlines,
+                  const KeptRegions& kept) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     draw_centre(picture, objects[i], kObjectColour);
     if (!is_numbered(objects[i])) continue;
-    write_id(picture, i + 1, first_pixels[i] - cv::Point(0, 2), kObjectColour);
+    const cv::Point first = outlines.objects[kept.objects[i]].first;
+    write_id(picture, i + 1, first - cv::Point(0, 2), kObjectColour);
   }
 }
 
@@ -97,14 +123,18 @@ void draw_holes(cv::Mat& picture, const std::vector<Region>& holes) {
 
 }  // namespace
 
-void write_overlay(const std::string& path, const ConstImageView& grey, const ConstImageView& objects,
-                   const Regions& found) {
-  check_colour_ending(path);
+void write_overlay(const std::string& path, const ConstImageView& grey,
+                   const ConstImageView& objects, const Regions& found, std::int64_t min_area) {
+  check_colour_extension(path);
   cv::Mat picture;
   cv::cvtColor(mat_of(grey), picture, cv::COLOR_GRAY2BGR);
-  const std::vector<cv::Point> first_pixels = draw_outlines(picture, objects);
-  draw_objects(picture, found.objects, first_pixels);
-  draw_holes(picture, found.holes);
+  const Outlines outlines = outlines_of(objects);
+  const KeptRegions kept = kept_regions(found, min_area);
+  draw_outlines(picture, outlines.objects, kept.objects, kObjectColour);
+  draw_outlines(picture, outlines.holes, kept.holes, kHoleColour);
+  const Regions shown = selected(found, kept);
+  draw_objects(picture, shown.objects, outlines, kept);
+  draw_holes(picture, shown.holes);
   write_mat(path, picture);
 }
 

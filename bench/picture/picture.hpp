@@ -21,8 +21,8 @@ inline constexpr Index kMaxPicturePixels = Index{1} << 31;
 /// when it is loaded, so that only the user can raise it. Throws PictureError.
 [[nodiscard]] ByteImage read_grey(const std::string& path);
 
-/// Writes an 8-bit grey picture in the format that the ending names; only formats that keep every
-/// pixel are known. The file appears, or is replaced, as a whole or not at all. Throws
+/// Writes an 8-bit grey picture in the format that the extension names; only formats that keep
+/// every pixel are known. The file appears, or is replaced, as a whole or not at all. Throws
 /// PictureError.
 void write_grey(const std::string& path, const ConstImageView& picture);
 
@@ -31,10 +31,10 @@ void write_grey(const std::string& path, const ConstImageView& picture);
   return width <= (kMaxPicturePixels - 1) / height;
 }
 
-/// Throws PictureError where the ending names no format that write_grey knows.
-void check_ending(const std::string& path);
+/// Throws PictureError where the extension names no format that write_grey knows.
+void check_extension(const std::string& path);
 
 /// The same for pictures with colours.
-void check_colour_ending(const std::string& path);
+void check_colour_extension(const std::string& path);
 
 }  // namespace thinbench

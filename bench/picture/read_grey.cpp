@@ -29,8 +29,8 @@ void check_file(const std::string& path) {
   const int failed = fstat(descriptor, &facts);
   close(descriptor);
   if (failed != 0) refuse(path, "its kind and size are unknown");
-  if (S_ISDIR(facts.st_mode)) refuse(path, "it is a folder");
-  if (!S_ISREG(facts.st_mode)) refuse(path, "it is no regular file");
+  if (S_ISDIR(facts.st_mode)) refuse(path, "it is a directory");
+  if (!S_ISREG(facts.st_mode)) refuse(path, "it is not a regular file");
   if (facts.st_size == 0) refuse(path, "the file is empty");
 }
 
@@ -49,7 +49,7 @@ std::string too_many_pixels() {
 /// The decoder gave up without a reason; the beginning of the file may tell one.
 [[noreturn]] void refuse_undecoded(const std::string& path) {
   if (declares_no_pixels(path)) refuse(path, "it has no pixels");
-  if (!cv::haveImageReader(path)) refuse(path, "it is no picture of a known format");
+  if (!cv::haveImageReader(path)) refuse(path, "it is not an image of a known format");
   refuse(path, "it is damaged");
 }
 
@@ -58,13 +58,13 @@ std::string too_many_pixels() {
   const auto mentions = [&](const char* text) { return error.err.find(text) != std::string::npos; };
   if (mentions("CV_IO_MAX_IMAGE_PIXELS")) refuse(path, too_many_pixels());
   if (mentions("CV_IO_MAX_IMAGE")) refuse(path, "it is wider or higher than 2^20 pixels");
-  if (error.code == cv::Error::StsNoMem) refuse(path, "memory is too short for it");
+  if (error.code == cv::Error::StsNoMem) refuse(path, "there is not enough memory for it");
   refuse_undecoded(path);
 }
 
 /// Some decoders fill up what is missing in a file that ends too early and only warn.
 void check_warnings(const std::string& path, const std::string& warnings) {
-  if (warnings.find("remature end") != std::string::npos) refuse(path, "the file ends too early");
+  if (warnings.find("remature end") != std::string::npos) refuse(path, "the file is truncated");
 }
 
 cv::Mat decoded(const std::string& path) {
@@ -88,7 +88,7 @@ ByteImage read_grey(const std::string& path) {
   } catch (const cv::Exception& error) {
     refuse(path, error);
   } catch (const std::bad_alloc&) {
-    refuse(path, "memory is too short for it");
+    refuse(path, "there is not enough memory for it");
   }
 }
 

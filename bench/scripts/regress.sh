@@ -2,10 +2,11 @@
 
 regress_usage() {
   cat <<'TEXT'
-Usage: ./study regress [--against COMMIT] [--filter REGEX] [--image FILE]... [--all]
-                       [--judge-threads] [--baselines DIR] [--no-instructions] [--no-install]
-       ./study regress --update --reason TEXT [--filter REGEX] [--image FILE]...
-                       [--baselines DIR] [--no-instructions] [--no-install]
+Usage: ./study regress [--against COMMIT] [--filter REGEX] [--image FILE]... [--foreground VALUE]
+                       [--threshold VALUE] [--all] [--judge-threads] [--baselines DIR]
+                       [--no-instructions] [--no-install]
+       ./study regress --update --reason TEXT [--filter REGEX] [--image FILE]... [--foreground VALUE]
+                       [--threshold VALUE] [--baselines DIR] [--no-instructions] [--no-install]
 
 Says whether rows became slower, in two layers.
 
@@ -25,7 +26,9 @@ other commit is built in a scratch folder, processes of both builds take turns, 
   --against COMMIT  compare this working tree with a commit, not with the baseline
   --filter REGEX    results whose name case/technique/isa/threads/scope/input matches; default: fast
                     ones on one thread, about a minute (with --against some minutes and a build)
-  --image FILE      measure on this picture instead of the built-in scene; repeatable
+  --image FILE      measure on this image instead of the built-in scene; repeatable
+  --foreground, --threshold
+                    which pixels of these images are foreground, as for ./study
   --all             show rows that passed, too
   --judge-threads   judge rows with threads, too: only where no one else uses the cores
   --update          make this run the baseline, and its counts those beside it; needs --reason, which
@@ -52,7 +55,7 @@ filter='^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|edg
 filter+='localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_tiles|simd_bitpacked_row|'
 filter+='simd_16bit|simd_runs)/[a-z0-9.]+/1/'
 against='' update=no reason='' baselines="$root/results/baselines" install=yes
-instructions=yes pictures=() judging=()
+instructions=yes pictures=() binarise=() judging=()
 . "$root/bench/scripts/regress_counts.sh"
 
 need_value() { [ -n "${2-}" ] || fail 2 "regress: $1 needs a value; see ./study regress --help"; }
@@ -62,6 +65,8 @@ while [ $# -gt 0 ]; do
     --against) need_value "$@"; against=$2; shift ;;
     --filter) need_value "$@"; filter=$2; shift ;;
     --image) need_value "$@"; pictures+=(--image "$(absolute "$2")"); shift ;;
+    --foreground) need_value "$@"; check_foreground "$2"; binarise+=("$1" "$2"); shift ;;
+    --threshold) need_value "$@"; check_threshold "$2"; binarise+=("$1" "$2"); shift ;;
     --reason) need_value "$@"; reason=$2; shift ;;
     --baselines) need_value "$@"; baselines=$(absolute "$2"); shift ;;
     --all | --judge-threads) judging+=("$1") ;;
@@ -73,6 +78,8 @@ while [ $# -gt 0 ]; do
   shift
 done
 
+[ ${#binarise[@]} -eq 0 ] || [ ${#pictures[@]} -gt 0 ] ||
+  fail 2 "regress: ${binarise[0]} needs --image; see ./study regress --help"
 commit=$(git -C "$root" rev-parse --short=10 HEAD 2>/dev/null) || commit=unknown
 if [ $update = yes ]; then
   [ -n "$reason" ] || fail 2 "regress: --update needs --reason \"...\", which the history keeps"
@@ -121,7 +128,7 @@ build_both() {
 # measure PROGRAM SAMPLES FILTER OPTION...: whether its controls passed is judged later.
 measure() {
   local status=0
-  "$1" --quiet --no-peers --seconds-per-pair "$seconds" "${pictures[@]}" --samples-out "$2" --filter "$3" \
+  "$1" --quiet --no-peers --seconds-per-pair "$seconds" "${pictures[@]}" "${binarise[@]}" --samples-out "$2" --filter "$3" \
     "${@:4}" 2>"$work/said" || status=$?
   case $status in 0 | 3) ;; *) fail 2 "regress: $(tail -n 1 "$work/said")" ;; esac
 }

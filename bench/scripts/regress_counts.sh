@@ -9,7 +9,7 @@ counts_file() { "$(bin_of "$root")/thinbench_regress" counts-file --baselines "$
 # count ROOT FILE OPTION...: counts of a build, into a file that is there only if all went well.
 count() {
   "$(bin_of "$1")/thinbench" instructions --filter "$filter" "${pictures[@]:0:2}" --out "$2" \
-    "${@:3}" >"$work/compared" 2>"$work/said"
+    "${binarise[@]}" "${@:3}" >"$work/compared" 2>"$work/said"
 }
 
 why_not_counted() { tail -n 1 "$work/said" | sed 's/^thinbench: //'; }

@@ -1,6 +1,6 @@
 """Prints, as JSON for machine.json, with what options a study was run.
 
-Usage: run_options.py yes|no FILTER REPETITIONS LARGEST_SQUARE yes|no [IMAGE...]
+Usage: run_options.py yes|no FILTER REPETITIONS LARGEST_SQUARE yes|no FOREGROUND THRESHOLD [IMAGE...]
 """
 
 from __future__ import annotations
@@ -11,10 +11,11 @@ from pathlib import Path
 
 
 def run_options(arguments: list[str]) -> dict[str, object]:
-    """The options by name; pictures by their files' names, since folders are nobody's business."""
-    quick, regex, repetitions, largest, peers, *images = arguments
+    """The options by name; images by their files' names, since directories are private."""
+    quick, regex, repetitions, largest, peers, foreground, threshold, *images = arguments
     return {"quick": quick == "yes", "filter": regex, "repetitions": int(repetitions),
             "largest_square": int(largest), "peers": peers == "yes",
+            "foreground": foreground, "threshold": threshold,
             "images": [Path(image).name for image in images]}
 
 

@@ -13,6 +13,21 @@ fail() {
   exit "$1"
 }
 
+# check_foreground VALUE, check_threshold VALUE: as the programs say it, before anything is built.
+check_foreground() {
+  case $1 in
+    auto | bright | dark) ;;
+    *) fail 2 "--foreground: expected auto, bright or dark, got '$1'" ;;
+  esac
+}
+
+check_threshold() {
+  case $1 in
+    otsu | [0-9] | [1-9][0-9] | 1[0-9][0-9] | 2[0-4][0-9] | 25[0-5]) ;;
+    *) fail 2 "--threshold: expected an integer in [0, 255] or 'otsu', got '$1'" ;;
+  esac
+}
+
 # absolute PATH: as the caller meant it, wherever the script goes afterwards.
 absolute() {
   case "$1" in

@@ -49,7 +49,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-case $rounds in *[!0-9]* | 0*) fail 2 "sweeps: --rounds: '$rounds' is no whole number above 0" ;; esac
+case $rounds in *[!0-9]* | 0*) fail 2 "sweeps: --rounds: expected an integer above 0, got '$rounds'" ;; esac
 if [ -n "$compiler" ]; then
   [ "$compiler" = clang ] || fail 2 "sweeps: --compiler: '$compiler' is unknown; clang is compared with GCC"
   [ ${#chosen[@]} -eq 0 ] || fail 2 "sweeps: --compiler measures the levels and nothing else; leave out ${chosen[0]}"

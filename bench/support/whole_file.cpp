@@ -80,11 +80,11 @@ void check_target(const std::string& path) {
   std::error_code ignored;
   if (path.empty()) refuse(path, "its name is empty");
   if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
-    refuse(path, "there is no folder '" + folder.string() + "'");
+    refuse(path, "there is no directory '" + folder.string() + "'");
   }
-  if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a folder");
+  if (std::filesystem::is_directory(path, ignored)) refuse(path, "it is a directory");
   if (std::filesystem::exists(path, ignored) && access(path.c_str(), W_OK) != 0) {
-    refuse(path, "it is protected against writing");
+    refuse(path, "it is write-protected");
   }
 }
 

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <regex>
 
-#include "picture/objects.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
 #include "support/picture_names.hpp"
@@ -37,8 +36,9 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice) {
   std::vector<TimedInput> inputs;
   for (const std::string& path : choice.pictures) {
     ByteImage grey = read_grey(path);
-    ByteImage objects = objects_of(copy_of(grey.view()));
-    inputs.push_back({name_of(path, inputs), std::move(objects), std::move(grey), false});
+    BinaryImage binary = binarise(copy_of(grey.view()), choice.binarise);
+    if (choice.log != nullptr) print_remarks(path, binary, choice.binarise, *choice.log);
+    inputs.push_back({name_of(path, inputs), std::move(binary.image), std::move(grey), false});
   }
   if (inputs.empty()) {
     inputs.push_back({"scene", copy_of(scene.binary.view()), copy_of(scene.grey.view()), false});

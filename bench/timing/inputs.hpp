@@ -1,10 +1,12 @@
 // The images that are timed.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "harness/job.hpp"
+#include "picture/binarise.hpp"
 
 namespace thinbench {
 
@@ -24,11 +26,13 @@ struct TimedInput {
 struct InputChoice {
   std::vector<std::string> pictures;  // files to use instead of the scene
   Index largest_square = 4096;        // where the series of sizes ends; 0 for no series
+  BinariseOptions binarise = {};      // of the pictures
+  std::ostream* log = nullptr;        // gets the remarks on them
 };
 
-/// The scene, or the pictures (object = pixels >= 128), and then squares of 64 x 64 and doubled
-/// sizes cut from the scene laid out like tiles. Names are unique and hold no '/'; a picture never
-/// gets the name of the scene or of a square, which reports treat apart. Throws PictureError.
+/// The scene, or the pictures, binarised, and then squares of 64 x 64 and doubled sizes cut from
+/// the scene laid out like tiles. Names are unique and hold no '/'; a picture never gets the name
+/// of the scene or of a square, which reports treat apart. Throws PictureError.
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice);
 
 /// The image laid out again and again, from its top left corner on.

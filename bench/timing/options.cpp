@@ -1,14 +1,16 @@
 #include "timing/options.hpp"
 
 #include "cli/arguments.hpp"
+#include "cli/binarise_options.hpp"
 #include "cli/parse_errors.hpp"
 
 namespace thinbench {
 namespace {
 
 void add_options(CLI::App& app, TimingOptions& options) {
-  app.add_option("--image", options.inputs.pictures,
-                 "time this picture, not the scene (repeatable)");
+  CLI::Option* image = app.add_option("--image", options.inputs.pictures,
+                                      "time this image, not the scene (repeatable)");
+  add_binarise_options(app, options.inputs.binarise, image);
   app.add_option("--filter", options.filter,
                  "results whose name case/technique/isa/threads/scope/input matches");
   app.add_option("--largest-square", options.inputs.largest_square,
@@ -26,7 +28,8 @@ void add_options(CLI::App& app, TimingOptions& options) {
       ->type_name("S");
   app.add_option("--rows-out", options.rows_out, "write inputs and skipped rows here, as JSON")
       ->check(not_empty());
-  app.add_option("--pictures-out", options.pictures_out, "write inputs and results to this folder")
+  app.add_option("--pictures-out", options.pictures_out,
+                 "write inputs and results to this directory")
       ->check(not_empty());
   app.add_flag("--highest-level", options.highest_level, "only the highest ISA of each technique");
   app.add_flag("--no-peers", options.no_peers, "omit other projects' code and the copy");
@@ -39,7 +42,8 @@ void add_options(CLI::App& app, TimingOptions& options) {
       "  --benchmark_out=timings.json --benchmark_out_format=json\n"
       "Examples:\n"
       "  thinbench_timings --filter 'bitpacked.*/scene'\n"
-      "  thinbench_timings --image horse.png --largest-square 0");
+      "  thinbench_timings --image horse.png --largest-square 0\n"
+      "  thinbench_timings --image parts.jpg --foreground dark --threshold 100");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "cli/command.hpp"
 #include "peers/peers.hpp"
-#include "picture/objects.hpp"
+#include "picture/binarise.hpp"
 #include "picture/picture.hpp"
 #include "support/whole_file.hpp"
 #include "timing/inputs.hpp"
@@ -77,7 +77,7 @@ nlohmann::json rows_json(const Selection& selection, const std::vector<TimedInpu
                               {"height", input.height()},
                               {"hash", pixel_hash(input.binary.view())},
                               {"grey_hash", pixel_hash(input.grey.view())},
-                              {"object_pixels", object_pixels(input.binary.view())}});
+                              {"object_pixels", foreground_pixels(input.binary.view())}});
   }
   for (const Peer& peer : peers()) {
     if (techniques.count(peer.technique) == 0) continue;
@@ -157,9 +157,11 @@ double register_rows(const std::vector<TimedRow>& rows, const TimingOptions& opt
 
 int run(const TimingOptions& options, const std::vector<Operation>& operations) {
   if (!options.rows_out.empty()) check_target(options.rows_out);
-  const std::vector<TimedInput> inputs = timed_inputs(options.inputs);
-  const Selection selection = rows_asked_for(options.filter, operations, inputs,
-                                             options.highest_level ? Levels::highest : Levels::all);
+  InputChoice choice = options.inputs;
+  choice.log = &std::cerr;
+  const std::vector<TimedInput> inputs = timed_inputs(choice);
+  const Selection selection = rows_asked_for(
+      options.filter, operations, inputs, options.highest_level ? Levels::highest : Levels::all);
   if (!options.rows_out.empty()) {
     write_whole_file(options.rows_out,
                      rows_json(selection, inputs, peer_techniques(operations)).dump(2));

@@ -158,9 +158,9 @@ class Selector {
   }
 
   bool admissible(const Row& row, const TimedInput& input) {
-    std::string reason = row.unavailable_reason(input.width());
+    const std::string reason = row.unavailable_reason(input.width());
     if (reason.empty()) return true;
-    selection_.skipped.push_back({row.name + "/" + input.name, std::move(reason)});
+    selection_.skipped.push_back({row.name + "/" + input.name, reason});
     return false;
   }
 

@@ -1,115 +1,82 @@
 #include "thinbench/batch.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "api/catalogue.hpp"
 #include "dispatch/exported.hpp"
 #include "image/byte_image.hpp"
-#include "image/check_stacks.hpp"
 #include "image/checks.hpp"
 #include "image/thread_team.hpp"
 #include "thinning/engines/lane_kernels.hpp"
 
 namespace thinbench {
 
-using detail::LaneKernel;
-using detail::ThinningState;
+namespace {
 
-/// Thins images on the threads of a team.
+/// Thins images [first, last) in memory of its own and returns the largest number of iterations.
+using Worker = std::function<int(const ConstStackView& source, const StackView& destination,
+                                 Index first, Index last)>;
+
+Worker lane_worker(detail::LaneKernel kernel, Index height, const Options& options) {
+  const auto words = static_cast<std::size_t>(detail::lane_scratch_words(height));
+  const std::shared_ptr<std::uint64_t[]> scratch = detail::make_aligned<std::uint64_t>(words);
+  const int max_iterations = options.max_iterations;
+  const bool keep_border = options.border == Border::keep;
+  return [=](const ConstStackView& source, const StackView& destination, Index first, Index last) {
+    return kernel({source, destination, max_iterations, keep_border}, first, last, scratch.get());
+  };
+}
+
+Worker single_worker(std::shared_ptr<detail::ThinningState> state) {
+  return [state = std::move(state)](const ConstStackView& source, const StackView& destination,
+                                    Index first, Index last) {
+    int iterations = 0;
+    for (Index i = first; i < last; ++i) {
+      iterations = std::max(iterations, state->run(source.image(i), destination.image(i)));
+    }
+    return iterations;
+  };
+}
+
+}  // namespace
+
+/// Shares the images of a stack among threads.
 class ThinningBatch::Engine {
  public:
-  explicit Engine(int threads) : team_(threads), iterations_(static_cast<std::size_t>(threads)) {}
-  virtual ~Engine() = default;
-  Engine(const Engine&) = delete;
-  Engine& operator=(const Engine&) = delete;
+  Engine(std::vector<Worker> workers, bool one_by_one)
+      : team_(static_cast<int>(workers.size())),
+        workers_(std::move(workers)),
+        iterations_(workers_.size()),
+        one_by_one_(one_by_one) {}
 
-  [[nodiscard]] virtual bool one_by_one() const = 0;
+  [[nodiscard]] bool one_by_one() const { return one_by_one_; }
 
-  /// The stacks have pixels.
+  /// For stacks with pixels.
   int run(const ConstStackView& source, const StackView& destination) {
-    const Index groups = (source.count + kGroup - 1) / kGroup;
-    const Index workers = team_.threads();
+    constexpr Index group = 16;  // images that fill the widest register
+    const Index groups = (source.count + group - 1) / group;
+    const auto count = static_cast<Index>(workers_.size());
     const auto first_of = [&](Index worker) {
-      return std::min(groups * worker / workers * kGroup, source.count);
+      return std::min(groups * worker / count * group, source.count);
     };
-    team_.for_ranges(workers, [&](Index first, Index last) {
-      for (Index worker = first; worker < last; ++worker) {
-        iterations_[static_cast<std::size_t>(worker)] =
-            thin(static_cast<std::size_t>(worker), source, destination, first_of(worker),
-                 first_of(worker + 1));
+    team_.for_ranges(count, [&](Index first, Index last) {
+      for (Index i = first; i < last; ++i) {
+        const auto worker = static_cast<std::size_t>(i);
+        iterations_[worker] = workers_[worker](source, destination, first_of(i), first_of(i + 1));
       }
     });
     return *std::max_element(iterations_.begin(), iterations_.end());
   }
 
- protected:
-  [[nodiscard]] std::size_t workers() const { return iterations_.size(); }
-
  private:
-  /// Threads share the images in units that fill the widest register.
-  static constexpr Index kGroup = 16;
-
-  /// Thins images [first, last) with what belongs to a worker and returns the largest
-  /// number of iterations.
-  virtual int thin(std::size_t worker, const ConstStackView& source, const StackView& destination,
-                   Index first, Index last) = 0;
-
   detail::ThreadTeam team_;
+  std::vector<Worker> workers_;
   std::vector<int> iterations_;  // by worker
-};
-
-/// One image a lane.
-class ThinningBatch::LaneEngine final : public Engine {
- public:
-  LaneEngine(LaneKernel kernel, Index height, int max_iterations, bool keep_border, int threads)
-      : Engine(threads),
-        kernel_(kernel),
-        max_iterations_(max_iterations),
-        keep_border_(keep_border) {
-    for (std::size_t worker = 0; worker < workers(); ++worker) {
-      scratch_.push_back(detail::make_aligned<std::uint64_t>(
-          static_cast<std::size_t>(detail::lane_scratch_words(height))));
-    }
-  }
-
-  [[nodiscard]] bool one_by_one() const override { return false; }
-
- private:
-  int thin(std::size_t worker, const ConstStackView& source, const StackView& destination,
-           Index first, Index last) override {
-    return kernel_({source, destination, max_iterations_, keep_border_}, first, last,
-                   scratch_[worker].get());
-  }
-
-  LaneKernel kernel_;
-  int max_iterations_;
-  bool keep_border_;
-  std::vector<detail::AlignedArray<std::uint64_t>> scratch_;  // by worker
-};
-
-/// A state for one image, run for each.
-class ThinningBatch::SingleEngine final : public Engine {
- public:
-  explicit SingleEngine(std::vector<std::unique_ptr<ThinningState>> states)
-      : Engine(static_cast<int>(states.size())), states_(std::move(states)) {}
-
-  [[nodiscard]] bool one_by_one() const override { return true; }
-
- private:
-  int thin(std::size_t worker, const ConstStackView& source, const StackView& destination,
-           Index first, Index last) override {
-    int most = 0;
-    for (Index i = first; i < last; ++i) {
-      most = std::max(most, states_[worker]->run(source.image(i), destination.image(i)));
-    }
-    return most;
-  }
-
-  std::vector<std::unique_ptr<ThinningState>> states_;  // by worker
+  bool one_by_one_;
 };
 
 ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options& options)
@@ -118,23 +85,24 @@ ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options
   Options single = options;
   single.threads = 1;
   const detail::ThinningOperation& operation = detail::operation_of(rule);
-  // The state for one image rejects whatever does not fit together; lanes need it for that only.
   const auto make_state = [&] {
     detail::require_size(width, height);
     const auto& variant = detail::choose(operation, width, height, single);
     return detail::make_state(operation, variant, width, height, single);
   };
-  std::vector<std::unique_ptr<ThinningState>> states;
-  states.push_back(make_state());
+  auto state = make_state();  // lanes need it only for its checks
   const Isa isa = options.isa.value_or(best_isa());
-  const LaneKernel kernel = detail::kernels_of<detail::LaneKernels>(isa).by_rule[rule];
-  if (kernel != nullptr && !options.technique && width <= detail::kMaxLaneWidth) {
-    engine_ = std::make_unique<LaneEngine>(kernel, height, options.max_iterations,
-                                           options.border == Border::keep, options.threads);
-    return;
+  const detail::LaneKernel kernel = detail::kernels_of<detail::LaneKernels>(isa).by_rule[rule];
+  const bool in_lanes = kernel != nullptr && !options.technique && width <= detail::kMaxLaneWidth;
+  std::vector<Worker> workers;
+  for (int i = 0; i < options.threads; ++i) {
+    if (in_lanes) {
+      workers.push_back(lane_worker(kernel, height, options));
+    } else {
+      workers.push_back(single_worker(i == 0 ? std::move(state) : make_state()));
+    }
   }
-  while (states.size() < static_cast<std::size_t>(options.threads)) states.push_back(make_state());
-  engine_ = std::make_unique<SingleEngine>(std::move(states));
+  engine_ = std::make_unique<Engine>(std::move(workers), !in_lanes);
 }
 
 ThinningBatch::~ThinningBatch() = default;

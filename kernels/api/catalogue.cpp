@@ -1,5 +1,8 @@
 #include "api/catalogue.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "api/option_checks.hpp"
 #include "image/checks.hpp"
 #include "midpoints/variants.hpp"
@@ -50,12 +53,15 @@ std::vector<RegionsOperation> make_regions_operations() {
                     "4-connected objects minus 8-connected holes")};
 }
 
-template <class Operations, class Matches>
-const auto& first_that(const Operations& operations, const Matches& matches) {
+/// The operation whose `key` is `wanted`, an enumerator that `name` says in the text.
+template <class Operations, class Key, class Wanted>
+const auto& operation_with(const Operations& operations, Key key, Wanted wanted,
+                           const std::string& name) {
   for (const auto& operation : operations) {
-    if (matches(operation)) return operation;
+    if (operation.*key == wanted) return operation;
   }
-  throw std::invalid_argument("no such operation");
+  throw std::invalid_argument(name + ": expected one of the enumeration, got number " +
+                              std::to_string(static_cast<int>(wanted)));
 }
 
 }  // namespace
@@ -78,21 +84,21 @@ std::span<const RegionsOperation> regions_operations() {
 const LocaliseOperation& localise_operation() {
   static const LocaliseOperation operation = {
       "localise_objects",
-      "grey picture to Sobel's edges, contours, filled interiors and centres of objects and holes",
+      "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
       localise_variants()};
   return operation;
 }
 
 const ThinningOperation& operation_of(Rule rule) {
-  return first_that(thinning_operations(), [&](const auto& one) { return one.rule == rule; });
+  return operation_with(thinning_operations(), &ThinningOperation::rule, rule, "rule");
 }
 
 const EdgeOperation& operation_of(EdgeOperator op) {
-  return first_that(edge_operations(), [&](const auto& one) { return one.op == op; });
+  return operation_with(edge_operations(), &EdgeOperation::op, op, "operator");
 }
 
 const RegionsOperation& operation_of(RegionsTask task) {
-  return first_that(regions_operations(), [&](const auto& one) { return one.task == task; });
+  return operation_with(regions_operations(), &RegionsOperation::task, task, "task");
 }
 
 Options with_useful_threads(const Options& options, bool can_share, Index width, Index height) {

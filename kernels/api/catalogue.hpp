@@ -1,5 +1,5 @@
-// The one place that lists operations with their variants. The public functions choose among them;
-// tests, benchmarks and programs walk them.
+// All operations with their variants: public functions choose among them; tests and benchmarks
+// iterate over them.
 #pragma once
 
 #include <span>
@@ -52,8 +52,8 @@ struct LocaliseOperation {
 [[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
 [[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
-/// Each makes one variant, which must be of the operation. Throw std::invalid_argument for whatever
-/// does not fit, see the public functions; std::bad_alloc where memory is short.
+/// Each makes the state of a variant, which must be one of the operation. Throws
+/// std::invalid_argument as the public functions do, and std::bad_alloc.
 [[nodiscard]] std::unique_ptr<ThinningState> make_state(const ThinningOperation& operation,
                                                         const ThinningVariant& variant, Index width,
                                                         Index height, const Options& options);
@@ -70,13 +70,13 @@ struct LocaliseOperation {
                                                         const EdgeThresholds& thresholds,
                                                         const Options& options);
 
-/// Options with the number of threads that pays: where the technique is left open, one below 2^20
-/// pixels and where no variant shares its work.
+/// Options with one thread instead of several where the technique is left open and the image is
+/// below 2^20 pixels or no variant uses threads (`can_share`).
 [[nodiscard]] Options with_useful_threads(const Options& options, bool can_share, Index width,
                                           Index height);
 
-/// The variant that the options ask for on an image of this size. Throws std::invalid_argument
-/// where the number of threads is out of range or no variant fits.
+/// The variant that fits the options and the size of the image. Throws std::invalid_argument where
+/// the number of threads is out of range or no variant fits.
 template <class Operation>
 [[nodiscard]] const auto& choose(const Operation& operation, Index width, Index height,
                                  const Options& options) {

@@ -1,7 +1,7 @@
 #include "thinbench/edges.hpp"
 
 #include "api/catalogue.hpp"
-#include "image/check_views.hpp"
+#include "image/checks.hpp"
 
 namespace thinbench {
 

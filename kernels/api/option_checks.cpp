@@ -47,6 +47,8 @@ void check_thinning_options(const ThinningOperation& operation, const Options& o
                                            std::to_string(options.max_iterations));
   require(operation.takes_directions || options.directions == Directions{},
           name + " takes no directions");
+  require(options.directions.bits >> kDirectionCount == 0,
+          "directions: expected bits in [0, 15], got " + std::to_string(options.directions.bits));
   check_net(operation, options.net);
 }
 

@@ -1,7 +1,7 @@
 #include "thinbench/regions.hpp"
 
 #include "api/catalogue.hpp"
-#include "image/check_views.hpp"
+#include "image/checks.hpp"
 
 namespace thinbench {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 using detail::RegionsState;
 using detail::RegionsTask;
 
-/// After the work is done.
+/// The state with its result.
 std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& source,
                                        const Options& options) {
   detail::check_views(source, source, detail::InPlace::allowed);

@@ -1,7 +1,6 @@
 #include "thinbench/thinning.hpp"
 
 #include "api/catalogue.hpp"
-#include "image/check_views.hpp"
 #include "image/checks.hpp"
 
 namespace thinbench {

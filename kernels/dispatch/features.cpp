@@ -9,8 +9,8 @@ Features if_true(bool available, Features feature) {
 
 }  // namespace
 
-// The compiler's support library asks the operating system, too: where it does not save the
-// registers of AVX or AVX-512, it reports these as missing.
+// The compiler's support library reports AVX and AVX-512 as missing where the operating system does
+// not save their registers.
 Features detect_features() {
   __builtin_cpu_init();
   return if_true(__builtin_cpu_supports("sse4.2"), Features::sse4_2) |

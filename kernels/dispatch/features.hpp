@@ -1,4 +1,4 @@
-// Processor features that instruction sets are made of.
+// Processor features, of which instruction sets are sets.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ constexpr bool contains(Features set, Features wanted) {
   return (static_cast<std::uint32_t>(wanted) & ~static_cast<std::uint32_t>(set)) == 0;
 }
 
-/// What processor and operating system offer.
+/// The features that processor and operating system support.
 [[nodiscard]] Features detect_features();
 
 }  // namespace thinbench::detail

@@ -31,14 +31,17 @@ constexpr std::array<IsaInfo, kAllIsas.size()> kInfos = {{{"baseline", Features:
                                                           {"avx512", kAvx512Features},
                                                           {"avx512icl", kAvx512IclFeatures}}};
 
-const IsaInfo& info_of(Isa isa) {
-  return kInfos.at(static_cast<std::size_t>(isa));
-}
-
 std::string names() {
   std::string text;
   for (const IsaInfo& info : kInfos) text.append(text.empty() ? "" : ", ").append(info.name);
   return text;
+}
+
+const IsaInfo& info_of(Isa isa) {
+  const auto number = static_cast<std::size_t>(isa);
+  if (number < kInfos.size()) return kInfos[number];
+  throw std::invalid_argument("isa: expected one of " + names() + ", got number " +
+                              std::to_string(number));
 }
 
 std::optional<Isa> read_cap() {

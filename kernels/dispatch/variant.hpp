@@ -1,5 +1,4 @@
-// Variants: the ways in which an operation can be computed, one type for all families, and the
-// choice among them.
+// Variants: implementations of an operation, one type for all families, and the choice among them.
 #pragma once
 
 #include <limits>
@@ -15,20 +14,20 @@
 namespace thinbench::detail {
 
 inline constexpr Index kAnyWidth = std::numeric_limits<Index>::max();
-/// Of these, the one with the higher priority is taken where both can run.
+/// Priorities within an ISA are below this.
 inline constexpr int kPrioritiesPerIsa = 100;
 
-/// What a choice depends on.
+/// The properties that a choice depends on.
 struct VariantInfo {
   Technique technique;
   Isa isa;
-  bool threaded = false;        // shares the work among the threads asked for
-  Index max_width = kAnyWidth;  // wider images need another variant
-  bool keeps_border = true;     // can compute with Border::keep
-  int priority = 0;
+  bool threaded = false;        // uses several threads
+  Index max_width = kAnyWidth;  // of images
+  bool keeps_border = true;     // supports Border::keep
+  int priority = 0;             // of the variants that can run, the highest is chosen
 };
 
-/// A variant of a family whose states are made from a `State::Setting`.
+/// A variant in a family of states that are made from a `State::Setting`.
 template <class State>
 struct Variant : VariantInfo {
   std::unique_ptr<State> (*make)(const typename State::Setting& setting) = nullptr;
@@ -40,7 +39,7 @@ class VariantList {
  public:
   using Make = std::unique_ptr<State> (*)(const typename State::Setting& setting);
 
-  /// What `priority` is within its ISA; any variant of a later ISA comes before all of an earlier.
+  /// `priority` is that within the ISA: any variant of a later ISA precedes all of an earlier one.
   struct Facts {
     int priority = 0;
     Index max_width = kAnyWidth;
@@ -53,7 +52,7 @@ class VariantList {
         {{technique, isa, threaded, facts.max_width, facts.keeps_border, priority}, make});
   }
 
-  /// For one thread and for several.
+  /// One variant for one thread and one for several.
   void add_with_threads(Technique technique, Isa isa, Make make, const Facts& facts) {
     add(technique, isa, make, facts);
     add(technique, isa, make, facts, true);
@@ -65,18 +64,18 @@ class VariantList {
   std::vector<Variant<State>> variants_;
 };
 
-/// Why a variant cannot run here on an image of this width; empty where it can.
+/// Why a variant cannot run on this machine on an image of this width; empty where it can.
 [[nodiscard]] std::string unavailable_reason(const VariantInfo& variant, Index width,
                                              Border border = Border::background);
 
-/// The index of the variant of `operation` that fits the options on an image of this width. Throws
-/// std::invalid_argument where none fits, naming why the last candidate does not; where there is no
-/// candidate, the techniques there are, or the ISAs of the technique.
+/// The index of the variant that fits the options and the width. Throws std::invalid_argument where
+/// none fits: with the reason why the last candidate does not or, without a candidate, with the
+/// available techniques or ISAs.
 [[nodiscard]] std::size_t choose_variant(std::string_view operation,
                                          std::span<const VariantInfo> variants, Index width,
                                          const Options& options);
 
-/// The same, from a family's list.
+/// The same from a family's list.
 template <class State>
 [[nodiscard]] const Variant<State>& choose_variant(std::string_view operation,
                                                    const std::vector<Variant<State>>& variants,

@@ -1,4 +1,4 @@
-// The kernels of the edge operators, and the tables through which the catalogue reaches them.
+// The kernels of the edge operators and the tables that export them.
 #pragma once
 
 #include "image/plane_view.hpp"
@@ -6,7 +6,7 @@
 
 namespace thinbench::detail {
 
-/// What a scaled gradient is divided by; kernels multiply P1 by it instead.
+/// The operator's scale: kernels multiply the gradient threshold by it.
 [[nodiscard]] constexpr int edge_scale(EdgeOperator op) {
   constexpr int scales[kEdgeOperators.size()] = {2, 2, 4, 12, 4, 3};
   return scales[static_cast<std::size_t>(op)];
@@ -18,16 +18,16 @@ struct EdgeRows {
   Index last;  // after the last
 };
 
-/// Writes the rows of the band in `target`, 255 where there is an edge and 0 elsewhere. Reads rows
-/// beside the band, but nothing outside the source. Sizes are equal; the images do not overlap.
+/// Writes the rows of the band: 255 on edges, else 0. Reads rows beside the band, nothing outside
+/// the source. Sizes are equal; the images do not overlap.
 using EdgesToBytes = void (*)(const EdgeThresholds& thresholds, const ConstImageView& source,
                               const ImageView& target, const EdgeRows& rows);
 
-/// The same into packed bits; margins and the bits past the width stay 0.
+/// The same as packed bits. Margins and the bits past the width stay 0.
 using EdgesToBits = void (*)(const EdgeThresholds& thresholds, const ConstImageView& source,
                              const BitPlaneView& target, const EdgeRows& rows);
 
-/// The kernels of one technique by operator; nullptr where it has none.
+/// The kernels of one technique by operator; nullptr where there is none.
 template <class Kernel>
 struct EdgeTable {
   Kernel kernels[kEdgeOperators.size()];

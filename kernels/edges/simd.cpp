@@ -22,14 +22,14 @@ inline namespace THINBENCH_ISA {
 namespace {
 
 template <class Operator>
-void to_bytes(const EdgeThresholds& thresholds, const ConstImageView& source, const ImageView& target,
-              const EdgeRows& rows) {
+void to_bytes(const EdgeThresholds& thresholds, const ConstImageView& source,
+              const ImageView& target, const EdgeRows& rows) {
   sweep_to_bytes<Operator>(thresholds, source, target, rows);
 }
 
 template <class Operator>
-void to_bits(const EdgeThresholds& thresholds, const ConstImageView& source, const BitPlaneView& target,
-             const EdgeRows& rows) {
+void to_bits(const EdgeThresholds& thresholds, const ConstImageView& source,
+             const BitPlaneView& target, const EdgeRows& rows) {
   sweep_to_bits<Operator>(thresholds, source, target, rows);
 }
 

@@ -18,23 +18,15 @@ void run_bands(const ThreadTeam& team, Kernel kernel, const EdgeThresholds& thre
   });
 }
 
-State make_autovec(const EdgeSetting& setting) {
-  return std::make_unique<EdgeState>(kernels_of<AutovecEdgeKernels>(setting.isa).bytes[setting.op],
-                                     setting);
-}
-State make_16bit(const EdgeSetting& setting) {
-  return std::make_unique<EdgeState>(kernels_of<EdgeKernels>(setting.isa).simd_16bit[setting.op],
-                                     setting);
-}
-State make_8bit(const EdgeSetting& setting) {
-  return std::make_unique<EdgeState>(kernels_of<EdgeKernels>(setting.isa).simd_8bit[setting.op],
+template <class Kernels, EdgeTable<EdgesToBytes> Kernels::*table>
+State make(const EdgeSetting& setting) {
+  return std::make_unique<EdgeState>((kernels_of<Kernels>(setting.isa).*table)[setting.op],
                                      setting);
 }
 
 void check_threshold(const char* name, int value) {
-  require(0 <= value && value <= kMaxThreshold, std::string(name) +
-                                                    ": expected an integer in [0, 255], got " +
-                                                    std::to_string(value));
+  require(0 <= value && value <= kMaxThreshold,
+          std::string(name) + ": expected an integer in [0, 255], got " + std::to_string(value));
 }
 
 }  // namespace
@@ -65,13 +57,14 @@ void check_thresholds(const EdgeThresholds& thresholds) {
 std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
   EdgeVariants list;
   for (const Isa isa : kAllIsas) {
-    if (isa == Isa::avx512icl) continue;  // adds nothing that these kernels could use
-    list.add(autovec, isa, &make_autovec, {0});
-    list.add(simd_16bit, isa, &make_16bit, {1});
+    if (isa == Isa::avx512icl) continue;  // has no instruction that these kernels use
+    list.add(autovec, isa, &make<AutovecEdgeKernels, &AutovecEdgeKernels::bytes>, {0});
+    constexpr auto make_16bit = &make<EdgeKernels, &EdgeKernels::simd_16bit>;
+    list.add(simd_16bit, isa, make_16bit, {1});
     if (kernels_of<EdgeKernels>(isa).simd_8bit[op] != nullptr) {
-      list.add_with_threads(simd_8bit, isa, &make_8bit, {2});
+      list.add_with_threads(simd_8bit, isa, &make<EdgeKernels, &EdgeKernels::simd_8bit>, {2});
     } else {
-      list.add(simd_16bit, isa, &make_16bit, {1}, true);
+      list.add(simd_16bit, isa, make_16bit, {1}, true);
     }
   }
   return list.take();

@@ -1,4 +1,4 @@
-// One variant of an edge operator at work, and packed edges for those who go on with them.
+// The states of the edge operators, with edges as bytes or as packed bits.
 #pragma once
 
 #include <memory>
@@ -44,7 +44,7 @@ using EdgeVariants = VariantList<EdgeState>;
 /// Throws std::invalid_argument for a threshold outside [0, 255].
 void check_thresholds(const EdgeThresholds& thresholds);
 
-/// Edges as packed bits, one per pixel.
+/// Edges as packed bits.
 class PackedEdges {
  public:
   explicit PackedEdges(const EdgeSetting& setting);

@@ -8,8 +8,8 @@
 // between strips, and for the pages they touch to stay in the translation buffer.
 #pragma once
 
-#include "simd/grey_lanes.hpp"
 #include "edges/kernels.hpp"
+#include "simd/vector.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
@@ -178,7 +178,8 @@ void sweep_rows(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows
 /// Images narrower than a batch: their rows are copied, with all that lies outside, to a buffer as
 /// wide as a batch and its neighbours.
 template <class Operator, class Sink>
-void sweep_narrow(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows rows, Sink sink) {
+void sweep_narrow(EdgeThresholds thresholds, const ConstImageView& image, EdgeRows rows,
+                  Sink sink) {
   constexpr Index reach = Operator::kReach;
   constexpr Index stride = kLanes + 2 * reach;
   std::uint8_t buffer[static_cast<std::size_t>(stride * (kStripRows + 2 * reach))];

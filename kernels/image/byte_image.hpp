@@ -1,4 +1,4 @@
-// The owner of a byte image, in aligned memory.
+// Byte images in aligned memory.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace thinbench::detail {
 
-/// Every row of memory that this library allocates starts on a cache line (bytes).
+/// Bytes of a cache line: every row that this library allocates starts on one.
 inline constexpr std::size_t kAlignment = 64;
 
 struct AlignedDelete {
@@ -20,15 +20,14 @@ struct AlignedDelete {
 template <class T>
 using AlignedArray = std::unique_ptr<T[], AlignedDelete>;
 
-/// `count` zeroed elements of a trivial type, starting on a cache line. Throws std::bad_alloc.
+/// `count` zeroed elements of a trivial type, on a cache line. Throws std::bad_alloc.
 template <class T>
 [[nodiscard]] AlignedArray<T> make_aligned(std::size_t count) {
   void* memory = ::operator new (count * sizeof(T), std::align_val_t{kAlignment});
   return AlignedArray<T>(new (memory) T[count]());
 }
 
-/// Owns a zeroed byte image whose rows start on cache lines and whose stride is no multiple of
-/// 4096 bytes, so that neighbouring rows never compete for one cache set.
+/// Owns an image, zeroed at first, with rows as padded_row_bytes lays them out.
 class ByteImage {
  public:
   ByteImage() = default;
@@ -52,10 +51,9 @@ class ByteImage {
   AlignedArray<std::uint8_t> data_;
 };
 
-/// A copy that owns its pixels.
 [[nodiscard]] ByteImage copy_of(ConstImageView source);
 
-/// True where both have the same size and the same pixels; strides do not matter.
+/// Whether sizes and pixels are equal; strides do not matter.
 [[nodiscard]] bool equal(ConstImageView a, ConstImageView b);
 
 }  // namespace thinbench::detail

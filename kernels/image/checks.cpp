@@ -1,13 +1,119 @@
 #include "image/checks.hpp"
 
+#include <cstdint>
 #include <stdexcept>
 
 #include "thinbench/options.hpp"
 
 namespace thinbench::detail {
+namespace {
+
+[[noreturn]] void reject(const std::string& reason) {
+  throw std::invalid_argument(reason);
+}
+
+std::string text_of(const ConstImageView& view) {
+  return size_text(view.width, view.height);
+}
+
+std::string text_of(const ConstStackView& stack) {
+  return std::to_string(stack.count) + " images of " + size_text(stack.width, stack.height);
+}
+
+/// For an image or a stack: a stride below the width.
+template <class View>
+void check_stride(const View& view, const char* name) {
+  if (view.stride >= view.width) return;
+  reject(name + (" has a stride of " + std::to_string(view.stride)) +
+         " bytes, below its width of " + std::to_string(view.width));
+}
+
+/// Whether `count` strides exceed the address space.
+bool overflows(Index stride, Index count) {
+  return count > 0 && stride > PTRDIFF_MAX / count;
+}
+
+void check_view(const ConstImageView& view, const char* name) {
+  if (view.width < 0 || view.height < 0) reject(name + (" has the size " + text_of(view)));
+  check_stride(view, name);
+  if (overflows(view.stride, view.height)) {
+    reject(name + (" spans more memory than there is: " + text_of(view)) + ", stride " +
+           std::to_string(view.stride));
+  }
+  if (view.data == nullptr && view.width > 0 && view.height > 0) {
+    reject(name + std::string(" has no data"));
+  }
+}
+
+bool same_image(const ConstImageView& a, const ConstImageView& b) {
+  return a.data == b.data && a.stride == b.stride;
+}
+
+/// Whether two views of one buffer are side by side: with equal strides, the columns of one begin
+/// after those of the other end and end before they begin again in the next row.
+bool side_by_side(const ConstImageView& a, const ConstImageView& b) {
+  if (a.stride != b.stride) return false;
+  const Index distance = b.data - a.data;
+  const Index column = (distance % a.stride + a.stride) % a.stride;
+  return column >= a.width && column + b.width <= a.stride;
+}
+
+/// Whether [a, a + a_bytes) and [b, b + b_bytes) share a byte.
+bool ranges_overlap(const std::uint8_t* a, Index a_bytes, const std::uint8_t* b, Index b_bytes) {
+  const auto a_begin = reinterpret_cast<std::uintptr_t>(a);
+  const auto b_begin = reinterpret_cast<std::uintptr_t>(b);
+  return a_begin < b_begin + static_cast<std::uintptr_t>(b_bytes) &&
+         b_begin < a_begin + static_cast<std::uintptr_t>(a_bytes);
+}
+
+/// Bytes from the first pixel of an image to its last; 0 without pixels.
+template <class View>
+Index image_bytes(const View& view) {
+  if (view.width == 0 || view.height == 0) return 0;
+  return (view.height - 1) * view.stride + view.width;
+}
+
+bool overlap(const ConstImageView& a, const ConstImageView& b) {
+  if (image_bytes(a) == 0) return false;
+  return ranges_overlap(a.data, image_bytes(a), b.data, image_bytes(b)) && !side_by_side(a, b);
+}
+
+bool has_pixels(const ConstStackView& stack) {
+  return stack.count > 0 && image_bytes(stack) > 0;
+}
+
+void check_stack(const ConstStackView& stack, const char* name) {
+  if (stack.count < 0 || stack.width < 0 || stack.height < 0) {
+    reject(name + (" is " + text_of(stack)) + "; counts and sizes cannot be negative");
+  }
+  check_stride(stack, name);
+  const bool images_fit = !overflows(stack.stride, stack.height);
+  if (images_fit && stack.image_stride < image_bytes(stack)) {
+    reject(name + (" has an image stride of " + std::to_string(stack.image_stride)) +
+           " bytes; its images take " + std::to_string(image_bytes(stack)));
+  }
+  if (!images_fit || overflows(stack.image_stride, stack.count)) {
+    reject(name + (" spans more memory than there is: " + text_of(stack)) + ", strides " +
+           std::to_string(stack.stride) + " and " + std::to_string(stack.image_stride));
+  }
+  if (stack.data == nullptr && has_pixels(stack)) reject(name + std::string(" has no data"));
+}
+
+bool same_stack(const ConstStackView& a, const ConstStackView& b) {
+  return a.data == b.data && a.stride == b.stride && a.image_stride == b.image_stride;
+}
+
+bool overlap(const ConstStackView& a, const ConstStackView& b) {
+  const auto bytes = [](const ConstStackView& stack) {
+    return (stack.count - 1) * stack.image_stride + image_bytes(stack);
+  };
+  return has_pixels(a) && ranges_overlap(a.data, bytes(a), b.data, bytes(b));
+}
+
+}  // namespace
 
 void require(bool holds, const std::string& otherwise) {
-  if (!holds) throw std::invalid_argument(otherwise);
+  if (!holds) reject(otherwise);
 }
 
 std::string size_text(Index width, Index height) {
@@ -19,13 +125,44 @@ void require_size(Index width, Index height) {
 }
 
 void require_max_pixels(Index width, Index height) {
-  constexpr Index most = Index{1} << 40;
-  require(width <= most && height <= most && (width == 0 || height <= most / width),
-          "image size " + size_text(width, height) + " is larger than 2^40 pixels");
+  constexpr Index max_pixels = Index{1} << 40;
+  require(
+      width <= max_pixels && height <= max_pixels && (width == 0 || height <= max_pixels / width),
+      "image size " + size_text(width, height) + " is larger than 2^40 pixels");
 }
 
 void require_threads(int threads) {
-  require(threads >= 1 && threads <= kMaxThreads, "threads: expected an integer in [1, " + std::to_string(kMaxThreads) + "], got " + std::to_string(threads));
+  require(threads >= 1 && threads <= kMaxThreads, "threads: expected an integer in [1, " +
+                                                      std::to_string(kMaxThreads) + "], got " +
+                                                      std::to_string(threads));
+}
+
+void check_views(const ConstImageView& source, const ConstImageView& destination,
+                 InPlace in_place) {
+  check_view(source, "source");
+  check_view(destination, "destination");
+  if (source.width != destination.width || source.height != destination.height) {
+    reject("source is " + text_of(source) + " and destination " + text_of(destination) +
+           "; they must have one size");
+  }
+  if (!overlap(source, destination)) return;
+  if (in_place == InPlace::rejected) reject("source and destination overlap");
+  if (!same_image(source, destination)) {
+    reject("source and destination overlap without being the same image");
+  }
+}
+
+void check_stacks(const ConstStackView& source, const ConstStackView& destination) {
+  check_stack(source, "source");
+  check_stack(destination, "destination");
+  if (source.count != destination.count || source.width != destination.width ||
+      source.height != destination.height) {
+    reject("source is " + text_of(source) + " and destination " + text_of(destination) +
+           "; they must be alike");
+  }
+  if (overlap(source, destination) && !same_stack(source, destination)) {
+    reject("source and destination overlap without being the same images");
+  }
 }
 
 }  // namespace thinbench::detail

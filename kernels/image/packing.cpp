@@ -1,15 +1,13 @@
-// Conversions between byte images and planes, compiled once for every instruction-set level.
+// Conversions between byte images and planes, compiled once for every ISA.
 //
 // Packing compares 64 bytes with zero and keeps one bit of each: 1 (AVX-512), 2 (AVX2) or 4 (SSE2)
 // comparisons and mask moves for a word. Unpacking spreads the bits again: a mask move on AVX-512,
 // else each byte of the word is broadcast to the lanes of its bits and tested there. Both are bound
-// by the bytes moved, 1 byte a pixel. Prefetching the rows kBytesAhead further on took an eighth
-// off packing 21 MB that no cache held; past the caches (prefetchnta) it took twice as long. Moving
-// whole cache lines instead of 64 bytes that cross two, the bits of each put together from two
-// words, took the same time.
+// by the bytes moved, 1 byte per pixel. Rows are prefetched kBytesAhead bytes ahead:
+// docs/experiments.md#prefetching-source-rows. Not adopted: docs/experiments.md#whole-cache-lines.
 #include "image/packing.hpp"
 
-#include "simd/batch.hpp"
+#include "simd/vector.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
@@ -20,24 +18,15 @@ constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
 constexpr Index kBytesAhead = 4096;
 
 /// Bit i is set where byte i is not zero, for the first kLanes bytes.
-[[gnu::always_inline]] inline std::uint64_t dark_mask(const std::uint8_t* bytes) {
-#if defined(__AVX512BW__)
-  const __m512i lanes = _mm512_loadu_si512(bytes);
-  return _mm512_test_epi8_mask(lanes, lanes);
-#elif defined(__AVX2__)
-  const __m256i lanes = ByteBatch::load_unaligned(bytes);
-  const auto light = _mm256_movemask_epi8(_mm256_cmpeq_epi8(lanes, _mm256_setzero_si256()));
-  return ~static_cast<std::uint32_t>(light);
-#else
-  const __m128i lanes = ByteBatch::load_unaligned(bytes);
-  const auto light = _mm_movemask_epi8(_mm_cmpeq_epi8(lanes, _mm_setzero_si128()));
-  return static_cast<std::uint16_t>(~light);
-#endif
+[[gnu::always_inline]] inline std::uint64_t foreground_bits(const std::uint8_t* bytes) {
+  return nonzero_bits(ByteBatch::load_unaligned(bytes));
 }
 
 [[gnu::always_inline]] inline std::uint64_t pack_word(const std::uint8_t* bytes) {
   std::uint64_t word = 0;
-  for (Index lane = 0; lane < kWordBits; lane += kLanes) word |= dark_mask(bytes + lane) << lane;
+  for (Index lane = 0; lane < kWordBits; lane += kLanes) {
+    word |= foreground_bits(bytes + lane) << lane;
+  }
   return word;
 }
 
@@ -59,18 +48,7 @@ std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
   return pack_word(buffer);
 }
 
-/// A store past the caches; `bytes` is aligned to the lanes.
-[[gnu::always_inline]] inline void stream(ByteBatch lanes, std::uint8_t* bytes) {
-#if defined(__AVX512BW__)
-  _mm512_stream_si512(reinterpret_cast<__m512i*>(bytes), lanes);
-#elif defined(__AVX2__)
-  _mm256_stream_si256(reinterpret_cast<__m256i*>(bytes), lanes);
-#else
-  _mm_stream_si128(reinterpret_cast<__m128i*>(bytes), lanes);
-#endif
-}
-
-bool can_be_streamed(const ImageView& target) {
+bool allows_non_temporal_stores(const ImageView& target) {
   const auto misaligned =
       reinterpret_cast<std::uintptr_t>(target.data) | static_cast<std::uintptr_t>(target.stride);
   return misaligned % kLanes == 0;
@@ -110,34 +88,34 @@ void read_bits(const ConstImageView& source, const BitPlaneView& target) {
   }
 }
 
-void write_bits(const ConstBitPlaneView& source, const ImageView& target, bool streamed) {
+void write_bits(const ConstBitPlaneView& source, const ImageView& target, bool non_temporal) {
   const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
   for (Index y = 0; y < height; ++y) {
     const std::uint64_t* row = source.row(y);
     std::uint8_t* bytes = target.row(y);
-    if (streamed) {
+    if (non_temporal) {
       for (Index x = 0; x < words * kWordBits; x += kLanes) {
-        stream(spread_bits(row[x / kWordBits] >> (x % kWordBits)), bytes + x);
+        store_non_temporal(bytes + x, spread_bits(row[x / kWordBits] >> (x % kWordBits)));
       }
-      // Nothing that was streamed is touched again.
+      // Nothing that was written so is touched again.
       if (tail > 0) unpack_some(row[words], bytes + words * kWordBits, tail);
     } else {
       for (Index word = 0; word < words; ++word) unpack_word(row[word], bytes + word * kWordBits);
       if (tail > 0) unpack_tail(row + words, bytes, source.width, tail);
     }
   }
-  if (streamed) _mm_sfence();
+  if (non_temporal) finish_non_temporal_stores();
 }
 
 void write_streamed_bits(const ConstBitPlaneView& source, const ImageView& target) {
-  write_bits(source, target, can_be_streamed(target));
+  write_bits(source, target, allows_non_temporal_stores(target));
 }
 
 void write_bits_by_size(const ConstBitPlaneView& source, const ImageView& target) {
   const bool large = target.width * target.height >= kStreamedBytes;
-  write_bits(source, target, large && can_be_streamed(target));
+  write_bits(source, target, large && allows_non_temporal_stores(target));
 }
 
 void read_bytes(const ConstImageView& source, const BytePlaneView& target) {

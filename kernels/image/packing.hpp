@@ -1,5 +1,5 @@
-// Between byte images at the public edge (0 is light, anything else dark; 255 is written) and the
-// planes that kernels work on.
+// Conversion between byte images of the public interface (0 is background, anything else
+// foreground; 255 is written) and the planes that kernels work on.
 #pragma once
 
 #include "dispatch/exported.hpp"
@@ -7,16 +7,18 @@
 
 namespace thinbench::detail {
 
-/// From here on bytes are written past the caches: a store would first read what it overwrites.
+/// Images of so many bytes are written with non-temporal stores:
+/// docs/experiments.md#non-temporal-stores.
 inline constexpr Index kStreamedBytes = Index{8} << 20;
 
-/// Source and target have the same size. Reading writes whole rows of the plane up to the last word
-/// or byte of the image, bits past the width 0; writing touches `width` bytes a row and no more.
+/// Source and target have the same size. `read` writes whole rows of the plane up to the last word
+/// or byte of the image, with zeros past the width; `write` writes `width` bytes per row and no
+/// more.
 template <class T>
 struct PlaneConversion {
   void (*read)(const ConstImageView& source, const PlaneView<T>& target);
   void (*write)(const ConstPlaneView<T>& source, const ImageView& target);
-  /// As `write`, for a few rows of an image of kStreamedBytes and more.
+  /// As `write`, for some rows of an image of kStreamedBytes or more.
   void (*write_streamed)(const ConstPlaneView<T>& source, const ImageView& target);
 };
 
@@ -26,7 +28,6 @@ struct PlaneConversions {
   PlaneConversion<std::uint64_t> bits;
 };
 
-/// The conversion of an ISA chosen at run time.
 template <class T>
 [[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa) {
   const PlaneConversions& both = kernels_of<PlaneConversions>(isa);

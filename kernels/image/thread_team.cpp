@@ -10,9 +10,8 @@
 namespace thinbench::detail {
 namespace {
 
-// Threads hand work over and wait for each other inside oneTBB's library, which is not compiled
-// with the thread sanitizer. These two tell it what the library guarantees: all before
-// `publish(token)` happens before all after `receive(token)`.
+// oneTBB, which synchronises the threads, is not compiled with the thread sanitizer. These two tell
+// the sanitizer what oneTBB guarantees: `publish(token)` happens before `receive(token)`.
 #ifdef __SANITIZE_THREAD__
 void publish(const void* token) {
   __tsan_release(const_cast<void*>(token));
@@ -27,8 +26,8 @@ void receive(const void*) {}
 
 }  // namespace
 
-// How many threads really run is up to oneTBB's global limit, which belongs to the program and not
-// to a library: by default no more than the machine has cores.
+// oneTBB's global limit, which belongs to the program, may reduce the number of threads; by default
+// to the number of cores.
 struct ThreadTeam::Arena {
   explicit Arena(int threads) : arena(threads) {}
   tbb::task_arena arena;

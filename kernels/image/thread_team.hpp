@@ -1,4 +1,4 @@
-// A fixed number of threads that share the indices of a loop. The only threading of the library.
+// Loops on a fixed number of threads: all threading of the library.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 
 namespace thinbench::detail {
 
-/// Images of fewer pixels are thinned faster on one thread than on two.
+/// Smaller images are faster on one thread: docs/experiments.md#threads-on-small-images.
 inline constexpr Index kMinPixelsForThreads = Index{1} << 20;
 
-/// Runs loops on `threads` threads (oneTBB underneath; the calling thread is one of them). A team
-/// serves one caller at a time.
+/// Runs loops by oneTBB; the calling thread is one of the threads. A team serves one caller at a
+/// time.
 class ThreadTeam {
  public:
   /// Needs threads >= 1.
@@ -25,8 +25,8 @@ class ThreadTeam {
 
   [[nodiscard]] int threads() const { return threads_; }
 
-  /// Calls `body(first, last)` on as many disjoint ranges as there are threads, covering [0,
-  /// count), and returns when all are done.
+  /// Calls `body(first, last)` on as many disjoint ranges as there are threads, which cover
+  /// [0, count), and returns when all are done.
   template <class Body>
   void for_ranges(Index count, const Body& body) const {
     run(count, &invoke<Body>, &body);

@@ -7,24 +7,24 @@
 
 namespace thinbench::detail {
 
-/// An object is an outermost contour, one that the outside touches, with all that it encloses up to
+/// An object is an outermost contour, one that touches the outside, with all that it encloses up to
 /// the contours within. Those, filled, are its holes.
 ///
-/// Cost: the image labelled once (labelled_runs.hpp), then two look-ups for each run.
+/// Cost: one labelling (labelled_runs.hpp), then two look-ups per run.
 class OutlinedObjects {
  public:
   OutlinedObjects(Index width, Index height) : runs_(width, height) {}
 
-  /// Writes all objects to `target`, of the same size; its margins stay as they are.
+  /// Writes all objects to `target`, of the same size. Does not write margins.
   void write(const ConstBitPlaneView& contours, const BitPlaneView& target);
 
  private:
-  void find_outermost(Index height);
-  void find_insides();
+  void find_outermost_contours(Index height);
+  void find_interiors();
   void write_row(Index y, std::uint64_t* row);
 
   LabelledRuns runs_;
-  std::vector<char> wanted_[2];  // roots of what lies between contours, and of contours
+  std::vector<char> in_object_[2];  // by root: of background between contours, and of contours
 };
 
 }  // namespace thinbench::detail

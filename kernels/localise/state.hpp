@@ -1,5 +1,5 @@
-// One variant of the paper's whole chain at work: edges as packed bits, the objects that they
-// outline, and the regions of these.
+// The state of the paper's whole chain: edges as packed bits, the objects that they outline, and
+// the regions of these.
 #pragma once
 
 #include <vector>
@@ -21,10 +21,10 @@ struct LocaliseSetting {
   int threads;
 };
 
-/// Nothing is unpacked on the way: two bits per pixel, 8 bytes per run of the edges and 52 bytes per
-/// provisional label. Runs and labels grow by need: an image with more of them than any before makes
-/// run() allocate, a second run on it does not. Threads share edges and regions; what the edges
-/// outline is found on one.
+/// Nothing is unpacked on the way: two bits per pixel, 8 bytes per run of the edges and 52 bytes
+/// per provisional label. Memory for runs and labels grows on demand: run() allocates where an
+/// image has more of them than any before, but not in a second run on it. Threads share edges and
+/// regions; outlined objects are found on one.
 class LocaliseState {
  public:
   using Setting = LocaliseSetting;
@@ -43,7 +43,7 @@ class LocaliseState {
 
 using LocaliseVariant = Variant<LocaliseState>;
 
-/// Each names the technique by which the regions are found.
+/// Named after the technique that finds the regions.
 [[nodiscard]] std::vector<LocaliseVariant> localise_variants();
 
 }  // namespace thinbench::detail

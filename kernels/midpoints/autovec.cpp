@@ -1,7 +1,7 @@
-// The scanning skeleton on bytes, in loops that compilers vectorise: counts of dark pixels before
-// and behind each pixel, a row of counts from the row before, whatever the direction. Diagonals are
-// columns that lean by one pixel a row; rows are transposed and scanned as columns. Compiled once
-// for every instruction-set level at -O3.
+// The midpoint scan on bytes, in loops that compilers vectorise: each pixel gets the number of
+// foreground pixels that precede and follow it in its run, one row of counts from its neighbour
+// row. Diagonals are columns that lean by one pixel per row; rows are transposed and scanned as
+// columns. Compiled for every ISA at -O3.
 #include <algorithm>
 #include <limits>
 
@@ -15,13 +15,13 @@ namespace {
 
 using Bytes = const std::uint8_t* __restrict;
 
-/// Memory for one image. Rows of counts have a light pixel on either side; a row before the first
-/// is for what lies outside, two behind the last are for the counts from below.
+/// Memory for one image. Rows of counts have a background pixel on either side. One row before the
+/// first is for the outside, two after the last are for the counts from below.
 struct Scratch {
   static constexpr Index kExtraRows = 3;
 
-  Index turned_stride;  // of a transposed image
-  Index turned_bytes;
+  Index transposed_stride;
+  Index transposed_bytes;
   Index count_bytes;
 
   static Scratch of(Index width, Index height) {
@@ -31,20 +31,20 @@ struct Scratch {
     const Index size = count_size(std::max(width, height));
     return {stride, stride * width, round_up(counts * size, static_cast<Index>(kAlignment))};
   }
-  /// Bytes of a count that holds one more than the longest run.
+  /// Bytes of a count that can hold one more than the longest run.
   static constexpr Index count_size(Index longest) {
     if (longest < std::numeric_limits<std::uint16_t>::max()) return sizeof(std::uint16_t);
     return longest < std::numeric_limits<std::uint32_t>::max() ? sizeof(std::uint32_t)
                                                                : sizeof(std::uint64_t);
   }
-  [[nodiscard]] Index turned_words() const { return turned_bytes / kWordBytes; }
-  [[nodiscard]] Index words() const { return (2 * turned_bytes + count_bytes) / kWordBytes; }
+  [[nodiscard]] Index transposed_words() const { return transposed_bytes / kWordBytes; }
+  [[nodiscard]] Index words() const { return (2 * transposed_bytes + count_bytes) / kWordBytes; }
 
  private:
   static constexpr Index kWordBytes = sizeof(std::uint64_t);
 };
 
-/// Columns of an image that lean by `lean` pixels to the east a row.
+/// Columns of an image that lean by `lean` pixels to the east per row.
 template <class Count>
 struct Columns {
   ConstBytePlaneView source;
@@ -61,14 +61,14 @@ struct Columns {
       clear_margins(y);
       count(source.row(y), row(y - 1) - lean, row(y));
     }
-    Count* behind = row(height);
-    Count* spare = row(height + 1);
+    Count* below = row(height);
+    Count* here = row(height + 1);
     clear(height);
     clear(height + 1);
     for (Index y = height - 1; y >= 0; --y) {
-      count(source.row(y), behind + lean, spare);
-      mark_row(source.row(y), row(y), spare, target.row(y));
-      std::swap(behind, spare);
+      count(source.row(y), below + lean, here);
+      mark_row(source.row(y), row(y), here, target.row(y));
+      std::swap(below, here);
     }
   }
 
@@ -76,18 +76,18 @@ struct Columns {
   void clear(Index y) const { std::fill_n(row(y) - 1, source.width + 2, Count{0}); }
   void clear_margins(Index y) const { row(y)[-1] = row(y)[source.width] = 0; }
 
-  void count(Bytes dark, const Count* __restrict before, Count* __restrict here) const {
+  void count(Bytes pixels, const Count* __restrict neighbours, Count* __restrict here) const {
     for (Index x = 0; x < source.width; ++x) {
-      here[x] = static_cast<Count>((before[x] + 1) * dark[x]);
+      here[x] = static_cast<Count>((neighbours[x] + 1) * pixels[x]);
     }
   }
 
-  /// The centre has as many dark pixels before it as behind it, or one more behind it.
-  void mark_row(Bytes dark, const Count* __restrict before, const Count* __restrict behind,
+  /// As many pixels of the run precede the midpoint as follow it, or one more follows it.
+  void mark_row(Bytes pixels, const Count* __restrict preceding, const Count* __restrict following,
                 std::uint8_t* __restrict marks) const {
     for (Index x = 0; x < source.width; ++x) {
-      const auto more_behind = static_cast<Count>(behind[x] - before[x]);
-      marks[x] = static_cast<std::uint8_t>(marks[x] | (dark[x] & (more_behind <= 1 ? 1 : 0)));
+      const auto excess = static_cast<Count>(following[x] - preceding[x]);
+      marks[x] = static_cast<std::uint8_t>(marks[x] | (pixels[x] & (excess <= 1 ? 1 : 0)));
     }
   }
 };
@@ -98,30 +98,29 @@ struct Block {
   std::uint8_t row[kBlock][kBlock];
 };
 
-/// `copy` moves a row of a whole block, whose length the compiler knows, or of a part.
-template <class Copy>
-[[gnu::always_inline]] inline void for_each_block(Index width, Index height, const Copy& copy) {
+template <class Body>
+[[gnu::always_inline]] inline void for_each_block(Index width, Index height, const Body& body) {
   for (Index top = 0; top < height; top += kBlock) {
     for (Index left = 0; left < width; left += kBlock) {
-      copy(left, top, std::min(kBlock, width - left), std::min(kBlock, height - top));
+      body(left, top, std::min(kBlock, width - left), std::min(kBlock, height - top));
     }
   }
 }
 
-/// Row x of `to` takes column x of `from` by `combine`. Views by value: stores of bytes through a
-/// reference would make the compiler read them again and again.
+/// Combines row x of `to` with column x of `from`. Views by value: byte stores could alias the
+/// fields of a reference, docs/experiments.md#sizes-behind-references.
 template <class Combine>
 void transpose(ConstBytePlaneView from, BytePlaneView to, const Combine& combine) {
   for_each_block(from.width, from.height, [=](Index left, Index top, Index width, Index height) {
     Block block = {};
     for (Index y = 0; y < height; ++y) std::copy_n(from.row(top + y) + left, width, block.row[y]);
-    Block turned;
+    Block transposed;
     for (Index x = 0; x < kBlock; ++x) {
-      for (Index y = 0; y < kBlock; ++y) turned.row[x][y] = block.row[y][x];
+      for (Index y = 0; y < kBlock; ++y) transposed.row[x][y] = block.row[y][x];
     }
     for (Index x = 0; x < width; ++x) {
       std::uint8_t* row = to.row(left + x) + top;
-      for (Index y = 0; y < height; ++y) row[y] = combine(row[y], turned.row[x][y]);
+      for (Index y = 0; y < height; ++y) row[y] = combine(row[y], transposed.row[x][y]);
     }
   });
 }
@@ -130,20 +129,20 @@ template <class Count>
 void scan(Directions directions, const ConstBytePlaneView& source, const BytePlaneView& target,
           std::uint64_t* scratch) {
   const Scratch sizes = Scratch::of(source.width, source.height);
-  auto* counts = reinterpret_cast<Count*>(scratch + 2 * sizes.turned_words());
+  auto* counts = reinterpret_cast<Count*>(scratch + 2 * sizes.transposed_words());
   if (directions.has(Direction::columns)) Columns<Count>{source, target, 0, counts}.mark();
   if (directions.has(Direction::diagonals)) Columns<Count>{source, target, 1, counts}.mark();
   if (directions.has(Direction::antidiagonals)) Columns<Count>{source, target, -1, counts}.mark();
   if (!directions.has(Direction::rows)) return;
-  const auto turned_plane = [&](std::uint64_t* memory) {
+  const auto transposed_plane = [&](std::uint64_t* memory) {
     return BytePlaneView{reinterpret_cast<std::uint8_t*>(memory), source.height, source.width,
-                         sizes.turned_stride, source.height};
+                         sizes.transposed_stride, source.height};
   };
-  const BytePlaneView turned = turned_plane(scratch);
-  const BytePlaneView marks = turned_plane(scratch + sizes.turned_words());
-  transpose(source, turned, [](std::uint8_t, std::uint8_t pixel) { return pixel; });
-  std::fill_n(marks.data, sizes.turned_bytes, std::uint8_t{0});
-  Columns<Count>{turned, marks, 0, counts}.mark();
+  const BytePlaneView transposed = transposed_plane(scratch);
+  const BytePlaneView marks = transposed_plane(scratch + sizes.transposed_words());
+  transpose(source, transposed, [](std::uint8_t, std::uint8_t pixel) { return pixel; });
+  std::fill_n(marks.data, sizes.transposed_bytes, std::uint8_t{0});
+  Columns<Count>{transposed, marks, 0, counts}.mark();
   transpose(marks, target,
             [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a | b); });
 }

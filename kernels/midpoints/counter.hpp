@@ -1,14 +1,23 @@
-// How many dark pixels in a row: a counter a pixel, its bits in `bits` words.
+// The length of the current run: a counter per pixel, its bits in `bits` words.
 #pragma once
 
+#include <utility>
+
 #include "simd/word.hpp"
-#include "midpoints/unrolled.hpp"
 
 namespace thinbench::detail {
 
-/// The second place, from 1, whose bit is fed back; the first is the last. x^bits + x^(bits -
-/// place)
-/// + 1 is primitive: all 2^bits - 1 states other than all ones follow each other from 0.
+/// Calls `body` with integral constants 0 to count - 1: a loop over registers.
+template <int count, class Body>
+[[gnu::always_inline]] inline void unrolled(const Body& body) {
+  [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
+    (body(std::integral_constant<int, i>{}), ...);
+  }
+  (std::make_integer_sequence<int, count>{});
+}
+
+/// The second feedback tap, counted from 1; the first is the last bit. The polynomial
+/// x^bits + x^(bits - place) + 1 is primitive: from 0 the counter takes every state but all ones.
 constexpr int feedback_place(int bits) {
   switch (bits) {
     case 7:
@@ -24,9 +33,8 @@ constexpr int feedback_place(int bits) {
   }
 }
 
-/// A shift register with feedback: it takes each state once, which is all that comparing two
-/// counts for equality needs, and has no chain of carries. A step costs one AND a bit, and one
-/// gate.
+/// A linear-feedback shift register: it takes each state once, so equal counts are equal states,
+/// and it has no carry chain. Counting costs one AND per bit, and one gate.
 template <class Word, int bits>
 struct RunCounter {
   Word bit[std::size_t{bits}];
@@ -35,15 +43,15 @@ struct RunCounter {
     unrolled<bits>([&](auto i) __attribute__((always_inline)) { bit[i] = Word(0); });
   }
 
-  /// One more where dark, 0 where light.
-  [[gnu::always_inline]] void count(Word dark) {
-    const Word fed = ternary(bit[bits - 1], bit[feedback_place(bits) - 1], dark,
-                             [](auto a, auto b, auto d) { return ~(a ^ b) & d; });
+  /// Increments foreground lanes, resets background lanes to 0.
+  [[gnu::always_inline]] void count(Word foreground) {
+    const Word feedback = ternary(bit[bits - 1], bit[feedback_place(bits) - 1], foreground,
+                                  [](auto a, auto b, auto f) { return ~(a ^ b) & f; });
     unrolled<bits - 1>([&](auto i) __attribute__((always_inline)) {
       constexpr int to = bits - 1 - i;
-      bit[to] = bit[to - 1] & dark;
+      bit[to] = bit[to - 1] & foreground;
     });
-    bit[0] = fed;
+    bit[0] = feedback;
   }
 
   template <class Element>

@@ -1,13 +1,12 @@
-// The steps of the scanning skeleton for one word type; see sweep.hpp for what they cost.
+// The steps of the midpoint scan for one word type; column_scan.hpp has their cost.
 #pragma once
 
-#include "midpoints/register_turn.hpp"
-#include "midpoints/sweep.hpp"
-#include "midpoints/turning.hpp"
+#include "midpoints/column_scan.hpp"
+#include "midpoints/transpose.hpp"
 
 namespace thinbench::detail {
 
-/// `isa` keeps apart what is compiled for different levels.
+/// `isa` separates what is compiled for different ISAs.
 template <class Word, Isa isa>
 struct ScanEngine {
   using Traits = WordTraits<Word>;
@@ -16,55 +15,54 @@ struct ScanEngine {
   static void prepare(const ScanWork& work, Index first_group, Index last_group) {
     for (Index group = first_group; group < last_group; ++group) {
       const Index first = group * kGroupRows;
-      const Index end =
-          first + kGroupRows < work.source.height ? first + kGroupRows : work.source.height;
-      if (work.directions.has(Direction::rows)) turn_rows(work, group, first, end);
+      const Index end = end_of_group(work, group);
+      if (work.directions.has(Direction::rows)) transpose_rows(work, group, first, end);
       if (work.rings.rows > 0 && !in_register(work)) make_rings(work, work.source, first, end);
       for (const Direction direction : {Direction::diagonals, Direction::antidiagonals}) {
-        if (work.directions.has(direction)) turn_diagonals(work, direction, first, end);
+        if (work.directions.has(direction)) rotate_rows(work, direction, first, end);
       }
     }
   }
 
-  static void sweep(const ScanWork& work, Direction direction, Index first_word) {
+  static void scan(const ScanWork& work, Direction direction, Index first_word) {
     const ScanColumn column = column_at(work, direction, first_word);
-    switch (work.turned[static_cast<int>(direction)].bits) {
+    switch (work.buffer(direction).bits) {
       case 7:
-        return sweep_column<7>(column);
+        return scan_column<7>(column);
       case 9:
-        return sweep_column<9>(column);
+        return scan_column<9>(column);
       case 11:
-        return sweep_column<11>(column);
+        return scan_column<11>(column);
       case 15:
-        return sweep_column<15>(column);
+        return scan_column<15>(column);
       default:
-        return sweep_column<41>(column);
+        return scan_column<41>(column);
     }
   }
 
   static void merge(const ScanWork& work, Index first_group, Index last_group) {
     for (Index group = first_group; group < last_group; ++group) {
       const Index first = group * kGroupRows;
-      const Index end =
-          first + kGroupRows < work.source.height ? first + kGroupRows : work.source.height;
+      const Index end = end_of_group(work, group);
       if (!work.directions.has(Direction::columns)) clear(work.target, first, end);
-      if (work.directions.has(Direction::rows)) merge_rows(work, group, first, end);
+      if (work.directions.has(Direction::rows)) merge_transposed(work, group, first, end);
       for (const Direction direction : {Direction::diagonals, Direction::antidiagonals}) {
-        if (work.directions.has(direction)) merge_diagonals(work, direction, first, end);
+        if (work.directions.has(direction)) merge_rotated(work, direction, first, end);
       }
     }
   }
 
-  static constexpr ScanKernels kKernels = {kBatch, &prepare, &sweep, &merge};
+  static constexpr ScanKernels kKernels = {kBatch, &prepare, &scan, &merge};
 
  private:
   template <int bits>
-  static void sweep_column(const ScanColumn& column) {
-    ColumnSweep<Word, bits>{column}.run();
+  static void scan_column(const ScanColumn& column) {
+    ColumnScan<Word, bits>{column}.run();
   }
 
-  static const Sheet& sheet_of(const ScanWork& work, Direction direction) {
-    return work.turned[static_cast<int>(direction)].sheet;
+  static Index end_of_group(const ScanWork& work, Index group) {
+    const Index end = (group + 1) * kGroupRows;
+    return end < work.source.height ? end : work.source.height;
   }
 
   static void clear(const BitPlaneView& target, Index first, Index end) {
@@ -83,7 +81,7 @@ struct ScanEngine {
     return work.rings.row(y % work.rings.rows);
   }
 
-  /// Rows of a plane or a sheet, once and again behind that; a ring may be longer than a row.
+  /// Stores each row twice, one copy after the other. A ring may be longer than a row.
   template <class Rows>
   static void make_rings(const ScanWork& work, const Rows& from, Index first, Index end) {
     const Index words = work.rings.words;
@@ -98,76 +96,76 @@ struct ScanEngine {
     }
   }
   static Index row_words(const ConstBitPlaneView& plane) { return plane.row_elements; }
-  static Index row_words(const Sheet& sheet) { return sheet.words; }
+  static Index row_words(const PackedRows& rows) { return rows.words; }
 
-  static void turn_diagonals(const ScanWork& work, Direction direction, Index first, Index end) {
-    const Sheet sheet = sheet_of(work, direction);
-    Turn turn(sheet, direction, first);
+  static void rotate_rows(const ScanWork& work, Direction direction, Index first, Index end) {
+    const PackedRows to = work.buffer(direction).pixels;
+    DiagonalRotation rotation(to, direction, first);
     if constexpr (RegisterTurn<Word>::kAvailable) {
       if (in_register(work)) {
-        for (Index y = first; y < end; ++y, turn.move_down()) {
+        for (Index y = first; y < end; ++y, rotation.move_down()) {
           const Word row = Traits::load(work.source.row(y));
-          Traits::store(sheet.row(y), RegisterTurn<Word>::apply(row, turn.there()));
+          Traits::store(to.row(y), RegisterTurn<Word>::apply(row, rotation.forward()));
         }
         return;
       }
     }
     const std::uint64_t* from = ring(work, first);
-    for (Index y = first; y < end; ++y, turn.move_down(), from += work.rings.stride) {
-      for (Index i = 0; i < sheet.words; i += kBatch) {
-        Traits::store(sheet.row(y) + i, turned_word<Word>(from, sheet.words, turn.there(), i));
+    for (Index y = first; y < end; ++y, rotation.move_down(), from += work.rings.stride) {
+      for (Index i = 0; i < to.words; i += kBatch) {
+        Traits::store(to.row(y) + i, rotl_row<Word>(from, to.words, rotation.forward(), i));
       }
     }
   }
 
-  static void merge_diagonals(const ScanWork& work, Direction direction, Index first, Index end) {
-    const Sheet sheet = sheet_of(work, direction);
+  static void merge_rotated(const ScanWork& work, Direction direction, Index first, Index end) {
+    const PackedRows rows = work.buffer(direction).pixels;
     const BitPlaneView target = work.target;
-    const Index words = target.row_elements < sheet.words ? target.row_elements : sheet.words;
-    Turn turn(sheet, direction, first);
+    const Index words = target.row_elements < rows.words ? target.row_elements : rows.words;
+    DiagonalRotation rotation(rows, direction, first);
     if constexpr (RegisterTurn<Word>::kAvailable) {
       if (in_register(work)) {
-        for (Index y = first; y < end; ++y, turn.move_down()) {
-          const Word marks = RegisterTurn<Word>::apply(Traits::load(sheet.row(y)), turn.back());
+        for (Index y = first; y < end; ++y, rotation.move_down()) {
+          const Word marks = RegisterTurn<Word>::apply(Traits::load(rows.row(y)), rotation.back());
           Traits::store(target.row(y), Traits::load(target.row(y)) | marks);
         }
         return;
       }
     }
-    make_rings(work, sheet, first, end);
+    make_rings(work, rows, first, end);
     const std::uint64_t* from = ring(work, first);
-    for (Index y = first; y < end; ++y, turn.move_down(), from += work.rings.stride) {
+    for (Index y = first; y < end; ++y, rotation.move_down(), from += work.rings.stride) {
       std::uint64_t* row = target.row(y);
       for (Index i = 0; i < words; i += kBatch) {
-        const Word marks = turned_word<Word>(from, sheet.words, turn.back(), i);
+        const Word marks = rotl_row<Word>(from, rows.words, rotation.back(), i);
         Traits::store(row + i, Traits::load(row + i) | marks);
       }
     }
   }
 
-  static void turn_rows(const ScanWork& work, Index group, Index first, Index end) {
-    const Sheet sheet = sheet_of(work, Direction::rows);
+  static void transpose_rows(const ScanWork& work, Index group, Index first, Index end) {
+    const PackedRows to = work.buffer(Direction::rows).pixels;
     Blocks<Word> blocks;
-    for (Index word = 0; word * kWordBits < sheet.rows; word += kBatch) {
+    for (Index word = 0; word * kWordBits < to.rows; word += kBatch) {
       for (Index y = 0; y < kGroupRows; ++y) {
         const bool inside = first + y < end;
         blocks.set_row(y,
                        inside ? Traits::load(work.source.row(first + y) + word) : Traits::zero());
       }
       blocks.transpose();
-      for (Index lane = 0; lane < lanes(sheet, word); ++lane) {
-        blocks.store_lane(lane, sheet.row((word + lane) * kWordBits) + group, sheet.stride);
+      for (Index lane = 0; lane < lanes(to, word); ++lane) {
+        blocks.store_lane(lane, to.row((word + lane) * kWordBits) + group, to.stride);
       }
     }
   }
 
-  static void merge_rows(const ScanWork& work, Index group, Index first, Index end) {
-    const Sheet sheet = sheet_of(work, Direction::rows);
+  static void merge_transposed(const ScanWork& work, Index group, Index first, Index end) {
+    const PackedRows rows = work.buffer(Direction::rows).pixels;
     Blocks<Word> blocks;
-    for (Index word = 0; word * kWordBits < sheet.rows; word += kBatch) {
-      if (lanes(sheet, word) < kBatch) blocks.clear();
-      for (Index lane = 0; lane < lanes(sheet, word); ++lane) {
-        blocks.load_lane(lane, sheet.row((word + lane) * kWordBits) + group, sheet.stride);
+    for (Index word = 0; word * kWordBits < rows.rows; word += kBatch) {
+      if (lanes(rows, word) < kBatch) blocks.clear();
+      for (Index lane = 0; lane < lanes(rows, word); ++lane) {
+        blocks.load_lane(lane, rows.row((word + lane) * kWordBits) + group, rows.stride);
       }
       blocks.transpose();
       for (Index y = first; y < end; ++y) {
@@ -178,8 +176,8 @@ struct ScanEngine {
   }
 
   /// The lanes of the batch at `word` that hold pixels.
-  static Index lanes(const Sheet& sheet, Index word) {
-    const Index words = (sheet.rows + kWordBits - 1) / kWordBits - word;
+  static Index lanes(const PackedRows& transposed, Index word) {
+    const Index words = (transposed.rows + kWordBits - 1) / kWordBits - word;
     return words < kBatch ? words : kBatch;
   }
 };

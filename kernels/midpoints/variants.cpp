@@ -1,13 +1,133 @@
 #include "midpoints/variants.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "dispatch/exported.hpp"
-#include "midpoints/state.hpp"
+#include "image/layout.hpp"
+#include "midpoints/work.hpp"
+#include "thinning/iteration/plane_state.hpp"
 
 namespace thinbench::detail {
 namespace {
 
 using enum Technique;
 using State = std::unique_ptr<ThinningState>;
+
+void copy_pixel(const std::uint8_t* from, std::uint8_t* to, Index x) {
+  to[x] = from[x];
+}
+
+void copy_pixel(const std::uint64_t* from, std::uint64_t* to, Index x) {
+  const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
+  std::uint64_t& word = to[x / kWordBits];
+  word ^= (word ^ from[x / kWordBits]) & bit;
+}
+
+/// With Border::keep, copies the outermost pixels.
+template <class T>
+void apply_border(Border border, const ConstPlaneView<T>& source, const PlaneView<T>& target) {
+  if (border == Border::background || source.width == 0) return;
+  for (Index y = 0; y < source.height; ++y) {
+    if (y == 0 || y == source.height - 1) {
+      std::copy_n(source.row(y), source.row_elements, target.row(y));
+    }
+    copy_pixel(source.row(y), target.row(y), 0);
+    copy_pixel(source.row(y), target.row(y), source.width - 1);
+  }
+}
+
+Index groups_of(Index rows) {
+  return (rows + kGroupRows - 1) / kGroupRows;
+}
+
+/// The scan on packed words, with buffers for the chosen directions. Threads share groups of rows
+/// and batches of columns.
+class ScanState final : public PlaneState<std::uint64_t> {
+ public:
+  ScanState(const ScanKernels& kernels, const ThinningSetting& setting)
+      : PlaneState(setting), kernels_(kernels), border_(setting.border) {
+    work_.directions = setting.directions;
+    if (setting.width == 0 || setting.height == 0) work_.directions = kNoDirections;
+    for (const Direction direction : kAllDirections) {
+      if (work_.directions.has(direction)) add_direction(direction, setting);
+    }
+    work_.source = planes.source.view();
+    work_.target = planes.result.view();
+  }
+
+  int thin() override {
+    const Index groups = groups_of(work_.source.height);
+    team.for_ranges(groups, [&](Index first, Index last) { kernels_.prepare(work_, first, last); });
+    team.for_ranges(static_cast<Index>(tasks_.size()), [&](Index first, Index last) {
+      for (Index i = first; i < last; ++i) {
+        const Task& task = tasks_[static_cast<std::size_t>(i)];
+        kernels_.scan(work_, task.direction, task.first_word);
+      }
+    });
+    team.for_ranges(groups, [&](Index first, Index last) { kernels_.merge(work_, first, last); });
+    apply_border(border_, work_.source, work_.target);
+    return 1;
+  }
+
+ private:
+  struct Task {
+    Direction direction;
+    Index first_word;
+  };
+
+  void add_direction(Direction direction, const ThinningSetting& setting) {
+    const Index width = setting.width;
+    const Index height = setting.height;
+    if (direction == Direction::rows) {
+      add_buffer(direction, width, words_for(height), width);
+    } else if (direction == Direction::columns) {
+      add_buffer(direction, height, words_for(width), height);
+    } else {
+      const Index ring = words_for(width + 1);
+      if (work_.rings.rows == 0) {
+        const Index rows = setting.threads > 1 ? groups_of(height) * kGroupRows : kGroupRows;
+        work_.rings = make_rows(rows, 2 * ring);
+        work_.rings.words = ring;
+      }
+      add_buffer(direction, height, ring, std::min(width, height));
+    }
+  }
+
+  void add_buffer(Direction direction, Index rows, Index words, Index longest_run) {
+    DirectionBuffer& buffer = work_.buffers[static_cast<int>(direction)];
+    buffer.bits = counter_bits(longest_run);
+    const Index chunks = (rows + kChunkRows - 1) / kChunkRows;
+    buffer.checkpoints = make_words(chunks * buffer.bits * words);
+    buffer.pixels = {nullptr, rows, words, 0};
+    if (direction != Direction::columns) buffer.pixels = make_rows(rows, words);
+    for (Index word = 0; word < words; word += kernels_.batch_words) {
+      tasks_.push_back({direction, word});
+    }
+  }
+
+  /// Whole batches for so many pixels.
+  [[nodiscard]] Index words_for(Index pixels) const {
+    return round_up((pixels + kWordBits - 1) / kWordBits, kernels_.batch_words);
+  }
+
+  [[nodiscard]] PackedRows make_rows(Index rows, Index words) {
+    constexpr Index word_bytes = sizeof(std::uint64_t);
+    const Index stride = padded_row_bytes(words * word_bytes) / word_bytes;
+    return {make_words(groups_of(rows) * kGroupRows * stride), rows, words, stride};
+  }
+
+  [[nodiscard]] std::uint64_t* make_words(Index count) {
+    memory_.push_back(make_aligned<std::uint64_t>(static_cast<std::size_t>(count)));
+    return memory_.back().get();
+  }
+
+  const ScanKernels& kernels_;
+  ScanWork work_;
+  Border border_;
+  std::vector<AlignedArray<std::uint64_t>> memory_;
+  std::vector<Task> tasks_;
+};
 
 State make_bitpacked_scan(const ThinningSetting& setting) {
   return std::make_unique<ScanState>(kBitpackedScan, setting);

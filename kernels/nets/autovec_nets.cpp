@@ -1,6 +1,6 @@
-// The nets' equations on bytes 0/1 as plain loops over strips of a row that compilers vectorise, at
-// -O3 for every instruction-set level: what hand-written SIMD is compared with. Light pixels are
-// computed and dropped; the equations have no branch.
+// The nets' equations on bytes 0/1 as plain loops over strips of a row that compilers vectorise at
+// -O3, compiled for every ISA: the baseline for hand-written SIMD. Background pixels are computed,
+// too, as the equations have no branch.
 #include "dispatch/exported.hpp"
 #include "nets/exponential.hpp"
 #include "nets/net_kernels.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr Index kStrip = 64;  // rows are padded to whole strips
 
-/// Inputs of a strip: 0.0 and 1.0.
+/// Background is 0.0, foreground 1.0.
 struct StripInputs {
   float n[kNetInputs][kStrip];
 };
@@ -32,7 +32,7 @@ void net_input(const Neuron& neuron, const float (*inputs)[kStrip], float* sum) 
 }
 
 template <Activation activation>
-float answer(float x) {
+float activated(float x) {
   if constexpr (activation == Activation::sigmoid) return sigmoid(x);
   const float inside = 0.166F * x + 0.5F;
   const float not_below = x < -3.0F ? 0.0F : inside;
@@ -41,20 +41,20 @@ float answer(float x) {
 
 template <Activation activation>
 struct TwoLayerStrip {
-  static void decide(const NetModel& model, const StripInputs& inputs, std::uint8_t* stays) {
+  static void decide(const NetModel& model, const StripInputs& inputs, std::uint8_t* keep) {
     float hidden[kHiddenNeurons][kStrip];
     for (int j = 0; j < kHiddenNeurons; ++j) {
       net_input(model.two_layer.hidden[j], inputs.n, hidden[j]);
-      for (float& value : hidden[j]) value = answer<activation>(value);
+      for (float& value : hidden[j]) value = activated<activation>(value);
     }
     float output[kStrip];
     net_input(model.two_layer.output, hidden, output);
-    for (Index x = 0; x < kStrip; ++x) stays[x] = answer<activation>(output[x]) >= 0.5F ? 1 : 0;
+    for (Index x = 0; x < kStrip; ++x) keep[x] = activated<activation>(output[x]) >= 0.5F ? 1 : 0;
   }
 };
 
 struct ClusterStrip {
-  static void decide(const NetModel& model, const StripInputs& inputs, std::uint8_t* stays) {
+  static void decide(const NetModel& model, const StripInputs& inputs, std::uint8_t* keep) {
     int net[kStrip];
     find_nets(model, inputs, net);
     float sum[kStrip];
@@ -64,7 +64,7 @@ struct ClusterStrip {
         sum[x] = sum[x] + model.cluster_column[i][net[x]] * inputs.n[i][x];
       }
     }
-    for (Index x = 0; x < kStrip; ++x) stays[x] = sum[x] >= 0.0F ? 1 : 0;
+    for (Index x = 0; x < kStrip; ++x) keep[x] = sum[x] >= 0.0F ? 1 : 0;
   }
 
  private:
@@ -89,13 +89,13 @@ bool row(const NetModel& model, const std::uint8_t* fixed, const std::uint8_t* h
   for (Index x = 0; x < count; x += kStrip) {
     StripInputs inputs;
     load_inputs(inputs, here + x, stride);
-    std::uint8_t keeps[kStrip];
-    Strip::decide(model, inputs, keeps);
+    std::uint8_t keep[kStrip];
+    Strip::decide(model, inputs, keep);
     if (fixed != nullptr) {
-      for (Index i = 0; i < kStrip; ++i) keeps[i] |= fixed[x + i];
+      for (Index i = 0; i < kStrip; ++i) keep[i] |= fixed[x + i];
     }
     for (Index i = 0; i < kStrip; ++i) {
-      const std::uint8_t next = here[x + i] & keeps[i];
+      const std::uint8_t next = here[x + i] & keep[i];
       changed = static_cast<std::uint8_t>(changed | (next ^ here[x + i]));
       target[x + i] = next;
     }
@@ -113,8 +113,7 @@ std::uint64_t pass(const RuntimeRule* rule, const std::uint8_t* fixed,
   });
 }
 
-/// Below AVX-512 these loops take longer than the reference:
-/// docs/experiments.md#compiler-vectorisation-of-nets.
+/// Empty below AVX-512: docs/experiments.md#compiler-vectorisation-of-nets.
 consteval AutovecNetKernels make_kernels() {
   constexpr Isa isa = Isa::THINBENCH_ISA;
   if constexpr (isa == Isa::avx512 || isa == Isa::avx512icl) {

@@ -1,19 +1,19 @@
-// Honest evaluation of a net on packed pixels, as seldom as possible: a dark pixel is asked only
-// where its neighbourhood changed in the last step, since equal inputs give an equal answer, and
-// pixels of many words are gathered until all lanes are full. For ISA files only.
+// Full evaluation of a net on packed pixels, as rarely as possible: a foreground pixel is asked
+// only where its neighbourhood changed in the last step, since equal inputs give an equal answer,
+// and pixels of many words are gathered until all lanes are full. For ISA files only.
 //
 // Cost beside the net: six loads and three XORs to see what changed in a word and its rows; where
-// something did, the eight neighbours, 8 pext, 8 shifts and ORs, one pdep. Without BMI2 pixels stay
-// in their places, and only batches without any pixel to ask are passed over.
+// something did, the eight neighbours, 8 times gather_bits, 8 shifts and ORs, once scatter_bits.
+// Where the processor cannot gather bits, pixels stay in their places, and only batches without any
+// pixel to ask are skipped.
 //
-// On the test image the printed procedure looks at 710,268 dark pixels in its 31 steps; 201,048 of
-// them have a changed neighbourhood.
+// On the test image the printed procedure looks at 710,268 foreground pixels in its 31 steps;
+// 201,048 of them have a changed neighbourhood.
 #pragma once
 
-#if defined(__BMI2__)
-#include <immintrin.h>
-#endif
+#include <type_traits>
 
+#include "simd/vector.hpp"
 #include "simd/word.hpp"
 #include "thinbench/nets.hpp"
 #include "thinning/engines/passes.hpp"
@@ -38,56 +38,86 @@ struct PackedNeighbours {
 /// A word with pixels to ask about.
 struct AskedWord {
   std::uint64_t asked;
-  std::uint64_t dark;
+  std::uint64_t foreground;
   std::uint64_t* to;
   Index x;  // of the word in its row
 };
 
-/// Asks `Decider` about pixels and writes what becomes of their words. A decider has kLanes and
-/// `decider(neighbours, first)`: bit i is set where pixel first + i stays.
-template <class Decider>
-class PixelQueue {
+/// Writes what becomes of words, and knows the columns of the band that changed.
+class ChangedWords {
  public:
-  [[gnu::always_inline]] PixelQueue(const Decider& decider, const Band& band)
-      : decider_(decider), band_(band) {}
+  [[gnu::always_inline]] explicit ChangedWords(const Band& band) : band_(band) {}
+
+  [[gnu::always_inline]] void write(const AskedWord& word, std::uint64_t kept) {
+    const std::uint64_t removed = word.asked & ~kept;
+    *word.to = word.foreground & ~removed;
+    if (removed != 0) columns_ |= band_.columns_of(word.x, word.x + 1);
+  }
+  [[nodiscard, gnu::always_inline]] std::uint64_t columns() const { return columns_; }
+
+ private:
+  Band band_;
+  std::uint64_t columns_ = 0;
+};
+
+// Two ways to ask `Decider` about pixels and to write what becomes of their words. A decider has
+// kLanes and `decider(neighbours, first)`: bit i is set where pixel first + i is kept. `finish`
+// asks about what is left and returns the columns of the band that changed.
+
+/// Pixels stay in their places.
+template <class Decider>
+class WordQueue {
+ public:
+  [[gnu::always_inline]] WordQueue(const Decider& decider, const Band& band)
+      : decider_(decider), words_(band) {}
 
   [[gnu::always_inline]] void add(const AskedWord& word, const PackedNeighbours& neighbours) {
-#if defined(__BMI2__)
+    constexpr std::uint64_t lanes = ~std::uint64_t{0} >> (kWordBits - Decider::kLanes);
+    std::uint64_t kept = 0;
+    for (Index first = 0; first < kWordBits; first += Decider::kLanes) {
+      if ((word.asked >> first & lanes) != 0) kept |= decider_(neighbours, first) << first;
+    }
+    words_.write(word, kept);
+  }
+
+  [[gnu::always_inline]] std::uint64_t finish() { return words_.columns(); }
+
+ private:
+  Decider decider_;
+  ChangedWords words_;
+};
+
+/// Pixels of many words are gathered.
+template <class Decider>
+class GatheringQueue {
+ public:
+  [[gnu::always_inline]] GatheringQueue(const Decider& decider, const Band& band)
+      : decider_(decider), words_(band) {}
+
+  [[gnu::always_inline]] void add(const AskedWord& word, const PackedNeighbours& neighbours) {
     const Index count = __builtin_popcountll(word.asked);
     if (count_ + count > kWordBits) flush();
     for (int i = 0; i < kNetInputs; ++i) {
-      gathered_.n[i] |= _pext_u64(neighbours.n[i], word.asked) << count_;
+      gathered_.n[i] |= gather_bits(neighbours.n[i], word.asked) << count_;
     }
-    words_[pending_] = word;
+    asked_[pending_] = word;
     first_[pending_++] = count_;
     count_ += count;
-#else
-    constexpr std::uint64_t lanes = ~std::uint64_t{0} >> (kWordBits - Decider::kLanes);
-    std::uint64_t stays = 0;
-    for (Index first = 0; first < kWordBits; first += Decider::kLanes) {
-      if ((word.asked >> first & lanes) != 0) stays |= decider_(neighbours, first) << first;
-    }
-    write(word, stays);
-#endif
   }
 
-  /// Asks about what is left; returns the columns of the band that changed.
   [[gnu::always_inline]] std::uint64_t finish() {
-#if defined(__BMI2__)
     flush();
-#endif
-    return changed_columns_;
+    return words_.columns();
   }
 
  private:
-#if defined(__BMI2__)
   void flush() {
-    std::uint64_t stays = 0;
+    std::uint64_t kept = 0;
     for (Index first = 0; first < count_; first += Decider::kLanes) {
-      stays |= decider_(gathered_, first) << first;
+      kept |= decider_(gathered_, first) << first;
     }
     for (int i = 0; i < pending_; ++i) {
-      write(words_[i], _pdep_u64(stays >> first_[i], words_[i].asked));
+      words_.write(asked_[i], scatter_bits(kept >> first_[i], asked_[i].asked));
     }
     gathered_ = {};
     pending_ = 0;
@@ -95,22 +125,16 @@ class PixelQueue {
   }
 
   PackedNeighbours gathered_{};
-  AskedWord words_[kWordBits];
+  AskedWord asked_[kWordBits];
   Index first_[kWordBits];  // place of a word's first pixel in `gathered_`
   int pending_ = 0;
   Index count_ = 0;
-#endif
-
-  [[gnu::always_inline]] void write(const AskedWord& word, std::uint64_t stays) {
-    const std::uint64_t removed = word.asked & ~stays;
-    *word.to = word.dark & ~removed;
-    if (removed != 0) changed_columns_ |= band_.columns_of(word.x, word.x + 1);
-  }
-
   Decider decider_;
-  Band band_;
-  std::uint64_t changed_columns_ = 0;
+  ChangedWords words_;
 };
+
+template <class Decider>
+using PixelQueue = std::conditional_t<kHasBitGather, GatheringQueue<Decider>, WordQueue<Decider>>;
 
 /// Where the neighbourhood of a pixel changed, word by word along row y.
 class ChangedNeighbourhoods {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "nets/exponential.hpp"
-#include "thinning/engines/pair_table.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -16,7 +15,7 @@ float net_input(const Neuron& neuron, const float* inputs) {
   return sum;
 }
 
-float answer(Activation activation, float x) {
+float activated(Activation activation, float x) {
   if (activation == Activation::sigmoid) return sigmoid(x);
   if (x > 3.0F) return 1.0F;
   if (x < -3.0F) return 0.0F;
@@ -27,11 +26,9 @@ void inputs_of(int descriptor, float* inputs) {
   for (int i = 0; i < kNetInputs; ++i) inputs[i] = static_cast<float>(descriptor >> i & 1);
 }
 
-/// Sums of ten such numbers are finite.
-constexpr float kLargestWeight = 1e30F;
-
 void require_moderate(float value, const std::string& name) {
-  if (std::fabs(value) <= kLargestWeight) return;  // not so for NaN
+  constexpr float max_weight = 1e30F;          // sums of ten such numbers are finite
+  if (std::fabs(value) <= max_weight) return;  // false for NaN
   throw std::invalid_argument(name + " is " + std::to_string(value) +
                               "; it must be within -1e30 ... 1e30");
 }
@@ -43,7 +40,25 @@ void require_moderate(const Neuron& neuron, const std::string& name) {
   require_moderate(neuron.bias, "the bias of " + name);
 }
 
-/// In multiples of 1 / scale; false where it does not fit into 8 bits.
+bool two_layer_keeps(const TwoLayerWeights& weights, Activation activation, int descriptor) {
+  float inputs[kNetInputs];
+  inputs_of(descriptor, inputs);
+  float hidden[kHiddenNeurons];
+  for (int j = 0; j < kHiddenNeurons; ++j) {
+    hidden[j] = activated(activation, net_input(weights.hidden[j], inputs));
+  }
+  return activated(activation, net_input(weights.output, hidden)) >= 0.5F;
+}
+
+bool cluster_keeps(const ClusterWeights& weights, int descriptor) {
+  int net = 0;
+  while (descriptor > weights.nets[net].last) ++net;
+  float inputs[kNetInputs];
+  inputs_of(descriptor, inputs);
+  return net_input(weights.nets[net].neuron, inputs) >= 0.0F;
+}
+
+/// To multiples of 1 / scale; false where the result does not fit into 8 bits.
 bool quantise(float value, float scale, std::int8_t& result) {
   const float scaled = std::nearbyint(value * scale);
   if (std::fabs(scaled) > 127) return false;
@@ -52,13 +67,13 @@ bool quantise(float value, float scale, std::int8_t& result) {
 }
 
 bool quantise(const Neuron& neuron, float scale, std::int8_t* weights, std::int8_t& bias) {
-  float reach = std::fabs(neuron.bias);
+  float max_sum = std::fabs(neuron.bias);
   for (int i = 0; i < kNetInputs; ++i) {
-    reach += std::fabs(neuron.weight[i]);
+    max_sum += std::fabs(neuron.weight[i]);
     if (!quantise(neuron.weight[i], scale, weights[i])) return false;
   }
-  // Partial sums in any order stay below 128: half a unit of rounding each is allowed for.
-  return reach * scale + 4.5F < 127 && quantise(neuron.bias, scale, bias);
+  // Partial sums in any order stay below 128, with half a unit of rounding for each of 9 terms.
+  return max_sum * scale + 4.5F < 127 && quantise(neuron.bias, scale, bias);
 }
 
 /// True where every sum fits its width.
@@ -67,19 +82,19 @@ bool make_fixed_point(const TwoLayerWeights& weights, float scale, FixedPointNet
     if (!quantise(weights.hidden[j], scale, net.weight[j], net.bias[j])) return false;
   }
   net.limit = static_cast<std::int8_t>(3 * scale);
-  const float answers = 2.0F * static_cast<float>(net.limit);
-  const float bias = std::nearbyint(weights.output.bias * scale * answers);
-  float reach = std::fabs(bias);
+  const float max_hidden = 2.0F * static_cast<float>(net.limit);
+  const float bias = std::nearbyint(weights.output.bias * scale * max_hidden);
+  float max_sum = std::fabs(bias);
   for (int j = 0; j < kHiddenNeurons; ++j) {
     if (!quantise(weights.output.weight[j], scale, net.output_weight[j])) return false;
-    reach += std::fabs(static_cast<float>(net.output_weight[j])) * answers;
+    max_sum += std::fabs(static_cast<float>(net.output_weight[j])) * max_hidden;
   }
-  if (reach >= 32767) return false;
+  if (max_sum >= 32767) return false;
   net.output_bias = static_cast<std::int16_t>(bias);
   return true;
 }
 
-bool fixed_point_stays(const FixedPointNet& net, int descriptor) {
+bool fixed_point_keeps(const FixedPointNet& net, int descriptor) {
   int sum = net.output_bias;
   for (int j = 0; j < kHiddenNeurons; ++j) {
     int x = net.bias[j];
@@ -90,14 +105,13 @@ bool fixed_point_stays(const FixedPointNet& net, int descriptor) {
   return sum >= 0;
 }
 
-/// The finest scale of 16, 8, 4, 2, 1 at which the fixed-point net fits and decides as the table
-/// does.
+/// The largest scale of 16, 8, 4, 2, 1 at which the fixed-point net fits and agrees with the table.
 void find_fixed_point(NetModel& model) {
   for (float scale = 16; scale >= 1 && !model.fixed_point_is_exact; scale /= 2) {
     if (!make_fixed_point(model.two_layer, scale, model.fixed_point)) continue;
     bool exact = true;
     for (int k = 0; k < 256; ++k) {
-      exact = exact && fixed_point_stays(model.fixed_point, k) == (model.new_pixel[256 + k] != 0);
+      exact = exact && fixed_point_keeps(model.fixed_point, k) == (model.new_pixel[256 + k] != 0);
     }
     model.fixed_point_is_exact = exact;
   }
@@ -113,33 +127,15 @@ void fill_columns(const ClusterWeights& weights, NetModel& model) {
   }
 }
 
-/// Fills in everything that follows from the decisions.
-template <class Stays>
-void derive_tables(NetModel& model, const Stays& stays) {
-  for (int k = 0; k < 256; ++k) model.new_pixel[256 + k] = stays(k) ? 1 : 0;
+/// Derives everything that depends on the decisions alone.
+template <class Keeps>
+void derive_tables(NetModel& model, const Keeps& keeps) {
+  for (int k = 0; k < 256; ++k) model.new_pixel[256 + k] = keeps(k) ? 1 : 0;
   fill_pair_table(model.new_pixel, model.pixel_pairs);
   model.program = make_mux_program(model.new_pixel + 256);
 }
 
 }  // namespace
-
-bool two_layer_stays(const TwoLayerWeights& weights, Activation activation, int descriptor) {
-  float inputs[kNetInputs];
-  inputs_of(descriptor, inputs);
-  float hidden[kHiddenNeurons];
-  for (int j = 0; j < kHiddenNeurons; ++j) {
-    hidden[j] = answer(activation, net_input(weights.hidden[j], inputs));
-  }
-  return answer(activation, net_input(weights.output, hidden)) >= 0.5F;
-}
-
-bool cluster_stays(const ClusterWeights& weights, int descriptor) {
-  int net = 0;
-  while (descriptor > weights.nets[net].last) ++net;
-  float inputs[kNetInputs];
-  inputs_of(descriptor, inputs);
-  return net_input(weights.nets[net].neuron, inputs) >= 0.0F;
-}
 
 NetModel two_layer_model(const TwoLayerWeights& weights, Activation activation) {
   for (int j = 0; j < kHiddenNeurons; ++j) {
@@ -149,7 +145,7 @@ NetModel two_layer_model(const TwoLayerWeights& weights, Activation activation) 
   NetModel model{};
   model.activation = activation;
   model.two_layer = weights;
-  derive_tables(model, [&](int k) { return two_layer_stays(weights, activation, k); });
+  derive_tables(model, [&](int k) { return two_layer_keeps(weights, activation, k); });
   if (activation == Activation::linear) find_fixed_point(model);
   return model;
 }
@@ -174,7 +170,7 @@ NetModel cluster_model(const ClusterWeights& weights) {
   NetModel model{};
   model.cluster = weights;
   fill_columns(weights, model);
-  derive_tables(model, [&](int k) { return cluster_stays(weights, k); });
+  derive_tables(model, [&](int k) { return cluster_keeps(weights, k); });
   return model;
 }
 

@@ -1,4 +1,4 @@
-// Models of nets: everything that engines need, derived from weights.
+// Models of nets, made from weights.
 #pragma once
 
 #include "nets/model.hpp"
@@ -12,10 +12,5 @@ namespace thinbench::detail {
 /// The cluster of section 3.3. Throws std::invalid_argument where a weight is not finite or the
 /// runs do not cover the descriptors 0 to 255 in order.
 [[nodiscard]] NetModel cluster_model(const ClusterWeights& weights);
-
-/// The net's decision for one descriptor, in the arithmetic that weights.hpp fixes.
-[[nodiscard]] bool two_layer_stays(const TwoLayerWeights& weights, Activation activation,
-                                   int descriptor);
-[[nodiscard]] bool cluster_stays(const ClusterWeights& weights, int descriptor);
 
 }  // namespace thinbench::detail

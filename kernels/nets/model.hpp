@@ -1,4 +1,4 @@
-// A net as engines see it. Plain data, so that files of every ISA can read it.
+// Nets as engines read them: plain data, for files of every ISA.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace thinbench::detail {
 
-/// The two-layer net with a linear threshold in 8-bit fixed point: `weight` and `bias` hold
-/// multiples of 1 / scale, a hidden answer is an integer in [0, 2 limit] with limit = 3 scale, and
-/// the net says foreground where the sum of output weights times answers plus the output's bias, in
-/// 16 bits, is not negative.
+/// The two-layer net with linear threshold in 8-bit fixed point. `weight` and `bias` hold multiples
+/// of 1 / scale; a hidden activation is an integer in [0, 2 limit] with limit = 3 scale. The new
+/// pixel is foreground where the sum of output weights times activations plus output bias, in 16
+/// bits, is not negative.
 struct FixedPointNet {
   std::int8_t weight[kHiddenNeurons][kNetInputs];
   std::int8_t bias[kHiddenNeurons];
@@ -24,13 +24,13 @@ struct FixedPointNet {
 
 namespace thinbench {
 
-/// A net, and all that engines derive from it.
+/// A net and all that is derived from it.
 struct NetModel : detail::RuntimeRule {
   Activation activation;
   TwoLayerWeights two_layer;
   ClusterWeights cluster;
-  // The cluster by columns: weight i (or the bias, i = 8) of every net, and its last descriptor;
-  // beyond the last net, descriptors that never come.
+  // The cluster, transposed: weight i (i = 8: the bias) of every net, and its last descriptor; 255
+  // beyond the last net.
   float cluster_column[kNetInputs + 1][kMaxClusterNets];
   float cluster_last[kMaxClusterNets];
   detail::FixedPointNet fixed_point;
@@ -41,7 +41,7 @@ struct NetModel : detail::RuntimeRule {
 
 namespace thinbench::detail {
 
-/// The net that a pass is given as its rule.
+/// The net that an engine gets as its rule.
 inline const NetModel& net_of(const RuntimeRule* rule) {
   return *static_cast<const NetModel*>(rule);
 }

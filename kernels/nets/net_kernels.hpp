@@ -1,4 +1,4 @@
-// The passes that evaluate nets.
+// The kernels that evaluate nets.
 #pragma once
 
 #include "nets/model.hpp"
@@ -6,7 +6,7 @@
 
 namespace thinbench::detail {
 
-/// One form of arithmetic for the three kinds of net.
+/// One kind of arithmetic for the three kinds of net.
 template <class AnyPass>
 struct NetPasses {
   AnyPass sigmoid;
@@ -21,7 +21,7 @@ struct FloatNetKernels {
 struct FixedPointKernels {
   ChangePass linear;  // two layers, linear threshold
 };
-/// Empty where vectorised loops over bytes are slower than the reference.
+/// Null pointers where vectorised loops over bytes are slower than the reference.
 struct AutovecNetKernels {
   NetPasses<Pass<std::uint8_t>> bytes;
 };

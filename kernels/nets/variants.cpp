@@ -30,7 +30,7 @@ State make_net_lut_sliding(const ThinningSetting& setting) {
   return make_pass(ScalarPasses::kRuntimeLutSliding, setting);
 }
 
-/// Whether the net decides as the Naccache-Shinghal rule, for which there is a minimised circuit.
+/// Whether the net agrees with the Naccache-Shinghal rule, which has a minimised circuit.
 bool has_learned_rule(const ThinningSetting& setting) {
   static constexpr RuleTable kTable = make_rule_table<NaccacheShinghal, 0>();
   return std::equal(kTable.begin(), kTable.end(), setting.runtime_rule->new_pixel);

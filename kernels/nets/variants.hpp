@@ -1,4 +1,4 @@
-// The variants of rules that are nets, and the nets that they use by default.
+// The variants of nets, and the default nets.
 #pragma once
 
 #include <memory>
@@ -9,14 +9,14 @@
 
 namespace thinbench::detail {
 
-/// The net that a rule uses where none is given; nullptr for rules that are no nets. The two-layer
-/// nets use Table 1, rounded to integers for net_two_layer_rounded; the cluster that of
-/// trained_cluster.hpp, because the paper prints none. Lives as long as the program.
+/// The default net of a rule; nullptr for rules that are not nets. Two-layer nets use Table 1,
+/// rounded to integers for net_two_layer_rounded; the cluster uses trained_cluster.hpp, as the
+/// paper publishes none. Lives as long as the program.
 [[nodiscard]] std::shared_ptr<const NetModel> default_net(Rule rule);
 
-/// All techniques for a rule that is a net. Those that only need its table (lut, bitpacked,
-/// simd_bitpacked, simd_bitpacked_row) are the same for all nets, and use a rule's own circuit
-/// where the net has learned it.
+/// The techniques that need only the net's table (lut, bitpacked, simd_bitpacked,
+/// simd_bitpacked_row) are the same for all nets. They use the circuit of a rule that the net has
+/// learned.
 [[nodiscard]] std::vector<ThinningVariant> net_variants(Rule rule);
 
 }  // namespace thinbench::detail

@@ -1,9 +1,9 @@
 // Runs of packed rows by count-trailing-zeros, and union-find over runs.
 //
-// Cost: 4 instructions for a word without boundary; a run costs 6 to find (of both colours, as each
+// Cost: 4 instructions per word without boundary. A run takes 6 to find (of both colours, as each
 // boundary ends one and begins another), about 10 to compare with the row above, and 12 with 6
-// loads and stores to sum up by closed form. A picture of parts has about one run in 30 pixels, so
-// this should be more than 10 times as fast as anything that looks at pixels one by one.
+// loads and stores to sum up in closed form. An image of parts has about one run per 30 pixels, so
+// this should be more than 10 times as fast as anything that visits single pixels.
 #include "regions/run_engine.hpp"
 
 namespace thinbench::detail {
@@ -38,8 +38,8 @@ void label_first_row(const ConstBitPlaneView& image, Index y, RunLabelling& labe
   row.count = find_keys(image.row(y), words_with_boundaries(image.width), row.keys);
   row.labels[0] = 0;
   for (Index i = 1; i < row.count; ++i) {
-    const Label owner = i % 2 == 0 ? row.labels[i - 1] : 0;
-    row.labels[i] = new_label(labelling.tables.of_colour[i % 2], y, owner);
+    const Label enclosing_object = i % 2 == 0 ? row.labels[i - 1] : 0;
+    row.labels[i] = new_label(labelling.tables.of_colour[i % 2], y, enclosing_object);
   }
   row.labels[row.count] = 0;
   add_runs(labelling.tables, row, y);

@@ -1,31 +1,34 @@
 // The Euler number of a packed image by two population counts.
 #pragma once
 
-#include "thinbench/isa.hpp"
 #include "image/plane_view.hpp"
 #include "simd/word.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
 
-/// The part of the Euler number that pixels of rows [first, last) contribute, where a row beyond
-/// the image counts too: the sum over rows [0, height] is the number.
+/// The contribution of rows [first, last), where row `height` counts too: the sum over rows
+/// [0, height] is the Euler number.
 using EulerKernel = std::int64_t (*)(const ConstBitPlaneView& image, Index first, Index last);
 
-/// Exported for every ISA.
-struct EulerKernels {
-  EulerKernel eight;  // 8-connected objects, 4-connected holes
-  EulerKernel four;   // 4-connected objects, 8-connected holes
+/// The same over all rows of a byte plane, by a table of the 16 quads of pixels.
+using EulerQuadKernel = std::int64_t (*)(const ConstBytePlaneView& image);
+
+/// By connectivity of the objects; that of the background is the other one.
+template <class Kernel>
+struct EulerPair {
+  Kernel eight;
+  Kernel four;
 };
 
-/// 64 pixels a step, popcount of the compiler's baseline.
+/// Compiled for every ISA.
+using EulerKernels = EulerPair<EulerKernel>;
+
+/// 64 pixels per word, popcount of the compiler's baseline.
 extern const EulerKernels kBitpackedEuler;
+extern const EulerPair<EulerQuadKernel> kEulerByQuads;
 
-/// A table of the 16 quads of pixels, for byte planes.
-using EulerQuads = std::int64_t (*)(const ConstBytePlaneView& image);
-[[nodiscard]] std::int64_t euler_by_quads_8(const ConstBytePlaneView& image);
-[[nodiscard]] std::int64_t euler_by_quads_4(const ConstBytePlaneView& image);
-
-/// Pixels that add one to the number, and pixels that take one away; never both.
+/// Pixels that add 1 to the number, and pixels that subtract 1; disjoint.
 template <class Word>
 struct EulerTerms {
   Word plus;
@@ -38,8 +41,8 @@ struct EulerTerms {
 struct EulerEight {
   template <class Word>
   [[gnu::always_inline]] static constexpr EulerTerms<Word> terms(Word c, Word w, Word n, Word nw) {
-    const Word light = ternary(c, w, n, [](auto a, auto b, auto d) { return ~(a | b | d); });
-    return {light & nw, ternary(c, w, n, [](auto a, auto b, auto d) { return ~a & b & d; })};
+    const Word none = ternary(c, w, n, [](auto a, auto b, auto d) { return ~(a | b | d); });
+    return {none & nw, ternary(c, w, n, [](auto a, auto b, auto d) { return ~a & b & d; })};
   }
 };
 struct EulerFour {
@@ -50,7 +53,7 @@ struct EulerFour {
   }
 };
 
-/// Sums up `Counter` over rows [first, last): every kernel is this loop on another word.
+/// Every kernel is this loop over another word type.
 template <class Connectivity, class Word, class Counter>
 [[gnu::always_inline]] inline std::int64_t sum_euler(const ConstBitPlaneView& image, Index first,
                                                      Index last) {
@@ -69,7 +72,7 @@ template <class Connectivity, class Word, class Counter>
   return counter.sum();
 }
 
-/// Counts with the processor's own instruction where the compiler may use it.
+/// A popcnt instruction where the compiler may use one.
 struct WordCounter {
   std::int64_t total = 0;
   [[gnu::always_inline]] void add(const EulerTerms<std::uint64_t>& terms) {

@@ -14,8 +14,8 @@ void add_region(Region& sum, const Region& part) {
   sum.bottom = std::max(sum.bottom, part.bottom);
 }
 
-/// Regions move to the front in the order of their roots; a parent is always at or before its
-/// label, so its position is known when the label's turn comes.
+/// Moves regions to the front in the order of their roots. A parent never comes after its label, so
+/// its index is known when the label is visited.
 Label gather_regions(const LabelTable& table) {
   Label count = 0;
   for (Label label = 0; label < table.count; ++label) {
@@ -34,8 +34,7 @@ Label gather_regions(const LabelTable& table) {
 }  // namespace
 
 LabelStore::LabelStore(Index width) {
-  constexpr Index some = 1000;
-  make_room((width + 1) / 2 + some);
+  make_room((width + 1) / 2 + 1000);
   clear();
 }
 
@@ -80,8 +79,7 @@ LabelStore::Offsets LabelStore::append(const LabelTables& other) {
     table.count += part.count - shared;
     offsets.of_colour[colour] = offset;
   }
-  // Owners are objects.
-  LabelTable& background = tables_.of_colour[0];
+  LabelTable& background = tables_.of_colour[0];  // enclosing objects are foreground labels
   for (Label label = offsets.of_colour[0] + 1; label < background.count; ++label) {
     background.regions[label].enclosing_object += offsets.of_colour[1];
   }

@@ -1,40 +1,41 @@
-// Owns provisional labels and makes them into numbered regions.
+// Owns provisional labels and turns them into numbered regions.
 #pragma once
 
 #include <span>
 
 #include "image/byte_image.hpp"
-#include "regions/run_rows.hpp"
+#include "regions/label_table.hpp"
 
 namespace thinbench::detail {
 
-/// What was found: spans into the plan's memory, valid until it computes again.
+/// Spans into the state's memory, valid until its next computation.
 struct RegionLists {
   std::span<const Region> objects;
   std::span<const Region> holes;
 };
 
-/// Memory for labels of both colours: 52 bytes a label. An image has at most height x
-/// (width + 1) / 2 of them together, and few of those in practice, so memory grows by need, by
-/// doubling, and is kept.
+/// Memory for labels of both colours: 52 bytes per label. An image has at most height x
+/// (width + 1) / 2 of them together and usually few, so memory grows on demand, by doubling, and is
+/// reused.
 class LabelStore {
  public:
-  /// Room for the labels of a first row of this width and some more.
+  /// With room for the labels of the first row and some more.
   explicit LabelStore(Index width);
 
   [[nodiscard]] LabelTables& tables() { return tables_; }
-  /// Forgets all labels but label 0 of the background.
+  /// Removes all labels but label 0 of the background.
   void clear();
   /// Makes room for `labels` more of each colour. Throws std::bad_alloc.
   void make_room(Index labels);
-  /// Appends the labels of another part of the image, below all of this. Label 0 of its background
-  /// becomes this one's; its label i of colour c becomes i + the result's element c, except that.
+
   struct Offsets {
     Label of_colour[2];
   };
+  /// Appends the labels of another part of the image, below all of this one. Its label i of colour
+  /// c becomes i + the result's element c, but label 0 of the background stays 0.
   Offsets append(const LabelTables& other);
-  /// Adds up the labels of each region and numbers the regions; `parents` then hold, for each
-  /// label, its region's position: in objects, or in holes plus one (0 is no hole).
+  /// Sums up the labels of each region and numbers the regions. `parents` then hold, per label, the
+  /// index of its region: in objects, or in holes plus one (0 is no hole).
   RegionLists number_regions();
 
  private:

@@ -1,5 +1,5 @@
-// Provisional labels of one colour: a union-find forest and what was summed for each label. For
-// every file, ISA files included: a plain struct and functions that are always inlined.
+// Provisional labels: union-find forests and what was summed up per label. For every file, ISA
+// files included: plain structs and functions that are always inlined.
 #pragma once
 
 #include "image/plane_view.hpp"
@@ -9,15 +9,19 @@ namespace thinbench::detail {
 
 using Label = std::uint32_t;
 
-inline constexpr std::int32_t kNoColumn = INT32_MAX;
-
-/// `parents[label]` is never above `label`, so a root is the earliest label of its region, and the
+/// `parents[label]` is never above `label`, so a root is the first label of its region, and the
 /// order of roots is the raster order of first pixels.
 struct LabelTable {
   Label* parents = nullptr;
   Region* regions = nullptr;
   Label count = 0;
   Label capacity = 0;
+};
+
+/// Labels of both colours: tables[0] background, where label 0 is everything that reaches the image
+/// border, and tables[1] foreground.
+struct LabelTables {
+  LabelTable of_colour[2];
 };
 
 [[gnu::always_inline]] inline Label find_root(Label* parents, Label label) {
@@ -28,7 +32,7 @@ struct LabelTable {
   return label;
 }
 
-/// Makes two labels one region and returns its root.
+/// Merges the regions of two labels and returns the root.
 [[gnu::always_inline]] inline Label unite(Label* parents, Label a, Label b) {
   if (a == b) return a;
   const Label root_a = find_root(parents, a);
@@ -38,12 +42,12 @@ struct LabelTable {
   return root;
 }
 
-/// A label whose first pixel is in row y. The table must have room.
+/// A label with its first pixel in row y. The table must have room.
 [[gnu::always_inline]] inline Label new_label(LabelTable& table, Index y, Label enclosing_object) {
   const Label label = table.count++;
   const auto row = static_cast<std::int32_t>(y);
   table.parents[label] = label;
-  table.regions[label] = {0, 0, 0, kNoColumn, row, -1, row, enclosing_object};
+  table.regions[label] = {0, 0, 0, INT32_MAX, row, -1, row, enclosing_object};
   return label;
 }
 
@@ -57,6 +61,13 @@ struct LabelTable {
   if (begin < region.left) region.left = static_cast<std::int32_t>(begin);
   if (end > region.right) region.right = static_cast<std::int32_t>(end - 1);
   region.bottom = static_cast<std::int32_t>(y);
+}
+
+/// Whether both tables have room for the labels of one more row.
+[[gnu::always_inline]] inline bool has_room(const LabelTables& tables, Index width) {
+  const auto needed = static_cast<Label>((width + 1) / 2);
+  return tables.of_colour[0].capacity - tables.of_colour[0].count >= needed &&
+         tables.of_colour[1].capacity - tables.of_colour[1].count >= needed;
 }
 
 }  // namespace thinbench::detail

@@ -2,37 +2,32 @@
 
 #include <algorithm>
 
-#include "regions/run_band.hpp"
+#include "regions/run_labeller.hpp"
 
 namespace thinbench::detail {
-namespace {
 
-constexpr Index kAfterRow = 3;  // last keys that comparing rows may read
-
-}  // namespace
-
-RunRow KeptRows::next_row(Index width) {
+RunRow RunStore::next_row(Index width) {
   const Index needed = used_ + width + 2 + kWordBits + kKeyPadding;
   if (needed > capacity_) grow(std::max(needed, 2 * capacity_));
-  return row_at(used_, 0);
+  return row_at({used_, 0});
 }
 
-void KeptRows::keep(Index y, Index count) {
-  ends_[static_cast<std::size_t>(y)] = {used_, count};
-  used_ += count + kAfterRow + 1;
+void RunStore::store(Index y, Index count) {
+  constexpr Index keys_after_row = 3;  // as far as comparisons of rows may read
+  rows_[static_cast<std::size_t>(y)] = {used_, count};
+  used_ += count + keys_after_row + 1;
 }
 
-RunRow KeptRows::row(Index y) {
-  const Place& place = ends_[static_cast<std::size_t>(y)];
-  return row_at(place.first, place.count);
+RunRow RunStore::row(Index y) {
+  return row_at(rows_[static_cast<std::size_t>(y)]);
 }
 
-RunRow KeptRows::row_at(Index first, Index count) {
-  keys_[static_cast<std::size_t>(first - 1)] = kFirstKey;
-  return {keys_.get() + first, labels_.get() + first, count};
+RunRow RunStore::row_at(const Place& place) {
+  keys_[static_cast<std::size_t>(place.first - 1)] = kFirstKey;
+  return {keys_.get() + place.first, labels_.get() + place.first, place.count};
 }
 
-void KeptRows::grow(Index capacity) {
+void RunStore::grow(Index capacity) {
   auto keys = make_aligned<Key>(static_cast<std::size_t>(capacity));
   auto labels = make_aligned<Label>(static_cast<std::size_t>(capacity));
   std::copy_n(keys_.get(), capacity_, keys.get());
@@ -57,13 +52,13 @@ void LabelledRuns::label(const ConstBitPlaneView& image) {
 
 void LabelledRuns::label_row(const ConstBitPlaneView& image, Index y) {
   labels_.make_room((image.width + 1) / 2);
-  Key light_keys[] = {kFirstKey, kLastKey, kLastKey, kLastKey, kLastKey};
+  Key outside_keys[] = {kFirstKey, kLastKey, kLastKey, kLastKey, kLastKey};
   Label outside = 0;
   RunRow here = rows_.next_row(image.width);
-  const RunRow above = y > 0 ? rows_.row(y - 1) : RunRow{light_keys + 1, &outside, 0};
+  const RunRow above = y > 0 ? rows_.row(y - 1) : RunRow{outside_keys + 1, &outside, 0};
   here.count = find_keys(image.row(y), words_with_boundaries(image.width), here.keys);
   label_runs<true>(labels_.tables(), above, 0, here.keys, here.labels, 0, here.count, y);
-  rows_.keep(y, here.count);
+  rows_.store(y, here.count);
 }
 
 void set_run(std::uint64_t* row, const RunRow& runs, Index i) {

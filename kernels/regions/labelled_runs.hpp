@@ -1,26 +1,26 @@
-// All runs of a packed image, labelled and kept: for images that are made from regions.
+// All runs of a packed image with their labels: for images that are made from regions.
 //
-// Cost: that of bitpacked_runs without sums, and 8 bytes kept for each run.
+// Cost: that of bitpacked_runs without sums, and 8 bytes stored per run.
 #pragma once
 
 #include <vector>
 
 #include "image/byte_image.hpp"
 #include "regions/label_store.hpp"
+#include "regions/run_rows.hpp"
 
 namespace thinbench::detail {
 
-/// All rows of runs of an image, one behind the other. Memory grows by need and is kept.
-class KeptRows {
+/// The runs of all rows, contiguous. Memory grows on demand and is reused.
+class RunStore {
  public:
-  explicit KeptRows(Index height) : ends_(static_cast<std::size_t>(height)) {}
+  explicit RunStore(Index height) : rows_(static_cast<std::size_t>(height)) {}
 
   void clear() { used_ = 1; }
-
-  /// Memory for a row of any kind, behind the rows kept. Rows handed out before may move.
+  /// Memory for any row, behind the stored rows. Invalidates rows returned before.
   RunRow next_row(Index width);
-  /// Keeps the row that next_row handed out.
-  void keep(Index y, Index count);
+  /// Stores what was written to next_row as row y.
+  void store(Index y, Index count);
   [[nodiscard]] RunRow row(Index y);
 
  private:
@@ -29,36 +29,38 @@ class KeptRows {
     Index count = 0;
   };
 
-  RunRow row_at(Index first, Index count);
+  RunRow row_at(const Place& place);
   void grow(Index capacity);
 
   AlignedArray<Key> keys_;
   AlignedArray<Label> labels_;
   Index capacity_ = 0;
   Index used_ = 1;
-  std::vector<Place> ends_;
+  std::vector<Place> rows_;
 };
 
 class LabelledRuns {
  public:
   LabelledRuns(Index width, Index height) : labels_(width), rows_(height) {}
 
-  /// Labels all runs of an image, which has at least one row.
+  /// Labels all runs of an image with at least one row.
   void label(const ConstBitPlaneView& image);
 
   [[nodiscard]] RunRow row(Index y) { return rows_.row(y); }
-  /// The root of each label of a colour; that of everything light that reaches the frame is 0.
+  /// The root of each label of a colour; that of all background connected to the border is 0.
   [[nodiscard]] const Label* roots(int colour) { return table(colour).parents; }
   [[nodiscard]] Label labels(int colour) { return table(colour).count; }
-  /// A label of the contour round a hole, whose root is given; for other labels any contour's.
-  [[nodiscard]] Label owner_of_hole(Label root) { return table(0).regions[root].enclosing_object; }
+  /// For the root of a hole: a label of the contour round it. For other labels: any contour's.
+  [[nodiscard]] Label contour_of_hole(Label root) {
+    return table(0).regions[root].enclosing_object;
+  }
 
  private:
   [[nodiscard]] LabelTable& table(int colour) { return labels_.tables().of_colour[colour]; }
   void label_row(const ConstBitPlaneView& image, Index y);
 
   LabelStore labels_;
-  KeptRows rows_;
+  RunStore rows_;
 };
 
 /// Sets the pixels of run i, neither the first of a row nor the last.

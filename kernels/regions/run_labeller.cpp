@@ -2,7 +2,83 @@
 
 #include <algorithm>
 
+#include "image/layout.hpp"
+
 namespace thinbench::detail {
+namespace {
+
+/// Elements for the keys, labels or accumulators of a row: the boundaries of a word are written at
+/// once, with padding after them, and one key precedes the first.
+Index elements_of_row(Index width) {
+  return round_up(width + 2 + kWordBits + 2 * kKeyPadding, kKeyPadding);
+}
+
+constexpr Index kArrays = 11;  // keys and labels of three rows, five accumulators
+
+/// Merges all runs that touch across two rows labelled in the same tables.
+void join_rows(LabelTables& tables, const RunRow& above, const RunRow& below) {
+  Index next = 0;
+  for (Index i = 0; i <= below.count; ++i) {
+    while (above.keys[next] < below.keys[i - 1]) ++next;
+    Label* const parents = tables.of_colour[i % 2].parents;
+    for (Index touching = next + (i + next) % 2; above.keys[touching - 1] < below.keys[i];
+         touching += 2) {
+      unite(parents, above.labels[touching], below.labels[i]);
+    }
+  }
+}
+
+/// Appends the labels of `lower` to `labels`, gives them to the rows of `lower`, and joins the rows
+/// at the seam.
+void join_bands(LabelStore& labels, const RunRow& last_above, RunBand& lower) {
+  const LabelStore::Offsets offsets = labels.append(lower.labels().tables());
+  for (RunRow* row : {&lower.first_row(), &lower.last_row()}) {
+    for (Index i = 0; i <= row->count; ++i) {
+      Label& label = row->labels[i];
+      if (i % 2 == 1 || label != 0) label += offsets.of_colour[i % 2];
+    }
+  }
+  join_rows(labels.tables(), last_above, lower.first_row());
+}
+
+}  // namespace
+
+RunBand::RunBand(Index width)
+    : memory_(make_aligned<Key>(static_cast<std::size_t>(kArrays * elements_of_row(width)))),
+      labels_(width) {
+  Key* next = memory_.get();
+  const auto take = [&] {
+    Key* const taken = next + kKeyPadding;  // one key before the first, on a cache line
+    next += elements_of_row(width);
+    return taken;
+  };
+  for (RunRow* row : {&first_row_, &labelling_.above, &labelling_.here}) {
+    row->keys = take();
+    row->keys[-1] = kFirstKey;
+    row->labels = reinterpret_cast<Label*>(take());
+  }
+  RunSlots& sums = labelling_.slots;
+  for (Key** sum : {&sums.length, &sums.squares, &sums.rows, &sums.least, &sums.largest}) {
+    *sum = take();
+  }
+}
+
+void RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last) {
+  labels_.clear();
+  labelling_.tables = labels_.tables();
+  label_first_row(image, first, labelling_);
+  const RunRow& row = labelling_.above;
+  first_row_.count = row.count;
+  std::copy_n(row.keys, row.count + kKeyPadding, first_row_.keys);
+  std::copy_n(row.labels, row.count + 1, first_row_.labels);
+  for (Index y = first + 1;;) {
+    y = label_rows(image, y, last, labelling_);
+    labels_.tables() = labelling_.tables;
+    if (y == last) return;
+    labels_.make_room((image.width + 1) / 2);
+    labelling_.tables = labels_.tables();
+  }
+}
 
 RunLabeller::RunLabeller(LabelRows label_rows, Index width, Index height, int threads)
     : label_rows_(label_rows), team_(threads) {
@@ -26,6 +102,11 @@ RegionLists RunLabeller::label(const ConstBitPlaneView& image) {
   join_border(labels.tables(), bands_.front().first_row());
   join_border(labels.tables(), bands_.back().last_row());
   return labels.number_regions();
+}
+
+void join_border(LabelTables& tables, const RunRow& row) {
+  Label* const parents = tables.of_colour[0].parents;
+  for (Index i = 0; i <= row.count; i += 2) unite(parents, 0, row.labels[i]);
 }
 
 }  // namespace thinbench::detail

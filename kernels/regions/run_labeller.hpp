@@ -1,20 +1,40 @@
-// Regions of a packed image: bands of rows, one a thread, labelled on their own and joined at the
-// seams.
+// Regions of a packed image: bands of rows, one per thread, are labelled separately and joined at
+// the seams.
 #pragma once
 
 #include <deque>
 
-#include "thinbench/isa.hpp"
 #include "image/thread_team.hpp"
-#include "regions/run_band.hpp"
+#include "regions/label_store.hpp"
+#include "regions/run_engine.hpp"
 
 namespace thinbench::detail {
+
+/// Labels a band and owns the memory for it: 44 bytes per column, a few thousand bytes, and labels.
+class RunBand {
+ public:
+  explicit RunBand(Index width);
+
+  /// Labels rows [first, last) of the image, at least one.
+  void label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last);
+
+  /// The labelled rows at the seams, and the labels.
+  [[nodiscard]] RunRow& first_row() { return first_row_; }
+  [[nodiscard]] RunRow& last_row() { return labelling_.above; }
+  [[nodiscard]] LabelStore& labels() { return labels_; }
+
+ private:
+  AlignedArray<Key> memory_;
+  RunRow first_row_;
+  RunLabelling labelling_;
+  LabelStore labels_;
+};
 
 class RunLabeller {
  public:
   RunLabeller(LabelRows label_rows, Index width, Index height, int threads);
 
-  /// Objects and, if the kernel looks at light runs, holes; valid until the next call. Throws
+  /// Objects and, if the kernel labels background runs, holes; valid until the next call. Throws
   /// std::bad_alloc.
   RegionLists label(const ConstBitPlaneView& image);
 
@@ -23,5 +43,8 @@ class RunLabeller {
   ThreadTeam team_;
   std::deque<RunBand> bands_;
 };
+
+/// Makes background runs of a row at the image border part of the outside.
+void join_border(LabelTables& tables, const RunRow& row);
 
 }  // namespace thinbench::detail

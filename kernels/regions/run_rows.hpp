@@ -1,14 +1,15 @@
-// Rows as runs of equal pixels, and how the runs of two neighbouring rows meet. For every file, ISA
-// files included.
+// Rows as runs of equal pixels, and how the runs of two neighbouring rows touch. For every file,
+// ISA files included.
 //
-// A row is its boundaries, as sorted keys: 2 (x + 1) where a dark run begins at x and 2 (x + 1) + 1
-// where one ends before x. Run i lies between keys[i - 1] and keys[i]; even runs are light, odd
-// ones dark; the first and the last run reach the frame. With the odd bit "8-connected dark" and
-// "4-connected light" become one comparison: runs i and j of the same colour in neighbouring rows
-// touch where each begins below the other's end, keys never being equal there.
+// A row is represented by its boundaries, as sorted keys: 2 (x + 1) where a foreground run begins
+// at x and 2 (x + 1) + 1 where one ends before x. Run i lies between keys[i - 1] and keys[i]; even
+// runs are background, odd runs foreground; the first and the last run reach the image border. The
+// odd bit turns "8-connected foreground" and "4-connected background" into one comparison: runs i
+// and j of the same colour in neighbouring rows touch where each begins below the other's end. Two
+// such keys are never equal.
 //
-//   x         0 1 2 3 4 5 6 7          keys  6 11 14 17  (dark from 2 to before 4, 6 to before 7)
-//   pixels    . . # # . . # .          runs  0 light, 1 dark, 2 light, 3 dark, 4 light
+//   x         0 1 2 3 4 5 6 7          keys  6 11 14 17  (foreground in [2, 4) and [6, 7))
+//   pixels    . . # # . . # .          runs  0 background, 1 foreground, 2 background, ...
 #pragma once
 
 #include "regions/label_table.hpp"
@@ -21,7 +22,7 @@ using Key = std::int32_t;
 inline constexpr Key kFirstKey = 0;
 inline constexpr Key kLastKey = INT32_MAX;
 
-/// That many kLastKey follow the keys of a row, and that many elements after them may be written.
+/// So many kLastKey follow the keys of a row, and so many elements after them may be written.
 inline constexpr Index kKeyPadding = 16;
 
 struct RunRow {
@@ -49,8 +50,8 @@ struct RunRow {
   for (Index i = 0; i < kKeyPadding; ++i) keys[count + i] = kLastKey;
 }
 
-/// Writes the keys of a word's boundaries, of which `before` came before in the row, and returns
-/// how many there are.
+/// Writes the keys of a word's boundaries and returns their number; `before` keys precede them in
+/// the row.
 [[gnu::always_inline]] inline Index find_keys_of_word(std::uint64_t bits, Index word, Index before,
                                                       Key* keys) {
   const auto first = static_cast<Key>(2 * (word * kWordBits + 1));
@@ -61,7 +62,7 @@ struct RunRow {
   return count;
 }
 
-/// Writes the keys of a row and returns how many there are.
+/// Writes the keys of a row and returns their number.
 [[gnu::always_inline]] inline Index find_keys(const std::uint64_t* row, Index words, Key* keys) {
   Index count = 0;
   for (Index word = 0; word < words; ++word) {
@@ -71,23 +72,17 @@ struct RunRow {
   return count;
 }
 
-/// Labels of both colours: tables[0] light, where label 0 is everything that reaches the frame,
-/// and tables[1] dark.
-struct LabelTables {
-  LabelTable of_colour[2];
-};
-
-/// Labels runs [first, last] of row y into `labels`, given the labelled row above, of which runs
-/// before `first_above` touch none of them. `labels[first - 1]` must be there: it owns a hole that
-/// begins with run `first`. Without `with_background` light runs are not looked at.
+/// Labels runs [first, last] of row y into `labels`, given the labelled row above; its runs before
+/// `first_above` touch none of them. `labels[first - 1]` must be set: it encloses a hole that
+/// begins with run `first`. Background runs are labelled only with `with_background`.
 template <bool with_background>
 [[gnu::always_inline]] inline void label_runs(LabelTables& tables, const RunRow& above,
                                               Index first_above, const Key* keys, Label* labels,
                                               Index first, Index last, Index y) {
   Index next = first_above;
   for (Index i = first; i <= last; ++i) {
-    const bool light = i % 2 == 0;
-    if (!with_background && light) {
+    const bool background = i % 2 == 0;
+    if (!with_background && background) {
       labels[i] = 0;
       continue;
     }
@@ -95,7 +90,7 @@ template <bool with_background>
     Index touching = next + (i + next) % 2;
     LabelTable& table = tables.of_colour[i % 2];
     if (!(above.keys[touching - 1] < keys[i])) {
-      labels[i] = new_label(table, y, light ? labels[i - 1] : 0);
+      labels[i] = new_label(table, y, background ? labels[i - 1] : 0);
       continue;
     }
     Label label = above.labels[touching];
@@ -106,19 +101,12 @@ template <bool with_background>
   }
 }
 
-/// Sums up the runs of row y that do not reach the frame.
+/// Sums up the runs of row y that do not reach the image border.
 [[gnu::always_inline]] inline void add_runs(LabelTables& tables, const RunRow& row, Index y) {
   for (Index i = 1; i < row.count; ++i) {
     add_run(tables.of_colour[i % 2].regions[row.labels[i]], column_of(row.keys[i - 1]),
             column_of(row.keys[i]), y);
   }
-}
-
-/// Whether both tables can take the labels of one more row.
-[[gnu::always_inline]] inline bool has_room(const LabelTables& tables, Index width) {
-  const auto most = static_cast<Label>((width + 1) / 2);
-  return tables.of_colour[0].capacity - tables.of_colour[0].count >= most &&
-         tables.of_colour[1].capacity - tables.of_colour[1].count >= most;
 }
 
 }  // namespace thinbench::detail

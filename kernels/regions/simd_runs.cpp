@@ -8,15 +8,15 @@
 // boundaries. Most rows of a picture of parts repeat the runs of the row above with slightly moved
 // ends.
 #include "dispatch/exported.hpp"
-#include "simd/batch.hpp"
 #include "regions/run_engine.hpp"
 #include "regions/simd_keys.hpp"
+#include "simd/vector.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-using KeyBatch = xsimd::batch<Key, Architecture>;
+using KeyBatch = BatchOf<Key>;
 constexpr Index kLanes = static_cast<Index>(KeyBatch::size);
 static_assert(kLanes <= kKeyPadding);
 
@@ -70,9 +70,7 @@ struct Matching {
 
 /// Sums wrap round like unsigned numbers: runs that reach the frame have keys without meaning.
 [[gnu::always_inline]] inline KeyBatch product(KeyBatch a, KeyBatch b) {
-  using Unsigned = xsimd::batch<std::uint32_t, Architecture>;
-  return xsimd::bitwise_cast<KeyBatch>(xsimd::bitwise_cast<Unsigned>(a) *
-                                       xsimd::bitwise_cast<Unsigned>(b));
+  return reinterpreted<KeyBatch>(reinterpreted<Lanes32>(a) * reinterpreted<Lanes32>(b));
 }
 
 [[gnu::always_inline]] inline void add_row(const RunSlots& slots, const Key* keys, Index count,
@@ -202,6 +200,7 @@ Index label_rows(const ConstBitPlaneView& image, Index first, Index last, RunLab
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const RunEngine Exported<RunEngine, kThisIsa>::kKernels = {&label_rows<true>, &label_rows<false>};
+constinit const RunEngine Exported<RunEngine, kThisIsa>::kKernels = {&label_rows<true>,
+                                                                     &label_rows<false>};
 
 }  // namespace thinbench::detail

@@ -1,21 +1,21 @@
-// One variant of the operations on objects and holes at work.
+// The states of the operations on objects and holes: a variant with its memory.
 #pragma once
 
 #include <memory>
 #include <span>
 #include <stdexcept>
-#include <string_view>
 
 #include "dispatch/variant.hpp"
+#include "image/packing.hpp"
+#include "image/planes.hpp"
 #include "regions/label_store.hpp"
 
 namespace thinbench::detail {
 
-/// What is asked for: lists of regions (holes, components), a number (the Euler number with 8- or
+/// The result: lists of regions (holes, components), a number (the Euler number with 8- or
 /// 4-connected objects) or an image (interior contours filled).
 enum class RegionsTask : std::uint8_t { holes, components, euler_eight, euler_four, fill };
 
-/// What a state needs to know beside its technique.
 struct RegionsSetting {
   RegionsTask task;
   Isa isa;
@@ -24,13 +24,11 @@ struct RegionsSetting {
   int threads;
 };
 
-/// Owns all memory that images of one size need: one bit per pixel for packed images, one byte for
-/// `lut`, five bytes for `union_find`; filling takes one bit or byte per pixel more, and from packed
-/// images 8 bytes for each run. Regions take 52 bytes for each provisional label (at most one in two
-/// pixels, one in some thousand on pictures of parts). Labels and runs grow by need: an image with
-/// more of them than any before makes compute() allocate, a second run on it does not.
-///
-/// load() packs the image; compute() leaves it as it is, so that it may be repeated.
+/// Owns all memory for images of one size: one bit per pixel for packed images, one byte for `lut`,
+/// five bytes for `union_find`. Filling takes one bit or byte per pixel more, and 8 bytes per run
+/// on packed images. Regions take 52 bytes per provisional label (at most one per two pixels, one
+/// per some thousand on images of parts). Labels and runs grow on demand: compute() allocates where
+/// an image has more of them than any before, but not in a second run on it.
 class RegionsState {
  public:
   using Setting = RegionsSetting;
@@ -42,18 +40,38 @@ class RegionsState {
   RegionsState(RegionsState&&) = delete;
   RegionsState& operator=(RegionsState&&) = delete;
 
+  /// Packs the image.
   virtual void load(const ConstImageView& source) = 0;
+  /// Leaves the loaded image unchanged, so that it may be repeated.
   virtual void compute() = 0;
-  /// What the task asked for; the two others throw std::logic_error. Lists are valid until the next
+  /// The result of the task; the two others throw std::logic_error. Lists are valid until the next
   /// compute().
-  [[nodiscard]] virtual RegionLists regions() const { refuse_result(); }
-  [[nodiscard]] virtual std::int64_t number() const { refuse_result(); }
-  virtual void store(const ImageView& /*destination*/) const { refuse_result(); }
+  [[nodiscard]] virtual RegionLists regions() const { throw_other_result(); }
+  [[nodiscard]] virtual std::int64_t number() const { throw_other_result(); }
+  virtual void store(const ImageView& /*destination*/) const { throw_other_result(); }
 
  private:
-  [[noreturn]] static void refuse_result() {
-    throw std::logic_error("the operation gives another kind of result");
+  [[noreturn]] static void throw_other_result() {
+    throw std::logic_error("the operation has another kind of result");
   }
+};
+
+/// A state that works on a plane of T.
+template <class T>
+class RegionsPlaneState : public RegionsState {
+ public:
+  explicit RegionsPlaneState(const RegionsSetting& setting)
+      : conversion_(plane_conversion<T>(setting.isa)), image_(setting.width, setting.height) {}
+
+  void load(const ConstImageView& source) override { conversion_.read(source, image_.view()); }
+
+ protected:
+  [[nodiscard]] ConstPlaneView<T> image() const { return image_.view(); }
+  [[nodiscard]] const PlaneConversion<T>& conversion() const { return conversion_; }
+
+ private:
+  const PlaneConversion<T>& conversion_;
+  Plane<T> image_;
 };
 
 using RegionsVariant = Variant<RegionsState>;
@@ -61,7 +79,7 @@ using RegionsVariants = VariantList<RegionsState>;
 
 /// The largest width and height: keys of boundaries are 32-bit numbers.
 inline constexpr Index kMaxRegionsSide = Index{1} << 29;
-/// The most pixels: labels are 32-bit numbers, sums of coordinates 64-bit ones.
+/// Labels are 32-bit numbers, sums of coordinates 64-bit ones.
 inline constexpr Index kMaxRegionsPixels = Index{1} << 32;
 
 }  // namespace thinbench::detail

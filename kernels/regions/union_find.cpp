@@ -1,18 +1,15 @@
-// Two passes over bytes, as in textbooks: provisional labels from the neighbours already seen,
-// joined in a union-find forest; then every pixel is summed up under its region.
+// Two-pass labelling of bytes, as in textbooks: provisional labels from the neighbours already
+// visited, joined in a union-find forest; then every pixel is added to its region.
 //
-// Cost a pixel: up to 4 look-ups of neighbours' labels, 4 bytes written and read again, and 12
-// operations to sum up, with branches that follow the picture. It is what run-based labelling has
-// to beat; it should win nowhere but on noise of single pixels, where a run is a pixel.
-#include "image/packing.hpp"
-#include "image/planes.hpp"
-#include "regions/label_store.hpp"
+// Cost per pixel: up to 4 look-ups of neighbours' labels, 4 bytes written and read again, and 12
+// operations to sum up, with branches that depend on the image. It is the baseline for run-based
+// labelling: docs/experiments.md#union-find-on-noise.
 #include "regions/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-/// Labels of both colours; their frame, one pixel wide, is label 0 of the background.
+/// Labels of both colours, in a margin one pixel wide with label 0 of the background.
 class LabelPlane {
  public:
   LabelPlane(Index width, Index height)
@@ -27,74 +24,40 @@ class LabelPlane {
   AlignedArray<Label> labels_;
 };
 
-class TwoPasses {
+class UnionFindState : public RegionsPlaneState<std::uint8_t> {
  public:
-  explicit TwoPasses(const RegionsSetting& setting)
-      : conversion_(plane_conversion<std::uint8_t>(setting.isa)),
-        image_(setting.width, setting.height),
-        labels_(setting.width, setting.height),
-        store_(setting.width) {}
+  explicit UnionFindState(const RegionsSetting& setting)
+      : RegionsPlaneState(setting), labels_(setting.width, setting.height), store_(setting.width) {}
 
-  void load(const ConstImageView& source) { conversion_.read(source, image_.view()); }
-
-  /// The first pass; afterwards a row at the lower border has met the frame.
+ protected:
+  /// The first pass; rows at the image border are joined with the outside.
   void label() {
     store_.clear();
-    const ConstBytePlaneView image = image_.view();
-    for (Index y = 0; y < image.height; ++y) {
-      store_.make_room((image.width + 1) / 2);
-      label_row(image, y);
+    for (Index y = 0; y < image().height; ++y) {
+      store_.make_room((image().width + 1) / 2);
+      label_row(y);
     }
-    if (image.height > 0) join_lower_border(image);
+    if (image().height > 0) join_lower_border();
   }
 
-  /// The second pass.
-  RegionLists sum_up() {
-    const RegionLists lists = store_.number_regions();
-    const ConstBytePlaneView image = image_.view();
-    const LabelTables& tables = store_.tables();
-    for (Index y = 0; y < image.height; ++y) {
-      const std::uint8_t* pixels = image.row(y);
-      const Label* labels = labels_.row(y);
-      for (Index x = 0; x < image.width; ++x) {
-        const LabelTable& table = tables.of_colour[pixels[x]];
-        add_run(table.regions[table.parents[labels[x]]], x, x + 1, y);
-      }
-    }
-    return lists;
-  }
-
-  /// The other second pass: 255 on objects and in holes.
-  void fill(const ImageView& target) {
-    static_cast<void>(store_.number_regions());
-    const ConstBytePlaneView image = image_.view();
-    const Label* const holes = store_.tables().of_colour[0].parents;
-    for (Index y = 0; y < image.height; ++y) {
-      const std::uint8_t* pixels = image.row(y);
-      const Label* labels = labels_.row(y);
-      std::uint8_t* to = target.row(y);
-      for (Index x = 0; x < image.width; ++x) {
-        to[x] = pixels[x] != 0 || holes[labels[x]] != 0 ? 255 : 0;
-      }
-    }
-  }
-
+  [[nodiscard]] LabelStore& store_of_labels() { return store_; }
+  [[nodiscard]] const Label* labels(Index y) { return labels_.row(y); }
 
  private:
-  void label_row(const ConstBytePlaneView& image, Index y) {
+  void label_row(Index y) {
+    const ConstBytePlaneView image = this->image();
     const std::uint8_t* pixels = image.row(y);
     Label* labels = labels_.row(y);
     for (Index x = 0; x < image.width; ++x) {
-      labels[x] = pixels[x] != 0 ? dark_label(pixels + x, image.stride, labels + x, y)
-                                 : light_label(pixels + x, image.stride, labels + x, y);
+      labels[x] = pixels[x] != 0 ? foreground_label(pixels + x, image.stride, labels + x, y)
+                                 : background_label(pixels + x, image.stride, labels + x, y);
     }
-    Label* const parents = store_.tables().of_colour[0].parents;
     if (image.width > 0 && pixels[image.width - 1] == 0) {
-      unite(parents, 0, labels[image.width - 1]);
+      unite(store_.tables().of_colour[0].parents, 0, labels[image.width - 1]);
     }
   }
 
-  Label dark_label(const std::uint8_t* pixel, Index stride, const Label* label, Index y) {
+  Label foreground_label(const std::uint8_t* pixel, Index stride, const Label* label, Index y) {
     LabelTable& table = store_.tables().of_colour[1];
     const std::uint8_t* north = pixel - stride;
     const Label* label_north = label - labels_.stride();
@@ -111,7 +74,7 @@ class TwoPasses {
     return east ? unite(table.parents, joined, label_north[1]) : joined;
   }
 
-  Label light_label(const std::uint8_t* pixel, Index stride, const Label* label, Index y) {
+  Label background_label(const std::uint8_t* pixel, Index stride, const Label* label, Index y) {
     LabelTable& table = store_.tables().of_colour[0];
     const bool west = pixel[-1] == 0;
     if (pixel[-stride] != 0) return west ? label[-1] : new_label(table, y, label[-1]);
@@ -119,49 +82,60 @@ class TwoPasses {
     return west ? unite(table.parents, label[-1], north) : north;
   }
 
-  void join_lower_border(const ConstBytePlaneView& image) {
+  void join_lower_border() {
     Label* const parents = store_.tables().of_colour[0].parents;
-    const std::uint8_t* pixels = image.row(image.height - 1);
-    const Label* labels = labels_.row(image.height - 1);
-    for (Index x = 0; x < image.width; ++x) {
+    const std::uint8_t* pixels = image().row(image().height - 1);
+    const Label* labels = labels_.row(image().height - 1);
+    for (Index x = 0; x < image().width; ++x) {
       if (pixels[x] == 0) unite(parents, 0, labels[x]);
     }
   }
 
-  const PlaneConversion<std::uint8_t>& conversion_;
-  BytePlane image_;
   LabelPlane labels_;
   LabelStore store_;
 };
 
-class RegionState final : public RegionsState {
+class ListState final : public UnionFindState {
  public:
-  explicit RegionState(const RegionsSetting& setting)
-      : with_holes_(setting.task == RegionsTask::holes), passes_(setting) {}
+  explicit ListState(const RegionsSetting& setting)
+      : UnionFindState(setting), with_holes_(setting.task == RegionsTask::holes) {}
 
-  void load(const ConstImageView& source) override { passes_.load(source); }
   void compute() override {
-    passes_.label();
-    lists_ = passes_.sum_up();
+    label();
+    lists_ = store_of_labels().number_regions();
+    sum_up();
     if (!with_holes_) lists_.holes = {};
   }
   [[nodiscard]] RegionLists regions() const override { return lists_; }
 
  private:
+  /// The second pass.
+  void sum_up() {
+    const ConstBytePlaneView image = this->image();
+    const LabelTables& tables = store_of_labels().tables();
+    for (Index y = 0; y < image.height; ++y) {
+      const std::uint8_t* pixels = image.row(y);
+      const Label* row = labels(y);
+      for (Index x = 0; x < image.width; ++x) {
+        const LabelTable& table = tables.of_colour[pixels[x]];
+        add_run(table.regions[table.parents[row[x]]], x, x + 1, y);
+      }
+    }
+  }
+
   bool with_holes_;
-  TwoPasses passes_;
   RegionLists lists_;
 };
 
-class FillState final : public RegionsState {
+class FillState final : public UnionFindState {
  public:
   explicit FillState(const RegionsSetting& setting)
-      : passes_(setting), filled_(setting.width, setting.height) {}
+      : UnionFindState(setting), filled_(setting.width, setting.height) {}
 
-  void load(const ConstImageView& source) override { passes_.load(source); }
   void compute() override {
-    passes_.label();
-    passes_.fill(filled_.view());
+    label();
+    static_cast<void>(store_of_labels().number_regions());
+    fill();
   }
   void store(const ImageView& destination) const override {
     for (Index y = 0; y < destination.height; ++y) {
@@ -171,14 +145,27 @@ class FillState final : public RegionsState {
   }
 
  private:
-  TwoPasses passes_;
+  /// The second pass: 255 on objects and in holes.
+  void fill() {
+    const ConstBytePlaneView image = this->image();
+    const Label* const holes = store_of_labels().tables().of_colour[0].parents;
+    for (Index y = 0; y < image.height; ++y) {
+      const std::uint8_t* pixels = image.row(y);
+      const Label* row = labels(y);
+      std::uint8_t* to = filled_.view().row(y);
+      for (Index x = 0; x < image.width; ++x) {
+        to[x] = pixels[x] != 0 || holes[row[x]] != 0 ? 255 : 0;
+      }
+    }
+  }
+
   ByteImage filled_;
 };
 
 }  // namespace
 
 std::unique_ptr<RegionsState> make_union_find(const RegionsSetting& setting) {
-  return std::make_unique<RegionState>(setting);
+  return std::make_unique<ListState>(setting);
 }
 
 std::unique_ptr<RegionsState> make_union_find_fill(const RegionsSetting& setting) {

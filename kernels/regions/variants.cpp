@@ -1,52 +1,168 @@
 #include "regions/variants.hpp"
 
+#include <atomic>
+#include <cstring>
+
+#include "dispatch/exported.hpp"
+#include "image/thread_team.hpp"
+#include "regions/euler.hpp"
+#include "regions/labelled_runs.hpp"
+#include "regions/run_labeller.hpp"
+
 namespace thinbench::detail {
 namespace {
 
 using enum Technique;
+using State = std::unique_ptr<RegionsState>;
 
-std::vector<RegionsVariant> list_variants() {
-  RegionsVariants list;
+class RunState final : public RegionsPlaneState<std::uint64_t> {
+ public:
+  RunState(const RunEngine& engine, const RegionsSetting& setting)
+      : RegionsPlaneState(setting),
+        with_holes_(setting.task == RegionsTask::holes),
+        labeller_(with_holes_ ? engine.holes : engine.components, setting.width, setting.height,
+                  setting.threads) {}
+
+  void compute() override {
+    lists_ = labeller_.label(image());
+    if (!with_holes_) lists_.holes = {};
+  }
+  [[nodiscard]] RegionLists regions() const override { return lists_; }
+
+ private:
+  bool with_holes_;
+  RunLabeller labeller_;
+  RegionLists lists_;
+};
+
+State make_bitpacked_runs(const RegionsSetting& setting) {
+  return std::make_unique<RunState>(kBitpackedRunEngine, setting);
+}
+State make_simd_runs(const RegionsSetting& setting) {
+  return std::make_unique<RunState>(kernels_of<RunEngine>(setting.isa), setting);
+}
+
+/// Labels all runs, then sets those of holes.
+///
+/// Cost: that of labelled_runs.hpp, a load and a store per word for the copy of the image, and per
+/// background run a look-up and, in a hole, its words.
+/// Rejected without measurement: docs/experiments.md#filling-with-lanes-or-threads.
+class FillState final : public RegionsPlaneState<std::uint64_t> {
+ public:
+  explicit FillState(const RegionsSetting& setting)
+      : RegionsPlaneState(setting),
+        result_(setting.width, setting.height),
+        runs_(setting.width, setting.height) {}
+
+  void compute() override {
+    if (image().height == 0) return;
+    runs_.label(image());
+    for (Index y = 0; y < image().height; ++y) fill_row(y);
+  }
+  void store(const ImageView& destination) const override {
+    conversion().write(result_.view(), destination);
+  }
+
+ private:
+  void fill_row(Index y) {
+    std::uint64_t* const target = result_.view().row(y);
+    const auto bytes = static_cast<std::size_t>(image().row_elements) * sizeof(std::uint64_t);
+    std::memcpy(target, image().row(y), bytes);
+    const RunRow runs = runs_.row(y);
+    const Label* const roots = runs_.roots(0);
+    for (Index i = 2; i < runs.count; i += 2) {
+      if (roots[runs.labels[i]] != 0) set_run(target, runs, i);
+    }
+  }
+
+  BitPlane result_;
+  LabelledRuns runs_;
+};
+
+State make_bitpacked_fill(const RegionsSetting& setting) {
+  return std::make_unique<FillState>(setting);
+}
+
+template <class Kernel>
+Kernel euler_kernel(const EulerPair<Kernel>& kernels, RegionsTask task) {
+  return task == RegionsTask::euler_eight ? kernels.eight : kernels.four;
+}
+
+class EulerState final : public RegionsPlaneState<std::uint64_t> {
+ public:
+  EulerState(const EulerKernels& kernels, const RegionsSetting& setting)
+      : RegionsPlaneState(setting),
+        kernel_(euler_kernel(kernels, setting.task)),
+        team_(setting.threads) {}
+
+  void compute() override {
+    number_ = 0;
+    team_.for_ranges(image().height + 1, [&](Index first, Index last) {
+      number_.fetch_add(kernel_(image(), first, last), std::memory_order_relaxed);
+    });
+  }
+  [[nodiscard]] std::int64_t number() const override { return number_; }
+
+ private:
+  EulerKernel kernel_;
+  ThreadTeam team_;
+  std::atomic<std::int64_t> number_ = 0;
+};
+
+State make_euler_bitpacked(const RegionsSetting& setting) {
+  return std::make_unique<EulerState>(kBitpackedEuler, setting);
+}
+State make_euler_simd(const RegionsSetting& setting) {
+  return std::make_unique<EulerState>(kernels_of<EulerKernels>(setting.isa), setting);
+}
+
+class EulerQuadState final : public RegionsPlaneState<std::uint8_t> {
+ public:
+  explicit EulerQuadState(const RegionsSetting& setting)
+      : RegionsPlaneState(setting), kernel_(euler_kernel(kEulerByQuads, setting.task)) {}
+
+  void compute() override { number_ = kernel_(image()); }
+  [[nodiscard]] std::int64_t number() const override { return number_; }
+
+ private:
+  EulerQuadKernel kernel_;
+  std::int64_t number_ = 0;
+};
+
+State make_euler_lut(const RegionsSetting& setting) {
+  return std::make_unique<EulerQuadState>(setting);
+}
+
+void add_list_variants(RegionsVariants& list) {
   list.add(union_find, Isa::baseline, &make_union_find, {0});
   list.add_with_threads(bitpacked_runs, Isa::baseline, &make_bitpacked_runs, {1});
   for (const Isa isa : kAllIsas) {
     list.add_with_threads(simd_runs, isa, &make_simd_runs, {2, kSimdRunsWidth});
   }
-  return list.take();
 }
 
-std::vector<RegionsVariant> euler_variants() {
-  RegionsVariants list;
+void add_euler_variants(RegionsVariants& list) {
   list.add(lut, Isa::baseline, &make_euler_lut, {0});
   list.add_with_threads(bitpacked, Isa::baseline, &make_euler_bitpacked, {1});
   for (const Isa isa : kAllIsas) {
     if (isa == Isa::baseline) continue;  // counts words as `bitpacked` does
     list.add_with_threads(simd_bitpacked, isa, &make_euler_simd, {2});
   }
-  return list.take();
-}
-
-std::vector<RegionsVariant> fill_variants() {
-  RegionsVariants list;
-  list.add(union_find, Isa::baseline, &make_union_find_fill, {0});
-  list.add(bitpacked_runs, Isa::baseline, &make_bitpacked_fill, {1});
-  return list.take();
 }
 
 }  // namespace
 
 std::vector<RegionsVariant> regions_variants(RegionsTask task) {
-  switch (task) {
-    case RegionsTask::holes:
-    case RegionsTask::components:
-      return list_variants();
-    case RegionsTask::fill:
-      return fill_variants();
-    case RegionsTask::euler_eight:
-    case RegionsTask::euler_four:
-      break;
+  RegionsVariants list;
+  if (task == RegionsTask::holes || task == RegionsTask::components) {
+    add_list_variants(list);
+  } else if (task == RegionsTask::fill) {
+    list.add(union_find, Isa::baseline, &make_union_find_fill, {0});
+    list.add(bitpacked_runs, Isa::baseline, &make_bitpacked_fill, {1});
+  } else {
+    add_euler_variants(list);
   }
-  return euler_variants();
+  return list.take();
 }
 
 }  // namespace thinbench::detail

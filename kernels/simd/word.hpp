@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "image/plane_view.hpp"
+#include "thinbench/image_view.hpp"
 
 namespace thinbench::detail {
 

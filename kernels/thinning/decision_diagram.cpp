@@ -14,19 +14,19 @@ using Order = std::array<int, kNeighbours>;  // from the root down
 using Function = std::bitset<256>;           // by descriptor, variables renumbered by the order
 
 /// The function with variable order[i] moved to bit 7 - i, so that halves are cofactors.
-Function reordered(const std::uint8_t* stays, const Order& order) {
+Function reordered(const std::uint8_t* keep, const Order& order) {
   Function function;
   for (std::size_t code = 0; code < 256; ++code) {
     std::size_t descriptor = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
       descriptor |= (code >> (7 - i) & 1) << order[i];
     }
-    function[code] = stays[descriptor] != 0;
+    function[code] = keep[descriptor] != 0;
   }
   return function;
 }
 
-/// Builds bottom up; equal sub-functions become one value.
+/// Builds bottom-up and merges equal sub-functions.
 class Builder {
  public:
   explicit Builder(const Order& order) : order_(order) {}
@@ -56,12 +56,11 @@ class Builder {
   MuxProgram program_{};
 };
 
-MuxProgram built(const std::uint8_t* stays, const Order& order) {
-  return Builder(order).build(reordered(stays, order));
+MuxProgram built(const std::uint8_t* keep, const Order& order) {
+  return Builder(order).build(reordered(keep, order));
 }
 
-/// Where the function is constant there is no node: one that chooses between equal values stands
-/// in.
+/// A constant function has no node; it gets one that selects between equal values.
 MuxProgram with_result(MuxProgram program, bool constant) {
   if (program.count == 0) {
     const std::uint8_t value = constant ? 1 : 0;
@@ -72,16 +71,16 @@ MuxProgram with_result(MuxProgram program, bool constant) {
 
 }  // namespace
 
-MuxProgram make_mux_program(const std::uint8_t* stays) {
+MuxProgram make_mux_program(const std::uint8_t* keep) {
   Order order{};
   std::iota(order.begin(), order.end(), 0);
-  MuxProgram best = built(stays, order);
+  MuxProgram best = built(keep, order);
   for (bool improved = true; improved;) {
     improved = false;
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t j = i + 1; j < order.size(); ++j) {
         std::swap(order[i], order[j]);
-        const MuxProgram candidate = built(stays, order);
+        const MuxProgram candidate = built(keep, order);
         if (candidate.count < best.count) {
           best = candidate;
           improved = true;
@@ -91,7 +90,7 @@ MuxProgram make_mux_program(const std::uint8_t* stays) {
       }
     }
   }
-  return with_result(best, stays[0] != 0);
+  return with_result(best, keep[0] != 0);
 }
 
 }  // namespace thinbench::detail

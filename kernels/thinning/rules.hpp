@@ -1,6 +1,6 @@
-// The parallel thinning rules: those that decide every pixel of a sub-iteration from the image
-// before it. Each is one file in rules/, an expression over any word type that every engine
-// instantiates, and names its entry in the catalogue:
+// The parallel thinning rules: those whose sub-iterations decide all pixels at once. Each is one
+// file in rules/, an expression over any word type that every engine instantiates, and names its
+// entry in the catalogue:
 //   template <>
 //   struct RuleType<Rule::guo_hall> { using Type = GuoHall; };
 #pragma once
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "thinbench/rule.hpp"
-#include "thinning/all_rules.hpp"  // made by the build: includes every file in rules/
+#include "thinning/all_rules.hpp"  // generated: includes every file in rules/
 
 namespace thinbench::detail {
 

@@ -1,16 +1,15 @@
-// A rule that is known at run time only: its table, and what engines derive from it. Plain data, so
-// that files of every ISA can read it.
+// Rules that are known at run time only: plain data, for files of every ISA.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace thinbench::detail {
 
 inline constexpr int kNeighbours = 8;
 
-/// One step of a decision diagram: the value numbered `high` where neighbour n_variable is
-/// foreground, else the one numbered `low`. Values 0 and 1 are background and foreground, value
-/// i + 2 is that of node i.
+/// A node of a decision diagram: value `high` where neighbour n_variable is foreground, else value
+/// `low`. Values 0 and 1 are background and foreground, value i + 2 is that of node i.
 struct MuxNode {
   std::uint8_t variable;
   std::uint8_t high;
@@ -25,14 +24,32 @@ struct MuxProgram {
   MuxNode nodes[kMaxNodes];
 };
 
-/// The diagram of `table`, which has the result for each descriptor. No node reads a later one.
+/// The diagram of `table`, the result by descriptor. No node reads a later one.
 [[nodiscard]] MuxProgram make_mux_program(const std::uint8_t* table);
 
-/// A deletion rule of one sub-iteration over eight neighbours.
+inline constexpr std::size_t kPairTableSize = 4096;
+
+/// The table of lut_sliding: `pairs[window]` holds the new pixels in the middle of columns 1 and 2
+/// of four, one per byte. Column c of the window is its bits 3 c to 3 c + 2, south first. The index
+/// of `new_pixel` is k + 256 p, with the descriptor k.
+constexpr void fill_pair_table(const std::uint8_t* new_pixel, std::uint16_t* pairs) {
+  // Bit i of three adjacent columns is bit bit_of[i] of k + 256 p.
+  constexpr int bit_of[9] = {5, 4, 3, 6, 8, 2, 7, 0, 1};
+  const auto pixel = [&](std::size_t columns) {
+    std::size_t index = 0;
+    for (std::size_t bit = 0; bit < 9; ++bit) index |= (columns >> bit & 1) << bit_of[bit];
+    return new_pixel[index];
+  };
+  for (std::size_t window = 0; window < kPairTableSize; ++window) {
+    pairs[window] = static_cast<std::uint16_t>(pixel(window & 511) | pixel(window >> 3) << 8);
+  }
+}
+
+/// A rule of one sub-iteration over eight neighbours.
 struct RuntimeRule {
-  std::uint8_t new_pixel[512];      // by k + 256 p, k being the descriptor; 0 or 1
-  std::uint16_t pixel_pairs[4096];  // the same for windows of four columns, see pair_table.hpp
-  MuxProgram program;               // new_pixel[256 ... 511]
+  std::uint8_t new_pixel[512];  // by k + 256 p, with the descriptor k; 0 or 1
+  std::uint16_t pixel_pairs[kPairTableSize];
+  MuxProgram program;  // of new_pixel[256 ... 511]
 };
 
 }  // namespace thinbench::detail

@@ -1,4 +1,4 @@
-// One variant of thinning at work: what every engine implements, and what it is made from.
+// The interface of thinning states: a variant with its memory.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace thinbench::detail {
 
-/// What a state needs to know beside its technique. Checked where it is made.
+/// What a state is made from, already checked.
 struct ThinningSetting {
   Rule rule;
   Isa isa;
@@ -22,9 +22,9 @@ struct ThinningSetting {
   std::shared_ptr<const RuntimeRule> runtime_rule;  // of nets; nullptr for other rules
 };
 
-/// Owns all memory that thinning images of one size needs. The three steps, for timing them apart:
-/// load() packs the image into the variant's own representation; thin() leaves it as it is, so that
-/// it may be repeated; store() writes what thin() found.
+/// Owns all memory for thinning images of one size. Three steps, to be timed separately: load()
+/// packs the image into the variant's representation; thin() leaves it unchanged, so that it may be
+/// repeated; store() writes the result.
 class ThinningState {
  public:
   using Setting = ThinningSetting;
@@ -37,10 +37,10 @@ class ThinningState {
   ThinningState& operator=(ThinningState&&) = delete;
 
   virtual void load(const ConstImageView& source) = 0;
-  /// Returns the number of iterations, the last one, which changed nothing, included.
+  /// Returns the number of iterations, including the last one, which changed nothing.
   virtual int thin() = 0;
   virtual void store(const ImageView& destination) const = 0;
-  /// All three. Need not leave anything for the steps.
+  /// All three steps. store() need not work afterwards.
   virtual int run(const ConstImageView& source, const ImageView& destination) {
     load(source);
     const int iterations = thin();

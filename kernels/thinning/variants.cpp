@@ -37,7 +37,6 @@ State make_tiles(const ThinningSetting& setting) {
                                      setting);
 }
 
-/// SPTA's own engine.
 class SptaState final : public PlaneState<std::uint64_t> {
  public:
   explicit SptaState(const ThinningSetting& setting)

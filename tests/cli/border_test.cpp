@@ -49,23 +49,19 @@ TEST_F(Border, background_is_the_default_and_differs) {
   EXPECT_FALSE(equal(thinned("thin_zhang_suen", "keep").view(), asked.view()));
 }
 
-TEST_F(Border, unknown_names_are_refused_with_the_allowed_ones) {
-  const std::string text = failure_of({"run", "thin_naccache_shinghal", in, out, "--border", "keep",
-                                       "--technique", "simd_bitpacked_row"},
-                                      2);
-  EXPECT_EQ(text.find("thin_naccache_shinghal with the border kept is not made by "
-                      "simd_bitpacked_row, only by lut"),
-            0U)
-      << text;
+TEST_F(Border, every_rule_and_technique_keeps_it) {
+  for (const std::string operation : {"thin_spta", "skeleton_scan", "net_two_layer_linear"}) {
+    EXPECT_EQ(run_with({"run", operation, in, out, "--border", "keep"}).status, 0) << operation;
+  }
+  const auto tiles = run_with(
+      {"run", "thin_guo_hall", in, out, "--border", "keep", "--technique", "simd_bitpacked_tiles"});
+  EXPECT_EQ(tiles.status, 0) << tiles.err;
+  EXPECT_TRUE(equal(read_grey(out).view(), by_opencv(cv::ximgproc::THINNING_GUOHALL).view()));
 }
 
-TEST_F(Border, operations_that_cannot_keep_it_say_so) {
-  for (const std::string operation : {"thin_spta", "skeleton_scan"}) {
-    EXPECT_EQ(failure_of({"run", operation, in, out, "--border", "keep"}, 2),
-              "--border: " + operation + " cannot keep the border");
-    EXPECT_EQ(failure_of({"run", operation, in, out, "--border", "keep", "--threads", "2"}, 2),
-              "--border: " + operation + " cannot keep the border");
-  }
+TEST_F(Border, unknown_names_are_rejected_with_those_that_there_are) {
+  EXPECT_EQ(failure_of({"run", "thin_guo_hall", in, out, "--border", "wrap"}, 2),
+            "no border is named 'wrap'; known: background and keep");
 }
 
 }  // namespace

@@ -32,10 +32,10 @@ class EdgesCommand : public testing::Test {
     EXPECT_EQ(folder.names(), Names{"in.png"});
     return text;
   }
-  void expect_output(const ByteImage& grey, std::string_view operation,
+  void expect_output(const ByteImage& grey, EdgeOperator op,
                      const EdgeThresholds& thresholds) const {
     ByteImage expected(grey.width(), grey.height());
-    detect_edges(operation, grey.view(), expected.view(), thresholds);
+    detect_edges(op, grey.view(), expected.view(), thresholds);
     EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
   }
 
@@ -45,37 +45,92 @@ class EdgesCommand : public testing::Test {
 };
 
 TEST_F(EdgesCommand, writes_the_edges_and_one_line) {
-  const ProgramRun result = run({"--operator", "prewitt", "--p1", "70", "--p2", "200"});
+  const ProgramRun result = run({"--operator", "prewitt", "--p1", "70", "--p2", "200",
+                                 "--foreground", "dark", "--threshold", "90"});
+  EXPECT_EQ(result.err, "");
   EXPECT_EQ(result.status, 0) << result.err;
   const std::regex line(R"(edges_prewitt/\w+/[\w.]+/1: 90 x 40, \d+ edge pixels, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
-  expect_output(picture(), "edges_prewitt", {70, 200});
+  expect_output(picture(), EdgeOperator::prewitt, {70, 200});
 }
 
-TEST_F(EdgesCommand, invert_makes_bright_parts_dark) {
+TEST_F(EdgesCommand, long_names_of_the_thresholds_say_the_same) {
+  EXPECT_EQ(
+      run({"--gradient-threshold", "70", "--brightness-threshold", "200", "--foreground", "dark"})
+          .status,
+      0);
+  expect_output(picture(), EdgeOperator::sobel, {70, 200});
+}
+
+TEST_F(EdgesCommand, brightness_threshold_is_the_top_of_the_dark_foreground_by_default) {
+  EXPECT_EQ(run({"--foreground", "dark", "--threshold", "180"}).status, 0);
+  expect_output(picture(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 179});
+  EXPECT_EQ(run({"--foreground", "dark", "--threshold", "0"}).status, 0);
+  expect_output(picture(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 0});
+}
+
+ByteImage inverted_picture() {
   ByteImage inverted = picture();
   for (Index y = 0; y < 40; ++y) {
     for (Index x = 0; x < 90; ++x) {
       inverted.at(x, y) = static_cast<std::uint8_t>(255 - inverted.at(x, y));
     }
   }
-  EXPECT_EQ(run({"--p2", "250", "--invert"}).status, 0);
-  expect_output(inverted, "edges_sobel", {EdgeThresholds{}.p1, 250});
+  return inverted;
+}
+
+TEST_F(EdgesCommand, images_with_bright_foreground_are_inverted_first) {
+  EXPECT_EQ(run({"--p2", "250", "--foreground", "bright"}).status, 0);
+  expect_output(inverted_picture(), EdgeOperator::sobel,
+                {EdgeThresholds{}.gradient_threshold, 250});
+  EXPECT_EQ(run({"--foreground", "bright", "--threshold", "180"}).status, 0);
+  expect_output(inverted_picture(), EdgeOperator::sobel,
+                {EdgeThresholds{}.gradient_threshold, 255 - 180});
+}
+
+/// A square of one level on another, far from the border.
+ByteImage square(std::uint8_t ground, std::uint8_t part) {
+  ByteImage image(40, 30);
+  for (Index y = 0; y < 30; ++y) {
+    for (Index x = 0; x < 40; ++x) {
+      image.at(x, y) = x >= 10 && x < 30 && y >= 8 && y < 20 ? part : ground;
+    }
+  }
+  return image;
+}
+
+TEST_F(EdgesCommand, finds_the_edges_of_either_polarity_without_options) {
+  write_grey(in, square(100, 20).view());
+  const ProgramRun dark = run();
+  EXPECT_EQ(dark.err, "note: " + in +
+                          ": foreground is dark (grey level < 21); --foreground bright and "
+                          "--threshold N override this\n");
+  const ByteImage edges = read_grey(out);
+  EXPECT_EQ(edges.at(10, 12), 255);
+  EXPECT_EQ(edges.at(15, 12), 0);
+  write_grey(in, square(155, 235).view());
+  EXPECT_NE(run().err.find("foreground is bright"), std::string::npos);
+  EXPECT_TRUE(equal(read_grey(out).view(), edges.view()));
 }
 
 TEST_F(EdgesCommand, uses_the_variant_that_was_asked_for) {
-  const ProgramRun result = run({"--technique", "lut", "--threads", "3"});
-  EXPECT_EQ(result.out.rfind("edges_sobel/lut/baseline/3: ", 0), 0U) << result.out << result.err;
+  const ProgramRun result =
+      run({"--technique", "simd_16bit", "--isa", "baseline", "--threads", "3"});
+  EXPECT_EQ(result.out.rfind("edges_sobel/simd_16bit/baseline/3: ", 0), 0U)
+      << result.out << result.err;
 }
 
 TEST_F(EdgesCommand, bad_arguments_are_one_line_and_no_output) {
   EXPECT_EQ(failure({"--operator", "sobl"}, 2),
             "no operator is named 'sobl'; did you mean 'sobel'?");
   EXPECT_EQ(failure({"--p1", "256"}, 2),
-            "--p1: '256' is no whole number from 0 to 255; see 'thinbench edges --help'");
-  EXPECT_EQ(failure({"--p2", "-1"}, 2).find("--p2"), 0U);
-  EXPECT_EQ(failure({"--technique", ""}, 2).find("--technique: its value is empty"), 0U);
-  EXPECT_EQ(failure({"--isa", ""}, 2).find("--isa: its value is empty"), 0U);
+            "--gradient-threshold: expected an integer in [0, 255], got '256'; see 'thinbench "
+            "edges --help'");
+  EXPECT_EQ(failure({"--p2", "-1"}, 2),
+            "--brightness-threshold: expected an integer in [0, 255], got '-1'; see 'thinbench "
+            "edges --help'");
+  EXPECT_EQ(failure({"--technique", ""}, 2).find("--technique: expected a value, got ''"), 0U);
+  EXPECT_EQ(failure({"--isa", ""}, 2).find("--isa: expected a value, got ''"), 0U);
   EXPECT_EQ(failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not made by simd_8bit"),
             0U);
   EXPECT_EQ(failure_of({"edges", in, folder.file("a.gif")}, 1).find("cannot write '"), 0U);

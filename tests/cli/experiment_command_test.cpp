@@ -69,7 +69,7 @@ TEST(ExperimentCommand, table_2_refuses_what_is_no_results_folder) {
   static_cast<void>(folder.with("timings.csv", "operation,technique\n"));
   EXPECT_EQ(failure_of(args, 1), csv + ": has no column isa");
   static_cast<void>(folder.with("timings.csv", std::string(kHeader) + "a,b,c\n"));
-  EXPECT_EQ(failure_of(args, 1), csv + ": line 2 is cut off");
+  EXPECT_EQ(failure_of(args, 1), csv + ": line 2 is truncated");
   static_cast<void>(
       folder.with("timings.csv", std::string(kHeader) + "a,b,c,1,end_to_end,scene,fast\n"));
   EXPECT_EQ(failure_of(args, 1), csv + ": line 2: 'fast' is no time");
@@ -89,13 +89,19 @@ TEST(ExperimentCommand, quality_takes_pictures_and_leaves_skeletons) {
   EXPECT_EQ(read_grey(folder.file("quality_spot_thin_guo_hall.png")).width(), 20);
   EXPECT_EQ(Json::parse(bytes_of(file)).at("command"),
             "thinbench experiment quality --image spot.png");
+  const ProgramRun dark = run_with({"experiment", "quality", "--image", picture, "--foreground",
+                                    "dark", "--threshold", "9", "--out", file});
+  EXPECT_NE(dark.out.find("| spot | thin_guo_hall | 1 to 1 | 1 to 1 |"), std::string::npos);
+  EXPECT_EQ(dark.err.find("warning: " + picture + ": 83.5 % of the image is foreground"), 0U);
+  EXPECT_EQ(Json::parse(bytes_of(file)).at("command"),
+            "thinbench experiment quality --image spot.png --foreground dark --threshold 9");
   EXPECT_EQ(failure_of({"experiment", "quality", "--image", "absent.png"}, 1),
             "cannot read 'absent.png': there is no such file");
 }
 
 TEST(ExperimentCommand, files_that_cannot_be_written_are_refused_before_the_work) {
   EXPECT_EQ(failure_of({"experiment", "hidden-neurons", "--out", "no_such_folder/x.json"}, 1),
-            "cannot write 'no_such_folder/x.json': there is no folder 'no_such_folder'");
+            "cannot write 'no_such_folder/x.json': there is no directory 'no_such_folder'");
 }
 
 }  // namespace

@@ -34,7 +34,12 @@ class HolesCommand : public testing::Test {
 TEST_F(HolesCommand, prints_each_object_with_its_holes_as_json) {
   const ProgramRun run = run_with({"holes", in, "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
-  const nlohmann::json objects = nlohmann::json::parse(run.out).at("objects");
+  const nlohmann::json found = nlohmann::json::parse(run.out);
+  EXPECT_EQ(found.at("foreground"), "bright");
+  EXPECT_EQ(found.at("threshold"), 21) << "the level that separates the hole from the plates";
+  EXPECT_EQ(found.at("threshold_method"), "otsu");
+  EXPECT_EQ(found.at("min_area"), 1);
+  const nlohmann::json& objects = found.at("objects");
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[0].at("id"), 1);
   EXPECT_EQ(objects[0].at("area"), 17 * 18 - 12);
@@ -56,10 +61,59 @@ TEST_F(HolesCommand, lists_the_same_for_people) {
       << run.out;
 }
 
-TEST_F(HolesCommand, threshold_and_invert_choose_the_objects) {
+TEST_F(HolesCommand, threshold_and_foreground_choose_the_objects) {
   EXPECT_NE(run_with({"holes", in, "--threshold", "10"}).out.find("2 objects, 0 holes"),
             std::string::npos);
-  EXPECT_NE(run_with({"holes", in, "--invert"}).out.find("2 objects, 2 holes"), std::string::npos);
+  const ProgramRun dark = run_with({"holes", in, "--foreground", "dark", "--threshold", "100"});
+  EXPECT_NE(dark.out.find("2 objects, 2 holes"), std::string::npos);
+  EXPECT_EQ(dark.err, "warning: " + in +
+                          ": 69.7 % of the image is foreground; --foreground bright takes the "
+                          "rest instead\n");
+  const ProgramRun json =
+      run_with({"holes", in, "--foreground", "dark", "--threshold", "100", "--json"});
+  const nlohmann::json found = nlohmann::json::parse(json.out);
+  EXPECT_EQ(found.at("foreground"), "dark");
+  EXPECT_EQ(found.at("threshold"), 100);
+  EXPECT_EQ(found.at("threshold_method"), "given");
+}
+
+TEST_F(HolesCommand, finds_parts_of_either_polarity_without_options) {
+  const ProgramRun bright = run_with({"holes", in});
+  EXPECT_EQ(bright.err, "note: " + in +
+                            ": foreground is bright (grey level >= 21); --foreground dark and "
+                            "--threshold N override this\n");
+  ByteImage inverted = plates();
+  for (Index y = 0; y < inverted.height(); ++y) {
+    for (Index x = 0; x < inverted.width(); ++x) inverted.at(x, y) = 250 - inverted.at(x, y);
+  }
+  write_grey(in, inverted.view());
+  const ProgramRun dark = run_with({"holes", in});
+  EXPECT_EQ(dark.out, bright.out);
+  EXPECT_NE(dark.err.find("foreground is dark (grey level < 51)"), std::string::npos) << dark.err;
+  EXPECT_EQ(dark.status, 0);
+}
+
+TEST_F(HolesCommand, min_area_leaves_out_small_objects_and_holes_everywhere) {
+  ByteImage image = plates();
+  image.at(50, 1) = 200;                                      // the first object
+  image.at(37, 5) = image.at(38, 5) = image.at(14, 15) = 20;  // holes before and after the large
+  write_grey(in, image.view());
+  EXPECT_NE(run_with({"holes", in}).out.find("3 objects, 3 holes\n"), std::string::npos);
+  const ProgramRun list = run_with({"holes", in, "--min-area", "12", "--overlay", overlay});
+  EXPECT_NE(list.out.find("2 objects, 1 hole\nobject 1: area 293"), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("  hole 1: area 12, "), std::string::npos) << list.out;
+  const ByteImage drawn = read_grey(overlay);
+  EXPECT_EQ(drawn.at(50, 1), 200) << "no outline of what was left out";
+  EXPECT_EQ(drawn.at(37, 4), 200);
+  EXPECT_NE(drawn.at(8, 6), 200) << "the outline of the hole that is large enough";
+  const ProgramRun json = run_with({"holes", in, "--min-area", "12", "--json"});
+  const nlohmann::json found = nlohmann::json::parse(json.out);
+  EXPECT_EQ(found.at("min_area"), 12);
+  EXPECT_EQ(found.at("objects").size(), 2U);
+  EXPECT_EQ(found.at("/objects/0/id"_json_pointer), 1);
+  EXPECT_EQ(found.at("/objects/0/holes"_json_pointer).size(), 1U);
+  EXPECT_EQ(found.at("/objects/0/holes/0/id"_json_pointer), 1);
+  EXPECT_EQ(found.at("/objects/1/holes"_json_pointer).size(), 0U);
 }
 
 TEST_F(HolesCommand, every_technique_and_threads_say_the_same) {
@@ -74,8 +128,10 @@ TEST_F(HolesCommand, picture_without_objects_gives_an_empty_list) {
   write_grey(in, ByteImage(20, 10).view());
   const ProgramRun run = run_with({"holes", in, "--json", "--overlay", overlay});
   EXPECT_EQ(run.status, 0);
-  EXPECT_EQ(nlohmann::json::parse(run.out), nlohmann::json({{"objects", nlohmann::json::array()}}));
+  EXPECT_EQ(nlohmann::json::parse(run.out).at("objects"), nlohmann::json::array());
   EXPECT_EQ(run_with({"holes", in}).out, "0 objects, 0 holes\n");
+  EXPECT_EQ(run_with({"holes", in}).err,
+            "warning: " + in + ": all pixels have the same grey level, 0: none is foreground\n");
   EXPECT_EQ(read_grey(overlay).width(), 20);
 }
 
@@ -97,9 +153,12 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
             std::string::npos);
   EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("a.pgm")}, 1).find("no colours"),
             std::string::npos);
-  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("no/a.png")}, 1).find("no folder"),
+  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("no/a.png")}, 1).find("no directory"),
             std::string::npos);
   EXPECT_NE(failure_of({"holes", in, "--threshold", "300"}, 2).find("300"), std::string::npos);
+  EXPECT_EQ(failure_of({"holes", in, "--min-area", "0"}, 2),
+            "--min-area: expected an integer in [1, 2147483648], got '0'; see 'thinbench holes "
+            "--help'");
   EXPECT_NE(failure_of({"holes", in, "--technique", "simd_run"}, 2).find("simd_runs"),
             std::string::npos);
   EXPECT_EQ(failure_of({"holes", in, "--technique", "lut"}, 2),
@@ -110,7 +169,7 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
 TEST_F(HolesCommand, empty_values_are_refused) {
   for (const char* option : {"--overlay", "--technique", "--isa"}) {
     EXPECT_EQ(failure_of({"holes", in, option, ""}, 2),
-              std::string(option) + ": its value is empty; see 'thinbench holes --help'");
+              std::string(option) + ": expected a value, got ''; see 'thinbench holes --help'");
   }
 }
 
@@ -119,7 +178,10 @@ TEST_F(HolesCommand, variants_that_cannot_run_are_explained_as_by_the_other_comm
             "union_find runs on one thread only, not on 2");
   write_grey(in, ByteImage(65535, 1).view());
   EXPECT_EQ(failure_of({"holes", in, "--technique", "simd_runs"}, 1),
-            "simd_runs takes pictures up to 65534 pixels wide; this one has 65535");
+            "simd_runs takes images up to 65534 pixels wide; this one has 65535");
+}
+
+TEST_F(HolesCommand, isas_above_the_cap_are_explained) {
   const IsaCap cap("baseline");
   if (!cpu_supports(Isa::avx2)) GTEST_SKIP() << "needs avx2";
   EXPECT_EQ(failure_of({"holes", in, "--isa", "avx2"}, 1),

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -42,13 +43,31 @@ TEST(InstructionsCommand, more_instructions_than_stored_are_exit_status_1_and_no
   EXPECT_EQ(run_with(counting({"--against", none})).status, 4);
 }
 
-TEST(InstructionsCommand, limits_give_instructions_a_cycle) {
+TEST(InstructionsCommand, limits_give_instructions_per_cycle) {
   const ProgramRun run = run_with(counting({"--limits", "--quick", "--json"}));
   EXPECT_EQ(run.status, 0) << run.err;
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json.at("/input/height"_json_pointer), 24);
   ASSERT_EQ(json.at("rows").size(), 1U);
-  EXPECT_GT(json.at("/rows/0/instructions_a_cycle"_json_pointer), 0.1);
+  EXPECT_GT(json.at("/rows/0/instructions_per_cycle"_json_pointer), 0.1);
+}
+
+TEST(InstructionsCommand, images_are_binarised_as_asked_for) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.png");
+  ByteImage image(100, 64);
+  for (Index x = 20; x < 80; ++x) image.at(x, 16) = 200;
+  write_grey(file, image.view());
+  const auto hash = [&](const Words& more) {
+    Words words = {"--json", "--image", file};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramRun run = run_with(counting(words));
+    return Json::parse(run.out).at("/input/hash"_json_pointer).get<std::string>() +
+           (run.err.find("note: " + file + ": foreground is bright") == 0 ? " noted" : "");
+  };
+  const std::string bright = hash({"--foreground", "bright", "--threshold", "1"});
+  EXPECT_EQ(hash({}), bright + " noted");
+  EXPECT_NE(hash({"--foreground", "dark", "--threshold", "1"}), bright);
 }
 
 TEST(InstructionsCommand, options_that_do_not_go_together_are_refused) {

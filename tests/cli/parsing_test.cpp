@@ -131,14 +131,14 @@ TEST(Program, names_of_commands_may_be_arguments) {
 
 TEST(Program, empty_values_are_refused) {
   for (const std::string option : {"--technique", "--isa", "--weights"}) {
-    const std::string text = option + ": its value is empty; see 'thinbench run --help'";
+    const std::string text = option + ": expected a value, got ''; see 'thinbench run --help'";
     EXPECT_EQ(run_failure({option, ""}), text);
     EXPECT_EQ(run_failure({option + "="}), option + " needs a value; see 'thinbench run --help'");
   }
   EXPECT_EQ(failure_of({"train", "cluster", "--out", ""}, 2),
-            "--out: its value is empty; see 'thinbench train cluster --help'");
+            "--out: expected a value, got ''; see 'thinbench train cluster --help'");
   EXPECT_EQ(failure_of({"experiment", "table-2", "--results", ""}, 2),
-            "--results: its value is empty; see 'thinbench experiment table-2 --help'");
+            "--results: expected a value, got ''; see 'thinbench experiment table-2 --help'");
 }
 
 TEST(Program, numbers_out_of_range_are_refused_with_the_range) {
@@ -146,18 +146,76 @@ TEST(Program, numbers_out_of_range_are_refused_with_the_range) {
   for (const std::string value : {"256", "-1", "x", "1.5", "0x10", ""}) {
     EXPECT_EQ(run_failure({"--threshold=" + value}).find("--threshold"), 0U);
     EXPECT_EQ(run_failure({"--threshold", value}),
-              "--threshold: '" + value + "' is no whole number from 0 to 255" + see);
+              "--threshold: expected an integer in [0, 255] or 'otsu', got '" + value + "'" + see);
   }
   for (const std::string value : {"0", "1025", "two"}) {
     EXPECT_EQ(run_failure({"--threads", value}),
-              "--threads: '" + value + "' is no whole number from 1 to 1024" + see);
+              "--threads: expected an integer in [1, 1024], got '" + value + "'" + see);
+  }
+  for (const std::string value : {"0", "-1", "2147483648", "many"}) {
+    EXPECT_EQ(
+        run_failure({"--max-iterations", value}),
+        "--max-iterations: expected an integer in [1, 2147483647], got '" + value + "'" + see);
+  }
+}
+
+/// All commands that read images, with the arguments that they need.
+std::vector<Words> image_commands() {
+  return {{"run", kOperation, "absent.png", "out.png"},
+          {"edges", "absent.png", "out.png"},
+          {"holes", "absent.png"},
+          {"verify", "--image", "absent.png"},
+          {"instructions", "--image", "absent.png"},
+          {"experiment", "quality", "--image", "absent.png"}};
+}
+
+TEST(Program, every_command_that_reads_images_takes_the_same_options) {
+  for (const Words& command : image_commands()) {
+    for (const Words& options :
+         {Words{"--foreground", "auto", "--threshold", "otsu"}, Words{"--foreground", "bright"},
+          Words{"--foreground", "dark", "--threshold", "255"}, Words{"--threshold", "0"}}) {
+      Words words = command;
+      words.insert(words.end(), options.begin(), options.end());
+      EXPECT_EQ(failure_of(words, 1), "cannot read 'absent.png': there is no such file");
+    }
+  }
+}
+
+TEST(Program, every_command_that_reads_images_refuses_other_values_alike) {
+  for (const Words& command : image_commands()) {
+    const auto failure = [&](const std::string& option, const std::string& value) {
+      Words words = command;
+      words.insert(words.end(), {option, value});
+      const std::string text = failure_of(words, 2);
+      return text.substr(0, text.find("; see '"));
+    };
+    EXPECT_EQ(failure("--foreground", "black"),
+              "--foreground: expected auto, bright or dark, got 'black'");
+    EXPECT_EQ(failure("--foreground", ""), "--foreground: expected auto, bright or dark, got ''");
+    EXPECT_EQ(failure("--threshold", "high"),
+              "--threshold: expected an integer in [0, 255] or 'otsu', got 'high'");
+    EXPECT_EQ(failure("--threshold", "256"),
+              "--threshold: expected an integer in [0, 255] or 'otsu', got '256'");
+    EXPECT_EQ(failure("--invert", "x"), "there is no option '--invert'") << command.front();
+  }
+}
+
+TEST(Program, options_of_images_need_one_where_the_scene_is_the_default) {
+  for (const Words& command :
+       {Words{"verify"}, Words{"instructions"}, Words{"experiment", "quality"}}) {
+    for (const Words& option : {Words{"--foreground", "dark"}, Words{"--threshold", "9"}}) {
+      Words words = command;
+      words.insert(words.end(), option.begin(), option.end());
+      EXPECT_EQ(failure_of(words, 2).find(option.front() + " requires --image; see '"), 0U)
+          << failure_of(words, 2);
+    }
   }
 }
 
 TEST(Program, malformed_cap_stops_every_command) {
   const IsaCap cap("sse9");
   const std::string text =
-      "THINBENCH_MAX_ISA=sse9 is no level; use baseline, sse4.2, avx2, avx512 or avx512icl";
+      "THINBENCH_MAX_ISA: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got 'sse9'";
   int stopped = 0;
   for (Words words : all_commands()) {
     if (words.empty() || !commands_below(words).empty()) continue;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture/binarise.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "support/temporary_folder.hpp"
@@ -13,7 +14,7 @@ namespace {
 constexpr const char* kOperation = "thin_naccache_shinghal";
 using Names = std::set<std::string>;
 
-/// Grey bars of several levels on 0.
+/// Grey bars of several levels on 0; those of 180 and, by Otsu's method, of 120 are bright.
 ByteImage bars(Index width = 90) {
   ByteImage image(width, 40);
   for (Index y = 4; y < 36; ++y) {
@@ -31,7 +32,7 @@ ByteImage skeleton_of(const ByteImage& grey, int threshold, bool invert) {
       image.at(x, y) = (grey.at(x, y) >= threshold) != invert ? 1 : 0;
     }
   }
-  thin(kOperation, image.view(), image.view());
+  thin(Rule::naccache_shinghal, image.view(), image.view());
   return image;
 }
 
@@ -60,22 +61,51 @@ class RunCommand : public testing::Test {
 };
 
 TEST_F(RunCommand, writes_the_skeleton_and_one_line) {
-  const ProgramRun result = run();
+  const ProgramRun result = run({"--foreground", "bright", "--threshold", "128"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   const std::regex line(
-      R"(thin_naccache_shinghal/\w+/[\w.]+/1: 90 x 40, \d+ passes, \d+ object pixels before, )"
+      R"(thin_naccache_shinghal/\w+/[\w.]+/1: 90 x 40, \d+ iterations, \d+ foreground pixels before, )"
       R"(\d+ after, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
   expect_output(128, false);
   EXPECT_EQ(folder.names(), (Names{"in.png", "out.png"}));
 }
 
-TEST_F(RunCommand, threshold_and_invert_choose_the_objects) {
-  EXPECT_EQ(run({"--threshold", "60"}).status, 0);
+TEST_F(RunCommand, threshold_and_foreground_choose_the_objects) {
+  EXPECT_EQ(run({"--threshold", "60", "--foreground", "bright"}).status, 0);
   expect_output(60, false);
-  EXPECT_EQ(run({"--threshold", "180", "--invert"}).status, 0);
+  const ProgramRun dark = run({"--threshold", "180", "--foreground", "dark"});
+  EXPECT_EQ(dark.status, 0);
+  EXPECT_NE(dark.err.find("% of the image is foreground"), std::string::npos) << dark.err;
   expect_output(180, true);
+}
+
+TEST_F(RunCommand, takes_otsus_threshold_and_the_likely_foreground_without_options) {
+  const ProgramRun result = run();
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "note: " + in +
+                            ": foreground is bright (grey level >= 61); --foreground dark and "
+                            "--threshold N override this\n");
+  expect_output(61, false);
+}
+
+TEST_F(RunCommand, skeletons_are_foreground_again) {
+  ASSERT_EQ(run_with({"run", "thin_guo_hall", in, out}).status, 0);
+  const ByteImage skeleton = read_grey(out);
+  const ProgramRun again = run_with({"run", "thin_guo_hall", out, out});
+  EXPECT_EQ(again.err, "");
+  EXPECT_GT(foreground_pixels(skeleton.view()), 0);
+  EXPECT_TRUE(equal(read_grey(out).view(), skeleton.view()));
+}
+
+TEST_F(RunCommand, max_iterations_end_the_thinning_early) {
+  const ProgramRun result = run({"--max-iterations", "2"});
+  EXPECT_NE(result.out.find(", 2 iterations, "), std::string::npos) << result.out << result.err;
+  ByteImage expected(bars().width(), bars().height());
+  thin(Rule::naccache_shinghal, binarise(bars(), {}).image.view(), expected.view(),
+       {.max_iterations = 2});
+  EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
 }
 
 TEST_F(RunCommand, uses_the_variant_that_was_asked_for) {
@@ -83,12 +113,12 @@ TEST_F(RunCommand, uses_the_variant_that_was_asked_for) {
       run({"--technique", "bitpacked", "--isa", "baseline", "--threads", "3"});
   EXPECT_EQ(result.out.rfind("thin_naccache_shinghal/bitpacked/baseline/3: ", 0), 0U)
       << result.out << result.err;
-  expect_output(128, false);
+  expect_output(61, false);
 }
 
 TEST_F(RunCommand, may_write_over_its_input) {
   EXPECT_EQ(run_with({"run", kOperation, in, in}).status, 0);
-  EXPECT_TRUE(equal(read_grey(in).view(), skeleton_of(bars(), 128, false).view()));
+  EXPECT_TRUE(equal(read_grey(in).view(), skeleton_of(bars(), 61, false).view()));
   EXPECT_EQ(folder.names(), Names{"in.png"});
 }
 
@@ -99,15 +129,15 @@ TEST_F(RunCommand, directions_choose_where_skeleton_scan_looks) {
   };
   Options how;
   how.directions = kNoDirections;
-  how.directions->add(Direction::rows);
-  how.directions->add(Direction::diagonals);
+  how.directions.add(Direction::rows);
+  how.directions.add(Direction::diagonals);
   ByteImage expected = bars();
   for (Index y = 0; y < expected.height(); ++y) {
     for (Index x = 0; x < expected.width(); ++x) {
-      expected.at(x, y) = expected.at(x, y) >= 128 ? 1 : 0;
+      expected.at(x, y) = expected.at(x, y) >= 61 ? 1 : 0;
     }
   }
-  thin("skeleton_scan", expected.view(), expected.view(), how);
+  thin(Rule::midpoint_scan, expected.view(), expected.view(), how);
   EXPECT_TRUE(equal(scan("rows,diagonals").view(), expected.view()));
   EXPECT_FALSE(equal(scan("columns").view(), expected.view()));
 }
@@ -149,8 +179,8 @@ TEST_F(RunCommand, unknown_technique_and_isa_get_the_nearest_known_name) {
 TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
   EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
             "lut_sliding runs on one thread only, not on 2");
-  EXPECT_EQ(failure({"--technique", "simd_float_bytes"}, 2)
-                .find("thin_naccache_shinghal is not made by simd_float_bytes, only by lut, "),
+  EXPECT_EQ(failure({"--technique", "simd_float_bits"}, 2)
+                .find("thin_naccache_shinghal is not made by simd_float_bits, only by lut, "),
             0U);
   if (!isa_available(Isa::sse42)) GTEST_SKIP() << "needs sse4.2";
   EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
@@ -180,12 +210,12 @@ TEST_F(RunCommand, picture_wider_than_the_limit_is_refused) {
   if (!isa_available(Isa::avx512)) GTEST_SKIP() << "needs avx512";
   write_grey(in, bars(600).view());
   EXPECT_EQ(failure({"--technique", "simd_bitpacked_row"}, 1),
-            "simd_bitpacked_row takes pictures up to 512 pixels wide; this one has 600");
+            "simd_bitpacked_row takes images up to 512 pixels wide; this one has 600");
 }
 
 TEST_F(RunCommand, unreadable_input_is_one_line_and_no_output) {
   const std::string text = folder.with("in.png", "no picture");
-  EXPECT_EQ(failure({}, 1), "cannot read '" + in + "': it is no picture of a known format");
+  EXPECT_EQ(failure({}, 1), "cannot read '" + in + "': it is not an image of a known format");
   std::filesystem::remove(in);
   EXPECT_EQ(failure_of({"run", kOperation, in, out}, 1),
             "cannot read '" + in + "': there is no such file");
@@ -195,10 +225,10 @@ TEST_F(RunCommand, unreadable_input_is_one_line_and_no_output) {
 TEST_F(RunCommand, unwritable_output_is_one_line_and_no_output) {
   const std::string absent = folder.file("absent");
   EXPECT_EQ(failure_of({"run", kOperation, in, absent + "/a.png"}, 1),
-            "cannot write '" + absent + "/a.png': there is no folder '" + absent + "'");
+            "cannot write '" + absent + "/a.png': there is no directory '" + absent + "'");
   EXPECT_EQ(failure_of({"run", kOperation, in, folder.file("a.gif")}, 1),
             "cannot write '" + folder.file("a.gif") +
-                "': no format is known for the ending '.gif'; the known endings are .png, .pgm, "
+                "': unknown extension '.gif'; known are .png, .pgm, "
                 ".bmp, .tif and .tiff");
   EXPECT_EQ(folder.names(), Names{"in.png"});
 }
@@ -206,11 +236,11 @@ TEST_F(RunCommand, unwritable_output_is_one_line_and_no_output) {
 TEST_F(RunCommand, trained_weights_drive_every_technique) {
   const std::string weights = folder.file("weights.json");
   ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
-  for (const char* technique : {"lut", "autovec", "simd_float_bits", "simd_bitpacked"}) {
+  for (const char* technique : {"lut", "lut_sliding", "simd_float_bits", "simd_bitpacked"}) {
     const ProgramRun result = run_with({"run", "net_single_layer_cluster", in, out, "--weights",
                                         weights, "--technique", technique, "--isa", "baseline"});
     EXPECT_EQ(result.status, 0) << result.err;
-    expect_output(128, false);
+    expect_output(61, false);
   }
 }
 

@@ -14,14 +14,67 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Borders and limits are no operations of their own.
+std::vector<Operation> listed() {
+  std::vector<Operation> operations = operations_with_peers();
+  std::erase_if(operations, [](const Operation& one) {
+    return one.border == Border::keep || one.max_iterations.has_value();
+  });
+  return operations;
+}
+
 std::size_t catalogue_size() {
   std::size_t rows = 0;
-  for (const Operation& operation : operations_with_peers()) rows += operation.variants.size();
+  for (const Operation& operation : listed()) rows += operation.variants.size();
   return rows;
 }
 
-TEST(ListCommand, prints_an_aligned_line_for_every_row) {
-  const ProgramRun run = run_with({"list"});
+/// The lines of `list` after its head.
+std::vector<std::string> listed_operations() {
+  std::istringstream lines(run_with({"list"}).out);
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);) found.push_back(line);
+  found.erase(found.begin());
+  return found;
+}
+
+TEST(ListCommand, prints_a_line_for_each_operation) {
+  const std::vector<std::string> lines = listed_operations();
+  const std::vector<Operation> operations = listed();
+  ASSERT_EQ(lines.size(), operations.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::regex pattern(operations[i].name + R"( +[1-9]\d* +\w+/[\w.]+ +\S.*)");
+    EXPECT_TRUE(std::regex_match(lines[i], pattern)) << lines[i];
+    EXPECT_NE(lines[i].find(operations[i].description), std::string::npos) << lines[i];
+  }
+}
+
+TEST(ListCommand, counts_the_librarys_variants_that_run_here_and_names_what_run_takes) {
+  const IsaCap cap("baseline");
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.png");
+  write_grey(file, ByteImage(1024, 9).view());
+  const std::string run = run_with({"run", "thin_guo_hall", file, file}).out;
+  const std::string first_two = run.substr(0, run.find("/1: "));  // operation/technique/isa
+  int listed = 0;
+  for (const std::string& line : listed_operations()) {
+    std::istringstream words(line);
+    std::string operation;
+    std::string variants;
+    std::string fastest;
+    words >> operation >> variants >> fastest;
+    if (operation == "fill_holes") {
+      EXPECT_EQ(variants, "2") << "with its one peer 3";
+    }
+    if (operation != "thin_guo_hall") continue;
+    EXPECT_EQ(operation + "/" + fastest, first_two);
+    ++listed;
+  }
+  EXPECT_EQ(listed, 1);
+}
+
+TEST(ListCommand, variants_are_an_aligned_line_for_every_row) {
+  const ProgramRun run = run_with({"list", "--variants"});
   EXPECT_EQ(run.status, 0);
   std::istringstream lines(run.out);
   std::string header;
@@ -42,8 +95,9 @@ TEST(ListCommand, json_says_why_a_row_is_not_available) {
   const Json list = Json::parse(run.out);
   EXPECT_EQ(list.size(), catalogue_size());
   for (const Json& row : list) {
-    EXPECT_EQ(row.size(), 9U);
-    EXPECT_LE(row["least_pixels"], row["threads"] == "n" ? kMinPixelsForThreads : 0);
+    EXPECT_EQ(row.size(), 10U);
+    EXPECT_TRUE(!row["fastest"] || (row["available"] && !row["peer"] && row["threads"] == "1"));
+    EXPECT_LE(row["least_pixels"], row["threads"] == "n" ? detail::kMinPixelsForThreads : 0);
     EXPECT_EQ(row["available"], row["isa"] == "baseline" || row["peer"]);
     EXPECT_EQ(row["available"], row["reason"] == "");
     EXPECT_TRUE(row["threads"] == "1" || row["threads"] == "n");
@@ -104,13 +158,13 @@ TEST(SceneCommand, truth_and_picture_come_together) {
 
 TEST(SceneCommand, refuses_what_it_cannot_draw) {
   const std::string see = "; see 'thinbench scene --help'";
-  EXPECT_EQ(failure_of({"scene"}, 2), "scene needs OUT, a picture to write, or --truth");
+  EXPECT_EQ(failure_of({"scene"}, 2), "scene needs OUT, an image to write, or --truth");
   EXPECT_EQ(failure_of({"scene", "a.png", "--scale", "0"}, 2),
-            "--scale: '0' is no whole number from 1 to 100" + see);
+            "--scale: expected an integer in [1, 100], got '0'" + see);
   EXPECT_EQ(failure_of({"scene", "a.png", "--noise", "nan"}, 2),
-            "--noise: 'nan' is no number from 0 to 255" + see);
+            "--noise: expected a number in [0, 255], got 'nan'" + see);
   EXPECT_EQ(failure_of({"scene", "a.png", "--seed", "-5"}, 2),
-            "--seed: '-5' is no whole number from 0 to 18446744073709551615" + see);
+            "--seed: expected an integer in [0, 18446744073709551615], got '-5'" + see);
   EXPECT_EQ(failure_of({"scene", "a.xyz"}, 1).find("cannot write 'a.xyz'"), 0U);
 }
 

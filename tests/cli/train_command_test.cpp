@@ -50,17 +50,17 @@ TEST(TrainCommand, cluster_refuses_fewer_nets_than_it_takes) {
             "the rule takes 12 nets, proved to be the fewest; allowed are 11");
   EXPECT_EQ(
       failure_of({"train", "cluster", "--max-nets", "0"}, 2),
-      "--max-nets: '0' is no whole number from 1 to 16; see 'thinbench train cluster --help'");
+      "--max-nets: expected an integer in [1, 16], got '0'; see 'thinbench train cluster --help'");
 }
 
 TEST(TrainCommand, numbers_that_are_none_are_refused) {
   const std::string see = "; see 'thinbench train two-layer --help'";
   for (const std::string seed : {"-1", "1.5", "x", ""}) {
     EXPECT_EQ(failure_of({"train", "two-layer", "--seed", seed}, 2),
-              "--seed: '" + seed + "' is no whole number from 0 to 18446744073709551615" + see);
+              "--seed: expected an integer in [0, 18446744073709551615], got '" + seed + "'" + see);
   }
   EXPECT_EQ(failure_of({"train", "two-layer", "--hidden", "65"}, 2),
-            "--hidden: '65' is no whole number from 1 to 64" + see);
+            "--hidden: expected an integer in [1, 64], got '65'" + see);
 }
 
 TEST(TrainCommand, other_sizes_are_not_written_as_weights) {
@@ -71,7 +71,7 @@ TEST(TrainCommand, other_sizes_are_not_written_as_weights) {
 }
 
 TEST(TrainCommand, files_that_cannot_be_written_are_refused_before_the_training) {
-  const std::string reason = "': there is no folder 'no_such_folder'";
+  const std::string reason = "': there is no directory 'no_such_folder'";
   for (const std::string option : {"--out", "--header"}) {
     EXPECT_EQ(failure_of({"train", "cluster", option, "no_such_folder/a"}, 1),
               "cannot write 'no_such_folder/a" + reason);

@@ -1,4 +1,5 @@
-#include <array>
+#include <algorithm>
+#include <memory>
 #include <regex>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "harness/thinning_family.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
+#include "support/byte_image.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace thinbench {
@@ -41,6 +43,21 @@ TEST(VerifyCommand, compares_on_given_pictures_too) {
                 "--image", folder.file("a.png")});
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("pictures: 1 images"), std::string::npos) << run.err;
+}
+
+TEST(VerifyCommand, given_images_are_binarised_as_asked_for_and_remarked_on_once) {
+  const std::string filter = "(thin_naccache_shinghal/bitpacked|edges_sobel/lut)/baseline/1";
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.pgm");
+  ByteImage image(30, 20);
+  image.at(9, 9) = 200;
+  write_grey(file, image.view());
+  const ProgramRun run = run_with({"verify", "--quick", "--filter", filter, "--image", file,
+                                   "--foreground", "dark", "--threshold", "90"});
+  EXPECT_EQ(run.status, 0);
+  const std::string warning = "warning: " + file + ": 99.8 % of the image is foreground";
+  EXPECT_EQ(run.err.find(warning), 0U) << run.err;
+  EXPECT_EQ(run.err.find("warning", 1), std::string::npos) << run.err;
 }
 
 TEST(VerifyCommand, takes_thread_counts_once_each) {
@@ -80,24 +97,32 @@ TEST(VerifyCommand, refuses_malformed_arguments_before_it_starts) {
   EXPECT_EQ(failure_of({"verify", "--image", "absent.png"}, 1),
             "cannot read 'absent.png': there is no such file");
   EXPECT_EQ(failure_of({"verify", "--threads", "0"}, 2),
-            "--threads: '0' is no whole number from 1 to 1024; see 'thinbench verify --help'");
+            "--threads: expected an integer in [1, 1024], got '0'; see 'thinbench verify --help'");
 }
 
 /// Changes nothing, ever.
-std::uint64_t idle_pass(const RuleModel*, const ConstBytePlaneView& source,
-                        const BytePlaneView& target, const Band& band) {
-  for (Index y = band.first; y < band.last; ++y) {
-    for (Index x = 0; x < source.width; ++x) target.row(y)[x] = source.row(y)[x];
+class IdleState final : public detail::ThinningState {
+ public:
+  void load(const ConstImageView& source) override { image_ = copy_of(source); }
+  int thin() override { return 1; }
+  void store(const ImageView& destination) const override {
+    for (Index y = 0; y < destination.height; ++y) {
+      std::copy_n(image_.view().row(y), destination.width, destination.row(y));
+    }
   }
-  return 0;
+
+ private:
+  ByteImage image_;
+};
+
+std::unique_ptr<detail::ThinningState> make_idle(const detail::ThinningSetting&) {
+  return std::make_unique<IdleState>();
 }
 
 TEST(VerifyReport, shows_a_mismatch_and_fails) {
-  const std::array passes = {Pass<std::uint8_t>{&idle_pass}};
-  const ThinningVariant variant{Technique::lut, Isa::baseline, false, 1000,
-                                std::span<const Pass<std::uint8_t>>(passes)};
-  const ThinningOperation idle = {thinning_operations().front().name, "for tests",
-                                  std::span(&variant, 1)};
+  detail::ThinningOperation idle = detail::thinning_operations().front();
+  idle.variants.resize(1);
+  idle.variants.front().make = &make_idle;
   const Operation operation = thinning_operation(idle);
   Verifier verifier({{&operation, &operation.variants.front(), 1, "an/idle/row/1"}});
   verifier.show({"a block", noise_image(9, 9, 100, 1, 1)});
@@ -108,10 +133,9 @@ TEST(VerifyReport, shows_a_mismatch_and_fails) {
 }
 
 TEST(VerifyReport, says_that_every_image_was_too_wide) {
-  const ThinningOperation& thinning = thinning_operations().front();
-  std::array variants = {thinning.variants.front(), thinning.variants.front()};
-  variants[0].max_width = 4;
-  const ThinningOperation two = {thinning.name, "for tests", variants};
+  detail::ThinningOperation two = detail::thinning_operations().front();
+  two.variants = {two.variants.front(), two.variants.front()};
+  two.variants[0].max_width = 4;
   const Operation operation = thinning_operation(two);
   Verifier verifier({{&operation, &operation.variants[0], 1, "a/narrow/row/1"},
                      {&operation, &operation.variants[1], 1, "a/wide/row/1"}});

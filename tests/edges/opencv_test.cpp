@@ -1,5 +1,5 @@
 // The references against OpenCV's filters with kernels written down here: another implementation of
-// the same formulae. Pictures of one's own join in by THINBENCH_TEST_IMAGES, a folder.
+// the same formulae. Images of one's own join in by THINBENCH_TEST_IMAGES, a directory.
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -23,23 +23,23 @@ struct Kernels {
   int scale;
 };
 
-Kernels kernels_of(const std::string& operation) {
+Kernels kernels_of(EdgeOperator op) {
   const auto mat = [](int size, std::initializer_list<float> values) {
     return cv::Mat(std::vector<float>(values), true).reshape(1, size);
   };
-  if (operation == "edges_roberts4") {
+  if (op == EdgeOperator::roberts4) {
     return {mat(3, {0, 0, 0, 0, 1, 0, 0, 0, -1}), mat(3, {0, 0, 0, 0, 0, 1, 0, -1, 0}), 2};
   }
-  if (operation == "edges_roberts9") {
+  if (op == EdgeOperator::roberts9) {
     return {mat(3, {1, 0, 0, 0, 0, 0, 0, 0, -1}), mat(3, {0, 0, 1, 0, 0, 0, -1, 0, 0}), 2};
   }
-  if (operation == "edges_sobel") {
+  if (op == EdgeOperator::sobel) {
     return {mat(3, {-1, 0, 1, -2, 0, 2, -1, 0, 1}), mat(3, {-1, -2, -1, 0, 0, 0, 1, 2, 1}), 4};
   }
-  if (operation == "edges_prewitt") {
+  if (op == EdgeOperator::prewitt) {
     return {mat(3, {-1, 0, 1, -1, 0, 1, -1, 0, 1}), mat(3, {-1, -1, -1, 0, 0, 0, 1, 1, 1}), 3};
   }
-  if (operation == "edges_mero_vassy") {
+  if (op == EdgeOperator::mero_vassy) {
     return {mat(3, {0, 1, 1, -1, 0, 1, -1, -1, 0}), mat(3, {-1, -1, 0, -1, 0, 1, 0, 1, 1}), 4};
   }
   return {
@@ -54,20 +54,21 @@ cv::Mat filtered(const ByteImage& image, const cv::Mat& kernel) {
   return result;
 }
 
-ByteImage edges_by_opencv(const std::string& operation, const ByteImage& image,
+ByteImage edges_by_opencv(EdgeOperator op, const ByteImage& image,
                           const EdgeThresholds& thresholds) {
-  const Kernels kernels = kernels_of(operation);
+  const Kernels kernels = kernels_of(op);
   const cv::Mat magnitude =
       cv::abs(filtered(image, kernels.gx)) + cv::abs(filtered(image, kernels.gy));
   cv::Mat brightest;
   cv::dilate(mat_of(image.view()), brightest, cv::Mat());
   ByteImage result(image.width(), image.height());
-  cv::Mat edges = (magnitude > thresholds.p1 * kernels.scale) & (brightest > thresholds.p2);
+  cv::Mat edges = (magnitude > thresholds.gradient_threshold * kernels.scale) &
+                  (brightest > thresholds.brightness_threshold);
   edges.copyTo(mat_of(result.view()));
   return result;
 }
 
-class EdgesAgainstOpenCv : public testing::TestWithParam<std::string> {
+class EdgesAgainstOpenCv : public testing::TestWithParam<EdgeOperator> {
  protected:
   static void expect_equal(const ByteImage& image, const std::string& what) {
     for (const EdgeThresholds& thresholds : kThresholds) {
@@ -75,7 +76,8 @@ class EdgesAgainstOpenCv : public testing::TestWithParam<std::string> {
       const auto job = edges_reference(GetParam(), thresholds)(view.width, view.height, 1);
       const ByteImage expected = edges_by_opencv(GetParam(), image, thresholds);
       EXPECT_TRUE(equal(outcome_of(*job, view).image.view(), expected.view()))
-          << what << ", P1 " << thresholds.p1 << ", P2 " << thresholds.p2;
+          << what << ", P1 " << thresholds.gradient_threshold << ", P2 "
+          << thresholds.brightness_threshold;
     }
   }
 };
@@ -101,23 +103,29 @@ TEST_P(EdgesAgainstOpenCv, equal_on_given_pictures) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EdgesAgainstOpenCv,
-                         testing::Values("edges_roberts4", "edges_roberts9", "edges_mero_vassy",
-                                         "edges_mero_vassy_5x5", "edges_sobel", "edges_prewitt"),
-                         [](const auto& tested) { return tested.param; });
+std::vector<EdgeOperator> all_operators() {
+  std::vector<EdgeOperator> operators;
+  for (const EdgeOperatorInfo& info : kEdgeOperators) operators.push_back(info.op);
+  return operators;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EdgesAgainstOpenCv, testing::ValuesIn(all_operators()),
+                         [](const auto& tested) {
+                           return std::string(edge_operator_info(tested.param).name);
+                         });
 
 TEST(EdgesMeroVassy, in_3x3_pixels_take_the_larger_of_sobels_gradients) {
   const ByteImage image = grey_noise_image(131, 67, 0, 255, 9);
-  const Kernels sobel = kernels_of("edges_sobel");
+  const Kernels sobel = kernels_of(EdgeOperator::sobel);
   const cv::Mat gx = cv::abs(filtered(image, sobel.gx));
   const cv::Mat gy = cv::abs(filtered(image, sobel.gy));
   const cv::Mat larger = cv::max(gx, gy);
-  for (const int p1 : {20, 60, 120}) {
+  for (const int threshold : {20, 60, 120}) {
     ByteImage found(image.width(), image.height());
-    detect_edges("edges_mero_vassy", image.view(), found.view(), {p1, 0});
-    const cv::Mat expected = larger > p1 * sobel.scale;
-    EXPECT_GT(cv::countNonZero(expected), 0) << p1;
-    EXPECT_EQ(cv::norm(expected, mat_of(found.view()), cv::NORM_INF), 0) << p1;
+    detect_edges(EdgeOperator::mero_vassy, image.view(), found.view(), {threshold, 0});
+    const cv::Mat expected = larger > threshold * sobel.scale;
+    EXPECT_GT(cv::countNonZero(expected), 0) << threshold;
+    EXPECT_EQ(cv::norm(expected, mat_of(found.view()), cv::NORM_INF), 0) << threshold;
   }
 }
 

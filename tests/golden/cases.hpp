@@ -41,18 +41,12 @@ struct Result {
 /// nothing can be said of the operations.
 inline constexpr const char* kInput = "input";
 
-/// Thinning that knows both treatments of the border.
-inline constexpr std::array kBorderChoosing = {"thin_naccache_shinghal",
-                                               "thin_zhang_suen",
-                                               "thin_guo_hall",
-                                               "thin_spta_directional",
-                                               "thin_mb2",
-                                               "net_two_layer_sigmoid",
-                                               "net_two_layer_rounded",
-                                               "net_two_layer_linear",
-                                               "net_single_layer_cluster"};
-/// Thinning that takes everything outside the image for background.
-inline constexpr std::array kBackgroundOnly = {"thin_spta", "skeleton_scan"};
+inline constexpr std::array kThinning = {"thin_naccache_shinghal",  "thin_zhang_suen",
+                                         "thin_guo_hall",           "thin_spta",
+                                         "thin_spta_directional",   "thin_mb2",
+                                         "skeleton_scan",           "net_two_layer_sigmoid",
+                                         "net_two_layer_rounded",   "net_two_layer_linear",
+                                         "net_single_layer_cluster"};
 /// Also recorded for one iteration.
 inline constexpr std::array kOneIteration = {"net_two_layer_sigmoid", "net_two_layer_linear",
                                              "net_single_layer_cluster"};
@@ -65,17 +59,16 @@ inline constexpr std::array kGrey = {"edges_roberts4",       "edges_roberts9", "
 inline std::vector<Case> thinning_cases_on(const std::string& image) {
   std::vector<Case> cases;
   for (const char* border : {"background", "keep"}) {
-    for (const char* name : kBorderChoosing) cases.push_back({name, border, "-", image});
+    for (const char* name : kThinning) cases.push_back({name, border, "-", image});
     for (const char* name : kOneIteration) cases.push_back({name, border, "1", image});
   }
-  for (const char* name : kBackgroundOnly) cases.push_back({name, "background", "-", image});
   return cases;
 }
 
 /// All cases on an image of this name.
 inline std::vector<Case> cases_on(const std::string& image, InputKind kind) {
   std::vector<Case> cases = {{kInput, "-", "-", image}};
-  if (kind == InputKind::kGrey) {
+  if (kind == InputKind::grey) {
     for (const char* name : kGrey) cases.push_back({name, "-", "-", image});
     return cases;
   }

@@ -58,9 +58,9 @@ class Gallery {
   std::vector<TestImage> images_;
 };
 
-/// The frame cuts parts off; twice the size of the test image, and much noise.
+/// The image border cuts parts off; twice the size of the test image, and much noise.
 inline Scene second_scene() {
-  return render_scene({SceneKind::kFrameTouching, 2, 320, true, 7});
+  return render_scene({SceneKind::frame_touching, 2, 320, true, 7});
 }
 
 /// Foreground of `percent` in blocks of this granularity.
@@ -105,8 +105,8 @@ inline void add_strokes(Gallery& gallery) {
   }
 }
 
-/// Shapes that touch every side of the frame.
-inline void add_frame_shapes(Gallery& gallery) {
+/// Shapes that touch every side of the image.
+inline void add_border_shapes(Gallery& gallery) {
   gallery.add_shape("frame", 13, 9,
                     [](Index x, Index y) { return x == 0 || y == 0 || x == 12 || y == 8; });
   gallery.add_shape("bars", 513, 70,
@@ -134,7 +134,7 @@ inline void add_plain(Gallery& gallery) {
 }
 
 inline std::vector<TestImage> binary_images() {
-  Gallery gallery(InputKind::kBinary);
+  Gallery gallery(InputKind::binary);
   gallery.add("test_image", std::move(render_scene().binary));
   gallery.add("second_scene", std::move(second_scene().binary));
   gallery.add("all_neighbourhoods_261x32", neighbourhood_sheet(5));
@@ -143,7 +143,7 @@ inline std::vector<TestImage> binary_images() {
   add_narrow_noise(gallery);
   add_wide_noise(gallery);
   add_strokes(gallery);
-  add_frame_shapes(gallery);
+  add_border_shapes(gallery);
   add_plain(gallery);
   return gallery.take();
 }
@@ -186,7 +186,7 @@ inline void add_ramps(Gallery& gallery) {
 }
 
 inline std::vector<TestImage> grey_images() {
-  Gallery gallery(InputKind::kGrey);
+  Gallery gallery(InputKind::grey);
   gallery.add("grey_scene", std::move(render_scene().grey));
   gallery.add("second_grey_scene", std::move(second_scene().grey));
   add_grey_noises(gallery);

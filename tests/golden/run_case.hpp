@@ -61,7 +61,7 @@ inline std::vector<std::int64_t> lists_of(const Regions& found) {
 /// Throws std::invalid_argument for an unknown name.
 inline std::vector<std::int64_t> numbers_found(std::string_view operation, ConstImageView image,
                                                int threads) {
-  const VariantWish wish = {.threads = threads};
+  const Options options = {.threads = threads};
   if (operation == "holes") return lists_of(find_regions(image, options));
   if (operation == "components") return lists_of({find_components(image, options), {}});
   if (operation == "euler_number") return {euler_number(image, options)};

@@ -1,4 +1,5 @@
-// Every available row against its reference on every set of test images.
+// Every available variant against its reference on every set of test images.
+#include <algorithm>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -19,9 +20,8 @@ void PrintTo(const Case& tested, std::ostream* out) {
 
 class Crosscheck : public testing::TestWithParam<Case> {};
 
-/// Nets that repeat their passes are shown the smaller sets: the big ones are for single passes,
-/// which are the same code, and for rules.
-bool left_out(const TestImageSet& set, const Operation& operation) {
+/// Nets are shown the large sets with one iteration only: more are the same code.
+bool is_omitted(const TestImageSet& set, const Operation& operation) {
   return operation.small_sets_only && set.name == "sizes";
 }
 
@@ -36,36 +36,38 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-/// The level whose rows alone are wanted; empty for all.
-std::string wanted_level() {
-  const char* level = std::getenv("THINBENCH_CROSSCHECK_ISA");
-  return level == nullptr ? "" : level;
+/// The ISA whose variants alone are wanted; empty for all.
+std::string wanted_isa() {
+  const char* isa = std::getenv("THINBENCH_CROSSCHECK_ISA");
+  return isa == nullptr ? "" : isa;
 }
 
-/// The rows of an operation, as a filter.
+/// The variants of an operation, as a filter.
 std::string filter_of(const Operation& operation) {
-  const std::string level = wanted_level();
-  return "^" + operation.name + (level.empty() ? "/" : "/[^/]+/" + level + "/");
+  const std::string isa = wanted_isa();
+  return "^" + operation.name + (isa.empty() ? "/" : "/[^/]+/" + isa + "/");
 }
 
-TEST_P(Crosscheck, every_available_row_equals_its_reference) {
+TEST_P(Crosscheck, every_available_variant_equals_its_reference) {
   const auto& [set, operation] = GetParam();
-  if (left_out(*set, *operation)) GTEST_SKIP() << "covered by the operation's single pass";
-  const auto level = isa_from_name(wanted_level());
-  if (level && !cpu_supports(*level)) GTEST_SKIP() << "this machine lacks " << isa_name(*level);
+  if (is_omitted(*set, *operation)) GTEST_SKIP() << "covered by the case of one iteration";
+  const auto isa = isa_from_name(wanted_isa());
+  if (isa && !cpu_supports(*isa)) GTEST_SKIP() << "this machine lacks " << isa_name(*isa);
   Verifier verifier(matching_rows(filter_of(*operation), {2, 7}));
   set->generate([&](const TestImage& image) { verifier.show(image); });
   for (std::size_t row = 0; row < verifier.rows().size(); ++row) {
     EXPECT_EQ(verifier.verdict(row).first_mismatch, "");
   }
   const VerifySummary summary = summary_of(verifier);
-  EXPECT_GT(summary.passed, 0) << "no row ran";
-  std::printf("%d rows equal to the reference, %d not available here\n", summary.passed,
+  EXPECT_GT(summary.passed, 0) << "no variant ran";
+  std::printf("%d variants equal to the reference, %d not available here\n", summary.passed,
               summary.skipped);
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& tested) {
-  return tested.param.operation->name + "_on_" + tested.param.set->name;
+  std::string name = tested.param.operation->name + "_on_" + tested.param.set->name;
+  std::replace(name.begin(), name.end(), ':', '_');  // GoogleTest takes no other sign
+  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Crosscheck, testing::ValuesIn(all_cases()), case_name);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 TEST(ThreadTeam, ranges_cover_every_index_once) {
@@ -29,4 +29,4 @@ TEST(ThreadTeam, makes_no_more_ranges_than_threads) {
 }
 
 }  // namespace
-}  // namespace thinbench
+}  // namespace thinbench::detail

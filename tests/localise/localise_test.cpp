@@ -1,24 +1,28 @@
-// The chain from a grey picture to centres: what counts as an object, and how near centres come.
+// The chain from a grey image to centres: what counts as an object, and how near centres come.
 #include "localise.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "image/packing.hpp"
+#include "api/catalogue.hpp"
 #include "harness/grey_images.hpp"
 #include "harness/test_images.hpp"
-#include "regions/pictures.hpp"
-#include "localise/plan.hpp"
+#include "image/packing.hpp"
+#include "localise/state.hpp"
 #include "scene/scene.hpp"
+#include "support/margins.hpp"
+#include "support/text_image.hpp"
 #include "thinbench/localise.hpp"
 
 namespace thinbench {
 namespace {
 
-using holes_test::picture;
+using detail::BitPlane;
+using detail::localise_operation;
+using detail::LocaliseVariant;
+using detail::RegionLists;
 
 ByteImage plain_objects(const ByteImage& contours) {
   ByteImage objects(contours.width(), contours.height());
@@ -27,12 +31,12 @@ ByteImage plain_objects(const ByteImage& contours) {
 }
 
 ByteImage packed_objects(const ByteImage& contours) {
-  const auto& conversion = plane_conversion<std::uint64_t>(Isa::baseline);
+  const auto& conversion = detail::plane_conversion<std::uint64_t>(Isa::baseline);
   BitPlane from(contours.width(), contours.height());
   BitPlane to(contours.width(), contours.height());
   conversion.read(contours.view(), from.view());
-  OutlinedObjects(contours.width(), contours.height()).write(from.view(), to.view());
-  EXPECT_TRUE(to.margin_is_zero());
+  detail::OutlinedObjects(contours.width(), contours.height()).write(from.view(), to.view());
+  EXPECT_TRUE(margin_is_zero(to.view()));
   ByteImage objects(contours.width(), contours.height());
   conversion.write(to.view(), objects.view());
   return objects;
@@ -48,17 +52,17 @@ void expect_same(const ByteImage& image, const ByteImage& expected) {
 
 TEST(OutlinedObjects, reach_from_the_outermost_contour_to_the_next_one_and_no_further) {
   const ByteImage contours =
-      picture({"#########..", "#.......#.#", "#.#####.#..", "#.#...#.#..", "#.#.#.#.#..",
-               "#.#...#.#..", "#.#####.###", "#.......#.#", "###########"});
+      image_of({"#########..", "#.......#.#", "#.#####.#..", "#.#...#.#..", "#.#.#.#.#..",
+                "#.#...#.#..", "#.#####.###", "#.......#.#", "###########"});
   const ByteImage objects =
-      picture({"#########..", "#########.#", "##.....##..", "##.....##..", "##.....##..",
-               "##.....##..", "##.....####", "###########", "###########"});
+      image_of({"#########..", "#########.#", "##.....##..", "##.....##..", "##.....##..",
+                "##.....##..", "##.....####", "###########", "###########"});
   expect_same(plain_objects(contours), objects);
   expect_same(packed_objects(contours), objects);
 }
 
 TEST(OutlinedObjects, contour_with_a_gap_encloses_nothing) {
-  const ByteImage contours = picture({"####", "#..#", "#...", "####"});
+  const ByteImage contours = image_of({"####", "#..#", "#...", "####"});
   expect_same(packed_objects(contours), contours);
 }
 
@@ -126,59 +130,40 @@ TEST(LocaliseObjects, has_areas_that_are_too_large_by_the_width_of_edges) {
   }
 }
 
-TEST(LocaliseObjects, refuses_what_edges_or_holes_refuse) {
-  const ByteImage image(10, 4);
-  EXPECT_THROW((void)localise_objects({nullptr, 10, 4, 64}), std::invalid_argument);
-  EXPECT_THROW((void)localise_objects({image.view().data, 10, 4, 9}), std::invalid_argument);
-  EXPECT_THROW((void)localise_objects({image.view().data, 10, -4, 64}), std::invalid_argument);
-  EXPECT_THROW((void)localise_objects(image.view(), {256, 0}), std::invalid_argument);
-  EXPECT_THROW((void)localise_objects(image.view(), {0, -1}), std::invalid_argument);
-  EXPECT_THROW((void)localise_objects(image.view(), {}, {Technique::lut}), std::invalid_argument);
-  EXPECT_THROW((void)localise_objects(image.view(), {}, {{}, {}, 0}), std::invalid_argument);
+bool same(const RegionLists& found, const std::vector<Region>& objects,
+          const std::vector<Region>& holes) {
+  return std::equal(found.objects.begin(), found.objects.end(), objects.begin(), objects.end()) &&
+         std::equal(found.holes.begin(), found.holes.end(), holes.begin(), holes.end());
 }
 
-TEST(LocaliseObjects, has_nothing_to_say_of_images_without_edges) {
-  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}, {7, 7}}) {
-    const ByteImage image(width, height);
-    EXPECT_TRUE(localise_objects(image.view()).objects.empty());
-    EXPECT_TRUE(localise_objects(image.view(), {}, {{}, {}, 4}).holes.empty());
-  }
-}
-
-TEST(LocalisePlan, takes_every_edge_operator_and_gives_what_the_reference_gives) {
+TEST(LocaliseState, takes_every_edge_operator_and_gives_what_the_reference_gives) {
   const Scene scene = render_scene();
   const ConstImageView grey = scene.grey.view();
-  for (const EdgeOperation& edges : edge_operations()) {
+  for (const EdgeOperatorInfo& edges : kEdgeOperators) {
     const reference::Regions expected =
-        reference::localise_objects(reference::find_edges(edges.name), 40, 128, grey);
-    for (const LocaliseVariant& variant : localise_rows()) {
-      if (!unavailable_reason(variant.facts, grey.width).empty()) continue;
-      LocalisePlan plan(variant, grey.width, grey.height, {edges.op, {40, 128}, 3});
-      const RegionLists found = plan.run(grey);
-      EXPECT_TRUE(std::equal(found.objects.begin(), found.objects.end(), expected.objects.begin(),
-                             expected.objects.end()))
-          << edges.name << " at " << isa_name(variant.facts.isa);
-      EXPECT_TRUE(std::equal(found.holes.begin(), found.holes.end(), expected.holes.begin(),
-                             expected.holes.end()))
-          << edges.name << " at " << isa_name(variant.facts.isa);
+        reference::localise_objects(reference::edges(edges.op), {40, 128}, grey);
+    for (const LocaliseVariant& variant : localise_operation().variants) {
+      if (!unavailable_reason(variant, grey.width).empty()) continue;
+      const auto state =
+          variant.make({edges.op, {40, 128}, variant.isa, grey.width, grey.height, 3});
+      EXPECT_TRUE(same(state->run(grey), expected.objects, expected.holes))
+          << edges.name << " at " << isa_name(variant.isa);
     }
   }
 }
 
-TEST(LocalisePlan, gives_the_same_after_an_image_with_many_more_regions) {
+TEST(LocaliseState, gives_the_same_after_an_image_with_many_more_regions) {
   const Scene scene = render_scene();
-  const ByteImage& grey = scene.grey;
-  const ByteImage crowded = grey_noise_image(grey.width(), grey.height(), 90, 170, 3);
-  const Regions expected = localise_objects(grey.view());
-  for (const LocaliseVariant& variant : localise_rows()) {
-    if (!unavailable_reason(variant.facts, grey.width()).empty()) continue;
-    LocalisePlan plan(variant, grey.width(), grey.height(), {EdgeOperator::sobel, {}, 3});
-    for (const ByteImage* image : {&grey, &crowded}) (void)plan.run(image->view());
-    const RegionLists found = plan.run(grey.view());
-    EXPECT_TRUE(std::equal(found.objects.begin(), found.objects.end(), expected.objects.begin(),
-                           expected.objects.end()));
-    EXPECT_TRUE(std::equal(found.holes.begin(), found.holes.end(), expected.holes.begin(),
-                           expected.holes.end()));
+  const ConstImageView grey = scene.grey.view();
+  const ByteImage crowded = grey_noise_image(grey.width, grey.height, 90, 170, 3);
+  const Regions expected = localise_objects(grey);
+  for (const LocaliseVariant& variant : localise_operation().variants) {
+    if (!unavailable_reason(variant, grey.width).empty()) continue;
+    const auto state =
+        make_state(localise_operation(), variant, grey.width, grey.height, {}, {.threads = 3});
+    static_cast<void>(state->run(grey));
+    static_cast<void>(state->run(crowded.view()));
+    EXPECT_TRUE(same(state->run(grey), expected.objects, expected.holes)) << isa_name(variant.isa);
   }
 }
 

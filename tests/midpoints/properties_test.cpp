@@ -1,4 +1,4 @@
-// What the scanning skeleton claims of itself, on pictures of many kinds.
+// What the midpoint scan claims of itself, on images of many kinds.
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -8,19 +8,17 @@
 
 #include "scene/components.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/property_pictures.hpp"
+#include "thinning/property_images.hpp"
 
 namespace thinbench {
 namespace {
 
-using property_pictures::marked_outside;
-using property_pictures::pictures;
+using property_images::marked_outside;
+using property_images::property_images;
 
 ByteImage scanned(const ByteImage& image, Directions directions = {}) {
   ByteImage result(image.width(), image.height());
-  Options options;
-  options.directions = directions;
-  thin("skeleton_scan", image.view(), result.view(), options);
+  thin(Rule::midpoint_scan, image.view(), result.view(), {.directions = directions});
   return result;
 }
 
@@ -33,7 +31,7 @@ Directions only(Direction direction) {
 /// Column steps and row steps of a direction.
 constexpr std::pair<Index, Index> kSteps[] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
 
-bool dark_at(const ByteImage& image, Index x, Index y) {
+bool foreground_at(const ByteImage& image, Index x, Index y) {
   return x >= 0 && y >= 0 && x < image.width() && y < image.height() && image.at(x, y) != 0;
 }
 
@@ -46,18 +44,18 @@ struct RunMarks {
 RunMarks marks_of_run(const ByteImage& image, const ByteImage& marks, Index x, Index y,
                       std::pair<Index, Index> step) {
   Index length = 0;
-  while (dark_at(image, x + length * step.first, y + length * step.second)) ++length;
+  while (foreground_at(image, x + length * step.first, y + length * step.second)) ++length;
   RunMarks found;
   for (Index i = 0; i < length; ++i) {
-    if (!dark_at(marks, x + i * step.first, y + i * step.second)) continue;
+    if (!foreground_at(marks, x + i * step.first, y + i * step.second)) continue;
     found.count += 1;
     found.central = found.central && i == (length - 1) / 2;
   }
   return found;
 }
 
-TEST(SkeletonScanProperties, each_direction_marks_one_pixel_a_run_and_that_its_centre) {
-  for (const ByteImage& image : pictures()) {
+TEST(MidpointScanProperties, each_direction_marks_one_pixel_of_a_run_and_that_its_centre) {
+  for (const ByteImage& image : property_images()) {
     for (const Direction direction : kAllDirections) {
       const ByteImage marks = scanned(image, only(direction));
       const std::pair<Index, Index> step = kSteps[static_cast<std::size_t>(direction)];
@@ -66,7 +64,7 @@ TEST(SkeletonScanProperties, each_direction_marks_one_pixel_a_run_and_that_its_c
       for (Index y = 0; y < image.height(); ++y) {
         for (Index x = 0; x < image.width(); ++x) {
           const bool starts =
-              dark_at(image, x, y) && !dark_at(image, x - step.first, y - step.second);
+              foreground_at(image, x, y) && !foreground_at(image, x - step.first, y - step.second);
           if (!starts) continue;
           const RunMarks found = marks_of_run(image, marks, x, y, step);
           wrong += found.count == 1 && found.central ? 0 : 1;
@@ -77,8 +75,8 @@ TEST(SkeletonScanProperties, each_direction_marks_one_pixel_a_run_and_that_its_c
   }
 }
 
-TEST(SkeletonScanProperties, all_directions_give_a_subset_with_a_pixel_of_every_object) {
-  for (const ByteImage& image : pictures()) {
+TEST(MidpointScanProperties, all_directions_give_a_subset_with_a_pixel_of_every_object) {
+  for (const ByteImage& image : property_images()) {
     const ByteImage marks = scanned(image);
     EXPECT_EQ(marked_outside(marks, image), 0);
     const auto objects = scene_test::objects_of(image.view());
@@ -94,9 +92,9 @@ TEST(SkeletonScanProperties, all_directions_give_a_subset_with_a_pixel_of_every_
   }
 }
 
-TEST(SkeletonScanProperties, one_direction_is_idempotent_and_so_is_no_larger_set) {
-  // In one direction the marks are runs of their own, of one pixel each: two runs have a light
-  // pixel between them. In two, marks of one touch those of the other and make new runs.
+TEST(MidpointScanProperties, one_direction_is_idempotent_and_so_is_no_larger_set) {
+  // In one direction the marks are runs of their own, of one pixel each: two runs have
+  // background between them. In two, marks of one touch those of the other and make new runs.
   ByteImage square(5, 5);
   for (Index y = 0; y < 5; ++y) {
     for (Index x = 0; x < 5; ++x) square.at(x, y) = 255;
@@ -104,7 +102,7 @@ TEST(SkeletonScanProperties, one_direction_is_idempotent_and_so_is_no_larger_set
   for (int bits = 0; bits < 1 << kDirectionCount; ++bits) {
     const Directions directions = {static_cast<std::uint8_t>(bits)};
     bool idempotent = true;
-    std::vector<ByteImage> images = pictures();
+    std::vector<ByteImage> images = property_images();
     images.push_back(copy_of(square.view()));
     for (const ByteImage& image : images) {
       const ByteImage marks = scanned(image, directions);

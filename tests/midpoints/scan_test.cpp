@@ -1,4 +1,4 @@
-// The scanning skeleton: the reference on runs worked by hand, sets of directions, the counters.
+// The midpoint scan: the reference on runs worked by hand, sets of directions, the counters.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -7,14 +7,14 @@
 
 #include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
-#include "reference.hpp"
 #include "midpoints/counter.hpp"
+#include "midpoints/work.hpp"
+#include "reference.hpp"
+#include "support/text_image.hpp"
 #include "thinbench/thinning.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
-
-using Picture = std::vector<std::string>;
 
 Directions only(Direction direction) {
   Directions directions = kNoDirections;
@@ -22,112 +22,115 @@ Directions only(Direction direction) {
   return directions;
 }
 
-Picture marked(const Picture& rows, Directions directions) {
-  ByteImage image(static_cast<Index>(rows.front().size()), static_cast<Index>(rows.size()));
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      image.at(x, y) = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#';
-    }
-  }
-  EXPECT_EQ(reference::skeleton_scan(directions, image.view(), image.view()), 1);
-  Picture result = rows;
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      result[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
-          image.at(x, y) == 255 ? '#' : '.';
-    }
-  }
-  return result;
+TextImage marked(const TextImage& lines, Directions directions,
+                 Border border = Border::background) {
+  ByteImage image = image_of(lines);
+  EXPECT_EQ(reference::midpoint_scan(directions, border, image.view(), image.view()), 1);
+  return text_of(image);
 }
 
-TEST(ReferenceSkeletonScan, rows_mark_the_middle_or_the_western_of_two) {
-  EXPECT_EQ(marked({"#.##.###.####"}, only(Direction::rows)), Picture{"#.#...#...#.."});
+TEST(ReferenceMidpointScan, rows_mark_the_middle_or_the_western_of_two) {
+  EXPECT_EQ(marked({"#.##.###.####"}, only(Direction::rows)), TextImage{"#.#...#...#.."});
 }
 
-TEST(ReferenceSkeletonScan, the_frame_ends_runs) {
-  EXPECT_EQ(marked({"#####"}, only(Direction::rows)), Picture{"..#.."});
-  EXPECT_EQ(marked({"####", "####"}, only(Direction::rows)), (Picture{".#..", ".#.."}));
+TEST(ReferenceMidpointScan, the_border_ends_runs) {
+  EXPECT_EQ(marked({"#####"}, only(Direction::rows)), TextImage{"..#.."});
+  EXPECT_EQ(marked({"####", "####"}, only(Direction::rows)), (TextImage{".#..", ".#.."}));
 }
 
-TEST(ReferenceSkeletonScan, columns_mark_the_middle_or_the_northern_of_two) {
+TEST(ReferenceMidpointScan, columns_mark_the_middle_or_the_northern_of_two) {
   EXPECT_EQ(marked({"#.#", "##.", ".##", "###"}, only(Direction::columns)),
-            (Picture{"#.#", "...", ".##", "#.."}));
+            (TextImage{"#.#", "...", ".##", "#.."}));
 }
 
-TEST(ReferenceSkeletonScan, diagonals_go_down_to_the_east) {
+TEST(ReferenceMidpointScan, diagonals_go_down_to_the_east) {
   EXPECT_EQ(marked({"#...", ".#..", "..#.", "...#"}, only(Direction::diagonals)),
-            (Picture{"....", ".#..", "....", "...."}));
+            (TextImage{"....", ".#..", "....", "...."}));
   EXPECT_EQ(marked({"..#", ".#.", "#.."}, only(Direction::diagonals)),
-            (Picture{"..#", ".#.", "#.."}));
+            (TextImage{"..#", ".#.", "#.."}));
 }
 
-TEST(ReferenceSkeletonScan, antidiagonals_go_down_to_the_west) {
+TEST(ReferenceMidpointScan, antidiagonals_go_down_to_the_west) {
   EXPECT_EQ(marked({"...#", "..#.", ".#..", "#..."}, only(Direction::antidiagonals)),
-            (Picture{"....", "..#.", "....", "...."}));
+            (TextImage{"....", "..#.", "....", "...."}));
   EXPECT_EQ(marked({"..#", ".#.", "#.."}, only(Direction::antidiagonals)),
-            (Picture{"...", ".#.", "..."}));
+            (TextImage{"...", ".#.", "..."}));
 }
 
-TEST(ReferenceSkeletonScan, result_is_the_union_of_all_directions) {
+TEST(ReferenceMidpointScan, result_is_the_union_of_all_directions) {
   // Diagonals of 1, 2, 3, 2, 1 pixels add the corners and the northern pixels of the pairs.
-  EXPECT_EQ(marked({"###", "###", "###"}, Directions{}), (Picture{"###", "###", "###"}));
+  EXPECT_EQ(marked({"###", "###", "###"}, Directions{}), (TextImage{"###", "###", "###"}));
   Directions two = only(Direction::rows);
   two.add(Direction::columns);
-  EXPECT_EQ(marked({"###", "###", "###"}, two), (Picture{".#.", "###", ".#."}));
-  EXPECT_EQ(marked({"###"}, kNoDirections), Picture{"..."});
+  EXPECT_EQ(marked({"###", "###", "###"}, two), (TextImage{".#.", "###", ".#."}));
+  EXPECT_EQ(marked({"###"}, kNoDirections), TextImage{"..."});
 }
 
-TEST(SkeletonScan, every_variant_takes_every_set_of_directions) {
-  const ThinningOperation& operation = *find_thinning_operation("skeleton_scan");
+TEST(ReferenceMidpointScan, keeps_the_border_where_asked_to) {
+  EXPECT_EQ(marked({"###", "###", "###"}, only(Direction::rows), Border::keep),
+            (TextImage{"###", "###", "###"}));
+  EXPECT_EQ(marked({"#####", "#####", ".....", "####."}, only(Direction::rows), Border::keep),
+            (TextImage{"#####", "#.#.#", ".....", "####."}));
+  EXPECT_EQ(marked({"####"}, kNoDirections, Border::keep), TextImage{"####"});
+}
+
+const ThinningOperation& scan_operation() {
+  return operation_of(Rule::midpoint_scan);
+}
+
+/// Calls `check(state, name)` for every variant that can run on images of this width.
+template <class Check>
+void for_each_variant(Index width, Index height, const Options& options, const Check& check) {
+  for (const ThinningVariant& variant : scan_operation().variants) {
+    if (!unavailable_reason(variant, width, options.border).empty()) continue;
+    const auto state = make_state(scan_operation(), variant, width, height, options);
+    check(*state, std::string(technique_name(variant.technique)) + " at " +
+                      std::string(isa_name(variant.isa)) + ", " + std::to_string(width) + " x " +
+                      std::to_string(height));
+  }
+}
+
+TEST(MidpointScan, every_variant_takes_every_set_of_directions_and_border) {
+  constexpr Index height = 150;
   for (const Index width : {70, 511, 512, 600}) {
-    const ByteImage image = noise_image(width, 150, 75, 9, 11);
-    ByteImage expected(width, 150);
-    ByteImage found(width, 150);
-    for (int bits = 0; bits < 16; ++bits) {
-      const Directions directions = {static_cast<std::uint8_t>(bits)};
-      reference::skeleton_scan(directions, image.view(), expected.view());
-      for (const ThinningVariant& variant : operation.variants) {
-        if (!unavailable_reason(variant, width).empty()) continue;
-        PlanOptions options{.threads = 3};
-        options.directions = directions;
-        ThinningPlan plan(operation, variant, width, 150, options);
-        EXPECT_EQ(plan.run(image.view(), found.view()), 1);
-        EXPECT_TRUE(equal(found.view(), expected.view()))
-            << technique_name(variant.technique) << " at " << isa_name(variant.isa) << ", set "
-            << bits << ", width " << width;
-      }
+    const ByteImage image = noise_image(width, height, 75, 9, 11);
+    ByteImage expected(width, height);
+    ByteImage found(width, height);
+    for (int bits = 0; bits < 32; ++bits) {
+      const Directions directions = {static_cast<std::uint8_t>(bits % 16)};
+      const Border border = bits < 16 ? Border::background : Border::keep;
+      reference::midpoint_scan(directions, border, image.view(), expected.view());
+      const Options options = {.border = border, .threads = 3, .directions = directions};
+      for_each_variant(width, height, options, [&](ThinningState& state, const std::string& name) {
+        EXPECT_EQ(state.run(image.view(), found.view()), 1);
+        EXPECT_TRUE(equal(found.view(), expected.view())) << name << ", set " << bits;
+      });
     }
   }
 }
 
-TEST(SkeletonScan, runs_longer_than_short_counters_keep_their_centres) {
-  const ThinningOperation& operation = *find_thinning_operation("skeleton_scan");
+TEST(MidpointScan, runs_longer_than_short_counters_keep_their_centres) {
   constexpr std::pair<Index, Index> kSizes[] = {{70000, 2}, {2, 70000},  {65534, 1},
                                                 {65535, 1}, {32767, 1},  {1, 65535},
                                                 {2100, 40}, {130, 2100}, {512, 520}};
   for (const auto& [width, height] : kSizes) {
-    ByteImage dark(width, height);
-    for (Index y = 0; y < height; ++y) std::fill_n(dark.view().row(y), width, std::uint8_t{255});
+    ByteImage full(width, height);
+    for (Index y = 0; y < height; ++y) std::fill_n(full.view().row(y), width, std::uint8_t{255});
     ByteImage expected(width, height);
     ByteImage found(width, height);
-    reference::skeleton_scan(Directions{}, dark.view(), expected.view());
-    for (const ThinningVariant& variant : operation.variants) {
-      if (!unavailable_reason(variant, width).empty() || variant.threaded) continue;
-      ThinningPlan plan(operation, variant, width, height, {});
-      plan.run(dark.view(), found.view());
-      EXPECT_TRUE(equal(found.view(), expected.view()))
-          << technique_name(variant.technique) << " at " << isa_name(variant.isa) << ", " << width
-          << " x " << height;
-    }
+    reference::midpoint_scan(Directions{}, Border::background, full.view(), expected.view());
+    for_each_variant(width, height, {}, [&](ThinningState& state, const std::string& name) {
+      state.run(full.view(), found.view());
+      EXPECT_TRUE(equal(found.view(), expected.view())) << name;
+    });
   }
 }
 
-TEST(SkeletonScan, other_operations_take_no_directions) {
+TEST(MidpointScan, other_rules_take_no_directions) {
   ByteImage image(5, 5);
-  Options options;
-  options.directions = Directions{};
-  EXPECT_EQ(thin("skeleton_scan", image.view(), image.view(), options), 1);
-  EXPECT_THROW(thin("thin_mb2", image.view(), image.view(), options), std::invalid_argument);
+  const Options options = {.directions = only(Direction::rows)};
+  EXPECT_EQ(thin(Rule::midpoint_scan, image.view(), image.view(), options), 1);
+  EXPECT_THROW(thin(Rule::mb2, image.view(), image.view(), options), std::invalid_argument);
 }
 
 template <int bits>
@@ -185,4 +188,4 @@ TEST(CounterBits, tell_apart_all_counts) {
 }
 
 }  // namespace
-}  // namespace thinbench
+}  // namespace thinbench::detail

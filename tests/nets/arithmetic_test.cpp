@@ -1,21 +1,24 @@
 // The arithmetic of the nets across lanes against the reference's, value by value.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "dispatch/exported.hpp"
 #include "nets/exponential.hpp"
-#include "nets/make_model.hpp"
-#include "nets/model_passes.hpp"
-#include "nets/net_rows.hpp"
+#include "nets/neuron_values.hpp"
+#include "nets/variants.hpp"
 #include "reference.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
-/// Measured: where the output is near 0 its few units grow with the size of its net input.
-constexpr int kMostOutputUnits = 9;
+// Measured, in units in the last place: where the output is near 0 its few units grow with the size
+// of its net input.
+constexpr int kMaxHiddenUnits = 2;
+constexpr int kMaxOutputUnits = 9;
 
 /// Distance in units in the last place; both are positive.
 int units_apart(float a, float b) {
@@ -40,54 +43,59 @@ float reference_value(Activation activation, int neuron, int descriptor) {
 }
 
 /// The largest distance from the reference over neurons [first, last) and all descriptors.
-int most_units_apart(const RuleModel& model, void (*values_of)(const RuleModel&, float*), int first,
-                     int last) {
+int max_units_apart(const NetModel& model, void (*values_of)(const NetModel&, float*), int first,
+                    int last) {
   std::vector<float> values(256 * (kHiddenNeurons + 1));
   values_of(model, values.data());
-  int most = 0;
+  int max_units = 0;
   for (int j = first; j < last; ++j) {
     for (int k = 0; k < 256; ++k) {
       const float expected = reference_value(model.activation, j, k);
-      most = std::max(most, units_apart(values[static_cast<std::size_t>(256 * j + k)], expected));
+      const float found = values[static_cast<std::size_t>(256 * j + k)];
+      max_units = std::max(max_units, units_apart(found, expected));
     }
   }
-  return most;
+  return max_units;
 }
 
-template <Isa isa>
-void judge() {
-  if (!isa_available(isa)) {
-    std::printf("%s is not available here\n", std::string(isa_name(isa)).c_str());
-    return;
+class NetArithmetic : public testing::TestWithParam<Isa> {
+ protected:
+  void SetUp() override {
+    if (!isa_available(GetParam())) GTEST_SKIP() << isa_name(GetParam()) << " is not available";
   }
-  const NeuronValues& values = IsaModelPasses<isa>::kNeuronValues;
-  const int all = kHiddenNeurons + 1;
-  EXPECT_EQ(most_units_apart(paper_linear_model(), values.linear, 0, all), 0) << isa_name(isa);
-  const RuleModel& sigmoid = paper_sigmoid_model();
-  const int hidden = most_units_apart(sigmoid, values.sigmoid, 0, kHiddenNeurons);
-  const int output = most_units_apart(sigmoid, values.sigmoid, kHiddenNeurons, all);
-  EXPECT_LE(hidden, 2) << isa_name(isa);
-  EXPECT_LE(output, kMostOutputUnits) << isa_name(isa);
-  std::printf("%s: sigmoid, units in the last place from the reference: hidden %d, output %d\n",
-              std::string(isa_name(isa)).c_str(), hidden, output);
+  [[nodiscard]] static const NeuronValues& kernels() {
+    return kernels_of<NeuronValues>(GetParam());
+  }
+};
+
+TEST_P(NetArithmetic, gives_the_bits_of_the_reference_with_the_linear_threshold) {
+  const NetModel& model = *default_net(Rule::net_two_layer_linear);
+  EXPECT_EQ(max_units_apart(model, kernels().linear, 0, kHiddenNeurons + 1), 0);
 }
 
-TEST(NetArithmetic, linear_values_are_the_references_bits_and_sigmoid_values_are_close) {
-  judge<Isa::baseline>();
-  judge<Isa::sse42>();
-  judge<Isa::avx2>();
-  judge<Isa::avx512>();
-  judge<Isa::avx512icl>();
+TEST_P(NetArithmetic, is_close_to_the_reference_with_the_sigmoid) {
+  const NetModel& model = *default_net(Rule::net_two_layer_sigmoid);
+  const auto sigmoid = kernels().sigmoid;
+  const int hidden = max_units_apart(model, sigmoid, 0, kHiddenNeurons);
+  const int output = max_units_apart(model, sigmoid, kHiddenNeurons, kHiddenNeurons + 1);
+  EXPECT_LE(hidden, kMaxHiddenUnits);
+  EXPECT_LE(output, kMaxOutputUnits);
+  RecordProperty("hidden_units_in_the_last_place", hidden);
+  RecordProperty("output_units_in_the_last_place", output);
 }
+
+INSTANTIATE_TEST_SUITE_P(Isas, NetArithmetic, testing::ValuesIn(kAllIsas), [](const auto& tested) {
+  return "isa" + std::to_string(static_cast<int>(tested.param));
+});
 
 TEST(Exponential, is_at_most_one_unit_in_the_last_place_from_the_true_value) {
-  int most = 0;
+  int max_units = 0;
   for (float x = -86.9F; x <= 86.9F; x += 0.000371F) {
     const auto expected = static_cast<float>(std::exp(static_cast<double>(x)));
-    most = std::max(most, units_apart(exponential(x), expected));
+    max_units = std::max(max_units, units_apart(exponential(x), expected));
   }
-  EXPECT_EQ(most, 1);
+  EXPECT_EQ(max_units, 1);
 }
 
 }  // namespace
-}  // namespace thinbench
+}  // namespace thinbench::detail

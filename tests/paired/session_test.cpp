@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture/picture.hpp"
 #include "support/temporary_folder.hpp"
 #include "timing/broken_operation.hpp"
 
@@ -74,7 +75,7 @@ TEST(PairedSession, wrong_use_is_one_line_and_2) {
   const std::string see = "see 'thinbench_paired --help'\n";
   EXPECT_EQ(run({"--bogus"}, {}).err, "thinbench_paired: there is no option '--bogus'; " + see);
   EXPECT_EQ(run({"--processes", "0"}, {}).err,
-            "thinbench_paired: --processes: '0' is no whole number from 1 to 99; " + see);
+            "thinbench_paired: --processes: expected an integer in [1, 99], got '0'; " + see);
   const Session nothing = run({"--filter", "no_such_row"}, {});
   EXPECT_EQ(nothing.status, 2);
   EXPECT_EQ(nothing.err, "thinbench_paired: no row to time; the filter is 'no_such_row'\n");
@@ -112,7 +113,7 @@ TEST(PairedSession, files_that_cannot_be_written_are_refused_before_the_work) {
   const Session session = run({"--csv-out", "no_such_folder/s.csv"}, {});
   EXPECT_EQ(session.status, 1);
   EXPECT_EQ(session.err,
-            "thinbench_paired: cannot write 'no_such_folder/s.csv': there is no folder "
+            "thinbench_paired: cannot write 'no_such_folder/s.csv': there is no directory "
             "'no_such_folder'\n");
 }
 
@@ -136,18 +137,41 @@ TEST(PairedSession, result_other_than_the_proved_one_stops_a_process) {
   EXPECT_NE(session.err.find("gave another result"), std::string::npos) << session.err;
 }
 
+TEST(PairedSession, pictures_are_binarised_alike_in_all_processes) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("dot.pgm");
+  ByteImage dot(20, 10);
+  dot.at(7, 5) = 90;
+  write_grey(file, dot.view());
+  const Measurer measurer = [](const std::string& line, std::uint64_t seed,
+                               const LineSink& answer) {
+    const Order order = order_from(line);
+    EXPECT_EQ(order.binarise.foreground, Foreground::dark);
+    EXPECT_EQ(order.binarise.threshold, 80);
+    measure(order, seed, copy_operations(), answer);  // fails for another result than was proved
+  };
+  const Session session =
+      run({"--filter", "copy/good/", "--image", file, "--foreground", "dark", "--threshold", "80",
+           "--processes", "2", "--rounds", "1", "--seconds-per-pair", "0"},
+          measurer);
+  EXPECT_EQ(session.err.find("warning: " + file + ": 99.5 % of the image is foreground"), 0U)
+      << session.err;
+  EXPECT_EQ(session.err.find("warning", 1), std::string::npos) << "said once: " << session.err;
+  EXPECT_NE(session.status, 1) << session.err;
+}
+
 // What is found depends on the machine; that processes start, answer and end does not.
 TEST(PairedSession, program_measures_in_processes_of_its_own) {
   const TemporaryFolder folder;
-  const std::string command = std::string(THINBENCH_PAIRED_PROGRAM) +
-                              " --filter '^holes/union_find/' --processes 2 --rounds 1 --csv-out " +
-                              folder.file("s.csv") + " >" + folder.file("out") + " 2>" +
-                              folder.file("err");
+  const std::string command =
+      std::string(THINBENCH_PAIRED_PROGRAM) +
+      " --filter '^edges_sobel/autovec/baseline/' --processes 2 --rounds 1 --csv-out " +
+      folder.file("s.csv") + " >" + folder.file("out") + " 2>" + folder.file("err");
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c)
   const int exit_status = status / 256;
   EXPECT_TRUE(exit_status == 0 || exit_status == kInconclusive) << bytes_of(folder.file("err"));
   EXPECT_NE(bytes_of(folder.file("s.csv"))
-                .find("\nholes,union_find,baseline,1,end_to_end,scene,"
+                .find("\nedges_sobel,autovec,baseline,1,end_to_end,scene,"
                       "reference,"),
             std::string::npos);
 }

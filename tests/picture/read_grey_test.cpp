@@ -98,11 +98,11 @@ TEST(ReadGrey, missing_file_is_named) {
 
 TEST(ReadGrey, folder_is_no_picture) {
   const TemporaryFolder folder;
-  expect_error(folder.path().string(), "it is a folder");
+  expect_error(folder.path().string(), "it is a directory");
 }
 
 TEST(ReadGrey, device_is_no_picture) {
-  expect_error("/dev/null", "it is no regular file");
+  expect_error("/dev/null", "it is not a regular file");
 }
 
 TEST(ReadGrey, protected_file_is_refused) {
@@ -120,7 +120,7 @@ TEST(ReadGrey, empty_file_is_refused) {
 
 TEST(ReadGrey, text_is_no_picture) {
   const TemporaryFolder folder;
-  expect_error(folder.with("a.png", "this is text"), "it is no picture of a known format");
+  expect_error(folder.with("a.png", "this is text"), "it is not an image of a known format");
 }
 
 TEST(ReadGrey, picture_without_pixels_is_refused) {
@@ -149,7 +149,7 @@ TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
   const std::string cut =
       folder.with(std::string("cut.") + GetParam(), bytes.substr(0, bytes.size() / 2));
   const bool is_jpeg = std::string(GetParam()) == "jpg";
-  expect_error(cut, is_jpeg ? "the file ends too early" : kDamaged);
+  expect_error(cut, is_jpeg ? "the file is truncated" : kDamaged);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, CutFile, testing::Values("png", "pgm", "bmp", "tif", "jpg"));

@@ -75,9 +75,9 @@ TEST(WriteGrey, replaces_a_file) {
 
 TEST(WriteGrey, unknown_ending_names_the_known_ones) {
   const TemporaryFolder folder;
-  const std::string known = "; the known endings are .png, .pgm, .bmp, .tif and .tiff";
-  expect_error(folder.file("a.gif"), "no format is known for the ending '.gif'" + known);
-  expect_error(folder.file("a"), "its name has no ending" + known);
+  const std::string known = "; known are .png, .pgm, .bmp, .tif and .tiff";
+  expect_error(folder.file("a.gif"), "unknown extension '.gif'" + known);
+  expect_error(folder.file("a"), "its name has no extension" + known);
   expect_error(folder.file("a.jpg"), "JPEG would change pixels" + known);
   EXPECT_EQ(folder.names(), Names{});
 }
@@ -85,13 +85,13 @@ TEST(WriteGrey, unknown_ending_names_the_known_ones) {
 TEST(WriteGrey, absent_folder_is_named) {
   const TemporaryFolder folder;
   const std::string absent = folder.file("absent");
-  expect_error(absent + "/a.png", "there is no folder '" + absent + "'");
+  expect_error(absent + "/a.png", "there is no directory '" + absent + "'");
 }
 
 TEST(WriteGrey, folder_in_the_way_is_refused) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("a.png"));
-  expect_error(folder.file("a.png"), "it is a folder");
+  expect_error(folder.file("a.png"), "it is a directory");
   EXPECT_EQ(folder.names(), Names{"a.png"});
 }
 
@@ -114,7 +114,7 @@ TEST(WriteGrey, protected_file_is_refused) {
   const std::string file = folder.with("a.png", "old");
   std::filesystem::permissions(file, std::filesystem::perms::owner_read);
   if (access(file.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write everything";
-  expect_error(file, "it is protected against writing");
+  expect_error(file, "it is write-protected");
 }
 
 TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {

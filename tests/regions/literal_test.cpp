@@ -1,15 +1,13 @@
-// The relabelling scan as printed: what it counts, and where it stops counting right.
+// The relabelling scan as published: what it counts, and where its count is no longer correct.
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "experiments/literal_holes.hpp"
-#include "regions/pictures.hpp"
+#include "holes.hpp"
+#include "support/text_image.hpp"
 
 namespace thinbench {
 namespace {
-
-using holes_test::picture;
 
 struct Scanned {
   ByteImage levels;
@@ -29,7 +27,7 @@ int holes_of_object(const ByteImage& image) {
 }
 
 TEST(HolesLiteral, paper_s_example_of_flag_252_means_two_holes) {
-  const ByteImage contours = picture(
+  const ByteImage contours = image_of(
       {"###########", "#.........#", "#.##...##.#", "#.##...##.#", "#.........#", "###########"});
   const Scanned scanned = scan(contours);
   EXPECT_EQ(scanned.count.flag, 252);
@@ -41,7 +39,7 @@ TEST(HolesLiteral, paper_s_example_of_flag_252_means_two_holes) {
 
 TEST(HolesLiteral, branches_that_meet_give_their_level_back) {
   // Three teeth begin apart (254, 253, 252) and meet below; the dot gets the next free level.
-  const ByteImage contours = picture({"#.#.#..", "#.#.#..", "#####.#"});
+  const ByteImage contours = image_of({"#.#.#..", "#.#.#..", "#####.#"});
   const Scanned scanned = scan(contours);
   EXPECT_EQ(scanned.count.flag, 253);
   EXPECT_EQ(scanned.levels.at(2, 0), 254);
@@ -51,26 +49,26 @@ TEST(HolesLiteral, branches_that_meet_give_their_level_back) {
 
 TEST(HolesLiteral, level_that_is_given_back_moves_all_smaller_ones_up) {
   // 254: left tooth; 253: right tooth; 252: dot. The teeth meet: the dot becomes 253.
-  const ByteImage contours = picture({"#.#.#", "#.#..", "##..."});
+  const ByteImage contours = image_of({"#.#.#", "#.#..", "##..."});
   const Scanned scanned = scan(contours);
   EXPECT_EQ(scanned.levels.at(4, 0), 253);
   EXPECT_EQ(scanned.count.flag, 253);
 }
 
-TEST(HolesLiteral, picture_without_points_has_no_contours_and_no_holes) {
+TEST(HolesLiteral, image_without_points_has_no_contours_and_no_holes) {
   const Scanned scanned = scan(ByteImage(7, 5));
   EXPECT_EQ(scanned.count.contours(), 0);
   EXPECT_EQ(scanned.count.holes(), 0);
 }
 
-/// Dots on every other pixel of a picture 508 pixels wide.
+/// Dots on every other pixel of an image 508 pixels wide.
 ByteImage dots(Index count) {
   ByteImage image(508, 3);
   for (Index i = 0; i < count; ++i) image.at(2 * i, 1) = 255;
   return image;
 }
 
-TEST(HolesLiteral, more_than_254_levels_are_refused_and_never_wrap) {
+TEST(HolesLiteral, more_than_254_levels_are_rejected_and_never_wrap) {
   const ByteImage most = dots(254);
   EXPECT_EQ(scan(most).count.flag, 1);
   ByteImage one_more(510, 3);
@@ -78,7 +76,19 @@ TEST(HolesLiteral, more_than_254_levels_are_refused_and_never_wrap) {
   EXPECT_THROW((void)scan(one_more), std::length_error);
 }
 
-TEST(HolesLiteral, is_right_on_one_object_whose_walls_are_at_least_three_pixels_thick) {
+/// A plate with holes of one pixel in a row, `wall` pixels from its border and from each other.
+ByteImage plate_with_holes(Index holes, Index wall) {
+  ByteImage plate(holes * (wall + 1) + wall, 2 * wall + 1);
+  for (Index y = 0; y < plate.height(); ++y) {
+    for (Index x = 0; x < plate.width(); ++x) {
+      const bool hole = y == wall && x % (wall + 1) == wall && x < plate.width() - 1;
+      plate.at(x, y) = hole ? 0 : 255;
+    }
+  }
+  return plate;
+}
+
+TEST(HolesLiteral, is_correct_on_one_object_whose_walls_are_at_least_three_pixels_thick) {
   for (const Index holes : {0, 1, 2, 7, 40}) {
     for (const Index wall : {3, 4, 9}) {
       const ByteImage image = plate_with_holes(holes, wall);
@@ -89,7 +99,7 @@ TEST(HolesLiteral, is_right_on_one_object_whose_walls_are_at_least_three_pixels_
 }
 
 TEST(HolesLiteral, takes_every_object_beyond_the_first_for_a_hole) {
-  const ByteImage two = picture({"###.###", "#.#.###", "###.###"});
+  const ByteImage two = image_of({"###.###", "#.#.###", "###.###"});
   EXPECT_EQ(reference::holes(two.view()).holes.size(), 1U);
   EXPECT_EQ(holes_of_object(two), 1) << "the second object; the hole's contour is the object's own";
 }

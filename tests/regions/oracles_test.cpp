@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "holes.hpp"
 #include "picture/picture.hpp"
@@ -29,8 +30,8 @@ std::vector<Summary> summaries(const std::vector<Region>& regions) {
   return all;
 }
 
-/// The image in a light frame one pixel wide.
-cv::Mat framed(const ByteImage& image) {
+/// The image with one row and column of background all round.
+cv::Mat padded(const ByteImage& image) {
   cv::Mat mat(static_cast<int>(image.height()) + 2, static_cast<int>(image.width()) + 2, CV_8U,
               cv::Scalar(0));
   for (Index y = 0; y < image.height(); ++y) {
@@ -41,13 +42,13 @@ cv::Mat framed(const ByteImage& image) {
   return mat;
 }
 
-/// What connectedComponentsWithStats finds, without the component of `left_out`.
-std::vector<Summary> opencv_summaries(const cv::Mat& mat, int connectivity, cv::Point left_out) {
+/// What connectedComponentsWithStats finds, without the component of `omitted`.
+std::vector<Summary> opencv_summaries(const cv::Mat& mat, int connectivity, cv::Point omitted) {
   cv::Mat labels;
   cv::Mat stats;
   cv::Mat centres;
   const int count = cv::connectedComponentsWithStats(mat, labels, stats, centres, connectivity);
-  const int skipped = labels.at<int>(left_out);
+  const int skipped = labels.at<int>(omitted);
   std::vector<Summary> all;
   for (int label = 1; label < count; ++label) {
     if (label == skipped) continue;
@@ -77,53 +78,56 @@ void expect_near(const std::vector<Summary>& found, const std::vector<Summary>& 
 
 void expect_as_opencv(const ByteImage& image, const std::string& what) {
   const Regions found = find_regions(image.view());
-  const cv::Mat dark = framed(image);
+  const cv::Mat foreground = padded(image);
   const cv::Point corner(0, 0);
-  expect_near(summaries(found.objects), opencv_summaries(dark, 8, corner), what + ", objects");
-  expect_near(summaries(found.holes), opencv_summaries(dark == 0, 4, corner), what + ", holes");
+  expect_near(summaries(found.objects), opencv_summaries(foreground, 8, corner),
+              what + ", objects");
+  expect_near(summaries(found.holes), opencv_summaries(foreground == 0, 4, corner),
+              what + ", holes");
 }
 
 /// Objects minus holes of each available variant that runs on one thread, by its name; those with
 /// threads run the same kernels.
 class Counters {
  public:
-  Counters(std::string_view operation, Index width, Index height) {
-    const HolesOperation& found = *find_holes_operation(operation);
-    for (const HolesVariant& variant : found.variants) {
-      if (variant.threaded || !unavailable_reason(facts_of(variant), width).empty()) continue;
+  Counters(detail::RegionsTask task, Index width, Index height) {
+    const detail::RegionsOperation& operation = detail::operation_of(task);
+    for (const detail::RegionsVariant& variant : operation.variants) {
+      if (variant.threaded || !unavailable_reason(variant, width).empty()) continue;
       names_.push_back(std::string(technique_name(variant.technique)) + " at " +
                        std::string(isa_name(variant.isa)));
-      plans_.emplace_back(found, variant, width, height);
+      states_.push_back(make_state(operation, variant, width, height, {}));
     }
-    lists_ = found.task == HolesTask::holes;
+    gives_lists_ = task == detail::RegionsTask::holes;
   }
 
   /// The first that gives another number; empty where there is none.
   [[nodiscard]] std::string dissenter(const ConstImageView& image, std::int64_t expected) {
-    for (std::size_t i = 0; i < plans_.size(); ++i) {
-      plans_[i].run(image);
-      if (number(plans_[i]) != expected) return names_[i];
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      states_[i]->load(image);
+      states_[i]->compute();
+      if (number(*states_[i]) != expected) return names_[i];
     }
     return "";
   }
 
  private:
-  [[nodiscard]] std::int64_t number(const HolesPlan& plan) const {
-    if (!lists_) return plan.number();
-    const RegionLists found = plan.regions();
+  [[nodiscard]] std::int64_t number(const detail::RegionsState& state) const {
+    if (!gives_lists_) return state.number();
+    const detail::RegionLists found = state.regions();
     return static_cast<std::int64_t>(found.objects.size()) -
            static_cast<std::int64_t>(found.holes.size());
   }
 
   std::vector<std::string> names_;
-  std::vector<HolesPlan> plans_;
-  bool lists_;
+  std::vector<std::unique_ptr<detail::RegionsState>> states_;
+  bool gives_lists_;
 };
 
 TEST(HolesOracle, euler_formula_holds_on_all_4x4_images_and_by_every_counter) {
-  Counters lists("holes", 4, 4);
-  Counters eight("euler_number", 4, 4);
-  Counters four("euler_number_4", 4, 4);
+  Counters lists(detail::RegionsTask::holes, 4, 4);
+  Counters eight(detail::RegionsTask::euler_eight, 4, 4);
+  Counters four(detail::RegionsTask::euler_four, 4, 4);
   for (std::uint64_t bits = 0; bits < 65536; ++bits) {
     const ByteImage image = image_of_bits(4, 4, bits);
     const std::int64_t expected = reference::euler_number(image.view());
@@ -158,17 +162,17 @@ TEST(HolesOracle, opencv_finds_the_same_objects_and_holes) {
 
 /// The object whose outer contour encloses a hole's contour, by OpenCV's hierarchy: the box of each
 /// hole contour's parent.
-TEST(HolesOracle, opencv_gives_each_hole_the_same_owner) {
+TEST(HolesOracle, opencv_gives_each_hole_the_same_enclosing_object) {
   const ByteImage image = noise_image(200, 150, 60, 4, 5);
   const Regions found = find_regions(image.view());
   std::vector<std::vector<cv::Point>> contours;
   std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(framed(image), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+  cv::findContours(padded(image), contours, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   std::vector<std::tuple<cv::Rect, cv::Rect>> expected;
   for (std::size_t i = 0; i < contours.size(); ++i) {
     const int parent = hierarchy[i][3];
     if (parent < 0) continue;
-    // A hole's contour runs on the dark pixels round it.
+    // A hole's contour runs on the foreground round it.
     const cv::Rect box = cv::boundingRect(contours[i]);
     expected.emplace_back(
         cv::Rect(box.x, box.y, box.width - 2, box.height - 2),
@@ -193,7 +197,8 @@ TEST(HolesOracle, opencv_gives_each_hole_the_same_owner) {
   for (std::size_t i = 0; i < mine.size(); ++i) EXPECT_EQ(key(mine[i]), key(expected[i])) << i;
 }
 
-/// The largest distance of a hole's centre from the truth; -1 where holes or owners differ.
+/// The largest distance of a hole's centre from the truth; -1 where holes or enclosing objects
+/// differ.
 double worst_centre(const SceneOptions& options) {
   const Scene scene = render_scene(options);
   const Regions found = find_regions(scene.binary.view());
@@ -232,8 +237,9 @@ TEST(HolesOracle, plate_of_a_drawn_picture_has_exactly_seven_holes) {
   const ByteImage grey = read_grey(path.string());
   for (const int threshold : {64, 128, 200}) {
     const Regions found = find_regions(threshold_dark(grey.view(), threshold).view());
-    const auto of_plate = std::count_if(found.holes.begin(), found.holes.end(),
-                                        [](const Region& hole) { return hole.enclosing_object == 1; });
+    const auto of_plate =
+        std::count_if(found.holes.begin(), found.holes.end(),
+                      [](const Region& hole) { return hole.enclosing_object == 1; });
     EXPECT_EQ(of_plate, 7) << threshold;
   }
 }

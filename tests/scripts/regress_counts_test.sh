@@ -7,7 +7,7 @@ bin=$(cd "$2" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 work="$scratch/work" baselines="$scratch/baselines" root="$scratch/root" against=0123456789
-filter='^euler_number/bitpacked/baseline/1/' pictures=()
+filter='^euler_number/bitpacked/baseline/1/' pictures=() binarise=()
 mkdir -p "$work" "$baselines" "$root/build/release" "$work/old/build/release/bin"
 ln -s "$bin" "$root/build/release/bin"
 . "$scripts/setup.sh"

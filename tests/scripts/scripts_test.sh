@@ -26,12 +26,24 @@ expect() {
 expect 0 'Usage: ./study [--quick]' "$root/study" --help
 expect 0 'Usage: ./check' "$root/check" -h
 expect 2 "study: '--quik' is no option; see ./study --help" "$root/study" --quik
-for option in --image --quality-image --filter --out; do
+for option in --image --quality-image --foreground --threshold --filter --out; do
   expect 2 "study: $option needs a value; see ./study --help" "$root/study" "$option"
   expect 2 "study: $option needs a value; see ./study --help" "$root/study" "$option" ''
 done
-expect 1 "study: cannot read the picture '$work/absent.png'" "$root/study" --image absent.png
-expect 1 "study: cannot read the picture '$work/absent.png'" "$root/study" --quality-image absent.png
+expect 1 "study: cannot read the image '$work/absent.png'" "$root/study" --image absent.png
+expect 1 "study: cannot read the image '$work/absent.png'" "$root/study" --quality-image absent.png
+for foreground in black '*' 'bright dark'; do
+  expect 2 "study: --foreground: expected auto, bright or dark, got '$foreground'" \
+    "$root/study" --foreground "$foreground"
+done
+for threshold in 256 -1 1.5 ottsu 007; do
+  expect 2 "study: --threshold: expected an integer in [0, 255] or 'otsu', got '$threshold'" \
+    "$root/study" --threshold "$threshold"
+done
+expect 2 'study: --foreground needs --image or --quality-image; see ./study --help' \
+  "$root/study" --foreground dark
+expect 2 'study: --threshold needs --image or --quality-image; see ./study --help' \
+  "$root/study" --threshold 100
 expect 2 "check: 'fast' is neither an option nor a preset; see ./check --help" "$root/check" fast
 
 regress() { "$root/study" regress --no-install "$@"; }
@@ -41,6 +53,8 @@ expect 2 "study: regress: --against needs a value; see ./study regress --help" r
 expect 2 'study: regress: --update needs --reason "...", which the history keeps' regress --update
 expect 2 'study: regress: --reason goes with --update' regress --reason why
 expect 0 '--no-instructions only times' regress --help
+expect 2 'study: --threshold: expected an integer' regress --image a.png --threshold high
+expect 2 'study: regress: --foreground needs --image; see ./study regress --help' regress --foreground dark
 expect 2 'study: regress: there is no commit' regress --against no_such_commit
 oldest=$(git -C "$root" rev-list --max-parents=0 HEAD 2>/dev/null | tail -n 1) || oldest=
 if [ -n "$oldest" ] && ! git -C "$root" cat-file -e "$oldest:bench/paired/main.cpp" 2>/dev/null; then
@@ -55,7 +69,7 @@ sweeps() { "$root/study" sweeps --no-install "$@"; }
 expect 0 'Usage: ./study sweeps' "$root/study" sweeps --help
 expect 2 "study: sweeps: '--onyl' is no option; see ./study sweeps --help" sweeps --onyl size
 expect 2 "study: sweeps: --out needs a value; see ./study sweeps --help" sweeps --out
-expect 2 "study: sweeps: --rounds: 'many' is no whole number above 0" sweeps --rounds many
+expect 2 "study: sweeps: --rounds: expected an integer above 0, got 'many'" sweeps --rounds many
 expect 2 "study: sweeps: --compiler: 'icc' is unknown; clang is compared with GCC" sweeps --compiler icc
 expect 2 'sweeps: --compiler measures the levels and nothing else; leave out --quick' \
   sweeps --quick --compiler clang

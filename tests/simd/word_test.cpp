@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 // Outside the test: Clang 14 crashes on lambdas that a consteval function is given within one.
@@ -26,4 +26,4 @@ TEST(Word, neighbours_of_packed_pixels_cross_words) {
 }
 
 }  // namespace
-}  // namespace thinbench
+}  // namespace thinbench::detail

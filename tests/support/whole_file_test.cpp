@@ -44,9 +44,9 @@ TEST(WholeFile, names_what_is_in_the_way) {
   const std::string absent = folder.file("absent");
   const std::string inside = absent + "/a.json";
   EXPECT_EQ(failure_of(inside),
-            "cannot write '" + inside + "': there is no folder '" + absent + "'");
+            "cannot write '" + inside + "': there is no directory '" + absent + "'");
   EXPECT_EQ(failure_of(folder.path().string()),
-            "cannot write '" + folder.path().string() + "': it is a folder");
+            "cannot write '" + folder.path().string() + "': it is a directory");
   EXPECT_EQ(failure_of(""), "cannot write '': its name is empty");
 }
 

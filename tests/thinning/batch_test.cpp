@@ -1,15 +1,18 @@
-// Batches of small images: equal to the reference one by one, and what the public edge refuses.
+// Batches of small images: every rule, border, limit and ISA equal to the reference one by one.
+#include "thinbench/batch.hpp"
+
 #include <algorithm>
-#include <functional>
-#include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "harness/operation.hpp"
 #include "harness/test_images.hpp"
+#include "reference.hpp"
 #include "support/splitmix64.hpp"
-#include "thinbench/batch.hpp"
+#include "thinning/engines/lane_kernels.hpp"
+#include "thinning/small_nasty_images.hpp"
+#include "thinning/variants.hpp"
 
 namespace thinbench {
 namespace {
@@ -37,7 +40,7 @@ class Stack {
   }
 
   /// Whether nothing was written between rows and images.
-  [[nodiscard]] bool gaps_are_whole() const {
+  [[nodiscard]] bool gaps_are_intact() const {
     for (std::size_t i = 0; i < bytes_.size(); ++i) {
       const auto in_image = static_cast<Index>(i) % view_.image_stride;
       const bool pixel =
@@ -52,30 +55,33 @@ class Stack {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Images of all densities and grains.
+/// Images of all densities and block sizes, the shapes among them.
 Stack random_stack(Index count, Index width, Index height, std::uint64_t seed) {
   Stack stack(count, width, height, static_cast<Index>(seed % 4), static_cast<Index>(seed % 3));
   for (Index i = 0; i < count; ++i) {
     const std::uint64_t random = splitmix64(seed, static_cast<std::uint64_t>(i));
     const int percent = static_cast<int>(random % 101);
-    const Index grain = 1 + static_cast<Index>(random >> 32) % 5;
-    stack.set(i, noise_image(width, height, percent, grain, random).view());
+    const Index granularity = 1 + static_cast<Index>(random >> 32) % 5;
+    ByteImage image = noise_image(width, height, percent, granularity, random);
+    if (random >> 60 == 0) image = nasty_images::full(width, height);
+    if (random >> 60 == 1) image = nasty_images::shapes_on_every_side(width, height);
+    stack.set(i, image.view());
   }
   return stack;
 }
 
 struct Expected {
   Stack images;
-  int passes;
+  int iterations;
 };
 
-Expected expected_of_stack(std::string_view operation, Stack& source) {
+Expected expected_of(Rule rule, const reference::Repetition& repetition, Stack& source) {
   const StackView view = source.view();
   Expected expected = {Stack(view.count, view.width, view.height), 0};
   for (Index i = 0; i < view.count; ++i) {
-    const Outcome one = expected_of(operation, view.image(i));
-    expected.images.set(i, one.image.view());
-    expected.passes = std::max(expected.passes, static_cast<int>(one.numbers[0]));
+    const int iterations =
+        reference::thinning(rule)(repetition, view.image(i), expected.images.view().image(i));
+    expected.iterations = std::max(expected.iterations, iterations);
   }
   return expected;
 }
@@ -88,118 +94,121 @@ Index first_difference(StackView a, StackView b) {
   return -1;
 }
 
-void expect_batch(std::string_view operation, Stack& source, const Options& options,
-                  Expected& expected) {
+void expect_batch(Rule rule, Stack& source, const Options& options, Expected& expected) {
   const StackView in = source.view();
   Stack out(in.count, in.width, in.height, 3, 5);
-  EXPECT_EQ(thin_batch(operation, in, out.view(), options), expected.passes);
-  EXPECT_EQ(first_difference(out.view(), expected.images.view()), -1)
-      << operation << ' ' << in.count << " images of " << in.width << " x " << in.height << " at "
-      << isa_name(options.isa.value_or(best_isa())) << ", threads " << options.threads;
-  EXPECT_TRUE(out.gaps_are_whole());
+  const int iterations = thin_batch(rule, in, out.view(), options);
+  const bool same = iterations == expected.iterations &&
+                    first_difference(out.view(), expected.images.view()) == -1 &&
+                    out.gaps_are_intact();
+  ASSERT_TRUE(same) << rule_name(rule) << ", " << in.count << " images of " << in.width << " x "
+                    << in.height << " at " << isa_name(options.isa.value_or(best_isa()))
+                    << ", border " << border_name(options.border) << ", max_iterations "
+                    << options.max_iterations << ", threads " << options.threads << ": "
+                    << iterations << " iterations instead of " << expected.iterations
+                    << ", first different image "
+                    << first_difference(out.view(), expected.images.view());
 }
 
-void expect_batch_at_every_level(std::string_view operation, Stack& source) {
-  Expected expected = expected_of_stack(operation, source);
+/// At every ISA where the rule has lanes, else as chosen.
+void expect_batch_at_every_isa(Rule rule, Stack& source, const reference::Repetition& repetition,
+                               int threads) {
+  Expected expected = expected_of(rule, repetition, source);
+  Options options = {
+      .border = repetition.border, .max_iterations = repetition.max_iterations, .threads = threads};
   for (const Isa isa : kAllIsas) {
     if (!isa_available(isa)) continue;
-    for (const int threads : {1, 2, 7}) {
-      expect_batch(operation, source, {.isa = isa, .threads = threads}, expected);
-    }
+    if (detail::is_parallel_rule(rule)) options.isa = isa;
+    expect_batch(rule, source, options, expected);
+    if (testing::Test::HasFatalFailure() || !options.isa) return;
   }
 }
 
-std::vector<std::string_view> operations_with_lanes() {
-  std::vector<std::string_view> names;
-  for (const ThinningOperation& operation : thinning_operations()) {
-    if (operation.lane_kernels != nullptr) names.push_back(operation.name);
-  }
-  return names;
-}
+class BatchOf : public testing::TestWithParam<std::tuple<Rule, Border>> {
+ protected:
+  [[nodiscard]] static Rule rule() { return std::get<Rule>(GetParam()); }
+  [[nodiscard]] static Border border() { return std::get<Border>(GetParam()); }
+  /// Nets and other rules without lanes are thinned one by one, by what other tests verify.
+  [[nodiscard]] static bool has_lanes() { return detail::is_parallel_rule(rule()); }
+};
 
-class BatchOf : public testing::TestWithParam<std::string_view> {};
-
-TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
-  for (Index width = 1; width <= kMaxLaneWidth + 2; ++width) {
+TEST_P(BatchOf, random_images_of_every_width_and_limit_equals_the_reference) {
+  const Index step = has_lanes() ? 1 : 19;
+  for (Index width = 1; width <= detail::kMaxLaneWidth + 2; width += step) {
     const std::uint64_t random = splitmix64(17, static_cast<std::uint64_t>(width));
     const Index height = 1 + static_cast<Index>(random % 70);
     const Index count = 1 + static_cast<Index>((random >> 16) % (width <= 64 ? 40 : 12));
     Stack source = random_stack(count, width, height, random);
-    expect_batch_at_every_level(GetParam(), source);
+    const int limits[] = {1, 2, 3, kUnlimited};
+    const auto first = static_cast<std::size_t>(width % 3);
+    for (const int limit : {limits[first], kUnlimited}) {
+      expect_batch_at_every_isa(rule(), source, {border(), limit}, width % 8 == 0 ? 3 : 1);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST_P(BatchOf, narrow_and_low_images_equals_the_reference_at_every_limit) {
+  for (const Index width : {1, 2, 3, 16, 17, 32, 33, 64, 65, 127, 128, 129}) {
+    for (const Index height : {1, 2, 3, 28}) {
+      Stack source = random_stack(has_lanes() ? 19 : 5, width, height,
+                                  static_cast<std::uint64_t>(3 + 100 * width + height));
+      for (const int limit : {1, 2, 3, kUnlimited}) {
+        expect_batch_at_every_isa(rule(), source, {border(), limit}, 1);
+        if (HasFatalFailure()) return;
+      }
+    }
   }
 }
 
 TEST_P(BatchOf, all_images_of_four_by_four_equals_the_reference) {
-  constexpr Index count = 1 << 16;
-  Stack source(count, 4, 4);
-  for (Index i = 0; i < count; ++i) {
-    source.set(i, image_of_bits(4, 4, static_cast<std::uint64_t>(i)).view());
-  }
-  expect_batch_at_every_level(GetParam(), source);
-}
-
-/// Everything dark, the frame, a cross of lines from side to side, and light.
-ByteImage shape_at_the_frame(int shape, Index width, Index height) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      const bool frame = x < 3 || y < 3 || x >= width - 3 || y >= height - 3;
-      const bool lines = x % 7 == 0 || y % 5 == 0;
-      const bool dark[] = {true, frame, lines, false};
-      image.at(x, y) = dark[shape] ? 255 : 0;
+  constexpr int count = 1 << 14;  // at a time, each quarter with another limit
+  const int limits[] = {kUnlimited, 1, 2, 3};
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    Stack source(count, 4, 4);
+    for (int i = 0; i < count; ++i) {
+      // Multiplied by an odd number, so that quarters do not share the upper pixels.
+      const auto bits = static_cast<std::uint64_t>((count * quarter + i) * 40503 & 0xFFFF);
+      source.set(i, image_of_bits(4, 4, bits).view());
     }
-  }
-  return image;
-}
-
-TEST_P(BatchOf, shapes_that_touch_the_frame_and_each_other_equals_the_reference) {
-  for (const Index width : {1, 2, 16, 28, 32, 33, 64, 65, 100, 128}) {
-    for (const Index height : {1, 2, 3, 28}) {
-      Stack source(9, width, height);
-      for (int i = 0; i < 9; ++i) source.set(i, shape_at_the_frame(i % 4, width, height).view());
-      expect_batch_at_every_level(GetParam(), source);
-    }
+    expect_batch_at_every_isa(rule(), source, {border(), limits[quarter]}, 1);
+    if (HasFatalFailure()) return;
   }
 }
 
-TEST_P(BatchOf, images_with_the_border_kept_equals_them_one_by_one) {
-  for (const Index width : {1, 2, 3, 28, 32, 64, 65, 128}) {
-    for (const Index height : {1, 2, 3, 30}) {
-      Stack source = random_stack(19, width, height, static_cast<std::uint64_t>(width));
-      Expected expected = {Stack(19, width, height), 0};
-      for (Index i = 0; i < 19; ++i) {
-        const int passes = thin(GetParam(), source.view().image(i), expected.images.view().image(i),
-                                {.border = Border::keep});
-        expected.passes = std::max(expected.passes, passes);
-      }
-      for (const Isa isa : kAllIsas) {
-        if (!isa_available(isa)) continue;
-        expect_batch(GetParam(), source, {.isa = isa, .border = Border::keep}, expected);
-      }
-    }
-  }
+std::vector<Rule> all_rules() {
+  std::vector<Rule> rules;
+  for (const RuleInfo& info : kRules) rules.push_back(info.rule);
+  return rules;
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, BatchOf, testing::ValuesIn(operations_with_lanes()),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Rules, BatchOf,
+                         testing::Combine(testing::ValuesIn(all_rules()),
+                                          testing::Values(Border::background, Border::keep)),
+                         [](const auto& tested) {
+                           return std::string(rule_name(std::get<Rule>(tested.param))) +
+                                  "_border_" +
+                                  std::string(border_name(std::get<Border>(tested.param)));
+                         });
 
-TEST(ThinBatch, what_has_no_lanes_is_thinned_one_by_one) {
+TEST(ThinningBatch, has_lanes_for_parallel_rules_up_to_the_widest_lane) {
+  for (const RuleInfo& info : kRules) {
+    EXPECT_EQ(ThinningBatch(info.rule, 40, 31).one_by_one(), !detail::is_parallel_rule(info.rule))
+        << info.name;
+  }
+  EXPECT_FALSE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth, 5).one_by_one());
+  EXPECT_TRUE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth + 1, 5).one_by_one());
+}
+
+TEST(ThinningBatch, thins_one_by_one_with_a_technique_that_is_asked_for) {
+  const Options options = {.technique = Technique::bitpacked};
+  EXPECT_TRUE(ThinningBatch(Rule::guo_hall, 28, 28, options).one_by_one());
   Stack source = random_stack(21, 40, 31, 5);
-  for (const ThinningOperation& operation : thinning_operations()) {
-    const bool lanes = operation.lane_kernels != nullptr;
-    EXPECT_EQ(ThinningBatch(operation, 40, 31).one_by_one(), !lanes) << operation.name;
-    Expected expected = expected_of_stack(operation.name, source);
-    for (const int threads : {1, 3}) {
-      expect_batch(operation.name, source, {.threads = threads}, expected);
-    }
-  }
-  EXPECT_FALSE(ThinningBatch("thin_guo_hall", 128, 5).one_by_one());
-  EXPECT_TRUE(ThinningBatch("thin_guo_hall", 129, 5).one_by_one());
-  EXPECT_TRUE(
-      ThinningBatch("thin_guo_hall", 28, 28, {.technique = Technique::bitpacked}).one_by_one());
+  Expected expected = expected_of(Rule::guo_hall, {}, source);
+  expect_batch(Rule::guo_hall, source, options, expected);
 }
 
-TEST(ThinBatch, any_byte_but_0_is_dark) {
+TEST(ThinningBatch, takes_any_byte_but_0_for_foreground) {
   Stack source(2, 5, 5);
   Stack usual(2, 5, 5);
   for (Index i = 0; i < 2; ++i) {
@@ -211,107 +220,39 @@ TEST(ThinBatch, any_byte_but_0_is_dark) {
     }
     source.set(i, image.view());
   }
-  Expected expected = expected_of_stack("thin_guo_hall", usual);
-  expect_batch("thin_guo_hall", source, {}, expected);
+  Expected expected = expected_of(Rule::guo_hall, {}, usual);
+  expect_batch(Rule::guo_hall, source, {}, expected);
 }
 
-TEST(ThinBatch, source_and_destination_may_be_one_stack) {
+TEST(ThinningBatch, source_and_destination_may_be_one_stack) {
   for (const Index width : {28, 64, 128, 150}) {
     Stack source = random_stack(37, width, 20, 8);
-    Expected expected = expected_of_stack("thin_zhang_suen", source);
-    EXPECT_EQ(thin_batch("thin_zhang_suen", source.view(), source.view()), expected.passes);
+    Expected expected = expected_of(Rule::zhang_suen, {}, source);
+    EXPECT_EQ(thin_batch(Rule::zhang_suen, source.view(), source.view()), expected.iterations);
     EXPECT_EQ(first_difference(source.view(), expected.images.view()), -1);
-    EXPECT_TRUE(source.gaps_are_whole());
+    EXPECT_TRUE(source.gaps_are_intact());
   }
 }
 
-TEST(ThinBatch, threads_share_the_images_of_either_way) {
+TEST(ThinningBatch, threads_share_the_images_with_lanes_and_without) {
   for (const Index width : {28, 140}) {
     Stack source = random_stack(100, width, 12, 4);
-    Expected expected = expected_of_stack("thin_guo_hall", source);
-    for (const int threads : {2, 3, 7, 64}) {
-      expect_batch("thin_guo_hall", source, {.threads = threads}, expected);
+    Expected expected = expected_of(Rule::guo_hall, {}, source);
+    for (const int threads : {2, 3, 7}) {
+      expect_batch(Rule::guo_hall, source, {.threads = threads}, expected);
     }
   }
 }
 
-TEST(ThinBatch, no_images_take_no_pass_and_images_without_pixels_one) {
-  EXPECT_EQ(thin_batch("thin_guo_hall", ConstStackView{}, StackView{}), 0);
-  EXPECT_EQ(
-      thin_batch("thin_guo_hall", {nullptr, 0, 28, 28, 28, 784}, {nullptr, 0, 28, 28, 28, 784}), 0);
-  EXPECT_EQ(thin_batch("thin_guo_hall", {nullptr, 3, 0, 28, 0, 0}, {nullptr, 3, 0, 28, 0, 0}), 1);
-  EXPECT_EQ(thin_batch("thin_mb2", {nullptr, 3, 28, 0, 28, 0}, {nullptr, 3, 28, 0, 28, 0}), 1);
-}
-
-TEST(ThinBatch, may_be_repeated_with_other_counts) {
-  ThinningBatch batch("thin_guo_hall", 28, 28, {.threads = 2});
+TEST(ThinningBatch, may_be_repeated_with_other_counts) {
+  ThinningBatch batch(Rule::guo_hall, 28, 28, {.threads = 2});
   for (const Index count : {40, 3, 0, 17}) {
     Stack source = random_stack(count, 28, 28, static_cast<std::uint64_t>(count));
-    Expected expected = expected_of_stack("thin_guo_hall", source);
+    Expected expected = expected_of(Rule::guo_hall, {}, source);
     Stack out(count, 28, 28);
-    EXPECT_EQ(batch.run(source.view(), out.view()), expected.passes);
+    EXPECT_EQ(batch(source.view(), out.view()), expected.iterations);
     EXPECT_EQ(first_difference(out.view(), expected.images.view()), -1);
   }
-}
-
-std::string refusal_of(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::string refused_stacks(const ConstStackView& source, const StackView& destination) {
-  return refusal_of([&] { thin_batch("thin_guo_hall", source, destination); });
-}
-
-TEST(ThinBatch, names_what_is_wrong_with_a_stack) {
-  std::vector<std::uint8_t> from(100, kGap);
-  std::vector<std::uint8_t> to(100, kGap);
-  const StackView good = {to.data(), 4, 5, 5, 5, 25};
-  const auto refused = [&](Index count, Index width, Index height, Index stride, Index image) {
-    return refused_stacks({from.data(), count, width, height, stride, image}, good);
-  };
-  EXPECT_EQ(refused(-1, 5, 5, 5, 25),
-            "source is -1 images of 5 x 5; counts and sizes cannot be negative");
-  EXPECT_EQ(refused(4, 5, -5, 5, 25),
-            "source is 4 images of 5 x -5; counts and sizes cannot be negative");
-  EXPECT_EQ(refused(4, 5, 5, 4, 25), "source has a stride of 4 bytes, below its width of 5");
-  EXPECT_EQ(refused(4, 5, 5, 5, 24), "source has an image stride of 24 bytes; its images take 25");
-  EXPECT_EQ(refused(PTRDIFF_MAX / 2, 5, 5, 5, 25),
-            "source spans more memory than there is: 4611686018427387903 images of 5 x 5, strides "
-            "5 and 25");
-  EXPECT_EQ(refused(4, 5, PTRDIFF_MAX / 2, 5, 25),
-            "source spans more memory than there is: 4 images of 5 x 4611686018427387903, strides "
-            "5 and 25");
-  EXPECT_EQ(refused(3, 5, 5, 5, 25),
-            "source is 3 images of 5 x 5 and destination 4 images of 5 x 5; they must be alike");
-  EXPECT_EQ(refused_stacks({nullptr, 4, 5, 5, 5, 25}, good), "source has no data");
-  EXPECT_EQ(refused_stacks({to.data() + 1, 3, 5, 5, 5, 25}, {to.data(), 3, 5, 5, 5, 25}),
-            "source and destination overlap without being the same images");
-  EXPECT_TRUE(std::all_of(to.begin(), to.end(), [](std::uint8_t byte) { return byte == kGap; }));
-}
-
-TEST(ThinBatch, refuses_options_that_do_not_fit) {
-  const auto refused = [](std::string_view operation, Index width, const Options& options) {
-    return refusal_of([&] { ThinningBatch(operation, width, 5, options); });
-  };
-  EXPECT_EQ(refused("thin_all", 5, {}), "no operation is named thin_all");
-  EXPECT_EQ(refused("thin_guo_hall", 5, {.threads = 0}), "threads is 0; it must be in 1..1024");
-  EXPECT_EQ(refused("thin_guo_hall", -5, {}), "image size -5 x 5 is negative");
-  EXPECT_EQ(refused("thin_guo_hall", 5, {.directions = Directions{}}),
-            "thin_guo_hall takes no directions");
-  EXPECT_EQ(refused("thin_spta", 5, {.border = Border::keep}), "thin_spta cannot keep the border");
-  EXPECT_NE(refused("thin_guo_hall", 5, {.technique = Technique::simd_runs}), "");
-}
-
-TEST(ThinBatch, refuses_images_of_another_size_than_its_own) {
-  Stack stack(2, 5, 6);
-  ThinningBatch batch("thin_guo_hall", 28, 28);
-  EXPECT_EQ(refusal_of([&] { batch.run(stack.view(), stack.view()); }),
-            "the batch is for images of 28 x 28, these are 5 x 6");
 }
 
 }  // namespace

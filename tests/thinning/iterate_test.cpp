@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 constexpr Index kRows = TileActivity::kRows;
@@ -26,7 +26,7 @@ constexpr auto kNothing = [](Index) { return std::uint64_t{0}; };
 using Visits = std::vector<std::pair<Index, std::uint64_t>>;
 
 TEST(TileActivity, first_two_steps_visit_every_tile) {
-  TileActivity activity(3 * kRows - 5, 6, 1);
+  TileActivity activity({0, 3 * kRows - 5}, 6, 1);
   for (int repeat = 0; repeat < 2; ++repeat) {
     activity.restart();
     const Visits everything = {{0, 0b111111}, {1, 0b111111}, {2, 0b111111}};
@@ -36,8 +36,8 @@ TEST(TileActivity, first_two_steps_visit_every_tile) {
   }
 }
 
-TEST(TileActivity, a_change_wakes_the_tile_and_its_eight_neighbours_for_one_step) {
-  TileActivity activity(6 * kRows, 6, 1);
+TEST(TileActivity, a_change_makes_the_tile_and_its_eight_neighbours_active_for_one_step) {
+  TileActivity activity({0, 6 * kRows}, 6, 1);
   activity.restart();
   visit(activity, 1, kNothing);
   visit(activity, 1, [](Index band) { return std::uint64_t{band == 3 ? 0b001000U : 0U}; });
@@ -45,8 +45,8 @@ TEST(TileActivity, a_change_wakes_the_tile_and_its_eight_neighbours_for_one_step
   EXPECT_TRUE(visit(activity, 1, kNothing).empty());
 }
 
-TEST(TileActivity, a_cycle_of_two_keeps_tiles_awake_for_two_steps) {
-  TileActivity activity(6 * kRows, 2, 1);
+TEST(TileActivity, a_cycle_of_two_keeps_tiles_active_for_two_steps) {
+  TileActivity activity({0, 6 * kRows}, 2, 1);
   activity.restart();
   visit(activity, 2, kNothing);
   visit(activity, 2, kNothing);
@@ -57,14 +57,14 @@ TEST(TileActivity, a_cycle_of_two_keeps_tiles_awake_for_two_steps) {
 }
 
 TEST(TileActivity, rows_without_elements_have_nothing_to_visit) {
-  TileActivity activity(7, 0, 64);
+  TileActivity activity({0, 7}, 0, 64);
   activity.restart();
   EXPECT_TRUE(visit(activity, 1, kNothing).empty());
 }
 
 TEST(TileActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
   for (const Index elements : {1, 63, 64, 65, 127, 128, 129, 1000}) {
-    TileActivity activity(1, elements, 1);
+    TileActivity activity({0, 1}, elements, 1);
     activity.restart();
     const Band band = activity.begin_step(1).front();
     EXPECT_GE(band.column_elements * __builtin_popcountll(band.columns), elements) << elements;
@@ -72,8 +72,38 @@ TEST(TileActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
   }
 }
 
+TEST(TileActivity, bands_begin_with_the_first_row_that_may_change) {
+  TileActivity activity({1, 2 * kRows + 3}, 6, 1);
+  activity.restart();
+  const auto bands = activity.begin_step(1);
+  ASSERT_EQ(bands.size(), 3U);
+  EXPECT_EQ(bands[0].first, 1);
+  EXPECT_EQ(bands[0].last, 1 + kRows);
+  EXPECT_EQ(bands[2].first, 1 + 2 * kRows);
+  EXPECT_EQ(bands[2].last, 2 * kRows + 3);
+}
+
+TEST(TileActivity, no_row_that_may_change_has_no_tiles) {
+  TileActivity activity({1, 1}, 6, 1);
+  activity.restart();
+  EXPECT_TRUE(activity.begin_step(2).empty());
+  EXPECT_FALSE(activity.end_step());
+}
+
+TEST(ChangingRows, are_all_but_the_outermost_where_the_border_is_kept) {
+  const auto count = [](Index height, Border border) {
+    const RowRange rows = changing_rows(height, border);
+    return rows.last - rows.first;
+  };
+  EXPECT_EQ(changing_rows(9, Border::keep).first, 1);
+  for (const Index height : {0, 1, 2, 3, 50}) {
+    EXPECT_EQ(count(height, Border::background), height);
+    EXPECT_EQ(count(height, Border::keep), std::max<Index>(0, height - 2)) << height;
+  }
+}
+
 TEST(TileActivity, rows_without_elements_have_no_tiles) {
-  TileActivity activity(5, 0, 1);
+  TileActivity activity({0, 5}, 0, 1);
   activity.restart();
   EXPECT_TRUE(activity.begin_step(1).empty());
   EXPECT_FALSE(activity.end_step());
@@ -99,4 +129,4 @@ TEST(ForEachRun, visits_runs_of_columns_within_the_row_and_collects_changes) {
 }
 
 }  // namespace
-}  // namespace thinbench
+}  // namespace thinbench::detail

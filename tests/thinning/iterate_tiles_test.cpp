@@ -4,22 +4,23 @@
 
 #include <gtest/gtest.h>
 
+#include "dispatch/exported.hpp"
 #include "image/packing.hpp"
 #include "reference.hpp"
 #include "support/splitmix64.hpp"
 #include "thinbench/thinning.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
-/// Runs a rule by tiles on the highest level; the number of cycles.
-int thin_by_tiles(std::string_view operation, const ByteImage& image, ByteImage& skeleton,
-                  int threads = 1) {
-  return thin(operation, image.view(), skeleton.view(),
-              {.technique = Technique::simd_bitpacked_tiles, .threads = threads});
+/// Runs a rule by tiles; the number of iterations.
+int thin_by_tiles(Rule rule, const ByteImage& image, ByteImage& skeleton, int threads = 1,
+                  Border border = Border::background) {
+  return thin(rule, image.view(), skeleton.view(),
+              {.border = border, .threads = threads, .technique = Technique::simd_bitpacked_tiles});
 }
 
-/// Squares on a raster, so that tiles fall quiet at different times.
+/// Squares on a raster, so that tiles stop changing at different times.
 ByteImage squares(Index width, Index height, Index side) {
   ByteImage image(width, height);
   for (Index y = 0; y < height; ++y) {
@@ -36,13 +37,14 @@ ByteImage squares(Index width, Index height, Index side) {
 void expect_as_reference(const ByteImage& image, int threads) {
   ByteImage by_tiles(image.width(), image.height());
   ByteImage by_reference(image.width(), image.height());
-  const auto expect = [&](std::string_view operation, const auto& reference) {
-    const int cycles = thin_by_tiles(operation, image, by_tiles, threads);
-    EXPECT_EQ(cycles, reference(Border::background, image.view(), by_reference.view()));
-    EXPECT_TRUE(equal(by_tiles.view(), by_reference.view())) << operation << ", " << threads;
-  };
-  expect("thin_guo_hall", reference::thin_guo_hall);
-  expect("thin_mb2", reference::thin_mb2);
+  for (const Rule rule : {Rule::guo_hall, Rule::mb2}) {
+    for (const Border border : {Border::background, Border::keep}) {
+      const int iterations = thin_by_tiles(rule, image, by_tiles, threads, border);
+      EXPECT_EQ(iterations, reference::thinning(rule)({border}, image.view(), by_reference.view()));
+      EXPECT_TRUE(equal(by_tiles.view(), by_reference.view()))
+          << rule_name(rule) << ", border " << border_name(border) << ", threads " << threads;
+    }
+  }
 }
 
 TEST(IterateTiles, equals_the_reference_where_tiles_are_written_on_the_way) {
@@ -59,7 +61,7 @@ TEST(IterateTiles, threads_equal_the_reference) {
 }
 
 TEST(IterateTiles, one_of_many_threads_has_room_to_work_alone) {
-  // 4,012 tiles and their margins are enough for 7 threads, the 2,000 that are dark are not.
+  // 4,012 tiles and their margins are enough for 7 threads, the 2,000 with foreground are not.
   ByteImage image(64, 16000);
   std::uint64_t index = 0;
   for (Index y = 0; y < image.height(); ++y) {
@@ -69,17 +71,16 @@ TEST(IterateTiles, one_of_many_threads_has_room_to_work_alone) {
   expect_as_reference(image, 7);
 }
 
-TEST(IterateTiles, rows_past_the_caches_are_the_same_rows) {
+TEST(IterateTiles, rows_written_by_non_temporal_stores_are_the_same) {
   const Index width = 4100;  // the last word of a row is not full
   const Index height = 2113;
   const ByteImage image = squares(width, height, 24);
   ASSERT_GE(width * height, kStreamedBytes);
   ByteImage by_words(width, height);
-  thin("thin_zhang_suen", image.view(), by_words.view(), {.technique = Technique::simd_bitpacked});
+  thin(Rule::zhang_suen, image.view(), by_words.view(), {.technique = Technique::simd_bitpacked});
   for (const int threads : {1, 3}) {
     ByteImage in_place = copy_of(image.view());
-    thin("thin_zhang_suen", in_place.view(), in_place.view(),
-         {.technique = Technique::simd_bitpacked_tiles, .threads = threads});
+    thin_by_tiles(Rule::zhang_suen, in_place, in_place, threads);
     EXPECT_TRUE(equal(in_place.view(), by_words.view())) << threads << " threads";
   }
 }
@@ -92,46 +93,50 @@ bool lie_apart(const std::vector<std::uint32_t>& tiles, std::size_t apart, std::
   return true;
 }
 
-template <Isa isa>
-void expect_enough_and_few() {
-  if (!isa_available(isa)) return;
-  std::uint64_t index = 0;
-  for (const std::uint32_t reach : {70U, 261U}) {
-    for (const std::size_t count : {0U, 1U, 30U, 400U, 3000U}) {
-      for (const std::uint64_t largest_gap : {1U, 3U, 40U}) {
-        std::vector<std::uint32_t> tiles;
-        std::uint32_t tile = 0;
-        while (tiles.size() < count) {
-          tile += 1 + static_cast<std::uint32_t>(splitmix64(7, index++) % largest_gap);
-          tiles.push_back(tile);
-        }
-        for (const Index guess : {1, 50, 1000}) {
-          const Index kept = (*TilePasses<isa>::kFindHeld)(tiles.data(), static_cast<Index>(count),
-                                                           reach, guess, static_cast<Index>(reach));
-          EXPECT_LE(kept, reach);
-          EXPECT_TRUE(lie_apart(tiles, static_cast<std::size_t>(kept), reach));
-          const Index fewer = kept - kept / 8 - 1;
-          EXPECT_TRUE(fewer < 32 || !lie_apart(tiles, static_cast<std::size_t>(fewer), reach));
+/// Ascending, with gaps of up to `largest_gap`.
+std::vector<std::uint32_t> tiles_with_gaps(std::size_t count, std::uint64_t largest_gap) {
+  std::vector<std::uint32_t> tiles;
+  std::uint32_t tile = 0;
+  while (tiles.size() < count) {
+    const std::uint64_t random = splitmix64(7, largest_gap << 32 | tiles.size());
+    tile += 1 + static_cast<std::uint32_t>(random % largest_gap);
+    tiles.push_back(tile);
+  }
+  return tiles;
+}
+
+void expect_enough_and_few(FindHeld find_held, const std::vector<std::uint32_t>& tiles,
+                           std::uint32_t reach) {
+  const auto count = static_cast<Index>(tiles.size());
+  for (const Index guess : {1, 50, 1000}) {
+    const Index kept = find_held(tiles.data(), count, reach, guess, static_cast<Index>(reach));
+    EXPECT_LE(kept, reach);
+    EXPECT_TRUE(lie_apart(tiles, static_cast<std::size_t>(kept), reach));
+    const Index fewer = kept - kept / 8 - 1;
+    EXPECT_TRUE(fewer < 32 || !lie_apart(tiles, static_cast<std::size_t>(fewer), reach));
+  }
+}
+
+TEST(FindHeld, is_enough_and_not_much_more) {
+  for (const Isa isa : kAllIsas) {
+    if (!isa_available(isa)) continue;
+    for (const std::uint32_t reach : {70U, 261U}) {
+      for (const std::size_t count : {0U, 1U, 30U, 400U, 3000U}) {
+        for (const std::uint64_t largest_gap : {1U, 3U, 40U}) {
+          expect_enough_and_few(kernels_of<TileKernels>(isa).find_held,
+                                tiles_with_gaps(count, largest_gap), reach);
         }
       }
     }
   }
 }
 
-TEST(FindHeld, is_enough_and_not_much_more) {
-  expect_enough_and_few<Isa::baseline>();
-  expect_enough_and_few<Isa::sse42>();
-  expect_enough_and_few<Isa::avx2>();
-  expect_enough_and_few<Isa::avx512>();
-  expect_enough_and_few<Isa::avx512icl>();
-}
-
 TEST(IterateTiles, groups_beyond_the_first_word_are_found) {
   const ByteImage image = squares(4500, 300, 64);  // more than 64 groups of tiles
   ByteImage by_tiles(4500, 300);
   ByteImage by_reference(4500, 300);
-  thin_by_tiles("thin_zhang_suen", image, by_tiles);
-  reference::thin_zhang_suen(Border::background, image.view(), by_reference.view());
+  thin_by_tiles(Rule::zhang_suen, image, by_tiles);
+  reference::thinning(Rule::zhang_suen)({}, image.view(), by_reference.view());
   EXPECT_TRUE(equal(by_tiles.view(), by_reference.view()));
 }
 
@@ -140,18 +145,18 @@ TEST(IterateTiles, threads_that_share_a_step_give_the_same) {
   ByteImage one(2000, 1200);
   ByteImage many(2000, 1200);
   for (const int threads : {2, 3, 7}) {
-    const int cycles = thin_by_tiles("thin_spta_directional", image, one);
-    EXPECT_EQ(cycles, thin_by_tiles("thin_spta_directional", image, many, threads));
+    const int iterations = thin_by_tiles(Rule::spta_directional, image, one);
+    EXPECT_EQ(iterations, thin_by_tiles(Rule::spta_directional, image, many, threads));
     EXPECT_TRUE(equal(one.view(), many.view())) << threads << " threads";
   }
 }
 
-TEST(IterateTiles, a_light_image_takes_one_cycle) {
-  const ByteImage light(70, 70);
+TEST(IterateTiles, an_image_without_foreground_takes_one_iteration) {
+  const ByteImage background(70, 70);
   ByteImage result(70, 70);
-  EXPECT_EQ(thin_by_tiles("thin_guo_hall", light, result), 1);
-  EXPECT_TRUE(equal(light.view(), result.view()));
+  EXPECT_EQ(thin_by_tiles(Rule::guo_hall, background, result), 1);
+  EXPECT_TRUE(equal(background.view(), result.view()));
 }
 
 }  // namespace
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -1,11 +1,11 @@
-// Two operations against OpenCV's ximgproc module, which keeps the border.
+// Two rules against OpenCV's ximgproc module, which keeps the border.
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
-#include "harness/operation.hpp"
 #include "harness/test_images.hpp"
 #include "picture/mat_of.hpp"
+#include "reference.hpp"
 #include "scene/scene.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -13,7 +13,7 @@ namespace thinbench {
 namespace {
 
 struct Pair {
-  std::string operation;
+  Rule rule;
   cv::ximgproc::ThinningTypes type;
 };
 
@@ -25,15 +25,20 @@ ByteImage by_opencv(const Pair& pair, ByteImage& image) {
   return result;
 }
 
-ByteImage by_library(const std::string& operation, const ByteImage& image,
-                     const Options& options = {}) {
+ByteImage by_library(Rule rule, const ByteImage& image, Border border) {
   ByteImage result(image.width(), image.height());
-  thin(operation, image.view(), result.view(), options);
+  thin(rule, image.view(), result.view(), {.border = border});
   return result;
 }
 
-/// The same with light outermost rows and columns.
-ByteImage without_frame(const ByteImage& image) {
+ByteImage by_reference(Rule rule, const ByteImage& image, Border border) {
+  ByteImage result(image.width(), image.height());
+  reference::thinning(rule)({border}, image.view(), result.view());
+  return result;
+}
+
+/// The same with background in the outermost rows and columns.
+ByteImage with_background_border(const ByteImage& image) {
   ByteImage result(image.width(), image.height());
   for (Index y = 1; y < image.height() - 1; ++y) {
     for (Index x = 1; x < image.width() - 1; ++x) result.at(x, y) = image.at(x, y);
@@ -43,21 +48,18 @@ ByteImage without_frame(const ByteImage& image) {
 
 class AgainstOpenCv : public testing::TestWithParam<Pair> {
  protected:
-  /// Reference, operation and option, where the border is kept; the plain operation, where the
-  /// outermost pixels are light.
+  /// Reference and library where the border is kept, and also where it is not, once the outermost
+  /// pixels are background.
   static void expect_equal(ByteImage& image, const std::string& what) {
-    const std::string& plain = GetParam().operation;
-    const std::string keeping = plain + "_keep_border";
+    const Rule rule = GetParam().rule;
     const ByteImage expected = by_opencv(GetParam(), image);
-    const Outcome reference = expected_of(keeping, image.view());
-    EXPECT_TRUE(equal(reference.image.view(), expected.view())) << what << ", reference";
-    EXPECT_TRUE(equal(by_library(keeping, image).view(), expected.view())) << what;
-    Options option;
-    option.border = Border::keep;
-    EXPECT_TRUE(equal(by_library(plain, image, option).view(), expected.view())) << what;
-    ByteImage inner = without_frame(image);
-    EXPECT_TRUE(equal(by_library(plain, inner).view(), by_opencv(GetParam(), inner).view()))
-        << what << ", light frame";
+    EXPECT_TRUE(equal(by_reference(rule, image, Border::keep).view(), expected.view()))
+        << what << ", reference";
+    EXPECT_TRUE(equal(by_library(rule, image, Border::keep).view(), expected.view())) << what;
+    ByteImage inner = with_background_border(image);
+    EXPECT_TRUE(equal(by_library(rule, inner, Border::background).view(),
+                      by_opencv(GetParam(), inner).view()))
+        << what << ", background at the border";
   }
 };
 
@@ -105,22 +107,24 @@ TEST_P(AgainstOpenCv, equal_on_all_four_by_four) {
   for (std::uint64_t bits = 0; bits < 65536; ++bits) {
     ByteImage image = image_of_bits(4, 4, bits);
     const ByteImage expected = by_opencv(GetParam(), image);
-    const ByteImage found = by_library(GetParam().operation + "_keep_border", image);
+    const ByteImage found = by_library(GetParam().rule, image, Border::keep);
     ASSERT_TRUE(equal(found.view(), expected.view())) << bits;
   }
 }
 
-TEST_P(AgainstOpenCv, border_makes_a_difference_on_the_frame_touching_scene) {
+TEST_P(AgainstOpenCv, border_makes_a_difference_where_the_scene_touches_it) {
   const Scene scene = render_scene({SceneKind::frame_touching});
-  const std::string& plain = GetParam().operation;
-  EXPECT_FALSE(equal(by_library(plain, scene.binary).view(),
-                     by_library(plain + "_keep_border", scene.binary).view()));
+  const Rule rule = GetParam().rule;
+  EXPECT_FALSE(equal(by_library(rule, scene.binary, Border::background).view(),
+                     by_library(rule, scene.binary, Border::keep).view()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, AgainstOpenCv,
-                         testing::Values(Pair{"thin_zhang_suen", cv::ximgproc::THINNING_ZHANGSUEN},
-                                         Pair{"thin_guo_hall", cv::ximgproc::THINNING_GUOHALL}),
-                         [](const auto& tested) { return tested.param.operation; });
+                         testing::Values(Pair{Rule::zhang_suen, cv::ximgproc::THINNING_ZHANGSUEN},
+                                         Pair{Rule::guo_hall, cv::ximgproc::THINNING_GUOHALL}),
+                         [](const auto& tested) {
+                           return std::string(rule_name(tested.param.rule));
+                         });
 
 }  // namespace
 }  // namespace thinbench

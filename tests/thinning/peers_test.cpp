@@ -36,16 +36,16 @@ std::optional<std::string> difference(std::string_view operation, std::string_vi
 TEST(ThinningPeers, opencv_equals_the_references_that_keep_the_border) {
   for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
     const Scene scene = render_scene({kind});
-    for (const char* operation : {"thin_zhang_suen", "thin_guo_hall"}) {
+    for (const char* operation : {"thin_zhang_suen:keep", "thin_guo_hall:keep"}) {
       const auto found = difference(operation, "opencv", scene.binary);
       EXPECT_FALSE(found) << operation << ": " << found.value_or("");
     }
   }
 }
 
-TEST(ThinningPeers, opencv_differs_from_the_plain_reference_at_the_frame) {
+TEST(ThinningPeers, opencv_differs_from_the_plain_reference_at_the_border) {
   const Scene scene = render_scene({SceneKind::frame_touching});
-  const auto job = peer("thin_guo_hall", "opencv").make_job(510, 412, 1);
+  const auto job = peer("thin_guo_hall:keep", "opencv").make_job(510, 412, 1);
   const Outcome plain = expected_of("thin_guo_hall", scene.binary.view());
   EXPECT_FALSE(equal(outcome_of(*job, scene.binary.view()).image.view(), plain.image.view()));
 }
@@ -72,8 +72,8 @@ std::ostream& operator<<(std::ostream& out, const Counts& counts) {
   return out << counts.objects << " objects, " << counts.holes << " holes";
 }
 
-/// A light frame makes one part of all light that reaches the border.
-ByteImage framed(const ByteImage& image) {
+/// Background all round makes one part of all background that reaches the border.
+ByteImage padded(const ByteImage& image) {
   ByteImage result(image.width() + 2, image.height() + 2);
   for (Index y = 0; y < image.height(); ++y) {
     for (Index x = 0; x < image.width(); ++x) result.at(x + 1, y + 1) = image.at(x, y);
@@ -83,14 +83,14 @@ ByteImage framed(const ByteImage& image) {
 
 Counts counts_of(const ByteImage& image, int connectivity) {
   const bool diagonals = connectivity == 8;
-  const ByteImage all = framed(image);
+  const ByteImage all = padded(image);
   const auto parts = [&](int value, bool with_diagonals) {
     return scene_test::FloodFill(all.view(), value, with_diagonals).take().list.size();
   };
   return {parts(255, diagonals), parts(0, !diagonals) - 1};
 }
 
-std::vector<ByteImage> leptonica_pictures() {
+std::vector<ByteImage> leptonica_images() {
   std::vector<ByteImage> images;
   images.push_back(std::move(render_scene().binary));
   images.push_back(std::move(render_scene({SceneKind::frame_touching}).binary));
@@ -113,14 +113,14 @@ class Leptonica : public testing::TestWithParam<int> {
 };
 
 TEST_P(Leptonica, gives_the_same_again_and_a_subset) {
-  for (const ByteImage& image : leptonica_pictures()) {
+  for (const ByteImage& image : leptonica_images()) {
     EXPECT_FALSE(difference("thin_guo_hall", technique(), image));
     EXPECT_EQ(outside(thinned(image), image), 0);
   }
 }
 
 TEST_P(Leptonica, keeps_objects_of_its_connectivity_and_holes_of_the_other) {
-  for (const ByteImage& image : leptonica_pictures()) {
+  for (const ByteImage& image : leptonica_images()) {
     EXPECT_EQ(counts_of(thinned(image), GetParam()), counts_of(image, GetParam()));
   }
 }

@@ -15,7 +15,7 @@ using Cell = std::uint64_t;
 
 inline constexpr Index kSide = 5;
 inline constexpr std::uint32_t kCount = 1U << (kSide * kSide);
-inline constexpr Cell kFrame = 0x007F7F7F7F7F7F7F;  // the pixels and a light one all round
+inline constexpr Cell kFrame = 0x007F7F7F7F7F7F7F;  // the pixels and a background pixel all round
 
 /// Bit y * 5 + x of `code` is pixel (x, y).
 constexpr Cell cell_of(std::uint32_t code) {
@@ -53,7 +53,7 @@ constexpr bool same_topology(Cell before, Cell after) {
          euler_number(before) == euler_number(after);
 }
 
-/// `kCells` images with light pixels between them.
+/// `kCells` images with background between them.
 class Sheet {
  public:
   static constexpr Index kAcross = 256;
@@ -83,9 +83,9 @@ class Sheet {
     const std::uint64_t bytes =
         ((bits * 0x0101010101010101 & 0x8040201008040201) + 0x7F7F7F7F7F7F7F7F) >> 7 &
         0x0101010101010101;
-    const std::uint64_t dark = bytes * 255;
-    std::memcpy(image_.view().row(y + i / kAcross * (kSide + 1)) + i % kAcross * kPitch, &dark,
-                sizeof dark);
+    const std::uint64_t foreground = bytes * 255;
+    std::memcpy(image_.view().row(y + i / kAcross * (kSide + 1)) + i % kAcross * kPitch,
+                &foreground, sizeof foreground);
   }
 
   [[nodiscard]] std::uint64_t row(std::uint32_t i, Index y) const {

@@ -1,6 +1,4 @@
 // The original SPTA: what it promises, on its reference; the variants are compared with that.
-#include "thinning/engines/spta.hpp"
-
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
@@ -12,7 +10,7 @@ namespace {
 
 ByteImage thinned(const ByteImage& image) {
   ByteImage skeleton(image.width(), image.height());
-  reference::thin_spta(image.view(), skeleton.view());
+  reference::thinning(Rule::spta)({}, image.view(), skeleton.view());
   return skeleton;
 }
 
@@ -47,29 +45,6 @@ TEST(Spta, keeps_topology_and_is_idempotent_on_noise) {
     const auto granularity = static_cast<Index>(1 + seed % 7);
     expect_promises(noise_image(90, 70, static_cast<int>(30 + seed), granularity, seed),
                     "seed " + std::to_string(seed));
-  }
-}
-
-/// The expressions as printed, of a pass in which nothing is flagged yet.
-bool expression(int side, unsigned k) {
-  const auto n = [k](int i) { return (k >> i & 1) != 0; };
-  switch (side) {
-    case 4:
-      return n(0) && (n(1) || n(2) || n(6) || n(7)) && (n(2) || !n(3)) && (!n(5) || n(6));
-    case 0:
-      return n(4) && (n(2) || n(3) || n(5) || n(6)) && (n(6) || !n(7)) && (!n(1) || n(2));
-    case 2:
-      return n(6) && (n(0) || n(4) || n(5) || n(7)) && (n(0) || !n(1)) && (!n(3) || n(4));
-    default:
-      return n(2) && (n(0) || n(1) || n(3) || n(4)) && (n(4) || !n(5)) && (!n(7) || n(0));
-  }
-}
-
-TEST(Spta, turned_expressions_are_the_printed_ones) {
-  for (unsigned k = 0; k < 256; ++k) {
-    const auto edge = [k](int side) { return (k >> side & 1) == 0 && expression(side, k); };
-    EXPECT_EQ(spta_flags(SptaScan::left_right, k, k), edge(4) || edge(0)) << k;
-    EXPECT_EQ(spta_flags(SptaScan::top_bottom, k, k), edge(2) || edge(6)) << k;
   }
 }
 

@@ -6,12 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "dispatch/exported.hpp"
 #include "image/planes.hpp"
+#include "support/margins.hpp"
 #include "support/splitmix64.hpp"
-#include "thinning/iteration/state.hpp"
 #include "thinning/engines/tile_passes.hpp"
+#include "thinning/iteration/plane_state.hpp"
 
-namespace thinbench {
+namespace thinbench::detail {
 namespace {
 
 BitPlane noise(Index width, Index height) {
@@ -34,14 +36,13 @@ bool equal_planes(const ConstBitPlaneView& a, const ConstBitPlaneView& b) {
 
 /// A grid with the lists that it fills.
 struct LoadedGrid {
-  LoadedGrid(Index width, Index height,
-             const TileLayout& chosen = TilePasses<Isa::baseline>::kLayout)
-      : layout(chosen),
-        grid(width, height),
+  LoadedGrid(Index width, Index height, Isa isa = Isa::baseline, Border border = Border::background)
+      : layout(kernels_of<TileLayout>(isa)),
+        grid(width, height, border),
         list(static_cast<std::size_t>(grid.view().groups * kTileGroup)),
         visited(static_cast<std::size_t>(grid.group_words())) {}
 
-  /// How many tiles have dark pixels.
+  /// How many tiles have foreground.
   Index load(const BitPlane& plane) {
     for (Index row = 0; row < grid.tile_rows(); ++row) {
       layout.load_rows(grid.view(), rows_of(plane.view(), row), row);
@@ -64,31 +65,17 @@ struct LoadedGrid {
   std::vector<std::uint64_t> visited;
 };
 
-const TileLayout& layout_of(Isa isa) {
-  switch (isa) {
-    case Isa::avx512icl:
-      return TilePasses<Isa::avx512icl>::kLayout;
-    case Isa::avx512:
-      return TilePasses<Isa::avx512>::kLayout;
-    case Isa::avx2:
-      return TilePasses<Isa::avx2>::kLayout;
-    case Isa::sse42:
-      return TilePasses<Isa::sse42>::kLayout;
-    default:
-      return TilePasses<Isa::baseline>::kLayout;
-  }
-}
-
-TEST(TileGrid, every_level_lays_pixels_out_alike) {
+TEST(TileGrid, every_isa_lays_pixels_out_alike) {
   const Index width = 1100;  // two squares of 16 tiles and some strips
   const Index height = 40;
   BitPlane plane = noise(width, height);
-  for (Index y = 0; y < 20; ++y) std::fill_n(plane.view().row(y) + 3, 7, 0);  // some light tiles
+  for (Index y = 0; y < 20; ++y)
+    std::fill_n(plane.view().row(y) + 3, 7, 0);  // some tiles without foreground
   LoadedGrid expected(width, height);
   const Index tiles = expected.load(plane);
-  for (const Isa isa : {Isa::sse42, Isa::avx2, Isa::avx512, Isa::avx512icl}) {
+  for (const Isa isa : kAllIsas) {
     if (!isa_available(isa)) continue;
-    LoadedGrid loaded(width, height, layout_of(isa));
+    LoadedGrid loaded(width, height, isa);
     ASSERT_EQ(loaded.load(plane), tiles);
     EXPECT_TRUE(
         std::equal(loaded.list.begin(), loaded.list.begin() + tiles, expected.list.begin()));
@@ -99,7 +86,7 @@ TEST(TileGrid, every_level_lays_pixels_out_alike) {
     BitPlane result(width, height);
     loaded.store(result);
     EXPECT_TRUE(equal_planes(plane.view(), std::as_const(result).view())) << isa_name(isa);
-    EXPECT_TRUE(result.margin_is_zero()) << isa_name(isa);
+    EXPECT_TRUE(margin_is_zero(result.view())) << isa_name(isa);
   }
 }
 
@@ -113,13 +100,13 @@ TEST(TileGrid, gives_back_the_pixels_of_every_size) {
       loaded.store(result);
       EXPECT_TRUE(equal_planes(plane.view(), std::as_const(result).view()))
           << width << " x " << height;
-      EXPECT_TRUE(result.margin_is_zero()) << width << " x " << height;
-      EXPECT_TRUE(loaded.grid.margin_is_zero()) << width << " x " << height;
+      EXPECT_TRUE(margin_is_zero(result.view())) << width << " x " << height;
+      EXPECT_TRUE(margin_is_zero(loaded.grid.view())) << width << " x " << height;
     }
   }
 }
 
-TEST(TileGrid, lists_the_tiles_that_have_dark_pixels) {
+TEST(TileGrid, lists_the_tiles_that_have_foreground) {
   BitPlane plane(3 * kTileColumns, 2 * kTileRows);
   plane.view().row(kTileRows - 1)[0] = 1;                           // strip 0, tile 0
   plane.view().row(2 * kTileRows - 1)[1] = std::uint64_t{1} << 31;  // strip 2, tile 1
@@ -132,30 +119,52 @@ TEST(TileGrid, lists_the_tiles_that_have_dark_pixels) {
 
 TEST(TileGrid, a_second_image_leaves_nothing_of_the_first) {
   const BitPlane first = noise(100, 50);
-  const BitPlane light(100, 50);
+  const BitPlane background(100, 50);
   BitPlane result(100, 50);
   LoadedGrid loaded(100, 50);
   loaded.load(first);
-  EXPECT_EQ(loaded.load(light), 0);
+  EXPECT_EQ(loaded.load(background), 0);
   loaded.store(result);
-  EXPECT_TRUE(equal_planes(light.view(), std::as_const(result).view()));
+  EXPECT_TRUE(equal_planes(background.view(), std::as_const(result).view()));
 }
 
-TEST(TileGrid, a_dark_pixel_beyond_the_image_is_seen) {
+TEST(TileGrid, margin_check_sees_a_pixel_beyond_the_image) {
   for (const Index word : {Index{-1}, Index{0}, Index{20}}) {
     LoadedGrid loaded(40, 20);
-    EXPECT_TRUE(loaded.grid.margin_is_zero());
+    EXPECT_TRUE(margin_is_zero(loaded.grid.view()));
     const TileGridView& view = loaded.grid.view();
     view.words[view.strip_tiles * kTileRows + (word == 0 ? -kTileRows : word)] = 1;
-    EXPECT_FALSE(loaded.grid.margin_is_zero()) << word;
+    EXPECT_FALSE(margin_is_zero(loaded.grid.view())) << word;
   }
 }
 
-TEST(TileGrid, neighbours_of_every_tile_lie_inside_and_are_light_beyond_the_image) {
+/// Tiles with a bit in `border_tiles`, from the strip in the west.
+std::vector<std::pair<Index, Index>> border_tiles_of(const TileGridView& grid) {
+  std::vector<std::pair<Index, Index>> tiles;
+  for (Index tile = 0; tile < grid.groups * kTileGroup; ++tile) {
+    const std::uint32_t group = grid.border_tiles[tile / kTileGroup];
+    if ((group >> (tile % kTileGroup) & 1) == 0) continue;
+    tiles.emplace_back(tile / grid.strip_tiles - 1, tile % grid.strip_tiles);
+  }
+  return tiles;
+}
+
+TEST(TileGrid, marks_the_tiles_with_outermost_pixels_where_the_border_is_kept) {
+  const LoadedGrid plain(4 * kTileColumns, 3 * kTileRows);
+  EXPECT_EQ(plain.grid.view().border_tiles, nullptr);
+  const LoadedGrid kept(3 * kTileColumns + 1, 3 * kTileRows, Isa::baseline, Border::keep);
+  EXPECT_EQ(border_tiles_of(kept.grid.view()),
+            (std::vector<std::pair<Index, Index>>{
+                {0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 2}, {3, 0}, {3, 1}, {3, 2}}));
+  const LoadedGrid single(1, 1, Isa::baseline, Border::keep);
+  EXPECT_EQ(border_tiles_of(single.grid.view()), (std::vector<std::pair<Index, Index>>{{0, 0}}));
+}
+
+TEST(TileGrid, neighbours_of_every_tile_lie_inside_and_are_background_beyond_the_image) {
   LoadedGrid loaded(40, 20);
-  BitPlane dark(40, 20);
-  for (Index y = 0; y < 20; ++y) dark.view().row(y)[0] = (std::uint64_t{1} << 40) - 1;
-  loaded.load(dark);
+  BitPlane full(40, 20);
+  for (Index y = 0; y < 20; ++y) full.view().row(y)[0] = (std::uint64_t{1} << 40) - 1;
+  loaded.load(full);
   const TileGridView& view = loaded.grid.view();
   const std::uint32_t* first = view.words + view.strip_tiles * kTileRows;
   EXPECT_EQ(first[0], 0xFFFFFFFFU);
@@ -168,4 +177,4 @@ TEST(TileGrid, neighbours_of_every_tile_lie_inside_and_are_light_beyond_the_imag
 }
 
 }  // namespace
-}  // namespace thinbench
+}  // namespace thinbench::detail

@@ -1,5 +1,8 @@
 #include "timing/inputs.hpp"
 
+#include <algorithm>
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
@@ -49,6 +52,27 @@ TEST(TimedInputs, squares_alone_belong_to_the_series_of_sizes) {
   for (const TimedInput& input : timed_inputs({{}, 128})) {
     EXPECT_EQ(input.size_sweep, input.name != "scene") << input.name;
   }
+}
+
+/// A bright dot on darker ground.
+ByteImage dot() {
+  ByteImage image(20, 10);
+  for (Index y = 0; y < 10; ++y) std::fill_n(image.view().row(y), 20, std::uint8_t{30});
+  image.at(7, 5) = 90;
+  return image;
+}
+
+TEST(TimedInputs, pictures_are_binarised_as_asked_for_and_keep_their_grey_levels) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("dot.png");
+  write_grey(file, dot().view());
+  std::ostringstream log;
+  const std::vector<TimedInput> chosen = timed_inputs({{file}, 0, {}, &log});
+  EXPECT_EQ(foreground_pixels(chosen.front().binary.view()), 1);
+  EXPECT_TRUE(equal(chosen.front().grey.view(), dot().view()));
+  EXPECT_EQ(log.str().find("note: " + file + ": foreground is bright"), 0U) << log.str();
+  const std::vector<TimedInput> asked = timed_inputs({{file}, 0, {Foreground::dark, 80}});
+  EXPECT_EQ(foreground_pixels(asked.front().binary.view()), 199);
 }
 
 }  // namespace

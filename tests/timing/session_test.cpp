@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "peers/peers.hpp"
+#include "picture/picture.hpp"
 #include "support/temporary_folder.hpp"
 #include "timing/broken_operation.hpp"
 
@@ -83,17 +84,40 @@ TEST(TimingSession, wrong_options_are_one_line_and_2) {
   EXPECT_EQ(run({"--bogus"}, {}).err, "thinbench_timings: there is no option '--bogus'; " + see);
   EXPECT_EQ(run({"--bogus"}, {}).status, 2);
   EXPECT_EQ(run({"--repetitions", "0"}, {}).err,
-            "thinbench_timings: --repetitions: '0' is no whole number from 1 to 1000; " + see);
+            "thinbench_timings: --repetitions: expected an integer in [1, 1000], got '0'; " + see);
   EXPECT_EQ(run({"--rows-out", ""}, {}).err,
-            "thinbench_timings: --rows-out: its value is empty; " + see);
+            "thinbench_timings: --rows-out: expected a value, got ''; " + see);
   EXPECT_EQ(run_copies({}, "(").err.find("thinbench_timings: --filter: '(' is no regular"), 0U);
+}
+
+TEST(TimingSession, pictures_are_binarised_as_asked_for_with_remarks_on_standard_error) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("dot.pgm");
+  ByteImage dot(20, 10);
+  dot.at(7, 5) = 90;
+  write_grey(file, dot.view());
+  const std::string rows = folder.file("rows.json");
+  const auto err = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> args = {"--benchmark_out=", "--image", file, "--rows-out", rows};
+    args.insert(args.end(), more.begin(), more.end());
+    return run_copies(args, "copy/good/").err;
+  };
+  const auto foreground = [&] {
+    return nlohmann::json::parse(bytes_of(rows)).at("/inputs/0/object_pixels"_json_pointer);
+  };
+  EXPECT_EQ(err({}).find("note: " + file + ": foreground is bright"), 0U);
+  EXPECT_EQ(foreground(), 1);
+  EXPECT_EQ(err({"--foreground", "dark", "--threshold", "80"}).find("warning: " + file), 0U);
+  EXPECT_EQ(foreground(), 199);
+  EXPECT_EQ(run({"--threshold", "80"}, {}).err,
+            "thinbench_timings: --threshold requires --image; see 'thinbench_timings --help'\n");
 }
 
 TEST(TimingSession, files_that_cannot_be_written_are_refused_before_the_work) {
   const Session session = run_copies({"--rows-out", "no_such_folder/rows.json"}, "");
   EXPECT_EQ(session.status, 1);
   EXPECT_EQ(session.err,
-            "thinbench_timings: cannot write 'no_such_folder/rows.json': there is no folder "
+            "thinbench_timings: cannot write 'no_such_folder/rows.json': there is no directory "
             "'no_such_folder'\n");
 }
 

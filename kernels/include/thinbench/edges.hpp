@@ -54,43 +54,43 @@ inline constexpr std::array kEdgeOperators = {
   return std::nullopt;
 }
 
-/// In grey levels, both from 0 to 255: P1 and P2 of the paper. An edge needs a scaled gradient
-/// above `gradient_threshold` and a pixel above `brightness_threshold` in its 3 x 3 neighbourhood:
-/// the background is the bright side.
+/// In grey levels from 0 to 255. An edge needs a scaled gradient above `gradient_threshold` and a
+/// pixel above `brightness_threshold` in its 3 x 3 neighbourhood: the background is bright.
 struct EdgeThresholds {
-  int gradient_threshold = 40;
-  int brightness_threshold = 128;
+  int gradient_threshold = 40;     // P1 of the paper
+  int brightness_threshold = 128;  // P2 of the paper
 };
 
 inline constexpr int kMaxThreshold = 255;
 
 /// Writes the edges of `source` to `destination`: 255 where
-///   |gx| + |gy| > scale * P1   and   the brightest pixel of the 3 x 3 neighbourhood > P2,
-/// else 0. The scale is the operator's own: a vertical step of height h reads h (Roberts 2, Prewitt
-/// 3, Sobel and Mero-Vassy 4, Mero-Vassy in 5 x 5 pixels 12). All in integers, nothing is rounded.
+///   |gx| + |gy| > scale * gradient_threshold   and
+///   the maximum of the 3 x 3 neighbourhood > brightness_threshold,
+/// else 0. The operator's scale gives a vertical step of height h the value h: Roberts 2, Prewitt
+/// 3, Sobel and Mero-Vassy 4, Mero-Vassy with 5 x 5 pixels 12. All in integers, nothing is rounded.
 ///
-/// gx and gy, by rows of the window ("/" between them):
+/// gx and gy, by rows of the window, separated by "/":
 ///   roberts4     1 0 / 0 -1               and  0 1 / -1 0, the pixel at the upper left
 ///   roberts9     1 0 0 / 0 0 0 / 0 0 -1   and  0 0 1 / 0 0 0 / -1 0 0
 ///   prewitt      -1 0 1 / -1 0 1 / -1 0 1 and  -1 -1 -1 / 0 0 0 / 1 1 1
 ///   sobel        -1 0 1 / -2 0 2 / -1 0 1 and  -1 -2 -1 / 0 0 0 / 1 2 1
-///   mero_vassy   0 1 1 / -1 0 1 / -1 -1 0 and  -1 -1 0 / -1 0 1 / 0 1 1; in 5 x 5 pixels likewise
-///                the right less the left side of the falling and of the rising diagonal
-/// The paper names its operators and publishes no masks. Chosen here: |gx| + |gy| as the magnitude;
-/// the corners of the window for Roberts' 9 points, of which there is no standard; and the split
-/// along both diagonals, as no text that quotes Mero and Vassy's masks was found.
+///   mero_vassy   0 1 1 / -1 0 1 / -1 -1 0 and  -1 -1 0 / -1 0 1 / 0 1 1; with 5 x 5 pixels
+///                likewise: the right minus the left side of the falling and the rising diagonal
+/// The paper names its operators but publishes no masks. Chosen here: |gx| + |gy| as the magnitude;
+/// the corners of the window for Roberts' 9 points, which have no standard; and the split along
+/// both diagonals, as no text that quotes Mero and Vassy's masks was found.
 ///
-/// Border: edge replication, so that no edge arises at the border by itself. Grey levels are as
-/// files hold them, 255 for white, and P2 demands a bright background beside the edge: invert
-/// images of bright objects on dark ground first. The two views have one size and do not overlap.
+/// Border: edge replication, so the border itself makes no edge. White is 255, and the brightness
+/// threshold demands a bright background beside the edge: invert images of bright objects on a dark
+/// background first. The two views have one size and do not overlap.
 ///
-/// Of `options`, only technique, ISA and threads may be set. May be called from any number of
-/// threads. Throws std::invalid_argument for a threshold outside [0, 255], sizes that differ or are
-/// negative, a stride below the width, a null image, an overlap, or options that no variant fits;
-/// std::bad_alloc where memory is short. Nothing is written then.
+/// Of `options`, only technique, ISA and threads may be set. Any number of threads may call it at
+/// once, on different destinations. Throws std::invalid_argument for a threshold outside [0, 255],
+/// sizes that differ or are negative, a stride below the width, a null image, an overlap, or
+/// options that no variant fits; std::bad_alloc where memory is short. Nothing is written then.
 ///
-/// Not known to hold: that contours are closed or one pixel wide; at a step they are two pixels
-/// wide or more, but for roberts4. Source: section 2.1 of the paper, steps a) to d).
+/// Not invariant: contours need not be closed or one pixel wide; at a step they are at least two
+/// pixels wide, except for roberts4. Source: section 2.1 of the paper, steps a) to d).
 void detect_edges(EdgeOperator op, ConstImageView source, ImageView destination,
                   const EdgeThresholds& thresholds = {}, const Options& options = {});
 

@@ -1,5 +1,5 @@
-// Views of images and of stacks of images: an address, a size and strides. Nothing here owns
-// memory, and nothing checks; functions that take views do.
+// Views of images and of stacks of images: an address, a size and strides. Views neither own memory
+// nor check anything; functions that take views check them.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@ using Index = std::ptrdiff_t;
 
 /// Read-only image, one byte per pixel: pixel (x, y) is `data[y * stride + x]`, y downwards.
 ///
-/// Binary images: 0 is background, anything else foreground. Grey images: 0 is black. `stride`
-/// counts bytes from row to row and may exceed the width, so that a view can show a part of a
-/// larger image.
+/// Binary images: 0 is background, anything else foreground. Grey images: 0 is black. `stride` is
+/// the distance of rows in bytes and may exceed the width, so a view can show a part of a larger
+/// image.
 struct ConstImageView {
   const std::uint8_t* data = nullptr;
   Index width = 0;
@@ -22,7 +22,7 @@ struct ConstImageView {
   Index stride = 0;
 
   constexpr ConstImageView() = default;
-  /// Rows that follow each other without gaps.
+  /// Contiguous rows.
   constexpr ConstImageView(const std::uint8_t* pixels, Index columns, Index rows)
       : ConstImageView(pixels, columns, rows, columns) {}
   constexpr ConstImageView(const std::uint8_t* pixels, Index columns, Index rows, Index row_bytes)
@@ -49,8 +49,8 @@ struct ImageView {
 };
 
 /// Read-only stack of images of one size: pixel (x, y) of image i is
-/// `data[i * image_stride + y * stride + x]`. Both strides count bytes; rows and images may have
-/// gaps between them, and images share no byte.
+/// `data[i * image_stride + y * stride + x]`. Strides are in bytes. There may be gaps between rows
+/// and between images; images share no byte.
 struct ConstStackView {
   const std::uint8_t* data = nullptr;
   Index count = 0;
@@ -60,7 +60,7 @@ struct ConstStackView {
   Index image_stride = 0;
 
   constexpr ConstStackView() = default;
-  /// Without gaps, as a NumPy array of shape (images, rows, columns).
+  /// Contiguous, as a NumPy array of shape (images, rows, columns).
   constexpr ConstStackView(const std::uint8_t* pixels, Index images, Index columns, Index rows)
       : ConstStackView(pixels, images, columns, rows, columns, columns * rows) {}
   constexpr ConstStackView(const std::uint8_t* pixels, Index images, Index columns, Index rows,

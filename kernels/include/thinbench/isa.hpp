@@ -1,5 +1,5 @@
-// Instruction sets: the sets of processor features that kernels are compiled for, what this machine
-// has, and the cap that tests use. All functions may be called from any thread.
+// Instruction sets: the sets of processor features that kernels are compiled for, those that this
+// machine supports, and the cap for tests. Any thread may call all functions.
 #pragma once
 
 #include <array>
@@ -22,14 +22,15 @@ inline constexpr std::array kAllIsas = {Isa::baseline, Isa::sse42, Isa::avx2, Is
 /// avx2 and the sets that it contains are available. It is read once, when it is first needed.
 inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 
-/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl".
+/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl". This and the others that take an Isa throw
+/// std::invalid_argument for a number that is none of the enumeration.
 [[nodiscard]] std::string_view isa_name(Isa isa);
 [[nodiscard]] std::optional<Isa> isa_from_name(std::string_view name);
 
-/// Whether processor and operating system offer every feature of the set, whatever the cap says.
+/// Whether processor and operating system support every feature of the set, regardless of the cap.
 [[nodiscard]] bool cpu_supports(Isa isa);
 
-/// The set that the environment names; nothing where the variable is unset or empty. Throws
+/// The set in the environment variable; nothing where it is unset or empty. Throws
 /// std::invalid_argument for an unknown name.
 [[nodiscard]] std::optional<Isa> isa_cap();
 

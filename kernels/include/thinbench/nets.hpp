@@ -1,5 +1,4 @@
-// The paper's nets: their weights as plain data, those that the paper published, and how to thin
-// with others.
+// The paper's nets: weights as plain data, the published weights, and nets with other weights.
 #pragma once
 
 #include <memory>
@@ -12,28 +11,27 @@ namespace thinbench {
 inline constexpr int kNetInputs = 8;
 inline constexpr int kHiddenNeurons = 8;
 
-/// How the neurons of the two-layer net answer.
+/// The activation of the neurons of the two-layer net.
 enum class Activation {
   sigmoid,  // equation (1): 1 / (1 + e^-x)
   linear,   // equation (2): 0.166 x + 0.5 within [-3, 3], else 0 or 1
 };
 
-/// A neuron: its net input is bias + weight[0] n0 + ... + weight[7] n7. All sums of this project
-/// are taken in this order, in single precision, one rounding per operation.
+/// A neuron with the net input bias + weight[0] n0 + ... + weight[7] n7, summed up in this order,
+/// in single precision, one rounding per operation.
 struct Neuron {
   float weight[kNetInputs];
   float bias;
 };
 
-/// The 8-8-1 net of section 3.2. The output is the new value of a foreground pixel, foreground from
-/// 0.5 up.
+/// The 8-8-1 net of section 3.2. A foreground pixel is kept where the output is 0.5 or more.
 struct TwoLayerWeights {
   Neuron hidden[kHiddenNeurons];
-  Neuron output;  // fed by the hidden neurons
+  Neuron output;  // its inputs are the hidden neurons
 };
 
-/// One net of the cluster of section 3.3: responsible for descriptors up to `last`, from the one
-/// after its predecessor's. The new value is 1 where the net input is at least 0.
+/// One net of the cluster of section 3.3, for the descriptors after those of its predecessor, up to
+/// `last`. A foreground pixel is kept where the net input is at least 0.
 struct ClusterNet {
   int last;
   Neuron neuron;
@@ -59,7 +57,7 @@ inline constexpr TwoLayerWeights kPaperTwoLayer = {
      {{-1.11F, 0.72F, 6.8F, -1.31F, 2.96F, 2.56F, 2.03F, 1.94F}, -3.09F}},
     {{-19.88F, 18.22F, 14.24F, 11.98F, -13.4F, 15.2F, 8.96F, -11.04F}, -0.75F}};
 
-/// To the nearest integer, halves away from zero.
+/// To the nearest integer, ties away from zero.
 constexpr float rounded_weight(float value) {
   return static_cast<float>(static_cast<int>(value < 0 ? value - 0.5F : value + 0.5F));
 }
@@ -76,17 +74,17 @@ constexpr TwoLayerWeights rounded_weights(TwoLayerWeights net) {
   return net;
 }
 
-/// Table 1 rounded to integers, the paper's way to integer arithmetic: correct on 251 of the 256
+/// Table 1 rounded to integers, as the paper does for integer arithmetic: correct on 251 of the 256
 /// descriptors with the sigmoid and on 252 with the linear threshold.
 inline constexpr TwoLayerWeights kRoundedTwoLayer = rounded_weights(kPaperTwoLayer);
 
-/// A net to thin with, for Options::net of the rule net_two_layer_sigmoid or net_two_layer_linear,
-/// whichever has this activation. May be shared by any number of thinners and threads. Throws
-/// std::invalid_argument where a weight is not within [-1e30, 1e30].
+/// A net for Options::net, with the rule net_two_layer_sigmoid or net_two_layer_linear, whichever
+/// has this activation. Any number of thinners and threads may share it. Throws
+/// std::invalid_argument for a weight outside [-1e30, 1e30].
 [[nodiscard]] std::shared_ptr<const NetModel> two_layer_net(const TwoLayerWeights& weights,
                                                             Activation activation);
 
-/// The same for the rule net_single_layer_cluster. Also throws where the nets do not cover the
+/// The same for the rule net_single_layer_cluster. Also throws if the nets do not cover the
 /// descriptors 0 to 255 in order.
 [[nodiscard]] std::shared_ptr<const NetModel> cluster_net(const ClusterWeights& weights);
 

@@ -1,4 +1,4 @@
-// How to compute: the one options type of the library, and what its fields are made of.
+// The options of all operations.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace thinbench {
 
-/// What thinning assumes about the pixels outside the image and does with the outermost ones.
+/// The border of thinning. Outside the image everything is background.
 enum class Border : std::uint8_t {
-  background,  // everything outside the image is background
+  background,  // no exception for the outermost pixels
   keep,        // as in OpenCV: the outermost rows and columns never change
 };
 
@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 2> kBorderNames = {"background", "
   return kBorderNames[static_cast<std::size_t>(border)];
 }
 
-/// How an operation is computed. All techniques of an operation give the same result.
+/// An algorithm for an operation. All techniques of an operation give the same result.
 enum class Technique : std::uint8_t {
   lut,
   lut_sliding,
@@ -56,7 +56,7 @@ inline constexpr std::array kTechniques = {
     TechniqueInfo{Technique::lut_sliding, "lut_sliding",
                   "neighbourhoods that slide along the row, 4096-entry table"},
     TechniqueInfo{Technique::union_find, "union_find",
-                  "two passes over bytes, provisional labels in a union-find forest"},
+                  "two-pass labelling of bytes, provisional labels in a union-find forest"},
     TechniqueInfo{Technique::autovec, "autovec",
                   "the reference's arithmetic, vectorised by the compiler"},
     TechniqueInfo{Technique::simd_float_bits, "simd_float_bits",
@@ -95,7 +95,7 @@ inline constexpr std::array kTechniques = {
   return std::nullopt;
 }
 
-/// A direction in which the midpoint scan looks for runs of foreground pixels.
+/// A direction in which the midpoint scan finds runs of foreground pixels.
 enum class Direction : std::uint8_t {
   rows,           // west to east
   columns,        // north to south
@@ -109,7 +109,7 @@ inline constexpr int kDirectionCount = 4;
 inline constexpr std::array<std::string_view, kDirectionCount> kDirectionNames = {
     "rows", "columns", "diagonals", "antidiagonals"};
 
-/// A set of directions: bit i stands for the direction of this number. All by default.
+/// A set of directions: bit i is that of the direction with number i. All by default.
 struct Directions {
   std::uint8_t bits = (1 << kDirectionCount) - 1;
 
@@ -130,22 +130,22 @@ struct NetModel;
 inline constexpr int kUnlimited = std::numeric_limits<int>::max();
 inline constexpr int kMaxThreads = 1024;
 
-/// How to compute. Technique and ISA that are left open are chosen: the fastest that this machine
-/// offers. Options that an operation does not know are rejected.
+/// Operations reject options that they do not have.
 struct Options {
-  /// Thinning: see Border.
+  /// Thinning.
   Border border = Border::background;
-  /// Thinning: at most so many iterations, at least 1. An iteration applies every sub-iteration of
-  /// the rule once.
+  /// Thinning: the maximum number of iterations, at least 1. An iteration applies every
+  /// sub-iteration of the rule once.
   int max_iterations = kUnlimited;
-  /// At most so many threads, from 1 to kMaxThreads. Where the technique is left open, images below
-  /// 2^20 pixels are computed on one thread, which is faster.
+  /// The maximum number of threads, from 1 to kMaxThreads. Without a technique, images below 2^20
+  /// pixels are computed on one thread, which is faster.
   int threads = 1;
+  /// The fastest that this machine supports where not set.
   std::optional<Isa> isa = std::nullopt;
   std::optional<Technique> technique = std::nullopt;
-  /// The midpoint scan: which directions to scan.
+  /// The midpoint scan.
   Directions directions = {};
-  /// Nets: other weights than the paper's.
+  /// Nets: weights other than the default ones.
   std::shared_ptr<const NetModel> net = nullptr;
 };
 

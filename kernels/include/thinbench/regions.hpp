@@ -10,27 +10,26 @@
 
 namespace thinbench {
 
-/// See Region for what the lists hold and how they are numbered.
+/// Numbered as Region describes.
 struct Regions {
   std::vector<Region> objects;
   std::vector<Region> holes;
 };
 
-// In all of these 0 is background, anything else foreground; everything outside the image is
+// In all functions 0 is background, anything else foreground; everything outside the image is
 // background, objects are 8-connected and holes 4-connected. Of `options`, only technique, ISA and
-// threads may be set. They may be called from any number of threads, and throw
-// std::invalid_argument for a negative size, a stride below the width, a null image, sides above
-// 2^29 or more than 2^32 pixels, and options that no variant fits; std::bad_alloc where memory is
-// short.
+// threads may be set. Any number of threads may call them at once. They throw std::invalid_argument
+// for a negative size, a stride below the width, a null image, sides above 2^29 or more than 2^32
+// pixels, and options that no variant fits; std::bad_alloc where memory is short.
 //
-// The paper's own relabelling scan is not offered: its count is correct on one object with thick
-// walls only, and it has 254 labels. It is kept as holes_literal in reference/holes.hpp, to measure
-// where it is correct.
+// Source: section 2.2 of the paper, for the task but not the method. The paper's relabelling scan
+// counts correctly on a single object with thick walls only and has 254 labels. It is in
+// reference/holes.hpp, as holes_literal, to measure where it is correct.
 
 /// All objects and all holes.
 [[nodiscard]] Regions find_regions(ConstImageView source, const Options& options = {});
 
-/// All objects alone, for less work.
+/// All objects without holes, which is faster.
 [[nodiscard]] std::vector<Region> find_components(ConstImageView source,
                                                   const Options& options = {});
 
@@ -38,7 +37,9 @@ struct Regions {
 [[nodiscard]] std::int64_t euler_number(ConstImageView source, const Options& options = {});
 [[nodiscard]] std::int64_t euler_number_4(ConstImageView source, const Options& options = {});
 
-/// Objects with all that they enclose, 255 on 0. The two are the same image or do not overlap.
+/// Writes objects with all that they enclose: 255, else 0. The two views have one size; they are
+/// the same image or share no pixel. Throws std::invalid_argument otherwise; nothing is written
+/// then.
 void fill_holes(ConstImageView source, ImageView destination, const Options& options = {});
 
 }  // namespace thinbench

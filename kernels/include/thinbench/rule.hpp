@@ -1,5 +1,5 @@
-// The catalogue of thinning rules. A new parallel rule is a line in each of the two lists here, a
-// file in kernels/thinning/rules/, a reference and a test.
+// The catalogue of thinning rules. A new parallel rule needs a line in each of the two lists here,
+// a file in kernels/thinning/rules/, a reference and a test.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@ enum class Rule : std::uint8_t {
   naccache_shinghal,
   zhang_suen,
   guo_hall,
+  lu_wang,
   spta,
   spta_directional,
   mb2,
@@ -39,6 +40,8 @@ inline constexpr std::array kRules = {
              "Zhang and Suen 1984, two sub-iterations; loses 2 x 2 blocks"},
     RuleInfo{Rule::guo_hall, "guo_hall", "thin_guo_hall",
              "Guo and Hall 1989, two sub-iterations; keeps topology"},
+    RuleInfo{Rule::lu_wang, "lu_wang", "thin_lu_wang",
+             "Lu and Wang 1986, as Zhang and Suen but slanted lines keep their length"},
     RuleInfo{Rule::spta, "spta", "thin_spta",
              "Naccache and Shinghal's SPTA as published, two sequential scans per iteration, one "
              "thread; keeps topology"},

@@ -1,6 +1,6 @@
 // The reference's arithmetic on bytes 0/1 in a form that compilers vectorise: whole rows, no
-// branch, no early exit. Compiled once for every instruction-set level at -O3, so that hand-written
-// SIMD is compared with what the compiler gives for free.
+// branch, no early exit. Compiled for every ISA at -O3, to compare hand-written SIMD with what the
+// compiler generates.
 #include "dispatch/exported.hpp"
 #include "thinning/engines/passes.hpp"
 
@@ -16,7 +16,7 @@ using Bytes = const std::uint8_t* __restrict;
           here[x - 1], below[x - 1], below[x],     below[x + 1]};
 }
 
-/// Rules of two stages: the features of three rows of a strip, then its pixels.
+/// For rules of two stages: the features of three rows of a strip.
 struct FeatureStrip {
   static constexpr Index kPixels = 64;
   static constexpr Index kStride = 128;
@@ -34,8 +34,17 @@ struct FeatureStrip {
   }
 };
 
-/// New pixels of a strip of a row, `next(x)` for each; returns what changed. Where `fixed` is
-/// given, pixels with a 1 there keep their value.
+/// The rule's published arithmetic or, without one, its expression.
+template <class Rule, int sub, class... Neighbourhoods>
+[[gnu::always_inline]] inline std::uint8_t new_pixel(const Neighbourhoods&... at) {
+  if constexpr (requires { Rule::template published<sub>(at...); }) {
+    return Rule::template published<sub>(at...);
+  } else {
+    return static_cast<std::uint8_t>(Rule{}.template next<sub>(at...) & 1);
+  }
+}
+
+/// Writes `next(x)` for a strip of a row; not 0 where a pixel changed. `fixed`: see Pass.
 template <class Next>
 [[gnu::always_inline]] inline std::uint8_t write_pixels(const std::uint8_t* fixed, Bytes here,
                                                         std::uint8_t* __restrict target,
@@ -76,7 +85,7 @@ struct Autovec {
     Bytes below = source + stride;
     return write_pixels(
         fixed, here, target, count, [&](Index x) __attribute__((always_inline)) {
-          return Rule::template published<sub>(neighbourhood_at(above, here, below, x));
+          return new_pixel<Rule, sub>(neighbourhood_at(above, here, below, x));
         });
   }
 
@@ -94,10 +103,9 @@ struct Autovec {
       const std::uint8_t some = write_pixels(
           fixed == nullptr ? nullptr : fixed + first, here, target + first,
           FeatureStrip::kPixels, [&](Index x) __attribute__((always_inline)) {
-            return Rule::template published<sub>(
-                neighbourhood_at(above, here, below, x),
-                neighbourhood_at(features.rows[0] + 1, features.rows[1] + 1, features.rows[2] + 1,
-                                 x));
+            return new_pixel<Rule, sub>(neighbourhood_at(above, here, below, x),
+                                        neighbourhood_at(features.rows[0] + 1, features.rows[1] + 1,
+                                                         features.rows[2] + 1, x));
           });
       changed = static_cast<std::uint8_t>(changed | some);
     }

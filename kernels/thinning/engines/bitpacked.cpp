@@ -1,7 +1,7 @@
-// 64 pixels a word in general registers: the neighbourhood sweep without SIMD. Compiled without
-// auto-vectorisation, so that the row shows what packing alone gives.
-// Cost a word of 64 pixels, see sweep.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the
-// rule in two-input operations (14 for Naccache-Shinghal) and its inversions.
+// The word scan on words of 64 pixels in general registers. Compiled without auto-vectorisation, to
+// measure what packing alone gives.
+// Cost per word, see sweep.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the rule in
+// two-input operations (14 for Naccache-Shinghal) and its inversions.
 #include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/sweep.hpp"

@@ -1,18 +1,13 @@
-// Small images, one a lane: with 32-bit lanes and AVX-512, a register holds a row of 16 images.
+// Small images, one per lane: with 32-bit lanes and AVX-512, a register holds a row of 16 images.
 //
 // No neighbour crosses a lane, so west and east are plain shifts; the rows above and below are the
-// registers before and after. Cost a row of a group and sub-iteration: 1 load, 1 store, 2 shifts,
+// registers before and after. Cost per row of a group and sub-iteration: 1 load, 1 store, 2 shifts,
 // the rule's gates, 1 to keep the border, 1 to see the change, 2 prefetches. A group (1.8 KB for
 // 28 x 28 pixels) stays in the first-level cache from packing to unpacking and is thinned in place
 // until none of its images changes: one that is done stays as it is.
 //
-// Prefetching the next group while this one is thinned should have hidden most of the time for
-// memory, a third of the whole at 10,000 images of 28 x 28 pixels: 5.0 to 5.9 times the speed of
-// one by one became 6.5 to 7.5 times, and 1.6 to 1.95 times 2.3 to 2.5 times at 64 x 64.
-//
-// Measured at 28 x 28 pixels and left: packing images without gaps from whole loads of 64 bytes
-// whose bits are cut into rows (17 ns an image become 38), and unpacking them the other way round
-// (28 ns become 20 from the caches, 36 become 33 from memory; only for images without gaps).
+// Memory is prefetched for the next group: docs/experiments.md#prefetching-the-next-group.
+// Measured, not adopted: docs/experiments.md#packing-from-whole-loads.
 #include "thinning/engines/lane_kernels.hpp"
 
 #include "dispatch/exported.hpp"
@@ -44,17 +39,8 @@ struct PairedLanes {
   static constexpr Index kElements = 2;
 
   [[gnu::always_inline]] static RowOfThree<Word> with_neighbours(Word row) {
-#if defined(__AVX512F__)
-    const Word first = _mm512_bslli_epi128(row, 8);
-    const Word second = _mm512_bsrli_epi128(row, 8);
-#elif defined(__AVX2__)
-    const Word first = _mm256_bslli_epi128(row, 8);
-    const Word second = _mm256_bsrli_epi128(row, 8);
-#else
-    const Word first = _mm_bslli_si128(row, 8);
-    const Word second = _mm_bsrli_si128(row, 8);
-#endif
-    return {west_neighbour<1>(row, first), row, east_neighbour<1>(row, second)};
+    return {west_neighbour<1>(row, previous_in_pair(row)), row,
+            east_neighbour<1>(row, next_in_pair(row))};
   }
 };
 

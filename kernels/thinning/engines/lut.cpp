@@ -1,15 +1,13 @@
 // Table look-up on bytes 0/1, one pixel after another.
 //
-// lut: eight neighbours gathered into the descriptor of each dark pixel, 256 entries: about 20
-// operations a dark pixel. Eight light pixels at a time are passed over.
-// lut_sliding: the columns of three pixels slide along the row, eight columns at a time in a
-// general register; a window of four columns (12 bits) gives two pixels from a table of 4096
-// entries (8 KB). About 4 operations a pixel, dark or light, no branch and no chain of dependences.
-// A first form that shifted one column a pixel into a 9-bit window was no faster than lut: 3
-// dependent operations and 4 loads a pixel.
+// lut: gathers the eight neighbours of each foreground pixel into its descriptor, 256 entries:
+// about 20 operations per foreground pixel. Eight background pixels at a time are skipped.
+// lut_sliding: columns of three pixels slide along the row, eight columns at a time in a general
+// register; a window of four columns (12 bits) gives two pixels from a table of 4096 entries (8
+// KB). About 4 operations per pixel, without branches or a dependency chain. Measured, not adopted:
+// docs/experiments.md#one-column-per-pixel.
 #include <cstring>
 
-#include "thinning/engines/pair_table.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/rule_table.hpp"
 
@@ -33,22 +31,22 @@ unsigned descriptor(const std::uint8_t* above, const std::uint8_t* here,
                                here[-1] << 4 | below[-1] << 5 | below[0] << 6 | below[1] << 7);
 }
 
-/// Rows of the engine lut: `table` has the new value of a foreground pixel for each descriptor.
+/// The engine lut: `table` has the new value of a foreground pixel by descriptor.
 template <bool has_fixed>
 bool lut_row(const std::uint8_t* table, [[maybe_unused]] const std::uint8_t* fixed,
              const std::uint8_t* here, Index stride, std::uint8_t* target, Index count) {
-  constexpr Index step = 8;
+  constexpr Index group = 8;
   bool changed = false;
-  for (Index x = 0; x < count; x += step) {
+  for (Index x = 0; x < count; x += group) {
     if (load_word(here + x) == 0) {
       store_word(target + x, 0);
       continue;
     }
-    for (Index i = x; i < x + step; ++i) {
+    for (Index i = x; i < x + group; ++i) {
       const std::uint8_t p = here[i];
-      std::uint8_t kept = table[descriptor(here + i - stride, here + i, here + i + stride)];
-      if constexpr (has_fixed) kept = static_cast<std::uint8_t>(kept | fixed[i]);
-      const std::uint8_t next = p & kept;
+      std::uint8_t keep = table[descriptor(here + i - stride, here + i, here + i + stride)];
+      if constexpr (has_fixed) keep = static_cast<std::uint8_t>(keep | fixed[i]);
+      const std::uint8_t next = p & keep;
       changed = changed || next != p;
       target[i] = next;
     }
@@ -63,8 +61,8 @@ std::uint64_t column_pairs(const std::uint8_t* here, Index stride) {
   return (columns | columns >> 5) & 0x003F003F003F003F;
 }
 
-/// Rows of the engine lut_sliding. Pixels x to x + 7 need columns x - 1 to x + 8, so windows start
-/// at odd distances.
+/// The engine lut_sliding. Pixels x to x + 7 need columns x - 1 to x + 8, so windows start at odd
+/// columns.
 template <bool has_fixed>
 bool sliding_row(const std::uint16_t* table, [[maybe_unused]] const std::uint8_t* fixed,
                  const std::uint8_t* here, Index stride, std::uint8_t* target, Index count) {
@@ -85,13 +83,14 @@ bool sliding_row(const std::uint16_t* table, [[maybe_unused]] const std::uint8_t
   return changed != 0;
 }
 
-/// `row` for each row of the band, as Pass has it.
-template <class Row>
-std::uint64_t all_rows(const std::uint8_t* fixed, const ConstBytePlaneView& source,
-                       const BytePlaneView& target, const Band& band, const Row& row) {
+/// See Pass.
+template <class Row, class Table>
+std::uint64_t all_rows(const Row& row, const Table* table, const std::uint8_t* fixed,
+                       const ConstBytePlaneView& source, const BytePlaneView& target,
+                       const Band& band) {
   return for_each_run(band, [&](Index y, Index from, Index to) {
-    return row(fixed == nullptr ? nullptr : fixed + from, source.row(y) + from, source.stride,
-               target.row(y) + from, to - from);
+    return row(table, fixed == nullptr ? nullptr : fixed + from, source.row(y) + from,
+               source.stride, target.row(y) + from, to - from);
   });
 }
 
@@ -99,14 +98,14 @@ std::uint64_t lut_rows(const std::uint8_t* table, const std::uint8_t* fixed,
                        const ConstBytePlaneView& source, const BytePlaneView& target,
                        const Band& band) {
   const auto row = fixed == nullptr ? &lut_row<false> : &lut_row<true>;
-  return all_rows(fixed, source, target, band, [&](auto... where) { return row(table, where...); });
+  return all_rows(row, table, fixed, source, target, band);
 }
 
 std::uint64_t sliding_rows(const std::uint16_t* table, const std::uint8_t* fixed,
                            const ConstBytePlaneView& source, const BytePlaneView& target,
                            const Band& band) {
   const auto row = fixed == nullptr ? &sliding_row<false> : &sliding_row<true>;
-  return all_rows(fixed, source, target, band, [&](auto... where) { return row(table, where...); });
+  return all_rows(row, table, fixed, source, target, band);
 }
 
 struct PairTable {

@@ -1,5 +1,4 @@
-// Any rule of the eight neighbours on words of any width: a decision diagram, one multiplexer a
-// node.
+// Any rule of eight neighbours on words of any width: a decision diagram, one multiplexer per node.
 #pragma once
 
 #include "thinning/rules/neighbourhood.hpp"
@@ -7,9 +6,8 @@
 
 namespace thinbench::detail {
 
-/// A rule object for the sweep. Cost a word: for each node 3 loads, 1 multiplexer (one instruction
-/// on AVX-512, three else) and 1 store, more than a minimised circuit needs; but it takes any table
-/// at run time.
+/// Cost per word and node: 3 loads, 1 multiplexer (one instruction on AVX-512, else three) and 1
+/// store. More than a minimised circuit, but for any table at run time.
 struct MuxRule {
   static constexpr int kSubIterations = 1;
 

@@ -1,5 +1,5 @@
-// Passes: one sub-iteration of a rule applied to a band of rows. An engine provides one for every
-// sub-iteration of every rule; tables by rule lead to them.
+// The interface of engines: functions that apply a sub-iteration of a rule to a band of rows, in
+// tables by rule.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace thinbench::detail {
 
-/// A band of rows, of which only some tiles need a visit. A row is cut into at most 64 columns of
-/// `column_elements` elements; bit i of `columns` asks for column i.
+/// A band of rows, cut into at most 64 tiles: columns of `column_elements` elements. Column i must
+/// be computed where bit i of `columns` is set.
 struct Band {
   Index first;  // row
   Index last;   // row after the last
@@ -21,7 +21,7 @@ struct Band {
   Index column_elements;
   Index row_elements;  // the last column may be narrower
 
-  /// Bits of the columns that elements [from, to) touch.
+  /// The columns with elements [from, to), as bits.
   [[nodiscard]] std::uint64_t columns_of(Index from, Index to) const {
     const Index low = from / column_elements;
     const Index high = (to - 1) / column_elements;
@@ -29,25 +29,24 @@ struct Band {
   }
 };
 
-/// Writes the tiles of `band` in `target` from `source` and what surrounds them; other tiles of the
-/// band may be written, too, with the pixels that the rule gives them. Returns the columns that
-/// changed, among those asked for. The planes have one size and do not overlap; nothing outside the
-/// rows is written. `rule` is nullptr for rules that are fixed at compile time. `fixed` is nullptr
-/// or a row of elements with a 1 for every pixel that keeps its value, whatever the rule says.
+/// Applies a sub-iteration to the columns of `band` that must be computed; may write the others,
+/// too, with correct pixels. Returns which of the former changed. The planes have one size and do
+/// not overlap; no other rows are written. `rule` is nullptr for rules that are fixed at compile
+/// time. `fixed` is nullptr or a row of elements with a 1 for every pixel that must not change.
 template <class T>
 using Pass = std::uint64_t (*)(const RuntimeRule* rule, const T* fixed,
                                const ConstPlaneView<T>& source, const PlaneView<T>& target,
                                const Band& band);
 
-/// A pass that also sees what the last step changed: `previous` is the image before it, background
-/// everywhere before the first. Otherwise as Pass, for packed pixels.
+/// A Pass on packed pixels that also sees what the last sub-iteration changed: `previous` is the
+/// image before it, or background before the first.
 using ChangePass = std::uint64_t (*)(const RuntimeRule* rule, const std::uint64_t* fixed,
                                      const ConstBitPlaneView& previous,
                                      const ConstBitPlaneView& source, const BitPlaneView& target,
                                      const Band& band);
 
 /// For engines that work row by row: calls `row(y, from, to)` for each row of the band and each run
-/// of adjacent columns, and collects the columns in which it returned true.
+/// of adjacent columns, and returns the columns of runs where it returned true.
 template <class Row>
 [[gnu::always_inline]] inline std::uint64_t for_each_run(const Band& band, const Row& row) {
   std::uint64_t changed = 0;
@@ -69,7 +68,7 @@ template <class Row>
 
 inline constexpr int kMaxSubIterations = 4;
 
-/// One function for each sub-iteration of a rule. Empty where an engine does not know the rule.
+/// A function per sub-iteration of a rule. Empty where an engine does not support the rule.
 template <class Function>
 struct Cycle {
   Function steps[kMaxSubIterations] = {};
@@ -81,7 +80,7 @@ struct Cycle {
   }
 };
 
-/// One entry for each rule.
+/// One entry per rule.
 template <class T>
 struct ByRule {
   T entries[kRules.size()] = {};
@@ -90,8 +89,8 @@ struct ByRule {
   constexpr T& operator[](Rule rule) { return entries[static_cast<std::size_t>(rule)]; }
 };
 
-/// What `Engine::template pass<Type, sub>` gives for every sub-iteration of every parallel rule
-/// that the engine knows.
+/// `Engine::template pass<Type, sub>` for every sub-iteration of every parallel rule that the
+/// engine supports.
 template <class Function, class Engine>
 consteval ByRule<Cycle<Function>> cycles_by_rule() {
   ByRule<Cycle<Function>> table;
@@ -119,7 +118,7 @@ consteval PassesByRule<typename Engine::Element> passes_by_rule() {
   return cycles_by_rule<Pass<typename Engine::Element>, Engine>();
 }
 
-/// Engines that are compiled once, for the baseline. The last three take a RuntimeRule.
+/// Compiled once, for the baseline. The last three take a RuntimeRule.
 struct ScalarPasses {
   static const PassesByRule<std::uint8_t> kLut;
   static const PassesByRule<std::uint8_t> kLutSliding;
@@ -129,7 +128,7 @@ struct ScalarPasses {
   static const Pass<std::uint64_t> kRuntimeBitpacked;
 };
 
-/// Engines that are compiled for every ISA, see simd.cpp and autovec.cpp.
+/// Compiled for every ISA, see simd.cpp and autovec.cpp.
 struct SimdPasses {
   PassesByRule<std::uint8_t> bytes;
   PassesByRule<std::uint64_t> bitpacked;

@@ -1,57 +1,31 @@
 // A row of up to 512 pixels in one 512-bit register; the whole image (26 KB for 412 rows) is
 // thinned in place in scratch memory that stays in the first-level cache.
 //
-// Cost a row and sub-iteration: 1 load, 1 store, 4 instructions for the two neighbours (2 lane
-// shifts, 2 funnel shifts; 6 without VBMI2), the rule's gates, 1 to notice change. Rows are grouped
-// in bands; a band whose neighbourhood did not change during the last cycle is not visited.
+// Cost per row and sub-iteration: 1 load, 1 store, 4 instructions for the two neighbours (2 lane
+// shifts, 2 funnel shifts; 6 without VBMI2), the rule's gates, 1 to notice change, 1 more where the
+// border is kept. Rows are grouped in bands; a band whose neighbourhood did not change during the
+// last iteration is skipped. Bands are bits of one word here, because the image is one column of
+// registers that changes in place; planes and tiles need lists of their own.
 //
-// Counted and left: with column x in register x mod 8 most neighbours lie in other registers, and a
-// row of Guo-Hall's takes 11 vector instructions instead of 15. But then a register's lanes lie
-// rows apart (13 at best), and fewer can be passed over: 22,336 instead of 18,228 rows on the test
-// image. Bands of 4 rows instead of 7 would visit 17,332. Neighbours kept for the next
-// sub-iteration would serve rows that this one did not change only: those that it changed need the
-// shifts anew, and which is which would be a branch a row. Column x in
-// register x mod 8 again, with eight rows that follow each other in its lanes: no more rows are
-// visited than here, and 2 lane shifts a register serve all six neighbours above and below, 13.75
-// instructions a row instead of 15 for Guo-Hall's, 11.75 instead of 13 for the printed rule; left
-// for what that gains at most, pixels being packed in another order.
-//
-// Measured and left, with Guo-Hall's rule, 15 vector instructions a row: neighbours from
-// unaligned loads instead of lane shifts, 13 instructions, the same time, since each of these loads
-// crosses a cache line; column x in lane x mod 8, where neighbours are the row itself stored a lane
-// beside and its two outermost lanes shifted, 11 instructions and 8 % slower with the lanes taken
-// from the register, 2.6 times as slow with the lanes read back from memory; three rows a turn of
-// the loop without moves of registers, 1 % faster.
+// Measured, not adopted: docs/experiments.md#row-kernel.
 #include "thinning/engines/row_kernel.hpp"
 
 #include "dispatch/exported.hpp"
-#include "simd/batch.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
-
-#ifdef __AVX512F__
 inline namespace THINBENCH_ISA {
 namespace {
 
-/// Lane i of the result is lane i - 1 of `row`; lane 0, beyond the margin, is light.
-[[gnu::always_inline]] inline __m512i previous_words(__m512i row) {
-  return _mm512_alignr_epi64(row, _mm512_setzero_si512(), 7);
-}
+// Templates of a word type, which is always WordBatch, so that nothing is compiled where no
+// register holds a row.
 
-[[gnu::always_inline]] inline __m512i next_words(__m512i row) {
-  return _mm512_alignr_epi64(_mm512_setzero_si512(), row, 1);
-}
-
-[[gnu::always_inline]] inline RowOfThree<WordBatch> with_neighbours(__m512i row) {
-#ifdef __AVX512VBMI2__
-  return {_mm512_shldi_epi64(row, previous_words(row), 1), row,
-          _mm512_shrdi_epi64(row, next_words(row), 1)};
-#else
-  return {_mm512_or_si512(_mm512_slli_epi64(row, 1), _mm512_srli_epi64(previous_words(row), 63)),
-          row, _mm512_or_si512(_mm512_srli_epi64(row, 1), _mm512_slli_epi64(next_words(row), 63))};
-#endif
+/// Beyond the margin there is background.
+template <class Word>
+[[gnu::always_inline]] inline RowOfThree<Word> with_neighbours(Word row) {
+  return {west_neighbour<1>(row, previous_word(row)), row, east_neighbour<1>(row, next_word(row))};
 }
 
 /// The working image: rows of one block each, between margins. The rows that may change are grouped
@@ -66,17 +40,18 @@ struct Bands {
 };
 
 /// The rows of the working image.
+template <class Word>
 struct RegisterRows {
   const std::uint64_t* data;  // row 0
 
-  [[gnu::always_inline]] RowOfThree<WordBatch> row(Index y) const {
-    return with_neighbours(_mm512_load_si512(data + y * kBlockWords));
+  [[gnu::always_inline]] RowOfThree<Word> row(Index y) const {
+    return with_neighbours(Word::load_aligned(data + y * kBlockWords));
   }
 
   template <class Rule>
-  [[gnu::always_inline]] RowOfThree<WordBatch> features(Index, const RowOfThree<WordBatch>& above,
-                                                        const RowOfThree<WordBatch>& here,
-                                                        const RowOfThree<WordBatch>& below) const {
+  [[gnu::always_inline]] RowOfThree<Word> features(Index, const RowOfThree<Word>& above,
+                                                   const RowOfThree<Word>& here,
+                                                   const RowOfThree<Word>& below) const {
     return with_neighbours(Rule::feature(cross(above.centre, here, below.centre)));
   }
 };
@@ -98,13 +73,14 @@ template <class Rule, int sub, class Fixed>
                                                         const Bands& bands, int first, int last) {
   std::uint64_t changed_bands = 0;
   std::uint64_t* row = bands.row(first * bands.band_rows);
-  Window<Rule, RegisterRows> window(RegisterRows{row}, 0);
+  using Rows = RegisterRows<WordBatch>;
+  Window<Rule, Rows> window(Rows{row}, 0);
   for (int band = first; band < last; ++band) {
     WordBatch changed(std::uint64_t{0});
     const Index rows = rows_of_band(fixed, bands, band);
     for (Index y = 0; y < rows; ++y, row += kBlockWords) {
       const WordBatch next =
-          fixed.apply(window.template next<sub>(rule, RegisterRows{row}, 0), window.centre());
+          fixed.apply(window.template next<sub>(rule, Rows{row}, 0), window.centre());
       next.store_aligned(row);
       changed = ternary(changed, window.centre(), next,
                         [](auto a, auto b, auto c) { return a | (b ^ c); });
@@ -201,14 +177,20 @@ int fixed_rule(const RowKernelOptions& options, const ConstBitPlaneView& source,
   return thin_rows(Rule{}, options, source, target, scratch);
 }
 
+template <class Rule>
 int runtime_rule(const RowKernelOptions& options, const ConstBitPlaneView& source,
                  const BitPlaneView& target, std::uint64_t* scratch) {
-  return thin_rows(MuxRule{options.rule->program}, options, source, target, scratch);
+  return thin_rows(Rule{options.rule->program}, options, source, target, scratch);
 }
 
+template <bool available>
 consteval RowKernels make_kernels() {
-  RowKernels kernels{{}, &runtime_rule};
-  for_each_parallel_rule([&]<class Type>(Rule rule) { kernels.by_rule[rule] = &fixed_rule<Type>; });
+  RowKernels kernels{};
+  if constexpr (available) {
+    kernels.runtime = &runtime_rule<MuxRule>;
+    for_each_parallel_rule(
+        [&]<class Type>(Rule rule) { kernels.by_rule[rule] = &fixed_rule<Type>; });
+  }
   return kernels;
 }
 
@@ -216,13 +198,7 @@ consteval RowKernels make_kernels() {
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels = make_kernels();
-
-#else
-
-template <>
-constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels = {};
-
-#endif
+constinit const RowKernels Exported<RowKernels, kThisIsa>::kKernels =
+    make_kernels<kRegisterHoldsRow>();
 
 }  // namespace thinbench::detail

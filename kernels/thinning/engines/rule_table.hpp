@@ -1,4 +1,4 @@
-// A rule as a table: its expression evaluated on all 512 neighbourhoods, 64 at a time.
+// The table of a rule: its expression evaluated on all 512 neighbourhoods, 64 at a time.
 #pragma once
 
 #include <array>
@@ -10,14 +10,13 @@ namespace thinbench::detail {
 
 /// Bit i of word w is input number `variable` of neighbourhood 64 w + i.
 constexpr std::uint64_t counting_pattern(int variable, int word) {
-  constexpr std::array<std::uint64_t, 6> low = {0xAAAAAAAAAAAAAAAA, 0xCCCCCCCCCCCCCCCC,
-                                                0xF0F0F0F0F0F0F0F0, 0xFF00FF00FF00FF00,
-                                                0xFFFF0000FFFF0000, 0xFFFFFFFF00000000};
-  if (variable < 6) return low[static_cast<std::size_t>(variable)];
+  constexpr std::uint64_t low[6] = {0xAAAAAAAAAAAAAAAA, 0xCCCCCCCCCCCCCCCC, 0xF0F0F0F0F0F0F0F0,
+                                    0xFF00FF00FF00FF00, 0xFFFF0000FFFF0000, 0xFFFFFFFF00000000};
+  if (variable < 6) return low[variable];
   return (word >> (variable - 6) & 1) != 0 ? ~std::uint64_t{0} : 0;
 }
 
-/// New pixels for index k + 256 p, k being the descriptor.
+/// New pixels by k + 256 p, with the descriptor k.
 using RuleTable = std::array<std::uint8_t, 512>;
 
 template <class Rule, int sub>

@@ -6,7 +6,7 @@
 //
 // simd_bytes: one pixel a byte lane, neighbours by unaligned loads: 3 loads, 1 store, the gates.
 #include "dispatch/exported.hpp"
-#include "simd/batch.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/sweep.hpp"

@@ -1,17 +1,17 @@
-// The original, sequential SPTA on words of 64 pixels, exact: rows come one after another, the 64
-// pixels of a word at once.
+// The original, sequential SPTA on words of 64 pixels, exact: row by row, the 64 pixels of a word
+// at once.
 //
-// Within a row, the only neighbour that this scan has visited before is the western one. Left and
-// right edge points: a left edge point has a light western neighbour, so its decision needs nothing
-// of the row; a right edge point's western neighbour can only have been flagged as a left edge
-// point, because its eastern neighbour is dark. Two steps, no chain.
-// Top and bottom edge points: the western neighbour counts. The expressions grow with it, so a
-// pixel is flagged whatever happened there, or not at all, or if and only if the western one was
-// not. In g = flagged xor (x odd) the last kind copies g from the west: this is how carries run
-// through an addition, and one addition decides the word. About 50 and 75 operations a word; words
-// without dark pixels are passed over.
+// Within a row, the western neighbour is the only one that the scan has visited before. Left and
+// right edge points: a left edge point has a background western neighbour, so its decision does not
+// depend on the row; the western neighbour of a right edge point can only have been flagged as a
+// left edge point, because its eastern neighbour is foreground. Two steps, no dependency chain. Top
+// and bottom edge points: the expressions are monotonic in the western neighbour, so a pixel is
+// flagged always, never, or if and only if its western neighbour was not. In g = flagged xor (x
+// odd) the last kind copies g from the west, as carries propagate through an addition: one addition
+// decides the word. About 50 and 75 operations per word; words without foreground are skipped.
 #include "simd/word.hpp"
 #include "thinning/engines/spta.hpp"
+#include "thinning/rules/neighbourhood.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -24,45 +24,51 @@ using Traits = WordTraits<Word>;
 
 constexpr Word kOddPixels = 0xAAAAAAAAAAAAAAAA;
 
-/// The eight neighbours of 64 pixels; n[4] as it was before the scan.
-struct Around {
-  Word n[8];
-};
+using Around = Neighbourhood<Word>;
 
+/// The neighbours of 64 pixels.
 Around around(const Word* at, Index stride) {
   const Word* above = at - stride;
   const Word* below = at + stride;
-  return {{Traits::east(*at, at), Traits::east(*above, above), *above, Traits::west(*above, above),
-           Traits::west(*at, at), Traits::west(*below, below), *below,
-           Traits::east(*below, below)}};
+  return {*at,
+          Traits::east(*at, at),
+          Traits::east(*above, above),
+          *above,
+          Traits::west(*above, above),
+          Traits::west(*at, at),
+          Traits::west(*below, below),
+          *below,
+          Traits::east(*below, below)};
 }
 
-/// Edge points of the side that is `turn` neighbours from the left, where their expression is TRUE.
-template <int turn>
-Word edge(Word dark, const Around& before, const Around& now) {
-  const auto b = [&](int i) { return before.n[(i + turn) % 8]; };
-  const auto n = [&](int i) { return now.n[(i + turn) % 8]; };
-  return dark & ~b(4) & n(0) & (n(1) | n(2) | n(6) | n(7)) & (n(2) | ~b(3)) & (~b(5) | n(6));
+/// The candidates that are edge points of a side with a TRUE expression; the rotation makes the
+/// side the left one.
+template <int eighths>
+Word edge(Word candidates, const Around& before, const Around& now) {
+  const Around n = rotated<eighths>(now);
+  const Around b = rotated<eighths>(before);
+  const Around c = {~b.p, ~b.n0, ~b.n1, ~b.n2, ~b.n3, ~b.n4, ~b.n5, ~b.n6, ~b.n7};
+  return candidates & c.n4 & edge_expression(n, c);
 }
 
-/// `candidates` may be flagged, `centre` are foreground and not flagged.
+/// Candidates may be flagged; `centre` is foreground that is not flagged.
 Word left_right(Word candidates, Word centre, const Word* at, const Around& before, Around now) {
   const Word left = edge<0>(candidates, before, now);
-  now.n[4] = Traits::west(centre & ~left, at);  // the word before is done
+  now.n4 = Traits::west(centre & ~left, at);  // the previous word is done
   return left | edge<4>(candidates, before, now);
 }
 
-/// `flagged_before`: whether the last pixel of the word before was flagged in this scan.
-Word top_bottom(Word dark, const Around& before, Around now, bool flagged_before) {
-  const Word west_dark = now.n[4];
-  now.n[4] = 0;
-  const Word anyway = edge<6>(dark, before, now) | edge<2>(dark, before, now);
-  now.n[4] = west_dark;
-  const Word at_most = edge<6>(dark, before, now) | edge<2>(dark, before, now);
-  const Word copies = at_most & ~anyway;
-  const Word sets = ~copies & (anyway ^ kOddPixels);
+/// `flagged_before`: whether the last pixel of the previous word was flagged in this scan.
+Word top_bottom(Word candidates, const Around& before, Around now, bool flagged_before) {
+  const Word western = now.n4;
+  now.n4 = 0;
+  const Word always = edge<6>(candidates, before, now) | edge<2>(candidates, before, now);
+  now.n4 = western;
+  const Word possibly = edge<6>(candidates, before, now) | edge<2>(candidates, before, now);
+  const Word copies = possibly & ~always;
+  const Word sets = ~copies & (always ^ kOddPixels);
   const Word both = copies | sets;
-  const Word sum = both + sets + (flagged_before ? 0 : 1);  // the pixel before is odd
+  const Word sum = both + sets + (flagged_before ? 0 : 1);  // that pixel is odd
   const Word from_west = both ^ sets ^ sum;
   return (sets | (copies & from_west)) ^ kOddPixels;
 }
@@ -73,7 +79,7 @@ struct Rows {
   BitPlaneView now;
   Index words;
   const Word* changing;  // a 1 for every pixel of a row that may be flagged
-  Index first;           // the rows that may change
+  Index first;           // of the rows that may change
   Index last;
 };
 
@@ -87,26 +93,26 @@ Word run_row(const Rows& rows, Index y) {
   Word* now = rows.now.row(y);
   Word any = 0;
   Word flagged = 0;
-  // The western word is still needed as it was, to know whose last pixel this scan flagged.
+  // The previous word before this scan, to know whether its last pixel was flagged.
   Word west = 0;
   for (Index i = 0; i < rows.words; ++i) {
-    const Word dark = now[i];
+    const Word pixels = now[i];
     const bool flagged_before = (flagged >> 63) != 0;
     flagged = 0;
-    if (dark != 0) {
-      const Word candidates = dark & rows.changing[i];
+    if (pixels != 0) {
+      const Word candidates = pixels & rows.changing[i];
       const Around was = around(before + i, rows.before_stride);
       Around is = around(now + i, rows.now.stride);
       if constexpr (scan == SptaScan::left_right) {
-        flagged = left_right(candidates, dark, now + i, was, is);
+        flagged = left_right(candidates, pixels, now + i, was, is);
       } else {
-        is.n[4] = dark << 1 | west >> 63;
+        is.n4 = pixels << 1 | west >> 63;
         flagged = top_bottom(candidates, was, is, flagged_before);
       }
-      now[i] = dark & ~flagged;
+      now[i] = pixels & ~flagged;
       any |= flagged;
     }
-    west = dark;
+    west = pixels;
   }
   return any;
 }
@@ -127,8 +133,7 @@ bool iterate_once(const Rows& rows) {
   return flagged != 0;
 }
 
-/// The rows in `scratch`: the image before an iteration with a margin, then the pixels that may
-/// change.
+/// `scratch` holds the image before an iteration, in a margin, then the pixels that may change.
 Rows make_rows(Border border, const BitPlaneView& image, Word* scratch) {
   const Index count = spta_scratch_words(image.width, image.height);
   for (Index i = 0; i < count; ++i) scratch[i] = 0;

@@ -17,7 +17,7 @@ TileGrid::TileGrid(Index width, Index height, Border border)
       view_{} {
   view_.width = width;
   view_.height = height;
-  // Odd, so that tiles of neighbouring strips never compete for one cache set.
+  // Odd, so that tiles of neighbouring strips never share a cache set.
   view_.strip_tiles = (tile_rows_ + 1) | 1;
   const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
   view_.groups = tiles / kTileGroup;
@@ -33,8 +33,8 @@ TileGrid::TileGrid(Index width, Index height, Border border)
   occupied_ = make_aligned<std::uint32_t>(count_of(view_.groups));
   view_.occupied = occupied_.get();
   wanted_ = make_aligned<std::uint32_t>(count_of(kMaxSubIterations * view_.groups));
-  for (Index step = 0; step < kMaxSubIterations; ++step) {
-    view_.wanted[count_of(step)] = wanted_.get() + step * view_.groups;
+  for (Index sub = 0; sub < kMaxSubIterations; ++sub) {
+    view_.wanted[count_of(sub)] = wanted_.get() + sub * view_.groups;
   }
   occupied_groups_ = make_aligned<std::uint64_t>(count_of(group_words()));
   view_.occupied_groups = occupied_groups_.get();
@@ -60,8 +60,8 @@ void TileGrid::find_occupied() {
   for (Index group = 0; group < view_.groups; ++group) {
     std::uint32_t tiles = 0;
     for (Index i = 0; i < kTileGroup; ++i) {
-      const bool dark = view_.changed_rows[group * kTileGroup + i] != 0;
-      tiles |= std::uint32_t{dark} << i;
+      const bool occupied = view_.changed_rows[group * kTileGroup + i] != 0;
+      tiles |= std::uint32_t{occupied} << i;
     }
     occupied_[count_of(group)] = tiles;
   }

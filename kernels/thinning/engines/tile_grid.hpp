@@ -1,9 +1,8 @@
-// Packed pixels in tiles of 16 rows by 32 columns, a register of 512 bits each, and which of them
-// changed.
+// Packed pixels in tiles of 16 rows by 32 columns, 512 bits each, and which of them changed.
 //
-// Tiles lie in strips 32 columns wide, from the top down, so the rows above and below a word are
-// the words before and after it. Every strip ends with at least one light tile, and a light strip
-// lies on either side: no neighbour needs a condition.
+// Tiles are stored in strips 32 columns wide, from the top down, so the rows above and below a word
+// are the words before and after it. Every strip ends with at least one background tile, and there
+// is a background strip on either side: no neighbour needs a condition.
 #pragma once
 
 #include <array>
@@ -18,28 +17,28 @@ namespace thinbench::detail {
 
 inline constexpr Index kTileRows = 16;
 inline constexpr Index kTileColumns = 32;
-/// Tiles whose flags are one word.
+/// The flags of a group of tiles are one word.
 inline constexpr Index kTileGroup = 32;
 
 struct TileGridView {
-  Index strip_tiles;  // from a tile to its neighbour in the next strip
+  Index strip_tiles;  // the distance from a tile to its neighbour in the next strip
   Index groups;       // margins included
 
   std::uint32_t* words;  // row r of tile i is words[kTileRows * i + r], low bit first
 
-  // What the last step changed, a bit a row of each tile: anywhere, in the first column, in the
-  // last. Zero for tiles that it did not visit. May be read one strip and a group outside.
+  // What the last sub-iteration changed, one bit per row of each tile: anywhere, in the first
+  // column, in the last. Zero for tiles that were not visited. Readable one strip and a group
+  // outside.
   std::uint16_t* changed_rows;
   std::uint16_t* changed_west;
   std::uint16_t* changed_east;
 
-  const std::uint32_t* occupied;  // bit a tile: had dark pixels at the beginning
-  /// Bit a tile: it or a pixel beside it changed in that step of the cycle.
+  // Bit sets by tile or by group of tiles.
+  const std::uint32_t* occupied;  // has foreground at the beginning
+  /// By sub-iteration: the tile or a pixel beside it changed.
   std::array<std::uint32_t*, kMaxSubIterations> wanted;
-  const std::uint64_t* occupied_groups;  // bit a group: one of its tiles is occupied
-
-  // Bit a tile: holds outermost pixels of the image, which keep their values. nullptr where all
-  // pixels may change.
+  const std::uint64_t* occupied_groups;  // one of its tiles is occupied
+  /// Has outermost pixels of the image, which must not change; nullptr where all pixels may.
   const std::uint32_t* border_tiles;
   Index width;
   Index height;
@@ -54,12 +53,12 @@ class TileGrid {
 
   /// Rows of tiles.
   [[nodiscard]] Index tile_rows() const { return tile_rows_; }
-  /// Words of a bit set with a bit a group.
+  /// Words of a bit set by group.
   [[nodiscard]] Index group_words() const { return (view_.groups + kWordBits - 1) / kWordBits; }
 
-  /// After all rows were loaded, see TileLayout: lists the tiles with dark pixels, ascending, in
-  /// `list`, which has room for all tiles, and sets the bits of their groups in `visited`. Returns
-  /// how many.
+  /// After all rows were loaded, see TileLayout: lists the tiles with foreground in ascending order
+  /// in `list`, which has room for all tiles, sets the bits of their groups in `visited`, and
+  /// returns their number.
   Index begin(std::uint32_t* list, std::uint64_t* visited);
 
  private:

@@ -1,10 +1,10 @@
 // Rows of packed pixels into tiles and back. Compiled once for every instruction-set level.
 //
 // Rows keep the pixels of neighbouring tiles together, tiles those of neighbouring rows. At AVX-512
-// 16 tiles are turned in registers, 16 loads, 64 shuffles and 16 stores for 8,192 pixels. Other
-// levels, and what is left at the edges, move a word of two tiles at a time.
+// 16 tiles are transposed in registers, 16 loads, 64 shuffles and 16 stores for 8,192 pixels. Other
+// ISAs, and what is left at the edges, move a word of two tiles at a time.
 #include "dispatch/exported.hpp"
-#include "simd/batch.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/tile_passes.hpp"
 
 namespace thinbench::detail {
@@ -18,7 +18,7 @@ Index first_tile(const TileGridView& grid, Index tile_row) {
   return grid.strip_tiles + tile_row;
 }
 
-/// Tiles of two neighbouring strips, the second of which may be the light one behind the last.
+/// Tiles of two neighbouring strips, the second of which may be the empty one behind the last.
 void load_two_tiles(const TileGridView& grid, const ConstBitPlaneView& rows, Index strip,
                     Index tile_row) {
   const Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
@@ -45,93 +45,55 @@ void store_two_tiles(const TileGridView& grid, const BitPlaneView& rows, Index s
   }
 }
 
-#ifdef __AVX512F__
+constexpr Index kTransposedStrips = Square::kSize;
+static_assert(!kHasTranspose || Square::kSize == kTileRows);
 
-constexpr Index kTurnedStrips = 16;
-
-struct Square {
-  __m512i rows[16];  // of 16 lanes
-};
-
-/// Lane i of row j becomes lane j of row i.
-[[gnu::always_inline]] inline Square turned(const Square& in) {
-  Square pairs;
-  for (int i = 0; i < 16; i += 2) {
-    pairs.rows[i] = _mm512_unpacklo_epi32(in.rows[i], in.rows[i + 1]);
-    pairs.rows[i + 1] = _mm512_unpackhi_epi32(in.rows[i], in.rows[i + 1]);
-  }
-  Square fours;  // rows[4 i + j]: lanes j, j + 4, j + 8, j + 12 of the rows 4 i to 4 i + 3
-  for (int i = 0; i < 16; i += 4) {
-    fours.rows[i] = _mm512_unpacklo_epi64(pairs.rows[i], pairs.rows[i + 2]);
-    fours.rows[i + 1] = _mm512_unpackhi_epi64(pairs.rows[i], pairs.rows[i + 2]);
-    fours.rows[i + 2] = _mm512_unpacklo_epi64(pairs.rows[i + 1], pairs.rows[i + 3]);
-    fours.rows[i + 3] = _mm512_unpackhi_epi64(pairs.rows[i + 1], pairs.rows[i + 3]);
-  }
-  constexpr int even = 0x88;  // parts of 128 bits: 0 and 2 of either operand
-  constexpr int odd = 0xDD;
-  Square out;
-  for (int j = 0; j < 4; ++j) {
-    const __m512i a = fours.rows[j];
-    const __m512i b = fours.rows[j + 4];
-    const __m512i c = fours.rows[j + 8];
-    const __m512i d = fours.rows[j + 12];
-    const __m512i even_ab = _mm512_shuffle_i32x4(a, b, even);
-    const __m512i even_cd = _mm512_shuffle_i32x4(c, d, even);
-    const __m512i odd_ab = _mm512_shuffle_i32x4(a, b, odd);
-    const __m512i odd_cd = _mm512_shuffle_i32x4(c, d, odd);
-    out.rows[j] = _mm512_shuffle_i32x4(even_ab, even_cd, even);
-    out.rows[j + 4] = _mm512_shuffle_i32x4(odd_ab, odd_cd, even);
-    out.rows[j + 8] = _mm512_shuffle_i32x4(even_ab, even_cd, odd);
-    out.rows[j + 12] = _mm512_shuffle_i32x4(odd_ab, odd_cd, odd);
-  }
-  return out;
-}
-
-/// Whole tiles of kTurnedStrips strips.
-void load_turned(const TileGridView& grid, const ConstBitPlaneView& rows, Index strip,
-                 Index tile_row) {
-  Square square;
-  for (int y = 0; y < kTileRows; ++y) {
-    square.rows[y] = _mm512_loadu_si512(rows.row(y) + strip / kWordsOf64);
-  }
-  const Square tiles = turned(square);
-  Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
-  for (const __m512i& pixels : tiles.rows) {
-    _mm512_store_si512(grid.words + tile * kTileRows, pixels);
-    grid.changed_rows[tile] = _mm512_test_epi32_mask(pixels, pixels);
-    tile += grid.strip_tiles;
-  }
-}
-
-void store_turned(const TileGridView& grid, const BitPlaneView& rows, Index strip, Index tile_row) {
-  Square square;
-  Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
-  for (__m512i& pixels : square.rows) {
-    pixels = _mm512_load_si512(grid.words + tile * kTileRows);
-    tile += grid.strip_tiles;
-  }
-  const Square pixels = turned(square);
-  for (int y = 0; y < kTileRows; ++y) {
-    _mm512_storeu_si512(rows.row(y) + strip / kWordsOf64, pixels.rows[y]);
-  }
-}
-
-/// Strips that are turned together; the others follow.
+/// Whole tiles of kTransposedStrips strips. A template, as the next one, for it to be compiled only
+/// where squares can be transposed.
 template <class View>
-Index turned_strips(const View& rows) {
+void load_transposed(const TileGridView& grid, const View& rows, Index strip, Index tile_row) {
+  Square square;
+  for (int y = 0; y < kTileRows; ++y) {
+    const std::uint64_t* row = rows.row(y) + strip / kWordsOf64;
+    square.rows[y] = reinterpreted<Lanes32>(WordBatch::load_unaligned(row));
+  }
+  const Square tiles = transposed(square);
+  Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
+  for (const Lanes32& pixels : tiles.rows) {
+    pixels.store_aligned(grid.words + tile * kTileRows);
+    grid.changed_rows[tile] = static_cast<std::uint16_t>(nonzero_lanes(pixels));
+    tile += grid.strip_tiles;
+  }
+}
+
+template <class View>
+void store_transposed(const TileGridView& grid, const View& rows, Index strip, Index tile_row) {
+  Square square;
+  Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
+  for (Lanes32& pixels : square.rows) {
+    pixels = Lanes32::load_aligned(grid.words + tile * kTileRows);
+    tile += grid.strip_tiles;
+  }
+  const Square pixels = transposed(square);
+  for (int y = 0; y < kTileRows; ++y) {
+    reinterpreted<WordBatch>(pixels.rows[y]).store_unaligned(rows.row(y) + strip / kWordsOf64);
+  }
+}
+
+/// Strips that are transposed together; the others follow.
+template <class View>
+Index transposed_strips(const View& rows) {
   if (rows.height < kTileRows) return 0;
   const Index strips = (rows.width + kTileColumns - 1) / kTileColumns;
-  return strips / kTurnedStrips * kTurnedStrips;
+  return strips / kTransposedStrips * kTransposedStrips;
 }
-
-#endif
 
 void load_rows(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row) {
   Index strip = 0;
-#ifdef __AVX512F__
-  const Index end = turned_strips(rows);
-  for (; strip < end; strip += kTurnedStrips) load_turned(grid, rows, strip, tile_row);
-#endif
+  if constexpr (kHasTranspose) {
+    const Index end = transposed_strips(rows);
+    for (; strip < end; strip += kTransposedStrips) load_transposed(grid, rows, strip, tile_row);
+  }
   for (; strip * kTileColumns < rows.width; strip += kWordsOf64) {
     load_two_tiles(grid, rows, strip, tile_row);
   }
@@ -139,10 +101,10 @@ void load_rows(const TileGridView& grid, const ConstBitPlaneView& rows, Index ti
 
 void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_row) {
   Index strip = 0;
-#ifdef __AVX512F__
-  const Index end = turned_strips(rows);
-  for (; strip < end; strip += kTurnedStrips) store_turned(grid, rows, strip, tile_row);
-#endif
+  if constexpr (kHasTranspose) {
+    const Index end = transposed_strips(rows);
+    for (; strip < end; strip += kTransposedStrips) store_transposed(grid, rows, strip, tile_row);
+  }
   for (; strip * kTileColumns < rows.width; strip += kWordsOf64) {
     store_two_tiles(grid, rows, strip, tile_row);
   }

@@ -1,11 +1,11 @@
 // Sub-iterations on tiles of 16 x 32 packed pixels, only those within one pixel of which something
-// changed since the sub-iteration last ran. Compiled once for every instruction-set level.
+// changed since the sub-iteration last ran. Compiled once for every ISA.
 //
-// Cost a tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's gates,
-// 1 to see the change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from there
-// to the grid; a rule of two stages takes 16 funnel shifts and 15 loads, of which GCC makes 20. An
-// image is in the grid once: new pixels wait until no neighbour needs the old ones.
-// As few wait as the list allows: with room for the densest list, 32 KB for 4,120 rows, they pushed
+// Cost per tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's
+// gates, 1 to notice change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from
+// there to the grid; a rule of two stages takes 16 funnel shifts and 15 loads, of which GCC
+// makes 20. An image is in the grid once: new pixels wait until no neighbour needs the old ones. As
+// few wait as the list allows: with room for the densest list, 32 KB for 4,120 rows, they pushed
 // the grid out of the first cache, and Zhang-Suen's rule took 14 % longer on deep strokes.
 //
 // It visits 8,613 tiles of the test image with Guo-Hall's rule, where the row kernel visits 18,228
@@ -13,24 +13,13 @@
 // instructions alone are 10, stores 3 and loads across lines 2. It wins where strokes are deep or
 // images large: most tiles are quiet then.
 //
-// Measured and left:
-// - huge pages, prefetching the tiles ahead, writing only rows that changed, and a list that knows
-//   in which direction groups changed: nothing gained;
-// - a wavefront, in which several steps follow each other strip by strip while pixels are in a near
-//   cache: 31 cycles a visit, lists included, instead of 30 on the scene tiled 10 x 10, and 44
-//   instead of 38 on the scene enlarged 10 times: what each short list costs is more than what
-//   nearer pixels save;
-// - tiles of 32 x 32 in two registers, even and odd rows, 8 funnel shifts instead of 12: the loop
-//   alone took 8 % less for the same pixels, with fewer visits of larger tiles counted in;
-// - flags of neighbours above and below moved as bits instead of loaded twice: the same time.
-// With strips a multiple of 32 tiles apart, writes and reads compete for the same addresses modulo
-// 4096: 6 % slower.
+// Measured, not adopted: docs/experiments.md#tiles.
 #include "thinning/engines/tile_passes.hpp"
 
 #include <algorithm>
 
 #include "dispatch/exported.hpp"
-#include "simd/lane_bits.hpp"
+#include "simd/vector.hpp"
 #include "thinning/engines/sweep.hpp"
 
 namespace thinbench::detail {
@@ -201,20 +190,16 @@ template <class Rule, int sub, bool has_border>
 
 [[gnu::always_inline]] inline Index append_tiles(std::uint32_t* list, Index first,
                                                  std::uint32_t tiles) {
-#ifdef __AVX512F__
-  const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const __m512i low = _mm512_add_epi32(lanes, _mm512_set1_epi32(static_cast<int>(first)));
-  const __m512i high = _mm512_add_epi32(low, _mm512_set1_epi32(16));
-  const auto low_tiles = static_cast<__mmask16>(tiles);
-  const auto high_tiles = static_cast<__mmask16>(tiles >> 16);
-  _mm512_storeu_si512(list, _mm512_maskz_compress_epi32(low_tiles, low));
-  _mm512_storeu_si512(list + __builtin_popcount(low_tiles),
-                      _mm512_maskz_compress_epi32(high_tiles, high));
-#else
-  for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
-    *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(left));
+  if constexpr (kHasCompress) {
+    static_assert(!kHasCompress || 2 * kRowLanes == kTileGroup);
+    const Lanes32 low = lane_numbers() + Lanes32(static_cast<std::uint32_t>(first));
+    store_compressed(list, low, tiles);
+    store_compressed(list + __builtin_popcount(tiles & 0xFFFF), low + Lanes32(16), tiles >> 16);
+  } else {
+    for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
+      *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(left));
+    }
   }
-#endif
   return __builtin_popcount(tiles);
 }
 

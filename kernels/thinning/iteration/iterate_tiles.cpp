@@ -7,15 +7,16 @@
 namespace thinbench::detail {
 namespace {
 
-/// A thread's share below which waiting for each other costs more than it saves.
+/// Tiles per thread below which barriers cost more than threads save:
+/// docs/experiments.md#smaller-shares.
 constexpr Index kMinShare = 512;
 
-/// From a tile to the first that is no neighbour of it.
+/// The distance from a tile to the first that is no neighbour of it.
 std::uint32_t reach_of(const TileGridView& grid) {
   return static_cast<std::uint32_t>(grid.strip_tiles + 2);
 }
 
-/// Writes what is still pending of a range.
+/// Writes the tiles of a range that are still pending.
 void commit(const TileGridView& grid, const TileVisits& visits) {
   for (Index i = std::max<Index>(0, visits.count - visits.kept); i < visits.count; ++i) {
     const PendingTile& from = visits.pending[i % visits.kept];
@@ -23,7 +24,7 @@ void commit(const TileGridView& grid, const TileVisits& visits) {
   }
 }
 
-/// Part `part` of [0, count) in `parts` equal ones begins here.
+/// The beginning of one of `parts` equal parts of [0, count).
 Index part_begin(Index count, Index part, Index parts) {
   return count * part / parts;
 }
@@ -34,8 +35,8 @@ TileWorkspace::TileWorkspace(Index width, Index height, Border border, int threa
     : grid_(width, height, border), max_held_(static_cast<Index>(reach_of(grid_.view()))) {
   const Index tiles = grid_.view().groups * kTileGroup;
   const Index shares = tiles < threads * kMinShare ? 1 : threads;
-  // A share has no more tiles than its part of the list; one thread alone, which all tiles may fall
-  // to, has the room of all.
+  // A share has no more tiles than its part of the list. A single share, which may be all tiles,
+  // has the room of all shares.
   room_ = std::min(max_held_, tiles / shares + 1);
   pending_ =
       make_aligned<PendingTile>(static_cast<std::size_t>(std::max(max_held_, room_ * 2 * shares)));
@@ -48,8 +49,8 @@ TileWorkspace::TileWorkspace(Index width, Index height, Border border, int threa
   }
 }
 
-/// The steps of one repetition. Two barriers a step: one before tiles are written that other
-/// threads may have read, one before the next list is used.
+/// The sub-iterations of one repetition, with two barriers each: one before tiles are written that
+/// other threads may have read, one before the next list is used.
 class TileIteration {
  public:
   TileIteration(const TileEngine& engine, TileWorkspace& workspace, const ThreadTeam& team)
@@ -67,10 +68,10 @@ class TileIteration {
 
   [[nodiscard]] bool any_active() const { return active_ != 0; }
 
-  void step(int step) {
+  void run(int sub) {
     const Index shares = active_ < team_.threads() * kMinShare ? 1 : team_.threads();
     const Index lists = std::min(shares, words_);
-    const TileVisit visit = engine_.cycle[static_cast<std::size_t>(step)];
+    const TileVisit visit = engine_.cycle[static_cast<std::size_t>(sub)];
     kept_ =
         engine_.kernels->find_held(list_, active_, reach_of(grid_), kept_, workspace_.max_held_);
     for_each_share(shares, [&](Index share) {
@@ -81,7 +82,7 @@ class TileIteration {
       if (share != 0) commit(grid_, held(share, shares));
       commit(grid_, rest(share, shares));
       if (share < lists) {
-        workspace_.listed_[static_cast<std::size_t>(share)] = list_share(step, share, lists);
+        workspace_.listed_[static_cast<std::size_t>(share)] = list_share(sub, share, lists);
       }
     });
     join_lists(lists);
@@ -98,7 +99,7 @@ class TileIteration {
     });
   }
 
-  /// Where the tiles of a share begin that no thread of an earlier share may still read.
+  /// The beginning of a share's tiles that no thread of an earlier share may still read.
   [[nodiscard]] Index rest_begin(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
     if (share == 0) return first;
@@ -107,33 +108,33 @@ class TileIteration {
     return std::lower_bound(list_ + first, list_ + last, beyond) - list_;
   }
 
-  /// The tiles before it: none is written before all threads have visited theirs.
+  /// The tiles before it: written after all threads have visited theirs.
   [[nodiscard]] TileVisits held(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
     return {list_ + first, rest_begin(share, shares) - first, pending_of(2 * share),
             workspace_.max_held_};
   }
-  /// The others: all but the last `kept`, which a thread of a later share may read, are written on
-  /// the way.
+  /// The others: written on the way, but for the last `kept`, which a thread of a later share may
+  /// read.
   [[nodiscard]] TileVisits rest(Index share, Index shares) const {
     const Index first = rest_begin(share, shares);
     const Index last = part_begin(active_, share + 1, shares);
     return {list_ + first, last - first, pending_of(shares == 1 ? 0 : 2 * share + 1), kept_};
   }
-  /// Room for `room_` tiles; from the first place on for all that one thread alone may keep.
+  /// Memory for `room_` tiles; from the first place on, for all that a single share may hold.
   [[nodiscard]] PendingTile* pending_of(Index place) const {
     return workspace_.pending_.get() + place * workspace_.room_;
   }
 
-  /// A share of the groups has room for its tiles in the next list, and for those that are written
+  /// Each share of the groups has room for all its tiles in the next list, and for entries written
   /// behind the last.
   [[nodiscard]] std::uint32_t* list_of_share(Index share, Index shares) const {
     const Index tiles = part_begin(words_, share, shares) * kWordBits * kTileGroup;
     return next_list_ + tiles + share * kTileGroup;
   }
-  [[nodiscard]] Index list_share(int step, Index share, Index shares) const {
+  [[nodiscard]] Index list_share(int sub, Index share, Index shares) const {
     return engine_.kernels->list_active(
-        grid_, {step, static_cast<int>(engine_.cycle.size()), part_begin(words_, share, shares),
+        grid_, {sub, static_cast<int>(engine_.cycle.size()), part_begin(words_, share, shares),
                 part_begin(words_, share + 1, shares), visited_, next_visited_,
                 list_of_share(share, shares)});
   }
@@ -165,7 +166,7 @@ int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& w
   TileIteration iteration(engine, workspace, team);
   int iterations = 0;
   do {
-    for (int step = 0; step < static_cast<int>(engine.cycle.size()); ++step) iteration.step(step);
+    for (int sub = 0; sub < static_cast<int>(engine.cycle.size()); ++sub) iteration.run(sub);
     ++iterations;
   } while (iteration.any_active() && iterations < max_iterations);
   return iterations;

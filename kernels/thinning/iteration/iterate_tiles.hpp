@@ -1,4 +1,4 @@
-// Repeats the sub-iterations of a rule on the tiles that may still change.
+// Iterations over the tiles that may still change.
 #pragma once
 
 #include <array>
@@ -8,7 +8,8 @@
 
 namespace thinbench::detail {
 
-/// Memory of one repetition: the grid, the list of active tiles and those that are not written yet.
+/// Memory of one repetition: the grid, the list of active tiles, and new pixels of tiles that are
+/// not written yet.
 class TileWorkspace {
  public:
   TileWorkspace(Index width, Index height, Border border, int threads);
@@ -22,16 +23,16 @@ class TileWorkspace {
   TileGrid grid_;
   Index max_held_;
   Index room_ = 0;                     // for so many of them, or all that a share can have
-  AlignedArray<PendingTile> pending_;  // twice that room for each share
-  AlignedArray<Index> listed_;         // by each share
-  // What a step reads and what it writes for the next; the lists are one where one thread runs.
+  AlignedArray<PendingTile> pending_;  // twice that room per share
+  AlignedArray<Index> listed_;         // by share
+  // For the current sub-iteration and the next; one thread uses a single list.
   std::array<AlignedArray<std::uint32_t>, 2> lists_;
   std::array<AlignedArray<std::uint64_t>, 2> visited_;
 };
 
-/// Repeats a cycle on the pixels that were loaded into the grid, until it changes nothing or
-/// `max_iterations` are done; returns how many ran, the last one included. The workspace was made
-/// for as many threads as the team has, or more. No allocation.
+/// Repeats the engine's sub-iterations on the pixels that were loaded into the grid until an
+/// iteration changes nothing or the limit is reached; returns the number of iterations, the last
+/// included. The workspace was made for as many threads as the team has, or more. No allocation.
 int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
                   const ThreadTeam& team);
 

@@ -1,4 +1,4 @@
-// States whose engine is a cycle of passes over planes of T.
+// States that iterate sub-iterations over planes of T.
 #pragma once
 
 #include <array>
@@ -8,32 +8,39 @@
 
 namespace thinbench::detail {
 
-/// A row of elements with a 1 for the first and the last pixel of a row of the image, where the
-/// border is kept.
+/// The parameters of a repetition, in memory of their own.
 template <class T>
-class OutermostPixels {
+class RepetitionMemory {
  public:
-  OutermostPixels(Index width, Border border) {
-    if (border == Border::background || width == 0) return;
-    row_ = Plane<T>(width, 1);
-    mark(0);
-    mark(width - 1);
+  RepetitionMemory(const ThinningSetting& setting, Index row_elements)
+      : rule_(setting.runtime_rule),
+        repetition_{rule_.get(), setting.max_iterations,
+                    changing_rows(setting.height, setting.border), nullptr},
+        activity_(repetition_.rows, row_elements, sizeof(T) == 1 ? kWordBits : 1) {
+    if (setting.border == Border::keep && setting.width > 0) fix_outermost(setting.width);
   }
 
-  /// See Pass; nullptr where all pixels may change.
-  [[nodiscard]] const T* row() const { return row_.view().data; }
+  [[nodiscard]] const Repetition<T>& repetition() const { return repetition_; }
+  [[nodiscard]] TileActivity& activity() { return activity_; }
 
  private:
-  void mark(Index x) {
+  void fix_outermost(Index width) {
+    fixed_ = Plane<T>(width, 1);
+    T* const row = fixed_.view().data;
     constexpr Index pixels = sizeof(T) == 1 ? 1 : kWordBits;
-    T& element = row_.view().data[x / pixels];
-    element = static_cast<T>(element | T{1} << (x % pixels));
+    for (const Index x : {Index{0}, width - 1}) {
+      row[x / pixels] = static_cast<T>(row[x / pixels] | T{1} << (x % pixels));
+    }
+    repetition_.fixed = row;
   }
 
-  Plane<T> row_;
+  std::shared_ptr<const RuntimeRule> rule_;
+  Repetition<T> repetition_;
+  TileActivity activity_;
+  Plane<T> fixed_;
 };
 
-/// Passes over planes of T, repeated.
+/// Sub-iterations that see the current image.
 template <class T>
 class PassState final : public PlaneState<T> {
  public:
@@ -43,54 +50,40 @@ class PassState final : public PlaneState<T> {
   PassState(std::span<const Pass<T>> passes, const ThinningSetting& setting)
       : PlaneState<T>(setting),
         passes_(passes),
-        rule_(setting.runtime_rule),
-        outermost_(setting.width, setting.border),
-        repetition_{rule_.get(), setting.max_iterations,
-                    changing_rows(setting.height, setting.border), outermost_.row()},
-        scratch_(setting.width, setting.height),
-        activity_(repetition_.rows, planes.result.view().row_elements,
-                  sizeof(T) == 1 ? kWordBits : 1) {}
+        memory_(setting, planes.result.view().row_elements),
+        scratch_(setting.width, setting.height) {}
 
   int thin() override {
-    return iterate<T>(passes_, repetition_, this->source(), planes.result.view(), scratch_.view(),
-                      activity_, this->team);
+    return iterate<T>(passes_, memory_.repetition(), this->source(), planes.result.view(),
+                      scratch_.view(), memory_.activity(), this->team);
   }
 
  private:
   std::span<const Pass<T>> passes_;
-  std::shared_ptr<const RuntimeRule> rule_;
-  OutermostPixels<T> outermost_;
-  Repetition<T> repetition_;
+  RepetitionMemory<T> memory_;
   Plane<T> scratch_;
-  TileActivity activity_;
 };
 
-/// One pass that sees what the last step changed.
+/// One sub-iteration that also sees what the last one changed.
 class ChangeState final : public PlaneState<std::uint64_t> {
  public:
   ChangeState(ChangePass pass, const ThinningSetting& setting)
       : PlaneState(setting),
         pass_(pass),
-        rule_(setting.runtime_rule),
-        outermost_(setting.width, setting.border),
-        repetition_{rule_.get(), setting.max_iterations,
-                    changing_rows(setting.height, setting.border), outermost_.row()},
-        scratch_{BitPlane(setting.width, setting.height), BitPlane(setting.width, setting.height)},
-        activity_(repetition_.rows, planes.result.view().row_elements, 1) {}
+        memory_(setting, planes.result.view().row_elements),
+        scratch_{BitPlane(setting.width, setting.height), BitPlane(setting.width, setting.height)} {
+  }
 
   int thin() override {
-    return iterate_changes(pass_, repetition_, source(),
+    return iterate_changes(pass_, memory_.repetition(), source(),
                            {planes.result.view(), scratch_[0].view(), scratch_[1].view()},
-                           activity_, team);
+                           memory_.activity(), team);
   }
 
  private:
   ChangePass pass_;
-  std::shared_ptr<const RuntimeRule> rule_;
-  OutermostPixels<std::uint64_t> outermost_;
-  Repetition<std::uint64_t> repetition_;
+  RepetitionMemory<std::uint64_t> memory_;
   std::array<BitPlane, 2> scratch_;
-  TileActivity activity_;
 };
 
 }  // namespace thinbench::detail

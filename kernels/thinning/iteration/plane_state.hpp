@@ -1,4 +1,4 @@
-// States that keep the image in a plane: packing and unpacking by bands of rows.
+// States with the image in a plane: packing and unpacking by bands of rows.
 #pragma once
 
 #include "image/packing.hpp"
@@ -8,7 +8,7 @@
 
 namespace thinbench::detail {
 
-/// Source and result planes with the conversions of one instruction-set level.
+/// Source and result planes with the conversions of one ISA.
 template <class T>
 struct Planes {
   Planes(Isa isa, Index width, Index height)
@@ -35,8 +35,8 @@ class BandTeam {
   [[nodiscard]] ThreadTeam& threads() { return team_; }
   [[nodiscard]] const ThreadTeam& threads() const { return team_; }
 
-  /// Calls `body(first, last)` on ranges of [0, count), as many as threads where the image is
-  /// large, else one.
+  /// Calls `body(first, last)` on ranges of [0, count): one per thread where the image is large,
+  /// else a single one.
   template <class Body>
   void for_bands(Index count, const Body& body) const {
     if (is_large_) {
@@ -59,7 +59,7 @@ void read_planes(const BandTeam& team, const ConstImageView& view, Planes<T>& pl
   });
 }
 
-/// What writes rows of an image of so many pixels.
+/// The function that writes rows of an image of so many pixels.
 template <class T>
 [[nodiscard]] auto row_writer(const PlaneConversion<T>& conversion, Index pixels) {
   return pixels >= kStreamedBytes ? conversion.write_streamed : conversion.write;
@@ -73,8 +73,7 @@ void write_planes(const BandTeam& team, const Planes<T>& planes, const ImageView
   });
 }
 
-/// A state that keeps its planes in `planes`. Bands of rows of large images are converted on as
-/// many threads as the rest runs on.
+/// Converts large images on as many threads as the rest runs on.
 template <class T>
 struct PlaneState : ThinningState {
   explicit PlaneState(const ThinningSetting& setting)

@@ -1,4 +1,4 @@
-// The state whose engine is one kernel over rows of one register.
+// The state of the row kernel.
 #pragma once
 
 #include "thinning/engines/row_kernel.hpp"

@@ -17,21 +17,18 @@ View rows_of_tiles(const View& view, Index tile_row) {
 
 TileState::TileState(const TileEngine& engine, const ThinningSetting& setting)
     : engine_(engine),
-      isa_(setting.isa),
-      width_(setting.width),
-      height_(setting.height),
-      max_iterations_(setting.max_iterations),
+      setting_(setting),
       team_(setting.width, setting.height, setting.threads),
       conversion_(plane_conversion<std::uint64_t>(setting.isa)),
       workspace_(setting.width, setting.height, setting.border, setting.threads) {
-  const int most = static_cast<int>(
-      std::min<Index>(setting.threads, std::max<Index>(1, workspace_.grid().tile_rows())));
-  rows_.reserve(static_cast<std::size_t>(most));
-  for (int i = 0; i < most; ++i) rows_.emplace_back(setting.width, kTileRows);
+  const Index tile_rows = std::max<Index>(1, workspace_.grid().tile_rows());
+  const auto bands = static_cast<std::size_t>(std::min<Index>(setting.threads, tile_rows));
+  rows_.reserve(bands);
+  while (rows_.size() < bands) rows_.emplace_back(setting.width, kTileRows);
 }
 
 void TileState::load(const ConstImageView& source) {
-  if (!planes_) planes_.emplace(isa_, width_, height_);
+  if (!planes_) planes_.emplace(setting_.isa, setting_.width, setting_.height);
   read_planes(team_, source, *planes_);
 }
 
@@ -49,7 +46,8 @@ int TileState::thin() {
       layout.load_rows(grid.view(), rows_of_tiles(from, row), row);
     }
   });
-  const int iterations = iterate_tiles(engine_, max_iterations_, workspace_, team_.threads());
+  const int iterations =
+      iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
   team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
       layout.store_rows(grid.view(), rows_of_tiles(to, row), row);
@@ -64,7 +62,7 @@ void TileState::for_tile_rows(const Body& body) {
   team_.for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
     BitPlaneView band = rows_[next++].view();
     for (Index row = first; row < last; ++row) {
-      band.height = std::min(kTileRows, height_ - row * kTileRows);
+      band.height = std::min(kTileRows, setting_.height - row * kTileRows);
       body(row, band);
     }
   });
@@ -76,8 +74,9 @@ int TileState::run(const ConstImageView& source, const ImageView& destination) {
     conversion_.read(rows_of_tiles(source, row), rows);
     engine_.layout->load_rows(grid, rows, row);
   });
-  const int iterations = iterate_tiles(engine_, max_iterations_, workspace_, team_.threads());
-  const auto write = row_writer(conversion_, width_ * height_);
+  const int iterations =
+      iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+  const auto write = row_writer(conversion_, setting_.width * setting_.height);
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     engine_.layout->store_rows(grid, rows, row);
     write(rows, rows_of_tiles(destination, row));

@@ -1,4 +1,4 @@
-// The state of a plan whose engine works on tiles.
+// The state of the tile engine.
 #pragma once
 
 #include <optional>
@@ -13,29 +13,26 @@ class TileState final : public ThinningState {
  public:
   TileState(const TileEngine& engine, const ThinningSetting& setting);
 
-  /// A row of tiles at a time is packed and laid out while it is in the first cache, and back.
+  /// Packs and lays out one row of tiles at a time, while it is in the first-level cache, and back.
   int run(const ConstImageView& source, const ImageView& destination) override;
 
-  /// The steps apart, over planes that the first load() makes: run() does without them, and they
-  /// are two thirds of what it would need.
+  /// The steps by themselves need planes, which the first load() allocates. Without them run()
+  /// takes a third of the memory.
   void load(const ConstImageView& source) override;
   int thin() override;
   void store(const ImageView& destination) const override;
 
  private:
-  /// Calls `body(tile_row, rows)` for every row of tiles, with room for its pixels.
+  /// Calls `body(tile_row, rows)` for every row of tiles, with memory for its pixels.
   template <class Body>
   void for_tile_rows(const Body& body);
 
   TileEngine engine_;
-  Isa isa_;
-  Index width_;
-  Index height_;
-  int max_iterations_;
+  ThinningSetting setting_;
   BandTeam team_;
   const PlaneConversion<std::uint64_t>& conversion_;
   TileWorkspace workspace_;
-  std::vector<BitPlane> rows_;  // of one row of tiles, for each thread
+  std::vector<BitPlane> rows_;  // of one row of tiles, by thread
   std::optional<Planes<std::uint64_t>> planes_;
 };
 

@@ -6,8 +6,8 @@
 namespace thinbench::detail {
 
 /// Guo and Hall, "Parallel thinning with two-subiteration algorithms", CACM 32(3), 1989: removed
-/// where C = 1, N is 2 or 3 and the sub-iteration's edge condition holds (second: turned by half a
-/// turn).
+/// where C = 1, N is 2 or 3 and the sub-iteration's edge condition holds (second sub-iteration:
+/// rotated by 180 degrees).
 ///
 /// Invariants: topology, idempotent, subset.
 struct GuoHall {
@@ -15,7 +15,7 @@ struct GuoHall {
 
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    return by_fewest_instructions<GuoHall>(turned<4 * sub>(as_seen));
+    return by_native_gates<GuoHall>(rotated<4 * sub>(as_seen));
   }
 
   /// Ten gates, update included.
@@ -38,8 +38,7 @@ struct GuoHall {
     return ternary(removed, g2, n.p, [](auto a, auto b, auto c) { return (~a | b) & c; });
   }
 
-  /// Nineteen gates, no inverter, update included: found by logic minimisation over orders of the
-  /// inputs.
+  /// Nineteen gates, no inverter, update included.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_two_input_gates(const Neighbourhood<Word>& n) {
     const Word g1 = n.n1 & n.n7;
@@ -65,7 +64,7 @@ struct GuoHall {
 
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
-    const Neighbourhood<Lane> n = turned<4 * sub>(as_seen);
+    const Neighbourhood<Lane> n = rotated<4 * sub>(as_seen);
     const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
     const Lane crossings =
         static_cast<Lane>((negated(n.n2) & (n.n1 | n.n0)) + (negated(n.n0) & (n.n7 | n.n6)) +

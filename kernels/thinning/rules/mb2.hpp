@@ -6,12 +6,13 @@
 namespace thinbench::detail {
 
 /// Bernard and Manzanera's MB2, "Improved low complexity fully parallel thinning algorithm", ICIAP
-/// 1999. The feature is I, the interior: a dark pixel with four dark direct neighbours. Removed
-/// where (a1 or a2) and not b: a1 is I on one side and light opposite, a2 is I on a diagonal and
-/// light at the two opposite direct neighbours, b is a dark diagonal between two light direct
-/// neighbours.
+/// 1999. The feature is I, the interior: a foreground pixel with four foreground 4-neighbours.
+/// Removed where (a1 or a2) and not b: a1 is I on one side and background opposite, a2 is I on a
+/// diagonal and background at the two opposite 4-neighbours, b is a foreground diagonal
+/// between two background 4-neighbours.
 ///
-/// Invariants: topology, idempotent, subset. Lines two pixels wide stay where the width is even.
+/// Invariants: topology, idempotent, subset. NOT invariant: thinness; strokes of even width become
+/// two pixels wide.
 struct Mb2 {
   static constexpr int kSubIterations = 1;
   static constexpr bool kTwoStages = true;
@@ -41,7 +42,7 @@ struct Mb2 {
     return ternary(edge, alone, n.p, [](auto a, auto b, auto c) { return (~a | b) & c; });
   }
 
-  /// As published, on words that hold 0 or 1 in a whole lane.
+  /// As published, on lanes that hold 0 or 1.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n,
                                                          const Neighbourhood<Lane>& i) {

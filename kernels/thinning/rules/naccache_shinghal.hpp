@@ -5,22 +5,21 @@
 
 namespace thinbench::detail {
 
-/// The modified Naccache-Shinghal rule of the paper (section 3.1): a dark pixel is removed where
-/// one or two of B0, B2, B4, B6 are FALSE, and stays where none, three or four are.
+/// The modified Naccache-Shinghal rule of the paper (section 3.1): a foreground pixel is removed
+/// where one or two of B0, B2, B4, B6 are FALSE, and kept where none, three or four are.
 ///
-/// Invariants: a light pixel stays light; the rule is symmetric under quarter turns and mirrors;
-/// each removal on its own keeps topology. NOT invariant: removing all at once, as a pass does,
-/// takes bars of two pixels' width away and breaks slanted lines, so skeletons of the printed
-/// procedure fall into fragments: 13,908,139 of the 2^25 images of 5 x 5 pixels change topology.
+/// Invariants: background stays background; symmetric under rotation by 90 degrees and reflection;
+/// each single removal keeps topology. NOT invariant: topology. Removing all at once, as an
+/// iteration does, erases bars two pixels wide and breaks slanted lines, so skeletons fall into
+/// fragments: 13,908,139 of the 2^25 images of 5 x 5 pixels change topology.
 struct NaccacheShinghal {
   static constexpr int kSubIterations = 1;
 
-  /// The new pixel. Two circuits, because the best for gates of three inputs is a poor one for two:
-  /// on the test image it is 10 % faster with vpternlog, 5 to 10 % slower on AVX2 and SSE and 40 %
-  /// in general registers, where its chain is longer.
+  /// Two circuits, because the best one of three-input gates has a longer dependency chain where
+  /// each gate takes several instructions: docs/experiments.md#one-circuit-for-every-isa.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
-    return by_fewest_instructions<NaccacheShinghal>(n);
+    return by_native_gates<NaccacheShinghal>(n);
   }
 
   /// removed = (n6 X | n2 Y) ~(n0 n2 n4 n6) with X = n4 ~n1 | n0 ~n3 and Y = n4 ~n7 | n0 ~n5: 14
@@ -34,9 +33,9 @@ struct NaccacheShinghal {
     return n.p & ~(edge & ~inner);
   }
 
-  /// Eight gates, update included. `north` is the part of n2 Y that the case n0 n6 leaves, and each
-  /// of the two terms after it takes one half of X. Found by simulated annealing over networks;
-  /// four gates were proved too few for the decision alone, seven with the update were not found.
+  /// Eight gates, update included. `north` is the part of n2 Y that the case n0 n6 leaves; each of
+  /// the next two gates takes one half of X. Searched for fewer:
+  /// docs/experiments.md#smaller-circuits.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_three_input_gates(const Neighbourhood<Word>& n) {
     constexpr auto both = [](auto a, auto b, auto) { return a & b; };
@@ -56,22 +55,18 @@ struct NaccacheShinghal {
                    [](auto a, auto b, auto c) { return ~(a | b) & c; });
   }
 
-  /// The same, as printed: four expressions and a count of the FALSE ones, on words that hold 0 or
-  /// 1 in a whole lane. What a compiler is given to vectorise.
+  /// As published: four expressions and a count of the FALSE ones, on lanes that hold 0 or 1.
+  /// Engines use it where compilers vectorise.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n) {
-    const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
-    const Lane b4 = static_cast<Lane>(n.n0 & (n.n1 | n.n2 | n.n6 | n.n7) & (n.n2 | negated(n.n3)) &
-                                      (negated(n.n5) | n.n6));
-    const Lane b0 = static_cast<Lane>(n.n4 & (n.n2 | n.n3 | n.n5 | n.n6) & (n.n6 | negated(n.n7)) &
-                                      (negated(n.n1) | n.n2));
-    const Lane b2 = static_cast<Lane>(n.n6 & (n.n0 | n.n4 | n.n5 | n.n7) & (n.n0 | negated(n.n1)) &
-                                      (negated(n.n3) | n.n4));
-    const Lane b6 = static_cast<Lane>(n.n2 & (n.n0 | n.n1 | n.n3 | n.n4) & (n.n4 | negated(n.n5)) &
-                                      (negated(n.n7) | n.n0));
+    const Neighbourhood<Lane> c = complement(n);
+    const Lane b4 = edge_expression(n, c);
+    const Lane b0 = edge_expression(rotated<4>(n), rotated<4>(c));
+    const Lane b2 = edge_expression(rotated<6>(n), rotated<6>(c));
+    const Lane b6 = edge_expression(rotated<2>(n), rotated<2>(c));
     const Lane true_count = static_cast<Lane>(b0 + b2 + b4 + b6);
     const Lane one_or_two_false = true_count == 3 || true_count == 2 ? 1 : 0;
-    return static_cast<Lane>(n.p & negated(one_or_two_false));
+    return static_cast<Lane>(n.p & (one_or_two_false ^ 1));
   }
 };
 

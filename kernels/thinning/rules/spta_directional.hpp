@@ -5,18 +5,18 @@
 
 namespace thinbench::detail {
 
-/// One direction a sub-iteration, each on the result of the one before: left, right, top, bottom
-/// edge points of Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), that is, dark pixels with a
-/// light neighbour on that side whose expression (B4, B0, B2 or B6) is TRUE, are removed.
+/// Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), one direction per sub-iteration: left,
+/// right, top, bottom. Removes edge points, which are foreground pixels with a background neighbour
+/// on that side, where the expression of the side (B4, B0, B2 or B6) is TRUE.
 ///
 /// Invariants: topology (8-connected objects, 4-connected background), idempotent, subset.
 struct SptaDirectional {
   static constexpr int kSubIterations = 4;
-  static constexpr int kTurns[kSubIterations] = {0, 4, 6, 2};
+  static constexpr int kRotations[kSubIterations] = {0, 4, 6, 2};
 
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    return from_the_left(turned<kTurns[sub]>(as_seen));
+    return from_the_left(rotated<kRotations[sub]>(as_seen));
   }
 
   /// Five gates, update included.
@@ -31,11 +31,9 @@ struct SptaDirectional {
 
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
-    const Neighbourhood<Lane> n = turned<kTurns[sub]>(as_seen);
-    const auto negated = [](Lane a) { return static_cast<Lane>(a ^ 1); };
-    const Lane b4 = static_cast<Lane>(n.n0 & (n.n1 | n.n2 | n.n6 | n.n7) & (n.n2 | negated(n.n3)) &
-                                      (negated(n.n5) | n.n6));
-    return static_cast<Lane>(n.p & negated(static_cast<Lane>(negated(n.n4) & b4)));
+    const Neighbourhood<Lane> n = rotated<kRotations[sub]>(as_seen);
+    const Neighbourhood<Lane> c = complement(n);
+    return static_cast<Lane>(n.p & ((c.n4 & edge_expression(n, c)) ^ 1));
   }
 };
 

@@ -6,21 +6,21 @@
 namespace thinbench::detail {
 
 /// Zhang and Suen, "A fast parallel algorithm for thinning digital patterns", CACM 27(3), 1984: a
-/// dark pixel is removed where it has 2 to 6 dark neighbours, one step from light to dark on the
-/// way round it, and a light one among n0, n2, n6 and among n0, n4, n6 (second sub-iteration: the
-/// same turned by half a turn).
+/// foreground pixel is removed where it has 2 to 6 foreground neighbours, one transition from
+/// background to foreground around it, and a background one among n0, n2, n6 and among n0, n4, n6
+/// (second sub-iteration: rotated by 180 degrees).
 ///
-/// Invariants: idempotent, the result is a subset. NOT invariant: squares of 2 x 2 pixels vanish,
-/// and with them components; 327,477 of the 2^25 images of 5 x 5 pixels change topology.
+/// Invariants: idempotent, subset. NOT invariant: topology; squares of 2 x 2 pixels vanish, and
+/// with them components; 327,477 of the 2^25 images of 5 x 5 pixels change topology.
 struct ZhangSuen {
   static constexpr int kSubIterations = 2;
 
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    return by_fewest_instructions<ZhangSuen>(turned<4 * sub>(as_seen));
+    return by_native_gates<ZhangSuen>(rotated<4 * sub>(as_seen));
   }
 
-  /// Eleven gates, update included. Found by simulated annealing over networks.
+  /// Eleven gates, update included.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_three_input_gates(const Neighbourhood<Word>& n) {
     constexpr auto same_or_other = [](auto a, auto b, auto c) { return ~((a ^ b) & ~(a ^ c)); };
@@ -38,12 +38,11 @@ struct ZhangSuen {
     const Word g8 = ternary(g3, g6, n.n3, [](auto a, auto b, auto c) { return a & ~(b ^ c); });
     const Word g9 =
         ternary(g2, g6, n.n0, [](auto a, auto b, auto c) { return ~((a ^ b) | (a ^ c)); });
-    const Word stays = ternary(g1, g7, g9, [](auto a, auto b, auto c) { return ~a | (b & ~c); });
-    return ternary(stays, g8, n.p, [](auto a, auto b, auto c) { return c & (a | b); });
+    const Word kept = ternary(g1, g7, g9, [](auto a, auto b, auto c) { return ~a | (b & ~c); });
+    return ternary(kept, g8, n.p, [](auto a, auto b, auto c) { return c & (a | b); });
   }
 
-  /// Twenty-nine gates, no inverter, update included: found by logic minimisation over orders of
-  /// the inputs.
+  /// Twenty-nine gates, no inverter, update included.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_two_input_gates(const Neighbourhood<Word>& n) {
     const Word g1 = n.n2 & ~n.n7;
@@ -77,17 +76,18 @@ struct ZhangSuen {
     return n.p & ~g28;
   }
 
-  /// As published, on words that hold 0 or 1 in a whole lane.
+  /// As published, on lanes that hold 0 or 1.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
-    const Neighbourhood<Lane> n = turned<4 * sub>(as_seen);
+    const Neighbourhood<Lane> n = rotated<4 * sub>(as_seen);
     const auto rises = [](Lane from, Lane to) { return static_cast<Lane>((from ^ 1) & to); };
-    const Lane steps = static_cast<Lane>(rises(n.n2, n.n1) + rises(n.n1, n.n0) + rises(n.n0, n.n7) +
-                                         rises(n.n7, n.n6) + rises(n.n6, n.n5) + rises(n.n5, n.n4) +
-                                         rises(n.n4, n.n3) + rises(n.n3, n.n2));
-    const Lane dark = static_cast<Lane>(n.n0 + n.n1 + n.n2 + n.n3 + n.n4 + n.n5 + n.n6 + n.n7);
+    const Lane transitions = static_cast<Lane>(
+        rises(n.n2, n.n1) + rises(n.n1, n.n0) + rises(n.n0, n.n7) + rises(n.n7, n.n6) +
+        rises(n.n6, n.n5) + rises(n.n5, n.n4) + rises(n.n4, n.n3) + rises(n.n3, n.n2));
+    const Lane neighbours =
+        static_cast<Lane>(n.n0 + n.n1 + n.n2 + n.n3 + n.n4 + n.n5 + n.n6 + n.n7);
     const Lane inner = static_cast<Lane>((n.n2 & n.n0 & n.n6) | (n.n0 & n.n6 & n.n4));
-    const bool removed = (steps == 1) & (dark >= 2) & (dark <= 6) & (inner == 0);
+    const bool removed = (transitions == 1) & (neighbours >= 2) & (neighbours <= 6) & (inner == 0);
     return static_cast<Lane>(n.p & (removed ? 0 : 1));
   }
 };

@@ -1,0 +1,195 @@
+#include "picture/binarise.hpp"
+
+#include <algorithm>
+
+#include <opencv2/imgproc.hpp>
+
+#include "picture/mat_of.hpp"
+#include "picture/picture.hpp"
+#include "support/text.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr int kLevels = 256;
+using Histogram = std::array<double, kLevels>;  // exact: counts are far below 2^53
+
+Histogram histogram_of(const ConstImageView& grey) {
+  Histogram counts{};
+  for (Index y = 0; y < grey.height; ++y) {
+    const std::uint8_t* row = grey.row(y);
+    for (Index x = 0; x < grey.width; ++x) ++counts[row[x]];
+  }
+  return counts;
+}
+
+/// Pixels from one grey level to before another.
+struct Class {
+  double pixels = 0;
+  double sum = 0;
+  double sum_of_squares = 0;
+
+  [[nodiscard]] double variance_sum() const {
+    return pixels == 0 ? 0 : sum_of_squares - sum * sum / pixels;
+  }
+};
+
+Class class_of(const Histogram& counts, int first, int end) {
+  Class result;
+  for (int level = first; level < end; ++level) {
+    const double count = counts[static_cast<std::size_t>(level)];
+    result.pixels += count;
+    result.sum += count * level;
+    result.sum_of_squares += count * level * level;
+  }
+  return result;
+}
+
+/// The share of the variance that a limit leaves to the distance of the two means; 0 where there is
+/// no variance.
+double separation(const Histogram& counts, int threshold) {
+  const double all = class_of(counts, 0, kLevels).variance_sum();
+  if (all <= 0) return 0;
+  const double within = class_of(counts, 0, threshold).variance_sum() +
+                        class_of(counts, threshold, kLevels).variance_sum();
+  return 1 - within / all;
+}
+
+std::optional<int> only_level(const Histogram& counts) {
+  const auto is_used = [](double count) { return count > 0; };
+  if (std::count_if(counts.begin(), counts.end(), is_used) != 1) return std::nullopt;
+  return static_cast<int>(std::find_if(counts.begin(), counts.end(), is_used) - counts.begin());
+}
+
+bool is_binary(const Histogram& counts) {
+  return std::all_of(counts.begin() + 1, counts.end() - 1, [](double count) { return count == 0; });
+}
+
+/// Makes bright pixels 255 and all others 0; returns the grey level from which pixels are bright.
+int split(ByteImage& grey, const BinariseOptions& options) {
+  cv::Mat mat = mat_of(grey.view());
+  // OpenCV takes as bright what is above its threshold.
+  if (!options.threshold) {
+    return static_cast<int>(cv::threshold(mat, mat, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU)) +
+           1;
+  }
+  cv::threshold(mat, mat, *options.threshold - 1, 255, cv::THRESH_BINARY);
+  return *options.threshold;
+}
+
+/// How many pixels of the outermost rows and columns there are, and how many of them are not 0.
+struct ImageBorder {
+  Index pixels = 0;
+  Index bright = 0;
+};
+
+ImageBorder border_of(const ConstImageView& image) {
+  ImageBorder border;
+  for (Index y = 0; y < image.height; ++y) {
+    const bool whole_row = y == 0 || y == image.height - 1;
+    const Index step = whole_row ? 1 : std::max<Index>(1, image.width - 1);
+    for (Index x = 0; x < image.width; x += step) {
+      ++border.pixels;
+      border.bright += image.row(y)[x] != 0 ? 1 : 0;
+    }
+  }
+  return border;
+}
+
+/// See BinariseOptions::foreground.
+Foreground likely_foreground(const ConstImageView& bright) {
+  const ImageBorder border = border_of(bright);
+  const Index on_border = 2 * border.bright - border.pixels;
+  if (on_border != 0) return on_border < 0 ? Foreground::bright : Foreground::dark;
+  const bool is_larger = 2 * foreground_pixels(bright) > bright.width * bright.height;
+  return is_larger ? Foreground::dark : Foreground::bright;
+}
+
+/// "foreground is bright (grey level >= 108)".
+std::string description(const BinaryImage& binary) {
+  const bool is_bright = binary.foreground == Foreground::bright;
+  return std::string("foreground is ") + (is_bright ? "bright" : "dark") + " (grey level " +
+         (is_bright ? ">= " : "< ") + std::to_string(binary.threshold) + ")";
+}
+
+std::string opposite(const BinaryImage& binary) {
+  return std::string("--foreground ") +
+         (binary.foreground == Foreground::bright ? "dark" : "bright");
+}
+
+/// The options that choose otherwise what was chosen here; empty where nothing was.
+std::string overrides(const BinaryImage& binary, const BinariseOptions& options) {
+  std::vector<std::string> names;
+  if (options.foreground == Foreground::automatic) names.push_back(opposite(binary));
+  if (!options.threshold && !binary.was_binary) names.emplace_back("--threshold N");
+  return joined(names, " and ");
+}
+
+std::string note(const BinaryImage& binary, const BinariseOptions& options) {
+  const bool is_as_read = binary.was_binary && binary.foreground == Foreground::bright;
+  const std::string others = overrides(binary, options);
+  if (is_as_read || binary.only_level || others.empty()) return {};
+  const bool are_two = others.find(" and ") != std::string::npos;
+  return description(binary) + "; " + others + (are_two ? " override" : " overrides") + " this";
+}
+
+std::string histogram_warning(const BinaryImage& binary, const BinariseOptions& options) {
+  if (binary.only_level) {
+    return "all pixels have the same grey level, " + std::to_string(*binary.only_level) +
+           (binary.foreground_share > 0 ? ": all of them are foreground" : ": none is foreground");
+  }
+  if (options.threshold || binary.separation >= kMinSeparation) return {};
+  return "the histogram has no two classes (" + fixed(100 * binary.separation, 1) +
+         " % of the variance lies between them; uniform noise has 75 %); check the result or "
+         "choose --threshold N";
+}
+
+std::string share_warning(const BinaryImage& binary) {
+  if (binary.only_level || binary.foreground_share <= 0.5) return {};
+  return fixed(100 * binary.foreground_share, 1) + " % of the image is foreground; " +
+         opposite(binary) + " takes the rest instead";
+}
+
+void print_line(const char* kind, const std::string& name, const std::string& text,
+                std::ostream& log) {
+  if (!text.empty()) log << kind << name << ": " << text << '\n';
+}
+
+}  // namespace
+
+BinaryImage binarise(ByteImage grey, const BinariseOptions& options) {
+  const Histogram counts = histogram_of(grey.view());
+  const int threshold = split(grey, options);
+  const Foreground foreground = options.foreground == Foreground::automatic
+                                    ? likely_foreground(grey.view())
+                                    : options.foreground;
+  cv::Mat mat = mat_of(grey.view());
+  if (foreground == Foreground::dark) cv::bitwise_not(mat, mat);
+  const double share = static_cast<double>(foreground_pixels(grey.view())) /
+                       static_cast<double>(grey.width() * grey.height());
+  return {std::move(grey),    foreground,       threshold, share, separation(counts, threshold),
+          only_level(counts), is_binary(counts)};
+}
+
+void print_remarks(const std::string& name, const BinaryImage& binary,
+                   const BinariseOptions& options, std::ostream& log) {
+  print_line("note: ", name, note(binary, options), log);
+  print_line("warning: ", name, histogram_warning(binary, options), log);
+  print_line("warning: ", name, share_warning(binary), log);
+}
+
+ByteImage read_binary(const std::string& path, const BinariseOptions& options, std::ostream* log) {
+  BinaryImage binary = binarise(read_grey(path), options);
+  if (log != nullptr) print_remarks(path, binary, options, *log);
+  return std::move(binary.image);
+}
+
+Index foreground_pixels(ConstImageView image) {
+  Index count = 0;
+  for (Index y = 0; y < image.height; ++y) {
+    count += image.width - std::count(image.row(y), image.row(y) + image.width, std::uint8_t{0});
+  }
+  return count;
+}
+
+}  // namespace thinbench

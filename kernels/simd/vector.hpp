@@ -1,0 +1,155 @@
+// Vectors for kernels: the vocabulary (vocabulary.hpp) as this ISA's architecture defines it, what
+// follows from it on every architecture, and batches as words. The one header of this directory
+// that ISA files include. What differs between versions of xsimd is hidden here, too.
+#pragma once
+
+#include "simd/vocabulary.hpp"
+#include "simd/word.hpp"
+
+#if defined(__AVX512BW__)
+#include "simd/avx512.hpp"
+#elif defined(__AVX2__)
+#include "simd/avx2.hpp"
+#elif defined(__SSE2__)
+#include "simd/sse2.hpp"
+#else
+#error "no file of kernels/simd/ defines the vocabulary for this architecture"
+#endif
+
+namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
+
+/// The same bits as lanes of another type.
+template <class To, class From>
+[[gnu::always_inline]] inline To reinterpreted(const From& from) {
+  return __builtin_bit_cast(typename To::register_type,
+                            static_cast<typename From::register_type>(from));
+}
+
+template <class T, class A>
+[[gnu::always_inline]] inline bool any_bit(const xsimd::batch<T, A>& batch) {
+  return xsimd::any(batch != xsimd::batch<T, A>(T{0}));
+}
+
+/// The western neighbours of packed pixels: each lane shifted by `pixels` towards high bits; the
+/// bits that come in are the highest of `before`.
+template <int pixels, class T, class A>
+[[gnu::always_inline]] inline xsimd::batch<T, A> west_neighbour(const xsimd::batch<T, A>& centre,
+                                                                const xsimd::batch<T, A>& before) {
+  if constexpr (kHasFunnelShift) {
+    return funnel_left<pixels>(centre, before);
+  } else {
+    return (centre << pixels) | (before >> (8 * static_cast<int>(sizeof(T)) - pixels));
+  }
+}
+
+/// The same towards low bits; the lowest of `after` come in.
+template <int pixels, class T, class A>
+[[gnu::always_inline]] inline xsimd::batch<T, A> east_neighbour(const xsimd::batch<T, A>& centre,
+                                                                const xsimd::batch<T, A>& after) {
+  if constexpr (kHasFunnelShift) {
+    return funnel_right<pixels>(centre, after);
+  } else {
+    return (centre >> pixels) | (after << (8 * static_cast<int>(sizeof(T)) - pixels));
+  }
+}
+
+[[gnu::always_inline]] inline Halves operator+(const Halves& a, const Halves& b) {
+  return {a.low + b.low, a.high + b.high};
+}
+
+[[gnu::always_inline]] inline Halves operator-(const Halves& a, const Halves& b) {
+  return {a.low - b.low, a.high - b.high};
+}
+
+[[gnu::always_inline]] inline Halves absolute(const Halves& a) {
+  return {xsimd::abs(a.low), xsimd::abs(a.high)};
+}
+
+[[gnu::always_inline]] inline Halves largest(const Halves& a, const Halves& b) {
+  return {xsimd::max(a.low, b.low), xsimd::max(a.high, b.high)};
+}
+
+/// a - b for values from 0 to 32767; `pack` makes 0 of what is negative.
+[[gnu::always_inline]] inline Halves excess(const Halves& a, WideBatch b) {
+  return {xsimd::ssub(a.low, b), xsimd::ssub(a.high, b)};
+}
+
+/// max(a - b, 0).
+[[gnu::always_inline]] inline ByteBatch excess(ByteBatch a, ByteBatch b) {
+  return xsimd::ssub(a, b);
+}
+
+/// |a - b|.
+[[gnu::always_inline]] inline ByteBatch distance(ByteBatch a, ByteBatch b) {
+  return xsimd::ssub(a, b) | xsimd::ssub(b, a);
+}
+
+/// a + b.
+[[gnu::always_inline]] inline Halves sum(ByteBatch a, ByteBatch b) {
+  const Halves pairs = interleaved(a, b);
+  const WideBatch weights(0x0101);
+  return {weighted_pairs(pairs.low, weights), weighted_pairs(pairs.high, weights)};
+}
+
+/// a - b.
+[[gnu::always_inline]] inline Halves difference(ByteBatch a, ByteBatch b) {
+  const Halves pairs = interleaved(a, b);
+  const WideBatch weights(static_cast<std::int16_t>(0xFF01));  // -1 in the upper byte
+  return {weighted_pairs(pairs.low, weights), weighted_pairs(pairs.high, weights)};
+}
+
+[[gnu::always_inline]] inline Halves widened(ByteBatch a) {
+  return interleaved(a, ByteBatch(std::uint8_t{0}));
+}
+
+}  // namespace THINBENCH_ISA
+
+// Specialisations stand where their template does, outside the namespace of the ISA.
+
+/// Byte lanes, one pixel each: neighbours are one element away.
+template <>
+struct WordTraits<ByteBatch> {
+  using Element = std::uint8_t;
+  using Word = ByteBatch;
+  static constexpr Index kElements = static_cast<Index>(Word::size);
+  [[gnu::always_inline]] static Word load(const Element* from) {
+    return Word::load_unaligned(from);
+  }
+  [[gnu::always_inline]] static void store(Element* to, Word word) { word.store_unaligned(to); }
+  [[gnu::always_inline]] static Word west(Word, const Element* from) { return load(from - 1); }
+  [[gnu::always_inline]] static Word east(Word, const Element* from) { return load(from + 1); }
+  [[gnu::always_inline]] static Word west2(Word, const Element* from) { return load(from - 2); }
+  [[gnu::always_inline]] static Word east2(Word, const Element* from) { return load(from + 2); }
+  [[gnu::always_inline]] static Word zero() { return Word(Element{0}); }
+  [[gnu::always_inline]] static bool any(Word word) { return any_bit(word); }
+};
+
+/// Packed pixels, 64 a lane. The bit that crosses a lane comes from an unaligned load one word
+/// away, which needs no lane-crossing shuffle.
+template <>
+struct WordTraits<WordBatch> {
+  using Element = std::uint64_t;
+  using Word = WordBatch;
+  static constexpr Index kElements = static_cast<Index>(Word::size);
+  [[gnu::always_inline]] static Word load(const Element* from) {
+    return Word::load_unaligned(from);
+  }
+  [[gnu::always_inline]] static void store(Element* to, Word word) { word.store_unaligned(to); }
+  [[gnu::always_inline]] static Word west(Word centre, const Element* from) {
+    return west_neighbour<1>(centre, load(from - 1));
+  }
+  [[gnu::always_inline]] static Word east(Word centre, const Element* from) {
+    return east_neighbour<1>(centre, load(from + 1));
+  }
+  [[gnu::always_inline]] static Word west2(Word centre, const Element* from) {
+    return west_neighbour<2>(centre, load(from - 1));
+  }
+  [[gnu::always_inline]] static Word east2(Word centre, const Element* from) {
+    return east_neighbour<2>(centre, load(from + 1));
+  }
+  [[gnu::always_inline]] static Word zero() { return Word(Element{0}); }
+  [[gnu::always_inline]] static bool any(Word word) { return any_bit(word); }
+};
+
+}  // namespace thinbench::detail

@@ -1,0 +1,94 @@
+// Thinning allocates nothing while it runs.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "api/catalogue.hpp"
+#include "harness/test_images.hpp"
+#include "thinbench/batch.hpp"
+#include "thinbench/thinning.hpp"
+
+namespace {
+// Of all threads, counted by the replaced operators below. oneTBB takes the memory of its tasks
+// from a pool of its own, which they do not see.
+std::atomic<long> allocations = 0;
+}  // namespace
+
+// Not inlined, because GCC would then see memory from `new` go to `free` and warn. Every form that
+// the tests use is replaced: memory must go back to where it came from.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto align = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace thinbench {
+namespace {
+
+TEST(Thinner, allocates_nothing_after_it_was_made) {
+  const ByteImage image = noise_image(300, 90, 97, 1, 5);
+  ByteImage out(300, 90);
+  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
+    for (const detail::ThinningVariant& variant : operation.variants) {
+      for (const Border border : {Border::background, Border::keep}) {
+        if (!unavailable_reason(variant, 300, border).empty()) continue;
+        Thinner thinner(operation.rule, 300, 90,
+                        {.border = border,
+                         .threads = variant.threaded ? 3 : 1,
+                         .isa = variant.isa,
+                         .technique = variant.technique});
+        if (variant.threaded) thinner(image.view(), out.view());  // starts the threads
+        const long before = allocations;
+        thinner(image.view(), out.view());
+        EXPECT_EQ(allocations, before)
+            << operation.name << " by " << technique_name(variant.technique) << " at "
+            << isa_name(variant.isa);
+      }
+    }
+  }
+}
+
+TEST(ThinningBatch, allocates_nothing_after_it_was_made) {
+  std::vector<std::uint8_t> pixels(50 * 28 * 28, 255);
+  const StackView stack = {pixels.data(), 50, 28, 28, 28, 28 * 28};
+  for (const RuleInfo& info : kRules) {
+    for (const int threads : {1, 3}) {
+      ThinningBatch batch(info.rule, 28, 28, {.threads = threads});
+      batch(stack, stack);  // starts the threads
+      const long before = allocations;
+      batch(stack, stack);
+      EXPECT_EQ(allocations, before) << info.name;
+    }
+  }
+}
+
+TEST(Allocations, are_counted) {
+  const long before = allocations;
+  const ByteImage image(300, 90);
+  const std::vector<int> numbers(5);
+  EXPECT_EQ(allocations, before + 2);
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,128 @@
+// detect_edges() at the public edge.
+#include "thinbench/edges.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "harness/grey_images.hpp"
+#include "reference.hpp"
+#include "support/rejection.hpp"
+#include "thinbench/nets.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr std::uint8_t kUntouched = 0x5A;
+
+ByteImage untouched(Index width, Index height) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) std::fill_n(image.view().row(y), width, kUntouched);
+  return image;
+}
+
+bool is_untouched(const ByteImage& image) {
+  return equal(image.view(), untouched(image.width(), image.height()).view());
+}
+
+TEST(DetectEdges, by_default_equals_the_reference) {
+  for (const EdgeOperatorInfo& info : kEdgeOperators) {
+    for (const Index width : {1, 7, 64, 200, 513}) {
+      const ByteImage image = grey_noise_image(width, 21, 60, 200, 3);
+      ByteImage expected(width, 21);
+      reference::edges(info.op)({}, image.view(), expected.view());
+      for (const int threads : {1, 3}) {
+        ByteImage found = untouched(width, 21);
+        detect_edges(info.op, image.view(), found.view(), {}, {.threads = threads});
+        EXPECT_TRUE(equal(found.view(), expected.view())) << info.name << ", " << width;
+      }
+    }
+  }
+}
+
+TEST(DetectEdges, takes_images_without_pixels) {
+  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}}) {
+    for (const EdgeOperatorInfo& info : kEdgeOperators) {
+      EXPECT_NO_THROW(detect_edges(info.op, {nullptr, width, height}, {nullptr, width, height}));
+    }
+  }
+}
+
+std::string rejected_views(const ConstImageView& source, const ImageView& destination) {
+  return rejection_of([&] { detect_edges(EdgeOperator::sobel, source, destination); });
+}
+
+TEST(DetectEdges, rejects_bad_views_and_any_overlap) {
+  ByteImage a = untouched(20, 10);
+  ByteImage b = untouched(20, 10);
+  ByteImage c = untouched(20, 11);
+  const ConstImageView from = a.view();
+  const ImageView to = b.view();
+  EXPECT_EQ(rejected_views(from, c.view()),
+            "source is 20 x 10 and destination 20 x 11; they must have one size");
+  EXPECT_EQ(rejected_views(from, a.view()), "source and destination overlap");
+  EXPECT_EQ(rejected_views({nullptr, 20, 10, 64}, to), "source has no data");
+  EXPECT_EQ(rejected_views(from, {nullptr, 20, 10, 64}), "destination has no data");
+  EXPECT_EQ(rejected_views({from.data, 20, 10, 19}, to),
+            "source has a stride of 19 bytes, below its width of 20");
+  EXPECT_EQ(rejected_views({from.data, -1, 10, 64}, to), "source has the size -1 x 10");
+  EXPECT_TRUE(is_untouched(a) && is_untouched(b) && is_untouched(c));
+  ByteImage both = untouched(50, 12);
+  const ImageView view = both.view();
+  const ConstImageView left = {view.data, 20, 10, view.stride};
+  EXPECT_EQ(rejected_views(left, {view.row(2) + 3, 20, 10, view.stride}),
+            "source and destination overlap");
+  EXPECT_TRUE(is_untouched(both));
+  EXPECT_EQ(rejected_views(left, {view.data + 25, 20, 10, view.stride}), "") << "side by side";
+}
+
+std::string rejected(const EdgeThresholds& thresholds, const Options& options = {},
+                     EdgeOperator op = EdgeOperator::sobel) {
+  const ByteImage image = grey_noise_image(20, 10, 0, 255, 3);
+  ByteImage out = untouched(20, 10);
+  const std::string text =
+      rejection_of([&] { detect_edges(op, image.view(), out.view(), thresholds, options); });
+  EXPECT_TRUE(is_one_sentence(text)) << text;
+  EXPECT_TRUE(is_untouched(out));
+  return text;
+}
+
+TEST(DetectEdges, rejects_thresholds_out_of_range) {
+  const std::string range = ": expected an integer in [0, 255], got ";
+  EXPECT_EQ(rejected({256, 0}), "gradient_threshold" + range + "256");
+  EXPECT_EQ(rejected({-1, 0}), "gradient_threshold" + range + "-1");
+  EXPECT_EQ(rejected({0, 256}), "brightness_threshold" + range + "256");
+  EXPECT_EQ(rejected({0, -1}), "brightness_threshold" + range + "-1");
+}
+
+TEST(DetectEdges, rejects_numbers_that_are_no_enumerators) {
+  EXPECT_EQ(rejected({}, {}, static_cast<EdgeOperator>(6)),
+            "operator: expected one of the enumeration, got number 6");
+  EXPECT_EQ(rejected({}, {.technique = static_cast<Technique>(99)}),
+            "technique: expected one of the enumeration, got number 99");
+  EXPECT_EQ(rejected({}, {.isa = static_cast<Isa>(99)}),
+            "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
+}
+
+TEST(DetectEdges, rejects_options_that_do_not_fit) {
+  EXPECT_EQ(rejected({}, {.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
+  EXPECT_EQ(rejected({}, {.border = Border::keep}), "edges_sobel takes no border");
+  EXPECT_EQ(rejected({}, {.max_iterations = 3}), "edges_sobel takes no max_iterations");
+  EXPECT_EQ(rejected({}, {.directions = kNoDirections}), "edges_sobel takes no directions");
+  EXPECT_EQ(rejected({}, {.net = two_layer_net(kPaperTwoLayer, Activation::linear)}),
+            "edges_sobel takes no weights");
+  const std::string none = ": there is no such variant; ";
+  EXPECT_EQ(rejected({}, {.technique = Technique::union_find}),
+            "edges_sobel by union_find at any instruction set on one thread" + none +
+                "its techniques are autovec, simd_16bit");
+  EXPECT_EQ(rejected({}, {.isa = Isa::avx512icl}),
+            "edges_sobel by any technique at avx512icl on one thread" + none +
+                "its instruction sets are baseline, sse4.2, avx2, avx512");
+  EXPECT_EQ(rejected({}, {.threads = 2, .technique = Technique::autovec}),
+            "edges_sobel by autovec at any instruction set with threads" + none +
+                "it runs on one thread only");
+}
+
+}  // namespace
+}  // namespace thinbench

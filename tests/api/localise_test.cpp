@@ -1,0 +1,80 @@
+// localise_objects() at the public edge.
+#include "thinbench/localise.hpp"
+
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "harness/grey_images.hpp"
+#include "localise.hpp"
+#include "support/rejection.hpp"
+#include "thinbench/nets.hpp"
+
+namespace thinbench {
+namespace {
+
+TEST(LocaliseObjects, by_default_finds_what_the_reference_finds) {
+  const ByteImage blocks = grey_noise_image(40, 30, 0, 255, 3);
+  ByteImage image(200, 150);
+  for (Index y = 0; y < 150; ++y) {
+    for (Index x = 0; x < 200; ++x) image.at(x, y) = blocks.at(x / 5, y / 5);
+  }
+  const EdgeThresholds thresholds = {60, 100};
+  const reference::Regions expected =
+      reference::localise_objects(reference::edges(EdgeOperator::sobel), thresholds, image.view());
+  ASSERT_FALSE(expected.holes.empty());
+  for (const int threads : {1, 3}) {
+    const Regions found = localise_objects(image.view(), thresholds, {.threads = threads});
+    EXPECT_EQ(found.objects, expected.objects);
+    EXPECT_EQ(found.holes, expected.holes);
+  }
+}
+
+TEST(LocaliseObjects, finds_nothing_in_images_without_edges) {
+  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}, {7, 7}}) {
+    const ByteImage image(width, height);
+    EXPECT_TRUE(localise_objects(image.view()).objects.empty());
+    EXPECT_TRUE(localise_objects(image.view(), {}, {.threads = 4}).holes.empty());
+  }
+}
+
+std::string rejected(const ConstImageView& view, const EdgeThresholds& thresholds = {},
+                     const Options& options = {}) {
+  const std::string text = rejection_of([&] { (void)localise_objects(view, thresholds, options); });
+  EXPECT_TRUE(is_one_sentence(text)) << text;
+  return text;
+}
+
+TEST(LocaliseObjects, rejects_bad_views) {
+  const ByteImage image(10, 4);
+  const std::uint8_t* data = image.view().data;
+  EXPECT_EQ(rejected({nullptr, 10, 4, 64}), "source has no data");
+  EXPECT_EQ(rejected({data, 10, 4, 9}), "source has a stride of 9 bytes, below its width of 10");
+  EXPECT_EQ(rejected({data, 10, -4, 64}), "source has the size 10 x -4");
+  EXPECT_EQ(rejected({data, (Index{1} << 29) + 1, 0}),
+            "image size 536870913 x 0 has a side above 2^29 pixels");
+}
+
+TEST(LocaliseObjects, rejects_thresholds_and_options_that_do_not_fit) {
+  const ByteImage image(10, 4);
+  const ConstImageView view = image.view();
+  EXPECT_EQ(rejected(view, {256, 0}),
+            "gradient_threshold: expected an integer in [0, 255], got 256");
+  EXPECT_EQ(rejected(view, {0, -1}),
+            "brightness_threshold: expected an integer in [0, 255], got -1");
+  EXPECT_EQ(rejected(view, {}, {.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
+  EXPECT_EQ(rejected(view, {}, {.border = Border::keep}), "localise_objects takes no border");
+  EXPECT_EQ(rejected(view, {}, {.max_iterations = 1}), "localise_objects takes no max_iterations");
+  EXPECT_EQ(rejected(view, {}, {.directions = kNoDirections}),
+            "localise_objects takes no directions");
+  EXPECT_EQ(rejected(view, {}, {.net = two_layer_net(kPaperTwoLayer, Activation::linear)}),
+            "localise_objects takes no weights");
+  EXPECT_EQ(rejected(view, {}, {.technique = Technique::lut}),
+            "localise_objects by lut at any instruction set on one thread: there is no such "
+            "variant; its techniques are bitpacked_runs, simd_runs");
+  EXPECT_EQ(rejected(view, {}, {.technique = static_cast<Technique>(99)}),
+            "technique: expected one of the enumeration, got number 99");
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,138 @@
+// Objects, holes and Euler numbers at the public edge.
+#include "thinbench/regions.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "harness/test_images.hpp"
+#include "holes.hpp"
+#include "support/rejection.hpp"
+#include "support/text_image.hpp"
+#include "thinbench/nets.hpp"
+
+namespace thinbench {
+namespace {
+
+TEST(FindRegions, by_default_finds_what_the_reference_finds) {
+  for (const Index width : {1, 64, 200, 1100}) {
+    const ByteImage image = noise_image(width, 60, 45, 2, 5);
+    const reference::Regions expected = reference::holes(image.view());
+    for (const int threads : {1, 3}) {
+      const Regions found = find_regions(image.view(), {.threads = threads});
+      EXPECT_EQ(found.objects, expected.objects) << width;
+      EXPECT_EQ(found.holes, expected.holes) << width;
+      EXPECT_EQ(find_components(image.view(), {.threads = threads}), expected.objects) << width;
+    }
+    EXPECT_EQ(euler_number(image.view()), reference::euler_number(image.view()));
+    EXPECT_EQ(euler_number_4(image.view()), reference::euler_number_4(image.view()));
+  }
+}
+
+TEST(FindRegions, finds_nothing_in_images_without_pixels) {
+  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}}) {
+    const ConstImageView image = {nullptr, width, height};
+    EXPECT_TRUE(find_regions(image).objects.empty());
+    EXPECT_TRUE(find_regions(image, {.threads = 4}).holes.empty());
+    EXPECT_TRUE(find_components(image).empty());
+    EXPECT_EQ(euler_number(image), 0);
+    EXPECT_EQ(euler_number_4(image), 0);
+    fill_holes(image, {nullptr, width, height});
+  }
+}
+
+TEST(EulerNumber, depends_on_which_side_touches_at_corners) {
+  const ByteImage diamond = image_of({".#.", "#.#", ".#."});
+  EXPECT_EQ(euler_number(diamond.view()), 0) << "one object round one hole";
+  EXPECT_EQ(euler_number_4(diamond.view()), 4) << "four objects, and all background is outside";
+}
+
+TEST(FillHoles, fills_what_an_object_encloses_with_all_that_lies_in_it) {
+  const ByteImage image = image_of({"#####..", "#...#.#", "#.#.#..", "#...#..", "#####.."});
+  const TextImage expected = {"#####..", "#####.#", "#####..", "#####..", "#####.."};
+  ByteImage filled(image.width(), image.height());
+  fill_holes(image.view(), filled.view());
+  EXPECT_EQ(text_of(filled), expected);
+  filled = copy_of(image.view());
+  fill_holes(filled.view(), filled.view(), {.technique = Technique::union_find});
+  EXPECT_EQ(text_of(filled), expected) << "in place";
+}
+
+/// What each operation on one image says of a view; they must say the same.
+std::string rejected_view(const ConstImageView& view) {
+  const std::string text = rejection_of([&] { (void)find_regions(view); });
+  EXPECT_EQ(rejection_of([&] { (void)find_components(view); }), text);
+  EXPECT_EQ(rejection_of([&] { (void)euler_number(view); }), text);
+  EXPECT_EQ(rejection_of([&] { (void)euler_number_4(view); }), text);
+  return text;
+}
+
+TEST(FindRegions, rejects_bad_views) {
+  const ByteImage image(10, 4);
+  const std::uint8_t* data = image.view().data;
+  EXPECT_EQ(rejected_view({nullptr, 10, 4, 64}), "source has no data");
+  EXPECT_EQ(rejected_view({data, -1, 4, 64}), "source has the size -1 x 4");
+  EXPECT_EQ(rejected_view({data, 10, 4, 9}),
+            "source has a stride of 9 bytes, below its width of 10");
+  const Index side = Index{1} << 29;
+  EXPECT_EQ(rejected_view({data, side + 1, 0}),
+            "image size 536870913 x 0 has a side above 2^29 pixels");
+  EXPECT_EQ(rejected_view({data, 1 << 17, 1 << 17}),
+            "image size 131072 x 131072 is larger than 2^32 pixels");
+}
+
+TEST(FillHoles, rejects_bad_views_and_partial_overlap) {
+  ByteImage image(50, 12);
+  const ImageView view = image.view();
+  ByteImage other(20, 10);
+  const ConstImageView source = {view.data, 20, 10, view.stride};
+  const auto rejected = [](const ConstImageView& from, const ImageView& to) {
+    return rejection_of([&] { fill_holes(from, to); });
+  };
+  EXPECT_EQ(rejected({view.data, 20, 10, 19}, other.view()),
+            "source has a stride of 19 bytes, below its width of 20");
+  EXPECT_EQ(rejected(source, {other.view().data, 20, 10, 19}),
+            "destination has a stride of 19 bytes, below its width of 20");
+  EXPECT_EQ(rejected(source, {nullptr, 20, 10, 64}), "destination has no data");
+  EXPECT_EQ(rejected(source, ByteImage(21, 10).view()),
+            "source is 20 x 10 and destination 21 x 10; they must have one size");
+  EXPECT_EQ(rejected(source, {view.row(2) + 3, 20, 10, view.stride}),
+            "source and destination overlap without being the same image");
+  EXPECT_EQ(rejected(source, {view.data + 25, 20, 10, view.stride}), "") << "side by side";
+}
+
+/// What find_regions says of options; fill_holes must not write.
+std::string rejected_options(const Options& options) {
+  const ByteImage image = noise_image(10, 4, 50, 1, 2);
+  ByteImage out = copy_of(image.view());
+  const std::string text = rejection_of([&] { (void)find_regions(image.view(), options); });
+  EXPECT_TRUE(is_one_sentence(text)) << text;
+  EXPECT_NE(rejection_of([&] { fill_holes(image.view(), out.view(), options); }), "");
+  EXPECT_NE(rejection_of([&] { (void)euler_number(image.view(), options); }), "");
+  EXPECT_TRUE(equal(out.view(), image.view()));
+  return text;
+}
+
+TEST(FindRegions, rejects_options_that_do_not_fit) {
+  EXPECT_EQ(rejected_options({.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
+  EXPECT_EQ(rejected_options({.technique = Technique::simd_bytes}),
+            "holes by simd_bytes at any instruction set on one thread: there is no such variant; "
+            "its techniques are union_find, bitpacked_runs, simd_runs");
+  EXPECT_EQ(rejected_options({.technique = static_cast<Technique>(99)}),
+            "technique: expected one of the enumeration, got number 99");
+  EXPECT_EQ(rejected_options({.isa = static_cast<Isa>(99)}),
+            "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
+}
+
+TEST(FindRegions, rejects_options_that_are_for_thinning) {
+  EXPECT_EQ(rejected_options({.border = Border::keep}), "holes takes no border");
+  EXPECT_EQ(rejected_options({.border = static_cast<Border>(7)}), "holes takes no border");
+  EXPECT_EQ(rejected_options({.max_iterations = 3}), "holes takes no max_iterations");
+  EXPECT_EQ(rejected_options({.directions = kNoDirections}), "holes takes no directions");
+  EXPECT_EQ(rejected_options({.net = two_layer_net(kPaperTwoLayer, Activation::linear)}),
+            "holes takes no weights");
+}
+
+}  // namespace
+}  // namespace thinbench

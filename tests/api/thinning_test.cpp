@@ -1,0 +1,335 @@
+// thin() and Thinner: what they choose, what they promise and what they reject.
+#include "thinbench/thinning.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "harness/test_images.hpp"
+#include "reference.hpp"
+#include "support/rejection.hpp"
+#include "thinbench/nets.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr std::uint8_t kUntouched = 0x5A;
+
+ByteImage untouched(Index width, Index height) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) std::fill_n(image.view().row(y), width, kUntouched);
+  return image;
+}
+
+bool is_untouched(const ConstImageView& view) {
+  for (Index y = 0; y < view.height; ++y) {
+    for (Index x = 0; x < view.width; ++x) {
+      if (view.row(y)[x] != kUntouched) return false;
+    }
+  }
+  return true;
+}
+
+struct Expected {
+  ByteImage image;
+  int iterations;
+};
+
+Expected expected_of(Rule rule, const ByteImage& image) {
+  Expected expected = {ByteImage(image.width(), image.height()), 0};
+  expected.iterations = reference::thinning(rule)({}, image.view(), expected.image.view());
+  return expected;
+}
+
+TEST(Thin, by_default_equals_the_reference_at_any_width) {
+  for (const RuleInfo& info : kRules) {
+    for (const Index width : {1, 64, 510, 512, 513, 1100}) {
+      const ByteImage image = noise_image(width, 20, 95, 1, 2);
+      const Expected expected = expected_of(info.rule, image);
+      for (const int threads : {1, 3}) {
+        ByteImage out(width, 20);
+        EXPECT_EQ(thin(info.rule, image.view(), out.view(), {.threads = threads}),
+                  expected.iterations);
+        EXPECT_TRUE(equal(out.view(), expected.image.view())) << info.name << ", " << width;
+      }
+    }
+  }
+}
+
+TEST(Thin, gives_the_same_on_several_threads_of_a_large_image) {
+  const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
+  for (const Rule rule : {Rule::guo_hall, Rule::midpoint_scan, Rule::net_two_layer_linear}) {
+    for (const Border border : {Border::background, Border::keep}) {
+      ByteImage one(1100, 1000);
+      ByteImage three(1100, 1000);
+      const Options options = {.border = border, .max_iterations = 4};
+      Options with_threads = options;
+      with_threads.threads = 3;
+      EXPECT_EQ(thin(rule, image.view(), one.view(), options),
+                thin(rule, image.view(), three.view(), with_threads));
+      EXPECT_TRUE(equal(one.view(), three.view())) << rule_name(rule);
+    }
+  }
+}
+
+TEST(Thin, takes_one_iteration_for_images_without_pixels) {
+  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 7}, {7, 0}}) {
+    for (const RuleInfo& info : kRules) {
+      for (const Border border : {Border::background, Border::keep}) {
+        const Options options = {.border = border};
+        EXPECT_EQ(thin(info.rule, {nullptr, width, height}, {nullptr, width, height}, options), 1)
+            << info.name;
+      }
+    }
+  }
+}
+
+TEST(Thin, takes_any_byte_but_0_for_foreground_and_writes_0_and_255) {
+  ByteImage image = noise_image(70, 12, 90, 1, 3);
+  const Expected expected = expected_of(Rule::zhang_suen, image);
+  for (Index y = 0; y < 12; ++y) {
+    for (Index x = 0; x < 70; ++x) {
+      if (image.at(x, y) != 0) image.at(x, y) = static_cast<std::uint8_t>(1 + (x * 7 + y) % 255);
+    }
+  }
+  ByteImage out = untouched(70, 12);
+  EXPECT_EQ(thin(Rule::zhang_suen, image.view(), out.view()), expected.iterations);
+  EXPECT_TRUE(equal(out.view(), expected.image.view()));
+}
+
+TEST(Thin, takes_views_of_one_buffer_that_lie_side_by_side) {
+  const ByteImage image = noise_image(20, 10, 90, 1, 3);
+  const Expected expected = expected_of(Rule::guo_hall, image);
+  for (const Index first : {0, 20}) {  // the source's column; the destination takes the other half
+    ByteImage buffer(40, 10);
+    const ImageView source{buffer.view().data + first, 20, 10, buffer.view().stride};
+    const ImageView destination{buffer.view().data + 20 - first, 20, 10, buffer.view().stride};
+    for (Index y = 0; y < 10; ++y) std::copy_n(image.view().row(y), 20, source.row(y));
+    EXPECT_EQ(rejection_of([&] { thin(Rule::guo_hall, source, destination); }), "");
+    EXPECT_TRUE(equal(destination, expected.image.view()));
+    EXPECT_TRUE(equal(source, image.view()));
+  }
+}
+
+std::string rejected_views(const ConstImageView& source, const ImageView& destination) {
+  return rejection_of([&] { thin(Rule::guo_hall, source, destination); });
+}
+
+TEST(Thin, rejects_bad_views_and_says_why) {
+  ByteImage a = untouched(20, 10);
+  ByteImage b = untouched(20, 11);
+  EXPECT_EQ(rejected_views(a.view(), b.view()),
+            "source is 20 x 10 and destination 20 x 11; they must have one size");
+  const ConstImageView from = a.view();
+  const ImageView to = {b.view().data, 20, 10, b.view().stride};
+  EXPECT_EQ(rejected_views({from.data, 20, 10, 19}, to),
+            "source has a stride of 19 bytes, below its width of 20");
+  EXPECT_EQ(rejected_views(from, {to.data, 20, 10, 19}),
+            "destination has a stride of 19 bytes, below its width of 20");
+  EXPECT_EQ(rejected_views({from.data, 20, -1, 64}, {to.data, 20, -1, 64}),
+            "source has the size 20 x -1");
+  EXPECT_EQ(rejected_views({from.data, -20, 1, 64}, to), "source has the size -20 x 1");
+  EXPECT_EQ(rejected_views({nullptr, 20, 10, 64}, to), "source has no data");
+  EXPECT_EQ(rejected_views(from, {nullptr, 20, 10, 64}), "destination has no data");
+  constexpr Index huge = std::numeric_limits<Index>::max() / 2;
+  EXPECT_EQ(rejected_views({from.data, 20, 10, huge}, to),
+            "source spans more memory than there is: 20 x 10, stride 4611686018427387903");
+  EXPECT_TRUE(is_untouched(a.view()));
+  EXPECT_TRUE(is_untouched(b.view()));
+}
+
+TEST(Thin, rejects_partial_overlap) {
+  const std::string text = "source and destination overlap without being the same image";
+  ByteImage buffer = untouched(40, 10);
+  const Index stride = buffer.view().stride;
+  std::uint8_t* data = buffer.view().data;
+  EXPECT_EQ(rejected_views({data, 20, 8, stride}, {data, 20, 8, stride}), "") << "one image";
+  buffer = untouched(40, 10);
+  data = buffer.view().data;
+  for (const Index apart : {Index{1}, Index{19}, stride - 19, stride + 19, 2 * stride}) {
+    EXPECT_EQ(rejected_views({data, 20, 8, stride}, {data + apart, 20, 8, stride}), text) << apart;
+    EXPECT_EQ(rejected_views({data + apart, 20, 8, stride}, {data, 20, 8, stride}), text) << apart;
+  }
+  EXPECT_EQ(rejected_views({data, 20, 4, stride}, {data, 20, 4, 2 * stride}), text)
+      << "one beginning, other strides";
+  EXPECT_TRUE(is_untouched(buffer.view()));
+}
+
+/// The text of what thin() throws for these options; checks that nothing was written.
+std::string rejected_options(Rule rule, const Options& options) {
+  const ByteImage image = noise_image(60, 10, 80, 1, 5);
+  ByteImage out = untouched(60, 10);
+  const std::string text = rejection_of([&] { thin(rule, image.view(), out.view(), options); });
+  EXPECT_TRUE(is_one_sentence(text)) << text;
+  EXPECT_TRUE(is_untouched(out.view())) << text;
+  const std::string of_thinner = rejection_of([&] { Thinner(rule, 60, 10, options); });
+  EXPECT_EQ(of_thinner, text) << "a Thinner rejects the same with the same words";
+  return text;
+}
+
+TEST(Thin, rejects_numbers_out_of_range) {
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = 0}),
+            "threads: expected an integer in [1, 1024], got 0");
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = -1}),
+            "threads: expected an integer in [1, 1024], got -1");
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = 1025}),
+            "threads: expected an integer in [1, 1024], got 1025");
+  for (const RuleInfo& info : kRules) {
+    EXPECT_EQ(rejected_options(info.rule, {.max_iterations = 0}),
+              "max_iterations: expected an integer of at least 1, got 0");
+    EXPECT_EQ(rejected_options(info.rule, {.max_iterations = -1}),
+              "max_iterations: expected an integer of at least 1, got -1");
+  }
+}
+
+TEST(Thin, rejects_numbers_that_are_no_enumerators) {
+  const auto number = [](auto kind, int value) { return static_cast<decltype(kind)>(value); };
+  for (const int value : {static_cast<int>(kRules.size()), 99, 255}) {
+    EXPECT_EQ(rejected_options(number(Rule{}, value), {}),
+              "rule: expected one of the enumeration, got number " + std::to_string(value));
+  }
+  for (const int value : {static_cast<int>(kTechniques.size()), 99, 255}) {
+    EXPECT_EQ(rejected_options(Rule::mb2, {.technique = number(Technique{}, value)}),
+              "technique: expected one of the enumeration, got number " + std::to_string(value));
+  }
+  for (const int value : {static_cast<int>(kAllIsas.size()), 99, 255}) {
+    EXPECT_EQ(rejected_options(Rule::mb2, {.isa = number(Isa{}, value)}),
+              "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number " +
+                  std::to_string(value));
+  }
+  for (const int value : {2, 99, 255}) {
+    for (const RuleInfo& info : kRules) {
+      EXPECT_EQ(rejected_options(info.rule, {.border = number(Border{}, value)}),
+                "border: expected background or keep, got " + std::to_string(value));
+    }
+  }
+  EXPECT_EQ(rejected_options(Rule::midpoint_scan, {.directions = {0x10}}),
+            "directions: expected bits in [0, 15], got 16");
+}
+
+TEST(Thin, rejects_options_that_the_rule_does_not_know) {
+  const auto linear = two_layer_net(kPaperTwoLayer, Activation::linear);
+  for (const RuleInfo& info : kRules) {
+    const bool takes_directions = info.rule == Rule::midpoint_scan;
+    const bool is_net = info.operation.starts_with("net_");
+    if (!takes_directions) {
+      EXPECT_EQ(rejected_options(info.rule, {.directions = kNoDirections}),
+                std::string(info.operation) + " takes no directions");
+    }
+    if (!is_net) {
+      EXPECT_EQ(rejected_options(info.rule, {.net = linear}),
+                std::string(info.operation) + " takes no weights");
+    }
+  }
+}
+
+TEST(Thin, rejects_another_kind_of_net) {
+  const auto sigmoid = two_layer_net(kPaperTwoLayer, Activation::sigmoid);
+  const auto linear = two_layer_net(kPaperTwoLayer, Activation::linear);
+  const std::string text = ": the weights are those of another kind of net";
+  EXPECT_EQ(rejected_options(Rule::net_two_layer_linear, {.net = sigmoid}),
+            "net_two_layer_linear" + text);
+  EXPECT_EQ(rejected_options(Rule::net_two_layer_sigmoid, {.net = linear}),
+            "net_two_layer_sigmoid" + text);
+  EXPECT_EQ(rejected_options(Rule::net_single_layer_cluster, {.net = linear}),
+            "net_single_layer_cluster" + text);
+  ClusterWeights one_net = {.count = 1, .nets = {{255, kPaperTwoLayer.output}}};
+  EXPECT_EQ(rejected_options(Rule::net_two_layer_linear, {.net = cluster_net(one_net)}),
+            "net_two_layer_linear" + text);
+}
+
+TEST(Thin, names_what_there_is_where_a_variant_does_not_exist) {
+  const std::string none = ": there is no such variant; ";
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {.technique = Technique::simd_runs}),
+            "thin_guo_hall by simd_runs at any instruction set on one thread" + none +
+                "its techniques are lut, lut_sliding, bitpacked, autovec, simd_bytes, "
+                "simd_bitpacked, simd_bitpacked_tiles, simd_bitpacked_row");
+  EXPECT_EQ(
+      rejected_options(Rule::guo_hall, {.isa = Isa::avx2, .technique = Technique::lut}),
+      "thin_guo_hall by lut at avx2 on one thread" + none + "its instruction sets are baseline");
+  EXPECT_EQ(rejected_options(Rule::spta, {.isa = Isa::sse42}),
+            "thin_spta by any technique at sse4.2 on one thread" + none +
+                "its instruction sets are baseline");
+  EXPECT_EQ(rejected_options(Rule::spta, {.threads = 2, .technique = Technique::bitpacked}),
+            "thin_spta by bitpacked at any instruction set with threads" + none +
+                "it runs on one thread only");
+}
+
+TEST(Thinner, chooses_the_fastest_that_this_machine_offers) {
+  const Thinner narrow(Rule::naccache_shinghal, 100, 10);
+  const Thinner wide(Rule::naccache_shinghal, 2000, 10);
+  EXPECT_EQ(narrow.isa(), best_isa());
+  EXPECT_EQ(wide.isa(), best_isa());
+  const bool has_rows = best_isa() >= Isa::avx512;
+  EXPECT_EQ(narrow.technique(),
+            has_rows ? Technique::simd_bitpacked_row : Technique::simd_bitpacked_tiles);
+  EXPECT_EQ(wide.technique(), Technique::simd_bitpacked_tiles);
+  const Thinner sequential(Rule::spta, 2000, 2000, {.threads = 4});
+  EXPECT_EQ(sequential.technique(), Technique::bitpacked);
+  EXPECT_EQ(sequential.isa(), Isa::baseline);
+}
+
+TEST(Thinner, reports_what_it_was_asked_for) {
+  const Options options = {.isa = Isa::baseline, .technique = Technique::autovec};
+  const Thinner thinner(Rule::zhang_suen, 100, 10, options);
+  EXPECT_EQ(thinner.technique(), Technique::autovec);
+  EXPECT_EQ(thinner.isa(), Isa::baseline);
+}
+
+TEST(Thinner, may_be_used_again_and_again) {
+  Thinner thinner(Rule::guo_hall, 90, 33, {.border = Border::keep, .max_iterations = 2});
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const ByteImage image = noise_image(90, 33, 30 * static_cast<int>(seed), 2, seed);
+    ByteImage expected(90, 33);
+    ByteImage out = untouched(90, 33);
+    const int iterations =
+        reference::thinning(Rule::guo_hall)({Border::keep, 2}, image.view(), expected.view());
+    EXPECT_EQ(thinner(image.view(), out.view()), iterations);
+    EXPECT_TRUE(equal(out.view(), expected.view()));
+  }
+}
+
+TEST(Thinner, moves_with_all_that_it_owns) {
+  static_assert(!std::is_copy_constructible_v<Thinner> && !std::is_copy_assignable_v<Thinner>);
+  static_assert(std::is_nothrow_move_constructible_v<Thinner>);
+  static_assert(std::is_nothrow_move_assignable_v<Thinner>);
+  const ByteImage image = noise_image(60, 20, 90, 1, 4);
+  const Expected expected = expected_of(Rule::mb2, image);
+  Thinner first(Rule::mb2, 60, 20);
+  const Technique technique = first.technique();
+  Thinner second(std::move(first));
+  Thinner third(Rule::spta, 5, 5);
+  third = std::move(second);
+  EXPECT_EQ(third.technique(), technique);
+  ByteImage out = untouched(60, 20);
+  EXPECT_EQ(third(image.view(), out.view()), expected.iterations);
+  EXPECT_TRUE(equal(out.view(), expected.image.view()));
+}
+
+TEST(Thinner, rejects_sizes_that_it_cannot_have) {
+  const auto rejected = [](Index width, Index height) {
+    return rejection_of([&] { Thinner(Rule::guo_hall, width, height); });
+  };
+  EXPECT_EQ(rejected(-1, 5), "image size -1 x 5 is negative");
+  EXPECT_EQ(rejected(5, -1), "image size 5 x -1 is negative");
+  EXPECT_EQ(rejected(Index{1} << 40, 2), "image size 1099511627776 x 2 is larger than 2^40 pixels");
+  EXPECT_EQ(rejected(2, std::numeric_limits<Index>::max()),
+            "image size 2 x 9223372036854775807 is larger than 2^40 pixels");
+}
+
+TEST(Thinner, rejects_images_of_another_size_than_its_own) {
+  Thinner thinner(Rule::guo_hall, 28, 28);
+  ByteImage image(28, 27);
+  ByteImage out = untouched(28, 27);
+  EXPECT_EQ(rejection_of([&] { thinner(image.view(), out.view()); }),
+            "expected images of 28 x 28, got 28 x 27");
+  EXPECT_TRUE(is_untouched(out.view()));
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,137 @@
+// No variant appears or disappears unnoticed: variants.txt has their numbers, whether or not this
+// machine can run them. With THINBENCH_RECORD_VARIANTS=PATH in the environment they are written to
+// PATH instead.
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "harness/operation.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr const char* kTable = THINBENCH_SOURCE_DIR "/tests/harness/variants.txt";
+
+/// Numbers of variants in the order of kAllIsas.
+using Counts = std::array<std::size_t, kAllIsas.size()>;
+/// By case of an operation.
+using Table = std::map<std::string, Counts>;
+
+std::string header() {
+  std::string text = "case";
+  for (const Isa isa : kAllIsas) text.append("\t").append(isa_name(isa));
+  return text;
+}
+
+/// One for each technique, and one more where it has threads.
+std::vector<std::string> variants_of(const Operation& operation, Isa isa) {
+  std::vector<std::string> names;
+  for (const Variant& variant : operation.variants) {
+    if (variant.isa != isa || variant.is_peer) continue;
+    names.push_back(std::string(variant.technique) + (variant.threaded ? " with threads" : ""));
+  }
+  return names;
+}
+
+Table table_of_operations() {
+  Table table;
+  for (const Operation& operation : all_operations()) {
+    for (std::size_t i = 0; i < kAllIsas.size(); ++i) {
+      table[operation.name][i] = variants_of(operation, kAllIsas[i]).size();
+    }
+  }
+  return table;
+}
+
+void write_table(const std::string& path, const Table& table) {
+  std::ofstream file(path);
+  file << header() << '\n';
+  for (const auto& [name, counts] : table) {
+    file << name;
+    for (const std::size_t count : counts) file << '\t' << count;
+    file << '\n';
+  }
+}
+
+Table read_table(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  EXPECT_EQ(line, header()) << path;
+  Table table;
+  while (std::getline(file, line)) {
+    std::istringstream columns(line);
+    std::string name;
+    Counts counts{};
+    std::getline(columns, name, '\t');
+    for (std::size_t& count : counts) columns >> count;
+    EXPECT_TRUE(columns) << path << ": truncated: " << line;
+    table[name] = counts;
+  }
+  return table;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
+  return text.empty() ? "none" : text;
+}
+
+/// What a case has lost or gained against its line; empty where nothing.
+std::string difference(const Operation& operation, const Counts& recorded) {
+  std::string text;
+  for (std::size_t i = 0; i < kAllIsas.size(); ++i) {
+    const std::vector<std::string> names = variants_of(operation, kAllIsas[i]);
+    if (names.size() == recorded[i]) continue;
+    const bool lost = names.size() < recorded[i];
+    const std::size_t number = lost ? recorded[i] - names.size() : names.size() - recorded[i];
+    text += operation.name + (lost ? " has lost " : " has gained ") + std::to_string(number) +
+            " at " + std::string(isa_name(kAllIsas[i])) + ", there are " + joined(names) + "\n";
+  }
+  return text;
+}
+
+/// All differences between operations and a table, one on each line.
+std::string differences(const std::vector<Operation>& operations, Table recorded) {
+  std::string text;
+  for (const Operation& operation : operations) {
+    const auto line = recorded.extract(operation.name);
+    text += line ? difference(operation, line.mapped()) : operation.name + " is not recorded\n";
+  }
+  for (const auto& [name, counts] : recorded) text += name + " is no longer there\n";
+  return text;
+}
+
+TEST(Variants, are_as_many_as_recorded) {
+  if (const char* path = std::getenv("THINBENCH_RECORD_VARIANTS"); path != nullptr && *path != 0) {
+    write_table(path, table_of_operations());
+    GTEST_SKIP() << "recorded";
+  }
+  EXPECT_EQ(differences(all_operations(), read_table(kTable)), "");
+}
+
+Operation operation_with(const std::string& name, const std::vector<Isa>& isas) {
+  Operation operation = {name, "", InputKind::binary, {}, {}};
+  for (const Isa isa : isas) operation.variants.push_back({"lut", "", isa, false, true, {}, {}});
+  return operation;
+}
+
+TEST(Variants, that_are_lost_or_gained_are_named_by_their_case) {
+  const std::vector<Operation> operations = {
+      operation_with("thin_a", {Isa::baseline, Isa::avx2, Isa::avx2}),
+      operation_with("thin_a:keep", {Isa::baseline})};
+  EXPECT_EQ(differences(operations, {{"thin_a", {1, 0, 2, 0, 0}}, {"thin_a:keep", {1}}}), "");
+  EXPECT_EQ(differences(operations, {{"thin_a", {1, 1, 1, 0, 0}}, {"thin_b", {1}}}),
+            "thin_a has lost 1 at sse4.2, there are none\n"
+            "thin_a has gained 1 at avx2, there are lut, lut\n"
+            "thin_a:keep is not recorded\n"
+            "thin_b is no longer there\n");
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,96 @@
+// States of the operations on objects and holes: what they keep and what they reject.
+#include "regions/state.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "api/catalogue.hpp"
+#include "harness/test_images.hpp"
+#include "holes.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+template <class Regions>
+void expect_same(const RegionLists& found, const Regions& expected) {
+  EXPECT_TRUE(std::equal(found.holes.begin(), found.holes.end(), expected.holes.begin(),
+                         expected.holes.end()));
+  EXPECT_TRUE(std::equal(found.objects.begin(), found.objects.end(), expected.objects.begin(),
+                         expected.objects.end()));
+}
+
+TEST(RegionsState, gives_the_same_after_an_image_with_many_more_regions) {
+  const ByteImage simple = noise_image(300, 200, 50, 20, 3);
+  const ByteImage crowded = noise_image(300, 200, 50, 1, 4);
+  const reference::Regions expected = reference::holes(simple.view());
+  const RegionsOperation& operation = operation_of(RegionsTask::holes);
+  for (const RegionsVariant& variant : operation.variants) {
+    if (!unavailable_reason(variant, 300).empty()) continue;
+    const auto state = make_state(operation, variant, 300, 200, {.threads = 4});
+    for (const auto& view : {simple.view(), crowded.view(), simple.view()}) {
+      state->load(view);
+      state->compute();
+    }
+    expect_same(state->regions(), expected);
+  }
+}
+
+TEST(RegionsState, compute_keeps_its_input_and_may_be_repeated) {
+  const ByteImage image = noise_image(150, 70, 55, 3, 5);
+  for (const RegionsOperation& operation : regions_operations()) {
+    for (const RegionsVariant& variant : operation.variants) {
+      if (!unavailable_reason(variant, 150).empty()) continue;
+      const auto state = make_state(operation, variant, 150, 70, {.threads = 2});
+      state->load(image.view());
+      state->compute();
+      state->compute();
+      if (operation.task == RegionsTask::holes) {
+        expect_same(state->regions(), reference::holes(image.view()));
+      } else if (operation.task == RegionsTask::euler_eight) {
+        EXPECT_EQ(state->number(), reference::euler_number(image.view()));
+      } else if (operation.task == RegionsTask::euler_four) {
+        EXPECT_EQ(state->number(), reference::euler_number_4(image.view()));
+      } else if (operation.task == RegionsTask::fill) {
+        ByteImage expected(150, 70);
+        ByteImage found(150, 70);
+        reference::fill_holes(image.view(), expected.view());
+        state->store(found.view());
+        EXPECT_TRUE(equal(found.view(), expected.view()));
+      }
+    }
+  }
+}
+
+TEST(RegionsState, gives_only_what_its_task_is_asked_for) {
+  const auto state_of = [](RegionsTask task, Technique technique) {
+    const RegionsOperation& operation = operation_of(task);
+    const Options options = {.technique = technique};
+    return make_state(operation, choose(operation, 9, 9, options), 9, 9, options);
+  };
+  ByteImage image(9, 9);
+  using enum Technique;
+  for (const Technique technique : {union_find, bitpacked_runs}) {
+    EXPECT_THROW((void)state_of(RegionsTask::holes, technique)->number(), std::logic_error);
+    EXPECT_THROW(state_of(RegionsTask::components, technique)->store(image.view()),
+                 std::logic_error);
+    EXPECT_THROW((void)state_of(RegionsTask::fill, technique)->regions(), std::logic_error);
+  }
+  EXPECT_THROW((void)state_of(RegionsTask::euler_eight, lut)->regions(), std::logic_error);
+}
+
+TEST(RegionsState, is_not_made_for_sizes_beyond_its_numbers) {
+  const RegionsOperation& operation = operation_of(RegionsTask::holes);
+  const RegionsVariant& variant = operation.variants.front();
+  const auto make = [&](Index width, Index height, int threads = 1) {
+    static_cast<void>(make_state(operation, variant, width, height, {.threads = threads}));
+  };
+  EXPECT_THROW(make(kMaxRegionsSide + 1, 1), std::invalid_argument);
+  EXPECT_THROW(make(1 << 17, 1 << 17), std::invalid_argument);
+  EXPECT_THROW(make(-1, 1), std::invalid_argument);
+  EXPECT_THROW(make(1, 1, kMaxThreads + 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace thinbench::detail

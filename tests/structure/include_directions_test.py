@@ -1,0 +1,216 @@
+"""Folders of kernels/ include each other in one direction only, and nothing of what builds on them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+# Which folders of kernels/ a folder may include besides itself; "include" is the public headers.
+BASE = {"include", "dispatch", "simd"}
+ALLOWED = {
+    "include": set(),
+    "simd": {"include"},
+    "dispatch": {"include"},
+    "image": BASE,
+    "thinning": BASE | {"image"},
+    "nets": BASE | {"image", "thinning"},
+    "midpoints": BASE | {"image", "thinning"},
+    "edges": BASE | {"image"},
+    "regions": BASE | {"image"},
+    "localise": BASE | {"image", "edges", "regions"},
+}
+ALLOWED["api"] = set(ALLOWED)
+
+# Within a folder: these files may not include those.
+FORBIDDEN_WITHIN = [
+    ("thinning/rules/", "thinning/engines/"),
+    ("thinning/rules/", "thinning/iteration/"),
+    ("thinning/engines/", "thinning/iteration/"),
+]
+
+# All that references share with the kernels beside the public headers: data.
+SHARED_WITH_REFERENCES = {"nets/trained_cluster.hpp"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
+
+
+@dataclass(frozen=True)
+class Include:
+    file: str  # from the root of the project
+    line: int
+    target: str  # as written
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line} includes {self.target}"
+
+
+def sources(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.rglob("*") if path.suffix in {".hpp", ".cpp", ".h"})
+
+
+def includes_of(root: Path, folder: str) -> list[Include]:
+    """All #include lines of the files below a folder, those in angle brackets with their brackets."""
+    found = []
+    for path in sources(root / folder):
+        for number, text in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            match = INCLUDE.match(text)
+            if match:
+                target = match.group(1) or f"<{match.group(2)}>"
+                found.append(Include(path.relative_to(root).as_posix(), number, target))
+    return found
+
+
+def folder_of_target(target: str) -> str:
+    """The folder of kernels/ that a quoted include leads to."""
+    folder = target.split("/")[0] if "/" in target else target
+    return "include" if folder == "thinbench" else folder
+
+
+def violations_in_kernels(root: Path) -> list[str]:
+    found = []
+    for one in includes_of(root, "kernels"):
+        place = one.file.removeprefix("kernels/")
+        folder = place.split("/")[0]
+        if one.target.startswith("<thinbench"):
+            found.append(f"{one}, which is quoted elsewhere")
+        if one.target.startswith("<"):
+            continue
+        target = folder_of_target(one.target)
+        if folder not in ALLOWED:
+            found.append(f"{one}, but kernels/{folder} is not in the table of this test")
+        elif target != folder and target not in ALLOWED[folder]:
+            found.append(f"{one}, but kernels/{folder} may not include {target}")
+        for begin, forbidden in FORBIDDEN_WITHIN:
+            if place.startswith(begin) and one.target.startswith(forbidden):
+                found.append(f"{one}, but {begin} may not include {forbidden}")
+    return found
+
+
+def violations_in_references(root: Path) -> list[str]:
+    own = {path.relative_to(root / "reference").as_posix() for path in sources(root / "reference")}
+    found = []
+    for one in includes_of(root, "reference"):
+        is_standard = one.target.startswith("<") and "/" not in one.target and "." not in one.target
+        is_public = one.target.startswith("thinbench/")
+        if not (is_standard or is_public or one.target in own | SHARED_WITH_REFERENCES):
+            found.append(f"{one}, which is neither a public header nor a reference's own")
+    return found
+
+
+def includes_by_file(root: Path) -> dict[str, list[str]]:
+    """Files of kernels/ that each of them includes."""
+    graph: dict[str, list[str]] = {}
+    for one in includes_of(root, "kernels"):
+        targets = [f"kernels/{one.target}", f"kernels/include/{one.target}"]
+        existing = [target for target in targets if (root / target).is_file()]
+        graph.setdefault(one.file, []).extend(existing)
+    return graph
+
+
+def cycle_in(graph: dict[str, list[str]]) -> list[str]:
+    """Files that include each other in a circle, the first of them last again; empty without one."""
+    done: set[str] = set()
+
+    def search(path: list[str]) -> list[str]:
+        if path[-1] in path[:-1]:
+            return path[path.index(path[-1]) :]
+        if path[-1] in done:
+            return []
+        for target in graph.get(path[-1], []):
+            if cycle := search([*path, target]):
+                return cycle
+        done.add(path[-1])
+        return []
+
+    for file in graph:
+        if cycle := search([file]):
+            return cycle
+    return []
+
+
+def test_table_has_no_cycle():
+    assert cycle_in({folder: sorted(allowed - {folder}) for folder, allowed in ALLOWED.items()}) == []
+
+
+def test_table_has_the_folders_that_there_are():
+    folders = {path.name for path in (ROOT / "kernels").iterdir() if path.is_dir()}
+    assert folders == set(ALLOWED)
+
+
+def test_kernels_include_in_the_allowed_directions():
+    assert "\n".join(violations_in_kernels(ROOT)) == ""
+
+
+def test_no_files_of_the_kernels_include_each_other_in_a_circle():
+    assert " -> ".join(cycle_in(includes_by_file(ROOT))) == ""
+
+
+def test_references_share_public_headers_and_data_with_the_kernels():
+    assert "\n".join(violations_in_references(ROOT)) == ""
+    for shared in SHARED_WITH_REFERENCES:
+        for one in includes_of(ROOT, "kernels/" + shared.split("/")[0]):
+            if one.file == "kernels/" + shared:
+                assert one.target.startswith("thinbench/"), str(one)
+
+
+def made_up(root: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return root
+
+
+def test_a_wrong_direction_is_named_by_file_line_and_include(tmp_path):
+    root = made_up(
+        tmp_path,
+        {
+            "kernels/image/planes.hpp": '// Planes.\n#include "image/layout.hpp"\n'
+            '  #  include "thinning/rules.hpp"\n',
+            "kernels/thinning/rules/one.hpp": '#include "thinning/engines/passes.hpp"\n',
+            "kernels/edges/state.cpp": '#include "reference.hpp"\n#include "bench/job.hpp"\n',
+        },
+    )
+    assert violations_in_kernels(root) == [
+        "kernels/edges/state.cpp:1 includes reference.hpp, but kernels/edges may not include "
+        "reference.hpp",
+        "kernels/edges/state.cpp:2 includes bench/job.hpp, but kernels/edges may not include bench",
+        "kernels/image/planes.hpp:3 includes thinning/rules.hpp, but kernels/image may not include "
+        "thinning",
+        "kernels/thinning/rules/one.hpp:1 includes thinning/engines/passes.hpp, but "
+        "thinning/rules/ may not include thinning/engines/",
+    ]
+
+
+def test_code_of_the_kernels_in_a_reference_is_named(tmp_path):
+    root = made_up(
+        tmp_path,
+        {
+            "reference/own.hpp": "#include <vector>\n#include \"thinbench/rule.hpp\"\n",
+            "reference/edges.cpp": '#include "own.hpp"\n#include "edges/operators.hpp"\n'
+            "#include <tbb/task_arena.h>\n",
+        },
+    )
+    reason = "which is neither a public header nor a reference's own"
+    assert violations_in_references(root) == [
+        f"reference/edges.cpp:2 includes edges/operators.hpp, {reason}",
+        f"reference/edges.cpp:3 includes <tbb/task_arena.h>, {reason}",
+    ]
+
+
+def test_a_circle_is_found(tmp_path):
+    root = made_up(
+        tmp_path,
+        {
+            "kernels/image/a.hpp": '#include "image/b.hpp"\n',
+            "kernels/image/b.hpp": '#include "image/c.hpp"\n#include "image/d.hpp"\n',
+            "kernels/image/c.hpp": "",
+            "kernels/image/d.hpp": '#include "image/a.hpp"\n',
+        },
+    )
+    cycle = cycle_in(includes_by_file(root))
+    assert sorted(set(cycle)) == [f"kernels/image/{name}.hpp" for name in "abd"]
+    assert cycle[0] == cycle[-1]

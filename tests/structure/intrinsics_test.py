@@ -1,0 +1,68 @@
+"""Only kernels/simd/ names vector instructions or asks which architecture it is compiled for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+KERNELS = Path(__file__).resolve().parents[2] / "kernels"
+SIMD = KERNELS / "simd"
+
+ARCHITECTURE = re.compile(
+    r"""\b_mm\d*_\w+ | \b__m(?:64|128|256|512)\w*\b | \b__mmask\d+ | \b__builtin_ia32_\w+
+      | \b_(?:pext|pdep|bextr|blsi|blsmsk|blsr|tzcnt|lzcnt|popcnt)_?u\d+
+      | \bv[a-z]\w*_[usfp](?:8|16|32|64)\b | \b(?:u?int|float|poly)\d+x\d+(?:x\d)?_t\b
+      | <(?:\w*mmintrin|x86intrin|arm_\w+)\.h>
+      | \b__(?:AVX|SSE|SSSE|BMI|FMA|GFNI|POPCNT|LZCNT|ARM_)\w*
+      | \b__(?:x86_64|i386|aarch64|arm)__\b""",
+    re.VERBOSE,
+)
+
+
+def findings(file: Path) -> Iterator[str]:
+    """'file:line: what' for each use; comments do not count."""
+    for number, line in enumerate(file.read_text().splitlines(), start=1):
+        for match in ARCHITECTURE.finditer(line.split("//", 1)[0]):
+            yield f"{file.relative_to(KERNELS.parent)}:{number}: {match[0]}"
+
+
+def sources(directory: Path) -> list[Path]:
+    return sorted(file for file in directory.rglob("*") if file.suffix in {".hpp", ".cpp", ".h"})
+
+
+def test_only_the_vocabulary_knows_the_architecture():
+    outside = [file for file in sources(KERNELS) if SIMD not in file.parents]
+    assert len(outside) > 50
+    found = [finding for file in outside for finding in findings(file)]
+    assert not found, "outside kernels/simd/:\n" + "\n".join(found)
+
+
+def test_architecture_files_are_recognised():
+    assert [file.name for file in sources(SIMD) if any(findings(file))] == [
+        "avx2.hpp", "avx512.hpp", "sse2.hpp", "vector.hpp"]
+
+
+@pytest.mark.parametrize("line, what", [
+    ("#include <immintrin.h>", "<immintrin.h>"),
+    ("#include <arm_neon.h>", "<arm_neon.h>"),
+    ("#ifdef __AVX512VBMI2__", "__AVX512VBMI2__"),
+    ("#if defined(__ARM_NEON)", "__ARM_NEON"),
+    ("const __m512i a = b;", "__m512i"),
+    ("word = _pext_u64(word, mask);", "_pext_u64"),
+    ("return vaddq_u8(a, b);", "vaddq_u8"),
+    ("uint8x16_t lanes;", "uint8x16_t"),
+])
+def test_each_kind_is_found(line: str, what: str):
+    assert [match[0] for match in ARCHITECTURE.finditer(line)] == [what]
+
+
+@pytest.mark.parametrize("line", [
+    "const WordBatch words = WordBatch::load_unaligned(from);",
+    '__builtin_cpu_supports("avx512f")',
+    "std::uint64_t word = value_8 | __builtin_popcountll(bits);",
+])
+def test_portable_code_is_not(line: str):
+    assert not ARCHITECTURE.search(line)

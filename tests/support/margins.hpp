@@ -1,0 +1,62 @@
+// Whether what lies round the pixels of a plane or of a grid of tiles is still zero: engines read
+// it and must never write it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "image/plane_view.hpp"
+#include "thinning/engines/tile_grid.hpp"
+
+namespace thinbench {
+
+/// Reads everything that a plane promises to be zero: kMarginRows rows above and below, the
+/// elements between the end of a row and the beginning of the next, two elements before the first
+/// row, and the bits past the width.
+template <class T>
+[[nodiscard]] bool margin_is_zero(const detail::ConstPlaneView<T>& plane) {
+  constexpr Index pixels_of_element = sizeof(T) == 1 ? 1 : detail::kWordBits;
+  constexpr Index elements_beside = 2;
+  const auto all_zero = [](const T* first, const T* last) {
+    return std::all_of(first, last, [](T element) { return element == 0; });
+  };
+  for (Index y = -detail::kMarginRows; y < plane.height + detail::kMarginRows; ++y) {
+    const bool is_row = y >= 0 && y < plane.height;
+    const Index pixels = is_row ? plane.width : 0;
+    const T* row = plane.row(y);
+    const Index full = pixels / pixels_of_element;
+    const Index rest = pixels % pixels_of_element;
+    if (rest != 0 && row[full] >> rest != 0) return false;
+    const bool is_last = y + 1 == plane.height + detail::kMarginRows;
+    const Index end = is_last ? plane.row_elements : plane.stride;
+    if (!all_zero(row - elements_beside, row)) return false;
+    if (!all_zero(row + full + (rest != 0 ? 1 : 0), row + end)) return false;
+  }
+  return true;
+}
+
+template <class T>
+[[nodiscard]] bool margin_is_zero(const detail::PlaneView<T>& plane) {
+  return margin_is_zero(detail::ConstPlaneView<T>(plane));
+}
+
+/// The same for the tiles round an image, and for the pixels past its last column and row.
+[[nodiscard]] inline bool margin_is_zero(const detail::TileGridView& grid) {
+  const auto pixels_of = [&](Index tile, Index row) {
+    const Index strip = tile / grid.strip_tiles - 1;
+    const Index y = tile % grid.strip_tiles * detail::kTileRows + row;
+    if (tile < 0 || strip < 0 || y >= grid.height) return std::uint32_t{0};
+    const Index columns =
+        std::clamp<Index>(grid.width - strip * detail::kTileColumns, 0, detail::kTileColumns);
+    return static_cast<std::uint32_t>((std::uint64_t{1} << columns) - 1);
+  };
+  for (Index tile = -1; tile <= grid.groups * detail::kTileGroup; ++tile) {
+    for (Index row = 0; row < detail::kTileRows; ++row) {
+      const std::uint32_t word = grid.words[tile * detail::kTileRows + row];
+      if ((word & ~pixels_of(tile, row)) != 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,27 @@
+// What the library says of a call that it rejects.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace thinbench {
+
+/// The text of the std::invalid_argument that `call` throws; empty where it throws nothing. Other
+/// exceptions pass.
+template <class Call>
+std::string rejection_of(const Call& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Whether a text is one line without a full stop, as all are that programs print after a colon.
+inline bool is_one_sentence(const std::string& text) {
+  return !text.empty() && text.find('\n') == std::string::npos &&
+         text.find(". ") == std::string::npos && text.back() != '.';
+}
+
+}  // namespace thinbench

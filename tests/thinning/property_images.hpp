@@ -1,0 +1,37 @@
+// What properties of skeletons are tested on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "harness/test_images.hpp"
+#include "scene/scene.hpp"
+
+namespace thinbench::property_images {
+
+/// Noise of many kinds, and scenes.
+inline std::vector<ByteImage> property_images() {
+  std::vector<ByteImage> images;
+  std::uint64_t seed = 500;
+  for (const int percent : {30, 50, 70, 90, 97}) {
+    for (const Index granularity : {1, 2, 3, 5, 8}) {
+      images.push_back(noise_image(131, 77, percent, granularity, ++seed));
+    }
+  }
+  images.push_back(std::move(render_scene().binary));
+  images.push_back(std::move(render_scene({SceneKind::frame_touching}).binary));
+  return images;
+}
+
+/// Pixels that are marked and background in the image.
+inline Index marked_outside(const ByteImage& marks, const ByteImage& image) {
+  Index outside = 0;
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) {
+      outside += marks.at(x, y) != 0 && image.at(x, y) == 0 ? 1 : 0;
+    }
+  }
+  return outside;
+}
+
+}  // namespace thinbench::property_images

@@ -1,0 +1,44 @@
+// Images on which thinning engines are likely to go wrong, of any size.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "harness/test_images.hpp"
+
+namespace thinbench::nasty_images {
+
+inline ByteImage full(Index width, Index height) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) std::fill_n(image.view().row(y), width, std::uint8_t{255});
+  return image;
+}
+
+/// Bars along all four sides, three pixels thick, with gaps that the image border cuts, and lines
+/// from side to side.
+inline ByteImage shapes_on_every_side(Index width, Index height) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    for (Index x = 0; x < width; ++x) {
+      const bool bar = x < 3 || y < 3 || x >= width - 3 || y >= height - 3;
+      const bool gap = (x + 2 * y) % 11 < 2;
+      const bool line = x % 29 == 7 || y % 13 == 5 || (x + y) % 31 < 2;
+      image.at(x, y) = (bar && !gap) || line ? 255 : 0;
+    }
+  }
+  return image;
+}
+
+/// Noise, everything foreground, shapes; the last is noise again, so that a state that is used for
+/// one after another meets both more and less than before.
+inline std::vector<ByteImage> of_size(Index width, Index height, std::uint64_t seed) {
+  std::vector<ByteImage> images;
+  images.push_back(noise_image(width, height, 60, 1, seed));
+  images.push_back(full(width, height));
+  images.push_back(shapes_on_every_side(width, height));
+  images.push_back(noise_image(width, height, 93, 2, seed + 1));
+  return images;
+}
+
+}  // namespace thinbench::nasty_images

@@ -1,0 +1,128 @@
+// States: what all variants of all rules promise beside the right result.
+#include "thinning/state.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "api/catalogue.hpp"
+#include "harness/test_images.hpp"
+#include "support/margins.hpp"
+#include "thinning/iteration/pass_state.hpp"
+#include "thinning/iteration/row_state.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+constexpr Index kWidth = 133;
+constexpr Index kHeight = 41;
+
+/// Calls `check(state, name)` for a new state of every variant of every rule that runs here, with
+/// both borders.
+template <class Check>
+void for_each_state(const Check& check) {
+  for (const ThinningOperation& operation : thinning_operations()) {
+    for (const ThinningVariant& variant : operation.variants) {
+      for (const Border border : {Border::background, Border::keep}) {
+        if (!unavailable_reason(variant, kWidth, border).empty()) continue;
+        const auto state =
+            make_state(operation, variant, kWidth, kHeight, {.border = border, .threads = 2});
+        check(*state, std::string(operation.name) + " by " +
+                          std::string(technique_name(variant.technique)) + " at " +
+                          std::string(isa_name(variant.isa)) + ", border " +
+                          std::string(border_name(border)));
+      }
+    }
+  }
+}
+
+ByteImage noise(std::uint64_t seed) {
+  return noise_image(kWidth, kHeight, 95, 1, seed);
+}
+
+TEST(ThinningState, steps_give_what_one_run_gives) {
+  const ByteImage image = noise(6);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    ByteImage at_once(kWidth, kHeight);
+    const int iterations = state.run(image.view(), at_once.view());
+    ByteImage by_steps(kWidth, kHeight);
+    state.load(image.view());
+    EXPECT_EQ(state.thin(), iterations) << name;
+    state.store(by_steps.view());
+    EXPECT_TRUE(equal(by_steps.view(), at_once.view())) << name;
+  });
+}
+
+TEST(ThinningState, thin_keeps_its_input_and_may_be_repeated) {
+  const ByteImage image = noise(7);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    state.load(image.view());
+    const int iterations = state.thin();
+    ByteImage first(kWidth, kHeight);
+    state.store(first.view());
+    EXPECT_EQ(state.thin(), iterations) << name;
+    ByteImage second(kWidth, kHeight);
+    state.store(second.view());
+    EXPECT_TRUE(equal(first.view(), second.view())) << name;
+  });
+}
+
+TEST(ThinningState, source_and_destination_may_be_one_image) {
+  const ByteImage image = noise(8);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    ByteImage elsewhere(kWidth, kHeight);
+    state.run(image.view(), elsewhere.view());
+    ByteImage in_place = copy_of(image.view());
+    state.run(in_place.view(), in_place.view());
+    EXPECT_TRUE(equal(elsewhere.view(), in_place.view())) << name;
+  });
+}
+
+/// Whether a state that keeps its image in planes of T leaves their margins zero; true for others.
+template <class T>
+bool margins_are_zero(ThinningState& state) {
+  const auto* planes = dynamic_cast<PlaneState<T>*>(&state);
+  if (planes == nullptr) return true;
+  return margin_is_zero(planes->planes.source.view()) &&
+         margin_is_zero(planes->planes.result.view());
+}
+
+TEST(ThinningState, margins_of_planes_stay_zero) {
+  const ByteImage image = noise(9);
+  ByteImage full(kWidth, kHeight);
+  for (Index y = 0; y < kHeight; ++y) std::fill_n(full.view().row(y), kWidth, std::uint8_t{255});
+  ByteImage result(kWidth, kHeight);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    state.run(full.view(), result.view());
+    state.run(image.view(), result.view());
+    EXPECT_TRUE(margins_are_zero<std::uint8_t>(state)) << name;
+    EXPECT_TRUE(margins_are_zero<std::uint64_t>(state)) << name;
+  });
+}
+
+TEST(MakeState, rejects_images_wider_than_the_variant) {
+  const ThinningOperation& operation = operation_of(Rule::naccache_shinghal);
+  for (const ThinningVariant& variant : operation.variants) {
+    if (variant.technique != Technique::simd_bitpacked_row) continue;
+    EXPECT_EQ(variant.max_width, kRowKernelWidth);
+    EXPECT_FALSE(unavailable_reason(variant, kRowKernelWidth + 1).empty());
+    EXPECT_THROW(static_cast<void>(make_state(operation, variant, kRowKernelWidth + 1, 5, {})),
+                 std::invalid_argument);
+  }
+}
+
+TEST(MakeState, rejects_sizes_and_numbers_of_threads_out_of_range) {
+  const ThinningOperation& operation = operation_of(Rule::naccache_shinghal);
+  const ThinningVariant& variant = operation.variants.front();
+  const auto make = [&](Index width, Index height, int threads = 1) {
+    static_cast<void>(make_state(operation, variant, width, height, {.threads = threads}));
+  };
+  EXPECT_THROW(make(-1, 5), std::invalid_argument);
+  EXPECT_THROW(make(Index{1} << 40, 2), std::invalid_argument);
+  EXPECT_THROW(make(PTRDIFF_MAX, PTRDIFF_MAX), std::invalid_argument);
+  EXPECT_THROW(make(5, 5, 0), std::invalid_argument);
+  EXPECT_THROW(make(5, 5, kMaxThreads + 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace thinbench::detail
