@@ -6,16 +6,15 @@ Usage: ./study sweeps [--quick] [--only NAME]... [--rounds N] [--resume] [--out 
        ./study sweeps --compiler clang [--rounds N] [--resume] [--out DIR] [--no-install]
 
 Measures how times depend on the density and granularity of noise, the size of the image, threads, the
-depth of strokes and the instruction-set level; about four minutes. Every row is proved on every input
-first, which takes 2 GiB of memory for the largest. Ctrl-C leaves what was measured, with a report of it,
-and --resume goes on.
+depth of strokes and the ISA; about four minutes. Every row is verified on every input first, which takes
+2 GiB of memory for the largest. Ctrl-C leaves what was measured, with a report of it, and --resume goes on.
 
   --quick           smaller images and coarser steps: about half a minute
   --only NAME       this sweep, not all: density, size, threads, depth, enlarged or
                     isa; repeatable
   --rounds N        samples of every point; default 9
   --resume          go on with a run that was interrupted: the same command with this option
-  --compiler clang  build with Clang, too, and measure the levels with both builds, round by round in turns
+  --compiler clang  build with Clang, too, and measure the ISAs with both builds, interleaved round by round
   --out DIR         where results go; default results/<machine fingerprint>/<date>-<commit>, with
                     --resume the newest of this commit
   --no-install      do not look for packages

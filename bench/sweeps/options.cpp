@@ -29,7 +29,8 @@ std::string footer() {
     text += "  " + name + std::string(info.about) + "\n";
   }
   return text +
-         "Every row is proved on every input before it is timed, against its reference or, where\n"
+         "Every row is verified on every input before it is timed, against its reference or, "
+         "where\n"
          "that would take long, another row, which the journal names. Ctrl-C leaves a journal "
          "that\n"
          "--resume completes. Exit status: 0 done, 1 failure, 2 wrong usage or a row that is not\n"

@@ -45,21 +45,28 @@ TEST(Comparison, a_row_that_became_too_long_to_be_counted_takes_more) {
   EXPECT_EQ(compare(document("a", 6000), now).compared, 0U);  // it was counted with more steps
 }
 
-Json of_passes(Json document, int passes) {
-  document["rows"][0]["passes"] = passes;
+Json of_iterations(Json document, int iterations) {
+  document["rows"][0]["iterations"] = iterations;
   return document;
 }
 
-TEST(Comparison, another_number_of_passes_fails_whatever_instructions_say) {
-  const Json before = of_passes(document("a", 1000), 7);
+TEST(Comparison, another_number_of_iterations_fails_whatever_instructions_say) {
+  const Json before = of_iterations(document("a", 1000), 7);
   EXPECT_FALSE(compare(before, before).fails());
   EXPECT_FALSE(compare(document("a", 1000), before).fails());  // not stored then
-  const Comparison fewer = compare(before, of_passes(document("a", 900), 6));
+  const Comparison fewer = compare(before, of_iterations(document("a", 900), 6));
   EXPECT_TRUE(fewer.fails());
   EXPECT_EQ(to_text(fewer),
             "a: 1000 instructions before, 900 now (-10.0 %)\n"
             "a: 7 iterations before, 6 now\n"
             "1 rows compared: 0 take more instructions, 1 fewer (tolerance 1 %)\n");
+}
+
+TEST(Comparison, passes_of_older_files_are_iterations) {
+  Json before = document("a", 1000);
+  before["rows"][0]["passes"] = 7;
+  EXPECT_FALSE(compare(before, of_iterations(document("a", 1000), 7)).fails());
+  EXPECT_TRUE(compare(before, of_iterations(document("a", 1000), 8)).fails());
 }
 
 Json by_callgrind(Json document) {

@@ -1,4 +1,6 @@
 // The numbers here were computed from the paper before any code of this project.
+#include <fstream>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +11,7 @@
 #include "experiments/operation_counts.hpp"
 #include "experiments/quantisation.hpp"
 #include "experiments/table_2.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace thinbench {
 namespace {
@@ -134,6 +137,19 @@ TEST(Table2, measured_times_are_set_against_naccache_shinghal_measured) {
   EXPECT_NE(table_2_report(rows).markdown.find(
                 "| 3.54 | 4.85 | 3.0 | 1.50 | lut (baseline) | 0.4 | 4.00 |"),
             std::string::npos);
+}
+
+TEST(Table2, times_with_a_kept_border_or_a_limit_are_another_matter) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("timings.csv"))
+      << "operation,technique,isa,threads,scope,input,median_ns,border,max_iterations\n"
+         "thin_guo_hall,lut,baseline,1,end_to_end,scene,200,background,\n"
+         "thin_guo_hall,lut,baseline,1,end_to_end,scene,100,keep,\n"
+         "thin_guo_hall,lut,baseline,1,end_to_end,scene,10,background,1\n"
+         "holes,lut,baseline,1,end_to_end,scene,50,,\n";
+  const TimesByOperation times = read_measured_times(folder.path().string());
+  EXPECT_EQ(times.at("thin_guo_hall").best_ns, 200);
+  EXPECT_EQ(times.at("holes").best_ns, 50);
 }
 
 ByteImage image_with_column(Index column) {

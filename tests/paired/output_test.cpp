@@ -37,11 +37,23 @@ TEST_F(Output, csv_has_the_columns_that_readers_know) {
   const std::vector<std::string> lines = lines_of(to_csv(results));
   EXPECT_EQ(lines[0],
             "operation,technique,isa,threads,scope,input,against,ratio,low,high,processes,rounds,"
-            "reference_ns,variant_ns,clock,layout,output_hash,flags,verified,against_row,border,max_iterations");
+            "reference_ns,variant_ns,clock,layout,output_hash,flags,verified,against_row,border,"
+            "max_iterations");
   EXPECT_EQ(lines[1],
             "copy,lut,baseline,1,end_to_end,scene,reference,2,1.994,2.006,9,18,1000000,500000,"
             "thread_cpu,0+2048,0123456789abcdef,via,1,reference/baseline/1/end_to_end,,");
   EXPECT_EQ(lines.size(), 1 + results.size());
+}
+
+TEST_F(Output, csv_and_samples_tell_cases_of_one_operation_apart) {
+  groups[0].entries[1].name = "thin_a:keep:1/lut/baseline/1/end_to_end/scene";
+  groups[0].entries[1].labels = {"thin_a", "keep", 1};
+  EXPECT_EQ(lines_of(to_csv(results))[1].find("thin_a,lut,baseline,1,end_to_end,scene,"), 0U);
+  EXPECT_TRUE(lines_of(to_csv(results))[1].ends_with(",reference/baseline/1/end_to_end,keep,1"));
+  const auto sample = nlohmann::json::parse(lines_of(to_json_lines(groups, processes, results))[2]);
+  EXPECT_EQ(sample.at("operation"), "thin_a");
+  EXPECT_EQ(sample.at("border"), "keep");
+  EXPECT_EQ(sample.at("max_iterations"), 1);
 }
 
 TEST_F(Output, csv_quotes_names_of_pictures_that_need_it) {

@@ -163,10 +163,10 @@ TEST(PairedSession, pictures_are_binarised_alike_in_all_processes) {
 // What is found depends on the machine; that processes start, answer and end does not.
 TEST(PairedSession, program_measures_in_processes_of_its_own) {
   const TemporaryFolder folder;
-  const std::string command = std::string(THINBENCH_PAIRED_PROGRAM) +
-                              " --filter '^edges_sobel/autovec/baseline/' --processes 2 --rounds 1 --csv-out " +
-                              folder.file("s.csv") + " >" + folder.file("out") + " 2>" +
-                              folder.file("err");
+  const std::string command =
+      std::string(THINBENCH_PAIRED_PROGRAM) +
+      " --filter '^edges_sobel/autovec/baseline/' --processes 2 --rounds 1 --csv-out " +
+      folder.file("s.csv") + " >" + folder.file("out") + " 2>" + folder.file("err");
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c)
   const int exit_status = status / 256;
   EXPECT_TRUE(exit_status == 0 || exit_status == kInconclusive) << bytes_of(folder.file("err"));

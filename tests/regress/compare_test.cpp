@@ -19,20 +19,22 @@ Baseline baseline_of(const MeasuredRun& run) {
   return baseline;
 }
 
-const RegressionVerdict& row_of(const std::vector<RegressionVerdict>& rows, const std::string& name) {
+const RegressionVerdict& row_of(const std::vector<RegressionVerdict>& rows,
+                                const std::string& name) {
   return *std::find_if(rows.begin(), rows.end(),
                        [&](const RegressionVerdict& row) { return row.name == name; });
 }
 
 int number_of(const std::vector<RegressionVerdict>& rows, Verdict verdict) {
-  return static_cast<int>(std::count_if(
-      rows.begin(), rows.end(), [&](const RegressionVerdict& row) { return row.verdict == verdict; }));
+  return static_cast<int>(
+      std::count_if(rows.begin(), rows.end(),
+                    [&](const RegressionVerdict& row) { return row.verdict == verdict; }));
 }
 
 /// As ./study regress does it: what is not PASS is measured again, controls are heeded.
 template <class Compare>
-std::vector<RegressionVerdict> gated(const Compare& compare, Neighbour neighbour, std::uint64_t seed,
-                              double slowed) {
+std::vector<RegressionVerdict> gated(const Compare& compare, Neighbour neighbour,
+                                     std::uint64_t seed, double slowed) {
   const auto judged = [&](std::uint64_t run_seed) {
     const MeasuredRun run = run_for_tests(run_seed, slowed);
     std::vector<RegressionVerdict> rows = compare(run, run_seed);

@@ -80,7 +80,8 @@ Measured by_turns(const TemporaryFolder& folder) {
   return measured;
 }
 
-RegressionVerdict verdict_on(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+RegressionVerdict verdict_on(const std::vector<std::string>& before,
+                             const std::vector<std::string>& now) {
   const MeasuredRun run = read_run(now);
   std::vector<RegressionVerdict> rows = between(read_run(before), run, {false, 2048});
   doubt(judge_controls(run, Neighbour::next_process), rows);

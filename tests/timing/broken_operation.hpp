@@ -28,10 +28,9 @@ inline JobMaker copy_maker(bool broken) {
 }
 
 inline Variant copy_variant(std::string_view technique, bool broken, std::string_view reason = "") {
-  return {
-      technique, "for tests", Isa::baseline, false, false, copy_maker(broken), [reason](Index) {
-        return std::string(reason);
-      }};
+  return {technique, "for tests", Isa::baseline, false, false, copy_maker(broken), [reason](Index) {
+            return std::string(reason);
+          }};
 }
 
 /// Variants "good", "bad" and "absent", the last not available.

@@ -61,6 +61,25 @@ TEST_F(SelectRows, highest_level_leaves_out_the_others_of_a_technique) {
   EXPECT_FALSE(techniques.empty());
 }
 
+/// The cases of the rows that a filter selects, series of sizes left out.
+std::set<std::string> cases_of(const std::string& filter, const std::vector<TimedInput>& inputs) {
+  std::set<std::string> cases;
+  for (const TimedRow& row : select_rows(filter, all_operations(), inputs).rows) {
+    cases.insert(row.operation->name);
+  }
+  return cases;
+}
+
+TEST_F(SelectRows, cases_without_a_peer_are_timed_where_the_filter_spells_them_out) {
+  using Cases = std::set<std::string>;
+  EXPECT_EQ(cases_of("(mb2|guo_hall).*/bitpacked/baseline/1/end_to_end", inputs),
+            (Cases{"thin_guo_hall", "thin_guo_hall:keep", "thin_mb2"}));
+  EXPECT_EQ(cases_of("^(thin_mb2:keep|holes)/.*/baseline/1/end_to_end", inputs),
+            (Cases{"holes", "thin_mb2:keep"}));
+  EXPECT_EQ(cases_of("^net_two_layer_linear:keep:1/lut/baseline/1/end_to_end", inputs),
+            (Cases{"net_two_layer_linear:keep:1"}));
+}
+
 TEST_F(SelectRows, malformed_filters_are_refused) {
   EXPECT_THROW(static_cast<void>(select_rows("(", operations, inputs)), std::invalid_argument);
 }
