@@ -7,7 +7,7 @@
 #include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "scene/scene.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -29,7 +29,7 @@ class Border : public testing::Test {
     return result;
   }
 
-  TemporaryFolder folder;
+  TemporaryDirectory folder;
   ByteImage picture = std::move(render_scene({SceneKind::frame_touching}).binary);
   std::string in = folder.file("in.png");
   std::string out = folder.file("out.png");

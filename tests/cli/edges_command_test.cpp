@@ -5,7 +5,7 @@
 #include "harness/grey_images.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "thinbench/edges.hpp"
 
 namespace thinbench {
@@ -39,7 +39,7 @@ class EdgesCommand : public testing::Test {
     EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
   }
 
-  TemporaryFolder folder;
+  TemporaryDirectory folder;
   std::string in = folder.file("in.png");
   std::string out = folder.file("out.png");
 };

@@ -3,7 +3,7 @@
 
 #include "picture/picture.hpp"
 #include "program_run.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(ExperimentCommand, prints_a_table_and_writes_the_data) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("quantisation.json");
   const ProgramRun ran = run_with({"experiment", "quantisation", "--out", file});
   EXPECT_EQ(ran.status, 0) << ran.err;
@@ -33,7 +33,7 @@ TEST(ExperimentCommand, every_experiment_prints_a_table) {
 constexpr const char* kHeader = "operation,technique,isa,threads,scope,input,median_ns\n";
 
 TEST(ExperimentCommand, table_2_sets_the_times_of_a_results_folder_beside_the_papers) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   static_cast<void>(folder.with(
       "timings.csv", std::string(kHeader) +
                          "thin_naccache_shinghal,reference,baseline,1,end_to_end,scene,9000\n"
@@ -61,7 +61,7 @@ TEST(ExperimentCommand, table_2_sets_the_times_of_a_results_folder_beside_the_pa
 }
 
 TEST(ExperimentCommand, table_2_refuses_what_is_no_results_folder) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string csv = folder.file("timings.csv");
   const std::vector<std::string> args = {"experiment", "table-2", "--results",
                                          folder.path().string()};
@@ -76,7 +76,7 @@ TEST(ExperimentCommand, table_2_refuses_what_is_no_results_folder) {
 }
 
 TEST(ExperimentCommand, quality_takes_pictures_and_leaves_skeletons) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string picture = folder.file("spot.png");
   ByteImage spot(20, 10);
   for (Index x = 4; x < 15; ++x) spot.at(x, 5) = spot.at(x, 6) = spot.at(x, 7) = 255;

@@ -3,7 +3,7 @@
 
 #include "picture/picture.hpp"
 #include "program_run.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -26,7 +26,7 @@ class HolesCommand : public testing::Test {
  protected:
   void SetUp() override { write_grey(in, plates().view()); }
 
-  TemporaryFolder folder;
+  TemporaryDirectory folder;
   std::string in = folder.file("in.png");
   std::string overlay = folder.file("overlay.png");
 };

@@ -3,7 +3,7 @@
 
 #include "picture/picture.hpp"
 #include "program_run.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -20,7 +20,7 @@ Words counting(const Words& more) {
 }
 
 TEST(InstructionsCommand, counts_are_equal_to_those_that_were_just_stored) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("counts.json");
   const ProgramRun first = run_with(counting({"--out", file}));
   EXPECT_EQ(first.status, 0) << first.err;
@@ -33,7 +33,7 @@ TEST(InstructionsCommand, counts_are_equal_to_those_that_were_just_stored) {
 }
 
 TEST(InstructionsCommand, more_instructions_than_stored_are_exit_status_1_and_none_in_common_4) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   Json counts = Json::parse(run_with(counting({"--json"})).out);
   counts["rows"][0]["instructions"] = 100;
   const std::string less = folder.with("less.json", counts.dump());
@@ -53,7 +53,7 @@ TEST(InstructionsCommand, limits_give_instructions_per_cycle) {
 }
 
 TEST(InstructionsCommand, images_are_binarised_as_asked_for) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("a.png");
   ByteImage image(100, 64);
   for (Index x = 20; x < 80; ++x) image.at(x, 16) = 200;

@@ -5,7 +5,7 @@
 #include "picture/binarise.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -55,7 +55,7 @@ class RunCommand : public testing::Test {
     EXPECT_TRUE(equal(read_grey(out).view(), skeleton_of(bars(), threshold, invert).view()));
   }
 
-  TemporaryFolder folder;
+  TemporaryDirectory folder;
   std::string in = folder.file("in.png");
   std::string out = folder.file("out.png");
 };

@@ -7,7 +7,7 @@
 #include "peers/peers.hpp"
 #include "picture/picture.hpp"
 #include "program_run.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -51,7 +51,7 @@ TEST(ListCommand, prints_a_line_for_each_operation) {
 
 TEST(ListCommand, counts_the_librarys_variants_that_run_here_and_names_what_run_takes) {
   const IsaCap cap("baseline");
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("a.png");
   write_grey(file, ByteImage(1024, 9).view());
   const std::string run = run_with({"run", "thin_guo_hall", file, file}).out;
@@ -108,7 +108,7 @@ TEST(ListCommand, json_says_why_a_row_is_not_available) {
 }
 
 TEST(SceneCommand, writes_the_scene_and_says_what_it_shows) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("scene.png");
   const ProgramRun run = run_with({"scene", file, "--scale", "2", "--noise", "0"});
   EXPECT_EQ(run.status, 0) << run.err;
@@ -119,7 +119,7 @@ TEST(SceneCommand, writes_the_scene_and_says_what_it_shows) {
 }
 
 TEST(SceneCommand, binary_picture_holds_0_and_255_only) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("scene.pgm");
   ASSERT_EQ(run_with({"scene", file, "--binary", "--frame-touching"}).status, 0);
   const ByteImage image = read_grey(file);
@@ -131,7 +131,7 @@ TEST(SceneCommand, binary_picture_holds_0_and_255_only) {
 }
 
 TEST(SceneCommand, every_option_changes_the_picture) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   std::set<std::string> pictures;
   const std::vector<std::vector<std::string>> options = {
       {}, {"--noise", "0.5"}, {"--seed", "7"}, {"--no-illumination"}, {"--frame-touching"}};
@@ -150,7 +150,7 @@ TEST(SceneCommand, truth_needs_no_picture) {
 }
 
 TEST(SceneCommand, truth_and_picture_come_together) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const ProgramRun run = run_with({"scene", folder.file("a.png"), "--truth"});
   EXPECT_FALSE(Json::parse(run.out)["parts"].empty());
   EXPECT_EQ(folder.names(), std::set<std::string>{"a.png"});

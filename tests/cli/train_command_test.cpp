@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "program_run.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "training/weights_file.hpp"
 
 namespace thinbench {
@@ -10,7 +10,7 @@ namespace {
 using Names = std::set<std::string>;
 
 TEST(TrainCommand, two_layer_says_epochs_and_restarts_and_writes_both_files) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string json = folder.file("weights.json");
   const std::string markdown = folder.file("weights.md");
   const ProgramRun ran =
@@ -32,7 +32,7 @@ TEST(TrainCommand, two_layer_that_fails_says_how_far_it_came) {
 }
 
 TEST(TrainCommand, cluster_writes_weights_and_header_with_their_commands) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string json = folder.file("cluster.json");
   const std::string header = folder.file("cluster.hpp");
   const ProgramRun ran =
@@ -64,7 +64,7 @@ TEST(TrainCommand, numbers_that_are_none_are_refused) {
 }
 
 TEST(TrainCommand, other_sizes_are_not_written_as_weights) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   EXPECT_EQ(failure_of({"train", "two-layer", "--hidden", "10", "--out", folder.file("a.json")}, 2),
             "--out: weights files hold nets of 8 hidden neurons, not 10");
   EXPECT_EQ(folder.names(), Names{});

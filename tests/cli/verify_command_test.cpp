@@ -10,7 +10,7 @@
 #include "picture/picture.hpp"
 #include "program_run.hpp"
 #include "support/byte_image.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -35,8 +35,8 @@ TEST(VerifyCommand, reports_each_set_once_where_there_is_no_terminal) {
   EXPECT_TRUE(std::regex_match(run.err, lines)) << run.err;
 }
 
-TEST(VerifyCommand, compares_on_given_pictures_too) {
-  const TemporaryFolder folder;
+TEST(VerifyCommand, compares_on_external_images_too) {
+  const TemporaryDirectory folder;
   write_grey(folder.file("a.png"), noise_image(70, 30, 80, 2, 5).view());
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/baseline/1",
@@ -47,7 +47,7 @@ TEST(VerifyCommand, compares_on_given_pictures_too) {
 
 TEST(VerifyCommand, given_images_are_binarised_as_asked_for_and_remarked_on_once) {
   const std::string filter = "(thin_naccache_shinghal/bitpacked|edges_sobel/lut)/baseline/1";
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("a.pgm");
   ByteImage image(30, 20);
   image.at(9, 9) = 200;

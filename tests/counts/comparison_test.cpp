@@ -4,7 +4,7 @@
 
 #include "counts/documents.hpp"
 #include "counts/row_counts.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -101,7 +101,7 @@ TEST(Comparison, files_from_before_methods_were_counted_by_single_steps) {
   before["rows"][0].erase("method");
   EXPECT_EQ(compare(before, document("a", 1000)).compared, 1U);
   EXPECT_EQ(compare(before, by_callgrind(document("a", 1000))).otherwise_counted, 1U);
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   EXPECT_EQ(read_counts(folder.with("old.json", before.dump())), before);
 }
 
@@ -126,7 +126,7 @@ std::string refusal_of(const std::string& file) {
 }
 
 TEST(Comparison, files_that_hold_no_counts_are_refused_by_name) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   EXPECT_EQ(refusal_of("absent.json"), "'absent.json' cannot be read");
   const std::string cut = folder.with("cut.json", R"({"schema": 1,)");
   EXPECT_EQ(refusal_of(cut), "'" + cut + "' is no complete JSON");

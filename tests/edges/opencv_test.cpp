@@ -9,7 +9,7 @@
 #include "picture/mat_of.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
-#include "support/given_pictures.hpp"
+#include "support/external_images.hpp"
 #include "thinbench/edges.hpp"
 
 namespace thinbench {
@@ -95,9 +95,9 @@ TEST_P(EdgesAgainstOpenCv, equal_on_noise_of_odd_sizes) {
   }
 }
 
-TEST_P(EdgesAgainstOpenCv, equal_on_given_pictures) {
-  const std::vector<std::string> paths = given_pictures();
-  if (paths.empty()) GTEST_SKIP() << "no pictures in " << folder_of_given_pictures();
+TEST_P(EdgesAgainstOpenCv, equal_on_external_images) {
+  const std::vector<std::string> paths = external_images();
+  if (paths.empty()) GTEST_SKIP() << "no pictures in " << external_image_directory();
   for (const std::string& path : paths) {
     expect_equal(read_grey(path), path);
   }

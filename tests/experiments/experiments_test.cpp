@@ -11,7 +11,7 @@
 #include "experiments/operation_counts.hpp"
 #include "experiments/quantisation.hpp"
 #include "experiments/table_2.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -140,7 +140,7 @@ TEST(Table2, measured_times_are_set_against_naccache_shinghal_measured) {
 }
 
 TEST(Table2, times_with_a_kept_border_or_a_limit_are_another_matter) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   std::ofstream(folder.file("timings.csv"))
       << "operation,technique,isa,threads,scope,input,median_ns,border,max_iterations\n"
          "thin_guo_hall,lut,baseline,1,end_to_end,scene,200,background,\n"

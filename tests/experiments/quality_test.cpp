@@ -9,7 +9,7 @@
 #include "experiments/thinning_quality.hpp"
 #include "harness/test_images.hpp"
 #include "picture/picture.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -80,7 +80,7 @@ TEST(SkeletonMeasures, four_quarter_turns_are_none) {
 }
 
 std::vector<std::string> names_from(const std::vector<std::string>& files) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   std::vector<std::string> pictures;
   for (const std::string& file : files) {
     pictures.push_back(folder.file(file));

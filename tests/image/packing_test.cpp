@@ -76,7 +76,7 @@ TEST_P(Convert, images_larger_than_caches_come_back_the_same) {
     plane_conversion<std::uint64_t>(GetParam()).read(image.view(), plane.view());
     const auto& filled = plane;
     const auto& conversion = plane_conversion<std::uint64_t>(GetParam());
-    for (const auto write : {conversion.write, conversion.write_streamed}) {
+    for (const auto write : {conversion.write, conversion.write_non_temporal}) {
       ByteImage result(width, 2100);
       write(filled.view(), result.view());
       EXPECT_TRUE(equal(result.view(), image.view())) << width;

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "thinbench/isa.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(ReadCpu, takes_the_first_processor) {
-  const TemporaryFolder root;
+  const TemporaryDirectory root;
   static_cast<void>(root.with("proc/cpuinfo",
                               "processor\t: 0\nvendor_id\t: AuthenticAMD\ncpu family\t: 25\n"
                               "model\t\t: 17\nmodel name\t: AMD EPYC\nstepping\t: 1\n"
@@ -30,7 +30,7 @@ TEST(ReadCpu, takes_the_first_processor) {
 }
 
 TEST(ReadFacts, are_unknown_on_a_bare_system) {
-  const TemporaryFolder root;
+  const TemporaryDirectory root;
   const CpuFacts cpu = read_cpu(root.path());
   EXPECT_EQ(cpu.vendor + cpu.family + cpu.model + cpu.stepping + cpu.name,
             "unknownunknownunknownunknownunknown");
@@ -41,7 +41,7 @@ TEST(ReadFacts, are_unknown_on_a_bare_system) {
 }
 
 TEST(ReadCaches, counts_kib_whatever_the_unit) {
-  const TemporaryFolder root;
+  const TemporaryDirectory root;
   const std::string cache = "sys/devices/system/cpu/cpu0/cache/";
   const char* const facts[][4] = {{"index0", "1\n", "Data\n", "48K\n"},
                                   {"index1", "3\n", "Unified\n", "2M\n"}};
@@ -56,7 +56,7 @@ TEST(ReadCaches, counts_kib_whatever_the_unit) {
 }
 
 TEST(ReadFacts, of_memory_and_system) {
-  const TemporaryFolder root;
+  const TemporaryDirectory root;
   static_cast<void>(root.with("proc/meminfo", "MemTotal:       16515072 kB\nMemFree: 1 kB\n"));
   static_cast<void>(root.with("etc/os-release", "NAME=\"Some\"\nPRETTY_NAME=\"Some Linux 9\"\n"));
   EXPECT_EQ(read_memory_gib(root.path()), 15.8);

@@ -6,15 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/components.hpp"
+#include "support/flood_fill.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/property_images.hpp"
+#include "support/property_images.hpp"
 
 namespace thinbench {
 namespace {
 
-using property_images::marked_outside;
-using property_images::property_images;
 
 ByteImage scanned(const ByteImage& image, Directions directions = {}) {
   ByteImage result(image.width(), image.height());
@@ -79,7 +77,7 @@ TEST(MidpointScanProperties, all_directions_give_a_subset_with_a_pixel_of_every_
   for (const ByteImage& image : property_images()) {
     const ByteImage marks = scanned(image);
     EXPECT_EQ(marked_outside(marks, image), 0);
-    const auto objects = scene_test::objects_of(image.view());
+    const auto objects = flood_fill::objects_of(image.view());
     std::vector<bool> hit(objects.list.size() + 1);
     for (Index y = 0; y < image.height(); ++y) {
       for (Index x = 0; x < image.width(); ++x) {

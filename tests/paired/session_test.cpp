@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "picture/picture.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "timing/broken_operation.hpp"
 
 namespace thinbench {
@@ -45,7 +45,7 @@ Measurer made_up(double slowed) {
 const std::vector<std::string> kGood = {"--filter", "copy/good/"};
 
 TEST(PairedSession, controls_that_pass_are_a_success_with_files) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const Session session = run({"--filter", "copy/good/", "--csv-out", folder.file("s.csv"),
                                "--samples-out", folder.file("s.jsonl")},
                               made_up(0.095));
@@ -84,7 +84,7 @@ TEST(PairedSession, wrong_use_is_one_line_and_2) {
 }
 
 TEST(PairedSession, processes_count_on_from_the_first_seed_and_samples_name_the_input) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   std::vector<std::uint64_t> seeds;
   const Measurer measurer = [&](const std::string& order, std::uint64_t seed,
                                 const LineSink& answer) {
@@ -138,7 +138,7 @@ TEST(PairedSession, result_other_than_the_proved_one_stops_a_process) {
 }
 
 TEST(PairedSession, pictures_are_binarised_alike_in_all_processes) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("dot.pgm");
   ByteImage dot(20, 10);
   dot.at(7, 5) = 90;
@@ -162,7 +162,7 @@ TEST(PairedSession, pictures_are_binarised_alike_in_all_processes) {
 
 // What is found depends on the machine; that processes start, answer and end does not.
 TEST(PairedSession, program_measures_in_processes_of_its_own) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string command =
       std::string(THINBENCH_PAIRED_PROGRAM) +
       " --filter '^edges_sobel/autovec/baseline/' --processes 2 --rounds 1 --csv-out " +

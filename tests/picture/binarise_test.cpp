@@ -10,7 +10,7 @@
 #include "picture/mat_of.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -180,7 +180,7 @@ TEST(Remarks, separation_is_three_quarters_for_uniform_levels_and_1_for_two) {
 }
 
 TEST(ReadBinary, reads_and_tells) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("a.png");
   write_grey(file, drawn(200, 40).view());
   std::ostringstream log;

@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "support/byte_image.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::uint8_t kGrey = 100;
 
 /// What is drawn over an even grey picture in which `objects` are looked for.
 cv::Mat3b overlay_of(const ByteImage& objects, std::int64_t min_area = 1) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   ByteImage grey(objects.width(), objects.height());
   for (Index y = 0; y < grey.height(); ++y) {
     for (Index x = 0; x < grey.width(); ++x) grey.at(x, y) = kGrey;

@@ -6,7 +6,7 @@
 
 #include "picture/captured_stderr.hpp"
 #include "picture/picture.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -59,7 +59,7 @@ constexpr const char* kDamaged = "it is damaged";
 class GreyFile : public testing::TestWithParam<const char*> {};
 
 TEST_P(GreyFile, keeps_every_pixel) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file(std::string("a.") + GetParam());
   ASSERT_TRUE(cv::imwrite(file, ramp()));
   expect_ramp(read_grey(file), 0);
@@ -68,13 +68,13 @@ TEST_P(GreyFile, keeps_every_pixel) {
 INSTANTIATE_TEST_SUITE_P(Formats, GreyFile, testing::Values("png", "pgm", "bmp", "tif"));
 
 TEST(ReadGrey, jpeg_comes_out_nearly_as_it_was) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   ASSERT_TRUE(cv::imwrite(folder.file("a.jpg"), ramp(), {cv::IMWRITE_JPEG_QUALITY, 100}));
   expect_ramp(read_grey(folder.file("a.jpg")), 3);
 }
 
 TEST(ReadGrey, sixteen_bits_become_eight) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   cv::Mat deep;
   ramp().convertTo(deep, CV_16UC1, 257);
   for (const char* ending : {"png", "pgm", "tif"}) {
@@ -85,19 +85,19 @@ TEST(ReadGrey, sixteen_bits_become_eight) {
 }
 
 TEST(ReadGrey, colours_become_grey_and_transparency_is_left_out) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const cv::Mat transparent(2, 3, CV_8UC4, cv::Scalar(77, 77, 77, 0));
   ASSERT_TRUE(cv::imwrite(folder.file("a.png"), transparent));
   EXPECT_EQ(read_grey(folder.file("a.png")).at(2, 1), 77);
 }
 
 TEST(ReadGrey, missing_file_is_named) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   expect_error(folder.file("absent.png"), "there is no such file");
 }
 
 TEST(ReadGrey, folder_is_no_picture) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   expect_error(folder.path().string(), "it is a directory");
 }
 
@@ -106,7 +106,7 @@ TEST(ReadGrey, device_is_no_picture) {
 }
 
 TEST(ReadGrey, protected_file_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.with("a.pgm", "P5 1 1 255\nx");
   std::filesystem::permissions(file, std::filesystem::perms::none);
   if (std::ifstream(file).good()) GTEST_SKIP() << "this user may read everything";
@@ -114,17 +114,17 @@ TEST(ReadGrey, protected_file_is_refused) {
 }
 
 TEST(ReadGrey, empty_file_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   expect_error(folder.with("a.png", ""), "the file is empty");
 }
 
 TEST(ReadGrey, text_is_no_picture) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   expect_error(folder.with("a.png", "this is text"), "it is not an image of a known format");
 }
 
 TEST(ReadGrey, picture_without_pixels_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   for (const char* header : {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n"}) {
     expect_error(folder.with("a.pgm", header), "it has no pixels");
   }
@@ -140,7 +140,7 @@ TEST(ReadGrey, picture_without_pixels_is_refused) {
 class CutFile : public testing::TestWithParam<const char*> {};
 
 TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string whole = folder.file(std::string("a.") + GetParam());
   cv::Mat large;
   cv::repeat(ramp(), 20, 5, large);
@@ -155,7 +155,7 @@ TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
 INSTANTIATE_TEST_SUITE_P(Formats, CutFile, testing::Values("png", "pgm", "bmp", "tif", "jpg"));
 
 TEST(ReadGrey, damaged_png_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
   std::string bytes = bytes_of(folder.file("a.png"));
   bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
@@ -164,14 +164,14 @@ TEST(ReadGrey, damaged_png_is_refused) {
 
 TEST(ReadGrey, size_beyond_the_decoder_is_refused_by_its_header) {
   if (std::getenv("OPENCV_IO_MAX_IMAGE_PIXELS") != nullptr) GTEST_SKIP() << "the limit is changed";
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   expect_error(folder.with("a.pgm", "P5 70000 70000 255\n"),
                "it has more than 2^30 pixels; set OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the "
                "environment to read up to 2^31");
 }
 
 TEST(ReadGrey, width_beyond_the_decoder_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   expect_error(folder.with("a.pgm", "P5 2000000 1 255\n"),
                "it is wider or higher than 2^20 pixels");
 }

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "picture/picture.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -56,7 +56,7 @@ class FullDisk {
 class WrittenFile : public testing::TestWithParam<const char*> {};
 
 TEST_P(WrittenFile, reads_back_equal_and_lies_alone_in_its_folder) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string name = std::string("a") + GetParam();
   write_grey(folder.file(name), stripes().view());
   EXPECT_TRUE(equal(read_grey(folder.file(name)).view(), stripes().view()));
@@ -67,14 +67,14 @@ INSTANTIATE_TEST_SUITE_P(Endings, WrittenFile,
                          testing::Values(".png", ".pgm", ".bmp", ".tif", ".tiff", ".PNG"));
 
 TEST(WriteGrey, replaces_a_file) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.with("a.png", "old");
   write_grey(file, stripes().view());
   EXPECT_TRUE(equal(read_grey(file).view(), stripes().view()));
 }
 
 TEST(WriteGrey, unknown_ending_names_the_known_ones) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string known = "; known are .png, .pgm, .bmp, .tif and .tiff";
   expect_error(folder.file("a.gif"), "unknown extension '.gif'" + known);
   expect_error(folder.file("a"), "its name has no extension" + known);
@@ -83,20 +83,20 @@ TEST(WriteGrey, unknown_ending_names_the_known_ones) {
 }
 
 TEST(WriteGrey, absent_folder_is_named) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string absent = folder.file("absent");
   expect_error(absent + "/a.png", "there is no directory '" + absent + "'");
 }
 
 TEST(WriteGrey, folder_in_the_way_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   std::filesystem::create_directory(folder.file("a.png"));
   expect_error(folder.file("a.png"), "it is a directory");
   EXPECT_EQ(folder.names(), Names{"a.png"});
 }
 
 TEST(WriteGrey, protected_folder_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   std::filesystem::permissions(
       folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   const bool may_write = access(folder.path().c_str(), W_OK) == 0;
@@ -110,7 +110,7 @@ TEST(WriteGrey, folder_that_takes_no_files_is_refused_for_every_user) {
 }
 
 TEST(WriteGrey, protected_file_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.with("a.png", "old");
   std::filesystem::permissions(file, std::filesystem::perms::owner_read);
   if (access(file.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write everything";
@@ -118,7 +118,7 @@ TEST(WriteGrey, protected_file_is_refused) {
 }
 
 TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.with("a.pgm", "old");
   {
     const FullDisk full(100);
@@ -129,7 +129,7 @@ TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
 }
 
 TEST(WriteGrey, picture_without_pixels_is_refused) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   EXPECT_THROW(write_grey(folder.file("a.png"), ByteImage(0, 4).view()), PictureError);
   EXPECT_EQ(folder.names(), Names{});
 }
@@ -144,7 +144,7 @@ TEST(WriteGrey, takes_every_size_below_two_to_the_31) {
 }
 
 TEST(WriteGrey, size_beyond_the_limit_is_refused_before_a_pixel_is_touched) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::uint8_t pixel = 0;
   const ConstImageView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
   EXPECT_THROW(write_grey(folder.file("a.png"), huge), PictureError);

@@ -11,7 +11,7 @@
 #include "holes.hpp"
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
-#include "support/given_pictures.hpp"
+#include "support/external_images.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -232,7 +232,7 @@ TEST(HolesOracle, every_hole_of_the_noisy_scene_is_within_half_a_pixel) {
 }
 
 TEST(HolesOracle, plate_of_a_drawn_picture_has_exactly_seven_holes) {
-  const std::filesystem::path path = folder_of_given_pictures() / "pic1.png";
+  const std::filesystem::path path = external_image_directory() / "pic1.png";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
   const ByteImage grey = read_grey(path.string());
   for (const int threshold : {64, 128, 200}) {

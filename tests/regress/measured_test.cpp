@@ -7,7 +7,7 @@
 #include "paired/session.hpp"
 #include "regress/compare.hpp"
 #include "regress/table.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -67,7 +67,7 @@ struct Measured {
   std::vector<std::string> slowed;
 };
 
-Measured by_turns(const TemporaryFolder& folder) {
+Measured by_turns(const TemporaryDirectory& folder) {
   const std::vector<Operation> plain = {operation_of("edges_sobel")};
   const std::vector<Operation> slowed = with_slowed_row();
   Measured measured;
@@ -93,7 +93,7 @@ RegressionVerdict verdict_on(const std::vector<std::string>& before,
 }
 
 TEST(GateMeasured, row_slowed_by_a_tenth_does_not_pass_and_the_same_row_does_not_fail) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   testing::internal::CaptureStderr();
   const Measured measured = by_turns(folder);
   const std::string said = testing::internal::GetCapturedStderr();

@@ -6,7 +6,7 @@
 
 #include "paired/statistics.hpp"
 #include "regress/sample_files.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -23,7 +23,7 @@ std::string error_of(const std::string& file) {
 }
 
 TEST(GateSamples, ratios_times_and_controls_are_those_that_were_measured) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const MeasuredRun run = read_run({folder.with("s.jsonl", samples_for_tests(1e-5))});
   EXPECT_EQ(run.processes, 9U);
   EXPECT_EQ(run.rows.size(), 3U);
@@ -38,7 +38,7 @@ TEST(GateSamples, ratios_times_and_controls_are_those_that_were_measured) {
 }
 
 TEST(GateSamples, processes_of_several_files_are_one_run) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string first = folder.with("1.jsonl", samples_for_tests(1e-5));
   const MeasuredRun run = read_run({first, folder.with("2.jsonl", samples_for_tests(2e-5))});
   EXPECT_EQ(run.processes, 18U);
@@ -47,7 +47,7 @@ TEST(GateSamples, processes_of_several_files_are_one_run) {
 }
 
 TEST(GateSamples, files_that_are_no_whole_samples_are_refused_by_name) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string whole = samples_for_tests(1e-5);
   const auto ends_with = [](const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "regress/sample_files.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -41,7 +41,7 @@ class GateSession : public testing::Test {
     return run({"compare", "--run", file, "--again", file, "--baselines", folder.path().string()});
   }
 
-  TemporaryFolder folder;
+  TemporaryDirectory folder;
   json machine = {{"fingerprint", "machine-1"},
                   {"commit", "unknown"},
                   {"date", "2026-01-01T00:00:00Z"},

@@ -9,14 +9,14 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/components.hpp"
+#include "support/flood_fill.hpp"
 
 namespace thinbench {
 namespace {
 
-using scene_test::Components;
-using scene_test::holes_of;
-using scene_test::objects_of;
+using flood_fill::Components;
+using flood_fill::holes_of;
+using flood_fill::objects_of;
 
 // FNV-1a (64 bits) over the grey pixels, row by row without padding, of both scenes with default
 // options. Builds by g++ 12 and clang++ 14, with -O0 and with -O3, gave these same values.

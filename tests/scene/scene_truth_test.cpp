@@ -7,15 +7,15 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/components.hpp"
+#include "support/flood_fill.hpp"
 #include "scene/scene.hpp"
 
 namespace thinbench {
 namespace {
 
-using scene_test::Component;
-using scene_test::holes_of;
-using scene_test::objects_of;
+using flood_fill::Component;
+using flood_fill::holes_of;
+using flood_fill::objects_of;
 
 constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::frame_touching};
 

@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -23,7 +23,7 @@ std::string failure_of(const std::string& path, const std::string& bytes = "new"
 }
 
 TEST(WholeFile, appears_with_all_its_bytes_and_alone) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string bytes("a\0b\n", 4);
   write_whole_file(folder.file("a.json"), bytes);
   EXPECT_EQ(bytes_of(folder.file("a.json")), bytes);
@@ -31,7 +31,7 @@ TEST(WholeFile, appears_with_all_its_bytes_and_alone) {
 }
 
 TEST(WholeFile, replaces_a_file_and_leaves_a_neighbour_called_part_alone) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.with("a.json", "old");
   static_cast<void>(folder.with("a.json.part", "somebody's"));
   write_whole_file(file, "new");
@@ -40,7 +40,7 @@ TEST(WholeFile, replaces_a_file_and_leaves_a_neighbour_called_part_alone) {
 }
 
 TEST(WholeFile, names_what_is_in_the_way) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string absent = folder.file("absent");
   const std::string inside = absent + "/a.json";
   EXPECT_EQ(failure_of(inside),
@@ -51,7 +51,7 @@ TEST(WholeFile, names_what_is_in_the_way) {
 }
 
 TEST(WholeFile, failure_on_the_way_leaves_the_old_file_and_nothing_else) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.with("a.json", "old");
   auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
   rlimit old{};

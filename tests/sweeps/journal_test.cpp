@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -37,7 +37,7 @@ class SweepJournal : public testing::Test {
     }
   }
 
-  TemporaryFolder folder;
+  TemporaryDirectory folder;
   std::string path = folder.file("sweeps.jsonl");
   std::vector<Point> points;
   json header;

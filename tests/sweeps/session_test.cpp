@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "timing/broken_operation.hpp"
 
 namespace thinbench {
@@ -53,7 +53,7 @@ std::vector<std::string> tiny(std::vector<std::string> more) {
 }
 
 TEST(SweepsSession, every_point_gets_a_sample_a_round) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string path = folder.file("sweeps.jsonl");
   ASSERT_EQ(run(tiny({"--rounds", "2", "--out", path})).status, 0);
   const auto samples = samples_of(path);
@@ -62,7 +62,7 @@ TEST(SweepsSession, every_point_gets_a_sample_a_round) {
 }
 
 TEST(SweepsSession, stops_after_a_round_and_goes_on_where_it_stopped) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string path = folder.file("sweeps.jsonl");
   ASSERT_EQ(run(tiny({"--rounds", "2", "--stop-after", "1", "--out", path})).status, 0);
   EXPECT_EQ(samples_of(path).size(), 2U);
@@ -91,7 +91,7 @@ TEST(SweepsSession, wrong_use_is_one_line_and_2) {
 }
 
 TEST(SweepsSession, file_that_is_there_is_refused_with_what_to_do) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string path = folder.with("sweeps.jsonl", "mine");
   const Session session = run(tiny({"--out", path}));
   EXPECT_EQ(session.status, 1);
@@ -102,7 +102,7 @@ TEST(SweepsSession, file_that_is_there_is_refused_with_what_to_do) {
 }
 
 TEST(SweepsSession, row_that_is_not_equal_is_not_timed_and_the_status_is_2) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   std::vector<Operation> operations = copy_operations();
   operations.front().name = "holes";  // a name that sweeps ask for
   const std::string path = folder.file("sweeps.jsonl");
@@ -135,7 +135,7 @@ int exit_status_of(pid_t child) {
 }
 
 void interrupted_run_can_be_completed(int signal) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string path = folder.file("sweeps.jsonl");
   const auto with = [&](const char* option) { return tiny({"--rounds", "200", option, path}); };
   const pid_t child = started(with("--out"), folder.file("err"));

@@ -11,7 +11,7 @@
 #include "reference.hpp"
 #include "support/splitmix64.hpp"
 #include "thinning/engines/lane_kernels.hpp"
-#include "thinning/small_nasty_images.hpp"
+#include "thinning/edge_case_images.hpp"
 #include "thinning/variants.hpp"
 
 namespace thinbench {
@@ -63,8 +63,8 @@ Stack random_stack(Index count, Index width, Index height, std::uint64_t seed) {
     const int percent = static_cast<int>(random % 101);
     const Index granularity = 1 + static_cast<Index>(random >> 32) % 5;
     ByteImage image = noise_image(width, height, percent, granularity, random);
-    if (random >> 60 == 0) image = nasty_images::full(width, height);
-    if (random >> 60 == 1) image = nasty_images::shapes_on_every_side(width, height);
+    if (random >> 60 == 0) image = edge_case_images::full(width, height);
+    if (random >> 60 == 1) image = edge_case_images::shapes_on_every_side(width, height);
     stack.set(i, image.view());
   }
   return stack;

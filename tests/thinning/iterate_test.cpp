@@ -5,28 +5,28 @@
 namespace thinbench::detail {
 namespace {
 
-constexpr Index kRows = TileActivity::kRows;
+constexpr Index kRows = BandActivity::kRows;
 
 /// Visits what the step lists; tile (band, column) changes where `changes` says so.
 template <class Changes>
-std::vector<std::pair<Index, std::uint64_t>> visit(TileActivity& activity, int cycle,
+std::vector<std::pair<Index, std::uint64_t>> visit(BandActivity& activity, int lookback,
                                                    const Changes& changes) {
   std::vector<std::pair<Index, std::uint64_t>> visited;
-  const auto bands = activity.begin_step(cycle);
+  const auto bands = activity.begin_sub_iteration(lookback);
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const Index band = bands[i].first / kRows;
     visited.emplace_back(band, bands[i].columns);
     activity.set_changed(i, changes(band) & bands[i].columns);
   }
-  activity.end_step();
+  activity.end_sub_iteration();
   return visited;
 }
 
 constexpr auto kNothing = [](Index) { return std::uint64_t{0}; };
 using Visits = std::vector<std::pair<Index, std::uint64_t>>;
 
-TEST(TileActivity, first_two_steps_visit_every_tile) {
-  TileActivity activity({0, 3 * kRows - 5}, 6, 1);
+TEST(BandActivity, first_two_steps_visit_every_tile) {
+  BandActivity activity({0, 3 * kRows - 5}, 6, 1);
   for (int repeat = 0; repeat < 2; ++repeat) {
     activity.restart();
     const Visits everything = {{0, 0b111111}, {1, 0b111111}, {2, 0b111111}};
@@ -36,8 +36,8 @@ TEST(TileActivity, first_two_steps_visit_every_tile) {
   }
 }
 
-TEST(TileActivity, a_change_makes_the_tile_and_its_eight_neighbours_active_for_one_step) {
-  TileActivity activity({0, 6 * kRows}, 6, 1);
+TEST(BandActivity, a_change_makes_the_tile_and_its_eight_neighbours_active_for_one_step) {
+  BandActivity activity({0, 6 * kRows}, 6, 1);
   activity.restart();
   visit(activity, 1, kNothing);
   visit(activity, 1, [](Index band) { return std::uint64_t{band == 3 ? 0b001000U : 0U}; });
@@ -45,8 +45,8 @@ TEST(TileActivity, a_change_makes_the_tile_and_its_eight_neighbours_active_for_o
   EXPECT_TRUE(visit(activity, 1, kNothing).empty());
 }
 
-TEST(TileActivity, a_cycle_of_two_keeps_tiles_active_for_two_steps) {
-  TileActivity activity({0, 6 * kRows}, 2, 1);
+TEST(BandActivity, a_cycle_of_two_keeps_tiles_active_for_two_steps) {
+  BandActivity activity({0, 6 * kRows}, 2, 1);
   activity.restart();
   visit(activity, 2, kNothing);
   visit(activity, 2, kNothing);
@@ -56,26 +56,26 @@ TEST(TileActivity, a_cycle_of_two_keeps_tiles_active_for_two_steps) {
   EXPECT_TRUE(visit(activity, 2, kNothing).empty());
 }
 
-TEST(TileActivity, rows_without_elements_have_nothing_to_visit) {
-  TileActivity activity({0, 7}, 0, 64);
+TEST(BandActivity, rows_without_elements_have_nothing_to_visit) {
+  BandActivity activity({0, 7}, 0, 64);
   activity.restart();
   EXPECT_TRUE(visit(activity, 1, kNothing).empty());
 }
 
-TEST(TileActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
+TEST(BandActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
   for (const Index elements : {1, 63, 64, 65, 127, 128, 129, 1000}) {
-    TileActivity activity({0, 1}, elements, 1);
+    BandActivity activity({0, 1}, elements, 1);
     activity.restart();
-    const Band band = activity.begin_step(1).front();
+    const Band band = activity.begin_sub_iteration(1).front();
     EXPECT_GE(band.column_elements * __builtin_popcountll(band.columns), elements) << elements;
     EXPECT_LT(band.column_elements * (__builtin_popcountll(band.columns) - 1), elements);
   }
 }
 
-TEST(TileActivity, bands_begin_with_the_first_row_that_may_change) {
-  TileActivity activity({1, 2 * kRows + 3}, 6, 1);
+TEST(BandActivity, bands_begin_with_the_first_row_that_may_change) {
+  BandActivity activity({1, 2 * kRows + 3}, 6, 1);
   activity.restart();
-  const auto bands = activity.begin_step(1);
+  const auto bands = activity.begin_sub_iteration(1);
   ASSERT_EQ(bands.size(), 3U);
   EXPECT_EQ(bands[0].first, 1);
   EXPECT_EQ(bands[0].last, 1 + kRows);
@@ -83,11 +83,11 @@ TEST(TileActivity, bands_begin_with_the_first_row_that_may_change) {
   EXPECT_EQ(bands[2].last, 2 * kRows + 3);
 }
 
-TEST(TileActivity, no_row_that_may_change_has_no_tiles) {
-  TileActivity activity({1, 1}, 6, 1);
+TEST(BandActivity, no_row_that_may_change_has_no_tiles) {
+  BandActivity activity({1, 1}, 6, 1);
   activity.restart();
-  EXPECT_TRUE(activity.begin_step(2).empty());
-  EXPECT_FALSE(activity.end_step());
+  EXPECT_TRUE(activity.begin_sub_iteration(2).empty());
+  EXPECT_FALSE(activity.end_sub_iteration());
 }
 
 TEST(ChangingRows, are_all_but_the_outermost_where_the_border_is_kept) {
@@ -102,11 +102,11 @@ TEST(ChangingRows, are_all_but_the_outermost_where_the_border_is_kept) {
   }
 }
 
-TEST(TileActivity, rows_without_elements_have_no_tiles) {
-  TileActivity activity({0, 5}, 0, 1);
+TEST(BandActivity, rows_without_elements_have_no_tiles) {
+  BandActivity activity({0, 5}, 0, 1);
   activity.restart();
-  EXPECT_TRUE(activity.begin_step(1).empty());
-  EXPECT_FALSE(activity.end_step());
+  EXPECT_TRUE(activity.begin_sub_iteration(1).empty());
+  EXPECT_FALSE(activity.end_sub_iteration());
 }
 
 TEST(Band, columns_of_elements_are_those_they_touch) {

@@ -75,7 +75,7 @@ TEST(IterateTiles, rows_written_by_non_temporal_stores_are_the_same) {
   const Index width = 4100;  // the last word of a row is not full
   const Index height = 2113;
   const ByteImage image = squares(width, height, 24);
-  ASSERT_GE(width * height, kStreamedBytes);
+  ASSERT_GE(width * height, kNonTemporalBytes);
   ByteImage by_words(width, height);
   thin(Rule::zhang_suen, image.view(), by_words.view(), {.technique = Technique::simd_bitpacked});
   for (const int threads : {1, 3}) {
@@ -105,25 +105,25 @@ std::vector<std::uint32_t> tiles_with_gaps(std::size_t count, std::uint64_t larg
   return tiles;
 }
 
-void expect_enough_and_few(FindHeld find_held, const std::vector<std::uint32_t>& tiles,
+void expect_enough_and_few(FindDelay find_delay, const std::vector<std::uint32_t>& tiles,
                            std::uint32_t reach) {
   const auto count = static_cast<Index>(tiles.size());
   for (const Index guess : {1, 50, 1000}) {
-    const Index kept = find_held(tiles.data(), count, reach, guess, static_cast<Index>(reach));
-    EXPECT_LE(kept, reach);
-    EXPECT_TRUE(lie_apart(tiles, static_cast<std::size_t>(kept), reach));
-    const Index fewer = kept - kept / 8 - 1;
+    const Index delay = find_delay(tiles.data(), count, reach, guess, static_cast<Index>(reach));
+    EXPECT_LE(delay, reach);
+    EXPECT_TRUE(lie_apart(tiles, static_cast<std::size_t>(delay), reach));
+    const Index fewer = delay - delay / 8 - 1;
     EXPECT_TRUE(fewer < 32 || !lie_apart(tiles, static_cast<std::size_t>(fewer), reach));
   }
 }
 
-TEST(FindHeld, is_enough_and_not_much_more) {
+TEST(FindDelay, is_enough_and_not_much_more) {
   for (const Isa isa : kAllIsas) {
     if (!isa_available(isa)) continue;
     for (const std::uint32_t reach : {70U, 261U}) {
       for (const std::size_t count : {0U, 1U, 30U, 400U, 3000U}) {
         for (const std::uint64_t largest_gap : {1U, 3U, 40U}) {
-          expect_enough_and_few(kernels_of<TileKernels>(isa).find_held,
+          expect_enough_and_few(kernels_of<TileKernels>(isa).find_delay,
                                 tiles_with_gaps(count, largest_gap), reach);
         }
       }

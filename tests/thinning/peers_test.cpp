@@ -5,7 +5,7 @@
 
 #include "harness/crosscheck.hpp"
 #include "harness/test_images.hpp"
-#include "scene/components.hpp"
+#include "support/flood_fill.hpp"
 #include "scene/scene.hpp"
 
 namespace thinbench {
@@ -85,7 +85,7 @@ Counts counts_of(const ByteImage& image, int connectivity) {
   const bool diagonals = connectivity == 8;
   const ByteImage all = padded(image);
   const auto parts = [&](int value, bool with_diagonals) {
-    return scene_test::FloodFill(all.view(), value, with_diagonals).take().list.size();
+    return flood_fill::FloodFill(all.view(), value, with_diagonals).take().list.size();
   };
   return {parts(255, diagonals), parts(0, !diagonals) - 1};
 }

@@ -5,19 +5,17 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/components.hpp"
+#include "support/flood_fill.hpp"
 #include "scene/scene.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/property_images.hpp"
-#include "thinning/small_images.hpp"
+#include "support/property_images.hpp"
+#include "thinning/five_by_five.hpp"
 
 namespace thinbench {
 namespace {
 
-using property_images::marked_outside;
-using property_images::property_images;
-using small_images::Cell;
-using small_images::Sheet;
+using five_by_five::Cell;
+using five_by_five::Sheet;
 
 ByteImage thinned(Rule rule, const ByteImage& image) {
   ByteImage result(image.width(), image.height());
@@ -45,8 +43,8 @@ std::vector<Rule> rules_without_nets() {
 
 std::string image_text(Cell cell) {
   std::string text = "\n";
-  for (int y = 1; y <= small_images::kSide; ++y) {
-    for (int x = 1; x <= small_images::kSide; ++x) {
+  for (int y = 1; y <= five_by_five::kSide; ++y) {
+    for (int x = 1; x <= five_by_five::kSide; ++x) {
       text += (cell >> (8 * y + x) & 1) != 0 ? '#' : '.';
     }
     text += '\n';
@@ -57,13 +55,13 @@ std::string image_text(Cell cell) {
 /// The first image of 5 x 5 pixels whose topology a rule changes.
 std::optional<std::string> changed_five_by_five(Rule rule) {
   Sheet sheet;
-  for (std::uint32_t first = 0; first < small_images::kCount; first += Sheet::kCells) {
+  for (std::uint32_t first = 0; first < five_by_five::kCount; first += Sheet::kCells) {
     sheet.fill(first);
     thin(rule, sheet.view(), sheet.view());
     for (std::uint32_t i = 0; i < Sheet::kCells; ++i) {
-      const Cell before = small_images::cell_of(first + i);
+      const Cell before = five_by_five::cell_of(first + i);
       const Cell after = sheet.cell(i);
-      if (before == after || small_images::same_topology(before, after)) continue;
+      if (before == after || five_by_five::same_topology(before, after)) continue;
       return image_text(before) + "becomes" + image_text(after);
     }
   }
@@ -84,10 +82,10 @@ TEST_P(KeepsTopology, on_all_five_by_five) {
 TEST_P(KeepsTopology, on_images) {
   for (const ByteImage& image : property_images()) {
     const ByteImage skeleton = thinned(GetParam(), image);
-    EXPECT_EQ(scene_test::objects_of(image.view()).list.size(),
-              scene_test::objects_of(skeleton.view()).list.size());
-    EXPECT_EQ(scene_test::holes_of(image.view()).size(),
-              scene_test::holes_of(skeleton.view()).size());
+    EXPECT_EQ(flood_fill::objects_of(image.view()).list.size(),
+              flood_fill::objects_of(skeleton.view()).list.size());
+    EXPECT_EQ(flood_fill::holes_of(image.view()).size(),
+              flood_fill::holes_of(skeleton.view()).size());
   }
 }
 
@@ -129,7 +127,7 @@ ByteImage block(Index width, Index height) {
 }
 
 std::size_t objects_after(Rule rule, const ByteImage& image) {
-  return scene_test::objects_of(thinned(rule, image).view()).list.size();
+  return flood_fill::objects_of(thinned(rule, image).view()).list.size();
 }
 
 TEST(Rules, zhang_suen_loses_a_two_by_two_block) {
@@ -150,7 +148,7 @@ TEST(Rules, naccache_shinghal_loses_bars_of_even_width) {
 TEST(Rules, naccache_shinghal_breaks_a_slanted_line_of_even_width) {
   ByteImage line(60, 60);
   for (Index i = 2; i < 50; ++i) line.at(i, i) = line.at(i + 1, i) = 255;
-  ASSERT_EQ(scene_test::objects_of(line.view()).list.size(), 1U);
+  ASSERT_EQ(flood_fill::objects_of(line.view()).list.size(), 1U);
   EXPECT_EQ(objects_after(Rule::naccache_shinghal, line), 2U);
 }
 
@@ -160,14 +158,14 @@ TEST(Rules, those_that_change_topology_are_caught_on_five_by_five) {
 }
 
 TEST(SmallImages, topology_by_bits_tells_rings_from_discs_and_one_object_from_two) {
-  const Cell ring = small_images::cell_of(0x1F8C63F);
-  const Cell disc = small_images::cell_of(0x1FFFFFF);
-  EXPECT_EQ(small_images::euler_number(ring), 0);
-  EXPECT_EQ(small_images::euler_number(disc), 1);
-  EXPECT_FALSE(small_images::same_topology(disc, ring));
-  EXPECT_TRUE(small_images::same_topology(disc, Cell{1} << 27));
-  EXPECT_FALSE(small_images::same_topology(disc, 0));
-  EXPECT_FALSE(small_images::same_topology(disc, Cell{1} << 27 | Cell{1} << 29));
+  const Cell ring = five_by_five::cell_of(0x1F8C63F);
+  const Cell disc = five_by_five::cell_of(0x1FFFFFF);
+  EXPECT_EQ(five_by_five::euler_number(ring), 0);
+  EXPECT_EQ(five_by_five::euler_number(disc), 1);
+  EXPECT_FALSE(five_by_five::same_topology(disc, ring));
+  EXPECT_TRUE(five_by_five::same_topology(disc, Cell{1} << 27));
+  EXPECT_FALSE(five_by_five::same_topology(disc, 0));
+  EXPECT_FALSE(five_by_five::same_topology(disc, Cell{1} << 27 | Cell{1} << 29));
 }
 
 }  // namespace

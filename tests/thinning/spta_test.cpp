@@ -3,7 +3,7 @@
 
 #include "harness/test_images.hpp"
 #include "reference.hpp"
-#include "scene/components.hpp"
+#include "support/flood_fill.hpp"
 
 namespace thinbench {
 namespace {
@@ -25,10 +25,10 @@ bool is_subset(const ByteImage& part, const ByteImage& whole) {
 
 void expect_promises(const ByteImage& image, const std::string& name) {
   const ByteImage skeleton = thinned(image);
-  ASSERT_EQ(scene_test::objects_of(skeleton.view()).list.size(),
-            scene_test::objects_of(image.view()).list.size())
+  ASSERT_EQ(flood_fill::objects_of(skeleton.view()).list.size(),
+            flood_fill::objects_of(image.view()).list.size())
       << name;
-  ASSERT_EQ(scene_test::holes_of(skeleton.view()).size(), scene_test::holes_of(image.view()).size())
+  ASSERT_EQ(flood_fill::holes_of(skeleton.view()).size(), flood_fill::holes_of(image.view()).size())
       << name;
   ASSERT_TRUE(is_subset(skeleton, image)) << name;
   ASSERT_TRUE(equal(thinned(skeleton).view(), skeleton.view())) << name << " is not idempotent";

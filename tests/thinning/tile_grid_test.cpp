@@ -47,7 +47,7 @@ struct LoadedGrid {
     for (Index row = 0; row < grid.tile_rows(); ++row) {
       layout.load_rows(grid.view(), rows_of(plane.view(), row), row);
     }
-    return grid.begin(list.data(), visited.data());
+    return grid.restart(list.data(), visited.data());
   }
   void store(BitPlane& plane) const {
     for (Index row = 0; row < grid.tile_rows(); ++row) {

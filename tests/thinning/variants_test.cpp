@@ -9,7 +9,7 @@
 #include "api/catalogue.hpp"
 #include "reference.hpp"
 #include "support/splitmix64.hpp"
-#include "thinning/small_nasty_images.hpp"
+#include "thinning/edge_case_images.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -99,7 +99,7 @@ class EveryVariant : public testing::TestWithParam<std::tuple<Rule, Border>> {
 
   /// All limits on all images of a size.
   static void expect_all_equal(Index width, Index height, bool with_threads) {
-    const auto images = nasty_images::of_size(width, height, static_cast<std::uint64_t>(width));
+    const auto images = edge_case_images::of_size(width, height, static_cast<std::uint64_t>(width));
     ByteImage result(width, height);
     std::vector<std::vector<Expected>> expected;  // by image, then limit
     for (const ByteImage& image : images) {

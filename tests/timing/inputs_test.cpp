@@ -7,7 +7,7 @@
 
 #include "harness/test_images.hpp"
 #include "picture/picture.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -16,7 +16,7 @@ using Names = std::vector<std::string>;
 
 /// The names that inputs get from pictures with these names.
 Names names_from(const Names& files, Index largest_square = 0) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   InputChoice choice{{}, largest_square};
   for (const std::string& file : files) {
     choice.pictures.push_back(folder.file(file));
@@ -63,7 +63,7 @@ ByteImage dot() {
 }
 
 TEST(TimedInputs, pictures_are_binarised_as_asked_for_and_keep_their_grey_levels) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("dot.png");
   write_grey(file, dot().view());
   std::ostringstream log;

@@ -6,7 +6,7 @@
 
 #include "peers/peers.hpp"
 #include "picture/picture.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/temporary_directory.hpp"
 #include "timing/broken_operation.hpp"
 
 namespace thinbench {
@@ -44,7 +44,7 @@ TEST(TimingSession, all_rows_proved_is_a_success) {
 }
 
 TEST(TimingSession, unproved_row_is_untimed_and_the_exit_status_is_2) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string out = folder.file("timings.json");
   const std::string rows = folder.file("rows.json");
   const Session session =
@@ -91,7 +91,7 @@ TEST(TimingSession, wrong_options_are_one_line_and_2) {
 }
 
 TEST(TimingSession, pictures_are_binarised_as_asked_for_with_remarks_on_standard_error) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string file = folder.file("dot.pgm");
   ByteImage dot(20, 10);
   dot.at(7, 5) = 90;
@@ -122,7 +122,7 @@ TEST(TimingSession, files_that_cannot_be_written_are_refused_before_the_work) {
 }
 
 TEST(TimingSession, no_peers_leaves_them_out_of_rows_and_list) {
-  const TemporaryFolder folder;
+  const TemporaryDirectory folder;
   const std::string rows = folder.file("rows.json");
   const std::vector<std::string> args = {
       "--benchmark_out=", "--quiet",

@@ -7,7 +7,7 @@
 
 #include "harness/test_images.hpp"
 
-namespace thinbench::nasty_images {
+namespace thinbench::edge_case_images {
 
 inline ByteImage full(Index width, Index height) {
   ByteImage image(width, height);
@@ -41,4 +41,4 @@ inline std::vector<ByteImage> of_size(Index width, Index height, std::uint64_t s
   return images;
 }
 
-}  // namespace thinbench::nasty_images
+}  // namespace thinbench::edge_case_images

@@ -11,21 +11,21 @@
 
 namespace thinbench {
 
-class TemporaryFolder {
+class TemporaryDirectory {
  public:
-  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / "thinbench-test-XXXXXX") {
+  TemporaryDirectory() : path_(std::filesystem::temp_directory_path() / "thinbench-test-XXXXXX") {
     std::string text = path_.string();
     if (mkdtemp(text.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = text;
   }
-  ~TemporaryFolder() {
+  ~TemporaryDirectory() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  TemporaryFolder(TemporaryFolder&&) = delete;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  TemporaryDirectory(TemporaryDirectory&&) = delete;
+  TemporaryDirectory& operator=(TemporaryDirectory&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }

@@ -8,7 +8,7 @@
 
 #include "support/byte_image.hpp"
 
-namespace thinbench::small_images {
+namespace thinbench::five_by_five {
 
 /// An image of 5 x 5 pixels inside 8 x 8 bits: pixel (x, y) is bit 8 (y + 1) + x + 1.
 using Cell = std::uint64_t;
@@ -98,4 +98,4 @@ class Sheet {
   ByteImage image_{kAcross * kPitch, kDown*(kSide + 1)};
 };
 
-}  // namespace thinbench::small_images
+}  // namespace thinbench::five_by_five

@@ -7,7 +7,7 @@
 
 #include "support/byte_image.hpp"
 
-namespace thinbench::scene_test {
+namespace thinbench::flood_fill {
 
 struct Component {
   Index first = 0;  // raster position of the first pixel
@@ -98,4 +98,4 @@ inline std::vector<Component> holes_of(ConstImageView binary) {
   return holes;
 }
 
-}  // namespace thinbench::scene_test
+}  // namespace thinbench::flood_fill

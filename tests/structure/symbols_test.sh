@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# No object file of an ISA may define a symbol that other files could link to, except those whose name
-# carries the ISA: such a symbol would run the ISA's instructions anywhere.
+# An object file compiled for an ISA may export a symbol only if the name of the symbol carries the ISA: any
+# other symbol could be linked into code that runs on processors without the ISA.
 # Usage: symbols_test.sh BUILD_DIR
 set -euo pipefail
-isas=(baseline sse42 avx2 avx512 avx512icl)  # in the order of the enumeration
+isas=(baseline sse42 avx2 avx512 avx512icl)  # in the order of enum Isa
 sources=
 for i in "${!isas[@]}"; do
   isa=${isas[i]}

@@ -1,5 +1,5 @@
 // What a new user sees: real images, no options.
-#include "support/given_pictures.hpp"
+#include "support/external_images.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct Expected {
 class GivenPicture : public testing::TestWithParam<Expected> {};
 
 TEST_P(GivenPicture, shows_its_objects_without_a_choice_of_foreground_or_threshold) {
-  const std::filesystem::path path = folder_of_given_pictures() / GetParam().file;
+  const std::filesystem::path path = external_image_directory() / GetParam().file;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
   const ProgramRun run = run_with({"holes", path.string(), "--min-area", GetParam().min_area});
   EXPECT_EQ(run.status, 0) << run.err;
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(GivenPictureOfCoins, in_uneven_light_has_no_warning_once_the_threshold_is_chosen) {
-  const std::filesystem::path path = folder_of_given_pictures() / "coins.png";
+  const std::filesystem::path path = external_image_directory() / "coins.png";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
   const ProgramRun run = run_with({"holes", path.string(), "--threshold", "140", "--foreground",
                                    "bright", "--min-area", "200"});

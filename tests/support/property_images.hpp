@@ -7,7 +7,7 @@
 #include "harness/test_images.hpp"
 #include "scene/scene.hpp"
 
-namespace thinbench::property_images {
+namespace thinbench {
 
 /// Noise of many kinds, and scenes.
 inline std::vector<ByteImage> property_images() {
@@ -34,4 +34,4 @@ inline Index marked_outside(const ByteImage& marks, const ByteImage& image) {
   return outside;
 }
 
-}  // namespace thinbench::property_images
+}  // namespace thinbench
