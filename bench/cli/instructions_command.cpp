@@ -9,7 +9,7 @@
 #include "counts/counted_input.hpp"
 #include "counts/documents.hpp"
 #include "support/whole_file.hpp"
-#include "timing/row_selection.hpp"
+#include "measure/timed_row.hpp"
 
 namespace thinbench {
 namespace {
@@ -58,7 +58,7 @@ struct InstructionsOptions {
 TimedInput input_for(const InstructionsOptions& options, std::ostream& log) {
   std::vector<std::string> pictures;
   if (!options.image.empty()) pictures.push_back(options.image);
-  TimedInput whole = std::move(timed_inputs({pictures, 0, options.binarise, &log}).front());
+  TimedInput whole = std::move(timed_inputs({pictures, options.binarise, {}}, &log).front());
   if (!options.limits) return small_copy(whole);
   return options.quick ? middle_rows(whole, kQuickRows) : std::move(whole);
 }
@@ -72,8 +72,9 @@ std::vector<TimedInput> inputs_for(const InstructionsOptions& options, std::ostr
 
 /// The rows on one thread, proved equal to their references.
 Selection selected(const InstructionsOptions& options, const std::vector<TimedInput>& inputs) {
-  const Levels levels = options.limits ? Levels::highest : Levels::all;
-  Selection selection = rows_asked_for(options.filter, all_operations(), inputs, levels);
+  const VariantChoice variants = options.limits ? VariantChoice::highest : VariantChoice::all;
+  Selection selection =
+      select_rows_or_explain({options.filter, variants, {2}, false}, all_operations(), inputs);
   if (!selection.mismatches.empty()) {
     throw std::runtime_error("rows that are not equal to their references are not counted");
   }

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "counts/cycles.hpp"
-#include "timing/timed_call.hpp"
+#include "measure/plan.hpp"
+#include "measure/timed_call.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr double kEpoch = 0.0003;  // seconds
 
 double seconds_of_epoch(TimedCall& call, std::int64_t calls) {
   const double start = thread_seconds();

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "timing/timed_row.hpp"
+#include "measure/timed_row.hpp"
 
 namespace thinbench {
 

@@ -10,7 +10,7 @@
 
 #include "counts/counted_job.hpp"
 #include "counts/valgrind_process.hpp"
-#include "timing/progress.hpp"
+#include "measure/progress.hpp"
 
 namespace thinbench {
 namespace {

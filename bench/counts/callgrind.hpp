@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "counts/valgrind_process.hpp"
-#include "timing/timed_row.hpp"
+#include "measure/timed_row.hpp"
 
 namespace thinbench {
 

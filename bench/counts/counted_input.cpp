@@ -26,14 +26,14 @@ ByteImage rows_of(const ByteImage& image, Index first, Index count) {
 }  // namespace
 
 TimedInput small_copy(const TimedInput& input) {
-  return {input.name + "_small", small_copy_of(input.binary), small_copy_of(input.grey), false};
+  return {input.name + "_small", small_copy_of(input.binary), small_copy_of(input.grey)};
 }
 
 TimedInput middle_rows(const TimedInput& input, Index rows) {
   const Index count = std::min(rows, input.height());
   const Index first = (input.height() - count) / 2;
   return {input.name + "_" + std::to_string(count) + "_rows", rows_of(input.binary, first, count),
-          rows_of(input.grey, first, count), false};
+          rows_of(input.grey, first, count)};
 }
 
 }  // namespace thinbench

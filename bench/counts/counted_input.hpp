@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "timing/inputs.hpp"
+#include "measure/inputs.hpp"
 
 namespace thinbench {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "timing/timed_row.hpp"
+#include "measure/timed_row.hpp"
 
 namespace thinbench {
 

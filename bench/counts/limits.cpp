@@ -5,7 +5,7 @@
 
 #include "counts/call_time.hpp"
 #include "counts/cycles.hpp"
-#include "timing/progress.hpp"
+#include "measure/progress.hpp"
 
 namespace thinbench {
 namespace {

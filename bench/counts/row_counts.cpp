@@ -16,7 +16,7 @@
 #include "counts/cycles.hpp"
 #include "counts/single_steps.hpp"
 #include "counts/warm_call.hpp"
-#include "timing/progress.hpp"
+#include "measure/progress.hpp"
 
 namespace thinbench {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "counts/callgrind.hpp"
-#include "timing/timed_row.hpp"
+#include "measure/timed_row.hpp"
 
 namespace thinbench {
 

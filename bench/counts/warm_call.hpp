@@ -7,7 +7,7 @@
 
 #include <malloc.h>
 
-#include "timing/timed_call.hpp"
+#include "measure/timed_call.hpp"
 
 namespace thinbench {
 

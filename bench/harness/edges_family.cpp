@@ -65,7 +65,6 @@ Operation edges_operation(const detail::EdgeOperation& operation,
   }
   result.reference = edges_reference(operation.op, thresholds);
   result.operation = operation.name;
-  result.in_size_series = operation.op == EdgeOperator::sobel;
   return result;
 }
 

@@ -70,7 +70,6 @@ std::vector<Operation> localise_family() {
   }
   result.reference = [](Index, Index, int) { return std::make_unique<ReferenceJob>(); };
   result.operation = chain.name;
-  result.in_size_series = true;
   return {result};
 }
 

@@ -29,8 +29,6 @@ struct Variant {
   /// What a peer that does something else is compared with; empty for the operation's own
   /// reference.
   JobMaker own_reference = {};
-  /// False for peers so slow that a series of sizes would take longer than all else.
-  bool for_series_of_sizes = true;
 
   /// The ISA in names of results; peers choose theirs at run time.
   [[nodiscard]] std::string_view isa_label() const { return is_peer ? "native" : isa_name(isa); }
@@ -56,8 +54,6 @@ struct Operation {
   std::string_view counter = {};
   /// A net: its images are those of the rule that it learned.
   bool is_net = false;
-  /// Stands for its like in the series of sizes, which takes long.
-  bool in_size_series = false;
   /// Too slow for the big sets of test images; another operation covers the same code.
   bool small_sets_only = false;
   /// The name without border and limit.

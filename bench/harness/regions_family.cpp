@@ -133,7 +133,6 @@ Operation operation_of_table(const RegionsOperation& operation) {
     result.variants.push_back(variant_of(operation, variant));
   }
   result.operation = operation.name;
-  result.in_size_series = operation.name == "holes";
   result.reference = [task = operation.task](Index, Index, int) {
     return std::make_unique<ReferenceJob>(task);
   };

@@ -105,8 +105,6 @@ Operation thinning_operation(const detail::ThinningOperation& operation,
   result.operation = operation.name;
   result.border = options.border;
   if (options.max_iterations != kUnlimited) result.max_iterations = options.max_iterations;
-  const bool plain = options.border == Border::background && !result.max_iterations;
-  result.in_size_series = plain && operation.rule == Rule::naccache_shinghal;
   result.small_sets_only = operation.is_net && !result.max_iterations;
   result.timed = options.border == Border::background || has_peer_with_border(operation.rule);
   return result;

@@ -80,7 +80,6 @@ Variant thinning_peer(std::string_view technique, std::string_view description, 
   };
   Variant peer = peer_variant(technique, description, make_job, make_job);
   peer.has_kernel_scope = true;
-  peer.for_series_of_sizes = false;
   return peer;
 }
 

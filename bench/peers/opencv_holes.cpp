@@ -134,7 +134,6 @@ std::vector<Variant> opencv_holes_peers(const Operation& operation) {
       peer_variant("opencv_contours", "OpenCV: findContours (RETR_CCOMP) and moments of polygons",
                    maker<ContoursJob>(), maker<ListReference<ObjectsAndHoles>>());
   // Four times the pixels, and so the contours, take it more than twenty times as long.
-  contours.for_series_of_sizes = false;
   const Variant stats =
       peer_variant("opencv_stats", "OpenCV: connectedComponentsWithStats, objects without holes",
                    maker<StatsJob>(), maker<ListReference<AreasAndBoxes>>());

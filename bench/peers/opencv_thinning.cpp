@@ -29,7 +29,6 @@ Variant thinning_peer(const Operation& operation, cv::ximgproc::ThinningTypes ty
       "opencv", "OpenCV: ximgproc::thinning, which keeps the border",
       [type](Index, Index, int) { return std::make_unique<ThinningJob>(type); },
       image_only(operation.reference));
-  peer.for_series_of_sizes = false;
   return peer;
 }
 

@@ -1,0 +1,148 @@
+#include "measure/inputs.hpp"
+
+#include <array>
+#include <cstdio>
+#include <regex>
+#include <stdexcept>
+#include <utility>
+
+#include "harness/test_images.hpp"
+#include "picture/picture.hpp"
+#include "scene/scene.hpp"
+#include "support/picture_names.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr std::uint64_t kNoiseSeed = 1999;
+constexpr Index kMaxSide = 65536;
+
+const Scene& scene() {
+  static const Scene drawn = render_scene();
+  return drawn;
+}
+
+ByteImage tiled(const ByteImage& tile, Index width, Index height) {
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    const std::uint8_t* source = tile.view().row(y % tile.height());
+    std::uint8_t* row = image.view().row(y);
+    for (Index x = 0; x < width; x += tile.width()) {
+      std::copy_n(source, std::min(tile.width(), width - x), row + x);
+    }
+  }
+  return image;
+}
+
+ByteImage enlarged(const ByteImage& original, Index times) {
+  ByteImage image(original.width() * times, original.height() * times);
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = original.at(x / times, y / times);
+  }
+  return image;
+}
+
+ByteImage squares(Index size, Index side) {
+  const auto inside = [side](Index place) {
+    const Index phase = place % (2 * side);
+    return phase >= side / 2 && phase < side / 2 + side;
+  };
+  ByteImage image(size, size);
+  for (Index y = 0; y < size; ++y) {
+    for (Index x = 0; inside(y) && x < size; ++x) image.at(x, y) = inside(x) ? 255 : 0;
+  }
+  return image;
+}
+
+/// An image that is binary anyway.
+TimedInput of_binary(const std::string& name, ByteImage image) {
+  ByteImage grey = copy_of(image.view());
+  return {name, std::move(image), std::move(grey)};
+}
+
+template <class Transform>
+TimedInput of_scene(const std::string& name, const Transform& transform) {
+  return {name, transform(scene().binary), transform(scene().grey)};
+}
+
+[[noreturn]] void reject(const std::string& name) {
+  throw std::invalid_argument(
+      "input '" + name +
+      "': expected scene, square_N, tiled_N, enlarged_N, noise_N_PERCENT_BLOCK or squares_N_SIDE, "
+      "with sides from 1 to " +
+      std::to_string(kMaxSide));
+}
+
+struct DrawnName {
+  std::string kind;
+  std::vector<Index> numbers;
+};
+
+const std::regex& drawn_names() {
+  static const std::regex names(
+      "scene|(square|tiled|enlarged)_([0-9]{1,5})|noise_([0-9]{1,5})_([0-9]{1,3})_([0-9]{1,4})|"
+      "squares_([0-9]{1,5})_([0-9]{1,5})");
+  return names;
+}
+
+DrawnName parse_name(const std::string& name) {
+  if (!std::regex_match(name, drawn_names())) reject(name);
+  DrawnName parsed{name.substr(0, name.find('_')), {}};
+  for (std::size_t at = name.find('_'); at != std::string::npos; at = name.find('_', at + 1)) {
+    parsed.numbers.push_back(std::stol(name.substr(at + 1)));
+  }
+  return parsed;
+}
+
+bool in_limits(const DrawnName& name) {
+  if (name.kind == "scene") return true;
+  const bool scaled = name.kind == "tiled" || name.kind == "enlarged";
+  const Index side = name.numbers.front() * (scaled ? scene().binary.width() : 1);
+  if (side < 1 || side > kMaxSide) return false;
+  if (name.kind == "squares") return name.numbers[1] >= 1;
+  return name.kind != "noise" || (name.numbers[1] <= 100 && name.numbers[2] >= 1);
+}
+
+}  // namespace
+
+TimedInput drawn_input(const std::string& name) {
+  const auto [kind, numbers] = parse_name(name);
+  if (!in_limits({kind, numbers})) reject(name);
+  const Index n = numbers.empty() ? 1 : numbers.front();
+  if (kind == "noise") {
+    const int percent = static_cast<int>(numbers[1]);
+    return of_binary(name, noise_image(n, n, percent, numbers[2], kNoiseSeed));
+  }
+  if (kind == "squares") return of_binary(name, squares(n, numbers[1]));
+  return of_scene(name, [kind = kind, n](const ByteImage& image) {
+    if (kind == "square") return tiled(image, n, n);
+    if (kind == "enlarged") return enlarged(image, n);
+    return tiled(image, n * image.width(), n * image.height());
+  });
+}
+
+std::vector<TimedInput> timed_inputs(const InputChoice& choice, std::ostream* log) {
+  std::vector<TimedInput> inputs;
+  for (const std::string& path : choice.pictures) {
+    ByteImage grey = read_grey(path);
+    BinaryImage binary = binarise(copy_of(grey.view()), choice.binarise);
+    if (log != nullptr) print_remarks(path, binary, choice.binarise, *log);
+    std::string name = picture_name(path, names_of(inputs), drawn_names());
+    inputs.push_back({std::move(name), std::move(binary.image), std::move(grey)});
+  }
+  for (const std::string& name : choice.drawn) inputs.push_back(drawn_input(name));
+  if (inputs.empty()) inputs.push_back(drawn_input("scene"));
+  return inputs;
+}
+
+std::string pixel_hash(ConstImageView image) {
+  std::uint64_t hash = 0xCBF29CE484222325;
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) hash = (hash ^ image.row(y)[x]) * 0x100000001B3;
+  }
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+}  // namespace thinbench

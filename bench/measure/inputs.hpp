@@ -1,0 +1,51 @@
+// The images that are measured: picture files and drawn images with names that say how to make
+// them again.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "harness/job.hpp"
+#include "picture/binarise.hpp"
+
+namespace thinbench {
+
+struct TimedInput {
+  std::string name;
+  ByteImage binary;  // 0 and 255
+  ByteImage grey;    // the image that the binary one was made from
+
+  [[nodiscard]] Index width() const { return binary.width(); }
+  [[nodiscard]] Index height() const { return binary.height(); }
+  [[nodiscard]] ConstImageView view(InputKind kind) const {
+    return kind == InputKind::grey ? grey.view() : binary.view();
+  }
+};
+
+struct InputChoice {
+  std::vector<std::string> pictures;  // image files
+  BinariseOptions binarise = {};      // of the image files
+  std::vector<std::string> drawn;     // names, see drawn_input()
+};
+
+/// The image of a name:
+///   scene             the built-in scene, 510 x 412
+///   square_N          N x N pixels of the scene, repeated as tiles
+///   tiled_N           the scene repeated N x N times
+///   enlarged_N        the scene, each pixel replaced by N x N pixels
+///   noise_N_P_G       N x N pixels of random G x G blocks, P percent of them foreground
+///   squares_N_S       N x N pixels, foreground squares of side S at distance S
+/// Throws std::invalid_argument for any other name.
+[[nodiscard]] TimedInput drawn_input(const std::string& name);
+
+/// The image files, then the drawn images; the scene where both lists are empty. Names are unique
+/// and hold no '/'; no image file gets a name that drawn_input() knows. Remarks on the image files
+/// go to `log` if there is one. Throws PictureError, and std::invalid_argument for unknown names.
+[[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice,
+                                                   std::ostream* log = nullptr);
+
+/// FNV-1a over the pixels, row by row, as 16 hexadecimal digits.
+[[nodiscard]] std::string pixel_hash(ConstImageView image);
+
+}  // namespace thinbench

@@ -1,0 +1,41 @@
+// What a measuring process does.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/operation.hpp"
+#include "measure/plan.hpp"
+#include "measure/rounds.hpp"
+
+namespace thinbench {
+
+/// 16 hexadecimal digits that name a result, image and numbers.
+[[nodiscard]] std::string hash_of(const Outcome& outcome);
+
+/// What one process found in one group.
+struct GroupTimes {
+  std::size_t group = 0;
+  std::vector<EntryTimes> entries;
+  std::vector<std::size_t> layout;  // addresses of source and destination modulo 4096
+};
+
+/// Measures all groups, in an order that depends on the seed, and passes each to `sink`. The first
+/// result of every entry is compared with the verified one by its hash. Throws std::runtime_error
+/// for another result or an unknown row.
+void measure(const std::vector<Group>& groups, std::uint64_t seed,
+             const std::vector<Operation>& operations, const std::vector<TimedInput>& inputs,
+             const std::function<void(const GroupTimes&)>& sink);
+
+/// How fast the machine is, whatever the project's code does.
+struct MachineState {
+  double chain_ns = 0;  // a dependent addition
+  double copy_ns = 0;   // a copy of 64 KiB
+};
+
+/// The minimum of many short samples, about 20 ms in all.
+[[nodiscard]] MachineState machine_state();
+
+}  // namespace thinbench

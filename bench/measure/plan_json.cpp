@@ -1,0 +1,123 @@
+#include "measure/plan_json.hpp"
+
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/case_json.hpp"
+#include "peers/peers.hpp"
+
+namespace thinbench {
+
+using nlohmann::json;
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Role, {{Role::row, "row"},
+                                    {Role::same, "same"},
+                                    {Role::slowed, "slowed"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Foreground, {{Foreground::automatic, "auto"},
+                                          {Foreground::bright, "bright"},
+                                          {Foreground::dark, "dark"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Entry, name, role, calls, counted, warm_up, long_call, threaded,
+                                   hash)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Group, entries, anchor, rounds, sweeps, seconds)
+
+void to_json(json& object, const InputChoice& choice) {
+  object = {{"pictures", choice.pictures},
+            {"drawn", choice.drawn},
+            {"foreground", choice.binarise.foreground},
+            {"threshold", choice.binarise.threshold ? json(*choice.binarise.threshold) : json()}};
+}
+
+void from_json(const json& object, InputChoice& choice) {
+  object.at("pictures").get_to(choice.pictures);
+  object.at("drawn").get_to(choice.drawn);
+  object.at("foreground").get_to(choice.binarise.foreground);
+  if (!object.at("threshold").is_null()) {
+    choice.binarise.threshold = object.at("threshold").get<int>();
+  }
+}
+
+namespace {
+
+template <class Number>
+json or_null(const std::optional<Number>& number) {
+  return number ? json(*number) : json();
+}
+
+json input_json(const TimedInput& input) {
+  return {{"name", input.name},
+          {"width", input.width()},
+          {"height", input.height()},
+          {"hash", pixel_hash(input.binary.view())},
+          {"grey_hash", pixel_hash(input.grey.view())},
+          {"foreground_pixels", foreground_pixels(input.binary.view())}};
+}
+
+/// What timings.csv tells of a row beside its times.
+json row_json(const TimedRow& row) {
+  const bool is_reference = row.variant == nullptr;
+  json object = case_json<json>(*row.operation);
+  object.update({{"technique", is_reference ? "reference" : row.variant->technique},
+                 {"isa", is_reference ? "baseline" : row.variant->isa_label()},
+                 {"threads", row.threads},
+                 {"scope", scope_name(row.scope)},
+                 {"input", row.input->name},
+                 {"counter", or_null(row.counter)},
+                 {"plan_bytes", or_null(row.plan_bytes)},
+                 {"peer", row.is_peer()}});
+  return object;
+}
+
+json peers_json(const Selection& selection) {
+  std::set<std::string_view> techniques;
+  for (const TimedRow& row : selection.rows) {
+    if (row.is_peer()) techniques.insert(row.variant->technique);
+  }
+  json list = json::array();
+  for (const Peer& peer : peers()) {
+    if (techniques.count(peer.technique) == 0) continue;
+    list.push_back({{"technique", peer.technique},
+                    {"about", peer.about},
+                    {"equal_output", peer.equal_output}});
+  }
+  return list;
+}
+
+}  // namespace
+
+json plan_json(const Plan& plan, const Selection& selection, const std::vector<TimedInput>& inputs,
+               const std::vector<CalibratedRow>& rows) {
+  json object = {{"sources", plan.inputs},  {"groups", plan.groups},
+                 {"inputs", json::array()}, {"rows", json::object()},
+                 {"skipped", json::array()}, {"peers", peers_json(selection)},
+                 {"verified", selection.verified},
+                 {"mismatches", selection.mismatches}};
+  for (const TimedInput& input : inputs) object["inputs"].push_back(input_json(input));
+  for (const CalibratedRow& row : rows) object["rows"][row.row->name] = row_json(*row.row);
+  for (const SkippedRow& row : selection.skipped) {
+    object["skipped"].push_back({{"row", row.name}, {"reason", row.reason}});
+  }
+  return object;
+}
+
+Plan plan_from_json(const std::string& text) {
+  try {
+    const json object = json::parse(text);
+    return {object.at("sources").get<InputChoice>(),
+            object.at("groups").get<std::vector<Group>>()};
+  } catch (const json::exception& error) {
+    throw std::runtime_error(std::string("standard input holds no plan: ") + error.what());
+  }
+}
+
+json group_times_json(const GroupTimes& times) {
+  json entries = json::array();
+  for (const EntryTimes& entry : times.entries) {
+    entries.push_back({{"logs", entry.logs}, {"ns", entry.ns}});
+  }
+  return {{"group", times.group}, {"layout", times.layout}, {"entries", std::move(entries)}};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,134 @@
+// The sampler: verifies rows and plans their measurement, or carries out a plan. `./study` starts
+// it; see docs/measuring.md.
+#include <iostream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/parse_errors.hpp"
+#include "measure/measuring.hpp"
+#include "measure/plan_json.hpp"
+#include "measure/progress.hpp"
+#include "measure/row_options.hpp"
+#include "peers/peers.hpp"
+
+namespace thinbench {
+namespace {
+
+struct SamplerOptions {
+  InputChoice inputs;
+  RowChoice rows;
+  PlanLimits limits;
+  std::uint64_t seed = 0;
+};
+
+std::vector<CalibratedRow> calibrate_all(const Selection& selection, double max_seconds) {
+  std::vector<CalibratedRow> rows;
+  Progress progress("calibrating", static_cast<double>(selection.rows.size()));
+  for (const TimedRow& row : selection.rows) {
+    rows.push_back(calibrate(row));
+    if (rows.back().seconds > max_seconds) rows.pop_back();
+    progress.advance(1);
+  }
+  return rows;
+}
+
+/// Rows of one case and input follow each other.
+std::vector<std::vector<CalibratedRow>> by_case_and_input(const std::vector<CalibratedRow>& rows) {
+  std::vector<std::vector<CalibratedRow>> groups;
+  for (const CalibratedRow& row : rows) {
+    const bool same = !groups.empty() &&
+                      groups.back().front().row->operation == row.row->operation &&
+                      groups.back().front().row->input == row.row->input;
+    if (!same) groups.emplace_back();
+    groups.back().push_back(row);
+  }
+  return groups;
+}
+
+int plan(const SamplerOptions& options) {
+  const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
+  const Selection selection =
+      select_rows_or_explain(options.rows, operations_with_peers(), inputs);
+  const std::vector<CalibratedRow> rows =
+      calibrate_all(selection, options.limits.max_call_seconds);
+  Plan plan{options.inputs, {}};
+  for (const auto& group : by_case_and_input(rows)) {
+    plan.groups.push_back(plan_group(group, options.limits));
+  }
+  std::cout << plan_json(plan, selection, inputs, rows).dump() << '\n';
+  return selection.mismatches.empty() ? kSuccess : kUsage;
+}
+
+/// A line for each group and one for the machine, before and after.
+int measure_plan(const SamplerOptions& options) {
+  const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+  const Plan plan = plan_from_json(text);
+  const std::vector<TimedInput> inputs = timed_inputs(plan.inputs);
+  const auto print_state = [] {
+    const MachineState state = machine_state();
+    const nlohmann::json line = {{"chain_ns", state.chain_ns}, {"copy_ns", state.copy_ns}};
+    std::cout << line.dump() << std::endl;
+  };
+  print_state();
+  measure(plan.groups, options.seed, operations_with_peers(), inputs,
+          [](const GroupTimes& times) { std::cout << group_times_json(times).dump() << std::endl; });
+  print_state();
+  return kSuccess;
+}
+
+void add_plan_options(CLI::App& app, SamplerOptions& options) {
+  add_row_options(app, options.inputs, options.rows);
+  app.add_option("--seconds-per-row", options.limits.seconds_per_row,
+                 "in each process; bounds the rounds, of which there are at least 3")
+      ->capture_default_str()
+      ->check(real_number(0, 100))
+      ->type_name("S");
+  app.add_option("--max-rounds", options.limits.max_rounds, "in each process")
+      ->capture_default_str()
+      ->check(whole_number(1, 1001))
+      ->type_name("N");
+  app.add_option("--max-call", options.limits.max_call_seconds,
+                 "rows whose call takes longer are verified, but not measured")
+      ->capture_default_str()
+      ->check(real_number(0, 1e6))
+      ->type_name("S");
+}
+
+int run(const std::vector<std::string>& arguments) {
+  SamplerOptions options;
+  CLI::App app("Verify rows and plan their measurement, or measure a plan", "thinbench_sampler");
+  app.require_subcommand(1);
+  CLI::App* plan_app = app.add_subcommand(
+      "plan", "Verify rows against their references; write the plan to standard output as JSON");
+  add_plan_options(*plan_app, options);
+  CLI::App* measure_app = app.add_subcommand(
+      "measure", "Measure the plan on standard input; write a line of JSON for each group");
+  measure_app->add_option("--seed", options.seed, "of the order of measurements")
+      ->check(whole_number(0, 1'000'000))
+      ->type_name("N");
+  app.footer(
+      "Exit status: 0 done, 1 failure, 2 wrong usage or a row that differs from its reference.\n"
+      "Examples:\n"
+      "  thinbench_sampler plan --filter '^thin_guo_hall/' > plan.json\n"
+      "  thinbench_sampler measure --seed 1 < plan.json");
+  if (!parse_or_help(app, arguments)) return kSuccess;
+  return plan_app->parsed() ? plan(options) : measure_plan(options);
+}
+
+}  // namespace
+}  // namespace thinbench
+
+int main(int argc, char** argv) {
+  try {
+    return thinbench::run({argv + (argc > 0 ? 1 : 0), argv + argc});
+  } catch (const thinbench::UsageError& error) {
+    std::cerr << "thinbench_sampler: " << error.what() << '\n';
+    return thinbench::kUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "thinbench_sampler: " << error.what() << '\n';
+    return thinbench::kFailure;
+  }
+}

@@ -1,0 +1,278 @@
+#include "measure/timed_row.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+#include "cli/command.hpp"
+#include "harness/crosscheck.hpp"
+#include "measure/progress.hpp"
+#include "support/heap.hpp"
+
+namespace thinbench {
+namespace {
+
+bool is_scalar(const Variant& variant) {
+  return variant.isa == Isa::baseline && !variant.technique.starts_with("simd") &&
+         variant.technique != "autovec";
+}
+
+/// Whether no other variant that runs on this width and fulfils the condition is better.
+template <class Condition, class Better>
+bool is_best(const Row& row, Index width, const Condition& condition, const Better& better) {
+  if (!condition(*row.variant)) return false;
+  return std::none_of(
+      row.operation->variants.begin(), row.operation->variants.end(), [&](const Variant& other) {
+        return !other.is_peer && other.threaded == row.variant->threaded && condition(other) &&
+               other.unavailable_reason(width).empty() && better(other, *row.variant);
+      });
+}
+
+bool is_highest_isa(const Row& row, Index width) {
+  return is_best(
+      row, width,
+      [&](const Variant& other) { return other.technique == row.variant->technique; },
+      [](const Variant& a, const Variant& b) { return a.isa > b.isa; });
+}
+
+bool is_preferred(const Row& row, Index width) {
+  const auto better = [](const Variant& a, const Variant& b) { return a.priority > b.priority; };
+  const auto any = [](const Variant&) { return true; };
+  return is_best(row, width, any, better) || is_best(row, width, is_scalar, better);
+}
+
+bool is_chosen(const Row& row, Index width, VariantChoice choice) {
+  if (row.variant->is_peer) return true;
+  switch (choice) {
+    case VariantChoice::all:
+      return true;
+    case VariantChoice::highest:
+      return is_highest_isa(row, width);
+    case VariantChoice::quick:
+      return row.variant->isa == Isa::avx2 || is_highest_isa(row, width);
+    case VariantChoice::best:
+      return is_preferred(row, width);
+  }
+  return false;
+}
+
+std::string reference_name(const Operation& operation, const TimedInput& input) {
+  return operation.name + "/reference/baseline/1/end_to_end/" + input.name;
+}
+
+std::string timed_name(const Row& row, Scope scope, const TimedInput& input) {
+  return row.name + "/" + std::string(scope_name(scope)) + "/" + input.name;
+}
+
+class Selector {
+ public:
+  Selector(const RowChoice& choice, const std::vector<Operation>& operations,
+           const std::vector<TimedInput>& inputs)
+      : choice_(choice), operations_(operations), inputs_(inputs) {
+    all_rows_ = matching_rows("", choice.threads, operations);
+    static_cast<void>(matching_rows(choice.filter, {1}, {}));  // rejects a malformed filter
+    pattern_ = std::regex(choice.filter);
+  }
+
+  Selection select() {
+    std::vector<Task> tasks;
+    double pixels = 0;
+    for (const TimedInput& input : inputs_) {
+      for (const Operation& operation : operations_) {
+        if (!is_requested(operation, choice_.filter)) continue;
+        tasks.push_back(task_of(operation, input));
+        pixels += tasks.back().pixels();
+      }
+    }
+    Progress progress("verifying", pixels);
+    for (const Task& task : tasks) carry_out(task, progress);
+    return std::move(selection_);
+  }
+
+ private:
+  struct ChosenRow {
+    const Row* row;
+    std::vector<Scope> scopes;
+  };
+
+  /// A case on an input.
+  struct Task {
+    const Operation* operation;
+    const TimedInput* input;
+    std::vector<ChosenRow> rows;
+    bool reference;  // needed at all
+
+    [[nodiscard]] double pixels() const {
+      const auto area = static_cast<double>(input->width() * input->height());
+      return area * static_cast<double>(rows.size() + (reference ? 1 : 0));
+    }
+  };
+
+  [[nodiscard]] Task task_of(const Operation& operation, const TimedInput& input) const {
+    Task task{&operation, &input, {}, false};
+    for (const Row& row : all_rows_) {
+      if (row.operation != &operation || (row.variant->is_peer && !choice_.peers)) continue;
+      if (!is_chosen(row, input.width(), choice_.variants)) continue;
+      std::vector<Scope> scopes = matching_scopes(row, input);
+      if (!scopes.empty()) task.rows.push_back({&row, std::move(scopes)});
+    }
+    task.reference =
+        !task.rows.empty() || std::regex_search(reference_name(operation, input), pattern_);
+    return task;
+  }
+
+  [[nodiscard]] std::vector<Scope> matching_scopes(const Row& row, const TimedInput& input) const {
+    std::vector<Scope> scopes = {Scope::end_to_end};
+    if (row.variant->has_kernel_scope) scopes.insert(scopes.begin(), Scope::kernel);
+    std::erase_if(scopes, [&](Scope scope) {
+      return !std::regex_search(timed_name(row, scope, input), pattern_);
+    });
+    return scopes;
+  }
+
+  void carry_out(const Task& task, Progress& progress) {
+    if (!task.reference) return;
+    const TimedInput& input = *task.input;
+    const ConstImageView view = input.view(task.operation->takes);
+    const double share = task.pixels() / static_cast<double>(task.rows.size() + 1);
+    const Outcome expected =
+        outcome_of(*task.operation->reference(view.width, view.height, 1), view);
+    add({reference_name(*task.operation, input), task.operation, nullptr, 1, Scope::end_to_end,
+         &input},
+        expected);
+    progress.advance(share);
+    for (const auto& [row, scopes] : task.rows) {
+      std::optional<std::int64_t> plan_bytes;
+      if (is_available(*row, input) && is_verified(*row, view, input, expected, plan_bytes)) {
+        for (const Scope scope : scopes) {
+          add({timed_name(*row, scope, input), row->operation, row->variant, row->threads, scope,
+               &input, std::nullopt, plan_bytes},
+              expected);
+        }
+      }
+      progress.advance(share);
+    }
+  }
+
+  bool is_available(const Row& row, const TimedInput& input) {
+    const std::string reason = row.unavailable_reason(input.width());
+    if (reason.empty()) return true;
+    selection_.skipped.push_back({row.name + "/" + input.name, reason});
+    return false;
+  }
+
+  /// `expected` is what the case's own reference gave; sets `plan_bytes`.
+  bool is_verified(const Row& row, const ConstImageView& view, const TimedInput& input,
+                   const Outcome& expected, std::optional<std::int64_t>& plan_bytes) {
+    const std::optional<std::int64_t> before = heap_bytes_in_use();
+    const auto job = row.variant->make_job(view.width, view.height, row.threads);
+    const std::optional<std::int64_t> after = heap_bytes_in_use();
+    // Peers allocate while they run.
+    if (before && after && !row.variant->is_peer) plan_bytes = *after - *before;
+    const bool has_own = static_cast<bool>(row.variant->own_reference);
+    const Outcome own =
+        has_own ? expected_of(*row.operation, *row.variant, view) : Outcome{};
+    std::optional<std::string> mismatch = find_mismatch(*job, view, has_own ? own : expected);
+    if (!mismatch && row.variant->has_kernel_scope) {
+      mismatch = find_kernel_mismatch(*job, view, has_own ? own : expected);
+    }
+    if (mismatch) {
+      selection_.mismatches.push_back(row.name + "/" + input.name + ": " + *mismatch);
+    } else {
+      ++selection_.verified;
+    }
+    return !mismatch;
+  }
+
+  void add(TimedRow row, const Outcome& expected) {
+    const bool own_reference = row.variant != nullptr && row.variant->own_reference;
+    if (!row.operation->counter.empty() && !own_reference) row.counter = expected.numbers.front();
+    selection_.rows.push_back(std::move(row));
+  }
+
+  const RowChoice& choice_;
+  const std::vector<Operation>& operations_;
+  const std::vector<TimedInput>& inputs_;
+  std::regex pattern_;
+  std::vector<Row> all_rows_;
+  Selection selection_;
+};
+
+void report_selection(const Selection& selection) {
+  for (const std::string& mismatch : selection.mismatches) {
+    std::cerr << "not equal to the reference, not measured: " << mismatch << '\n';
+  }
+  std::map<std::string, int> reasons;
+  for (const SkippedRow& row : selection.skipped) ++reasons[row.reason];
+  for (const auto& [reason, count] : reasons) {
+    std::cerr << "skipped " << count << " rows: " << reason << '\n';
+  }
+}
+
+template <class Thing>
+const Thing& named(const std::vector<Thing>& things, const std::string& field,
+                   const std::string& name) {
+  const auto found = std::find_if(things.begin(), things.end(),
+                                  [&](const Thing& thing) { return thing.name == field; });
+  if (found == things.end()) throw std::runtime_error("there is no row '" + name + "'");
+  return *found;
+}
+
+std::vector<std::string> fields_of(const std::string& name) {
+  constexpr std::size_t kFields = 6;
+  std::vector<std::string> fields;
+  std::istringstream stream(name);
+  for (std::string field; std::getline(stream, field, '/');) fields.push_back(field);
+  fields.resize(kFields);
+  return fields;
+}
+
+/// nullptr for the reference.
+const Variant* variant_of(const Operation& operation, const std::vector<std::string>& fields,
+                          const std::string& name) {
+  if (fields[1] == "reference") return nullptr;
+  const auto found = std::find_if(
+      operation.variants.begin(), operation.variants.end(), [&](const Variant& variant) {
+        return variant.technique == fields[1] && variant.isa_label() == fields[2] &&
+               variant.threaded == (fields[3] != "1");
+      });
+  if (found == operation.variants.end()) throw std::runtime_error("there is no row '" + name + "'");
+  return &*found;
+}
+
+}  // namespace
+
+Selection select_rows(const RowChoice& choice, const std::vector<Operation>& operations,
+                      const std::vector<TimedInput>& inputs) {
+  return Selector(choice, operations, inputs).select();
+}
+
+Selection select_rows_or_explain(const RowChoice& choice, const std::vector<Operation>& operations,
+                                 const std::vector<TimedInput>& inputs) {
+  try {
+    Selection selection = select_rows(choice, operations, inputs);
+    report_selection(selection);
+    if (!selection.rows.empty()) return selection;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--filter: ") + error.what());
+  }
+  throw UsageError("no row to measure; the filter is '" + choice.filter + "'");
+}
+
+TimedRow row_named(const std::string& name, const std::vector<Operation>& operations,
+                   const std::vector<TimedInput>& inputs) {
+  const std::vector<std::string> fields = fields_of(name);
+  const Operation& operation = named(operations, fields[0], name);
+  const Scope scope = fields[4] == scope_name(Scope::kernel) ? Scope::kernel : Scope::end_to_end;
+  return {name,
+          &operation,
+          variant_of(operation, fields, name),
+          std::stoi(fields[3]),
+          scope,
+          &named(inputs, fields[5], name)};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,88 @@
+// What is measured: one variant, or a reference, in one scope on one input.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/rows.hpp"
+#include "measure/inputs.hpp"
+
+namespace thinbench {
+
+enum class Scope {
+  kernel,      // the variant's own representation in and out
+  end_to_end,  // bytes in, bytes out
+};
+
+[[nodiscard]] constexpr std::string_view scope_name(Scope scope) {
+  return scope == Scope::kernel ? "kernel" : "end_to_end";
+}
+
+struct TimedRow {
+  std::string name;  // case/technique/isa/threads/scope/input
+  const Operation* operation;
+  const Variant* variant;  // nullptr for the reference
+  int threads;
+  Scope scope;
+  const TimedInput* input;
+  std::optional<std::int64_t> counter = std::nullopt;  // see Operation::counter
+  /// Heap memory that the row's job holds, its planes included; calls allocate nothing.
+  std::optional<std::int64_t> plan_bytes = std::nullopt;
+
+  [[nodiscard]] const JobMaker& maker() const {
+    return variant != nullptr ? variant->make_job : operation->reference;
+  }
+  [[nodiscard]] ConstImageView view() const { return input->view(operation->takes); }
+  [[nodiscard]] bool is_peer() const { return variant != nullptr && variant->is_peer; }
+};
+
+/// Which variants of an operation are measured. Peers always are, unless none are wanted.
+enum class VariantChoice {
+  all,
+  highest,  // of each technique the highest ISA that is available
+  quick,    // the same, and AVX2
+  best,     // the library's own choice, and its best scalar one, with and without threads
+};
+
+struct RowChoice {
+  std::string filter;  // regular expression for names of rows; empty for all
+  VariantChoice variants = VariantChoice::all;
+  std::vector<int> threads = {2};  // of threaded variants
+  bool peers = true;
+};
+
+struct SkippedRow {
+  std::string name;
+  std::string reason;
+};
+
+/// Rows that equal the reference, and the reason why others are missing.
+struct Selection {
+  std::vector<TimedRow> rows;  // by case and input, the reference first
+  std::vector<SkippedRow> skipped;
+  std::vector<std::string> mismatches;
+  int verified = 0;  // variants equal to the reference, counted once for each input
+};
+
+/// Compares every row that the choice names with the reference, on every input, before it may be
+/// measured. The reference of a case and input comes along with any of its rows. Cases that are not
+/// timed by default take part where the filter spells out their name, see is_requested(). Rows
+/// point to `operations` and `inputs`. Throws std::invalid_argument for a malformed filter.
+[[nodiscard]] Selection select_rows(const RowChoice& choice,
+                                    const std::vector<Operation>& operations,
+                                    const std::vector<TimedInput>& inputs);
+
+/// The same, with mismatches and the number of skipped rows on standard error. Throws UsageError for
+/// a malformed filter and where no row is left.
+[[nodiscard]] Selection select_rows_or_explain(const RowChoice& choice,
+                                               const std::vector<Operation>& operations,
+                                               const std::vector<TimedInput>& inputs);
+
+/// The row of this name, not verified again. It points to `operations` and `inputs`. Throws
+/// std::runtime_error for a name of no row.
+[[nodiscard]] TimedRow row_named(const std::string& name, const std::vector<Operation>& operations,
+                                 const std::vector<TimedInput>& inputs);
+
+}  // namespace thinbench

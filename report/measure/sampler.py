@@ -1,0 +1,106 @@
+"""Starts the sampler: one plan, then fresh processes in random order."""
+
+from __future__ import annotations
+
+import json
+import random
+import subprocess
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from report.errors import ReportError
+from report.measure.load import LoadMeter
+
+Json = dict[str, Any]
+
+
+@dataclass
+class Process:
+    """What one measuring process found."""
+
+    seed: int
+    groups: list[Json]  # in the order of the plan
+    states: list[Json]  # of the machine, before and after
+    foreign_load: float  # processors that other processes kept busy meanwhile
+
+
+@dataclass
+class Samples:
+    """A plan and what its processes found."""
+
+    plan: Json
+    processes: list[Process] = field(default_factory=list)
+
+    def to_json_lines(self) -> Iterator[str]:
+        """One line for the plan, one for each process."""
+        yield json.dumps({"plan": self.plan}, separators=(",", ":"))
+        for process in self.processes:
+            yield json.dumps(vars(process), separators=(",", ":"))
+
+    @staticmethod
+    def from_json_lines(lines: Sequence[str]) -> list[Samples]:
+        """All plans of a file, each with its processes."""
+        runs: list[Samples] = []
+        for line in lines:
+            data = json.loads(line)
+            if "plan" in data:
+                runs.append(Samples(data["plan"]))
+            else:
+                runs[-1].processes.append(Process(**data))
+        return runs
+
+
+class Sampler:
+    """The program of one build."""
+
+    def __init__(self, program: Path) -> None:
+        self.program = program
+
+    def plan(self, options: Sequence[str]) -> Json:
+        """Verifies rows and plans them. Raises ReportError where a row differs or none is left."""
+        done = subprocess.run([self.program, "plan", *options], stdout=subprocess.PIPE, text=True,
+                              check=False)
+        if done.returncode != 0:
+            raise ReportError("verification failed; see the lines above", done.returncode)
+        plan: Json = json.loads(done.stdout)
+        return plan
+
+    def measure(self, plan: Json, seed: int, on_group: Callable[[Json], None]) -> Process:
+        """One fresh process; `on_group` is called with each group of the plan when it is done."""
+        groups: list[Json] = [{} for _ in plan["groups"]]
+        states: list[Json] = []
+        load = LoadMeter()
+        with subprocess.Popen([self.program, "measure", "--seed", str(seed)], text=True,
+                              stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+            assert process.stdin and process.stdout
+            process.stdin.write(json.dumps({"sources": plan["sources"], "groups": plan["groups"]}))
+            process.stdin.close()
+            for line in process.stdout:
+                result = json.loads(line)
+                if "group" not in result:
+                    states.append(result)
+                    continue
+                index = result.pop("group")
+                groups[index] = result
+                on_group(plan["groups"][index])
+        if process.returncode != 0:
+            raise ReportError("a measuring process failed; see the line above")
+        return Process(seed, groups, states, load.foreign())
+
+
+def measure_interleaved(jobs: Sequence[tuple[Sampler, Samples]], processes: int,
+                        on_seconds: Callable[[float], None], first_seed: int = 0) -> None:
+    """Appends `processes` processes to each job, all in random order within each round of jobs."""
+    for seed in range(first_seed, first_seed + processes):
+        order = list(jobs)
+        random.Random(seed).shuffle(order)
+        for sampler, samples in order:
+            samples.processes.append(
+                sampler.measure(samples.plan, seed, lambda group: on_seconds(group["seconds"])))
+
+
+def planned_seconds(plan: Json) -> float:
+    """How long one process takes."""
+    return float(sum(group["seconds"] for group in plan["groups"]))
