@@ -1,0 +1,56 @@
+"""Configures and builds with CMake, with a progress line. Run as
+`python3 -m report.building PRESET [TARGET...]` by ./check."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from report.errors import ReportError
+from report.progress import Progress
+
+ROOT = Path(__file__).resolve().parent.parent
+STEP = re.compile(r"\[(\d+)/(\d+)\]")
+PROGRAMS = ("thinbench_program", "thinbench_sampler", "thinbench_benchmarks",
+            "thinbench_counted_calls")
+
+
+def build(preset: str, targets: Sequence[str] = (), root: Path = ROOT) -> Path:
+    """Returns the directory of the programs. The log is shown only if something fails."""
+    log = root / "build" / f"{preset}.log"
+    log.parent.mkdir(exist_ok=True)
+    with log.open("w", encoding="utf-8") as out:
+        configure = subprocess.run(["cmake", "--preset", preset], cwd=root, stdout=out,
+                                   stderr=subprocess.STDOUT, check=False)
+        done = configure.returncode == 0 and _make(preset, targets, root, out)
+    if not done:
+        sys.stderr.write("".join(log.read_text(encoding="utf-8").splitlines(True)[-40:]))
+        raise ReportError(f"the build failed; the whole log is {log}")
+    return root / "build" / preset / "bin"
+
+
+def _make(preset: str, targets: Sequence[str], root: Path, log: object) -> bool:
+    command = ["cmake", "--build", "--preset", preset, "--parallel"]
+    command += ["--target", *targets] if targets else []
+    progress: Progress | None = None
+    with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True) as process:
+        assert process.stdout
+        for line in process.stdout:
+            log.write(line)  # type: ignore[attr-defined]
+            if step := STEP.match(line):
+                progress = progress or Progress("building", int(step[2]))
+                progress.set(int(step[1]))
+    if progress:
+        progress.close()
+    return process.returncode == 0
+
+
+if __name__ == "__main__":
+    try:
+        build(sys.argv[1], sys.argv[2:])
+    except ReportError as error:
+        sys.exit(f"building: {error}")

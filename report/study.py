@@ -1,0 +1,134 @@
+"""`./study`: builds, verifies, measures and writes results, CSV, plots and a page."""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import os
+import subprocess
+from pathlib import Path
+
+from report.building import PROGRAMS, ROOT, build
+from report.errors import ReportError
+from report.git import commit_name
+from report.measure.run import machine_facts, write_run
+from report.measure.sampler import Json, Sampler, Samples, measure_interleaved, planned_seconds
+from report.progress import Progress
+from report.row_options import (add_row_options, binarise_words, check_binarise_options,
+                                input_words, positive)
+
+SERIES = "^(thin_naccache_shinghal|edges_sobel|holes|localise_objects)/.*/end_to_end/"
+"""What the default series of sizes measures."""
+
+EPILOG = """examples:
+  ./study --quick
+  ./study --image horse.png --filter 'simd|bitpacked'
+  ./study --image parts.jpg --foreground dark --threshold 100
+  ./study --size 1000 --size 3000
+  THINBENCH_MAX_ISA=avx2 ./study --quick --out /tmp/avx2
+
+Exit status: 0 done, 1 something is missing or failed, 2 wrong usage, a variant that differs from its
+reference, or no row that matches."""
+
+
+def add_study_command(parser: argparse.ArgumentParser) -> None:
+    """Its options."""
+    parser.add_argument("--quick", action="store_true",
+                        help="fewer processes and sizes, and of each technique only the highest "
+                             "ISA and AVX2: at most 90 seconds after the build")
+    add_row_options(parser)
+    parser.add_argument("--quality-image", metavar="FILE", type=Path, action="append", default=[],
+                        help="measure the quality of skeletons on this image as well, without "
+                             "timing it; repeatable")
+    parser.add_argument("--size", metavar="N", type=positive, action="append", default=[],
+                        help="time every operation on a square of N x N pixels; repeatable")
+    parser.add_argument("--out", metavar="DIR", type=Path,
+                        help="where results go; default results/<machine>/<date>-<commit>")
+    parser.add_argument("--processes", metavar="N", type=positive,
+                        help="fresh processes, the unit of sampling; default 9, with --quick 5")
+    parser.add_argument("--no-peers", action="store_true",
+                        help="do not time other projects' code and the copy")
+
+
+def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
+    """Returns the summary to print."""
+    check_binarise_options(parser, options, options.image + options.quality_image)
+    programs = build("release", PROGRAMS)
+    machine = machine_facts(programs / "thinbench", commit_name())
+    directory = options.out or default_directory(machine)
+    sampler = Sampler(programs / "thinbench_sampler")
+    samples = [Samples(sampler.plan(words)) for words in _plans(options)]
+    processes = options.processes or (5 if options.quick else 9)
+    measure(sampler, samples, processes)
+    write_pictures(programs / "thinbench", directory, options)
+    write_run(directory, machine, _options_json(options, processes),
+              [("", part) for part in samples])
+    count_instructions(programs / "thinbench", directory, options)
+    from report.page.build import build_page  # pylint: disable=import-outside-toplevel
+    return build_page(directory)
+
+
+def measure(sampler: Sampler, samples: list[Samples], processes: int) -> None:
+    """All plans, with progress."""
+    seconds = processes * sum(planned_seconds(part.plan) for part in samples)
+    progress = Progress("measuring", seconds)
+    measure_interleaved([(sampler, part) for part in samples], processes, progress.advance)
+    progress.close()
+
+
+def default_directory(machine: Json) -> Path:
+    """Below results/, by machine, date and commit."""
+    today = datetime.datetime.now(datetime.timezone.utc).date()
+    name = f"{today}-{machine['commit']}"
+    return ROOT / "results" / str(machine["fingerprint"]) / name
+
+
+def _plans(options: argparse.Namespace) -> list[list[str]]:
+    """The words of each plan: the images, the series of sizes, and sizes that were asked for."""
+    common = ["--no-peers"] if options.no_peers else []
+    variants = "quick" if options.quick else "all"
+    plans = [[*common, *input_words(options), "--variants", variants, "--filter", options.filter]]
+    if not options.filter:
+        largest = 512 if options.quick else 4096
+        squares = [64 << step for step in range(7) if 64 << step <= largest]
+        plans.append(["--no-peers", "--variants", "highest", "--filter", SERIES,
+                      "--max-call", "0.3", *_inputs(squares)])
+    if options.size:
+        plans.append([*common, "--variants", variants, "--filter", options.filter,
+                      *_inputs(options.size)])
+    return plans
+
+
+def _inputs(sizes: list[int]) -> list[str]:
+    return [word for size in sizes for word in ("--input", f"square_{size}")]
+
+
+def _options_json(options: argparse.Namespace, processes: int) -> Json:
+    """Images by their files' names, as directories are private."""
+    return {"quick": options.quick, "filter": options.filter, "processes": processes,
+            "peers": not options.no_peers, "foreground": options.foreground,
+            "threshold": options.threshold, "sizes": options.size,
+            "images": [image.name for image in options.image]}
+
+
+def write_pictures(program: Path, directory: Path, options: argparse.Namespace) -> None:
+    """The inputs and what operations make of them, for the page."""
+    _run(program, "pictures", "--out", str(directory / "pictures"), *input_words(options))
+
+
+def count_instructions(program: Path, directory: Path, options: argparse.Namespace) -> None:
+    """Instructions and lower bounds of the rows on one thread."""
+    words = ["--limits", *(["--quick"] if options.quick else [])]
+    if options.image:
+        words += ["--image", str(options.image[0]), *binarise_words(options)]
+    if options.filter:
+        words += ["--filter", options.filter]
+    _run(program, "instructions", *words, "--out", str(directory / "limits.json"), allowed=(0, 2))
+
+
+def _run(program: Path, *words: str, allowed: tuple[int, ...] = (0,)) -> None:
+    environment = {"OPENCV_IO_MAX_IMAGE_PIXELS": "2147483648"} | os.environ
+    done = subprocess.run([program, *words], stdout=subprocess.DEVNULL, env=environment,
+                          check=False)
+    if done.returncode not in allowed:
+        raise ReportError(f"thinbench {words[0]} failed; see the line above")
