@@ -14,7 +14,8 @@ Run = Callable[[argparse.ArgumentParser, argparse.Namespace], str]
 
 def _commands(parser: argparse.ArgumentParser) -> None:
     """Declares every command; what they need is imported when one runs."""
-    from report import study
+    from report import compare, study
+    from report.sweeps import command as sweeps
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def add(name: str, what: str, declare: Callable[[argparse.ArgumentParser], None], run: Run,
@@ -27,6 +28,10 @@ def _commands(parser: argparse.ArgumentParser) -> None:
 
     add("study", "build, verify, measure and write a page", study.add_study_command,
         study.run_study, study.EPILOG)
+    add("sweeps", "measure how times depend on one parameter", sweeps.add_sweeps_command,
+        sweeps.run_sweeps, sweeps.EPILOG)
+    add("compare", "compare runs of different machines or commits", compare.add_compare_command,
+        compare.run_compare, compare.EPILOG)
 
 
 def main(arguments: list[str]) -> int:

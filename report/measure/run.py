@@ -69,10 +69,10 @@ def machine_facts(program: Path, commit: str) -> Json:
 
 
 def write_run(directory: Path, machine: Json, options: Json,
-              parts: list[tuple[str, Samples]]) -> Run:
+              parts: list[tuple[str, Samples]], name: str = "") -> Run:
     """Makes run.json, timings.csv and samples of plans that were measured. Each part has the name
-    of its parameter sweep, "" for none."""
-    name = f"{machine['fingerprint']}/{directory.name}"
+    of its parameter sweep, "" for none. A run is named after its directory."""
+    name = f"{machine['fingerprint']}/{name or directory.resolve().name}"
     rows: list[Row] = []
     for sweep, samples in parts:
         rows += rows_of(samples, Origin(name, machine["fingerprint"], machine["commit"], sweep))

@@ -91,14 +91,17 @@ class Sampler:
 
 
 def measure_interleaved(jobs: Sequence[tuple[Sampler, Samples]], processes: int,
-                        on_seconds: Callable[[float], None], first_seed: int = 0) -> None:
-    """Appends `processes` processes to each job, all in random order within each round of jobs."""
+                        on_seconds: Callable[[float], None], first_seed: int = 0,
+                        on_process: Callable[[Samples], None] = lambda samples: None) -> None:
+    """Appends `processes` processes to each job, all in random order within each round of jobs.
+    Seeds that a job has already are skipped; `on_process` is called after each process."""
     for seed in range(first_seed, first_seed + processes):
-        order = list(jobs)
+        order = [job for job in jobs if all(one.seed != seed for one in job[1].processes)]
         random.Random(seed).shuffle(order)
         for sampler, samples in order:
             samples.processes.append(
                 sampler.measure(samples.plan, seed, lambda group: on_seconds(group["seconds"])))
+            on_process(samples)
 
 
 def planned_seconds(plan: Json) -> float:

@@ -1,5 +1,1 @@
-"""Sweeps: how times depend on density, size, threads, depth, level and compiler."""
-
-from report.sweeps.section import Section, load_section
-
-__all__ = ["Section", "load_section"]
+"""Parameter sweeps: how times depend on one property of the input, or on threads and ISA."""

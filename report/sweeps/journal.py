@@ -1,100 +1,69 @@
-"""Reads journals of thinbench_sweeps, and refuses what cannot be trusted."""
+"""Processes of an unfinished measurement, kept as soon as each is done, so that it can be
+continued. The first line holds what is measured, each other line a process of one part."""
 
 from __future__ import annotations
 
 import json
-import lzma
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
-from report.cases import case_in
 from report.errors import ReportError
-from report.json_fields import Fields
-from report.machine import load_machine
-from report.sweeps.model import SWEEPS, Journal, Place, Point
+from report.files import read_bytes, write_file
+from report.measure.sampler import Json, Process, Samples
+from report.schemas import check_schema
 
-MAIN = "sweeps.jsonl"
-RESUME = "thinbench_sweeps --resume completes it"
-
-
-@dataclass
-class _Series:
-    """The samples of a place, as they are read."""
-
-    pixels: int
-    proved_against: str
-    clock: str
-    by_round: dict[int, float] = field(default_factory=dict)
+NAME = "unfinished.jsonl"
 
 
-def load_journals(directory: Path) -> tuple[Journal | None, list[Journal]]:
-    """The main journal, where there is one, and those of single compilers."""
-    main = _found(directory, MAIN)
-    others = sorted({path.name.removesuffix(".xz") for path in directory.glob("sweeps-*.jsonl*")
-                     if path.name.endswith((".jsonl", ".jsonl.xz"))})
-    paths = [path for name in others if (path := _found(directory, name))]
-    return (load_journal(main) if main else None), [load_journal(path) for path in paths]
+@dataclass(frozen=True)
+class Part:
+    """One sweep in one build."""
+
+    build: str
+    sweep: str
+    samples: Samples
 
 
-def load_journal(path: Path) -> Journal:
-    """One journal; it may end early, but not in the middle of a line."""
-    header, *lines = _lines(path)
-    if header.data.get("kind") != "header":
-        raise ReportError(f"{header.where}: kind is {header.data.get('kind')!r}; it must be "
-                          "'header': a journal of thinbench_sweeps is needed")
-    header.check_schema()
-    machine = header.child("machine")
-    options = machine.child("options")
-    series: dict[Place, _Series] = {}
-    for line in lines:
-        if line.text("kind") == "sample":
-            _take(line, series)
-    return Journal(
-        path.name.removesuffix(".xz"), load_machine(machine), options.data.get("quick") is True,
-        options.count("rounds", 1), header.count("points", 1),
-        tuple(Point(place, found.pixels, found.proved_against, found.clock,
-                    tuple(found.by_round.values())) for place, found in series.items()))
+class Journal:
+    """`key` is what must be equal for a measurement to go on: options, commit, machine."""
 
+    def __init__(self, path: Path, parts: list[Part]) -> None:
+        self.path, self.parts = path, parts
 
-def _found(directory: Path, name: str) -> Path | None:
-    return next((path for path in (directory / name, directory / f"{name}.xz") if path.exists()),
-                None)
+    @staticmethod
+    def begin(path: Path, key: Json, parts: list[Part]) -> Journal:
+        """Writes the first line."""
+        header = {"key": key, "parts": [{"build": part.build, "sweep": part.sweep,
+                                         "plan": part.samples.plan} for part in parts]}
+        write_file(path, (json.dumps(header) + "\n").encode())
+        return Journal(path, parts)
 
+    @staticmethod
+    def load(path: Path, key: Json) -> Journal:
+        """Drops a last line that was not written to its end."""
+        whole, _, _ = read_bytes(path).rpartition(b"\n")
+        write_file(path, whole + b"\n")
+        lines = [json.loads(line) for line in whole.decode().splitlines()]
+        if not lines:
+            raise ReportError(f"{path}: is empty; leave out --resume")
+        header = lines[0]
+        check_schema("unfinished", header, str(path))
+        for name, value in key.items():
+            if header["key"].get(name) != value:
+                raise ReportError(f"{path}: {name} was {header['key'].get(name)!r} and is now "
+                                  f"{value!r}; --resume needs the same")
+        parts = [Part(part["build"], part["sweep"], Samples(part["plan"]))
+                 for part in header["parts"]]
+        for line in lines[1:]:
+            parts[line.pop("part")].samples.processes.append(Process(**line))
+        return Journal(path, parts)
 
-def _lines(path: Path) -> list[Fields]:
-    try:
-        data = path.read_bytes()
-        text = (lzma.decompress(data) if path.suffix == ".xz" else data).decode("utf-8")
-    except OSError as error:
-        raise ReportError(f"{path}: cannot be read: {error.strerror}") from None
-    except (ValueError, EOFError, lzma.LZMAError) as error:
-        raise ReportError(f"{path}: damaged: {error}; measure it again") from None
-    if not text.endswith("\n"):
-        raise ReportError(f"{path}: its last line is truncated; {RESUME}")
-    return [_line(line, f"{path}: line {number}")
-            for number, line in enumerate(text.splitlines(), 1)]
+    def append(self, samples: Samples) -> None:
+        """The latest process of a part."""
+        index = next(number for number, part in enumerate(self.parts) if part.samples is samples)
+        with self.path.open("a", encoding="utf-8") as stream:
+            stream.write(json.dumps({"part": index, **vars(samples.processes[-1])}) + "\n")
 
-
-def _line(text: str, where: str) -> Fields:
-    try:
-        return Fields(json.loads(text), where)
-    except (ValueError, RecursionError) as error:
-        raise ReportError(f"{where}: not JSON: {error}; measure it again") from None
-
-
-def _take(line: Fields, series: dict[Place, _Series]) -> None:
-    sweep = line.text("sweep")
-    if sweep not in SWEEPS:
-        raise ReportError(f"{line.where}: sweep is '{sweep}'; it must be one of "
-                          f"{', '.join(SWEEPS)}")
-    place = Place(sweep, line.number("x"), line.number("y") if line.has("y") else None,
-                  case_in(line), line.text("technique"), line.text("isa"),
-                  line.count("threads", 1))
-    pixels = line.count("pixels", 1)
-    found = series.setdefault(place, _Series(pixels, line.text("proved_against"),
-                                             line.text("clock")))
-    number = line.count("round")
-    if number in found.by_round or pixels != found.pixels:
-        raise ReportError(f"{line.where}: round {number} of {place.case.name} at x {place.x:g} is "
-                          "there twice or on another size; each point has one sample a round")
-    found.by_round[number] = line.positive("ns") / line.count("calls", 1) / pixels
+    def close(self) -> None:
+        """The measurement is complete."""
+        self.path.unlink()

@@ -1,0 +1,95 @@
+"""Sweeps as curves for the page and as Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from report.measure.run import TIMINGS
+from report.measure.timings import Row, read_csv
+from report.sweeps.plans import BY_NAME, SWEEPS, Place, curve_of
+
+DIRECTORY = "sweeps"
+"""Below the directory of a run."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """Nanoseconds per pixel at one place of the axis, with the interval; the place of the sweep
+    of ISAs is a name."""
+
+    x: Place
+    ns_per_pixel: float
+    low: float
+    high: float
+    flags: str
+
+
+@dataclass(frozen=True)
+class Series:
+    """One curve of the plot of a case."""
+
+    sweep: str
+    case: str
+    label: str
+    points: tuple[Point, ...]
+
+
+def load_sweep_rows(directory: Path) -> list[Row]:
+    """Of the sweeps that belong to a run; empty where there are none."""
+    path = directory / DIRECTORY / TIMINGS
+    return read_csv(path) if path.exists() else []
+
+
+def sweep_series(rows: Iterable[Row]) -> list[Series]:
+    """In the order of SWEEPS, points in the order of the axis."""
+    found: dict[tuple[str, str, str], list[Point]] = {}
+    for row in rows:
+        if row.sweep in BY_NAME and not (row.sweep == "isa" and row.is_reference):
+            found.setdefault((row.sweep, row.case, curve_of(row)), []).append(_point(row))
+    series = [Series(*key, tuple(_ordered(points))) for key, points in found.items()]
+    order = [sweep.name for sweep in SWEEPS]
+    return sorted(series, key=lambda one: order.index(one.sweep))
+
+
+def sweeps_markdown(series: Sequence[Series]) -> str:
+    """A section for each sweep, a table for each case: places down, curves across."""
+    parts = ["# Parameter sweeps\n\nNanoseconds per pixel, end to end, on one thread unless a sweep "
+             "says otherwise; `!` marks flagged rows. timings.csv has the intervals.\n"]
+    for name in dict.fromkeys(one.sweep for one in series):
+        own = [one for one in series if one.sweep == name]
+        parts.append(f"## {name}\n")
+        for case in dict.fromkeys(one.case for one in own):
+            parts.append(_table(BY_NAME[name].what, [one for one in own if one.case == case]))
+    return "\n".join(parts)
+
+
+def _point(row: Row) -> Point:
+    pixels = row.width * row.height
+    return Point(BY_NAME[row.sweep].place(row), row.ns_per_pixel, row.low / pixels,
+                 row.high / pixels, row.flags)
+
+
+def _ordered(points: list[Point]) -> list[Point]:
+    """Names stay in the order of the rows."""
+    return sorted(points, key=lambda point: 0 if isinstance(point.x, str) else point.x)
+
+
+def _table(what: str, curves: list[Series]) -> str:
+    places = list(dict.fromkeys(point.x for one in curves for point in one.points))
+    if not any(isinstance(place, str) for place in places):
+        places.sort()
+    cells = [{point.x: point for point in one.points} for one in curves]
+    lines = [["", *(one.label for one in curves)], ["---", *("---:" for _ in curves)]]
+    for place in places:
+        lines.append([place if isinstance(place, str) else f"{place:g}",
+                      *(_cell(points.get(place)) for points in cells)])
+    table = "\n".join(f"| {' | '.join(line)} |" for line in lines)
+    return f"**{curves[0].case}** by {what}\n\n{table}\n"
+
+
+def _cell(point: Point | None) -> str:
+    if point is None:
+        return ""
+    return f"{point.ns_per_pixel:.3g}{' !' if point.flags else ''}"
