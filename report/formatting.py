@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from report.model import END_TO_END, Row
+from collections.abc import Sequence
+
+from report.measure.timings import END_TO_END, REFERENCE, Row
 
 NOTHING = "\N{EN DASH}"
-
-
-def microseconds(ns: float) -> str:
-    """A time in microseconds with two decimals, so that a column of them lines up."""
-    return f"{ns / 1e3:,.2f}"
 
 
 def three_digits(value: float) -> str:
@@ -18,23 +15,43 @@ def three_digits(value: float) -> str:
     return f"{value:,.{digits}f}"
 
 
-def times(factor: float) -> str:
-    """A speed-up, such as 38.1×."""
-    return f"{three_digits(factor)}×"
+def times(factor: float | None) -> str:
+    """A ratio, such as 38.1×."""
+    return NOTHING if factor is None else f"{three_digits(factor)}×"
+
+
+def duration(ns: float) -> str:
+    """A time in the largest unit of which it is at least one, such as 61.9 µs."""
+    for unit, scale in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
+        if ns >= 0.9999 * scale:
+            return f"{three_digits(ns / scale)} {unit}"
+    return f"{three_digits(ns)} ns"
+
+
+def interval(low: float | None, high: float | None) -> str:
+    """Such as 251 to 258."""
+    return "" if low is None or high is None else f"{three_digits(low)} to {three_digits(high)}"
 
 
 def speedup_text(row: Row) -> str:
-    """A speed-up with its interval where one was measured, such as 254× (251 to 258)."""
-    if row.paired is None:
-        return times(row.speedup)
-    interval = f"{three_digits(row.paired.low)} to {three_digits(row.paired.high)}"
-    doubt = ", inconclusive" if row.paired.is_inconclusive else ""
-    return f"{times(row.speedup)} ({interval}{doubt})"
+    """Over the plain reference, with its interval, such as 254× (251 to 258)."""
+    if row.speedup_vs_reference is None or row.is_reference:
+        return NOTHING
+    bounds = interval(row.speedup_low, row.speedup_high)
+    return times(row.speedup_vs_reference) + (f" ({bounds}{flag_text(row, ', ')})" if bounds else "")
 
 
-def percent(value: float | None) -> str:
-    """A spread with one decimal, or a dash if one repetition gave none."""
-    return NOTHING if value is None else f"{value:.1f} %"
+def flag_text(row: Row, before: str = " ") -> str:
+    """What is doubtful about a row, or nothing."""
+    return f"{before}{row.flags}" if row.flags else ""
+
+
+def variant(row: Row) -> str:
+    """Technique, instruction set and threads, such as lut, baseline, 2 threads."""
+    if row.technique == REFERENCE:
+        return "plain reference"
+    threads = f", {row.threads} threads" if row.threads > 1 else ""
+    return f"{row.technique}{'' if row.isa == 'native' else f', {row.isa}'}{threads}"
 
 
 def scope_label(scope: str) -> str:
@@ -42,26 +59,15 @@ def scope_label(scope: str) -> str:
     return "end to end" if scope == END_TO_END else scope.replace("_", " ")
 
 
-def kibibytes(size_kib: int) -> str:
-    """A memory size in the larger of KiB and MiB that keeps it readable."""
-    return f"{size_kib} KiB" if size_kib < 1024 else f"{size_kib / 1024:.3g} MiB"
+def counted(number: int, noun: str) -> str:
+    """A number with its noun, such as 1 seed or 3 seeds."""
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
-def duration(ns: float) -> str:
-    """A time in prose with about three digits, such as 61.9 µs."""
-    value, unit = _with_unit(ns)
-    return f"{three_digits(value)} {unit}"
-
-
-def round_duration(ns: float) -> str:
-    """A time that is a round number, such as 20 ms on an axis."""
-    value, unit = _with_unit(ns)
-    return f"{value:g} {unit}"
-
-
-def _with_unit(ns: float) -> tuple[float, str]:
-    """The time in the largest unit of which it is at least one."""
-    for unit, scale in (("s", 1e9), ("ms", 1e6), ("µs", 1e3)):
-        if ns >= 0.9999 * scale:
-            return ns / scale, unit
-    return ns, "ns"
+def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]],
+                   numbers: frozenset[int] = frozenset()) -> str:
+    """Columns whose index is in `numbers` are set flush right."""
+    rule = ["---:" if index in numbers else "---" for index in range(len(header))]
+    lines: list[Sequence[str]] = [header, rule, *rows]
+    return "".join(f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in line)} |\n"
+                   for line in lines)

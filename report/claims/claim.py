@@ -6,13 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
-from report.experiment_layout import Table, columns
-from report.tables import markdown_line
+from report.formatting import markdown_table
 
 TITLE = "The paper's claims, judged"
-LEAD = ("Figures and verdicts are made from the data of this run; none is typed by hand. Intervals "
-        "are 95 % or better where a row was timed six times or more, else the range of its times.")
-HEADER = ("Claim", "Verdict", "Figure", "Why", "Measured by")
+LEAD = ("Figures and verdicts are computed from the data of one run and from the experiments; none "
+        "is typed by hand.")
 
 
 class Verdict(Enum):
@@ -43,24 +41,18 @@ class Claim:
 
 
 def open_claim(claim: str, command: str) -> Claim:
-    """What the run has no data for."""
-    return Claim(claim, Verdict.OPEN, "", "The run holds no data for it.", command)
-
-
-def to_table(claims: list[Claim]) -> Table:
-    """All claims, for the page."""
-    rows = tuple((c.claim, c.verdict.value, c.figure, c.why, c.command) for c in claims)
-    return Table(TITLE, LEAD, columns(HEADER, []), rows, "")
+    """One without data."""
+    return Claim(claim, Verdict.OPEN, "", "There is no data for it.", command)
 
 
 def to_markdown(claims: list[Claim], origin: str) -> str:
     """All claims, a section each; `origin` says of which run."""
-    lines = [f"# {TITLE}", "", LEAD, "", origin, "",
-             markdown_line(["Claim", "Verdict"]), markdown_line(["---", "---"])]
-    lines += [markdown_line([c.claim, c.verdict.value]) for c in claims]
-    for claim in claims:
-        lines += ["", f"## {claim.claim}", "", f"**Verdict: it {claim.verdict.value}.**"
-                  if claim.verdict is not Verdict.OPEN else f"**Verdict: {claim.verdict.value}.**"]
-        lines += ["", f"{claim.figure[0].upper()}{claim.figure[1:]}."] if claim.figure else []
-        lines += ["", claim.why, "", f"Measured by `{claim.command}`."]
-    return "\n".join(lines) + "\n"
+    table = markdown_table(("Claim", "Verdict"), [(c.claim, c.verdict.value) for c in claims])
+    return "\n".join([f"# {TITLE}", "", LEAD, "", origin, "", table, *map(_section, claims)])
+
+
+def _section(claim: Claim) -> str:
+    it = "" if claim.verdict is Verdict.OPEN else "it "
+    lines = [f"## {claim.claim}", "", f"**Verdict: {it}{claim.verdict.value}.**", ""]
+    lines += [f"{claim.figure[0].upper()}{claim.figure[1:]}.", ""] if claim.figure else []
+    return "\n".join([*lines, claim.why, "", f"Measured by `{claim.command}`.", ""])

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from report.claims import of_experiments, of_times
 from report.claims.claim import Claim
-from report.experiments import Experiments
-from report.model import Study
+from report.page.experiments import Experiments
+from report.page.operations import Rows
 
 
-def judge(study: Study, experiments: Experiments) -> list[Claim]:
-    """One verdict a claim; what the run has no data for is said to be open."""
+def judge(rows: Rows, experiments: Experiments) -> list[Claim]:
+    """A verdict for each claim; one without data is open."""
+    found = experiments.get
     return [
-        of_times.bytes_are_faster(study),
-        of_experiments.reliable_edges(experiments.edge_quality),
-        of_experiments.connected_skeleton(experiments.quality),
-        of_experiments.eight_hidden_neurons(experiments.hidden_neurons),
-        of_experiments.linear_threshold(experiments.quantisation),
-        of_experiments.twelve_nets(experiments.cluster_runs),
-        of_experiments.operation_counts(experiments.operation_counts),
-        of_times.order_of_table_two(study, experiments.table_two),
-        of_times.integers_do_not_pay(study, experiments.quantisation),
-        of_times.nets_do_not_pay(study)]
+        of_times.bytes_are_faster(rows),
+        of_experiments.reliable_edges(found("edge-quality")),
+        of_experiments.connected_skeleton(found("quality")),
+        of_experiments.eight_hidden_neurons(found("hidden-neurons")),
+        of_experiments.linear_threshold(found("quantisation")),
+        of_experiments.twelve_nets(found("cluster-runs")),
+        of_experiments.operation_counts(found("operation-counts")),
+        of_times.order_of_table_two(rows),
+        of_times.integers_do_not_pay(rows, found("quantisation")),
+        of_times.nets_do_not_pay(rows)]

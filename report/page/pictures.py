@@ -1,0 +1,58 @@
+"""The images of a run: inside the page where they are small, as links where they are not."""
+
+from __future__ import annotations
+
+import base64
+from dataclasses import dataclass
+from pathlib import Path
+
+from report.page.operations import Rows, label
+
+FIRST = ("thin_guo_hall", "thin_guo_hall:keep", "thin_zhang_suen", "thin_naccache_shinghal",
+         "edges_sobel")
+"""What the first screen shows beside the input, as far as it was made."""
+
+MAX_BYTES = 60_000
+MAX_TOTAL_BYTES = 1_500_000
+"""Of all images in the page, which is to stay small."""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """An image with its words; `source` is a data URI, "" where the image is too large."""
+
+    source: str
+    path: str
+    caption: str
+
+
+class Pictures:
+    """Loads each image once."""
+
+    def __init__(self, directory: Path, rows: Rows) -> None:
+        self.directory, self.rows, self.bytes = directory, rows, 0
+
+    def of_case(self, case: str) -> Picture | None:
+        """What the case makes of the main input; None where there is no such image."""
+        return self._picture(f"{self.rows.input}_{case.replace(':', '_')}.png", label(case))
+
+    def inputs(self) -> list[Picture]:
+        """The main input in grey, else binary."""
+        names = (f"{self.rows.input}_grey.png", f"{self.rows.input}.png")
+        found = (self._picture(name, f"the input, {self.rows.input}") for name in names)
+        return [picture for picture in found if picture][:1]
+
+    def first(self) -> list[Picture]:
+        """The input and a few results."""
+        cases = [case for case in FIRST if case in self.rows.cases] or self.rows.cases
+        return [*self.inputs(), *(one for one in map(self.of_case, cases[:5]) if one)][:5]
+
+    def _picture(self, name: str, caption: str) -> Picture | None:
+        path = self.directory / "pictures" / name
+        if not path.is_file():
+            return None
+        size = path.stat().st_size
+        fits = size <= MAX_BYTES and self.bytes + size <= MAX_TOTAL_BYTES
+        self.bytes += size if fits else 0
+        data = base64.b64encode(path.read_bytes()).decode() if fits else ""
+        return Picture(f"data:image/png;base64,{data}" if fits else "", f"pictures/{name}", caption)
