@@ -68,6 +68,11 @@ class Line:
     sweep: str
     rows: tuple[Row | None, ...]
 
+    @property
+    def title(self) -> str:
+        """With the sweep."""
+        return f"{self.name} (sweep {self.sweep})" if self.sweep else self.name
+
     def time_ratio(self, index: int) -> float | None:
         """How many times as fast as in the first run."""
         return self._ratio(index, lambda row: 1 / row.median_ns)
@@ -153,7 +158,7 @@ class Comparison:
 
     def cells(self) -> list[list[str]]:
         """The fastest rows."""
-        return [[line.name, *(cell for row in line.rows for cell in _row_cells(row)),
+        return [[line.title, *(cell for row in line.rows for cell in _row_cells(row)),
                  *(_number(line.time_ratio(index)) for index in range(1, len(self.runs)))]
                 for line in self.best]
 
@@ -169,8 +174,7 @@ class Comparison:
         found = []
         for line in self.lines:
             cells = [_row_cells(row) for row in line.rows]
-            name = f"{line.name} (sweep {line.sweep})" if line.sweep else line.name
-            found.append([name, *(cell[1] for cell in cells), *(cell[2] for cell in cells),
+            found.append([line.title, *(cell[1] for cell in cells), *(cell[2] for cell in cells),
                           *(_number(line.time_ratio(index)) for index in range(1, len(self.runs)))])
         return found
 
@@ -199,9 +203,9 @@ def _best(rows: Sequence[Row]) -> dict[Key, Row]:
     """The project's fastest row on one thread, end to end, of each case and input."""
     best: dict[Key, Row] = {}
     for row in rows:
-        if row.sweep or row.peer or row.scope != END_TO_END or row.threads != 1:
+        if row.peer or row.scope != END_TO_END or row.threads != 1:
             continue
-        key = (f"{row.case} / {row.input}", "")
+        key = (f"{row.case} / {row.input}", row.sweep)
         if key not in best or row.median_ns < best[key].median_ns:
             best[key] = row
     return best

@@ -149,8 +149,9 @@ def _write(directory: Path, journal: Journal, builds: dict[str, Build], key: Jso
         if not parts:
             continue
         place = directory / one.preset if len(builds) > 1 else directory
-        name = str(Path(directory.resolve().parent.name) / directory.name)
-        write_run(place, one.machine, key, parts, name)
+        run_name = f"{directory.resolve().parent.name}/{directory.name}"
+        options = {name: key[name] for name in ("quick", "sweeps", "processes")}
+        write_run(place, one.machine, options, parts, run_name)
         runs.append(place)
     return runs
 

@@ -13,6 +13,9 @@ from report.sweeps.plans import BY_NAME, SWEEPS, Place, curve_of
 DIRECTORY = "sweeps"
 """Below the directory of a run."""
 
+NO_REFERENCE = ("density", "isa")
+"""Its times are too few, or not of an ISA."""
+
 
 @dataclass(frozen=True)
 class Point:
@@ -46,7 +49,7 @@ def sweep_series(rows: Iterable[Row]) -> list[Series]:
     """In the order of SWEEPS, points in the order of the axis."""
     found: dict[tuple[str, str, str], list[Point]] = {}
     for row in rows:
-        if row.sweep in BY_NAME and not (row.sweep == "isa" and row.is_reference):
+        if row.sweep in BY_NAME and not (row.is_reference and row.sweep in NO_REFERENCE):
             found.setdefault((row.sweep, row.case, curve_of(row)), []).append(_point(row))
     series = [Series(*key, tuple(_ordered(points))) for key, points in found.items()]
     order = [sweep.name for sweep in SWEEPS]
