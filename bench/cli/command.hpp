@@ -42,5 +42,6 @@ struct Command {
 [[nodiscard]] Command add_train_command(CLI::App& program);
 [[nodiscard]] Command add_experiment_command(CLI::App& program);
 [[nodiscard]] Command add_instructions_command(CLI::App& program);
+[[nodiscard]] Command add_pictures_command(CLI::App& program);
 
 }  // namespace thinbench

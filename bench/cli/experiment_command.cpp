@@ -1,20 +1,15 @@
-// thinbench experiment: what the paper says of its methods, measured again.
+// thinbench experiment: what the paper reports about its methods, measured again.
 #include <filesystem>
+#include <functional>
 #include <memory>
+
+#include <fmt/format.h>
 
 #include "cli/arguments.hpp"
 #include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
-#include "experiments/batches.hpp"
-#include "experiments/cluster_runs.hpp"
-#include "experiments/edge_quality.hpp"
-#include "experiments/hidden_neurons.hpp"
-#include "experiments/literal_holes.hpp"
-#include "experiments/operation_counts.hpp"
-#include "experiments/quantisation.hpp"
-#include "experiments/table_2.hpp"
+#include "experiments/experiments.hpp"
 #include "experiments/thinning_quality.hpp"
-#include "support/text.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -23,12 +18,10 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   thinbench experiment quantisation --out quantisation.json
   thinbench experiment hidden-neurons --quick
-  thinbench experiment quality --image parts.jpg --foreground dark
-  thinbench experiment table-2 --results results/my-machine/2026-11-21-abc)";
+  thinbench experiment quality --image parts.jpg --foreground dark)";
 
 struct ExperimentOptions {
   std::string out;
-  std::string results;
   bool quick = false;
   std::vector<std::string> images;
   BinariseOptions binarise;
@@ -44,58 +37,27 @@ std::string image_options(const ExperimentOptions& options) {
   return text + binarise_words(options.binarise);
 }
 
-ExperimentReport edge_quality(const ExperimentOptions& options, const Console&) {
-  const EdgeQualityChoice choice = options.quick ? EdgeQualityChoice::quick() : EdgeQualityChoice{};
-  return edge_quality_report(run_edge_quality(choice), choice, options.quick ? " --quick" : "");
+ExperimentReport run_edge_quality(const ExperimentOptions& options, const Console&) {
+  return edge_quality(options.quick ? EdgeQualityChoice::quick() : EdgeQualityChoice{});
 }
 
-ExperimentReport literal_holes(const ExperimentOptions&, const Console&) {
-  return literal_holes_report(run_literal_holes());
+ExperimentReport run_hidden_neurons(const ExperimentOptions& options, const Console& console) {
+  return hidden_neurons(
+      options.quick ? HiddenNeuronsChoice::quick() : HiddenNeuronsChoice{},
+      [&](double done) { console.err << fmt::format("hidden neurons: {:.0f} %\n", done * 100); });
 }
 
-ExperimentReport batches(const ExperimentOptions& options, const Console&) {
-  const BatchesChoice choice = options.quick ? BatchesChoice::quick() : BatchesChoice{};
-  return batches_report(run_batches(choice), choice, options.quick ? " --quick" : "");
-}
-
-ExperimentReport cluster_runs(const ExperimentOptions&, const Console&) {
-  return cluster_runs_report(run_cluster_runs());
-}
-
-ExperimentReport quantisation(const ExperimentOptions&, const Console&) {
-  return quantisation_report(run_quantisation());
-}
-
-ExperimentReport hidden_neurons(const ExperimentOptions& options, const Console& console) {
-  const auto choice = options.quick ? HiddenNeuronsChoice::quick() : HiddenNeuronsChoice{};
-  const auto progress = [&](double done) {
-    console.err << "hidden neurons: " << fixed(done * 100, 0) << " %\n" << std::flush;
-  };
-  return hidden_neurons_report(run_hidden_neurons(choice, progress), choice);
-}
-
-ExperimentReport operation_counts(const ExperimentOptions&, const Console&) {
-  return operation_counts_report(run_operation_counts());
-}
-
-ExperimentReport table_2(const ExperimentOptions& options, const Console&) {
-  if (options.results.empty()) return table_2_report(then_and_now({}));
-  return table_2_report(then_and_now(read_measured_times(options.results)),
-                        " --results " + options.results);
-}
-
-ExperimentReport quality(const ExperimentOptions& options, const Console& console) {
+ExperimentReport run_quality(const ExperimentOptions& options, const Console& console) {
   const std::vector<QualityInput> inputs =
       quality_inputs(options.images, options.binarise, &console.err);
-  ExperimentReport report =
-      thinning_quality_report(run_thinning_quality(inputs), image_options(options));
+  ExperimentReport report = thinning_quality(inputs, image_options(options));
   if (!options.pictures.empty()) write_skeletons(options.pictures, inputs);
   return report;
 }
 
-using Experiment = ExperimentReport (*)(const ExperimentOptions&, const Console&);
+using Experiment = std::function<ExperimentReport(const ExperimentOptions&, const Console&)>;
 
-int run(const ExperimentOptions& options, Experiment experiment, const Console& console) {
+int run(const ExperimentOptions& options, const Experiment& experiment, const Console& console) {
   if (!options.out.empty()) check_target(options.out);
   const ExperimentReport report = experiment(options, console);
   console.out << report.markdown;
@@ -105,13 +67,23 @@ int run(const ExperimentOptions& options, Experiment experiment, const Console& 
   return kSuccess;
 }
 
+/// An experiment without options of its own.
+Experiment plain(ExperimentReport (*experiment)()) {
+  return [experiment](const ExperimentOptions&, const Console&) { return experiment(); };
+}
+
 struct AddedExperiment {
   Command command;
   std::shared_ptr<ExperimentOptions> options;
+
+  const AddedExperiment& with_quick(const char* what) const {
+    command.app->add_flag("--quick", options->quick, what);
+    return *this;
+  }
 };
 
 AddedExperiment add(CLI::App& parent, const std::string& name, const char* what,
-                    Experiment experiment) {
+                    const Experiment& experiment) {
   CLI::App* app = parent.add_subcommand(name, what);
   const auto options = std::make_shared<ExperimentOptions>();
   app->add_option("--out", options->out, "Write the data here, as JSON")
@@ -128,7 +100,7 @@ AddedExperiment add(CLI::App& parent, const std::string& name, const char* what,
 AddedExperiment add_quality(CLI::App& parent) {
   AddedExperiment added =
       add(parent, "quality", "Skeletons of every thinning operation: topology, place, symmetry",
-          &quality);
+          &run_quality);
   CLI::Option* image =
       added.command.app
           ->add_option("--image", added.options->images, "Image to thin as well (repeatable)")
@@ -150,39 +122,24 @@ Command add_experiment_command(CLI::App& program) {
       program.add_subcommand("experiment", "Repeat what the paper says of its methods, as tables");
   app->require_subcommand(1);
   app->footer(kExamples);
-  const AddedExperiment edges =
+  const std::vector<AddedExperiment> added = {
       add(*app, "edge-quality", "Each edge operator against the scene's true contours, with noise",
-          &edge_quality);
-  edges.command.app->add_flag("--quick", edges.options->quick, "Less noise, one seed");
-  const AddedExperiment literal =
-      add(*app, "literal-holes", "On which pictures the printed relabelling scan counts right",
-          &literal_holes);
-  const AddedExperiment cluster =
-      add(*app, "cluster-runs", "How many single-layer nets the rule needs", &cluster_runs);
-  const AddedExperiment fixed_point = add(
-      *app, "quantisation", "Table 1 in fixed point: how many bits keep it right", &quantisation);
-  const AddedExperiment hidden =
+          &run_edge_quality)
+          .with_quick("Less noise, one seed"),
+      add(*app, "literal-holes", "On which images the published relabelling scan counts right",
+          plain(&literal_holes)),
+      add(*app, "cluster-runs", "How many single-layer nets the rule needs", plain(&cluster_runs)),
+      add(*app, "quantisation", "Table 1 in fixed point: how many bits keep it right",
+          plain(&quantisation)),
       add(*app, "hidden-neurons", "2 to 12 hidden neurons: how many are needed (under a minute)",
-          &hidden_neurons);
-  hidden.command.app->add_flag("--quick", hidden.options->quick, "Fewer and shorter trainings");
-  const AddedExperiment skeletons = add_quality(*app);
-  const AddedExperiment counts =
-      add(*app, "operation-counts", "Operations a pixel, counted by running each method",
-          &operation_counts);
-  const AddedExperiment times =
-      add(*app, "table-2", "The paper's times and their ratios", &table_2);
-  times.command.app
-      ->add_option("--results", times.options->results,
-                   "Results directory of a study, whose times are set beside the paper's")
-      ->check(not_empty())
-      ->type_name("DIR");
-  const AddedExperiment many =
-      add(*app, "batches", "Many small images at once against one by one", &batches);
-  many.command.app->add_flag("--quick", many.options->quick, "Fewer images and turns");
-  return {app,
-          {},
-          {edges.command, literal.command, cluster.command, fixed_point.command, hidden.command,
-           skeletons.command, counts.command, times.command, many.command}};
+          &run_hidden_neurons)
+          .with_quick("Fewer and shorter trainings"),
+      add_quality(*app),
+      add(*app, "operation-counts", "Operations per pixel, counted by running each method",
+          plain(&operation_counts))};
+  Command command = {app, {}, {}};
+  for (const AddedExperiment& one : added) command.parts.push_back(one.command);
+  return command;
 }
 
 }  // namespace thinbench

@@ -37,11 +37,11 @@ class Program {
     app_.set_version_flag("--version", "thinbench " THINBENCH_VERSION, "Print the version");
     app_.require_subcommand(1);
     app_.footer(kExamples);
-    commands_ = {add_list_command(app_),       add_verify_command(app_),
-                 add_run_command(app_),        add_edges_command(app_),
-                 add_holes_command(app_),      add_scene_command(app_),
-                 add_machine_command(app_),    add_train_command(app_),
-                 add_experiment_command(app_), add_instructions_command(app_)};
+    commands_ = {
+        add_list_command(app_),         add_verify_command(app_),  add_run_command(app_),
+        add_edges_command(app_),        add_holes_command(app_),   add_scene_command(app_),
+        add_machine_command(app_),      add_train_command(app_),   add_experiment_command(app_),
+        add_instructions_command(app_), add_pictures_command(app_)};
   }
 
   int run(const std::vector<std::string>& args) {

@@ -1,17 +1,18 @@
-#include "experiments/edge_quality.hpp"
-
+// Edges of each operator against the true contours of the scene.
 #include <algorithm>
 #include <cstdint>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "experiments/distances.hpp"
+#include "experiments/experiments.hpp"
 #include "scene/scene.hpp"
-#include "support/text.hpp"
-#include "thinbench/edges.hpp"
 
 namespace thinbench {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr double kPrattScale = 9;
 constexpr std::int64_t kNearSquared = 2;  // one pixel away, diagonals included
@@ -55,22 +56,31 @@ Scene noisy_scene(int sigma, int seed) {
   return render_scene(options);
 }
 
-EdgeQualityRow measure(const EdgeOperatorInfo& info, int sigma, const EdgeQualityChoice& choice,
-                       const std::vector<Scene>& scenes, const TrueContours& contours) {
-  EdgeQualityRow row = {std::string(info.operation), sigma, {0, 0, 0, 0}, 0};
-  const double weight = 1.0 / choice.seeds;
+/// Means over the scenes.
+Json measure(const EdgeOperatorInfo& info, int sigma, const EdgeThresholds& thresholds,
+             const std::vector<Scene>& scenes, const TrueContours& contours) {
+  EdgeQuality mean = {0, 0, 0, 0};
+  double precision_without_p2 = 0;
+  const double weight = 1.0 / static_cast<double>(scenes.size());
   for (const Scene& scene : scenes) {
-    const ByteImage edges = edges_of(info.op, scene.grey.view(), choice.thresholds);
-    const EdgeQuality one = edge_quality(contours, edges.view());
-    row.quality.precision += weight * one.precision;
-    row.quality.recall += weight * one.recall;
-    row.quality.figure_of_merit += weight * one.figure_of_merit;
-    row.quality.marked += weight * one.marked;
-    const ByteImage more =
-        edges_of(info.op, scene.grey.view(), {choice.thresholds.gradient_threshold, 0});
-    row.precision_without_p2 += weight * edge_quality(contours, more.view()).precision;
+    const ByteImage edges = edges_of(info.op, scene.grey.view(), thresholds);
+    const EdgeQuality one = quality_of(contours, edges.view());
+    mean.precision += weight * one.precision;
+    mean.recall += weight * one.recall;
+    mean.figure_of_merit += weight * one.figure_of_merit;
+    mean.marked += weight * one.marked;
+    const ByteImage more = edges_of(info.op, scene.grey.view(), {thresholds.gradient_threshold, 0});
+    precision_without_p2 += weight * quality_of(contours, more.view()).precision;
   }
-  return row;
+  return {{"operation", info.operation},
+          {"border", ""},
+          {"max_iterations", nullptr},
+          {"sigma", sigma},
+          {"precision", mean.precision},
+          {"recall", mean.recall},
+          {"figure_of_merit", mean.figure_of_merit},
+          {"marked", mean.marked},
+          {"precision_without_p2", precision_without_p2}};
 }
 
 }  // namespace
@@ -94,7 +104,7 @@ TrueContours true_contours(const ConstImageView& binary) {
   return contours;
 }
 
-EdgeQuality edge_quality(const TrueContours& contours, const ConstImageView& edges) {
+EdgeQuality quality_of(const TrueContours& contours, const ConstImageView& edges) {
   const Distances to_edges(edges);
   const Matches edge_pixels = match(edges, Distances(contours.both_sides.view()));
   const Matches contour_pixels = match(contours.both_sides.view(), to_edges);
@@ -105,49 +115,29 @@ EdgeQuality edge_quality(const TrueContours& contours, const ConstImageView& edg
           edge_pixels.all / static_cast<double>(std::max<Index>(1, edges.width * edges.height))};
 }
 
-std::vector<EdgeQualityRow> run_edge_quality(const EdgeQualityChoice& choice) {
+ExperimentReport edge_quality(const EdgeQualityChoice& choice) {
   const TrueContours contours = true_contours(noisy_scene(0, 0).binary.view());
-  std::vector<EdgeQualityRow> rows;
+  const auto [gradient_threshold, brightness_threshold] = choice.thresholds;
+  Json rows = Json::array();
   for (const int sigma : choice.sigmas) {
     std::vector<Scene> scenes;
     scenes.reserve(static_cast<std::size_t>(choice.seeds));
     for (int seed = 0; seed < choice.seeds; ++seed) scenes.push_back(noisy_scene(sigma, seed));
     for (const EdgeOperatorInfo& info : kEdgeOperators) {
-      rows.push_back(measure(info, sigma, choice, scenes, contours));
+      rows.push_back(measure(info, sigma, choice.thresholds, scenes, contours));
     }
   }
-  return rows;
-}
-
-ExperimentReport edge_quality_report(const std::vector<EdgeQualityRow>& rows,
-                                     const EdgeQualityChoice& choice, const std::string& options) {
-  nlohmann::ordered_json json = {{"gradient_threshold", choice.thresholds.gradient_threshold},
-                                 {"brightness_threshold", choice.thresholds.brightness_threshold},
-                                 {"seeds", choice.seeds},
-                                 {"rows", nlohmann::ordered_json::array()}};
-  std::vector<std::vector<std::string>> cells;
-  for (const EdgeQualityRow& row : rows) {
-    json["rows"].push_back({{"operation", row.operation},
-                            {"border", ""},
-                            {"max_iterations", nullptr},
-                            {"sigma", row.sigma},
-                            {"precision", row.quality.precision},
-                            {"recall", row.quality.recall},
-                            {"figure_of_merit", row.quality.figure_of_merit},
-                            {"marked", row.quality.marked},
-                            {"precision_without_p2", row.precision_without_p2}});
-    cells.push_back({row.operation, std::to_string(row.sigma), fixed(row.quality.precision, 3),
-                     fixed(row.quality.recall, 3), fixed(row.quality.figure_of_merit, 3),
-                     fixed(row.quality.marked, 3), fixed(row.precision_without_p2, 3)});
-  }
-  return {experiment_json("edge-quality", json, options),
-          "Edges with P1 " + std::to_string(choice.thresholds.gradient_threshold) + " and P2 " +
-              std::to_string(choice.thresholds.brightness_threshold) +
-              " against the true contours of the scene; a pixel beside is near enough, so where "
-              "much is marked, much is found by chance:\n\n" +
-              markdown_table({"Operation", "Noise sigma", "Precision", "Recall",
-                              "Pratt's figure of merit", "Marked", "Precision without P2"},
-                             cells)};
+  return report_of(
+      "edge-quality",
+      fmt::format(
+          "Edges with P1 {} and P2 {} against the true contours of the scene; a pixel beside "
+          "is near enough, so where much is marked, much is found by chance:",
+          gradient_threshold, brightness_threshold),
+      {{"gradient_threshold", gradient_threshold},
+       {"brightness_threshold", brightness_threshold},
+       {"seeds", choice.seeds},
+       {"rows", rows}},
+      choice.options);
 }
 
 }  // namespace thinbench

@@ -1,9 +1,16 @@
-#include "experiments/operation_counts.hpp"
+// Operations of each method, counted by running the references' equations on counting types.
+#include <algorithm>
 
+#include <nlohmann/json.hpp>
+
+#include "experiments/counting.hpp"
+#include "experiments/experiments.hpp"
 #include "training/cluster_training.hpp"
 
 namespace thinbench {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// The neighbours of descriptor k as the references take them.
 template <class Number>
@@ -32,38 +39,51 @@ template <Activation activation>
 constexpr auto two_layer =
     [](const auto& n) { return reference::two_layer_keeps<activation>(kPaperTwoLayer, n); };
 
-void keep_larger(Operations& most, const Operations& other) {
-  most.logical = std::max(most.logical, other.logical);
-  most.additions = std::max(most.additions, other.additions);
-  most.multiplications = std::max(most.multiplications, other.multiplications);
-  most.divisions = std::max(most.divisions, other.divisions);
-  most.powers = std::max(most.powers, other.powers);
-  most.comparisons = std::max(most.comparisons, other.comparisons);
+void raise(Operations& max, const Operations& other) {
+  max.logical = std::max(max.logical, other.logical);
+  max.additions = std::max(max.additions, other.additions);
+  max.multiplications = std::max(max.multiplications, other.multiplications);
+  max.divisions = std::max(max.divisions, other.divisions);
+  max.powers = std::max(max.powers, other.powers);
+  max.comparisons = std::max(max.comparisons, other.comparisons);
 }
 
-/// Counts `decide(k)` for each descriptor k of a foreground pixel.
+Json operations_json(const Operations& operations) {
+  return {{"logical", operations.logical},
+          {"additions", operations.additions},
+          {"multiplications", operations.multiplications},
+          {"divisions", operations.divisions},
+          {"powers", operations.powers},
+          {"comparisons", operations.comparisons},
+          {"arithmetic", operations.arithmetic()}};
+}
+
+/// Counts `decide(k)` for each descriptor k of a foreground pixel. `paper` is what section 4 says.
 template <class Decide>
-OperationCount count(std::string method, std::string paper, const Decide& decide) {
-  OperationCount result = {std::move(method), std::move(paper), {}};
+Json count(const char* method, const char* paper, const Decide& decide) {
+  Tally max;
   for (int k = 0; k < kDescriptors; ++k) {
     const Tally counted = count_operations([&] { decide(k); });
-    keep_larger(result.most.sums, counted.sums);
-    keep_larger(result.most.activations, counted.activations);
+    raise(max.sums, counted.sums);
+    raise(max.activations, counted.activations);
   }
-  return result;
+  return {{"method", method},
+          {"paper", paper},
+          {"sums", operations_json(max.sums)},
+          {"activations", operations_json(max.activations)}};
 }
 
 template <int inputs>
-Gates count_gates() {
+Json count_gates() {
   using Word = CountedWord<inputs>;
   const auto n = [](int variable) { return Word(detail::counting_pattern(variable, 0)); };
   Word::counted = Gates{};
   (void)detail::NaccacheShinghal::next<0>(
       detail::Neighbourhood<Word>{n(8), n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7)});
-  return Word::counted;
+  return {{"gates", Word::counted.gates}, {"inverters", Word::counted.inverters}};
 }
 
-std::vector<OperationCount> count_methods(const ClusterWeights& cluster) {
+Json count_methods(const ClusterWeights& cluster) {
   using Truths = Neighbours<CountedTruth>;
   using Numbers = Neighbours<CountedFloat>;
   const auto expressions = [](int k) {
@@ -76,26 +96,35 @@ std::vector<OperationCount> count_methods(const ClusterWeights& cluster) {
     (void)reference::cluster_keeps(cluster, Numbers(k).n);
   };
   constexpr const char* kPaperTwoLayerCount = "more than 150 arithmetic";
-  return {count("Naccache-Shinghal, four expressions and their sum", "40 logical, 3 arithmetic",
-                expressions),
-          count("Naccache-Shinghal, decision too", "", rule),
-          count("Two-layer net, sigmoid", kPaperTwoLayerCount, sigmoid),
-          count("Two-layer net, linear threshold", kPaperTwoLayerCount, linear),
-          count("Cluster of single-layer nets", "39 arithmetic", of_cluster)};
+  return Json::array({count("Naccache-Shinghal, four expressions and their sum",
+                            "40 logical, 3 arithmetic", expressions),
+                      count("Naccache-Shinghal, decision too", "", rule),
+                      count("Two-layer net, sigmoid", kPaperTwoLayerCount, sigmoid),
+                      count("Two-layer net, linear threshold", kPaperTwoLayerCount, linear),
+                      count("Cluster of single-layer nets", "39 arithmetic", of_cluster)});
 }
 
 }  // namespace
 
-OperationCounts run_operation_counts() {
+ExperimentReport operation_counts() {
   const KeepTable rule = keep_table_of_rule();
   const ClusterWeights cluster =
       cluster_weights(train_cluster(rule, {kMaxClusterNets, /*small_integers=*/true}));
+  const auto net = [&](const char* name, const auto& keeps) {
+    return Json{{"net", name}, {"compiles_to_the_rule", table_by(keeps) == rule}};
+  };
   const auto of_cluster = [&](const auto& n) { return reference::cluster_keeps(cluster, n); };
-  return {count_methods(cluster),
-          {count_gates<2>(), count_gates<3>()},
-          {{"Table 1, sigmoid", table_by(two_layer<Activation::sigmoid>) == rule},
-           {"Table 1, linear threshold", table_by(two_layer<Activation::linear>) == rule},
-           {"trained cluster", table_by(of_cluster) == rule}}};
+  return report_of(
+      "operation-counts",
+      "Operations per foreground pixel, counted by running each method, at most over the 256 "
+      "neighbourhoods; and whether a net has the rule's table and so compiles to its circuit:",
+      {{"per", "foreground pixel; each kind's largest count over the 256 neighbourhoods"},
+       {"methods", count_methods(cluster)},
+       {"circuit", {{"two_input", count_gates<2>()}, {"three_input", count_gates<3>()}}},
+       {"nets",
+        {net("Table 1, sigmoid", two_layer<Activation::sigmoid>),
+         net("Table 1, linear threshold", two_layer<Activation::linear>),
+         net("trained cluster", of_cluster)}}});
 }
 
 }  // namespace thinbench

@@ -1,4 +1,4 @@
-// What every experiment leaves: a JSON file and a Markdown table.
+// What every experiment gives: a JSON file, and the same as Markdown tables.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@ namespace thinbench {
 
 struct ExperimentReport {
   std::string json;      // whole file: schema, experiment, command, then the data
-  std::string markdown;  // tables, each with a sentence that says what it shows
+  std::string markdown;  // the caption, and a table for each object or list of objects
 };
 
-/// Puts schema, name and command before the data; `options` are the command's, such as " --quick".
-[[nodiscard]] std::string experiment_json(const std::string& name,
-                                          const nlohmann::ordered_json& data,
-                                          const std::string& options = "");
+/// `options` are the command's, such as " --quick". Objects within the rows of a table become
+/// columns; columns without any value are omitted.
+[[nodiscard]] ExperimentReport report_of(const std::string& name, const std::string& caption,
+                                         const nlohmann::ordered_json& data,
+                                         const std::string& options = "");
 
 }  // namespace thinbench

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "experiments/distances.hpp"
+#include "holes.hpp"
 
 namespace thinbench {
 namespace {
@@ -22,51 +21,6 @@ ByteImage padded(const ConstImageView& image) {
   }
   return result;
 }
-
-/// Takes pixels of one level away, connected part by connected part.
-class Parts {
- public:
-  Parts(ByteImage image, std::uint8_t level, bool diagonals)
-      : image_(std::move(image)), level_(level), diagonals_(diagonals) {}
-
-  [[nodiscard]] Index count() {
-    Index parts = 0;
-    for (Index y = 0; y < image_.height(); ++y) {
-      for (Index x = 0; x < image_.width(); ++x) parts += take(x, y) ? 1 : 0;
-    }
-    return parts;
-  }
-
- private:
-  static constexpr std::uint8_t kTaken = 2;
-
-  bool take(Index x, Index y) {
-    if (!visit(x, y)) return false;
-    while (!open_.empty()) {
-      const auto [px, py] = open_.back();
-      open_.pop_back();
-      for (Index dy = -1; dy <= 1; ++dy) {
-        for (Index dx = -1; dx <= 1; ++dx) {
-          if (diagonals_ || dx == 0 || dy == 0) visit(px + dx, py + dy);
-        }
-      }
-    }
-    return true;
-  }
-
-  bool visit(Index x, Index y) {
-    if (x < 0 || y < 0 || x >= image_.width() || y >= image_.height()) return false;
-    if (image_.at(x, y) != level_) return false;
-    image_.at(x, y) = kTaken;
-    open_.emplace_back(x, y);
-    return true;
-  }
-
-  ByteImage image_;
-  std::uint8_t level_;
-  bool diagonals_;
-  std::vector<std::pair<Index, Index>> open_;
-};
 
 /// The eight neighbours in order round a pixel of a padded image.
 std::array<int, 8> ring_at(const ByteImage& image, Index x, Index y) {
@@ -128,9 +82,8 @@ bool rises_steeply(const DistanceMap& map, Index x, Index y) {
 }  // namespace
 
 Topology topology_of(const ConstImageView& image) {
-  const ByteImage all = padded(image);
-  return {Parts(copy_of(all.view()), 1, true).count(),
-          Parts(copy_of(all.view()), 0, false).count() - 1};
+  const reference::Regions found = reference::holes(image);
+  return {static_cast<Index>(found.objects.size()), static_cast<Index>(found.holes.size())};
 }
 
 SkeletonShape shape_of(const ConstImageView& skeleton) {

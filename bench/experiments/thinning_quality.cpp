@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <regex>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "api/catalogue.hpp"
@@ -10,11 +11,12 @@
 #include "picture/picture.hpp"
 #include "scene/scene.hpp"
 #include "support/picture_names.hpp"
-#include "support/text.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr Index kBlobSide = 256;
 constexpr Index kBlobReach = 4;
@@ -35,7 +37,7 @@ std::string name_of(Rule rule) {
 std::regex reserved_names() {
   std::vector<std::string> names;
   for (const Rule rule : measured_rules()) names.push_back(name_of(rule));
-  return std::regex("scene|blobs|.*_(" + joined(names, "|") + ")");
+  return std::regex(fmt::format("scene|blobs|.*_({})", fmt::join(names, "|")));
 }
 
 struct Thinned {
@@ -65,19 +67,29 @@ double least_overlap(Rule rule, const ConstImageView& image, const ConstImageVie
   return least;
 }
 
-QualityRow measure(Rule rule, const QualityInput& input, const Topology& before,
-                   const ByteImage& axis) {
+Json measure(Rule rule, const QualityInput& input, const Topology& before, const ByteImage& axis) {
   const ConstImageView image = input.image.view();
   const Thinned result = thinned(rule, image);
   const ConstImageView skeleton = result.skeleton.view();
-  return {name_of(rule),
-          input.name,
-          before,
-          topology_of(skeleton),
-          shape_of(skeleton),
-          distance_from(axis.view(), skeleton),
-          least_overlap(rule, image, skeleton),
-          result.iterations};
+  const Topology after = topology_of(skeleton);
+  const SkeletonShape shape = shape_of(skeleton);
+  const AxisDistance from_axis = distance_from(axis.view(), skeleton);
+  return {{"operation", name_of(rule)},
+          {"border", border_name(Border::background)},
+          {"max_iterations", nullptr},
+          {"input", input.name},
+          {"objects_before", before.objects},
+          {"objects_after", after.objects},
+          {"holes_before", before.holes},
+          {"holes_after", after.holes},
+          {"pixels", shape.pixels},
+          {"blocks", shape.blocks},
+          {"ends", shape.ends},
+          {"branches", shape.branches},
+          {"mean_distance", from_axis.mean},
+          {"largest_distance", from_axis.largest},
+          {"least_symmetry", least_overlap(rule, image, skeleton)},
+          {"iterations", result.iterations}};
 }
 
 int foreground_round(const ByteImage& noise, Index x, Index y) {
@@ -90,43 +102,6 @@ int foreground_round(const ByteImage& noise, Index x, Index y) {
     }
   }
   return foreground;
-}
-
-nlohmann::ordered_json json_of(const QualityRow& row) {
-  return {{"operation", row.operation},
-          {"border", border_name(Border::background)},
-          {"max_iterations", nullptr},
-          {"input", row.input},
-          {"objects_before", row.before.objects},
-          {"objects_after", row.after.objects},
-          {"holes_before", row.before.holes},
-          {"holes_after", row.after.holes},
-          {"pixels", row.shape.pixels},
-          {"blocks", row.shape.blocks},
-          {"ends", row.shape.ends},
-          {"branches", row.shape.branches},
-          {"mean_distance", row.from_axis.mean},
-          {"largest_distance", row.from_axis.largest},
-          {"least_symmetry", row.least_symmetry},
-          {"iterations", row.iterations}};
-}
-
-std::vector<std::string> cells_of(const QualityRow& row) {
-  const auto change = [](Index before, Index after) {
-    return std::to_string(before) + " to " + std::to_string(after);
-  };
-  return {row.input,
-          row.operation,
-          change(row.before.objects, row.after.objects),
-          change(row.before.holes, row.after.holes),
-          std::to_string(row.shape.pixels),
-          std::to_string(row.shape.blocks),
-          std::to_string(row.shape.ends),
-          std::to_string(row.shape.branches),
-          fixed(row.from_axis.mean, 3),
-          fixed(row.from_axis.largest, 2),
-          fixed(row.least_symmetry, 3),
-          std::to_string(row.iterations)};
 }
 
 }  // namespace
@@ -156,18 +131,6 @@ std::vector<QualityInput> quality_inputs(const std::vector<std::string>& picture
   return inputs;
 }
 
-std::vector<QualityRow> run_thinning_quality(const std::vector<QualityInput>& inputs) {
-  std::vector<QualityRow> rows;
-  for (const QualityInput& input : inputs) {
-    const Topology before = topology_of(input.image.view());
-    const ByteImage axis = medial_axis_of(input.image.view());
-    for (const Rule rule : measured_rules()) {
-      rows.push_back(measure(rule, input, before, axis));
-    }
-  }
-  return rows;
-}
-
 void write_skeletons(const std::string& folder, const std::vector<QualityInput>& inputs) {
   for (const QualityInput& input : inputs) {
     const std::string stem = folder + "/quality_" + input.name;
@@ -179,22 +142,20 @@ void write_skeletons(const std::string& folder, const std::vector<QualityInput>&
   }
 }
 
-ExperimentReport thinning_quality_report(const std::vector<QualityRow>& rows,
-                                         const std::string& options) {
-  nlohmann::ordered_json json = {{"rows", nlohmann::ordered_json::array()}};
-  std::vector<std::vector<std::string>> cells;
-  for (const QualityRow& row : rows) {
-    json["rows"].push_back(json_of(row));
-    cells.push_back(cells_of(row));
+ExperimentReport thinning_quality(const std::vector<QualityInput>& inputs,
+                                  const std::string& options) {
+  Json rows = Json::array();
+  for (const QualityInput& input : inputs) {
+    const Topology before = topology_of(input.image.view());
+    const ByteImage axis = medial_axis_of(input.image.view());
+    for (const Rule rule : measured_rules()) rows.push_back(measure(rule, input, before, axis));
   }
-  return {
-      experiment_json("quality", json, options),
+  return report_of(
+      "quality",
       "Skeletons. Distances are from the ridge of the exact distance map, in pixels; least "
-      "symmetry is the smallest overlap with the skeletons of the input rotated by 90, 180 and "
-      "270 degrees:\n\n" +
-          markdown_table({"Input", "Operation", "Objects", "Holes", "Pixels", "2x2 blocks", "Ends",
-                          "Branches", "Mean distance", "Largest", "Least symmetry", "Iterations"},
-                         cells)};
+      "symmetry "
+      "is the smallest overlap with the skeletons of the input rotated by 90, 180 and 270 degrees:",
+      {{"rows", rows}}, options);
 }
 
 }  // namespace thinbench

@@ -15,17 +15,6 @@ struct QualityInput {
   ByteImage image;  // 0 and 255
 };
 
-struct QualityRow {
-  std::string operation;
-  std::string input;
-  Topology before;
-  Topology after;
-  SkeletonShape shape;
-  AxisDistance from_axis;
-  double least_symmetry;  // smallest overlap with the skeletons of the rotated input, rotated back
-  int iterations;
-};
-
 /// The test scene and blobs of smoothed noise; given images follow, binarised with the remarks in
 /// `log`, named as their files, each unlike all other inputs and files of skeletons. Throws
 /// PictureError.
@@ -36,13 +25,13 @@ struct QualityRow {
 /// Noise of half the pixels, foreground where most of the 9 x 9 pixels round it are.
 [[nodiscard]] ByteImage blobs(Index width, Index height, std::uint64_t seed);
 
-/// Every thinning rule that is no net, with zero padding, on every input.
-[[nodiscard]] std::vector<QualityRow> run_thinning_quality(const std::vector<QualityInput>& inputs);
-
-/// The inputs and their skeletons as pictures `quality_<input>[_<operation>].png` in a folder.
+/// The inputs and their skeletons as image files `quality_<input>[_<operation>].png` in a
+/// directory.
 void write_skeletons(const std::string& folder, const std::vector<QualityInput>& inputs);
 
-[[nodiscard]] ExperimentReport thinning_quality_report(const std::vector<QualityRow>& rows,
-                                                       const std::string& options = "");
+/// Every thinning rule that is no net, with zero padding, on every input. `least_symmetry` is the
+/// smallest overlap with the skeletons of the rotated input, rotated back.
+[[nodiscard]] ExperimentReport thinning_quality(const std::vector<QualityInput>& inputs,
+                                                const std::string& options = "");
 
 }  // namespace thinbench

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "harness/batch_family.hpp"
 #include "harness/edges_family.hpp"
 #include "harness/localise_family.hpp"
 #include "harness/regions_family.hpp"
@@ -20,8 +21,9 @@ const std::vector<Operation>& all_operations() {
   static const std::vector<Operation> operations = [] {
     std::vector<Operation> all;
     for (const auto& family :
-         {thinning_family(), edges_family(), regions_family(), localise_family()})
+         {thinning_family(), edges_family(), regions_family(), localise_family(), batch_family()}) {
       all.insert(all.end(), family.begin(), family.end());
+    }
     return all;
   }();
   return operations;

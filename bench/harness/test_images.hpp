@@ -28,6 +28,11 @@ struct TestImage {
 /// All 512 neighbourhoods in cells of 4 x 4 pixels, the first cell at column `phase`.
 [[nodiscard]] ByteImage neighbourhood_sheet(Index phase);
 
+/// `count` images of `side` x `side` pixels one below the other, as scanned digits: each a line
+/// through 3 to 6 random points, 2 to 4 28ths of the side thick, whose points are 4 28ths of it or
+/// more from the border of their image. Sides up to 1024. The same bytes on every machine.
+[[nodiscard]] ByteImage stroke_images(Index count, Index side, std::uint64_t seed);
+
 using TestImageSink = std::function<void(const TestImage&)>;
 
 /// A family of inputs that can be generated one after another.

@@ -37,8 +37,7 @@ void run_row(benchmark::State& state, const TimedRow& row) {
 
 int run(const BenchmarkOptions& options) {
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
-  const Selection selection =
-      select_rows_or_explain(options.rows, operations_with_peers(), inputs);
+  const Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
   for (const TimedRow& row : selection.rows) {
     auto* registered = benchmark::RegisterBenchmark(
         row.name.c_str(), [&row](benchmark::State& state) { run_row(state, row); });
@@ -68,7 +67,8 @@ int run(std::vector<char*> arguments) {
                "thinbench_benchmarks");
   add_row_options(app, options.inputs, options.rows);
   app.footer(
-      "Options that start with --benchmark_ go to Google Benchmark. --filter chooses the rows that\n"
+      "Options that start with --benchmark_ go to Google Benchmark. --filter chooses the rows "
+      "that\n"
       "are verified and registered, --benchmark_filter those of them that run.\n"
       "Examples:\n"
       "  thinbench_benchmarks --filter '^thin_guo_hall/.*bitpacked'\n"

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t kNoiseSeed = 1999;
 constexpr Index kMaxSide = 65536;
+constexpr Index kMaxStrokeSide = 1024;
 
 const Scene& scene() {
   static const Scene drawn = render_scene();
@@ -68,8 +69,8 @@ TimedInput of_scene(const std::string& name, const Transform& transform) {
 [[noreturn]] void reject(const std::string& name) {
   throw std::invalid_argument(
       "input '" + name +
-      "': expected scene, square_N, tiled_N, enlarged_N, noise_N_PERCENT_BLOCK or squares_N_SIDE, "
-      "with sides from 1 to " +
+      "': expected scene, square_N, tiled_N, enlarged_N, noise_N_PERCENT_BLOCK, squares_N_SIDE or "
+      "strokes_SIDE_COUNT, with sides from 1 to " +
       std::to_string(kMaxSide));
 }
 
@@ -81,7 +82,7 @@ struct DrawnName {
 const std::regex& drawn_names() {
   static const std::regex names(
       "scene|(square|tiled|enlarged)_([0-9]{1,5})|noise_([0-9]{1,5})_([0-9]{1,3})_([0-9]{1,4})|"
-      "squares_([0-9]{1,5})_([0-9]{1,5})");
+      "squares_([0-9]{1,5})_([0-9]{1,5})|strokes_([0-9]{1,4})_([0-9]{1,5})");
   return names;
 }
 
@@ -99,6 +100,7 @@ bool in_limits(const DrawnName& name) {
   const bool scaled = name.kind == "tiled" || name.kind == "enlarged";
   const Index side = name.numbers.front() * (scaled ? scene().binary.width() : 1);
   if (side < 1 || side > kMaxSide) return false;
+  if (name.kind == "strokes") return side <= kMaxStrokeSide && name.numbers[1] >= 1;
   if (name.kind == "squares") return name.numbers[1] >= 1;
   return name.kind != "noise" || (name.numbers[1] <= 100 && name.numbers[2] >= 1);
 }
@@ -114,6 +116,7 @@ TimedInput drawn_input(const std::string& name) {
     return of_binary(name, noise_image(n, n, percent, numbers[2], kNoiseSeed));
   }
   if (kind == "squares") return of_binary(name, squares(n, numbers[1]));
+  if (kind == "strokes") return of_binary(name, stroke_images(numbers[1], n, kNoiseSeed));
   return of_scene(name, [kind = kind, n](const ByteImage& image) {
     if (kind == "square") return tiled(image, n, n);
     if (kind == "enlarged") return enlarged(image, n);

@@ -75,8 +75,7 @@ void schedule(const Rows& rows, double budget, int max_rounds, Group& group) {
   double long_calls = 0;
   double sweep = 0;
   for (const Entry& entry : group.entries) {
-    (entry.long_call ? long_calls : sweep) +=
-        epoch_seconds(entry) + (entry.long_call ? 0 : anchor);
+    (entry.long_call ? long_calls : sweep) += epoch_seconds(entry) + (entry.long_call ? 0 : anchor);
   }
   sweep = std::max(sweep, anchor);
   const auto sweeps = static_cast<int>(std::min(long_calls / sweep, 1.0 * kMaxSweeps));

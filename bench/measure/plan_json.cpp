@@ -13,9 +13,8 @@ namespace thinbench {
 
 using nlohmann::json;
 
-NLOHMANN_JSON_SERIALIZE_ENUM(Role, {{Role::row, "row"},
-                                    {Role::same, "same"},
-                                    {Role::slowed, "slowed"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Role,
+                             {{Role::row, "row"}, {Role::same, "same"}, {Role::slowed, "slowed"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Foreground, {{Foreground::automatic, "auto"},
                                           {Foreground::bright, "bright"},
                                           {Foreground::dark, "dark"}})
@@ -89,11 +88,10 @@ json peers_json(const Selection& selection) {
 
 json plan_json(const Plan& plan, const Selection& selection, const std::vector<TimedInput>& inputs,
                const std::vector<CalibratedRow>& rows) {
-  json object = {{"sources", plan.inputs},  {"groups", plan.groups},
-                 {"inputs", json::array()}, {"rows", json::object()},
-                 {"skipped", json::array()}, {"peers", peers_json(selection)},
-                 {"verified", selection.verified},
-                 {"mismatches", selection.mismatches}};
+  json object = {{"sources", plan.inputs},         {"groups", plan.groups},
+                 {"inputs", json::array()},        {"rows", json::object()},
+                 {"skipped", json::array()},       {"peers", peers_json(selection)},
+                 {"verified", selection.verified}, {"mismatches", selection.mismatches}};
   for (const TimedInput& input : inputs) object["inputs"].push_back(input_json(input));
   for (const CalibratedRow& row : rows) object["rows"][row.row->name] = row_json(*row.row);
   for (const SkippedRow& row : selection.skipped) {
@@ -105,8 +103,7 @@ json plan_json(const Plan& plan, const Selection& selection, const std::vector<T
 Plan plan_from_json(const std::string& text) {
   try {
     const json object = json::parse(text);
-    return {object.at("sources").get<InputChoice>(),
-            object.at("groups").get<std::vector<Group>>()};
+    return {object.at("sources").get<InputChoice>(), object.at("groups").get<std::vector<Group>>()};
   } catch (const json::exception& error) {
     throw std::runtime_error(std::string("standard input holds no plan: ") + error.what());
   }

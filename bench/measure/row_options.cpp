@@ -7,17 +7,26 @@
 
 namespace thinbench {
 
+void add_input_options(CLI::App& app, InputChoice& inputs) {
+  CLI::Option* image =
+      app.add_option("--image", inputs.pictures, "this image, not the scene (repeatable)")
+          ->check(not_empty())
+          ->type_name("FILE")
+          ->allow_extra_args(false);
+  add_binarise_options(app, inputs.binarise, image);
+  app.add_option("--input", inputs.drawn,
+                 "this drawn image, not the scene: scene, square_N, tiled_N, enlarged_N, "
+                 "noise_N_PERCENT_BLOCK, squares_N_SIDE, strokes_SIDE_COUNT (repeatable)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+}
+
 void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
   static const std::map<std::string, VariantChoice> choices = {{"all", VariantChoice::all},
                                                                {"highest", VariantChoice::highest},
                                                                {"quick", VariantChoice::quick},
                                                                {"best", VariantChoice::best}};
-  CLI::Option* image = app.add_option("--image", inputs.pictures,
-                                      "measure on this image, not on the scene (repeatable)");
-  add_binarise_options(app, inputs.binarise, image);
-  app.add_option("--input", inputs.drawn,
-                 "measure on this drawn image, not on the scene: scene, square_N, tiled_N, "
-                 "enlarged_N, noise_N_PERCENT_BLOCK, squares_N_SIDE (repeatable)");
+  add_input_options(app, inputs);
   app.add_option("--filter", rows.filter,
                  "rows whose name case/technique/isa/threads/scope/input matches this regular "
                  "expression. A case is an operation, with ':keep' where the image border is kept "

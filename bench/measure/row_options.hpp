@@ -8,6 +8,10 @@
 
 namespace thinbench {
 
+/// --image, --foreground, --threshold and --input.
+void add_input_options(CLI::App& app, InputChoice& inputs);
+
+/// The same and --filter, --variants, --threads and --no-peers.
 void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows);
 
 }  // namespace thinbench

@@ -50,10 +50,8 @@ std::vector<std::vector<CalibratedRow>> by_case_and_input(const std::vector<Cali
 
 int plan(const SamplerOptions& options) {
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
-  const Selection selection =
-      select_rows_or_explain(options.rows, operations_with_peers(), inputs);
-  const std::vector<CalibratedRow> rows =
-      calibrate_all(selection, options.limits.max_call_seconds);
+  const Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
+  const std::vector<CalibratedRow> rows = calibrate_all(selection, options.limits.max_call_seconds);
   Plan plan{options.inputs, {}};
   for (const auto& group : by_case_and_input(rows)) {
     plan.groups.push_back(plan_group(group, options.limits));
@@ -73,8 +71,9 @@ int measure_plan(const SamplerOptions& options) {
     std::cout << line.dump() << std::endl;
   };
   print_state();
-  measure(plan.groups, options.seed, operations_with_peers(), inputs,
-          [](const GroupTimes& times) { std::cout << group_times_json(times).dump() << std::endl; });
+  measure(plan.groups, options.seed, operations_with_peers(), inputs, [](const GroupTimes& times) {
+    std::cout << group_times_json(times).dump() << std::endl;
+  });
   print_state();
   return kSuccess;
 }

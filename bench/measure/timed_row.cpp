@@ -33,8 +33,7 @@ bool is_best(const Row& row, Index width, const Condition& condition, const Bett
 
 bool is_highest_isa(const Row& row, Index width) {
   return is_best(
-      row, width,
-      [&](const Variant& other) { return other.technique == row.variant->technique; },
+      row, width, [&](const Variant& other) { return other.technique == row.variant->technique; },
       [](const Variant& a, const Variant& b) { return a.isa > b.isa; });
 }
 
@@ -173,8 +172,7 @@ class Selector {
     // Peers allocate while they run.
     if (before && after && !row.variant->is_peer) plan_bytes = *after - *before;
     const bool has_own = static_cast<bool>(row.variant->own_reference);
-    const Outcome own =
-        has_own ? expected_of(*row.operation, *row.variant, view) : Outcome{};
+    const Outcome own = has_own ? expected_of(*row.operation, *row.variant, view) : Outcome{};
     std::optional<std::string> mismatch = find_mismatch(*job, view, has_own ? own : expected);
     if (!mismatch && row.variant->has_kernel_scope) {
       mismatch = find_kernel_mismatch(*job, view, has_own ? own : expected);

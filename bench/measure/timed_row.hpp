@@ -74,8 +74,8 @@ struct Selection {
                                     const std::vector<Operation>& operations,
                                     const std::vector<TimedInput>& inputs);
 
-/// The same, with mismatches and the number of skipped rows on standard error. Throws UsageError for
-/// a malformed filter and where no row is left.
+/// The same, with mismatches and the number of skipped rows on standard error. Throws UsageError
+/// for a malformed filter and where no row is left.
 [[nodiscard]] Selection select_rows_or_explain(const RowChoice& choice,
                                                const std::vector<Operation>& operations,
                                                const std::vector<TimedInput>& inputs);

@@ -11,7 +11,7 @@ namespace thinbench {
 namespace {
 
 TimedInput small_scene() {
-  return small_copy(timed_inputs({{}, 0}).front());
+  return small_copy(timed_inputs({}).front());
 }
 
 TEST(CountedJob, what_is_read_is_what_was_written) {

@@ -14,14 +14,14 @@ TEST(Cycles, a_cycle_is_as_long_as_cores_of_these_years_have_it) {
 }
 
 const std::vector<TimedInput>& scene() {
-  static const std::vector<TimedInput> inputs = timed_inputs({{}, 0});
+  static const std::vector<TimedInput> inputs = timed_inputs({});
   return inputs;
 }
 
 /// A call of 1 us with 9000 instructions at 3 GHz.
 RowLimit known_limit() {
-  static const Selection selection =
-      select_rows("^thin_guo_hall/lut/baseline/1/end_to_end", all_operations(), scene());
+  static const Selection selection = select_rows(
+      {.filter = "^thin_guo_hall/lut/baseline/1/end_to_end"}, all_operations(), scene());
   return {{&selection.rows.back(), 9000}, {1e-6, 1e-9 / 3}};
 }
 
@@ -37,21 +37,22 @@ TEST(Limits, the_file_says_what_was_assumed_and_what_a_row_takes_in_a_pass) {
   const auto& row = json.at("rows").at(0);
   EXPECT_EQ(row.at("percent_of_limit"), 75);
   EXPECT_EQ(row.at("limit_ns"), 750);
-  const double passes = row.at("iterations");
-  EXPECT_NEAR(row.at("instructions_per_row_and_iteration"), 9000 / (412 * passes), 0.05);
+  const double iterations = row.at("iterations");
+  EXPECT_NEAR(row.at("instructions_per_row_and_iteration"), 9000 / (412 * iterations), 0.05);
 }
 
 TEST(Limits, rows_that_take_long_are_left_out_untried) {
-  const Selection selection =
-      select_rows("^thin_guo_hall/lut/baseline/1/end_to_end", all_operations(), scene());
+  const Selection selection = select_rows({.filter = "^thin_guo_hall/lut/baseline/1/end_to_end"},
+                                          all_operations(), scene());
   const Limits limits = limits_of({selection.rows.back()}, 1000);
   EXPECT_TRUE(limits.rows.empty());
   EXPECT_EQ(limits.skipped.size(), 1U);
 }
 
 TEST(Limits, one_row_of_each_operation_is_fastest_and_end_to_end) {
-  const Selection selection = select_rows("^(thin_guo_hall|euler_number)/.*bitpacked/baseline/1",
-                                          all_operations(), scene());
+  const Selection selection =
+      select_rows({.filter = "^(thin_guo_hall|euler_number)/.*bitpacked/baseline/1"},
+                  all_operations(), scene());
   std::vector<TimedRow> rows = selection.rows;
   std::erase_if(rows, [](const TimedRow& row) { return row.variant == nullptr; });
   const std::vector<TimedRow> fastest = fastest_rows(rows);

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "thinbench/isa.hpp"
 #include "counts/counted_input.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {
@@ -14,14 +14,14 @@ namespace {
 const std::vector<TimedInput>& small_inputs() {
   static const std::vector<TimedInput> inputs = [] {
     std::vector<TimedInput> few;
-    few.push_back(middle_rows(small_copy(timed_inputs({{}, 0}).front()), 6));
+    few.push_back(middle_rows(small_copy(timed_inputs({}).front()), 6));
     return few;
   }();
   return inputs;
 }
 
 std::vector<TimedRow> rows_matching(const std::string& filter) {
-  Selection selection = select_rows(filter, all_operations(), small_inputs());
+  Selection selection = select_rows({.filter = filter}, all_operations(), small_inputs());
   std::erase_if(selection.rows, [](const TimedRow& row) { return row.variant == nullptr; });
   return std::move(selection.rows);
 }
@@ -143,7 +143,7 @@ TEST(RowCounts, a_process_that_ends_early_is_a_failure_with_the_name_of_the_row)
 }
 
 TEST(CountedInput, the_small_copy_has_more_than_a_word_in_a_row_and_the_middle_its_rows) {
-  const TimedInput scene = std::move(timed_inputs({{}, 0}).front());
+  const TimedInput scene = std::move(timed_inputs({}).front());
   const TimedInput small = small_copy(scene);
   EXPECT_EQ(small.name, "scene_small");
   EXPECT_EQ(small.width(), 102);

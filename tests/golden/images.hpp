@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/stroke_images.hpp"
 #include "harness/grey_images.hpp"
 #include "harness/test_images.hpp"
 #include "scene/scene.hpp"
@@ -100,8 +99,7 @@ inline void add_wide_noise(Gallery& gallery) {
 
 inline void add_strokes(Gallery& gallery) {
   for (const Index side : {28, 511}) {
-    const ImageStack stack = stroke_images(1, side, 19);
-    gallery.add(seeded(sized("strokes", side, side), 19), copy_of(stack.view().image(0)));
+    gallery.add(seeded(sized("strokes", side, side), 19), stroke_images(1, side, 19));
   }
 }
 

@@ -6,13 +6,13 @@
 
 namespace thinbench {
 
-/// The text of the std::invalid_argument that `call` throws; empty where it throws nothing. Other
+/// The text of the exception of this type that `call` throws; empty where it throws nothing. Other
 /// exceptions pass.
-template <class Call>
+template <class Error = std::invalid_argument, class Call>
 std::string rejection_of(const Call& call) {
   try {
     call();
-  } catch (const std::invalid_argument& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";

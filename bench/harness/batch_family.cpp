@@ -1,0 +1,150 @@
+#include "harness/batch_family.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "api/catalogue.hpp"
+#include "reference.hpp"
+#include "thinbench/batch.hpp"
+#include "thinning/engines/lane_kernels.hpp"
+
+namespace thinbench {
+namespace {
+
+using detail::ThinningVariant;
+
+struct BatchRule {
+  Rule rule;
+  std::string_view name;
+};
+constexpr std::array kBatchRules = {BatchRule{Rule::guo_hall, "batch_guo_hall"},
+                                    BatchRule{Rule::zhang_suen, "batch_zhang_suen"},
+                                    BatchRule{Rule::naccache_shinghal, "batch_naccache_shinghal"}};
+
+/// The square images of an input; `View` is that of one image.
+template <class Stack, class View>
+Stack stack_in(const View& all) {
+  const Index count = all.width > 0 ? all.height / all.width : 0;
+  return {all.data, count, all.width, all.width, all.stride, all.width * all.stride};
+}
+
+/// Thins all images of a stack and returns the largest number of iterations.
+using ThinStack = std::function<int(const ConstStackView& source, const StackView& destination)>;
+
+class StackJob final : public Job {
+ public:
+  explicit StackJob(ThinStack thin) : thin_(std::move(thin)) {}
+
+  void run(const ConstImageView& input, const ImageView& output) override {
+    const auto destination = stack_in<StackView>(output);
+    iterations_ = thin_(stack_in<ConstStackView>(input), destination);
+    for (Index y = destination.count * output.width; y < output.height; ++y) {
+      std::fill_n(output.row(y), output.width, std::uint8_t{0});
+    }
+  }
+  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return {iterations_}; }
+  [[nodiscard]] std::string name_of_number(std::size_t) const override { return "iterations"; }
+
+ private:
+  ThinStack thin_;
+  int iterations_ = 0;
+};
+
+template <class ThinImage>
+ThinStack one_by_one(ThinImage thin) {
+  return [thin = std::move(thin)](const ConstStackView& source, const StackView& destination) {
+    int iterations = 0;
+    for (Index i = 0; i < source.count; ++i) {
+      iterations = std::max(iterations, thin(source.image(i), destination.image(i)));
+    }
+    return iterations;
+  };
+}
+
+JobMaker reference_of(Rule rule) {
+  return [function = reference::thinning(rule)](Index, Index, int) {
+    return std::make_unique<StackJob>(
+        one_by_one([function](const ConstImageView& source, const ImageView& destination) {
+          return function({}, source, destination);
+        }));
+  };
+}
+
+/// The library's choice on one thread where `cap` is the highest ISA.
+const ThinningVariant& best_variant(Rule rule, Isa cap, Index width) {
+  const ThinningVariant* best = nullptr;
+  for (const ThinningVariant& variant : detail::operation_of(rule).variants) {
+    if (variant.threaded || variant.isa > cap || !unavailable_reason(variant, width).empty()) {
+      continue;
+    }
+    if (best == nullptr || variant.priority > best->priority) best = &variant;
+  }
+  return *best;  // scalar code takes every width
+}
+
+JobMaker one_by_one(Rule rule, Isa cap) {
+  return [rule, cap](Index width, Index, int) {
+    const std::shared_ptr<detail::ThinningState> state =
+        make_state(detail::operation_of(rule), best_variant(rule, cap, width), width, width, {});
+    return std::make_unique<StackJob>(
+        one_by_one([state](const ConstImageView& source, const ImageView& destination) {
+          return state->run(source, destination);
+        }));
+  };
+}
+
+JobMaker batch(Rule rule, Isa isa) {
+  return [rule, isa](Index width, Index, int) {
+    const auto batch = std::make_shared<ThinningBatch>(rule, width, width, Options{.isa = isa});
+    return std::make_unique<StackJob>(
+        [batch](const ConstStackView& source, const StackView& destination) {
+          return (*batch)(source, destination);
+        });
+  };
+}
+
+Variant variant_of(std::string_view technique, std::string_view description, Isa isa,
+                   Index max_width, int priority, JobMaker make_job) {
+  const detail::VariantInfo info = {Technique::lut, isa, false, max_width};
+  return {technique,
+          description,
+          isa,
+          false,
+          false,
+          std::move(make_job),
+          [info](Index width) { return unavailable_reason(info, width); },
+          2 * static_cast<int>(isa) + priority};
+}
+
+Operation operation_of(const BatchRule& batch_rule) {
+  const auto [rule, name] = batch_rule;
+  Operation operation = {std::string(name),
+                         "thins many small images of one size",
+                         InputKind::binary,
+                         {},
+                         reference_of(rule)};
+  for (const Isa isa : kAllIsas) {
+    operation.variants.push_back(
+        variant_of("one_by_one", "image after image by the library's choice for one image", isa,
+                   detail::kAnyWidth, 0, one_by_one(rule, isa)));
+    operation.variants.push_back(variant_of("batch", "one image per lane of a vector register", isa,
+                                            detail::kMaxLaneWidth, 1, batch(rule, isa)));
+  }
+  operation.counter = "iterations";
+  operation.operation = name;
+  operation.border = Border::background;
+  operation.timed = false;
+  return operation;
+}
+
+}  // namespace
+
+std::vector<Operation> batch_family() {
+  std::vector<Operation> family;
+  for (const BatchRule& rule : kBatchRules) family.push_back(operation_of(rule));
+  return family;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,146 @@
+#include "measure/plan.hpp"
+
+#include <algorithm>
+#include <deque>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "measure/copy_operation.hpp"
+#include "measure/measuring.hpp"
+#include "measure/plan_json.hpp"
+#include "support/rejection.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Rows of one operation, reference first, with made-up seconds per call.
+class RowsForTests {
+ public:
+  explicit RowsForTests(double reference_seconds) { add(nullptr, "reference", reference_seconds); }
+
+  void with(std::string_view technique, double seconds, Isa isa = Isa::baseline, int threads = 1) {
+    variants_.push_back(copy_variant(technique, false));
+    variants_.back().isa = isa;
+    variants_.back().threaded = threads > 1;
+    add(&variants_.back(), technique, seconds, threads);
+  }
+
+  [[nodiscard]] const std::vector<CalibratedRow>& rows() const { return calibrated_; }
+
+ private:
+  void add(const Variant* variant, std::string_view technique, double seconds, int threads = 1) {
+    const std::string isa(variant == nullptr ? "baseline" : variant->isa_label());
+    timed_.push_back({row_name("copy", technique, isa, threads) + "/end_to_end/scene", nullptr,
+                      variant, threads, Scope::end_to_end, nullptr});
+    calibrated_.push_back({&timed_.back(), seconds, "0123456789abcdef"});
+  }
+
+  std::deque<Variant> variants_;
+  std::deque<TimedRow> timed_;
+  std::vector<CalibratedRow> calibrated_;
+};
+
+/// No limit of time.
+PlanLimits rounds_of(int max_rounds, double seconds_per_row = 100) {
+  return {seconds_per_row, max_rounds, 1};
+}
+
+TEST(Plan, epochs_of_all_short_rows_last_equally_long_and_long_calls_are_made_once) {
+  RowsForTests rows(1e-2);
+  rows.with("lut", 1e-4);
+  rows.with("simd_bytes", 1e-5, Isa::avx2);
+  const Group group = plan_group(rows.rows(), {});
+  EXPECT_EQ(group.entries[0].calls, 1);
+  EXPECT_TRUE(group.entries[0].long_call);
+  EXPECT_EQ(group.entries[1].calls, 3);
+  EXPECT_EQ(group.entries[2].calls, 30);
+  EXPECT_FALSE(group.entries[2].long_call);
+}
+
+TEST(Plan, anchor_is_the_fastest_row_on_one_thread_and_controls_are_the_next) {
+  RowsForTests rows(1e-2);
+  rows.with("lut", 1e-4);
+  rows.with("simd_bytes", 2e-5, Isa::avx2);
+  rows.with("simd_runs", 1e-5, Isa::avx2, 2);
+  const Group group = plan_group(rows.rows(), {});
+  EXPECT_EQ(group.anchor, 2U);
+  const auto control = std::find_if(group.entries.begin(), group.entries.end(),
+                                    [](const Entry& entry) { return entry.role == Role::same; });
+  ASSERT_NE(control, group.entries.end());
+  EXPECT_EQ(control->name, group.entries[1].name);
+}
+
+TEST(Plan, slowed_control_makes_11_calls_for_10) {
+  for (const double seconds : {1e-6, 3e-5, 9e-4, 5e-3}) {
+    RowsForTests rows(1e-2);
+    rows.with("lut", seconds);
+    const Entry slowed = plan_group(rows.rows(), {}).entries.back();
+    EXPECT_EQ(slowed.role, Role::slowed);
+    EXPECT_EQ(slowed.calls * 10, slowed.counted * 11) << seconds;
+  }
+}
+
+TEST(Plan, rounds_keep_to_the_budget_but_are_three_at_least) {
+  RowsForTests rows(1e-3);
+  rows.with("lut", 1e-4);
+  EXPECT_EQ(plan_group(rows.rows(), rounds_of(41)).rounds, 41);
+  EXPECT_EQ(plan_group(rows.rows(), rounds_of(41, 0)).rounds, 3);
+  EXPECT_EQ(plan_group(rows.rows(), rounds_of(2, 0)).rounds, 2);
+  const Group group = plan_group(rows.rows(), rounds_of(41, 0.05));
+  EXPECT_GT(group.rounds, 3);
+  EXPECT_LE(group.seconds, 0.1);
+}
+
+TEST(Plan, short_rows_are_visited_more_often_beside_long_calls) {
+  RowsForTests rows(1);
+  rows.with("lut", 1e-4);
+  RowsForTests all_short(1e-4);
+  all_short.with("lut", 1e-4);
+  EXPECT_GT(plan_group(rows.rows(), {}).sweeps, plan_group(all_short.rows(), {}).sweeps);
+}
+
+/// Everything that a process needs is in the text: writing the plan again gives the same.
+TEST(PlanJson, is_read_back_as_it_was_written) {
+  const std::vector<TimedInput> inputs = timed_inputs({{}, {Foreground::dark, 80}, {"square_64"}});
+  const std::vector<Operation> operations = copy_operations();
+  const Selection selection = select_rows({.filter = "copy/good/"}, operations, inputs);
+  std::vector<CalibratedRow> rows;
+  for (const TimedRow& row : selection.rows) rows.push_back(calibrate(row));
+  const Plan plan = {{{"a.png"}, {Foreground::dark, 80}, {"square_64"}}, {plan_group(rows, {})}};
+  const nlohmann::json written = plan_json(plan, selection, inputs, rows);
+  EXPECT_EQ(plan_json(plan_from_json(written.dump()), selection, inputs, rows), written);
+  EXPECT_EQ(written.at("/inputs/0/width"_json_pointer), 64);
+  EXPECT_EQ(written.at("rows").at("copy/good/baseline/1/end_to_end/square_64").at("technique"),
+            "good");
+}
+
+TEST(PlanJson, rejects_other_texts) {
+  EXPECT_EQ(rejection_of<std::runtime_error>([] {
+              static_cast<void>(plan_from_json("{}"));
+            }).find("standard input holds no plan: "),
+            0U);
+}
+
+TEST(Measure, gives_times_and_stops_where_a_result_is_not_the_verified_one) {
+  const std::vector<TimedInput> inputs = timed_inputs({{}, {}, {"square_64"}});
+  const std::vector<Operation> operations = copy_operations();
+  const Selection selection = select_rows({.filter = "copy/good/"}, operations, inputs);
+  std::vector<CalibratedRow> rows;
+  for (const TimedRow& row : selection.rows) rows.push_back(calibrate(row));
+  std::vector<Group> groups = {plan_group(rows, rounds_of(2))};
+  std::vector<GroupTimes> found;
+  const auto sink = [&](const GroupTimes& times) { found.push_back(times); };
+  measure(groups, 1, operations, inputs, sink);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].entries.size(), groups[0].entries.size());
+  EXPECT_NE(found[0].layout[0], found[0].layout[1]);
+  groups[0].entries.back().hash = "another";
+  EXPECT_NE(rejection_of<std::runtime_error>([&] {
+              measure(groups, 1, operations, inputs, sink);
+            }).find("gave another result"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace thinbench

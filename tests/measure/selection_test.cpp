@@ -1,0 +1,148 @@
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "measure/copy_operation.hpp"
+#include "measure/timed_call.hpp"
+#include "measure/timed_row.hpp"
+
+namespace thinbench {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names names_of(const std::vector<TimedRow>& rows) {
+  Names names;
+  for (const TimedRow& row : rows) names.push_back(row.name);
+  return names;
+}
+
+class SelectRows : public testing::Test {
+ protected:
+  std::vector<Operation> operations = copy_operations();
+  std::vector<TimedInput> inputs = timed_inputs({});
+};
+
+TEST_F(SelectRows, rows_that_differ_from_the_reference_are_omitted_and_reported) {
+  const Selection selection = select_rows({}, operations, inputs);
+  EXPECT_EQ(names_of(selection.rows), (Names{"copy/reference/baseline/1/end_to_end/scene",
+                                             "copy/good/baseline/1/end_to_end/scene"}));
+  ASSERT_EQ(selection.mismatches.size(), 1U);
+  EXPECT_EQ(selection.mismatches[0].find("copy/bad/baseline/1/scene: pixel (0, 0) is 255"), 0U)
+      << selection.mismatches[0];
+  EXPECT_EQ(selection.verified, 1);
+}
+
+TEST_F(SelectRows, rows_that_cannot_run_are_listed_with_the_reason) {
+  const Selection selection = select_rows({}, operations, inputs);
+  ASSERT_EQ(selection.skipped.size(), 1U);
+  EXPECT_EQ(selection.skipped[0].name, "copy/absent/baseline/1/scene");
+  EXPECT_EQ(selection.skipped[0].reason, "this machine lacks it");
+}
+
+TEST_F(SelectRows, reference_comes_along_with_any_row_and_nothing_else_does) {
+  const Selection selection = select_rows({.filter = "copy/good/"}, operations, inputs);
+  EXPECT_EQ(selection.rows.size(), 2U);
+  EXPECT_TRUE(selection.mismatches.empty());
+  EXPECT_TRUE(select_rows({.filter = "no_such_row"}, operations, inputs).rows.empty());
+}
+
+TEST_F(SelectRows, highest_takes_one_isa_of_each_technique) {
+  operations = {operation_of("thin_naccache_shinghal")};
+  const std::string filter = "simd_bitpacked/.*/1/end_to_end|simd_bitpacked_row/.*/end_to_end";
+  const Selection selection = select_rows({filter, VariantChoice::highest}, operations, inputs);
+  std::set<std::string> techniques;
+  for (const TimedRow& row : selection.rows) {
+    if (row.variant == nullptr) continue;
+    EXPECT_TRUE(techniques.insert(std::string(row.variant->technique)).second) << row.name;
+    EXPECT_EQ(row.variant->isa, best_isa()) << row.name;
+  }
+  EXPECT_FALSE(techniques.empty());
+}
+
+/// "technique/isa" of the library's variants that a choice takes, threads aside.
+std::set<std::string> chosen(VariantChoice choice, const std::vector<TimedInput>& inputs) {
+  const std::vector<Operation> operations = {operation_of("edges_sobel")};
+  std::set<std::string> names;
+  for (const TimedRow& row : select_rows({.variants = choice}, operations, inputs).rows) {
+    if (row.variant == nullptr) continue;
+    names.insert(std::string(row.variant->technique) + "/" + std::string(row.variant->isa_label()));
+  }
+  return names;
+}
+
+TEST_F(SelectRows, quick_adds_avx2_to_the_highest_isa) {
+  std::set<std::string> expected = chosen(VariantChoice::highest, inputs);
+  for (const std::string& name : chosen(VariantChoice::all, inputs)) {
+    if (name.ends_with("/avx2")) expected.insert(name);
+  }
+  EXPECT_EQ(chosen(VariantChoice::quick, inputs), expected);
+}
+
+TEST_F(SelectRows, best_takes_the_librarys_choice_and_its_best_scalar_variant) {
+  const std::set<std::string> best = chosen(VariantChoice::best, inputs);
+  const std::string isa(isa_name(std::min(best_isa(), Isa::avx512)));
+  EXPECT_TRUE(best.contains("simd_8bit/" + isa) || isa == "baseline");
+  EXPECT_LE(best.size(), 2U);
+}
+
+TEST_F(SelectRows, rows_are_found_again_by_their_names) {
+  operations = {operation_of("thin_guo_hall")};
+  for (const TimedRow& row : select_rows({.filter = "bitpacked/"}, operations, inputs).rows) {
+    const TimedRow found = row_named(row.name, operations, inputs);
+    EXPECT_EQ(found.variant, row.variant) << row.name;
+    EXPECT_EQ(found.threads, row.threads) << row.name;
+    EXPECT_EQ(found.scope, row.scope) << row.name;
+  }
+  EXPECT_THROW(
+      static_cast<void>(row_named("thin_guo_hall/x/avx2/1/kernel/scene", operations, inputs)),
+      std::runtime_error);
+}
+
+/// The cases of the rows that a filter selects.
+std::set<std::string> cases_of(const std::string& filter, const std::vector<TimedInput>& inputs) {
+  std::set<std::string> cases;
+  for (const TimedRow& row : select_rows({.filter = filter}, all_operations(), inputs).rows) {
+    cases.insert(row.operation->name);
+  }
+  return cases;
+}
+
+TEST_F(SelectRows, cases_without_a_peer_are_selected_where_the_filter_spells_them_out) {
+  using Cases = std::set<std::string>;
+  EXPECT_EQ(cases_of("(mb2|guo_hall).*/bitpacked/baseline/1/end_to_end", inputs),
+            (Cases{"thin_guo_hall", "thin_guo_hall:keep", "thin_mb2"}));
+  EXPECT_EQ(cases_of("^(thin_mb2:keep|holes)/.*/baseline/1/end_to_end", inputs),
+            (Cases{"holes", "thin_mb2:keep"}));
+  EXPECT_EQ(cases_of("^net_two_layer_linear:keep:1/lut/baseline/1/end_to_end", inputs),
+            (Cases{"net_two_layer_linear:keep:1"}));
+}
+
+TEST_F(SelectRows, rejects_malformed_filters) {
+  EXPECT_THROW(static_cast<void>(select_rows({.filter = "("}, operations, inputs)),
+               std::invalid_argument);
+}
+
+TEST(Rows, every_row_has_a_name_of_its_own) {
+  std::set<std::string> names;
+  for (const Row& row : matching_rows("", {2, 7})) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_EQ(std::count(row.name.begin(), row.name.end(), '/'), 3) << row.name;
+  }
+  EXPECT_GT(names.size(), 100U);
+}
+
+TEST_F(SelectRows, kernels_that_give_numbers_alone_have_an_outcome_too) {
+  const Selection selection =
+      select_rows({.filter = "^(holes|components|euler_number)/(bitpacked|union).*/1/"},
+                  all_operations(), inputs);
+  ASSERT_FALSE(selection.rows.empty());
+  for (const TimedRow& row : selection.rows) {
+    TimedCall call(row);
+    call();
+    EXPECT_FALSE(call.outcome().numbers.empty()) << row.name;
+  }
+}
+
+}  // namespace
+}  // namespace thinbench
