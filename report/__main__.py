@@ -15,6 +15,7 @@ Run = Callable[[argparse.ArgumentParser, argparse.Namespace], str]
 def _commands(parser: argparse.ArgumentParser) -> None:
     """Declares every command; what they need is imported when one runs."""
     from report import compare, study
+    from report.page import command as page
     from report.sweeps import command as sweeps
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
@@ -32,6 +33,14 @@ def _commands(parser: argparse.ArgumentParser) -> None:
         sweeps.run_sweeps, sweeps.EPILOG)
     add("compare", "compare runs of different machines or commits", compare.add_compare_command,
         compare.run_compare, compare.EPILOG)
+    for name, what, declare, run in (
+            ("build", "make the page, the tables and the overview of a run", page.add_directory,
+             page.run_build),
+            ("claims", "print the paper's claims, judged by a run", page.add_directory,
+             page.run_claims),
+            ("readme", "fill the tables of README.md from a run", page.add_readme_command,
+             page.run_readme)):
+        add(name, what, declare, run, page.EPILOG.format(name))
 
 
 def main(arguments: list[str]) -> int:

@@ -72,6 +72,8 @@ class Rows:
         found = [name for name in inputs if name in timed]
         images = [name for name in found if not is_square(name)]
         self.input = (images or found or [""])[0]
+        self.equal_peers = {peer["technique"] for peer in run.facts["peers"]
+                            if peer["equal_output"]}
         self.cases = sorted({row.case for row in self.rows}, key=place)
 
     def of(self, case: str) -> list[Row]:

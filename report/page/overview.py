@@ -12,7 +12,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from report.formatting import duration
 from report.measure.timings import Row
-from report.page.families import BITS, COPY, FAMILIES, PEER, REFERENCE, Family, family
+from report.page.families import BITS, COPY, FAMILIES, OTHER, PEER, REFERENCE, Family, family
 from report.page.operations import Headline, Rows
 
 INK, MUTED, GRID, GROUND = "#1b1f24", "#59626d", "#dfe3e8", "#fefefe"
@@ -43,7 +43,7 @@ def _figure(rows: Rows, lines: list[Headline]) -> Figure:
     figure = Figure(figsize=(6.8, 1.5 + 0.3 * len(lines)))
     axes = figure.subplots()
     for place, line in enumerate(lines):
-        _draw_case(axes, -place, marks(rows, line))
+        _draw_case(axes, -place, marks(rows, line), rows.equal_peers)
     axes.set_yticks([-place for place in range(len(lines))], [line.label for line in lines])
     axes.set_ylim(0.6 - len(lines), 0.6)
     axes.set_xscale("log")
@@ -68,15 +68,15 @@ def marks(rows: Rows, line: Headline) -> list[Row]:
     return list(found.values())
 
 
-def _draw_case(axes: Axes, height: float, rows: list[Row]) -> None:
+def _draw_case(axes: Axes, height: float, rows: list[Row], equal_peers: set[str]) -> None:
     times = [row.median_ns for row in rows]
     axes.plot([min(times), max(times)], [height, height], color=GRID, linewidth=1.2, zorder=1)
     for row in rows:
-        _mark(axes, row.median_ns, height, family(row))
+        _mark(axes, row.median_ns, height, family(row, equal_peers))
 
 
 def _mark(axes: Axes, x: float, y: float, kind: Family) -> None:
-    hollow = kind is REFERENCE
+    hollow = kind in (REFERENCE, OTHER)
     axes.plot([x], [y], kind.marker, color=kind.colour, linestyle="", zorder=3,
               markersize=11 if kind is COPY else 7 if kind in (BITS, PEER) else 6,
               markerfacecolor=GROUND if hollow else kind.colour, markeredgewidth=2

@@ -1,0 +1,77 @@
+"""Curves of the series of sizes and of parameter sweeps, as Chart.js draws them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from report.formatting import NOTHING
+from report.measure.timings import END_TO_END, Row
+from report.page.operations import Rows, fastest, is_square, label, place
+from report.sweeps.plans import BY_NAME
+from report.sweeps.series import Series, sweep_series
+
+Curve = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Chart:
+    """Nanoseconds per pixel over something; `curves` holds points [x, value, low, high]."""
+
+    title: str
+    x: str
+    curves: tuple[Curve, ...]
+
+    @property
+    def places(self) -> list[Any]:
+        """All places on the axis; names stay in their order."""
+        found = list(dict.fromkeys(point[0] for curve in self.curves for point in curve["points"]))
+        return found if any(isinstance(one, str) for one in found) else sorted(found)
+
+    @property
+    def table(self) -> list[list[str]]:
+        """A line for each place, a cell for each curve."""
+        points = [{point[0]: point[1] for point in curve["points"]} for curve in self.curves]
+        return [[one if isinstance(one, str) else f"{one:g}",
+                 *(f"{curve[one]:.3g}" if one in curve else NOTHING for curve in points)]
+                for one in self.places]
+
+
+def size_chart(rows: Rows) -> list[Chart]:
+    """The fastest variant on one thread of each case on squares; none below two sizes."""
+    squares = [row for row in rows.rows if is_square(row.input) and row.threads == 1
+               and row.scope == END_TO_END and not (row.peer or row.is_reference)]
+    curves = [{"label": label(case), "points": _by_size(row for row in squares if row.case == case)}
+              for case in sorted({row.case for row in squares}, key=place)]
+    curves = [curve for curve in curves if len(curve["points"]) > 1]
+    return [Chart("Image size, fastest variant of each operation", "side of the square, pixels",
+                  tuple(curves))] if curves else []
+
+
+def sweep_charts(rows: Iterable[Row]) -> list[Chart]:
+    """One for each sweep and case."""
+    by_chart: dict[tuple[str, str], list[Series]] = {}
+    for series in sweep_series(rows):
+        by_chart.setdefault((series.sweep, series.case), []).append(series)
+    return [Chart(f"{label(case)} by {sweep}", BY_NAME[sweep].what, tuple(map(_curve, curves)))
+            for (sweep, case), curves in by_chart.items()]
+
+
+def _curve(series: Series) -> Curve:
+    return {"label": series.label,
+            "points": [[point.x, *_rounded(point.ns_per_pixel, point.low, point.high)]
+                       for point in series.points]}
+
+
+def _by_size(rows: Iterable[Row]) -> list[list[float]]:
+    by_side: dict[int, list[Row]] = {}
+    for row in rows:
+        by_side.setdefault(row.width, []).append(row)
+    best = [row for side in sorted(by_side) if (row := fastest(by_side[side]))]
+    return [[row.width, *_rounded(row.ns_per_pixel, row.low / row.width / row.height,
+                                  row.high / row.width / row.height)] for row in best]
+
+
+def _rounded(*values: float) -> list[float]:
+    return [float(f"{value:.4g}") for value in values]

@@ -1,0 +1,43 @@
+"""`python3 -m report build`, `claims` and `readme`."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from report.building import ROOT
+
+EPILOG = "example: python3 -m report {} results/<machine>/<date>-<commit>"
+
+# What draws and judges is imported when a command runs: that takes a second.
+# pylint: disable=import-outside-toplevel
+
+
+def add_directory(parser: argparse.ArgumentParser) -> None:
+    """The one argument of `build` and `claims`."""
+    parser.add_argument("directory", metavar="DIR", type=Path, help="directory of a run")
+
+
+def add_readme_command(parser: argparse.ArgumentParser) -> None:
+    """The same and the file."""
+    add_directory(parser)
+    parser.add_argument("--readme", metavar="FILE", type=Path, default=ROOT / "README.md",
+                        help="file with the marks; default README.md")
+
+
+def run_build(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
+    """Returns the summary."""
+    from report.page.build import build_page
+    return build_page(options.directory)
+
+
+def run_claims(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
+    """Returns the claims as Markdown."""
+    from report.page.build import claims_text
+    return claims_text(options.directory)
+
+
+def run_readme(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
+    """Returns what was done."""
+    from report.page.readme import fill_readme
+    return fill_readme(options.directory, options.readme)

@@ -1,0 +1,75 @@
+"""index.html: one file that needs no other."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup, escape
+
+from report.claims import Claim
+from report.errors import ReportError
+from report.formatting import counted, duration, flag_text, interval, times, variant
+from report.page.charts import size_chart, sweep_charts
+from report.page.families import FAMILIES
+from report.page.headline import copy_cell
+from report.page.limits import HEADER as LIMITS_HEADER
+from report.page.limits import load_limits
+from report.page.operations import Headline, Rows, peer_title
+from report.page.pictures import Pictures
+from report.page.provenance import provenance, skipped
+from report.page.sections import sections
+from report.page.sentences import date_of, sentences, warnings
+from report.page.tables import Table
+from report.sweeps.series import load_sweep_rows
+
+CHART_JS = Path("/usr/share/javascript/chart.js/chart.min.js")
+TEMPLATES = Path(__file__).parent / "templates"
+FILES = ("timings.csv", "timings.md", "claims.md", "headline.tex", "overview.svg", "overview.png")
+
+
+def to_html(rows: Rows, lines: list[Headline], svg: str, claims: list[Claim],
+            experiments: list[Table]) -> str:
+    """The page; `svg` is the overview."""
+    run = rows.run
+    pictures = Pictures(run.directory, rows)
+    limits = load_limits(run.directory)
+    sweeps = load_sweep_rows(run.directory)
+    return _environment().get_template("page.html.j2").render(
+        run=run, date=date_of(run), lines=lines, input=rows.input, claims=claims, files=FILES,
+        overview=Markup(svg), sentences=[*map(_with_figures, sentences(rows, lines))],
+        warnings=warnings(run), peers=_peers(rows, lines), pictures=pictures.first(),
+        sections=sections(rows, pictures, limits), limits=limits, limits_header=LIMITS_HEADER,
+        charts=[*size_chart(rows), *sweep_charts([*sweeps, *run.rows])], experiments=experiments,
+        facts=provenance(run), skipped=skipped(run), families=[vars(one) for one in FAMILIES],
+        chart_js=Markup(chart_js()))
+
+
+def chart_js(path: Path = CHART_JS) -> str:
+    """The library, as the distribution packages it."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError:
+        raise ReportError(f"{path} is missing; install the package libjs-chart.js") from None
+    return re.sub(r"^//# sourceMappingURL=.*$", "", text.replace("</script", r"<\/script"),
+                  flags=re.MULTILINE)
+
+
+def _environment() -> Environment:
+    environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True,
+                              undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    environment.filters |= {"duration": duration, "times": times, "variant": variant,
+                            "copy_cell": copy_cell, "flag": flag_text}
+    environment.globals |= {"interval": interval, "counted": counted}
+    return environment
+
+
+def _with_figures(sentence: str) -> Markup:
+    return Markup(re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", str(escape(sentence))))
+
+
+def _peers(rows: Rows, lines: list[Headline]) -> str:
+    """The heading of the column of peers."""
+    names = {peer_title(rows.run, line.peer.technique) for line in lines if line.peer}
+    return " or ".join(sorted(names)) or "Peer of equal output"

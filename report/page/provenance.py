@@ -1,0 +1,68 @@
+"""Where the numbers come from: machine, build, controls, inputs, peers."""
+
+from __future__ import annotations
+
+from report.formatting import duration, three_digits
+from report.measure.run import Run
+from report.measure.sampler import Json
+
+
+def provenance(run: Run) -> list[tuple[str, str]]:
+    """Terms and what they stand for; skipped rows are listed elsewhere."""
+    machine, facts = run.machine, run.facts
+    compiler, state = machine["compiler"], facts["state"]
+    found = [
+        ("Run", facts["run"]), ("Measured", str(machine["date"])), ("Commit", machine["commit"]),
+        ("Processor", _processor(machine["cpu"])), ("Cores", str(machine["cores"])),
+        ("Caches", ", ".join(map(_cache, machine["caches"]))),
+        ("Memory", f"{machine['memory_gib']} GiB" if "memory_gib" in machine else ""),
+        ("System", ", ".join(machine[key] for key in ("os", "kernel") if machine.get(key))),
+        ("Instruction sets", ", ".join(machine["isa_available"])),
+        ("Compiler", f"{compiler['id']} {compiler['version']}, {compiler['flags']}"),
+        ("Libraries", ", ".join(f"{name} {text}" for name, text in machine["libraries"].items())),
+        ("Options", ", ".join(f"{name}: {value}" for name, value in facts["options"].items()
+                              if value not in ("", [], None))),
+        ("Controls", _controls(facts["controls"])),
+        ("State", f"others kept {state['foreign_load']:g} processors busy; a dependent addition "
+                  f"takes {state['chain_ns']:.3f} ns, a copy of the state check "
+                  f"{duration(state['copy_ns'])}")]
+    found += [(f"Input {item['name']}", _input(item)) for item in facts["inputs"]]
+    found += [(f"Peer {item['technique']}",
+               item["about"] + (" (equal output)" if item["equal_output"] else ""))
+              for item in facts["peers"]]
+    return [(term, text) for term, text in found if text]
+
+
+def skipped(run: Run) -> list[tuple[str, list[str]]]:
+    """Rows that were not measured, by reason."""
+    by_reason: dict[str, list[str]] = {}
+    for item in run.facts["skipped"]:
+        by_reason.setdefault(item["reason"], []).append(item["row"])
+    return sorted(by_reason.items())
+
+
+def _processor(cpu: Json) -> str:
+    return (f"{cpu['name']} ({cpu['vendor']}, family {cpu['family']}, model {cpu['model']}, "
+            f"stepping {cpu['stepping']})")
+
+
+def _cache(cache: Json) -> str:
+    size = cache["size_kib"]
+    return (f"L{cache['level']} {cache['type'].lower()} " +
+            (f"{size} KiB" if size < 1024 else f"{size / 1024:g} MiB"))
+
+
+def _controls(controls: Json) -> str:
+    if not controls["same"]:
+        return "none"
+    parts = [f"{words} {found['value']:.4f} ({found['low']:.4f} to {found['high']:.4f})"
+             for words, found in (("a row against itself", controls["same"]),
+                                  ("the same row slowed by 10 %", controls["slowed"]))]
+    verdict = "passed" if controls["passed"] else "not passed"
+    return f"{'; '.join(parts)}; fresh processes: {controls['processes']}; {verdict}"
+
+
+def _input(item: Json) -> str:
+    share = 100 * item["foreground_pixels"] / (item["width"] * item["height"])
+    return (f"{item['width']} × {item['height']} pixels, {three_digits(share)} % foreground, hash "
+            f"{item['hash']}, in grey {item['grey_hash']}")

@@ -1,0 +1,134 @@
+"""One operation of the page: its table, which the plot is drawn from, and its lower bound."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from report.formatting import NOTHING, duration, interval, scope_label, three_digits, times
+from report.measure.timings import Row
+from report.page.families import FAMILIES, family
+from report.page.limits import Limits
+from report.page.operations import Headline, Rows, label
+from report.page.pictures import Picture, Pictures
+
+
+@dataclass(frozen=True)
+class Cell:
+    """Text, and the number by which the column is sorted, "" for words."""
+
+    text: str
+    value: str = ""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A row of the table; `data` are the attributes that switches and plot read."""
+
+    data: dict[str, str]
+    cells: tuple[Cell, ...]
+
+
+@dataclass(frozen=True)
+class Section:
+    """An operation."""
+
+    name: str
+    title: str
+    picture: Picture | None
+    bound: str
+    header: tuple[str, ...]
+    first_number: int
+    lines: tuple[Line, ...]
+    limits: list[tuple[str, ...]]
+
+
+Column = tuple[str, Callable[[Row], Cell]]
+
+
+def sections(rows: Rows, pictures: Pictures, limits: Limits) -> list[Section]:
+    """In the order of the page."""
+    names = list(dict.fromkeys(case.partition(":")[0] for case in rows.cases))
+    return [_section(rows, name, pictures, limits) for name in names]
+
+
+def _section(rows: Rows, name: str, pictures: Pictures, limits: Limits) -> Section:
+    own = [row for row in rows.rows if row.operation == name]
+    own.sort(key=lambda row: row.median_ns)
+    cases = [case for case in rows.cases if case.partition(":")[0] == name]
+    columns = _columns(own)
+    words = sum(column[0] in WORDS for column in columns)
+    lines = tuple(Line(_data(row, rows), tuple(value(row) for _, value in columns)) for row in own)
+    picture = next((found for case in cases if (found := pictures.of_case(case))), None)
+    bound = _bound(rows.headline(cases[0]))
+    return Section(name, label(name), picture, bound, tuple(title for title, _ in columns), words,
+                   lines, limits.rows.get(name, []))
+
+
+WORDS = ("Technique", "ISA", "Options", "Scope", "Image", "Flags")
+
+
+def _columns(rows: list[Row]) -> list[Column]:
+    """Those in which rows differ, and those that always matter."""
+    found: list[Column] = [("Technique", lambda row: Cell(row.technique)),
+                           ("ISA", lambda row: Cell(row.isa)),
+                           ("Options", lambda row: Cell(options(row))),
+                           ("Scope", lambda row: Cell(scope_label(row.scope))),
+                           ("Image", lambda row: Cell(row.input)),
+                           ("Flags", lambda row: Cell(row.flags)),
+                           ("Threads", lambda row: Cell(str(row.threads), str(row.threads))),
+                           ("Time", lambda row: Cell(duration(row.median_ns), _number(row.median_ns))),
+                           ("Interval", _time_interval),
+                           ("ns/pixel", lambda row: Cell(f"{row.ns_per_pixel:.4f}",
+                                                         _number(row.ns_per_pixel))),
+                           ("Speed-up", lambda row: _ratio(row.speedup_vs_reference)),
+                           ("Its interval", lambda row: Cell(
+                               interval(row.speedup_low, row.speedup_high),
+                               _number(row.speedup_low))),
+                           ("To peer", lambda row: _ratio(row.speedup_vs_peer))]
+    optional = {"Options": {options(row) for row in rows}, "Image": {row.input for row in rows},
+                "Flags": {row.flags for row in rows} | {""},
+                "To peer": {row.speedup_vs_peer for row in rows} | {None}}
+    return [column for column in found if len(optional.get(column[0], "ab")) > 1]
+
+
+def options(row: Row) -> str:
+    """Border and limit in words."""
+    words = [] if row.border != "keep" else ["border kept"]
+    words += [] if row.max_iterations is None else [f"{row.max_iterations} iteration"]
+    return ", ".join(words) or (row.border or "none")
+
+
+def _data(row: Row, rows: Rows) -> dict[str, str]:
+    return {"family": str(FAMILIES.index(family(row, rows.equal_peers))),
+            "technique": row.technique, "isa": row.isa, "threads": str(row.threads),
+            "options": options(row), "scope": scope_label(row.scope), "image": row.input,
+            "ns": _number(row.median_ns), "low": _number(row.low), "high": _number(row.high),
+            "speedup": "" if row.speedup_vs_reference is None or row.is_reference
+            else times(row.speedup_vs_reference)}
+
+
+def _bound(line: Headline | None) -> str:
+    """What a copy says about the fastest row."""
+    if line is None or line.copy is None:
+        return ""
+    share = line.copy_share or 0.0
+    what = "Reading its packed input" if line.copy.technique == "read_bits" else \
+        "A copy of the same bytes"
+    relation = (f"{three_digits(100 * share)} % of the fastest variant's {duration(line.best.median_ns)}"
+                if share <= 1 else f"more than the fastest variant's {duration(line.best.median_ns)}")
+    return f"Lower bound: {what[0].lower()}{what[1:]} takes {duration(line.copy.median_ns)}, {relation}."
+
+
+def _time_interval(row: Row) -> Cell:
+    return Cell(f"{duration(row.low)} to {duration(row.high)}", _number(row.low))
+
+
+def _ratio(value: float | None) -> Cell:
+    return Cell(NOTHING if value is None else times(value), _number(value))
+
+
+def _number(value: float | None) -> str:
+    return "-1" if value is None else f"{value:.6g}"
+
+

@@ -1,0 +1,87 @@
+"""The four sentences of the first screen, and what a reader must be warned of."""
+
+from __future__ import annotations
+
+import datetime
+
+from report.formatting import counted, duration, speedup_text, three_digits, times, variant
+from report.measure.run import Run
+from report.page.operations import PRINTED_RULE, Headline, Rows, peer_title
+from report.page.table_two import PAPER_MACHINE, PAPER_RULE
+
+MAX_FLAGGED = 0.1
+"""Share of flagged rows from which the run as a whole is doubtful."""
+
+
+def sentences(rows: Rows, lines: list[Headline]) -> list[str]:
+    """What was measured, against whom, against the paper, and why it can be trusted; `**` marks
+    figures."""
+    found = [_fastest(rows, lines), _peers(rows, lines), _paper(rows), _verified(rows.run)]
+    return [sentence for sentence in found if sentence]
+
+
+def warnings(run: Run) -> list[str]:
+    """Why figures may be wrong; none after a good run."""
+    found = []
+    flagged = sum(bool(row.flags) for row in run.rows)
+    if not run.is_conclusive:
+        found.append("The controls of this run did not pass: differences between rows are "
+                     "inconclusive.")
+    if flagged > MAX_FLAGGED * len(run.rows):
+        found.append(f"{flagged} of {counted(len(run.rows), 'row')} have wide intervals: other "
+                     f"processes kept {three_digits(run.facts['state']['foreign_load'])} processors "
+                     "busy. Measure on an idle machine.")
+    return found
+
+
+def date_of(run: Run) -> str:
+    """When it was measured, such as 22 November 2026."""
+    text = str(run.machine["date"]).replace("Z", "+00:00")
+    date = datetime.datetime.fromisoformat(text)
+    return f"{date.day} {date:%B %Y}"
+
+
+def _fastest(rows: Rows, lines: list[Headline]) -> str:
+    if not lines:
+        return ""
+    best = lines[0].best
+    return (f"{_capital(lines[0].label)} of {best.width} × {best.height} pixels takes "
+            f"**{duration(best.median_ns)}** on one core, **{speedup_text(best)}** as fast as plain "
+            f"C++ ({variant(best)}).")
+
+
+def _peers(rows: Rows, lines: list[Headline]) -> str:
+    found = [(line, line.best.speedup_vs_peer) for line in lines
+             if line.peer and line.best.speedup_vs_peer]
+    if not found:
+        return ""
+    title = peer_title(rows.run, found[0][0].best.peer_name)
+    parts = [f"{line.label.replace(', border kept', '')} **{times(ratio)}**"
+             for line, ratio in found]
+    return (f"With output equal in every pixel it is faster than {title}: {', '.join(parts)}, each "
+            "on one thread.")
+
+
+def _paper(rows: Rows) -> str:
+    line = rows.headline(PRINTED_RULE)
+    if line is None or (line.best.width, line.best.height) != (510, 412):
+        return ""
+    seconds = line.best.median_ns / 1e9
+    return (f"The paper's rule took {PAPER_RULE.seconds} s on a {PAPER_MACHINE} for an image of this "
+            f"size; here it takes **{duration(line.best.median_ns)}**, "
+            f"**{times(PAPER_RULE.seconds / seconds)}** as fast.")
+
+
+def _verified(run: Run) -> str:
+    controls = run.facts["controls"]
+    same, slowed = controls["same"], controls["slowed"]
+    text = f"All **{run.facts['verified']:,}** variants gave their reference's output before they "
+    text += "were timed."
+    if same and slowed:
+        text += (f" Controls: a row against itself {same['value']:.3f}, one slowed by 10 % "
+                 f"{slowed['value']:.3f}.")
+    return text
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
