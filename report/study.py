@@ -20,6 +20,9 @@ from report.row_options import (add_row_options, binarise_words, check_binarise_
 SERIES = "^(thin_naccache_shinghal|edges_sobel|holes|localise_objects)/.*/end_to_end/"
 """What the default series of sizes measures."""
 
+BATCHES = "^(batch_guo_hall|batch_zhang_suen|batch_naccache_shinghal)/"
+"""Many small images; measured where a filter names them."""
+
 EPILOG = """examples:
   ./study --quick
   ./study --image horse.png --filter 'simd|bitpacked'
@@ -93,6 +96,8 @@ def _plans(options: argparse.Namespace) -> list[list[str]]:
         squares = [64 << step for step in range(7) if 64 << step <= largest]
         plans.append(["--no-peers", "--variants", "highest", "--filter", SERIES,
                       "--max-call", "0.3", *_inputs(squares)])
+        plans.append(["--no-peers", "--variants", variants, "--filter", BATCHES,
+                      "--input", "strokes_28_2000", "--input", "strokes_64_500"])
     if options.size:
         plans.append([*common, "--variants", variants, "--filter", options.filter,
                       *_inputs(options.size)])
