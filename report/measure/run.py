@@ -78,7 +78,7 @@ def write_run(directory: Path, machine: Json, options: Json,
         rows += rows_of(samples, Origin(name, machine["fingerprint"], machine["commit"], sweep))
     facts = {"schema": SCHEMA, "run": name, "machine": machine, "options": options,
              "controls": controls_of([samples for _, samples in parts]),
-             "state": _state(parts), **_merged(parts)}
+             "state": state_of([samples for _, samples in parts]), **_merged(parts)}
     lines = "".join(f"{line}\n" for _, samples in parts for line in samples.to_json_lines())
     write_files(directory, {SAMPLES: lzma.compress(lines.encode(), preset=9),
                             TIMINGS: to_csv(rows).encode(), RUN: to_json(facts)})
@@ -119,9 +119,9 @@ def _control_logs(samples: Samples, role: str) -> list[list[float]]:
     return found
 
 
-def _state(parts: list[tuple[str, Samples]]) -> Json:
-    """Of the machine while the run was measured: medians over processes."""
-    processes = [process for _, samples in parts for process in samples.processes]
+def state_of(runs: list[Samples]) -> Json:
+    """Of the machine while the runs were measured: medians over processes."""
+    processes = [process for samples in runs for process in samples.processes]
     states = [state for process in processes for state in process.states]
     return {"foreign_load": float(np.median([process.foreign_load for process in processes])),
             "chain_ns": float(np.median([state["chain_ns"] for state in states])),
