@@ -1,0 +1,156 @@
+"""Estimates, timings.csv, controls and the sampler's processes."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import fields
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fake_programs import MACHINE, TIMES, install, make_group, make_plan
+
+from report.errors import ReportError
+from report.measure.estimates import estimate_of_logs, interval_ranks
+from report.measure.run import controls_of, load_run, load_samples, write_run
+from report.measure.sampler import Process, Sampler, Samples, measure_interleaved
+from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
+from report.schemas import check_schema
+
+ROOT = Path(__file__).resolve().parents[2]
+STATES = [{"chain_ns": 0.3, "copy_ns": 1000.0}] * 2
+
+
+def samples_of(spread: float = 0.02, load: float = 0.0, processes: int = 9,
+               **controls: float) -> Samples:
+    """Two inputs."""
+    plan = make_plan(("scene", "square_64"))
+    dice = random.Random(1)
+    return Samples(plan, [
+        Process(seed, [make_group(group, dice, spread, **controls) for group in plan["groups"]],
+                STATES, load) for seed in range(processes)])
+
+
+def rows(samples: Samples) -> list[Row]:
+    """As they are published."""
+    return rows_of(samples, Origin("run", "machine", "commit"))
+
+
+@pytest.mark.parametrize("spread", [0.001, 0.05, 0.5])
+def test_quotients_of_published_times_are_the_published_speedups(tmp_path: Path,
+                                                                 spread: float) -> None:
+    path = tmp_path / "timings.csv"
+    path.write_text(to_csv(rows(samples_of(spread))))
+    published = read_csv(path)
+    references = {row.input: row for row in published if row.is_reference}
+    peers = {(row.technique, row.input): row for row in published if row.peer}
+    assert len(published) == 2 * len(TIMES)
+    for row in published:
+        quotient = references[row.input].median_ns / row.median_ns
+        assert row.speedup_vs_reference == pytest.approx(quotient, rel=0.005)
+        assert row.speedup_low <= row.speedup_vs_reference <= row.speedup_high
+        assert row.low <= row.median_ns <= row.high
+        assert row.ns_per_pixel == pytest.approx(row.median_ns / row.width / row.height, rel=1e-4)
+        if row.peer_name:
+            peer = peers[row.peer_name, row.input]
+            assert row.speedup_vs_peer == pytest.approx(peer.median_ns / row.median_ns, rel=0.005)
+
+
+def test_intervals_are_the_second_and_eighth_of_nine_values() -> None:
+    assert interval_ranks(9) == (1, 7)
+    assert interval_ranks(6) == interval_ranks(7)[:1] + (5,) == (0, 5)
+    assert interval_ranks(3) == (0, 2)
+    estimate = estimate_of_logs(np.log([5, 1, 9, 2, 8, 3, 7, 4, 6]))
+    assert (estimate.low, estimate.value, estimate.high) == pytest.approx((2, 5, 8))
+
+
+def test_a_machine_that_is_slower_for_all_rows_leaves_speedups_alone(
+        monkeypatch: pytest.MonkeyPatch) -> None:
+    before = rows(samples_of())
+    monkeypatch.setenv("FAKE_SLOWDOWN", "1.7")
+    for old, new in zip(before, rows(samples_of())):
+        assert new.speedup_vs_reference == pytest.approx(old.speedup_vs_reference)
+        assert new.median_ns == pytest.approx(1.7 * old.median_ns)
+
+
+def test_flags_say_what_a_row_is_worth() -> None:
+    def flags(samples: Samples) -> set[str]:
+        return {row.flags for row in rows(samples) if row.technique == "bitpacked"}
+
+    assert flags(samples_of(spread=0.02)) == {""}
+    assert flags(samples_of(spread=0.02, load=1.0)) == {""}
+    assert flags(samples_of(spread=0.9)) == {"unsteady"}
+    assert flags(samples_of(spread=0.9, load=1.0)) == {"inconclusive"}
+
+
+def test_rows_are_compared_with_peers_of_equal_output_only() -> None:
+    for row in rows(samples_of()):
+        assert row.peer_name == ("" if row.peer else "leptonica_4")
+
+
+def test_rows_survive_the_csv_file(tmp_path: Path) -> None:
+    path = tmp_path / "timings.csv"
+    path.write_text(to_csv(rows(samples_of())))
+    again = read_csv(path)
+    assert to_csv(again) == path.read_text()
+    assert again[0].max_iterations is None and again[0].verified is True
+    path.write_text(path.read_text().replace("median_ns", "mean_ns"))
+    with pytest.raises(ReportError, match="line 2: column 'median_ns' is missing"):
+        read_csv(path)
+
+
+def test_controls_decide_whether_a_run_concludes() -> None:
+    assert controls_of([samples_of()])["passed"]
+    assert not controls_of([samples_of(same=1.05)])["passed"]
+    assert not controls_of([samples_of(slowed=1.02)])["passed"]
+    assert controls_of([]) == {"same": None, "slowed": None, "processes": 0,
+                                                   "passed": False}
+
+
+def test_a_directory_holds_all_of_a_run(tmp_path: Path) -> None:
+    samples = samples_of()
+    written = write_run(tmp_path / "run", MACHINE, {}, [("", samples)])
+    run = load_run(tmp_path / "run")
+    assert run.facts == written.facts and run.is_conclusive
+    assert run.facts["run"] == "intel-6-143-8-1a2b3c4d/run"
+    assert to_csv(run.rows) == to_csv(written.rows)
+    assert load_samples(tmp_path / "run") == [samples]
+    check_schema("plan", samples.plan, "plan")
+    check_schema("process", vars(samples.processes[0]), "process")
+
+
+def test_a_directory_without_a_run_is_rejected_in_one_line(tmp_path: Path) -> None:
+    with pytest.raises(ReportError, match="run.json: cannot be read"):
+        load_run(tmp_path)
+    (tmp_path / "run.json").write_text('{"schema": 1}')
+    with pytest.raises(ReportError, match="run.json: "):
+        load_run(tmp_path)
+
+
+def test_processes_are_fresh_and_their_groups_in_the_order_of_the_plan(tmp_path: Path) -> None:
+    sampler = Sampler(install(tmp_path) / "thinbench_sampler")
+    samples = Samples(sampler.plan(["--input", "scene", "--input", "square_64"]))
+    other = Samples(samples.plan)
+    seen: list[float] = []
+    measure_interleaved([(sampler, samples), (sampler, other)], 2, seen.append)
+    assert [process.seed for process in samples.processes] == [0, 1]
+    assert len(seen) == 8 and len(samples.processes[0].groups) == 2
+    assert samples.processes[0].states == STATES
+    assert samples.processes[0].groups != samples.processes[1].groups
+    measure_interleaved([(sampler, samples)], 3, seen.append)
+    assert [process.seed for process in samples.processes] == [0, 1, 2]
+
+
+def test_failures_of_the_sampler_are_reported_with_its_status(tmp_path: Path) -> None:
+    sampler = Sampler(install(tmp_path) / "thinbench_sampler")
+    with pytest.raises(ReportError) as found:
+        sampler.plan(["--input", "broken"])
+    assert found.value.status == 2
+    (tmp_path / "thinbench_sampler").write_text("#!/bin/sh\nexit 1\n")
+    with pytest.raises(ReportError, match="a measuring process failed"):
+        sampler.measure(make_plan(), 0, lambda group: None)
+
+
+def test_every_column_is_documented() -> None:
+    text = (ROOT / "docs" / "measuring.md").read_text()
+    assert [field.name for field in fields(Row) if f"`{field.name}`" not in text] == []

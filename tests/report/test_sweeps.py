@@ -1,0 +1,136 @@
+"""Parameter sweeps: plans, resuming, curves."""
+
+from __future__ import annotations
+
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from fake_programs import install
+
+from report.measure.run import load_run
+from report.measure.timings import Row
+from report.sweeps.journal import NAME
+from report.sweeps.plans import SWEEPS, plan_words, thread_steps
+from report.sweeps.series import load_sweep_rows, sweep_series, sweeps_markdown
+
+HERE = Path(__file__).parent
+SWEPT = ["--quick", "--only", "depth", "--only", "size"]
+
+
+def sweeps(programs: Path, *words: object) -> subprocess.CompletedProcess[str]:
+    """The command on fake programs."""
+    return subprocess.run(["/usr/bin/python3", HERE / "fake_study.py", programs, "sweeps",
+                           *map(str, words)], check=False, text=True, capture_output=True)
+
+
+@pytest.fixture(name="programs", scope="module")
+def _programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    builds = tmp_path_factory.mktemp("builds")
+    install(builds / "release")
+    install(builds / "clang", "Clang")
+    return builds
+
+
+@pytest.fixture(name="run", scope="module")
+def _run(programs: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    directory = tmp_path_factory.mktemp("run")
+    done = sweeps(programs, *SWEPT, "--out", directory)
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    return directory
+
+
+def test_a_sweep_is_a_run_of_its_own_beside_the_study(run: Path) -> None:
+    found = load_run(run / "sweeps")
+    assert {row.sweep for row in found.rows} == {"depth", "size"}
+    assert found.facts["run"].endswith(f"/{run.name}/sweeps")
+    assert not (run / "sweeps" / NAME).exists()
+    assert load_sweep_rows(run) == found.rows and load_sweep_rows(run / "absent") == []
+
+
+def test_points_of_a_curve_stand_at_the_values_that_are_swept(run: Path) -> None:
+    curves = {(one.sweep, one.label): [point.x for point in one.points]
+              for one in sweep_series(load_sweep_rows(run))}
+    assert curves["depth", "bitpacked/baseline"] == [4, 8, 16, 32, 64]
+    assert list(dict.fromkeys(sweep for sweep, _ in curves)) == ["size", "depth"]
+
+
+def test_curves_are_told_apart_by_what_else_varies(run: Path) -> None:
+    row = next(row for row in load_sweep_rows(run) if row.technique == "bitpacked")
+
+    def labels(*changed: Row) -> list[str]:
+        return [one.label for one in sweep_series(changed)]
+
+    noise = [replace(row, sweep="density", input=f"noise_512_{percent}_{block}")
+             for percent in (10, 50) for block in (1, 4)]
+    assert labels(*noise) == ["bitpacked/baseline, blocks of 1", "bitpacked/baseline, blocks of 4"]
+    isas = [replace(row, sweep="isa", isa=isa) for isa in ("baseline", "avx2")]
+    assert [[point.x for point in one.points] for one in sweep_series(isas)] == [
+        ["baseline", "avx2"]]
+    reference = replace(row, sweep="isa", technique="reference")
+    assert not labels(reference) and not labels(replace(row, sweep=""))
+
+
+def test_markdown_has_a_table_for_each_case(run: Path) -> None:
+    text = (run / "sweeps" / "sweeps.md").read_text()
+    assert text == sweeps_markdown(sweep_series(load_sweep_rows(run)))
+    assert "**thin_guo_hall** by side of the square, pixels" in text
+    assert "| 511 | " in text
+
+
+def test_an_interrupted_measurement_continues_where_it_was(programs: Path, tmp_path: Path) -> None:
+    words = [*SWEPT, "--processes", "3", "--out", tmp_path]
+    path = tmp_path / "sweeps" / NAME
+    # Interrupted by its own sampler in the fourth process, as Ctrl-C would do.
+    stopping = tmp_path / "stopping"
+    program = install(stopping / "release") / "thinbench_sampler"
+    program.write_text(program.read_text().replace(
+        "exec", f'[ "$1" = plan ] || [ "$(wc -l <"{path}")" -lt 4 ] || '
+                "{ kill -INT $PPID; exit 130; }\nexec", 1))
+    done = sweeps(stopping, *words)
+    assert done.returncode == 130 and "--resume continues" in done.stderr, done.stderr
+    assert sum(row.repetitions for row in load_run(tmp_path / "sweeps").rows) > 0
+
+    with path.open("a", encoding="utf-8") as stream:
+        stream.write('{"part": 0, "se')  # a process that was not written to its end
+    before = path.read_text().splitlines()[:-1]
+    assert len(before) == 4
+    assert "unfinished measurement" in sweeps(programs, *words).stderr
+    other = sweeps(programs, *words, "--processes", "4", "--resume")
+    assert other.returncode == 1
+    assert "processes was 3 and is now 4; --resume needs the same" in other.stderr
+
+    done = sweeps(programs, *words, "--resume")
+    assert done.returncode == 0, done.stderr
+    assert not path.exists()
+    assert {row.repetitions for row in load_run(tmp_path / "sweeps").rows} == {3}
+
+
+def test_nothing_to_continue_is_said(programs: Path, tmp_path: Path) -> None:
+    done = sweeps(programs, "--resume", "--out", tmp_path)
+    assert done.returncode == 1 and done.stderr.count("\n") == 1
+    assert "unfinished.jsonl' to continue; leave out --resume" in done.stderr
+
+
+def test_builds_of_two_compilers_are_compared(programs: Path, tmp_path: Path) -> None:
+    done = sweeps(programs, "--compiler", "clang", "--quick", "--out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    directory = tmp_path / "compilers"
+    runs = {load_run(directory / preset).machine["compiler"]["id"]
+            for preset in ("release", "clang")}
+    assert runs == {"GNU", "Clang"}
+    assert "| machine.compiler.id | GNU | Clang |" in (directory / "comparison.md").read_text()
+
+
+def test_full_sweeps_hold_the_quick_ones_parameters() -> None:
+    for sweep in SWEEPS:
+        quick, full = (plan_words(sweep, is_quick, 2) for is_quick in (True, False))
+        assert quick.count("--input") <= full.count("--input")
+        assert full[full.index("--filter") + 1] == quick[quick.index("--filter") + 1]
+
+
+def test_threads_go_up_to_all_cores() -> None:
+    assert thread_steps(1) == thread_steps(2) == [2]
+    assert thread_steps(4) == [2, 3, 4]
+    assert thread_steps(32) == [2, 3, 4, 5, 6, 7, 8, 12, 18, 27, 32]
