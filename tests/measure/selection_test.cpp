@@ -64,7 +64,7 @@ TEST_F(SelectRows, highest_takes_one_isa_of_each_technique) {
 std::set<std::string> chosen(VariantChoice choice, const std::vector<TimedInput>& inputs) {
   const std::vector<Operation> operations = {operation_of("edges_sobel")};
   std::set<std::string> names;
-  for (const TimedRow& row : select_rows({.variants = choice}, operations, inputs).rows) {
+  for (const TimedRow& row : select_rows({"", choice}, operations, inputs).rows) {
     if (row.variant == nullptr) continue;
     names.insert(std::string(row.variant->technique) + "/" + std::string(row.variant->isa_label()));
   }
@@ -79,11 +79,16 @@ TEST_F(SelectRows, quick_adds_avx2_to_the_highest_isa) {
   EXPECT_EQ(chosen(VariantChoice::quick, inputs), expected);
 }
 
-TEST_F(SelectRows, best_takes_the_librarys_choice_and_its_best_scalar_variant) {
-  const std::set<std::string> best = chosen(VariantChoice::best, inputs);
-  const std::string isa(isa_name(std::min(best_isa(), Isa::avx512)));
-  EXPECT_TRUE(best.contains("simd_8bit/" + isa) || isa == "baseline");
-  EXPECT_LE(best.size(), 2U);
+TEST_F(SelectRows, best_takes_the_variant_of_the_highest_priority_and_the_best_scalar_one) {
+  operations.front().variants.clear();
+  for (const char* technique : {"autovec", "lut", "bitpacked", "simd_bytes"}) {
+    operations.front().variants.push_back(copy_variant(technique, false));
+    operations.front().variants.back().priority = static_cast<int>(operations[0].variants.size());
+  }
+  const Selection selection = select_rows({"", VariantChoice::best}, operations, inputs);
+  EXPECT_EQ(names_of(selection.rows), (Names{"copy/reference/baseline/1/end_to_end/scene",
+                                             "copy/bitpacked/baseline/1/end_to_end/scene",
+                                             "copy/simd_bytes/baseline/1/end_to_end/scene"}));
 }
 
 TEST_F(SelectRows, rows_are_found_again_by_their_names) {
