@@ -8,7 +8,7 @@ from typing import Any
 
 from report.formatting import NOTHING
 from report.measure.timings import END_TO_END, Row
-from report.page.operations import Rows, fastest, is_square, label, place
+from report.page.operations import Rows, fastest, is_square, label, place, title
 from report.sweeps.plans import BY_NAME
 from report.sweeps.series import Series, sweep_series
 
@@ -54,7 +54,7 @@ def sweep_charts(rows: Iterable[Row]) -> list[Chart]:
     by_chart: dict[tuple[str, str], list[Series]] = {}
     for series in sweep_series(rows):
         by_chart.setdefault((series.sweep, series.case), []).append(series)
-    return [Chart(f"{label(case)} by {sweep}", BY_NAME[sweep].what, tuple(map(_curve, curves)))
+    return [Chart(f"{title(case)} by {sweep}", BY_NAME[sweep].what, tuple(map(_curve, curves)))
             for (sweep, case), curves in by_chart.items()]
 
 

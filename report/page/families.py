@@ -24,7 +24,7 @@ COPY = Family("copy of the bytes", "#009e73", "|")
 TABLES = Family("tables, union-find", "#c3a800", "s")
 COMPILER = Family("vectorised by the compiler", "#cc79a7", "v")
 WORDS = Family("64 pixels in a word", "#56b4e9", "^")
-NUMBERS = Family("SIMD on bytes and numbers", "#d55e00", "P")
+NUMBERS = Family("SIMD on bytes and numbers", "#d55e00", "X")
 BITS = Family("SIMD on packed bits", "#0072b2", "o")
 FAMILIES = (REFERENCE, TABLES, COMPILER, WORDS, NUMBERS, BITS, PEER, OTHER, COPY)
 

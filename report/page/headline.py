@@ -27,8 +27,9 @@ def headline_table(lines: list[Headline]) -> str:
 
 def readme_table(lines: list[Headline]) -> str:
     """As the README has it."""
-    cells = [(line.label, duration(line.best.median_ns), variant(line.best),
-              speedup_text(line.best), times(line.best.speedup_vs_peer) if _is_opencv(line) else "")
+    cells = [(f"{line.label}, `{line.operation}`", duration(line.best.median_ns),
+              variant(line.best), speedup_text(line.best),
+              times(line.best.speedup_vs_peer) if _is_opencv(line) else "")
              for line in lines]
     return markdown_table(README_HEADER, cells, frozenset((1, 3, 4)))
 

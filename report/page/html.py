@@ -19,7 +19,7 @@ from report.page.limits import load_limits
 from report.page.operations import Headline, Rows, peer_title
 from report.page.pictures import Pictures
 from report.page.provenance import provenance, skipped
-from report.page.sections import sections
+from report.page.sections import IMPLIED, sections
 from report.page.sentences import date_of, sentences, warnings
 from report.page.tables import Table
 from report.sweeps.series import load_sweep_rows
@@ -43,7 +43,7 @@ def to_html(rows: Rows, lines: list[Headline], svg: str, claims: list[Claim],
         sections=sections(rows, pictures, limits), limits=limits, limits_header=LIMITS_HEADER,
         charts=[*size_chart(rows), *sweep_charts([*sweeps, *run.rows])], experiments=experiments,
         facts=provenance(run), skipped=skipped(run), families=[vars(one) for one in FAMILIES],
-        chart_js=Markup(chart_js()))
+        implied=IMPLIED, chart_js=Markup(chart_js()))
 
 
 def chart_js(path: Path = CHART_JS) -> str:
@@ -66,7 +66,8 @@ def _environment() -> Environment:
 
 
 def _with_figures(sentence: str) -> Markup:
-    return Markup(re.sub(r"\*\*(.+?)\*\*", r"<strong>\1</strong>", str(escape(sentence))))
+    return Markup(re.sub(r"\*\*(.+?)\*\*", lambda found: "<strong>" + found[1].replace(
+        " ", "\N{NO-BREAK SPACE}") + "</strong>", str(escape(sentence))))
 
 
 def _peers(rows: Rows, lines: list[Headline]) -> str:

@@ -18,15 +18,15 @@ ARITHMETIC = ("simd_float_bits", "simd_fixed_point", "autovec")
 PRINTED_RULE = "thin_naccache_shinghal"
 
 LABELS = {
-    "thin_guo_hall": "Guo-Hall thinning", "thin_zhang_suen": "Zhang-Suen thinning",
-    "thin_mb2": "MB2 thinning", "thin_spta_directional": "SPTA, directional",
-    "thin_spta": "SPTA, sequential", "thin_lu_wang": "Lu-Wang thinning",
-    PRINTED_RULE: "the paper's thinning rule", "skeleton_scan": "midpoint scan",
+    "thin_guo_hall": "Guo-Hall", "thin_zhang_suen": "Zhang-Suen",
+    "thin_mb2": "MB2", "thin_spta_directional": "SPTA, directional",
+    "thin_spta": "SPTA, sequential", "thin_lu_wang": "Lu-Wang",
+    PRINTED_RULE: "the paper's rule", "skeleton_scan": "midpoint scan",
     "edges_sobel": "Sobel edges", "edges_prewitt": "Prewitt edges",
     "edges_roberts4": "Roberts edges, 2 × 2", "edges_roberts9": "Roberts edges, 3 × 3",
     "edges_mero_vassy": "Mero-Vassy edges, 3 × 3", "edges_mero_vassy_5x5": "Mero-Vassy edges, 5 × 5",
     "holes": "objects and holes", "components": "objects", "fill_holes": "filled holes",
-    "euler_number": "Euler number, 8-connected", "euler_number_4": "Euler number, 4-connected",
+    "euler_number": "Euler number, 8-conn.", "euler_number_4": "Euler number, 4-conn.",
     "localise_objects": "grey image to centres",
     "net_two_layer_linear": "two-layer net, linear", "net_two_layer_sigmoid": "two-layer net, sigmoid",
     "net_two_layer_rounded": "two-layer net, rounded", "net_single_layer_cluster": "cluster of nets"}
@@ -129,11 +129,18 @@ def place(case: str) -> tuple[int, str]:
 
 
 def label(case: str) -> str:
-    """A case in words."""
+    """A case in few words, for tables."""
     operation, *options = case.split(":")
     words = [LABELS.get(operation, operation.replace("_", " "))]
     words += ["border kept" if option == "keep" else f"{option} iteration" for option in options]
     return ", ".join(words)
+
+
+def title(case: str) -> str:
+    """A case in words, for headings."""
+    words = label(case)
+    first, comma, rest = words.partition(",")
+    return f"{first} thinning{comma}{rest}" if case.startswith("thin_") else words
 
 
 def peer_title(run: Run, technique: str) -> str:

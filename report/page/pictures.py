@@ -6,7 +6,7 @@ import base64
 from dataclasses import dataclass
 from pathlib import Path
 
-from report.page.operations import Rows, label
+from report.page.operations import Rows, title
 
 FIRST = ("thin_guo_hall", "thin_guo_hall:keep", "thin_zhang_suen", "thin_naccache_shinghal",
          "edges_sobel")
@@ -34,7 +34,7 @@ class Pictures:
 
     def of_case(self, case: str) -> Picture | None:
         """What the case makes of the main input; None where there is no such image."""
-        return self._picture(f"{self.rows.input}_{case.replace(':', '_')}.png", label(case))
+        return self._picture(f"{self.rows.input}_{case.replace(':', '_')}.png", title(case))
 
     def inputs(self) -> list[Picture]:
         """The main input in grey, else binary."""

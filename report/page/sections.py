@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from report.formatting import NOTHING, duration, interval, scope_label, three_digits, times
+from report.formatting import NOTHING, duration, interval, scope_label, times
 from report.measure.timings import Row
 from report.page.families import FAMILIES, family
 from report.page.limits import Limits
-from report.page.operations import Headline, Rows, label
+from report.page.operations import Headline, Rows, label, title
 from report.page.pictures import Picture, Pictures
 
 
@@ -34,6 +34,7 @@ class Section:
     """An operation."""
 
     name: str
+    label: str
     title: str
     picture: Picture | None
     bound: str
@@ -53,17 +54,22 @@ def sections(rows: Rows, pictures: Pictures, limits: Limits) -> list[Section]:
 
 
 def _section(rows: Rows, name: str, pictures: Pictures, limits: Limits) -> Section:
-    own = [row for row in rows.rows if row.operation == name]
-    own.sort(key=lambda row: row.median_ns)
     cases = [case for case in rows.cases if case.partition(":")[0] == name]
+    own = [row for row in rows.rows if row.operation == name]
+    copy = rows.copy(cases[0])
+    own += [copy] if copy and copy.operation != name else []
+    own.sort(key=lambda row: row.median_ns)
     columns = _columns(own)
-    words = sum(column[0] in WORDS for column in columns)
+    texts = sum(column[0] in WORDS for column in columns)
     lines = tuple(Line(_data(row, rows), tuple(value(row) for _, value in columns)) for row in own)
     picture = next((found for case in cases if (found := pictures.of_case(case))), None)
     bound = _bound(rows.headline(cases[0]))
-    return Section(name, label(name), picture, bound, tuple(title for title, _ in columns), words,
+    return Section(name, label(name), title(name), picture, bound, tuple(words for words, _ in columns), words,
                    lines, limits.rows.get(name, []))
 
+
+IMPLIED = ("Options", "Scope", "Image")
+"""Columns that say what the switches say; hidden beside these."""
 
 WORDS = ("Technique", "ISA", "Options", "Scope", "Image", "Flags")
 
@@ -82,7 +88,7 @@ def _columns(rows: list[Row]) -> list[Column]:
                            ("ns/pixel", lambda row: Cell(f"{row.ns_per_pixel:.4f}",
                                                          _number(row.ns_per_pixel))),
                            ("Speed-up", lambda row: _ratio(row.speedup_vs_reference)),
-                           ("Its interval", lambda row: Cell(
+                           ("Speed-up interval", lambda row: Cell(
                                interval(row.speedup_low, row.speedup_high),
                                _number(row.speedup_low))),
                            ("To peer", lambda row: _ratio(row.speedup_vs_peer))]
@@ -115,7 +121,7 @@ def _bound(line: Headline | None) -> str:
     share = line.copy_share or 0.0
     what = "Reading its packed input" if line.copy.technique == "read_bits" else \
         "A copy of the same bytes"
-    relation = (f"{three_digits(100 * share)} % of the fastest variant's {duration(line.best.median_ns)}"
+    relation = (f"{100 * share:.0f} % of the fastest variant's {duration(line.best.median_ns)}"
                 if share <= 1 else f"more than the fastest variant's {duration(line.best.median_ns)}")
     return f"Lower bound: {what[0].lower()}{what[1:]} takes {duration(line.copy.median_ns)}, {relation}."
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import datetime
 
-from report.formatting import counted, duration, speedup_text, three_digits, times, variant
+from report.formatting import counted, duration, interval, three_digits, times, variant
 from report.measure.run import Run
-from report.page.operations import PRINTED_RULE, Headline, Rows, peer_title
+from report.page.operations import PRINTED_RULE, Headline, Rows, peer_title, title
 from report.page.table_two import PAPER_MACHINE, PAPER_RULE
 
 MAX_FLAGGED = 0.1
@@ -45,9 +45,10 @@ def _fastest(rows: Rows, lines: list[Headline]) -> str:
     if not lines:
         return ""
     best = lines[0].best
-    return (f"{_capital(lines[0].label)} of {best.width} × {best.height} pixels takes "
-            f"**{duration(best.median_ns)}** on one core, **{speedup_text(best)}** as fast as plain "
-            f"C++ ({variant(best)}).")
+    return (f"{_capital(title(lines[0].case))} of {best.width} × {best.height} pixels takes "
+            f"**{duration(best.median_ns)}** on one core: **{times(best.speedup_vs_reference)}** "
+            f"({interval(best.speedup_low, best.speedup_high)}) as fast as plain C++, by "
+            f"{variant(best)}.")
 
 
 def _peers(rows: Rows, lines: list[Headline]) -> str:
@@ -55,10 +56,10 @@ def _peers(rows: Rows, lines: list[Headline]) -> str:
              if line.peer and line.best.speedup_vs_peer]
     if not found:
         return ""
-    title = peer_title(rows.run, found[0][0].best.peer_name)
+    peer = peer_title(rows.run, found[0][0].best.peer_name)
     parts = [f"{line.label.replace(', border kept', '')} **{times(ratio)}**"
              for line, ratio in found]
-    return (f"With output equal in every pixel it is faster than {title}: {', '.join(parts)}, each "
+    return (f"With output equal in every pixel it is faster than {peer}: {', '.join(parts)}, each "
             "on one thread.")
 
 

@@ -42,7 +42,7 @@
   const base = () => ({
     responsive: true, maintainAspectRatio: false, animation: false, color: colour("ink"),
     plugins: {
-      legend: { position: "top", align: "start", labels: { usePointStyle: true, boxWidth: 8, color: colour("ink") } },
+      legend: { position: "top", align: "start", labels: { usePointStyle: true, boxWidth: 12, boxHeight: 7, padding: 8, color: colour("ink") } },
       tooltip: { displayColors: false },
     },
   });
@@ -60,7 +60,7 @@
   };
 
   // ---- One operation ----
-  const STYLES = { o: "circle", s: "rect", "^": "triangle", v: "triangle", P: "cross", D: "rectRot", d: "rectRot", "|": "line" };
+  const STYLES = { o: "circle", s: "rect", "^": "triangle", v: "triangle", X: "crossRot", D: "rectRot", d: "rectRot", "|": "line" };
   const nameOf = ({ technique, isa, threads }) => [technique, isa === "native" || technique === "reference" ? "" : isa,
     threads === "1" ? "" : `${threads} threads`].filter(Boolean).join(" · ");
 
@@ -72,7 +72,7 @@
       .sort((a, b) => a.dataset.ns - b.dataset.ns);
     const labels = [...new Set(rows.map((row) => nameOf(row.dataset)))];
     const datasets = FAMILIES.map((family, index) => ({
-      label: family.words, borderColor: family.colour, borderWidth: 2,
+      label: family.words, borderColor: family.colour, borderWidth: family.marker === "X" ? 3 : 2,
       backgroundColor: index === 0 || family.marker === "d" ? colour("card") : family.colour,
       pointStyle: STYLES[family.marker], rotation: family.marker === "v" ? 180 : family.marker === "|" ? 90 : 0,
       radius: 6, hoverRadius: 9, hitRadius: 6,
@@ -97,12 +97,16 @@
     redraw(section.canvas, { type: "scatter", data: { datasets }, options });
   };
 
+  // Peers and references belong to every ISA, a copy to every border.
+  const isExempt = ({ dataset }, key) => (key === "isa" && (dataset.isa === "native" || dataset.technique === "reference")) ||
+    (key === "options" && FAMILIES[dataset.family].marker === "|");
+
   const show = (section) => {
     const words = section.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     const rows = Array.from(section.table.tBodies[0].rows);
     for (const row of rows) {
-      const wanted = SWITCHES.every(([key]) => !section.values[key] || section.current[key] === "all" || (key === "isa" &&
-        (row.dataset.isa === "native" || row.dataset.technique === "reference")) || row.dataset[key] === section.current[key]);
+      const wanted = SWITCHES.every(([key]) => !section.values[key] || section.current[key] === "all" ||
+        isExempt(row, key) || row.dataset[key] === section.current[key]);
       const text = row.textContent.toLowerCase();
       row.hidden = !(wanted && words.every((word) => text.includes(word)));
     }
@@ -169,8 +173,8 @@
       canvas: find("canvas"), search: find("input[type=search]"), output: find("output"), values: {}, current: {} };
     const rows = Array.from(section.table.tBodies[0].rows);
     for (const [key, , first] of SWITCHES) {
-      const own = rows.filter((row) => key !== "isa" || (row.dataset.isa !== "native" && row.dataset.technique !== "reference"));
-      const found = [...new Set(own.map((row) => row.dataset[key]))].sort(compare);
+      const own = rows.filter((row) => !isExempt(row, key)).map((row) => row.dataset[key]);
+      const found = [...new Set(own)].sort(key === "isa" ? (a, b) => ISAS.indexOf(a) - ISAS.indexOf(b) : compare);
       if (found.length < 2) continue;
       section.values[key] = key === "isa" || key === "threads" ? ["all", ...found] : found;
       const wanted = choice[key] ?? first;
@@ -209,7 +213,7 @@
   const drawSweep = (part) => {
     const { x, curves, places } = JSON.parse(part.dataset.chart);
     const named = places.some((place) => typeof place === "string");
-    const spread = !named && places[0] > 0 && places.at(-1) / places[0] >= 16;
+    const spread = !named && places[0] > 0 && places.at(-1) / places[0] >= 8;
     const options = base();
     options.interaction = { mode: "nearest", intersect: false };
     options.scales = {
