@@ -1,0 +1,147 @@
+"""Comparison of two builds: processes of both alternate, and the clock decides.
+
+Another process on the same physical core slows a call by up to 60 %, for seconds at a time. So two
+processes are compared that run within half a second: each measures one group, without references,
+in about 0.1 s, and each row gives ln(its time in one build / its time in the other). A time is the
+10 % quantile of a row's own epochs, so it rests on no other row, and any kernel may have changed,
+the anchor's too. Beside three busy processes on two cores, 27 pairs told 5 % in 9 of 9 attempts,
+9 pairs in 61 % of them, and 9 pairs of processes that measure all groups, references included, in
+every fifth; equal builds never failed (docs/regression.md has the figures).
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from report.measure.estimates import Estimate, Floats, estimate_of_logs
+from report.measure.sampler import Json, Sampler, Samples, measure_interleaved
+from report.measure.timings import REFERENCE
+from report.regress.stored import group_of
+from report.regress.verdicts import RowVerdict, Times, Verdict, judge, skipped
+
+PAIRS = 27
+VISITS = 8
+"""Epochs of a row in each process."""
+
+LIMIT = 0.025
+"""Tolerated loss of speed; the A/A control widens it."""
+
+QUANTILE = 1
+"""Of the quantiles that the sampler gives: 10 %."""
+
+PROCESS_SECONDS, VISIT_SECONDS = 0.15, 0.0008
+
+
+@dataclass
+class Pair:
+    """A group, measured in both builds."""
+
+    plan: Json
+    before: Samples = field(init=False)
+    now: Samples = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.before, self.now = Samples(self.plan), Samples(self.plan)
+
+    @property
+    def entries(self) -> list[Json]:
+        """Rows and controls."""
+        entries: list[Json] = self.plan["groups"][0]["entries"]
+        return entries
+
+
+def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
+    """The rows that both builds know, with equal results, and why others are missing."""
+    results = [_results(plan) for plan in (before, now)]
+    common = {name for name, result in results[0].items() if results[1].get(name) == result}
+    kept = {}
+    for plan in (now, before):  # the other build's anchor, where it has the group
+        kept |= {key: group for group in plan["groups"]
+                 for key, group in [_lean_group(group, common)] if group}
+    measured = {entry["name"] for group in kept.values() for entry in group["entries"]}
+    left_out = [skipped(name, _why_left_out(name, *results))
+                for name in sorted(results[1].keys() - measured)]
+    return now | {"groups": list(kept.values())}, left_out
+
+
+def measure_pairs(before: Sampler, now: Sampler, pairs: list[Pair], first_seed: int,
+                  on_seconds: Callable[[float], None]) -> None:
+    """The groups in random order, the processes of a pair one after the other."""
+    for seed in range(first_seed, first_seed + PAIRS):
+        order = list(pairs)
+        random.Random(seed).shuffle(order)
+        for pair in order:
+            measure_interleaved([(before, pair.before), (now, pair.now)], 1, on_seconds, seed)
+
+
+def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
+    """On the rows of a group."""
+    before, now = _log_times(pair.before), _log_times(pair.now)
+    limit, doubt = _limit(pair, np.concatenate([before, now]))
+    for index, entry in enumerate(pair.entries):
+        if entry["role"] != "row":
+            continue
+        if entry["threaded"] and not judge_threads:
+            yield skipped(entry["name"], "threads are judged with --judge-threads only")
+            continue
+        change = estimate_of_logs(before[:, index] - now[:, index])
+        times = [Times(float(np.exp(np.median(logs[:, index])))) for logs in (before, now)]
+        row = RowVerdict(entry["name"], judge(change, limit), "", change, limit, *times)
+        yield row.doubted(doubt) if doubt else row
+
+
+def planned_seconds(pairs: list[Pair]) -> float:
+    """How long `measure_pairs` takes, about."""
+    return 2 * PAIRS * sum(pair.plan["groups"][0]["seconds"] for pair in pairs)
+
+
+def _results(plan: Json) -> dict[str, str]:
+    """Hashes of results, without references, which are no part of the comparison."""
+    return {entry["name"]: entry["hash"] for group in plan["groups"] for entry in group["entries"]
+            if entry["name"].split("/")[1] != REFERENCE}
+
+
+def _lean_group(group: Json, common: set[str]) -> tuple[str, Json | None]:
+    """With common rows only, and None where its anchor or controls are not among them."""
+    entries = [entry for entry in group["entries"] if entry["name"] in common]
+    anchor = group["entries"][group["anchor"]]
+    key = group_of(group["entries"][0]["name"])
+    if anchor not in entries or not any(entry["role"] == "same" for entry in entries):
+        return key, None
+    seconds = PROCESS_SECONDS + len(entries) * VISITS * VISIT_SECONDS
+    return key, group | {"entries": entries, "anchor": entries.index(anchor), "sweeps": 2,
+                         "rounds": VISITS // 2, "seconds": seconds}
+
+
+def _why_left_out(name: str, before: dict[str, str], now: dict[str, str]) -> str:
+    if name not in before:
+        return "new: there is nothing to compare with"
+    if before[name] != now[name]:
+        return "another result than in the other build"
+    return "the rows that it is measured beside are not the same in both builds"
+
+
+def _log_times(samples: Samples) -> Floats:
+    """`[process, entry]`"""
+    return np.log([[entry["ns"][QUANTILE] for entry in process.groups[0]["entries"]]
+                   for process in samples.processes])
+
+
+def _limit(pair: Pair, logs: Floats) -> tuple[float, str]:
+    """The tolerated loss, and what is wrong with the controls of both builds, if anything."""
+    same, slowed = (_control(pair, logs, role) for role in ("same", "slowed"))
+    limit = max(LIMIT, 1 - same.low, same.high - 1)
+    if judge(slowed, limit) != Verdict.FAIL:
+        return limit, "the injected slowdown of 10 % was not found"
+    return limit, ""
+
+
+def _control(pair: Pair, logs: Floats, role: str) -> Estimate:
+    roles = [entry["role"] for entry in pair.entries]
+    control = roles.index(role)
+    names = [entry["name"] for entry in pair.entries]
+    return estimate_of_logs(logs[:, names.index(names[control])] - logs[:, control])
