@@ -64,8 +64,8 @@ def _section(rows: Rows, name: str, pictures: Pictures, limits: Limits) -> Secti
     lines = tuple(Line(_data(row, rows), tuple(value(row) for _, value in columns)) for row in own)
     picture = next((found for case in cases if (found := pictures.of_case(case))), None)
     bound = _bound(rows.headline(cases[0]))
-    return Section(name, label(name), title(name), picture, bound, tuple(words for words, _ in columns), words,
-                   lines, limits.rows.get(name, []))
+    return Section(name, label(name), title(name), picture, bound,
+                   tuple(words for words, _ in columns), texts, lines, limits.rows.get(name, []))
 
 
 IMPLIED = ("Options", "Scope", "Image")
