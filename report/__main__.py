@@ -9,20 +9,23 @@ from collections.abc import Callable
 
 from report.errors import ReportError
 
-Run = Callable[[argparse.ArgumentParser, argparse.Namespace], str]
+Run = Callable[[argparse.ArgumentParser, argparse.Namespace], str | tuple[str, int]]
+"""Returns what to print, and the exit status where it is not always 0."""
 
 
 def _commands(parser: argparse.ArgumentParser) -> None:
     """Declares every command; what they need is imported when one runs."""
     from report import compare, study
     from report.page import command as page
+    from report.regress import command as regress
     from report.sweeps import command as sweeps
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def add(name: str, what: str, declare: Callable[[argparse.ArgumentParser], None], run: Run,
             epilog: str) -> None:
-        command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.",
-                                      epilog=epilog,
+        prog = "./study" if name == "study" else f"./study {name}"
+        command = commands.add_parser(name, prog=prog, help=what, epilog=epilog,
+                                      description=f"{what[0].upper()}{what[1:]}.",
                                       formatter_class=argparse.RawDescriptionHelpFormatter)
         declare(command)
         command.set_defaults(run=run, parser=command)
@@ -31,6 +34,8 @@ def _commands(parser: argparse.ArgumentParser) -> None:
         study.run_study, study.EPILOG)
     add("sweeps", "measure how times depend on one parameter", sweeps.add_sweeps_command,
         sweeps.run_sweeps, sweeps.EPILOG)
+    add("regress", "say whether rows became slower", regress.add_regress_command,
+        regress.run_regress, regress.EPILOG)
     add("compare", "compare runs of different machines or commits", compare.add_compare_command,
         compare.run_compare, compare.EPILOG)
     for name, what, declare, run in (
@@ -49,14 +54,16 @@ def main(arguments: list[str]) -> int:
     _commands(parser)
     options = parser.parse_args(arguments)
     try:
-        print(options.run(options.parser, options).rstrip("\n"))
+        found = options.run(options.parser, options)
+        text, status = found if isinstance(found, tuple) else (found, 0)
+        print(text.rstrip("\n"))
     except ReportError as error:
         print(f"study: {error}", file=sys.stderr)
         return error.status
     except KeyboardInterrupt:
         print("study: interrupted", file=sys.stderr)
         return 130
-    return 0
+    return int(status)
 
 
 if __name__ == "__main__":
