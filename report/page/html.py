@@ -13,7 +13,6 @@ from report.errors import ReportError
 from report.formatting import counted, duration, flag_text, interval, times, variant
 from report.page.charts import size_chart, sweep_charts
 from report.page.families import FAMILIES
-from report.page.headline import copy_cell
 from report.page.limits import HEADER as LIMITS_HEADER
 from report.page.limits import load_limits
 from report.page.operations import Headline, Rows, peer_title
@@ -60,7 +59,7 @@ def _environment() -> Environment:
     environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     environment.filters |= {"duration": duration, "times": times, "variant": variant,
-                            "copy_cell": copy_cell, "flag": flag_text}
+                            "flag": flag_text}
     environment.globals |= {"interval": interval, "counted": counted}
     return environment
 

@@ -57,7 +57,7 @@ def _section(rows: Rows, name: str, pictures: Pictures, limits: Limits) -> Secti
     cases = [case for case in rows.cases if case.partition(":")[0] == name]
     own = [row for row in rows.rows if row.operation == name]
     copy = rows.copy(cases[0])
-    own += [copy] if copy and copy.operation != name else []
+    own += [copy] if copy and copy not in own else []
     own.sort(key=lambda row: row.median_ns)
     columns = _columns(own)
     texts = sum(column[0] in WORDS for column in columns)

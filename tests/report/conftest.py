@@ -1,136 +1,110 @@
-"""A small synthetic benchmark run, and the means to spoil it in one place."""
+"""A small synthetic run, made of Row objects."""
 
 from __future__ import annotations
 
-import json
-import random
-import subprocess
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import matplotlib.image
 import numpy as np
 import pytest
+from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-OPERATION = "thin_naccache_shinghal"
-SIZES = {"scene": (510, 412), "square_64": (64, 64), "square_1024": (1024, 1024)}
-REFERENCE_NS_PER_PIXEL = 20.0
-
-# Technique, instruction set, threads, and the gain in end-to-end and kernel rows.
-VARIANTS = (
-    ("lut", "baseline", 1, 3.0, None),
-    ("bitpacked", "baseline", 1, 20.0, 30.0),
-    ("simd_bitpacked", "avx2", 1, 60.0, 120.0),
-    ("simd_bitpacked", "avx512", 1, 90.0, 200.0),
-    ("simd_bitpacked", "avx512", 2, 100.0, 240.0),
-)
+# pylint: disable=wrong-import-position
+from report.__main__ import main  # noqa: E402
+from report.files import read_json, to_json, write_files  # noqa: E402
+from report.measure.timings import Row, to_csv  # noqa: E402
 
 MACHINE: dict[str, Any] = {
     "schema": 1, "fingerprint": "intel-6-143-8-1a2b3c4d",
-    "cpu": {"vendor": "intel", "family": 6, "model": 143, "stepping": 8,
-            "name": "Intel Xeon <Platinum> 8481C", "flags": ["sse4_2", "avx2", "avx512f"]},
-    "cores": 2,
-    "caches": [{"level": 1, "type": "Data", "size_kib": 48},
-               {"level": 1, "type": "Instruction", "size_kib": 32},
-               {"level": 2, "type": "Unified", "size_kib": 2048}],
-    "memory_gib": 23, "kernel": "6.1.0", "os": "Debian 12",
+    "cpu": {"vendor": "intel", "family": 6, "model": 143, "stepping": 8, "name": "Fake <CPU>",
+            "flags": ["avx2"]},
+    "cores": 2, "caches": [{"level": 1, "type": "Data", "size_kib": 48}], "memory_gib": 23,
+    "kernel": "Linux 6.1.0", "os": "Debian 12",
     "compiler": {"id": "GNU", "version": "12.2.0", "flags": "-O3", "build_type": "Release"},
-    "libraries": {"xsimd": "8.1.0", "benchmark": "1.7.1"}, "commit": "abc1234",
-    "date": "2026-11-21T00:10:00Z", "options": {"quick": True, "filter": ""},
-    "isa_available": ["baseline", "sse4.2", "avx2", "avx512"], "isa_cap": "avx512",
-}
+    "libraries": {"xsimd": "8.1.0"}, "commit": "abc1234", "date": "2026-11-21T00:10:00Z",
+    "options": {}, "isa_available": ["baseline", "avx2", "avx512"], "isa_cap": None}
+
+SIZES = {"scene": (510, 412), "square_64": (64, 64), "square_128": (128, 128)}
+EQUAL = "opencv"
+
+NS = {("reference", "baseline"): 1e7, ("lut", "baseline"): 4e6, ("bitpacked", "baseline"): 5e5,
+      ("simd_bitpacked", "avx2"): 1.2e5, ("simd_bitpacked", "avx512"): 6.4e4}
+"""Nanoseconds of a call on one thread, end to end."""
 
 
-def entries(name: str, size: tuple[int, int], times_ns: list[float]) -> list[dict[str, Any]]:
-    """What Google Benchmark writes for one row: its repetitions, then a misleading aggregate.
-
-    Of the two clocks, the one that must not be read shows twice the time.
-    """
-    width, height = size
-    right, wrong = "cpu_time", "real_time"
-    if name.split("/")[3] != "1":
-        right, wrong = wrong, right
-    common = {"name": f"{name}/iterations:9/process_time", "time_unit": "ns", "width": width,
-              "height": height, "counted_iterations": 14.0, "label": "background", "verified": 1.0}
-    found = [common | {"run_type": "iteration", right: t, wrong: 2 * t, "repetition_index": i}
-             for i, t in enumerate(times_ns)]
-    aggregate = {"name": common["name"] + "_median", "run_type": "aggregate",
-                 "aggregate_name": "median", "cpu_time": 1.0, "real_time": 1.0}
-    return found + [common | aggregate]
+def make_row(case: str, technique: str, isa: str, ns: float, reference_ns: float = 1e7,
+             **changes: Any) -> Row:
+    """A row whose figures agree with each other."""
+    operation, *options = case.split(":")
+    ratio = reference_ns / ns
+    row = Row(operation, technique, isa, 1, "end_to_end", "scene", 510, 412, 31, ns, 0.98 * ns,
+              ns / 510 / 412, ratio, True, 9, 4.0, False, 0.98 * ratio, 1.02 * ratio, "paired",
+              4096, "keep" if options else "background", None, "run", MACHINE["fingerprint"],
+              "abc1234", 0.98 * ns, 1.02 * ns, 900, "", None, "", "")
+    return replace(row, **changes)
 
 
-def jittered(centre: float, seed: str, count: int = 5) -> list[float]:
-    """Repetitions around a time, the same for the same seed."""
-    dice = random.Random(seed)
-    return [centre * dice.uniform(0.995, 1.005) for _ in range(count)]
+def make_rows(case: str, slower: float = 1.0) -> list[Row]:
+    """All variants of a case, in both scopes and on two threads."""
+    rows = [make_row(case, *key, slower * ns, slower * 1e7) for key, ns in NS.items()]
+    best = replace(rows[-1], median_ns=slower * 3e4, speedup_vs_reference=1e7 / 3e4)
+    return [*rows, replace(best, scope="kernel"), replace(best, threads=2)]
 
 
-def make_timings() -> dict[str, Any]:
-    """Every variant on every input, with the reference of each input."""
-    found = []
-    for name, size in SIZES.items():
-        base = REFERENCE_NS_PER_PIXEL * size[0] * size[1]
-        gains = [("reference/baseline/1/end_to_end", 1.0)]
-        for technique, isa, threads, end_to_end, kernel in VARIANTS:
-            variant = f"{technique}/{isa}/{threads}"
-            gains += [(f"{variant}/end_to_end", end_to_end), (f"{variant}/kernel", kernel)]
-        for middle, gain in gains:
-            if gain:
-                row = f"{OPERATION}/{middle}/{name}"
-                found += entries(row, size, jittered(base / gain, row))
-    return {"context": {"num_cpus": 2, "library_build_type": "release"}, "benchmarks": found}
+def with_peer(rows: list[Row], ns: float) -> list[Row]:
+    """The same, and OpenCV beside it."""
+    peer = replace(rows[0], technique=EQUAL, isa="native", peer=True, median_ns=ns, low=ns,
+                   high=ns)
+    return [replace(row, speedup_vs_peer=ns / row.median_ns, peer_name=EQUAL)
+            if row.scope == "end_to_end" else row for row in rows] + [peer]
 
 
-def make_rows() -> dict[str, Any]:
-    """The inputs of the run and one skipped row."""
-    inputs = [{"name": name, "width": w, "height": h, "hash": "0123456789abcdef",
-               "object_pixels": w * h // 3} for name, (w, h) in SIZES.items()]
-    skipped = {"row": f"{OPERATION}/simd_bitpacked/avx512icl/1/kernel/scene",
-               "reason": "this machine lacks avx512icl"}
-    return {"schema": 1, "inputs": inputs, "skipped": [skipped], "verified": 30, "failed": 0}
+def all_rows() -> list[Row]:
+    """Four operations, one with and without border, and a series of sizes."""
+    edges = [replace(row, border="") for row in with_peer(make_rows("edges_sobel"), 8e5)]
+    copy = replace(edges[0], technique="copy", isa="native", peer=True, median_ns=4e3)
+    squares = [replace(make_row("holes", "simd_runs", "avx2", 1e4 * side), input=f"square_{side}",
+                       width=side, height=side, border="") for side in (64, 128)]
+    return [*make_rows("thin_naccache_shinghal", 0.5), *make_rows("thin_guo_hall"),
+            *with_peer(make_rows("thin_guo_hall:keep"), 9e7), *edges, copy, *squares]
 
 
-@dataclass
-class Run:
-    """A run that can be changed and written to disk."""
-
-    directory: Path
-    timings: dict[str, Any] = field(default_factory=make_timings)
-    machine: dict[str, Any] = field(default_factory=lambda: json.loads(json.dumps(MACHINE)))
-    rows: dict[str, Any] = field(default_factory=make_rows)
-
-    def write(self) -> Path:
-        """Puts the three files and two pictures where the report expects them."""
-        pictures = self.directory / "pictures"
-        pictures.mkdir(parents=True, exist_ok=True)
-        for name in ("timings", "machine", "rows"):
-            (self.directory / f"{name}.json").write_text(json.dumps(getattr(self, name)))
-        checks = np.indices((412, 510)).sum(axis=0) // 20 % 2
-        for name in ("scene", f"scene_{OPERATION}"):
-            matplotlib.image.imsave(pictures / f"{name}.png", checks, cmap="gray")
-        return self.directory
-
-    def iterations(self, part: str) -> list[dict[str, Any]]:
-        """The repetitions of the rows whose names contain `part`."""
-        return [entry for entry in self.timings["benchmarks"]
-                if part in entry["name"] and entry["run_type"] == "iteration"]
+def make_facts(rows: list[Row]) -> dict[str, Any]:
+    """run.json."""
+    names = [name for name in SIZES if any(row.input == name for row in rows)]
+    return {"schema": 2, "run": "intel/made", "machine": MACHINE, "options": {"quick": True},
+            "controls": {"same": {"value": 1.0, "low": 0.999, "high": 1.001},
+                         "slowed": {"value": 0.91, "low": 0.909, "high": 0.911},
+                         "processes": 9, "passed": True},
+            "state": {"foreign_load": 0.02, "chain_ns": 0.3, "copy_ns": 1000.0},
+            "inputs": [{"name": name, "width": SIZES[name][0], "height": SIZES[name][1],
+                        "hash": "0" * 16, "grey_hash": "1" * 16, "foreground_pixels": 99}
+                       for name in names],
+            "peers": [{"technique": EQUAL, "about": "OpenCV 4.6.0, 1 thread", "equal_output": True}],
+            "skipped": [{"row": "thin_guo_hall/lut/avx2/1/kernel/scene", "reason": "no <avx2>"}],
+            "verified": 24}
 
 
-@pytest.fixture
-def run(tmp_path: Path) -> Run:
-    """A fresh run that a test may spoil before it calls write()."""
-    return Run(tmp_path / "run")
+def write_run(directory: Path, rows: list[Row], **facts: Any) -> Path:
+    """With two images."""
+    (directory / "pictures").mkdir(parents=True)
+    checks = (np.indices((412, 510)).sum(axis=0) // 20 % 2 * 255).astype(np.uint8)
+    for name in ("scene_grey", "scene_thin_guo_hall"):
+        Image.fromarray(checks).save(directory / "pictures" / f"{name}.png")
+    write_files(directory, {"timings.csv": to_csv(rows).encode(),
+                            "run.json": to_json(make_facts(rows) | facts)})
+    return directory
 
 
 @dataclass(frozen=True)
 class Built:
-    """What the command made of the synthetic run."""
+    """What `build` made of a run."""
 
     directory: Path
     stdout: str
@@ -140,36 +114,32 @@ class Built:
         return (self.directory / name).read_text(encoding="utf-8")
 
 
-def command(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    """Runs the program as a user does."""
-    return subprocess.run([sys.executable, "-m", "report", *map(str, arguments)], cwd=ROOT,
-                          capture_output=True, text=True, check=False)
+def build(directory: Path, capsys: pytest.CaptureFixture[str]) -> Built:
+    """As a user does."""
+    assert main(["build", str(directory)]) == 0
+    return Built(directory, capsys.readouterr().out)
 
 
-@pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
-    """The unspoilt run, built once for all tests that only look."""
-    directory = Run(tmp_path_factory.mktemp("built") / "run").write()
-    done = command("build", directory)
-    assert done.returncode == 0, done.stderr
-    return Built(directory, done.stdout)
+@pytest.fixture(name="built")
+def _built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Built:
+    """The whole synthetic run."""
+    return build(write_run(tmp_path / "run", all_rows()), capsys)
 
 
-@pytest.fixture
-def refusal(capsys: pytest.CaptureFixture[str]) -> Callable[[Path], str]:
-    """Builds a directory that must be refused, and returns the one line that says why."""
-    from report.__main__ import main
-
-    def build(directory: Path) -> str:
-        before = _files(directory)
-        assert main(["build", str(directory)]) == 1
+@pytest.fixture(name="refusal")
+def _refusal(capsys: pytest.CaptureFixture[str]) -> Iterator[Callable[..., str]]:
+    """Runs a command that must fail and leave nothing behind; gives the one line that says why."""
+    def run(*words: str | Path) -> str:
+        before = set(Path(words[1]).rglob("*"))
+        assert main([str(word) for word in words]) == 1
         error = capsys.readouterr().err
-        assert error.startswith("report: ") and error.count("\n") == 1
-        assert _files(directory) == before, "a refused run must leave nothing behind"
+        assert error.startswith("study: ") and error.count("\n") == 1
+        assert set(Path(words[1]).rglob("*")) == before
         return error
+    yield run
 
-    return build
 
-
-def _files(directory: Path) -> set[Path]:
-    return set(directory.rglob("*"))
+def change_facts(directory: Path, **changes: Any) -> None:
+    """Changes run.json."""
+    facts = read_json(directory / "run.json") | changes
+    write_files(directory, {"run.json": to_json(facts)})

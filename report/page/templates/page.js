@@ -78,11 +78,13 @@
       radius: 6, hoverRadius: 9, hitRadius: 6,
       data: rows.filter((row) => Number(row.dataset.family) === index).map(pointOf),
     })).filter((dataset) => dataset.data.length);
+    const wide = section.figure.clientWidth || 600;
     const options = base();
     options.indexAxis = "y";
     options.interaction = { mode: "nearest", axis: "y", intersect: false };
     options.scales = {
-      x: logarithmic("time of a call (logarithmic)", (ns) => duration(ns).replace(/\.0+ /, " ")),
+      x: logarithmic("time of a call (logarithmic)", (ns) => (wide < 420 && Math.round(Math.log10(ns)) % 2 === 0 ? null
+        : duration(ns).replace(/\.0+ /, " "))),
       y: axis("", { type: "category", labels, offset: true, ticks: { autoSkip: false, color: colour("ink") } }),
     };
     options.plugins.tooltip.callbacks = {
@@ -90,7 +92,6 @@
       label: ({ raw }) => [duration(raw.x), `interval ${duration(raw.low)} to ${duration(raw.high)}`,
         ...(raw.speedup ? [`${raw.speedup} over plain C++`] : [])],
     };
-    const wide = section.figure.clientWidth || 600;
     options.plugins.legend.labels.font = { size: 11 };
     options.scales.y.ticks.font = { size: wide < 420 ? 9 : 11 };
     section.canvas.parentElement.style.height = `${90 + 24 * Math.max(labels.length, 3)}px`;

@@ -1,0 +1,167 @@
+"""The page as a file: numbers, links, size, and what it says of doubtful runs."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote
+
+import pytest
+from conftest import Built, all_rows, build, change_facts, make_rows, write_run
+
+from report.errors import ReportError
+from report.files import to_json
+from report.formatting import duration, times
+from report.measure.run import load_run
+from report.page.html import chart_js
+from report.page.operations import Rows
+
+
+class Elements(HTMLParser):
+    """Collects identifiers, references and unclosed elements."""
+
+    VOID = {"meta", "link", "img", "input", "br"}
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.ids: list[str] = []
+        self.references: list[str] = []
+        self.open: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        found = dict(attrs)
+        if found.get("id") and "svg" not in self.open:
+            self.ids.append(str(found["id"]))
+        self.references += [str(found[key]) for key in ("href", "src") if found.get(key)]
+        self.open += [] if tag in self.VOID else [tag]
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.handle_starttag(tag, attrs)
+        if tag not in self.VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag, f"</{tag}> closes something else"
+
+
+def test_every_link_leads_somewhere_and_nothing_comes_from_elsewhere(built):
+    page = Elements(built.text("index.html"))
+    links = [one for one in page.references if not one.startswith("data:")]
+    assert any(one.startswith("#") for one in links) and "timings.csv" in links
+    for link in links:
+        target, _, anchor = link.partition("#")
+        assert "://" not in link
+        assert not target or (built.directory / unquote(target)).is_file(), link
+        assert not anchor or re.search(rf'id="{anchor}"', built.text("index.html")), link
+
+
+def test_the_page_is_well_formed_and_identifiers_are_unique(built):
+    page = Elements(built.text("index.html"))
+    assert page.open == [] and len(page.ids) == len(set(page.ids))
+
+
+def test_the_page_has_at_most_4_mb(built):
+    assert (built.directory / "index.html").stat().st_size <= 4_000_000
+
+
+def test_names_are_escaped(built):
+    assert "Fake &lt;CPU&gt;" in built.text("index.html")
+    assert "no <avx2>" not in built.text("index.html")
+
+
+def test_page_markdown_and_terminal_have_the_figures_of_timings_csv(built):
+    with (built.directory / "timings.csv").open(newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    found = [row for row in rows if row["operation"] == "thin_guo_hall" and row["threads"] == "1"
+             and row["scope"] == "end_to_end" and row["border"] == "keep"]
+    best = min((row for row in found if row["peer"] == "0"),
+               key=lambda row: float(row["median_ns"]))
+    figures = (duration(float(best["median_ns"])), times(float(best["speedup_vs_reference"])),
+               times(float(best["speedup_vs_peer"])))
+    assert figures == ("64.0 µs", "156×", "1,406×")
+    for text in (built.text("index.html"), built.text("timings.md"), built.stdout):
+        assert all(figure in text for figure in figures)
+
+
+def test_a_ratio_to_a_peer_is_given_only_where_outputs_are_equal(built):
+    lines = Rows(load_run(built.directory)).headlines()
+    assert {line.case for line in lines if line.peer} == {"thin_guo_hall:keep", "edges_sobel"}
+
+
+def test_useful_rules_come_before_the_printed_one(built):
+    cases = [line.case for line in Rows(load_run(built.directory)).headlines()]
+    assert cases.index("thin_guo_hall") < cases.index("thin_naccache_shinghal")
+
+
+def test_a_copy_of_another_case_is_the_bound_but_has_no_speedup(built):
+    line = Rows(load_run(built.directory)).headline("thin_guo_hall")
+    assert line and line.copy and line.copy.median_ns == 4000
+    assert line.copy.speedup_vs_reference is None
+
+
+def test_a_clean_run_carries_no_flags_and_no_warning(built):
+    page = built.text("index.html").split("<script>const FAMILIES")[0]
+    assert 'class="warning"' not in page and 'class="flag"' not in page and "noisy" not in page
+
+
+@pytest.mark.parametrize("spoil", ["controls", "flags"])
+def test_doubts_are_told_on_the_first_screen_and_in_the_terminal(tmp_path, capsys, spoil):
+    flags = "inconclusive" if spoil == "flags" else ""
+    directory = write_run(tmp_path / "run", [replace(row, flags=flags) for row in all_rows()])
+    if spoil == "controls":
+        facts = load_run(directory).facts
+        change_facts(directory, controls=facts["controls"] | {"passed": False})
+    built = build(directory, capsys)
+    assert 'class="warning"' in built.text("index.html").split("<table")[0]
+    assert "controls" in built.stdout if spoil == "controls" else "wide intervals" in built.stdout
+
+
+def test_a_run_of_one_operation_has_a_page(tmp_path, capsys):
+    built = build(write_run(tmp_path / "run", make_rows("euler_number_4")), capsys)
+    assert "Euler number" in built.stdout and 'id="euler_number_4"' in built.text("index.html")
+
+
+def test_large_images_are_linked_not_embedded(tmp_path, capsys):
+    directory = write_run(tmp_path / "run", all_rows())
+    (directory / "pictures" / "scene_thin_guo_hall.png").write_bytes(bytes(300_000))
+    assert 'href="pictures/scene_thin_guo_hall.png"' in build(directory, capsys).text("index.html")
+
+
+def test_instruction_counts_stand_with_their_operation(tmp_path, capsys):
+    directory = write_run(tmp_path / "run", all_rows())
+    row = {"row": "thin_guo_hall/lut/baseline/1/kernel/scene", "operation": "thin_guo_hall",
+           "scope": "kernel", "instructions": 123456, "instructions_per_cycle": 3.5, "ns": 4e6,
+           "limit_ns": 3e6, "percent_of_limit": 75.0}
+    (directory / "limits.json").write_bytes(to_json({"issue_width": 6, "rows": [row]}))
+    page = build(directory, capsys).text("index.html")
+    assert "123,456" in page and "assumes a core that issues 6 instructions" in page
+
+
+def test_the_same_run_gives_the_same_bytes(built, capsys):
+    files = [path for path in built.directory.iterdir() if path.is_file()]
+    before = {path: path.read_bytes() for path in files}
+    build(built.directory, capsys)
+    assert before == {path: path.read_bytes() for path in files}
+
+
+def test_a_directory_without_a_run_is_rejected_in_one_line(tmp_path, refusal):
+    assert "run.json: cannot be read" in refusal("build", tmp_path)
+
+
+def test_a_damaged_bound_is_rejected_before_anything_is_written(tmp_path, refusal):
+    directory = write_run(tmp_path / "run", all_rows())
+    (directory / "limits.json").write_bytes(to_json({"rows": [{}]}))
+    assert "limits.json" in refusal("build", directory)
+
+
+def test_a_missing_library_is_named_with_its_package(tmp_path):
+    with pytest.raises(ReportError, match="install the package libjs-chart.js"):
+        chart_js(Path(tmp_path / "chart.min.js"))
+
+
+def test_latex_has_a_line_for_each_headline(built: Built):
+    assert built.text("headline.tex").count(r"\\") == 1 + 4
