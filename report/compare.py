@@ -152,31 +152,34 @@ class Comparison:
 
     def columns(self) -> list[str]:
         """Of cells()."""
-        each = [f"{label}: technique | {label}: µs | {label}: × reference" for label in self.labels]
-        ratios = [f"{label} / A: times as fast" for label in self.labels[1:]]
-        return ["case and input", *" | ".join(each).split(" | "), *ratios]
+        each = [f"{label}: {what}" for label in self.labels
+                for what in ("technique", "µs", "× reference")]
+        return ["case and input", *self._ratio_columns(), *each]
 
     def cells(self) -> list[list[str]]:
         """The fastest rows."""
-        return [[line.title, *(cell for row in line.rows for cell in _row_cells(row)),
-                 *(_number(line.time_ratio(index)) for index in range(1, len(self.runs)))]
-                for line in self.best]
+        return [[line.title, *self._ratios(line),
+                 *(cell for row in line.rows for cell in _row_cells(row))] for line in self.best]
 
     def all_columns(self) -> list[str]:
         """Of all_cells()."""
-        times = [f"{label}: µs" for label in self.labels]
-        speedups = [f"{label}: × reference" for label in self.labels]
-        ratios = [f"{label} / A: times as fast" for label in self.labels[1:]]
-        return ["row", *times, *speedups, *ratios]
+        each = [f"{label}: {what}" for what in ("µs", "× reference") for label in self.labels]
+        return ["row", *self._ratio_columns(), *each]
 
     def all_cells(self) -> list[list[str]]:
         """All rows that the first run and another one have."""
         found = []
         for line in self.lines:
             cells = [_row_cells(row) for row in line.rows]
-            found.append([line.title, *(cell[1] for cell in cells), *(cell[2] for cell in cells),
-                          *(_number(line.time_ratio(index)) for index in range(1, len(self.runs)))])
+            found.append([line.title, *self._ratios(line), *(cell[1] for cell in cells),
+                          *(cell[2] for cell in cells)])
         return found
+
+    def _ratio_columns(self) -> list[str]:
+        return [f"{label}: times as fast as A" for label in self.labels[1:]]
+
+    def _ratios(self, line: Line) -> list[str]:
+        return [_number(line.time_ratio(index)) for index in range(1, len(self.runs))]
 
 
 def _check_different(runs: Sequence[Run]) -> None:
