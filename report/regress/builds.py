@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -38,20 +38,16 @@ PROCESS_SECONDS, VISIT_SECONDS = 0.15, 0.0008
 
 @dataclass
 class Pair:
-    """A group, measured in both builds."""
+    """A group, measured in both builds. The plans differ in the self-test only."""
 
-    plan: Json
-    before: Samples = field(init=False)
-    now: Samples = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.before, self.now = Samples(self.plan), Samples(self.plan)
+    before: Samples
+    now: Samples
 
     @property
-    def entries(self) -> list[Json]:
-        """Rows and controls."""
-        entries: list[Json] = self.plan["groups"][0]["entries"]
-        return entries
+    def group(self) -> Json:
+        """As planned."""
+        group: Json = self.now.plan["groups"][0]
+        return group
 
 
 def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
@@ -82,7 +78,7 @@ def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
     """On the rows of a group."""
     before, now = _log_times(pair.before), _log_times(pair.now)
     limit, doubt = _limit(pair, np.concatenate([before, now]))
-    for index, entry in enumerate(pair.entries):
+    for index, entry in enumerate(pair.group["entries"]):
         if entry["role"] != "row":
             continue
         if entry["threaded"] and not judge_threads:
@@ -96,7 +92,7 @@ def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
 
 def planned_seconds(pairs: list[Pair]) -> float:
     """How long `measure_pairs` takes, about."""
-    return 2 * PAIRS * sum(pair.plan["groups"][0]["seconds"] for pair in pairs)
+    return 2 * PAIRS * sum(pair.group["seconds"] for pair in pairs)
 
 
 def _results(plan: Json) -> dict[str, str]:
@@ -141,7 +137,7 @@ def _limit(pair: Pair, logs: Floats) -> tuple[float, str]:
 
 
 def _control(pair: Pair, logs: Floats, role: str) -> Estimate:
-    roles = [entry["role"] for entry in pair.entries]
+    roles = [entry["role"] for entry in pair.group["entries"]]
     control = roles.index(role)
-    names = [entry["name"] for entry in pair.entries]
+    names = [entry["name"] for entry in pair.group["entries"]]
     return estimate_of_logs(logs[:, names.index(names[control])] - logs[:, control])

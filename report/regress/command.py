@@ -1,0 +1,249 @@
+"""Options of `./study regress` and the order in which things are done."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from report.building import ROOT, build
+from report.errors import ReportError
+from report.files import to_json, write_file, write_files
+from report.git import commit_name, git, is_clean
+from report.measure.run import machine_facts
+from report.measure.sampler import Json, Sampler
+from report.regress import counts, output, self_test, stored, times
+from report.regress.verdicts import EXIT_STATUS, WRONG_USAGE, Layer, Verdict, exit_status
+from report.row_options import (add_row_options, binarise_words, check_binarise_options,
+                                input_words)
+
+FILTER = ("^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|edges_sobel|holes|"
+          "localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_tiles|"
+          "simd_bitpacked_row|simd_16bit|simd_runs)/[a-z0-9.]+/1/")
+
+EPILOG = """Two layers. Instructions are exact on the busiest machine: FAIL where a row takes over 1 % more, or
+another number of iterations. Times: without --against, speed-ups over the references are compared with
+the baseline of this processor, compiler and flags, in the same state of the machine; a row may lose
+10 % (20 % on images beyond the cache). With --against both builds are measured side by side, and a row
+may lose 2.5 %. What does not pass is measured once more, and is FAIL only if both runs say so.
+
+examples:
+  ./study regress --against main
+  ./study regress --counts-only --against origin/main --junit regress.xml --github
+  ./study regress --update --reason 'two rows of runs are read at once'
+
+Exit status: 1 FAIL where either layer fails, else what times say (with --counts-only instructions):
+0 PASS, 3 INCONCLUSIVE, 4 nothing was compared. 2 wrong usage, or something went wrong."""
+
+Builder = Callable[[Path, tuple[str, ...]], Path]
+
+
+def add_regress_command(parser: argparse.ArgumentParser) -> None:
+    """Its options."""
+    parser.add_argument("--against", metavar="COMMIT",
+                        help="compare the working tree with a commit, not with the baseline")
+    add_row_options(parser, FILTER)
+    parser.add_argument("--all", action="store_true", help="show rows that passed as well")
+    parser.add_argument("--judge-threads", action="store_true",
+                        help="judge rows with threads as well: on an otherwise idle machine only")
+    parser.add_argument("--baselines", metavar="DIR", type=Path,
+                        default=ROOT / "results" / "baselines",
+                        help="where baselines are; default results/baselines")
+    parser.add_argument("--update", action="store_true",
+                        help="make this run the baseline; needs --reason and a quiet machine")
+    parser.add_argument("--reason", metavar="TEXT", help="why, for the baseline's history")
+    layers = parser.add_mutually_exclusive_group()
+    layers.add_argument("--no-instructions", action="store_true",
+                        help="only times; with --update the counts stay as they are")
+    layers.add_argument("--counts-only", action="store_true",
+                        help="only instructions: exact on shared machines, and quick")
+    parser.add_argument("--junit", metavar="FILE", type=Path, help="write verdicts as JUnit XML")
+    parser.add_argument("--bencher", metavar="FILE", type=Path,
+                        help="write speed-ups, times and instructions in Bencher Metric Format")
+    parser.add_argument("--github", action="store_true",
+                        help="print annotations of GitHub Actions and append to the job's summary, "
+                             "where something is wrong")
+    parser.add_argument("--self-test", action="store_true",
+                        help="show how often the check is right about known slowdowns and loads")
+    parser.add_argument("--quick", action="store_true", help="with --self-test: fewer attempts")
+
+
+def build_programs(root: Path, targets: tuple[str, ...]) -> Path:
+    """The programs of a working tree."""
+    return build("release", targets, root)
+
+
+def run_regress(parser: argparse.ArgumentParser, options: argparse.Namespace,
+                builder: Builder = build_programs) -> tuple[str, int]:
+    """Returns what to print and the exit status."""
+    _check(parser, options)
+    # Else a scratch directory and its entry in the repository would stay behind.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(WRONG_USAGE))
+    try:
+        return _run(options, builder)
+    except ReportError as error:
+        known = error.status in (EXIT_STATUS[Verdict.SKIPPED], EXIT_STATUS[Verdict.INCONCLUSIVE])
+        raise ReportError(f"regress: {error}", error.status if known else WRONG_USAGE) from None
+
+
+def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    check_binarise_options(parser, options, options.image)
+    if options.quick and not options.self_test:
+        parser.error("--quick needs --self-test")
+    if options.reason is not None and not options.update:
+        parser.error("--reason needs --update")
+    if options.against and git("rev-parse", "--verify", "--quiet",
+                               f"{options.against}^{{commit}}") is None:
+        parser.error(f"there is no commit '{options.against}' in this clone; a shallow one lacks "
+                     "most of them")
+    if options.update:
+        _check_update(parser, options)
+
+
+def _check_update(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    if not options.reason:
+        parser.error("--update needs --reason TEXT, which the history keeps")
+    if options.against or options.counts_only:
+        parser.error("--update makes a baseline; it excludes --against and --counts-only")
+    if not is_clean():
+        parser.error("--update needs a clone without changes: a baseline names its commit")
+
+
+def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
+    if options.self_test:
+        return self_test.run(builder(ROOT, ("thinbench_program", "thinbench_sampler")),
+                             options.quick)
+    with _other_tree(options) as other:
+        programs = builder(ROOT, _targets(options))
+        machine = machine_facts(programs / "thinbench", commit_name())
+        if options.update:
+            return _update(options, programs, machine), 0
+        before = builder(other, _targets(options)) if other else None
+        found = _compare(options, programs, before, machine)
+    _write(options, found)
+    text = output.to_annotations(found) if options.github else ""
+    return (text + output.to_text(found, options.all),
+            exit_status(found.instructions, found.times, options.counts_only))
+
+
+def _targets(options: argparse.Namespace) -> tuple[str, ...]:
+    counting = () if options.no_instructions else ("thinbench_counted_calls",)
+    timing = () if options.counts_only else ("thinbench_sampler",)
+    return ("thinbench_program", *counting, *timing)
+
+
+@contextmanager
+def _other_tree(options: argparse.Namespace) -> Iterator[Path | None]:
+    """The other commit in a scratch directory of its own."""
+    if not options.against:
+        yield None
+        return
+    with tempfile.TemporaryDirectory() as directory:
+        tree = Path(directory) / "tree"
+        try:
+            if git("worktree", "add", "--quiet", "--detach", str(tree), options.against) is None:
+                raise ReportError(f"cannot check out {options.against}")
+            _check_programs(options, tree)
+            yield tree
+        finally:
+            git("worktree", "remove", "--force", str(tree))
+
+
+def _check_programs(options: argparse.Namespace, tree: Path) -> None:
+    needed = ("bench/cli/instructions_command.cpp" if options.counts_only
+              else "bench/measure/sampler.cpp")
+    if not (tree / needed).exists():
+        raise ReportError(f"nothing was compared: commit {options.against} has no {needed}",
+                          EXIT_STATUS[Verdict.SKIPPED])
+
+
+def _compare(options: argparse.Namespace, programs: Path, before: Path | None,
+             machine: Json) -> output.Outcome:
+    exact = counts.not_compared("--no-instructions")
+    if not options.no_instructions:
+        exact = _compare_counts(options, programs, before, machine)
+    layer = Layer(Verdict.SKIPPED, [], "times are not compared: --counts-only")
+    if not options.counts_only:
+        layer = _compare_times(options, programs, before, machine)
+    return output.Outcome(exact.layer, layer, exact.instructions)
+
+
+def _compare_counts(options: argparse.Namespace, programs: Path, before: Path | None,
+                    machine: Json) -> counts.Counts:
+    program, words = programs / "thinbench", _count_words(options)
+    if before is None:
+        return counts.compare(program, words, _files(options, machine)[1])
+    with tempfile.TemporaryDirectory() as directory:
+        file = Path(directory) / "counts.json"
+        why_not = counts.count(before / "thinbench", words, file)
+        if why_not:
+            return counts.not_compared(f"commit {options.against}: {why_not}")
+        return counts.compare(program, words, file)
+
+
+def _compare_times(options: argparse.Namespace, programs: Path, before: Path | None,
+                   machine: Json) -> Layer:
+    sampler, words = Sampler(programs / "thinbench_sampler"), _plan_words(options)
+    if before is None:
+        return times.against_stored(sampler, words, machine, _files(options, machine)[0],
+                                    options.judge_threads)
+    return times.between_builds(Sampler(before / "thinbench_sampler"), sampler, words,
+                                options.judge_threads)
+
+
+def _update(options: argparse.Namespace, programs: Path, machine: Json) -> str:
+    """Counts first, so that a baseline never lacks its counts."""
+    file, counts_file = _files(options, machine)
+    outputs: dict[str, bytes] = {}
+    if not options.no_instructions:
+        with tempfile.TemporaryDirectory() as directory:
+            counted = Path(directory) / "counts.json"
+            why_not = counts.count(programs / "thinbench", _count_words(options), counted)
+            if why_not:
+                raise ReportError(f"instructions cannot be counted: {why_not}; "
+                                  "--no-instructions leaves them out")
+            outputs[counts_file.name] = counted.read_bytes()
+    sampler = Sampler(programs / "thinbench_sampler")
+    now = stored.measured_from(times.measure(sampler, sampler.plan(_plan_words(options))))
+    if why_not := stored.why_unfit(now):
+        raise ReportError(f"no baseline was written: {why_not}; a quiet machine is needed",
+                          EXIT_STATUS[Verdict.INCONCLUSIVE])
+    baseline = stored.baseline_from(now, machine, options.filter, options.reason,
+                                    stored.read_baseline(file))
+    write_files(options.baselines, {file.name: to_json(baseline)} | outputs)
+    return f"{file}: {len(baseline['rows'])} rows"
+
+
+def _files(options: argparse.Namespace, machine: Json) -> tuple[Path, Path]:
+    """The baseline of times and that of instructions."""
+    name = machine["fingerprint"]
+    return options.baselines / f"{name}.json", options.baselines / f"{name}-instructions.json"
+
+
+def _plan_words(options: argparse.Namespace) -> list[str]:
+    variants = "quick" if options.filter == FILTER else "all"
+    return ["--no-peers", "--variants", variants, "--filter", options.filter,
+            *input_words(options)]
+
+
+def _count_words(options: argparse.Namespace) -> list[str]:
+    """Instructions are counted on a small copy of the scene or of the first image."""
+    images = (["--image", str(options.image[0]), *binarise_words(options)] if options.image
+              else [])
+    return ["--filter", options.filter, *images]
+
+
+def _write(options: argparse.Namespace, found: output.Outcome) -> None:
+    if options.junit:
+        write_file(options.junit, output.to_junit(found))
+    if options.bencher:
+        write_file(options.bencher, to_json(output.to_bencher(found)))
+    summary = os.environ.get("GITHUB_STEP_SUMMARY")
+    if options.github and summary:
+        with open(summary, "a", encoding="utf-8") as stream:
+            stream.write(output.to_markdown(found))

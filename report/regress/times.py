@@ -1,0 +1,83 @@
+"""The layer of times: measures, judges, and measures again what does not pass."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from report.measure.sampler import (Json, Sampler, Samples, measure_interleaved,
+                                    planned_seconds)
+from report.progress import Progress
+from report.regress import builds, stored
+from report.regress.verdicts import Layer, RowVerdict, Verdict, decide, layer_of
+
+
+Build = tuple[Sampler, Json]
+"""A sampler and the plan that it carries out."""
+
+
+def against_stored(sampler: Sampler, words: Sequence[str], machine: Json, file: Path,
+                   judge_threads: bool) -> Layer:
+    """This build and the baseline in a file."""
+    baseline = stored.read_baseline(file)
+    if baseline is None:
+        return Layer(Verdict.SKIPPED, [], f"there is no baseline for this machine and compiler "
+                                          f"('{file}'); ./study regress --update writes it")
+    return layer_of(verdicts_against(baseline, (sampler, sampler.plan(words)),
+                                     cache_bytes(machine), judge_threads))
+
+
+def verdicts_against(baseline: Json, now: Build, cache: float,
+                     judge_threads: bool) -> list[RowVerdict]:
+    """All rows, those that do not pass measured twice."""
+
+    def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:
+        samples = measure(now[0], _with_rows(now[1], rows), number * stored.PROCESSES)
+        return stored.against_baseline(stored.measured_from(samples), baseline, cache,
+                                       judge_threads)
+
+    return decide(attempt)
+
+
+def measure(sampler: Sampler, plan: Json, first_seed: int = 0) -> Samples:
+    """Fresh processes, each of which measures all groups."""
+    samples = Samples(plan)
+    progress = Progress("measuring", stored.PROCESSES * planned_seconds(plan))
+    measure_interleaved([(sampler, samples)], stored.PROCESSES, progress.advance, first_seed)
+    progress.close()
+    return samples
+
+
+def between_builds(before: Sampler, now: Sampler, words: Sequence[str],
+                   judge_threads: bool) -> Layer:
+    """Two builds, each with a plan of its own that verifies its rows."""
+    plan, left_out = builds.common_plan(before.plan(words), now.plan(words))
+    rows = decide(partial(attempt_between, (before, plan), (now, plan), judge_threads))
+    return layer_of(rows + left_out)
+
+
+def attempt_between(before: Build, now: Build, judge_threads: bool, number: int,
+                    rows: set[str] | None) -> list[RowVerdict]:
+    """Measures the groups of these rows in both builds."""
+    plans = [_with_rows(plan, rows) for _, plan in (before, now)]
+    pairs = [builds.Pair(*(Samples(plan | {"groups": [group]}) for plan, group in zip(plans, both)))
+             for both in zip(*(plan["groups"] for plan in plans))]
+    progress = Progress("measuring both builds", builds.planned_seconds(pairs))
+    builds.measure_pairs(before[0], now[0], pairs, number * builds.PAIRS, progress.advance)
+    progress.close()
+    return [row for pair in pairs for row in builds.verdicts_of(pair, judge_threads)]
+
+
+def cache_bytes(machine: Json) -> float:
+    """The second level, which a core has for itself."""
+    sizes = [cache["size_kib"] for cache in machine["caches"] if cache["level"] == 2]
+    return 1024 * max(sizes, default=float("inf"))
+
+
+def _with_rows(plan: Json, rows: set[str] | None) -> Json:
+    """The plan of the groups that hold these rows, or of all."""
+    if rows is None:
+        return plan
+    return plan | {"groups": [group for group in plan["groups"]
+                              if any(entry["name"] in rows for entry in group["entries"])]}
