@@ -55,7 +55,10 @@ def load_run(directory: Path) -> Run:
 
 def load_samples(directory: Path) -> list[Samples]:
     """The raw samples."""
-    return Samples.from_json_lines(read_bytes(directory / SAMPLES).decode().splitlines())
+    try:
+        return Samples.from_json_lines(read_bytes(directory / SAMPLES).decode().splitlines())
+    except (ValueError, LookupError, TypeError) as error:
+        raise ReportError(f"{directory / SAMPLES}: holds no samples: {error}") from None
 
 
 def machine_facts(program: Path, commit: str) -> Json:

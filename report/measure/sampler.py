@@ -6,6 +6,7 @@ import json
 import random
 import subprocess
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -75,8 +76,10 @@ class Sampler:
         with subprocess.Popen([self.program, "measure", "--seed", str(seed)], text=True,
                               stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
             assert process.stdin and process.stdout
-            process.stdin.write(json.dumps({"sources": plan["sources"], "groups": plan["groups"]}))
-            process.stdin.close()
+            with suppress(BrokenPipeError):  # it has failed, as its exit status says
+                process.stdin.write(
+                    json.dumps({"sources": plan["sources"], "groups": plan["groups"]}))
+                process.stdin.close()
             for line in process.stdout:
                 result = json.loads(line)
                 if "group" not in result:

@@ -42,19 +42,17 @@ class Journal:
     def load(path: Path, key: Json) -> Journal:
         """Drops a last line that was not written to its end."""
         whole, _, _ = read_bytes(path).rpartition(b"\n")
-        write_file(path, whole + b"\n")
-        lines = [json.loads(line) for line in whole.decode().splitlines()]
-        if not lines:
-            raise ReportError(f"{path}: is empty; leave out --resume")
-        header = lines[0]
+        try:
+            header, *lines = [json.loads(line) for line in whole.decode().splitlines()]
+        except ValueError:
+            raise ReportError(f"{path}: cannot be continued; delete it, or choose another "
+                              "--out") from None
         check_schema("unfinished", header, str(path))
-        for name, value in key.items():
-            if header["key"].get(name) != value:
-                raise ReportError(f"{path}: {name} was {header['key'].get(name)!r} and is now "
-                                  f"{value!r}; --resume needs the same")
+        _check_key(path, header["key"], key)
+        write_file(path, whole + b"\n")
         parts = [Part(part["build"], part["sweep"], Samples(part["plan"]))
                  for part in header["parts"]]
-        for line in lines[1:]:
+        for line in lines:
             parts[line.pop("part")].samples.processes.append(Process(**line))
         return Journal(path, parts)
 
@@ -67,3 +65,10 @@ class Journal:
     def close(self) -> None:
         """The measurement is complete."""
         self.path.unlink()
+
+
+def _check_key(path: Path, old: Json, new: Json) -> None:
+    for name, value in new.items():
+        if old.get(name) != value:
+            raise ReportError(f"{path}: {name} was {old.get(name)!r} and is now {value!r}; "
+                              "--resume needs the same")

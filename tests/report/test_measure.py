@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import lzma
 import random
 from dataclasses import fields
 from pathlib import Path
@@ -125,6 +126,9 @@ def test_a_directory_without_a_run_is_rejected_in_one_line(tmp_path: Path) -> No
     (tmp_path / "run.json").write_text('{"schema": 1}')
     with pytest.raises(ReportError, match="run.json: "):
         load_run(tmp_path)
+    (tmp_path / "samples.jsonl.xz").write_bytes(lzma.compress(b'{"seed": 1}\n'))
+    with pytest.raises(ReportError, match="samples.jsonl.xz: holds no samples"):
+        load_samples(tmp_path)
 
 
 def test_processes_are_fresh_and_their_groups_in_the_order_of_the_plan(tmp_path: Path) -> None:

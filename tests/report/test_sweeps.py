@@ -111,6 +111,11 @@ def test_nothing_to_continue_is_said(programs: Path, tmp_path: Path) -> None:
     done = sweeps(programs, "--resume", "--out", tmp_path)
     assert done.returncode == 1 and done.stderr.count("\n") == 1
     assert "unfinished.jsonl' to continue; leave out --resume" in done.stderr
+    (tmp_path / "sweeps").mkdir()
+    (tmp_path / "sweeps" / NAME).write_text("")
+    done = sweeps(programs, "--resume", "--out", tmp_path)
+    assert done.returncode == 1 and done.stderr.count("\n") == 1
+    assert "cannot be continued; delete it" in done.stderr
 
 
 def test_builds_of_two_compilers_are_compared(programs: Path, tmp_path: Path) -> None:
