@@ -85,7 +85,9 @@ def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
             yield skipped(entry["name"], "threads are judged with --judge-threads only")
             continue
         change = estimate_of_logs(before[:, index] - now[:, index])
-        times = [Times(float(np.exp(np.median(logs[:, index])))) for logs in (before, now)]
+        # Of the paired ratio, so that times and change agree: the two medians are not paired.
+        middle = np.exp(np.median((before + now)[:, index]) / 2)
+        times = [Times(float(middle * change.value ** power)) for power in (0.5, -0.5)]
         row = RowVerdict(entry["name"], judge(change, limit), "", change, limit, *times)
         yield row.doubted(doubt) if doubt else row
 

@@ -54,7 +54,7 @@ def _stored_lines(sampler: Sampler, plan: Json, machine: Json,
     """Every load follows every other one, and itself."""
     loads = list(LOADS)
     for attempt in range(attempts):
-        before, now = loads[attempt % 4], loads[(attempt + attempt // 4) % 4]
+        before, now = loads[attempt % 4], loads[(attempt + 1 + attempt // 4) % 4]
         with _load(LOADS[before]):
             first = stored.measured_from(times.measure(sampler, plan, 100 + attempt))
         baseline = stored.baseline_from(first, machine, FILTER, "self-test", None)
@@ -87,14 +87,14 @@ def _slowdown_line(sampler: Sampler, plan: Json, percent: int, share: float,
 
 
 def _slowed(plan: Json, name: str, percent: int, extra: bool) -> Json:
-    """Epochs of the row have calls that are not counted, or as many as are counted."""
+    """Epochs of the row and of the controls that repeat it have calls that are not counted."""
     changed = copy.deepcopy(plan)
     parts = 100 // percent
     for entry in changed["groups"][0]["entries"]:
-        if entry["name"] == name and entry["role"] == "row":
-            more = max(1, round(entry["calls"] / parts))
-            entry["counted"] = parts * more
-            entry["calls"] = entry["counted"] + (more if extra else 0)
+        if entry["name"] == name:
+            calls = entry["calls"] / entry["counted"] * (1 + percent / 100 * extra)
+            entry["counted"] = parts * max(1, round(entry["counted"] / parts))
+            entry["calls"] = round(entry["counted"] * calls)
     return changed
 
 
