@@ -19,6 +19,7 @@ Curve = dict[str, Any]
 class Chart:
     """Nanoseconds per pixel over something; `curves` holds points [x, value, low, high]."""
 
+    group: str
     title: str
     x: str
     curves: tuple[Curve, ...]
@@ -38,6 +39,14 @@ class Chart:
                 for one in self.places]
 
 
+def chart_groups(rows: Rows, sweeps: Iterable[Row]) -> dict[str, list[Chart]]:
+    """By what is varied."""
+    groups: dict[str, list[Chart]] = {}
+    for chart in (*size_chart(rows), *sweep_charts(sweeps)):
+        groups.setdefault(chart.group, []).append(chart)
+    return groups
+
+
 def size_chart(rows: Rows) -> list[Chart]:
     """The fastest variant on one thread of each case on squares; none below two sizes."""
     squares = [row for row in rows.rows if is_square(row.input) and row.threads == 1
@@ -45,7 +54,7 @@ def size_chart(rows: Rows) -> list[Chart]:
     curves = [{"label": label(case), "points": _by_size(row for row in squares if row.case == case)}
               for case in sorted({row.case for row in squares}, key=place)]
     curves = [curve for curve in curves if len(curve["points"]) > 1]
-    return [Chart("Image size, fastest variant of each operation", "side of the square, pixels",
+    return [Chart("image size", "The fastest variant of each operation", "side of the square, pixels",
                   tuple(curves))] if curves else []
 
 
@@ -54,7 +63,7 @@ def sweep_charts(rows: Iterable[Row]) -> list[Chart]:
     by_chart: dict[tuple[str, str], list[Series]] = {}
     for series in sweep_series(rows):
         by_chart.setdefault((series.sweep, series.case), []).append(series)
-    return [Chart(f"{title(case)} by {sweep}", BY_NAME[sweep].what, tuple(map(_curve, curves)))
+    return [Chart(f"sweep {sweep}", title(case), BY_NAME[sweep].what, tuple(map(_curve, curves)))
             for (sweep, case), curves in by_chart.items()]
 
 

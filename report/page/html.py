@@ -11,7 +11,7 @@ from markupsafe import Markup, escape
 from report.claims import Claim
 from report.errors import ReportError
 from report.formatting import counted, duration, flag_text, interval, times, variant
-from report.page.charts import size_chart, sweep_charts
+from report.page.charts import chart_groups
 from report.page.families import FAMILIES
 from report.page.limits import HEADER as LIMITS_HEADER
 from report.page.limits import load_limits
@@ -40,7 +40,7 @@ def to_html(rows: Rows, lines: list[Headline], svg: str, claims: list[Claim],
         overview=Markup(svg), sentences=[*map(_with_figures, sentences(rows, lines))],
         warnings=warnings(run), peers=_peers(rows, lines), pictures=pictures.first(),
         sections=sections(rows, pictures, limits), limits=limits, limits_header=LIMITS_HEADER,
-        charts=[*size_chart(rows), *sweep_charts([*sweeps, *run.rows])], experiments=experiments,
+        charts=chart_groups(rows, [*sweeps, *run.rows]), experiments=experiments,
         facts=provenance(run), skipped=skipped(run), families=[vars(one) for one in FAMILIES],
         implied=IMPLIED, chart_js=Markup(chart_js()))
 
@@ -66,7 +66,7 @@ def _environment() -> Environment:
 
 def _with_figures(sentence: str) -> Markup:
     return Markup(re.sub(r"\*\*(.+?)\*\*", lambda found: "<strong>" + found[1].replace(
-        " ", "\N{NO-BREAK SPACE}") + "</strong>", str(escape(sentence))))
+        " ", "\N{NO-BREAK SPACE}") + "</strong>", str(escape(sentence)).replace(" %", "\N{NO-BREAK SPACE}%")))
 
 
 def _peers(rows: Rows, lines: list[Headline]) -> str:

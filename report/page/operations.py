@@ -143,6 +143,8 @@ def label(case: str) -> str:
 def title(case: str) -> str:
     """A case in words, for headings."""
     words = label(case)
+    if case == PRINTED_RULE:
+        return "thinning by the paper's rule"
     first, comma, rest = words.partition(",")
     return f"{first} thinning{comma}{rest}" if case.startswith("thin_") else words
 

@@ -8,8 +8,7 @@ from pathlib import Path
 
 from report.page.operations import Rows, title
 
-FIRST = ("thin_guo_hall", "thin_guo_hall:keep", "thin_zhang_suen", "thin_naccache_shinghal",
-         "edges_sobel")
+FIRST = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "edges_sobel")
 """What the first screen shows beside the input, as far as it was made."""
 
 MAX_BYTES = 200_000
@@ -45,7 +44,7 @@ class Pictures:
     def first(self) -> list[Picture]:
         """The input and a few results."""
         cases = [case for case in FIRST if case in self.rows.cases] or self.rows.cases
-        return [*self.inputs(), *(one for one in map(self.of_case, cases[:5]) if one)][:5]
+        return [*self.inputs(), *(one for one in map(self.of_case, cases[:4]) if one)]
 
     def _picture(self, name: str, caption: str) -> Picture | None:
         path = self.directory / "pictures" / name

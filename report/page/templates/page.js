@@ -219,6 +219,7 @@
     options.interaction = { mode: "nearest", intersect: false };
     options.scales = {
       x: named ? axis(x, { type: "category", labels: places }) : axis(x, { type: spread ? "logarithmic" : "linear",
+        ...(spread ? { min: places[0] / 1.2, max: places.at(-1) * 1.2 } : {}),
         afterBuildTicks: (scale) => { if (places.length < 14) scale.ticks = places.map((value) => ({ value })); },
         ticks: { callback: (value) => String(value) } }),
       y: logarithmic("ns per pixel", (value) => String(value)),
@@ -234,10 +235,8 @@
     redraw(part.querySelector("canvas"), { type: "line", data: { datasets }, options });
   };
 
-  const drawOpenSweeps = () => {
-    if (document.querySelector("#sweeps")?.open) document.querySelectorAll("[data-chart]").forEach(drawSweep);
-  };
-  document.querySelector("#sweeps")?.addEventListener("toggle", drawOpenSweeps);
+  const drawOpenSweeps = () => document.querySelectorAll("#sweeps[open] .sweep[open] [data-chart]").forEach(drawSweep);
+  for (const part of document.querySelectorAll("#sweeps, .sweep")) part.addEventListener("toggle", drawOpenSweeps);
 
   // ---- The address keeps the choice ----
   const follow = () => {
