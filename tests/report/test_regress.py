@@ -1,0 +1,331 @@
+"""The regression check, on samples with known times."""
+
+from __future__ import annotations
+
+import copy
+import random
+from argparse import Namespace
+from math import log
+from pathlib import Path
+
+import pytest
+from fake_programs import MACHINE, install, machine_of, make_group, make_plan
+from junitparser import JUnitXml
+
+from report.__main__ import main
+from report.errors import ReportError
+from report.measure.estimates import Estimate
+from report.measure.sampler import Json, Process, Samples
+from report.regress import builds, command, output, stored
+from report.regress.counts import layer_from
+from report.regress.verdicts import (Layer, RowVerdict, Verdict, confirmed, decide, exit_status,
+                                     judge, layer_of, skipped)
+from report.schemas import check_schema
+
+PASS, FAIL, INCONCLUSIVE, SKIPPED = Verdict
+CACHE = 2.0 ** 20
+ROW, OTHER = (f"thin_guo_hall/{name}/1/end_to_end/scene"
+              for name in ("bitpacked/baseline", "simd_bitpacked/avx2"))
+
+
+def samples_of(slower: float = 1.0, *, reference: float = 1.0, load: float = 0.0,
+               chain: float = 0.3, copy_ns: float = 1000.0, plan: Json | None = None,
+               **controls: float) -> Samples:
+    """Nine processes; `bitpacked` and the reference take so many times as long as usual."""
+    plan = plan or make_plan()
+    dice = random.Random(1)
+    states = [{"chain_ns": chain, "copy_ns": copy_ns}] * 2
+    processes = [Process(seed, [make_group(group, dice, 0.01, **controls)
+                                for group in plan["groups"]], states, load) for seed in range(9)]
+    for process in processes:
+        for group, found in zip(plan["groups"], process.groups):
+            for entry, times in zip(group["entries"], found["entries"]):
+                technique = entry["name"].split("/")[1]
+                factor = {"bitpacked": slower, "reference": reference}.get(technique, 1.0)
+                times["ns"] = [factor * time for time in times["ns"]]
+                times["logs"] = [value + round(1e4 * log(factor)) for value in times["logs"]]
+    return Samples(plan, processes)
+
+
+def baseline_of(samples: Samples) -> Json:
+    """As --update writes it."""
+    return stored.baseline_from(stored.measured_from(samples), MACHINE, "", "first", None)
+
+
+def verdict_on(before: Samples, now: Samples, cache: float = CACHE) -> RowVerdict:
+    """Of the row that is slowed down."""
+    rows = stored.against_baseline(stored.measured_from(now), baseline_of(before), cache, False)
+    return next(row for row in rows if row.name == ROW)
+
+
+def change(value: float) -> Estimate:
+    """With an interval of 1 % to both sides."""
+    return Estimate(value, value - 0.01, value + 0.01)
+
+
+@pytest.mark.parametrize("value, verdict", [(0.88, FAIL), (0.895, INCONCLUSIVE), (0.92, PASS)])
+def test_a_row_fails_only_where_its_whole_interval_is_beyond_the_limit(value: float,
+                                                                       verdict: Verdict) -> None:
+    assert judge(change(value), 0.10) == verdict
+
+
+@pytest.mark.parametrize("first, again, verdict", [
+    (FAIL, FAIL, FAIL), (FAIL, PASS, INCONCLUSIVE), (FAIL, INCONCLUSIVE, INCONCLUSIVE),
+    (INCONCLUSIVE, FAIL, INCONCLUSIVE), (INCONCLUSIVE, PASS, PASS)])
+def test_only_a_confirmed_fail_is_a_fail(first: Verdict, again: Verdict,
+                                         verdict: Verdict) -> None:
+    assert confirmed(RowVerdict("a", first), RowVerdict("a", again)).verdict == verdict
+
+
+def test_what_passes_is_not_measured_again() -> None:
+    asked = []
+
+    def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:
+        asked.append((number, rows))
+        return [RowVerdict("a", PASS), RowVerdict("b", FAIL), skipped("c", "new")]
+
+    assert [row.verdict for row in decide(attempt)] == [PASS, FAIL, SKIPPED]
+    assert asked == [(0, None), (1, {"b"})]
+
+
+def test_a_slowdown_in_the_same_state_fails() -> None:
+    assert verdict_on(samples_of(), samples_of()).verdict == PASS
+    row = verdict_on(samples_of(), samples_of(1.2))
+    assert row.verdict == FAIL
+    assert row.before and row.now and row.now.row == pytest.approx(1.2 * row.before.row, rel=0.02)
+    assert row.now.reference == pytest.approx(row.before.reference, rel=0.02)
+
+
+def test_images_beyond_the_cache_may_lose_twice_as_much() -> None:
+    assert verdict_on(samples_of(), samples_of(1.15), 10).verdict == PASS
+    assert verdict_on(samples_of(), samples_of(1.3), 10).verdict == FAIL
+
+
+@pytest.mark.parametrize("before, now, reason", [
+    ({}, {"load": 1.0}, "other processes"),
+    ({"load": 1.0}, {}, "the baseline was measured on a busy machine"),
+    ({}, {"chain": 0.33}, "another state of the machine: an addition took 0.3 ns, now 0.33 ns"),
+    ({}, {"copy_ns": 900.0}, "another state of the machine: a copy"),
+    ({}, {"reference": 0.8}, "another state of the machine: the reference took"),
+    ({}, {"slowed": 1.0}, "a control failed"),
+    ({}, {"same": 1.05}, "a control failed")])
+def test_another_state_of_the_machine_is_inconclusive(before: dict[str, float],
+                                                      now: dict[str, float], reason: str) -> None:
+    row = verdict_on(samples_of(**before), samples_of(1.5, **now))
+    assert row.verdict == INCONCLUSIVE
+    assert row.reason.startswith(reason)
+
+
+def test_rows_that_cannot_be_compared_are_skipped() -> None:
+    baseline = baseline_of(samples_of())
+    baseline["rows"]["gone/a/b/1/kernel/scene"] = baseline["rows"].pop(OTHER)
+    now = stored.measured_from(samples_of(1.5))
+    rows = {row.name: row
+            for row in stored.against_baseline(now, baseline, CACHE, False)}
+    assert rows[OTHER].reason == "new: there is nothing to compare with"
+    assert rows["gone/a/b/1/kernel/scene"].reason == "not measured in this run"
+    assert rows[ROW].reason == "measured beside other rows than in the baseline"
+    other_image = stored.measured_from(samples_of(1.5, plan=make_plan(pixels="1" * 16)))
+    assert {row.reason for row in stored.against_baseline(
+        other_image, baseline_of(samples_of()), CACHE, False)} == {
+            "another image than in the baseline"}
+
+
+def test_a_baseline_fits_its_schema_and_keeps_its_history() -> None:
+    first = baseline_of(samples_of())
+    second = stored.baseline_from(stored.measured_from(samples_of(0.5)), MACHINE, "", "faster",
+                                  first)
+    check_schema("baseline", second, "baseline")
+    assert [event["reason"] for event in second["history"]] == ["first", "faster"]
+    assert second["history"][0]["change"] is None
+    assert second["history"][1]["change"] == pytest.approx(2 ** 0.5, rel=0.02)
+
+
+def pair_of(slower: float, **controls: float) -> builds.Pair:
+    """Two builds, one of them with a slower row and its controls."""
+    plan = builds.common_plan(make_plan(), make_plan())[0]
+    return builds.Pair(samples_of(plan=plan, **controls),
+                       samples_of(slower, plan=plan, **controls))
+
+
+@pytest.mark.parametrize("slower, verdict", [(1.0, PASS), (0.9, PASS), (1.06, FAIL)])
+def test_two_builds_are_told_apart(slower: float, verdict: Verdict) -> None:
+    rows = {row.name: row for row in builds.verdicts_of(pair_of(slower), False)}
+    assert rows[ROW].verdict == verdict
+    assert rows[OTHER].verdict == PASS
+    row = rows[ROW]
+    assert row.change and row.before and row.now
+    assert row.change.value == pytest.approx(row.before.row / row.now.row)
+
+
+def test_controls_widen_the_limit_between_builds_or_reject_the_comparison() -> None:
+    wide = next(builds.verdicts_of(pair_of(1.06, same=1.08, slowed=1.3), False))
+    assert wide.verdict != FAIL and wide.limit > 0.05
+    blind = next(builds.verdicts_of(pair_of(1.2, slowed=1.0), False))
+    assert blind.verdict == INCONCLUSIVE
+    assert blind.reason == "the injected slowdown of 10 % was not found"
+
+
+def test_builds_are_compared_on_the_rows_with_equal_results() -> None:
+    before, now = make_plan(), make_plan()
+    row = next(entry for entry in before["groups"][0]["entries"] if "copy" in entry["name"])
+    row["hash"] = "another"
+    extra = copy.deepcopy(now["groups"][0]["entries"][1]) | {"name": ROW.replace("/1/", "/3/")}
+    now["groups"][0]["entries"].append(extra)
+    plan, left_out = builds.common_plan(before, now)
+    assert {row.reason for row in left_out} == {"new: there is nothing to compare with",
+                                               "another result than in the other build"}
+    names = [entry["name"] for entry in plan["groups"][0]["entries"]]
+    assert names[plan["groups"][0]["anchor"]] == OTHER
+    assert not any("reference" in name or "copy" in name for name in names)
+
+
+def test_a_group_whose_anchor_is_new_is_measured_beside_the_old_one() -> None:
+    before, now = make_plan(), make_plan()
+    anchor = now["groups"][0]["entries"][now["groups"][0]["anchor"]]
+    anchor["name"] = anchor["name"].replace("avx2", "avx512")
+    before["groups"][0]["anchor"] = 1
+    plan, left_out = builds.common_plan(before, now)
+    group = plan["groups"][0]
+    assert group["entries"][group["anchor"]]["name"] == ROW
+    assert [row.name for row in left_out] == [anchor["name"]]
+
+
+def test_counts_are_read_from_what_thinbench_says() -> None:
+    text = ("thin_guo_hall:keep/a/b/1/kernel/x: 100 instructions before, 103 now (+3.0 %)\n"
+            "h/a/b/1/kernel/x: 100 instructions before, 90 now (-10.0 %)\n"
+            "i/a/b/1/kernel/x: 3 iterations before, 4 now\n"
+            "j/a/b/1/kernel/x: 100 instructions before, now too many to count\n"
+            "5 rows compared: 2 take more instructions, 1 fewer (tolerance 1 %)\n")
+    names = ["thin_guo_hall:keep/a/b/1/kernel/x", "h/a/b/1/kernel/x", "i/a/b/1/kernel/x", "k"]
+    layer = layer_from(text, 1, names)
+    assert layer.verdict == FAIL
+    assert [row.name[0] for row in layer.rows if row.verdict == FAIL] == ["t", "i", "j"]
+    assert [row.name[0] for row in layer.rows if row.verdict == PASS] == ["h", "k"]
+    assert layer_from("1 rows compared: ...", 0, ["k"]).verdict == PASS
+    nothing = layer_from("nothing compared: they are of another compiler\n", 4, [])
+    assert nothing.verdict == SKIPPED
+    assert nothing.summary.endswith("not compared: they are of another compiler")
+
+
+@pytest.mark.parametrize("instructions, times, counts_only, status", [
+    (PASS, PASS, False, 0), (FAIL, PASS, False, 1), (PASS, FAIL, False, 1),
+    (PASS, INCONCLUSIVE, False, 3), (PASS, SKIPPED, False, 4), (SKIPPED, PASS, False, 0),
+    (PASS, SKIPPED, True, 0), (FAIL, SKIPPED, True, 1), (SKIPPED, SKIPPED, True, 4)])
+def test_exit_statuses(instructions: Verdict, times: Verdict, counts_only: bool,
+                       status: int) -> None:
+    layers = (Layer(verdict, []) for verdict in (instructions, times))
+    assert exit_status(*layers, counts_only) == status
+
+
+def outcome(*verdicts: Verdict) -> output.Outcome:
+    """One row of each verdict, and counts of one."""
+    rows = [RowVerdict(f"row <{verdict}>", verdict, "", change(0.9), 0.025, None, None)
+            for verdict in verdicts]
+    return output.Outcome(Layer(PASS, [RowVerdict("counted", PASS)]), layer_of(rows),
+                          {"counted": 1234})
+
+
+def test_junit_is_read_back(tmp_path: Path) -> None:
+    path = tmp_path / "regress.xml"
+    path.write_bytes(output.to_junit(outcome(*Verdict)))
+    suites = {suite.name: suite for suite in JUnitXml.fromfile(str(path))}
+    times = suites["times"]
+    assert (times.tests, times.failures, times.skipped, times.errors) == (4, 1, 2, 0)
+    results = {case.name: [type(result).__name__ for result in case.result] for case in times}
+    assert results == {"row <PASS>": [], "row <FAIL>": ["Failure"],
+                       "row <INCONCLUSIVE>": ["Skipped"], "row <SKIPPED>": ["Skipped"]}
+    assert suites["instructions"].failures == 0
+
+
+def test_bencher_metrics_have_intervals() -> None:
+    now = stored.measured_from(samples_of())
+    rows = stored.against_baseline(now, baseline_of(samples_of()), CACHE, False)
+    metrics = output.to_bencher(output.Outcome(Layer(PASS, []), layer_of(rows), {ROW: 1234}))
+    assert metrics[ROW]["instructions"] == {"value": 1234}
+    speedup = metrics[ROW]["speedup"]
+    assert speedup["lower_value"] <= speedup["value"] <= speedup["upper_value"]
+    assert speedup["value"] == pytest.approx(20, rel=0.05)
+    assert metrics[ROW]["latency"]["value"] == pytest.approx(5e4, rel=0.05)
+
+
+def test_github_is_told_only_what_is_wrong() -> None:
+    fine = outcome(PASS, SKIPPED)
+    assert output.to_annotations(fine) == output.to_markdown(fine) == ""
+    wrong = outcome(PASS, FAIL, INCONCLUSIVE, INCONCLUSIVE)
+    lines = output.to_annotations(wrong).splitlines()
+    assert [line.split(" ")[0] for line in lines] == ["::error", "::warning"]
+    assert "-10.0 %25" in lines[0]
+    assert output.to_markdown(wrong).count("\n| INCONCLUSIVE") == 2
+
+
+def test_only_rows_that_did_not_pass_are_shown_and_the_verdicts_last() -> None:
+    found = outcome(PASS, FAIL)
+    assert "row <PASS>" not in output.to_text(found, False)
+    assert "row <PASS>" in output.to_text(found, True)
+    assert output.to_text(found, False).splitlines()[-1] == "instructions PASS, times FAIL"
+
+
+def options_of(tmp_path: Path, **changes: object) -> Namespace:
+    """As the command line gives them."""
+    defaults = {"against": None, "filter": "", "image": [], "foreground": "auto",
+                "threshold": "otsu", "all": False, "judge_threads": False, "update": False,
+                "baselines": tmp_path / "baselines", "reason": None, "no_instructions": True,
+                "counts_only": False, "junit": None, "bencher": None, "github": False,
+                "self_test": False, "quick": False}
+    return Namespace(**defaults | changes)
+
+
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, **changes: object) -> tuple[str, int]:
+    """The command, with programs that know their times, on a machine without other work."""
+    monkeypatch.setattr("report.measure.load.LoadMeter.foreign", lambda _: 0.0)
+    monkeypatch.setattr(command, "is_clean", lambda: True)
+    programs = install(tmp_path / "bin")
+    return command.run_regress(None, options_of(tmp_path, **changes),  # type: ignore[arg-type]
+                               lambda _root, _targets: programs)
+
+
+def test_the_command_writes_a_baseline_and_compares_with_it(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    text, status = run(tmp_path, monkeypatch)
+    assert status == 4 and "there is no baseline" in text
+    name = f"{machine_of('GNU')['fingerprint']}.json"
+    assert run(tmp_path, monkeypatch, update=True, reason="first")[1] == 0
+    assert [path.name for path in (tmp_path / "baselines").iterdir()] == [name]
+    text, status = run(tmp_path, monkeypatch, junit=tmp_path / "regress.xml")
+    assert (text.splitlines()[-1], status) == ("instructions SKIPPED, times PASS", 0)
+    assert JUnitXml.fromfile(str(tmp_path / "regress.xml")) is not None
+
+
+def test_a_busy_machine_makes_no_baseline(tmp_path: Path,
+                                          monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(stored, "why_unfit", lambda _: stored.BUSY)
+    with pytest.raises(ReportError, match="no baseline was written: other processes") as error:
+        run(tmp_path, monkeypatch, update=True, reason="first")
+    assert error.value.status == 3
+    assert not (tmp_path / "baselines").exists()
+
+
+def test_errors_are_no_verdict(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = f"{machine_of('GNU')['fingerprint']}.json"
+    (tmp_path / "baselines").mkdir()
+    (tmp_path / "baselines" / name).write_text("{}")
+    with pytest.raises(ReportError, match="regress: .*is a required property") as error:
+        run(tmp_path, monkeypatch)
+    assert error.value.status == 2
+
+
+@pytest.mark.parametrize("words, text", [
+    (["--update"], "--update needs --reason TEXT"),
+    (["--reason", "why"], "--reason needs --update"),
+    (["--update", "--reason", "why", "--against", "HEAD"], "it excludes --against"),
+    (["--against", "no_such_commit"], "there is no commit 'no_such_commit'"),
+    (["--quick"], "--quick needs --self-test"),
+    (["--foreground", "dark"], "--foreground needs --image"),
+    (["--no-instructions", "--counts-only"], "not allowed with")])
+def test_wrong_usage_ends_with_status_2(words: list[str], text: str,
+                                        capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stop:
+        main(["regress", *words])
+    assert stop.value.code == 2
+    assert text in capsys.readouterr().err
