@@ -61,7 +61,7 @@ def size_chart(rows: Rows) -> list[Chart]:
 def sweep_charts(rows: Iterable[Row]) -> list[Chart]:
     """One for each sweep and case."""
     by_chart: dict[tuple[str, str], list[Series]] = {}
-    for series in sweep_series(rows):
+    for series in sorted(sweep_series(rows), key=lambda one: place(one.case)):
         by_chart.setdefault((series.sweep, series.case), []).append(series)
     return [Chart(f"sweep {sweep}", title(case), BY_NAME[sweep].what, tuple(map(_curve, curves)))
             for (sweep, case), curves in by_chart.items()]

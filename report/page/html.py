@@ -24,6 +24,7 @@ from report.page.tables import Table
 from report.sweeps.series import load_sweep_rows
 
 CHART_JS = Path("/usr/share/javascript/chart.js/chart.min.js")
+NO_BREAK = "\N{NO-BREAK SPACE}"
 TEMPLATES = Path(__file__).parent / "templates"
 FILES = ("timings.csv", "timings.md", "claims.md", "headline.tex", "overview.svg", "overview.png")
 
@@ -65,8 +66,10 @@ def _environment() -> Environment:
 
 
 def _with_figures(sentence: str) -> Markup:
+    """Numbers stay on one line with their units."""
+    text = str(escape(sentence)).replace(" %", f"{NO_BREAK}%")
     return Markup(re.sub(r"\*\*(.+?)\*\*", lambda found: "<strong>" + found[1].replace(
-        " ", "\N{NO-BREAK SPACE}") + "</strong>", str(escape(sentence)).replace(" %", "\N{NO-BREAK SPACE}%")))
+        " ", NO_BREAK) + "</strong>", text))
 
 
 def _peers(rows: Rows, lines: list[Headline]) -> str:

@@ -45,7 +45,7 @@ def _figure(rows: Rows, lines: list[Headline]) -> Figure:
     for place, line in enumerate(lines):
         _draw_case(axes, -place, marks(rows, line), rows.equal_peers)
     axes.set_yticks([-place for place in range(len(lines))], [line.label for line in lines])
-    axes.set_ylim(0.6 - len(lines), 0.6)
+    axes.set_ylim(0.6 - max(len(lines), 1), 0.6)
     axes.set_xscale("log")
     axes.xaxis.set_major_locator(LogLocator(numticks=12))
     axes.xaxis.set_minor_locator(NullLocator())

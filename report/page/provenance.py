@@ -20,8 +20,7 @@ def provenance(run: Run) -> list[tuple[str, str]]:
         ("Instruction sets", ", ".join(machine["isa_available"])),
         ("Compiler", f"{compiler['id']} {compiler['version']}, {compiler['flags']}"),
         ("Libraries", ", ".join(f"{name} {text}" for name, text in machine["libraries"].items())),
-        ("Options", ", ".join(f"{name}: {value}" for name, value in facts["options"].items()
-                              if value not in ("", [], None))),
+        ("Options", ", ".join(filter(None, map(_option, facts["options"].items())))),
         ("Controls", _controls(facts["controls"])),
         ("State", f"others kept {state['foreign_load']:g} processors busy; a dependent addition "
                   f"takes {state['chain_ns']:.3f} ns, a copy of the state check "
@@ -39,6 +38,13 @@ def skipped(run: Run) -> list[tuple[str, list[str]]]:
     for item in run.facts["skipped"]:
         by_reason.setdefault(item["reason"], []).append(item["row"])
     return sorted(by_reason.items())
+
+
+def _option(item: tuple[str, object]) -> str:
+    name, value = item
+    if isinstance(value, bool):
+        return name if value else f"no {name}"
+    return f"{name} {value}" if value not in ("", [], None) else ""
 
 
 def _processor(cpu: Json) -> str:

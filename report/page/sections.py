@@ -119,11 +119,12 @@ def _bound(line: Headline | None) -> str:
     if line is None or line.copy is None:
         return ""
     share = line.copy_share or 0.0
-    what = "Reading its packed input" if line.copy.technique == "read_bits" else \
-        "A copy of the same bytes"
-    relation = (f"{100 * share:.0f} % of the fastest variant's {duration(line.best.median_ns)}"
-                if share <= 1 else f"more than the fastest variant's {duration(line.best.median_ns)}")
-    return f"Lower bound: {what[0].lower()}{what[1:]} takes {duration(line.copy.median_ns)}, {relation}."
+    what = "reading its packed input" if line.copy.technique == "read_bits" else \
+        "a copy of the same bytes"
+    best = duration(line.best.median_ns)
+    relation = f"{100 * share:.0f} % of" if share <= 1 else "more than"
+    return (f"Lower bound: {what} takes {duration(line.copy.median_ns)}, {relation} the fastest "
+            f"variant's {best}.")
 
 
 def _time_interval(row: Row) -> Cell:

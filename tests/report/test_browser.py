@@ -84,7 +84,7 @@ def look(driver: Any, address: str, width: int = 1300, dark: bool = False) -> Pa
 @pytest.mark.parametrize("width", [375, 1300])
 def test_nothing_overflows_and_the_console_is_empty(driver, address, width, dark):
     page = look(driver, address, width, dark)
-    page.driver.execute_script("for (const one of document.querySelectorAll('details')) one.open = true")
+    page.value("document.querySelectorAll('details').forEach(one => { one.open = true })")
     assert page.value("innerWidth") == width
     assert page.value("document.documentElement.scrollWidth") <= width
     assert page.errors() == []

@@ -13,9 +13,10 @@ import pytest
 from conftest import Built, all_rows, build, change_facts, make_rows, write_run
 
 from report.errors import ReportError
-from report.files import to_json
+from report.files import to_json, write_files
 from report.formatting import duration, times
 from report.measure.run import load_run
+from report.measure.timings import to_csv
 from report.page.html import chart_js
 from report.page.operations import Rows
 
@@ -139,6 +140,21 @@ def test_instruction_counts_stand_with_their_operation(tmp_path, capsys):
     (directory / "limits.json").write_bytes(to_json({"issue_width": 6, "rows": [row]}))
     page = build(directory, capsys).text("index.html")
     assert "123,456" in page and "assumes a core that issues 6 instructions" in page
+
+
+def test_a_run_that_has_no_end_to_end_rows_has_a_page(tmp_path, capsys):
+    rows = [replace(row, scope="kernel") for row in make_rows("thin_mb2")[1:]]
+    built = build(write_run(tmp_path / "run", rows), capsys)
+    assert "Page: " in built.stdout and 'id="thin_mb2"' in built.text("index.html")
+
+
+def test_parameter_sweeps_are_plotted_useful_rules_first(tmp_path, capsys):
+    rows = [replace(row, sweep="size") for row in all_rows()]
+    directory = write_run(tmp_path / "run", all_rows())
+    write_files(directory / "sweeps", {"timings.csv": to_csv(rows).encode()})
+    part = build(directory, capsys).text("index.html").split('id="sweeps"')[1]
+    assert "side of the square, pixels" in part
+    assert part.index("Guo-Hall thinning") < part.index("thinning by the paper")
 
 
 def test_the_same_run_gives_the_same_bytes(built, capsys):
