@@ -12,7 +12,7 @@ FIRST = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "edges_so
 """What the first screen shows beside the input, as far as it was made."""
 
 MAX_BYTES = 200_000
-MAX_TOTAL_BYTES = 1_500_000
+MAX_TOTAL_BYTES = 1_000_000
 """Of all images in the page, which is to stay small."""
 
 
