@@ -1,4 +1,5 @@
-// Checks of arguments that say what would be right. They read decimal numbers and nothing else.
+// Options that several commands share, and checks of arguments, whose messages state what would be
+// right. They read decimal numbers and nothing else.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,8 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+
+#include "images/binarise.hpp"
 
 namespace thinbench {
 
@@ -25,5 +28,12 @@ namespace thinbench {
 
 /// `--threads N`, one thread by default.
 void add_threads_option(CLI::App& app, int& threads);
+
+/// `image` is the option without which these have no meaning; nullptr where the command always
+/// reads an image.
+void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image = nullptr);
+
+/// The options that were given, each with a space before it: " --foreground dark".
+[[nodiscard]] std::string binarise_words(const BinariseOptions& options);
 
 }  // namespace thinbench

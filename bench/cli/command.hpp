@@ -1,24 +1,16 @@
-// What the parts of the command-line program share. Each command declares its arguments and hands
-// back the function that runs it.
+// What the parts of the command-line program share. Each command declares its arguments and returns
+// the function that runs it.
 #pragma once
 
 #include <functional>
 #include <ostream>
-#include <stdexcept>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "cli/usage.hpp"
+
 namespace thinbench {
-
-inline constexpr int kSuccess = 0;
-inline constexpr int kFailure = 1;
-inline constexpr int kUsage = 2;
-
-/// The program was asked for something that does not exist; ends it with kUsage.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct Console {
   std::ostream& out;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "experiments/experiments.hpp"
 #include "experiments/thinning_quality.hpp"
@@ -14,11 +13,6 @@
 
 namespace thinbench {
 namespace {
-
-constexpr const char* kExamples = R"(Examples:
-  thinbench experiment quantisation --out quantisation.json
-  thinbench experiment hidden-neurons --quick
-  thinbench experiment quality --image parts.jpg --foreground dark)";
 
 struct ExperimentOptions {
   std::string out;
@@ -121,7 +115,10 @@ Command add_experiment_command(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("experiment", "Repeat what the paper says of its methods, as tables");
   app->require_subcommand(1);
-  app->footer(kExamples);
+  app->footer(R"(Examples:
+  thinbench experiment quantisation --out quantisation.json
+  thinbench experiment hidden-neurons --quick
+  thinbench experiment quality --image parts.jpg --foreground dark)");
   const std::vector<AddedExperiment> added = {
       add(*app, "edge-quality", "Each edge operator against the scene's true contours, with noise",
           &run_edge_quality)

@@ -3,35 +3,15 @@
 #include <string>
 
 #include "cli/arguments.hpp"
-#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "counts/comparison.hpp"
-#include "counts/counted_input.hpp"
 #include "counts/documents.hpp"
-#include "support/whole_file.hpp"
+#include "counts/limits.hpp"
 #include "measure/timed_row.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr const char* kExamples = R"(Examples:
-  thinbench instructions --filter 'simd_.*/avx2' --out counts.json
-  thinbench instructions --against counts.json
-  thinbench instructions --limits --filter '^thin_guo_hall/.*_row/' --issue-width 6
-
-Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
-valgrind is installed, its callgrind counts all but AVX-512; the rest is counted by a trap of the
-processor after each instruction, which takes microseconds, and rows that take more than --most-steps
-are skipped. So the input is small: every 5th pixel of every 16th row of the image.
-
---limits takes the whole image, times the rows too, and measures the core's frequency. The limit
-of a row is the time in which --issue-width instructions a cycle would be issued; how many a core
-can issue is not measured but assumed, and more than 100 % shows that it can issue more.
-
-Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions or another number of
-passes, 4 nothing could be compared: no row in common, or another compiler, flags, C library,
-processor level or input. Rows that were counted by another method, or under another valgrind, are
-not compared.)";
 
 constexpr int kNothingCompared = 4;
 constexpr Index kQuickRows = 24;
@@ -42,14 +22,14 @@ struct InstructionsOptions {
   std::string out;
   std::string against;
   BinariseOptions binarise;
-  std::uint64_t most_steps = 0;  // 0 for what suits the input
+  std::uint64_t max_steps = 0;  // 0 for what suits the input
   double issue_width = 6;
   bool json = false;
   bool limits = false;
   bool quick = false;
 
   [[nodiscard]] std::uint64_t steps() const {
-    if (most_steps > 0) return most_steps;
+    if (max_steps > 0) return max_steps;
     if (!limits) return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
     return quick ? 100000 : 800000;
   }
@@ -70,7 +50,7 @@ std::vector<TimedInput> inputs_for(const InstructionsOptions& options, std::ostr
   return inputs;
 }
 
-/// The rows on one thread, proved equal to their references.
+/// The rows on one thread, verified.
 Selection selected(const InstructionsOptions& options, const std::vector<TimedInput>& inputs) {
   const VariantChoice variants = options.limits ? VariantChoice::highest : VariantChoice::all;
   Selection selection =
@@ -118,12 +98,12 @@ int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
   return comparison.fails() ? kFailure : kSuccess;
 }
 
-void say_what_is_missing(const Results& results, const InstructionsOptions& options,
+void report_skipped(const Results& results, const InstructionsOptions& options,
                          const Console& console) {
   if (!results.why_not_callgrind.empty()) {
     console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
   }
-  console.err << results.skipped << " rows are left out: they take more than " << options.steps()
+  console.err << results.skipped << " rows are skipped: they take more than " << options.steps()
               << " single steps\n";
 }
 
@@ -143,7 +123,7 @@ int run(const InstructionsOptions& options, const Console& console) {
       options.limits ? limited(options, console.err) : counted(options, console.err);
   const std::string json = results.document.dump(1) + "\n";
   if (!options.out.empty()) write_whole_file(options.out, json);
-  say_what_is_missing(results, options, console);
+  report_skipped(results, options, console);
   if (!options.against.empty()) return compare_and_print(before, results.document, console);
   console.out << (options.json ? json : results.table);
   return kSuccess;
@@ -157,7 +137,7 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
           ->check(not_empty())
           ->type_name("FILE");
   add_binarise_options(app, options.binarise, image);
-  app.add_option("--most-steps", options.most_steps,
+  app.add_option("--max-steps", options.max_steps,
                  "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
                  "with --limits 800000, quick 100000)")
       ->check(whole_number(1, 1000000000))
@@ -169,11 +149,11 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
   app.add_option("--against", options.against, "Compare with the counts in this file")
       ->check(not_empty())
       ->type_name("FILE");
-  app.add_flag("--limits", options.limits, "Time rows as well, and say what bounds them");
+  app.add_flag("--limits", options.limits, "Time rows as well, and report their lower bounds");
   app.add_flag("--quick", options.quick,
                "With --limits: 24 rows of the image, the fastest row of each operation");
   app.add_option("--issue-width", options.issue_width,
-                 "Instructions that the core is assumed to issue in a cycle")
+                 "Instructions that the core is assumed to issue per cycle")
       ->check(real_number(1, 100))
       ->type_name("N")
       ->capture_default_str();
@@ -183,10 +163,27 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
 
 Command add_instructions_command(CLI::App& program) {
   CLI::App* app =
-      program.add_subcommand("instructions", "Count what rows execute, and what bounds them");
+      program.add_subcommand("instructions", "Count the instructions of rows, and their lower bounds");
   const auto options = std::make_shared<InstructionsOptions>();
   add_options(*app, *options);
-  app->footer(kExamples);
+  app->footer(R"(Examples:
+  thinbench instructions --filter 'simd_.*/avx2' --out counts.json
+  thinbench instructions --against counts.json
+  thinbench instructions --limits --filter '^thin_guo_hall/.*_row/' --issue-width 6
+
+Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
+valgrind is installed, its callgrind counts all but AVX-512; the rest is counted by a trap of the
+processor after each instruction, which takes microseconds, and rows that take more than --max-steps
+are skipped. So the input is small: every 5th pixel of every 16th row of the image.
+
+--limits takes the whole image, times the rows too, and measures the core's frequency. The lower bound
+of a row is the time in which --issue-width instructions per cycle would be issued; how many a core
+can issue is assumed, not measured, and more than 100 % shows that it can issue more.
+
+Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions or another number of
+iterations, 4 nothing could be compared: no row in common, or another compiler, flags, C library,
+ISA of the processor or input. Rows that were counted by another method, or under another valgrind, are
+not compared.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

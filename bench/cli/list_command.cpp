@@ -14,15 +14,6 @@
 namespace thinbench {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
-  thinbench list
-  thinbench list --variants | grep thin_guo_hall
-  thinbench list --json | jq '.[] | select(.fastest) | .operation + " " + .technique'
-  THINBENCH_MAX_ISA=sse4.2 thinbench list
-
-Without options, a line for each operation: how many of its variants this machine can run, which of
-them the library takes on one thread for an image 1024 pixels wide, and what it does.)";
-
 using Cells = std::vector<std::string>;
 
 /// Some variants are for narrow images only.
@@ -159,7 +150,14 @@ Command add_list_command(CLI::App& program) {
   app->add_flag("--variants", options->variants,
                 "A line for each variant of each operation, and whether it runs here");
   app->add_flag("--json", options->json, "All variants as a JSON array instead of a table");
-  app->footer(kExamples);
+  app->footer(R"(Examples:
+  thinbench list
+  thinbench list --variants | grep thin_guo_hall
+  thinbench list --json | jq '.[] | select(.fastest) | .operation + " " + .technique'
+  THINBENCH_MAX_ISA=sse4.2 thinbench list
+
+Without options, a line for each operation: how many of its variants this machine can run, which of
+them the library takes on one thread for an image 1024 pixels wide, and what it does.)");
   return {app, [options](const Console& console) { return list(*options, console.out); }};
 }
 

@@ -8,11 +8,6 @@
 namespace thinbench {
 namespace {
 
-constexpr const char* kExamples = R"--(Examples:
-  thinbench machine
-  thinbench machine --fingerprint
-  thinbench machine --commit "$(git rev-parse HEAD)" --options '{"quick": true}')--";
-
 struct MachineOptions {
   std::string commit = "unknown";
   std::string options = "{}";
@@ -22,13 +17,13 @@ struct MachineOptions {
 nlohmann::json parsed_options(const std::string& text) {
   auto options = nlohmann::json::parse(text, nullptr, false);
   if (options.is_object()) return options;
-  throw UsageError("--options: '" + text + R"(' is no JSON object, such as {"quick": true})");
+  throw UsageError("--options: '" + text + R"(' is not a JSON object such as {"quick": true})");
 }
 
 int print(const MachineOptions& options, std::ostream& out) {
   const nlohmann::json run_options = parsed_options(options.options);
   if (options.fingerprint) {
-    out << machine_fingerprint(read_cpu()) << '\n';
+    out << machine_fingerprint() << '\n';
   } else {
     using Json = nlohmann::json;
     out << machine_json(options.commit, run_options)
@@ -50,7 +45,10 @@ Command add_machine_command(CLI::App& program) {
       ->type_name("JSON")
       ->capture_default_str();
   app->add_flag("--fingerprint", options->fingerprint, "Print the fingerprint and nothing else");
-  app->footer(kExamples);
+  app->footer(R"--(Examples:
+  thinbench machine
+  thinbench machine --fingerprint
+  thinbench machine --commit "$(git rev-parse HEAD)" --options '{"quick": true}')--");
   return {app, [options](const Console& console) { return print(*options, console.out); }};
 }
 

@@ -1,10 +1,11 @@
 #include "cli/names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
-#include "cli/command.hpp"
+#include "cli/usage.hpp"
 
 namespace thinbench {
 namespace {
@@ -69,41 +70,26 @@ std::string enumeration(const std::vector<std::string_view>& words, const char* 
 
 const detail::ThinningOperation& operation_named(std::string_view name) {
   if (const auto rule = rule_from_name(name)) return detail::operation_of(*rule);
-  std::vector<std::string_view> known;
-  known.reserve(kRules.size());
-  for (const RuleInfo& info : kRules) known.push_back(info.operation);
-  reject_name("operation", name, known);
+  const auto name_of = [](const RuleInfo& info) { return info.operation; };
+  return detail::operation_of(named("operation", name, kRules, name_of).rule);
 }
 
 Technique technique_named(std::string_view name) {
-  if (const auto technique = technique_from_name(name)) return *technique;
-  std::vector<std::string_view> known;
-  known.reserve(kTechniques.size());
-  for (const TechniqueInfo& info : kTechniques) known.push_back(info.name);
-  reject_name("technique", name, known);
+  const auto name_of = [](const TechniqueInfo& info) { return info.name; };
+  return named("technique", name, kTechniques, name_of).technique;
 }
 
 Isa isa_named(std::string_view name) {
-  if (const auto isa = isa_from_name(name)) return *isa;
-  std::vector<std::string_view> known;
-  known.reserve(kAllIsas.size());
-  for (const Isa isa : kAllIsas) known.push_back(isa_name(isa));
-  reject_name("instruction set", name, known);
+  return named("instruction set", name, kAllIsas, isa_name);
 }
 
 Border border_named(std::string_view name) {
-  for (std::size_t i = 0; i < kBorderNames.size(); ++i) {
-    if (kBorderNames[i] == name) return static_cast<Border>(i);
-  }
-  throw UsageError("no border is named '" + std::string(name) +
-                   "'; known: " + enumeration({kBorderNames.begin(), kBorderNames.end()}));
+  return named("border", name, std::array{Border::background, Border::keep}, border_name);
 }
 
 Direction direction_named(std::string_view name) {
-  for (const Direction direction : kAllDirections) {
-    if (kDirectionNames[static_cast<std::size_t>(direction)] == name) return direction;
-  }
-  reject_name("direction", name, {kDirectionNames.begin(), kDirectionNames.end()});
+  const auto name_of = [](Direction one) { return kDirectionNames[static_cast<std::size_t>(one)]; };
+  return named("direction", name, kAllDirections, name_of);
 }
 
 }  // namespace thinbench

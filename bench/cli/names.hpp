@@ -22,6 +22,18 @@ namespace thinbench {
 [[nodiscard]] std::string enumeration(const std::vector<std::string_view>& words,
                                       const char* before_last = " and ");
 
+/// The value of this name. Throws UsageError where none has it.
+template <class Values, class NameOf>
+[[nodiscard]] auto named(std::string_view kind, std::string_view name, const Values& values,
+                         const NameOf& name_of) {
+  std::vector<std::string_view> known;
+  for (const auto& value : values) {
+    if (name_of(value) == name) return value;
+    known.push_back(name_of(value));
+  }
+  reject_name(kind, name, known);
+}
+
 /// Each throws UsageError for an unknown name.
 [[nodiscard]] const detail::ThinningOperation& operation_named(std::string_view name);
 [[nodiscard]] Technique technique_named(std::string_view name);

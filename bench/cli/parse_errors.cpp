@@ -15,7 +15,7 @@ std::string unexpected_text(const CLI::App& app) {
   const std::vector<std::string> left = app.remaining();
   const auto option = std::find_if(left.begin(), left.end(),
                                    [](const std::string& word) { return word.rfind('-', 0) == 0; });
-  if (option == left.end()) return "'" + left.front() + "' is one argument too many";
+  if (option == left.end()) return "'" + left.front() + "' was not expected";
   std::vector<std::string> names;
   for (const CLI::Option* known : app.get_options()) {
     if (known->nonpositional()) names.push_back(known->get_name());
@@ -27,7 +27,7 @@ std::string unexpected_text(const CLI::App& app) {
   return text;
 }
 
-/// The parser's words, or better ones where it speaks in its own terms.
+/// The parser's text, or a better one where it uses its own terms.
 std::string plain_text(const CLI::ParseError& error) {
   std::string text = error.what();
   const auto colon = text.find(": ");
@@ -43,9 +43,18 @@ std::string full_name(const CLI::App& app) {
   return is_command ? full_name(*app.get_parent()) + " " + app.get_name() : app.get_name();
 }
 
+/// The app that an error is about: the outermost that was left with words it does not know, else
+/// the innermost that was named.
+const CLI::App& rejecting_app(const CLI::App& app) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (!app.remaining().empty() || parsed.empty()) return app;
+  return rejecting_app(*parsed.back());
+}
+
 }  // namespace
 
-std::string parse_error_text(const CLI::ParseError& error, const CLI::App& app) {
+std::string parse_error_text(const CLI::ParseError& error, const CLI::App& program) {
+  const CLI::App& app = rejecting_app(program);
   const bool unexpected = !app.remaining().empty();
   std::string text = unexpected ? unexpected_text(app) : plain_text(error);
   std::replace(text.begin(), text.end(), '\n', ' ');

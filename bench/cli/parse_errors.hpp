@@ -4,12 +4,15 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
 
 namespace thinbench {
 
-/// `app` is the command that was being parsed, or the program itself.
-[[nodiscard]] std::string parse_error_text(const CLI::ParseError& error, const CLI::App& app);
+/// Names the command that rejected the command line.
+[[nodiscard]] std::string parse_error_text(const CLI::ParseError& error, const CLI::App& program);
 
 /// Parses the words after the program's name. False where help was asked for, and printed. Throws
 /// UsageError.

@@ -7,18 +7,11 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "harness/operation.hpp"
+#include "images/image_file.hpp"
 #include "measure/row_options.hpp"
-#include "picture/picture.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr const char* kExamples = R"(Examples:
-  thinbench pictures --out pictures
-  thinbench pictures --out pictures --image parts.jpg --foreground dark
-
-Writes DIR/INPUT.png, DIR/INPUT_grey.png and DIR/INPUT_CASE.png for each operation that gives an
-image, ':' in the name of a case written as '_'. Nets have learned a rule and give the rule's images.)";
 
 struct PicturesOptions {
   InputChoice inputs;
@@ -59,7 +52,12 @@ Command add_pictures_command(CLI::App& program) {
       ->check(not_empty())
       ->type_name("DIR");
   add_input_options(*app, options->inputs);
-  app->footer(kExamples);
+  app->footer(R"(Examples:
+  thinbench pictures --out pictures
+  thinbench pictures --out pictures --image parts.jpg --foreground dark
+
+Writes DIR/INPUT.png, DIR/INPUT_grey.png and DIR/INPUT_CASE.png for each operation that gives an
+image, ':' in the name of a case written as '_'. Nets have learned a rule and give the rule's images.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

@@ -15,7 +15,15 @@
 namespace thinbench {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kProgramLeadIn = "thinbench: ";
+
+/// The program with all its commands, before and after parsing.
+class Program {
+ public:
+  explicit Program(const Console& console) : console_(console) {
+    app_.set_version_flag("--version", "thinbench " THINBENCH_VERSION, "Print the version");
+    app_.require_subcommand(1);
+    app_.footer(R"(Examples:
   thinbench list
   thinbench run thin_naccache_shinghal parts.png skeleton.png
   thinbench edges parts.png edges.png --operator sobel
@@ -26,17 +34,7 @@ constexpr const char* kExamples = R"(Examples:
 
 Commands that read images agree on which pixels are foreground: by default the class, of two found by
 Otsu's method, that covers less of the image border; else what --foreground and --threshold say.
-THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)";
-
-constexpr const char* kLeadIn = "thinbench: ";
-
-/// The program with all its commands, before and after parsing.
-class Program {
- public:
-  explicit Program(const Console& console) : console_(console) {
-    app_.set_version_flag("--version", "thinbench " THINBENCH_VERSION, "Print the version");
-    app_.require_subcommand(1);
-    app_.footer(kExamples);
+THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)");
     commands_ = {
         add_list_command(app_),         add_verify_command(app_),  add_run_command(app_),
         add_edges_command(app_),        add_holes_command(app_),   add_scene_command(app_),
@@ -52,26 +50,26 @@ class Program {
     check_command_names(args);
     if (!parse(args, console_.out)) return kSuccess;
     check_cap();
-    return parsed_commands().back()->run(console_);
+    return parsed_command().run(console_);
   }
 
  private:
   using Commands = std::vector<Command>;
 
-  /// Refuses a first word that is no command and, after a command that holds others, a second.
+  /// Rejects a first word that is not a command and, after a command that holds others, a second.
   void check_command_names(const std::vector<std::string>& words) const {
-    const Commands* level = &commands_;
+    const Commands* known = &commands_;
     for (const std::string& word : words) {
-      if (level->empty() || word.rfind('-', 0) == 0) return;
-      const auto found = std::find_if(level->begin(), level->end(), [&](const Command& command) {
+      if (known->empty() || word.rfind('-', 0) == 0) return;
+      const auto found = std::find_if(known->begin(), known->end(), [&](const Command& command) {
         return command.app->get_name() == word;
       });
-      if (found == level->end()) reject_name("command", word, names_of(*level));
-      level = &found->parts;
+      if (found == known->end()) reject_name("command", word, names_of(*known));
+      known = &found->parts;
     }
-    if (!level->empty()) {
+    if (!known->empty()) {
       throw UsageError(words.back() +
-                       " needs one more word: " + enumeration(names_of(*level), " or ") +
+                       " needs one more word: " + enumeration(names_of(*known), " or ") +
                        "; see 'thinbench " + words.back() + " --help'");
     }
   }
@@ -92,33 +90,19 @@ class Program {
     } catch (const CLI::CallForVersion& version) {
       out << version.what() << '\n';
     } catch (const CLI::ParseError& error) {
-      throw UsageError(parse_error_text(error, refusing_app()));
+      throw UsageError(parse_error_text(error, app_));
     }
     return false;
   }
 
-  /// The commands that were named, the innermost last.
-  [[nodiscard]] std::vector<const Command*> parsed_commands() const {
-    std::vector<const Command*> parsed;
-    for (const Commands* level = &commands_; level != nullptr;) {
-      const auto found = std::find_if(level->begin(), level->end(),
-                                      [](const Command& command) { return command.app->parsed(); });
-      if (found == level->end()) return parsed;
-      parsed.push_back(&*found);
-      level = &found->parts;
+  /// The innermost command that was named.
+  [[nodiscard]] const Command& parsed_command() const {
+    const Command* parsed = nullptr;
+    for (const Commands* commands = &commands_; !commands->empty(); commands = &parsed->parts) {
+      parsed = &*std::find_if(commands->begin(), commands->end(),
+                              [](const Command& command) { return command.app->parsed(); });
     }
-    return parsed;
-  }
-
-  /// The part of the program that an error is about: the outermost that was left with words it does
-  /// not know, else the innermost that was named.
-  [[nodiscard]] const CLI::App& refusing_app() const {
-    const CLI::App* app = &app_;
-    for (const Command* command : parsed_commands()) {
-      if (!app->remaining().empty()) return *app;
-      app = command->app;
-    }
-    return *app;
+    return *parsed;
   }
 
   static void check_cap() {
@@ -147,12 +131,12 @@ int run_program(const std::vector<std::string>& args, std::ostream& out, std::os
   try {
     return run_and_flush(args, {out, err, err_is_terminal});
   } catch (const UsageError& error) {
-    err << kLeadIn << error.what() << '\n';
+    err << kProgramLeadIn << error.what() << '\n';
     return kUsage;
   } catch (const std::bad_alloc&) {
-    err << kLeadIn << "there is not enough memory\n";
+    err << kProgramLeadIn << "there is not enough memory\n";
   } catch (const std::exception& error) {
-    err << kLeadIn << error.what() << '\n';
+    err << kProgramLeadIn << error.what() << '\n';
   }
   return kFailure;
 }

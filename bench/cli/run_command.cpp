@@ -1,68 +1,40 @@
 // thinbench run: thins one image file into another.
 #include <algorithm>
-#include <chrono>
 #include <climits>
-#include <iomanip>
 #include <memory>
 #include <sstream>
 #include <string>
 
-#include <tbb/global_control.h>
+#include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/binarise_options.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/variant_choice.hpp"
-#include "cli/weights_option.hpp"
-#include "harness/rows.hpp"
-#include "picture/binarise.hpp"
-#include "picture/picture.hpp"
+#include "harness/operation.hpp"
+#include "images/binarise.hpp"
+#include "images/image_file.hpp"
+#include "training/weights_file.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr const char* kExamples = R"(Examples:
-  thinbench run thin_naccache_shinghal drawing.png skeleton.png
-  thinbench run thin_naccache_shinghal parts.jpg skeleton.png --foreground dark --threshold 100
-  thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8
-  thinbench run thin_zhang_suen parts.png skeleton.png --border keep --max-iterations 3
-  thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
-  thinbench run skeleton_scan parts.png marks.png --directions rows,columns
-
-OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
-you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
-need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)";
 
 struct RunOptions {
   std::string operation;
   std::string in;
   std::string out;
-  std::string technique;
-  std::string isa;
   std::string weights;
-  std::string border;
   std::string directions;
-  int threads = 1;
-  int max_iterations = 0;  // 0 for no limit
+  Options how;
   BinariseOptions binarise;
 };
-
-Options thinning_options(const RunOptions& options) {
-  Options how;
-  if (!options.technique.empty()) how.technique = technique_named(options.technique);
-  if (!options.isa.empty()) how.isa = isa_named(options.isa);
-  how.threads = options.threads;
-  if (!options.border.empty()) how.border = border_named(options.border);
-  if (options.max_iterations > 0) how.max_iterations = options.max_iterations;
-  return how;
-}
 
 /// The directions named in a list such as "rows,columns"; all where the list is empty.
 Directions directions_named(const detail::ThinningOperation& operation, const std::string& list) {
   if (list.empty()) return {};
   if (!operation.takes_directions) {
-    throw UsageError("--directions: " + std::string(operation.name) + " is no scan and takes none");
+    throw UsageError("--directions: " + std::string(operation.name) +
+                     " is not a scan and has no directions");
   }
   Directions directions = kNoDirections;
   std::size_t end = 0;
@@ -70,12 +42,33 @@ Directions directions_named(const detail::ThinningOperation& operation, const st
     end = list.find(',', start);
     const std::string name = list.substr(start, end - start);
     if (name.empty()) {
-      throw UsageError("--directions: '" + list + "' names none at one of its commas; known: " +
+      throw UsageError("--directions: '" + list + "' has an empty name; known: " +
                        enumeration({kDirectionNames.begin(), kDirectionNames.end()}));
     }
     directions.add(direction_named(name));
   }
   return directions;
+}
+
+/// The net that `operation` makes of the weights in a file; nullptr where no file is named.
+std::shared_ptr<const NetModel> net_from_file(const detail::ThinningOperation& operation,
+                                              const std::string& path) {
+  if (path.empty()) return nullptr;
+  const std::string name(operation.name);
+  if (!operation.is_net) {
+    throw std::runtime_error("--weights: " + name + " is not a net and has no weights");
+  }
+  const AnyWeights weights = read_weights(path);
+  const bool wants_cluster = operation.rule == Rule::net_single_layer_cluster;
+  if (wants_cluster != std::holds_alternative<ClusterWeights>(weights)) {
+    const std::string wanted = wants_cluster ? "cluster" : "two_layer";
+    throw std::runtime_error(path + ": holds the wrong kind of weights; " + name + " needs " +
+                             wanted);
+  }
+  if (wants_cluster) return cluster_net(std::get<ClusterWeights>(weights));
+  const bool is_linear = operation.rule == Rule::net_two_layer_linear;
+  return two_layer_net(std::get<TwoLayerWeights>(weights),
+                       is_linear ? Activation::linear : Activation::sigmoid);
 }
 
 struct Thinned {
@@ -86,30 +79,24 @@ struct Thinned {
 
 Thinned thinned(const detail::ThinningOperation& operation, const detail::ThinningVariant& variant,
                 const ByteImage& objects, const Options& how) {
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(how.threads));
   const auto state = make_state(operation, variant, objects.width(), objects.height(), how);
-  ByteImage skeleton(objects.width(), objects.height());
-  const auto start = std::chrono::steady_clock::now();
-  const int iterations = state->run(objects.view(), skeleton.view());
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  return {std::move(skeleton), iterations, time.count()};
+  Thinned result{ByteImage(objects.width(), objects.height()), 0, 0};
+  result.milliseconds = milliseconds_of(
+      how.threads, [&] { result.iterations = state->run(objects.view(), result.skeleton.view()); });
+  return result;
 }
 
 /// "90 x 40, 7 iterations, 1200 foreground pixels before, 130 after, 0.042 ms".
 std::string summary(const ByteImage& objects, const Thinned& result) {
-  std::ostringstream text;
-  text << objects.width() << " x " << objects.height() << ", " << result.iterations
-       << (result.iterations == 1 ? " iteration, " : " iterations, ")
-       << foreground_pixels(objects.view()) << " foreground pixels before, "
-       << foreground_pixels(result.skeleton.view()) << " after, " << std::fixed
-       << std::setprecision(3) << result.milliseconds << " ms";
-  return text.str();
+  return fmt::format("{} x {}, {} iteration{}, {} foreground pixels before, {} after, {:.3f} ms",
+                     objects.width(), objects.height(), result.iterations,
+                     result.iterations == 1 ? "" : "s", foreground_pixels(objects.view()),
+                     foreground_pixels(result.skeleton.view()), result.milliseconds);
 }
 
 int run(const RunOptions& options, const Console& console) {
   const detail::ThinningOperation& operation = operation_named(options.operation);
-  Options how = thinning_options(options);
+  Options how = options.how;
   how.net = net_from_file(operation, options.weights);
   how.directions = directions_named(operation, options.directions);
   check_extension(options.out);
@@ -140,18 +127,15 @@ Command add_run_command(CLI::App& program) {
   app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")
       ->required()
       ->type_name("");
-  app->add_option("--technique", options->technique, "How to compute (default: the fastest)")
-      ->check(not_empty())
-      ->type_name("NAME");
-  app->add_option("--isa", options->isa, "Instruction set (default: the highest)")
-      ->check(not_empty())
-      ->type_name("NAME");
+  add_variant_options(*app, options->how);
   app->add_option("--weights", options->weights, "Weights of a net, made by 'thinbench train'")
       ->check(not_empty())
       ->type_name("FILE");
-  app->add_option("--border", options->border,
-                  "background: outside the image all is background; keep: the outermost rows and "
-                  "columns never change, as in OpenCV (default: background)")
+  app->add_option_function<std::string>(
+         "--border",
+         [options](const std::string& name) { options->how.border = border_named(name); },
+         "background: outside the image all is background; keep: the outermost rows and columns "
+         "never change, as in OpenCV (default: background)")
       ->check(not_empty())
       ->type_name("NAME");
   app->add_option(
@@ -159,13 +143,22 @@ Command add_run_command(CLI::App& program) {
          "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)")
       ->check(not_empty())
       ->type_name("NAME,...");
-  app->add_option("--max-iterations", options->max_iterations,
+  app->add_option("--max-iterations", options->how.max_iterations,
                   "Stop after N iterations (default: when nothing changes any more)")
       ->check(whole_number(1, INT_MAX))
       ->type_name("N");
   add_binarise_options(*app, options->binarise);
-  add_threads_option(*app, options->threads);
-  app->footer(kExamples);
+  app->footer(R"(Examples:
+  thinbench run thin_naccache_shinghal drawing.png skeleton.png
+  thinbench run thin_naccache_shinghal parts.jpg skeleton.png --foreground dark --threshold 100
+  thinbench run thin_naccache_shinghal big.tif big.tif --technique bitpacked --threads 8
+  thinbench run thin_zhang_suen parts.png skeleton.png --border keep --max-iterations 3
+  thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
+  thinbench run skeleton_scan parts.png marks.png --directions rows,columns
+
+OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
+you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
+need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

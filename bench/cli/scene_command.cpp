@@ -6,23 +6,18 @@
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_truth.hpp"
 
 namespace thinbench {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
-  thinbench scene parts.png
-  thinbench scene parts.png --truth > parts.json
-  thinbench scene objects.pgm --binary --frame-touching --scale 4 --noise 0)";
-
 constexpr int kMaxScale = 100;  // just below 2^31 pixels
 
 struct SceneCommandOptions {
   std::string out;
-  bool frame_touching = false;
+  bool border_touching = false;
   bool binary = false;
   int scale = 1;
   double noise = 6;
@@ -32,7 +27,7 @@ struct SceneCommandOptions {
 };
 
 SceneOptions scene_options(const SceneCommandOptions& options) {
-  return {options.frame_touching ? SceneKind::frame_touching : SceneKind::parts, options.scale,
+  return {options.border_touching ? SceneKind::border_touching : SceneKind::parts, options.scale,
           static_cast<int>(std::lround(options.noise * 16)), !options.no_illumination,
           options.seed};
 }
@@ -61,7 +56,7 @@ Command add_scene_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("scene", "Draw machined parts whose geometry is known");
   const auto options = std::make_shared<SceneCommandOptions>();
   app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")->type_name("");
-  app->add_flag("--frame-touching", options->frame_touching, "Let parts touch the frame");
+  app->add_flag("--border-touching", options->border_touching, "Let parts touch the image border");
   app->add_flag("--binary", options->binary, "255 on parts, 0 elsewhere, instead of grey");
   app->add_option("--scale", options->scale, "Magnification of 510 x 412 pixels, 1 to 100")
       ->check(whole_number(1, kMaxScale))
@@ -77,7 +72,10 @@ Command add_scene_command(CLI::App& program) {
       ->type_name("N")
       ->capture_default_str();
   app->add_flag("--truth", options->truth, "Print the true geometry as JSON");
-  app->footer(kExamples);
+  app->footer(R"(Examples:
+  thinbench scene parts.png
+  thinbench scene parts.png --truth > parts.json
+  thinbench scene objects.pgm --binary --border-touching --scale 4 --noise 0)");
   return {app, [options](const Console& console) { return draw(*options, console.out); }};
 }
 

@@ -2,19 +2,17 @@
 #include <memory>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "support/whole_file.hpp"
-#include "training/cluster_text.hpp"
-#include "training/two_layer_training.hpp"
+#include "training/cluster.hpp"
+#include "training/two_layer.hpp"
 #include "training/weights_file.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr const char* kExamples = R"(Examples:
-  thinbench train two-layer --seed 2 --out weights.json
-  thinbench train cluster --integer)";
 
 constexpr const char* kTwoLayerExamples =
     R"(Weights are rounded to hundredths, as in Table 1 of the paper, before they are judged.
@@ -31,8 +29,8 @@ Examples:
   thinbench train cluster --out cluster.json
   thinbench train cluster --integer --header kernels/nets/trained_cluster.hpp)";
 
-constexpr std::uint64_t kMostHidden = 64;
-constexpr std::uint64_t kMostRestarts = 10000;
+constexpr std::uint64_t kMaxHidden = 64;
+constexpr std::uint64_t kMaxRestarts = 10000;
 
 struct TwoLayerOptions {
   TwoLayerTraining training;
@@ -46,7 +44,7 @@ struct ClusterOptions {
   std::string header;
 };
 
-/// Refuses files that could not be written, before the work.
+/// Rejects files that could not be written, before the work.
 void check_targets(std::initializer_list<std::string> paths) {
   for (const std::string& path : paths) {
     if (!path.empty()) check_target(path);
@@ -60,25 +58,27 @@ void write_if_named(const std::string& path, const std::string& text, std::ostre
 }
 
 std::string summary(const TrainedTwoLayer& trained) {
-  return "Right on " + std::to_string(trained.right_sigmoid) +
-         " of 256 descriptors with the sigmoid and " + std::to_string(trained.right_linear) +
-         " with the linear threshold, after " + std::to_string(trained.epochs) + " epochs and " +
-         std::to_string(trained.restarts) + " restarts (" + std::to_string(trained.total_epochs) +
-         " epochs in all).\n";
+  return fmt::format(
+      "Correct on {} of 256 descriptors with the sigmoid and {} with the linear threshold, after "
+      "{} "
+      "epochs and {} restarts ({} epochs in all).\n",
+      trained.right_sigmoid, trained.right_linear, trained.epochs, trained.restarts,
+      trained.total_epochs);
 }
 
 int run_two_layer(const TwoLayerOptions& options, const Console& console) {
   const bool is_8_8_1 = options.training.hidden == kHiddenNeurons;
   if (!options.out.empty() && !is_8_8_1) {
-    throw UsageError("--out: weights files hold nets of 8 hidden neurons, not " +
-                     std::to_string(options.training.hidden));
+    throw UsageError(fmt::format("--out: weights files hold nets of 8 hidden neurons, not {}",
+                                 options.training.hidden));
   }
   check_targets({options.out, options.markdown});
   const TrainedTwoLayer trained = train_two_layer(keep_table_of_rule(), options.training);
   if (trained.right_sigmoid != kDescriptors) {
-    throw std::runtime_error("training reached " + std::to_string(trained.right_sigmoid) +
-                             " of 256 descriptors in " + std::to_string(trained.total_epochs) +
-                             " epochs; try another --seed or more --max-restarts");
+    throw std::runtime_error(fmt::format(
+        "training reached {} of 256 descriptors in {} epochs; try another --seed or more "
+        "--max-restarts",
+        trained.right_sigmoid, trained.total_epochs));
   }
   const std::string table = table_markdown(trained.net);
   console.out << summary(trained) << '\n' << table;
@@ -97,7 +97,7 @@ int run_cluster(const ClusterOptions& options, const Console& console) {
   const ClusterWeights weights = cluster_weights(runs);
   const std::string command = std::string("thinbench train cluster") +
                               (options.training.small_integers ? " --integer" : "");
-  console.out << runs.size() << " nets, right on all 256 descriptors; no fewer can be.\n\n"
+  console.out << runs.size() << " nets, correct on all 256 descriptors; no division has fewer.\n\n"
               << cluster_markdown(runs);
   write_if_named(options.out, weights_json(weights, command), console.err);
   write_if_named(options.header, cluster_header(weights, command + " --header " + options.header),
@@ -118,12 +118,12 @@ Command add_two_layer(CLI::App& train) {
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--hidden", options->training.hidden, "Hidden neurons, 1 to 64")
-      ->check(whole_number(1, kMostHidden))
+      ->check(whole_number(1, kMaxHidden))
       ->type_name("N")
       ->capture_default_str();
   app->add_option("--max-restarts", options->training.max_restarts,
                   "Starts with fresh weights, 0 to 10000")
-      ->check(whole_number(0, kMostRestarts))
+      ->check(whole_number(0, kMaxRestarts))
       ->type_name("N")
       ->capture_default_str();
   add_file_option(*app, "--out", options->out, "Write the weights here, as JSON");
@@ -152,7 +152,9 @@ Command add_cluster(CLI::App& train) {
 Command add_train_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("train", "Teach the nets of the paper the rule");
   app->require_subcommand(1);
-  app->footer(kExamples);
+  app->footer(R"(Examples:
+  thinbench train two-layer --seed 2 --out weights.json
+  thinbench train cluster --integer)");
   return {app, {}, {add_two_layer(*app), add_cluster(*app)}};
 }
 

@@ -1,12 +1,16 @@
 #include "cli/variant_choice.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
+#include <tbb/global_control.h>
+
+#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 
@@ -65,8 +69,8 @@ Variants of_technique(const Choice& choice, std::optional<Technique> technique) 
   });
   if (!found.empty()) return found;
   const Variants all = variants_where(choice, [](const VariantInfo&) { return true; });
-  throw UsageError(choice.operation + " is not made by " + std::string(technique_name(*technique)) +
-                   ", only by " + names_of(all, name_of));
+  throw UsageError(choice.operation + " is not implemented by " +
+                   std::string(technique_name(*technique)) + ", only by " + names_of(all, name_of));
 }
 
 /// The variants of the wanted kind, wherever they run. `subject` begins the rejections.
@@ -77,7 +81,7 @@ Variants wanted_variants(const std::string& subject, const Variants& candidates,
                [&](const VariantInfo* one) { return one->isa == options.isa.value_or(one->isa); });
   if (wanted.empty()) {
     const auto name_of = [](const VariantInfo& one) { return isa_name(one.isa); };
-    throw UsageError(subject + " is not made for " + std::string(isa_name(*options.isa)) +
+    throw UsageError(subject + " is not implemented for " + std::string(isa_name(*options.isa)) +
                      ", only for " + names_of(candidates, name_of));
   }
   std::erase_if(wanted,
@@ -87,6 +91,29 @@ Variants wanted_variants(const std::string& subject, const Variants& candidates,
 }
 
 }  // namespace
+
+void add_variant_options(CLI::App& app, Options& options) {
+  const auto add = [&app](const char* option, const auto& set, const char* what) {
+    app.add_option_function<std::string>(option, set, what)->check(not_empty())->type_name("NAME");
+  };
+  add(
+      "--technique",
+      [&options](const std::string& name) { options.technique = technique_named(name); },
+      "How to compute (default: the fastest)");
+  add(
+      "--isa", [&options](const std::string& name) { options.isa = isa_named(name); },
+      "Instruction set (default: the highest)");
+  add_threads_option(app, options.threads);
+}
+
+double milliseconds_of(int threads, const std::function<void()>& work) {
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
 
 std::size_t variant_index_for(std::string_view operation, std::span<const VariantInfo> variants,
                               Index width, const Options& options) {

@@ -1,13 +1,22 @@
-// The variant that a user asked for, or the reason why there is none, in words that help.
+// The variant that a user requested, or the reason why there is none.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "api/catalogue.hpp"
 
 namespace thinbench {
+
+/// --technique, --isa and --threads.
+void add_variant_options(CLI::App& app, Options& options);
+
+/// The milliseconds that `work` takes with at most so many threads of TBB.
+[[nodiscard]] double milliseconds_of(int threads, const std::function<void()>& work);
 
 /// Its index. Throws UsageError where no variant has this technique, ISA and kind of threads,
 /// std::runtime_error where none of them runs here or on images of this width.

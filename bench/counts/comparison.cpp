@@ -8,15 +8,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "counts/documents.hpp"
-#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void refuse(const std::string& file, const std::string& why) {
+[[noreturn]] void reject(const std::string& file, const std::string& why) {
   throw std::runtime_error("'" + file + "' " + why);
 }
 
@@ -37,18 +38,15 @@ struct StoredCount {
 
 using StoredCounts = std::map<std::string, StoredCount>;
 
-/// Before schema 3, iterations were called passes; before schema 2, rows named no method.
 StoredCounts counts_in(const Json& document) {
-  const std::string single_steps = method_name(Method::single_steps);
   StoredCounts counts;
   for (const Json& row : document.at("rows")) {
-    std::string method = row.value("method", single_steps);
-    if (method != single_steps) method.append(" ").append(document.at("valgrind"));
+    std::string method = row.at("method");
+    if (method == method_name(Method::callgrind))
+      method.append(" ").append(document.at("valgrind"));
     StoredCount& count = counts[row.at("row")];
     count = {row.at("instructions"), std::move(method)};
-    for (const char* field : {"iterations", "passes"}) {
-      if (row.contains(field)) count.iterations = row.at(field);
-    }
+    if (row.contains("iterations")) count.iterations = row.at("iterations");
   }
   return counts;
 }
@@ -74,25 +72,26 @@ void add_overlong(const Json& now, const StoredCounts& before, Comparison& compa
 }
 
 std::string line_of(const MovedRow& moved) {
-  const std::string before = moved.row + ": " + std::to_string(moved.before) + " instructions";
-  if (moved.now == 0) return before + " before, now too many to count\n";
+  if (moved.now == 0) {
+    return fmt::format("{}: {} instructions before, now too many to count\n", moved.row,
+                       moved.before);
+  }
   const double ratio = static_cast<double>(moved.now) / static_cast<double>(moved.before);
-  return before + " before, " + std::to_string(moved.now) + " now (" +
-         (moved.is_more() ? "+" : "") + fixed(100 * (ratio - 1), 1) + " %)\n";
+  return fmt::format("{}: {} instructions before, {} now ({:+.1f} %)\n", moved.row, moved.before,
+                     moved.now, 100 * (ratio - 1));
 }
 
 std::string line_of(const ChangedIterations& changed) {
-  return changed.row + ": " + std::to_string(changed.before) + " iterations before, " +
-         std::to_string(changed.now) + " now\n";
+  return fmt::format("{}: {} iterations before, {} now\n", changed.row, changed.before,
+                     changed.now);
 }
 
 bool is_known(const Json& document) {
   try {
     static_cast<void>(counts_in(document));
     static_cast<void>(document.at("input"));
-    const int schema = document.at("schema");
-    return document.at("build").is_object() && schema >= kFirstCountsSchema &&
-           schema <= kCountsSchema && document.at("kind") == kInstructionsKind;
+    return document.at("build").is_object() && document.at("schema") == kCountsSchema &&
+           document.at("kind") == kInstructionsKind;
   } catch (const Json::exception&) {
     return false;
   }
@@ -107,10 +106,10 @@ std::size_t Comparison::more() const {
 
 Json read_counts(const std::string& file) {
   std::ifstream stream(file);
-  if (!stream) refuse(file, "cannot be read");
+  if (!stream) reject(file, "cannot be read");
   Json document = Json::parse(stream, nullptr, false);
-  if (document.is_discarded()) refuse(file, "is no complete JSON");
-  if (!is_known(document)) refuse(file, "holds no counts that this version knows");
+  if (document.is_discarded()) reject(file, "is not complete JSON");
+  if (!is_known(document)) reject(file, "holds no counts that this version knows");
   return document;
 }
 
@@ -144,13 +143,14 @@ std::string to_text(const Comparison& comparison) {
   for (const MovedRow& moved : comparison.moved) text += line_of(moved);
   for (const ChangedIterations& changed : comparison.iterations) text += line_of(changed);
   if (comparison.otherwise_counted > 0) {
-    text += std::to_string(comparison.otherwise_counted) +
-            " rows not compared: they were counted by another method or valgrind\n";
+    text += fmt::format("{} rows not compared: they were counted by another method or valgrind\n",
+                        comparison.otherwise_counted);
   }
   const std::size_t more = comparison.more();
-  return text + std::to_string(comparison.compared) + " rows compared: " + std::to_string(more) +
-         " take more instructions, " + std::to_string(comparison.moved.size() - more) +
-         " fewer (tolerance " + fixed(100 * kCountTolerance, 0) + " %)\n";
+  return text +
+         fmt::format("{} rows compared: {} take more instructions, {} fewer (tolerance {:.0f} %)\n",
+                     comparison.compared, more, comparison.moved.size() - more,
+                     100 * kCountTolerance);
 }
 
 }  // namespace thinbench

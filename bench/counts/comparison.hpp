@@ -1,4 +1,4 @@
-// Counts against those of an earlier build: the exact layer of the regression gate.
+// Counts against those of an earlier build: the exact part of the regression check.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,6 @@
 #include <valgrind/callgrind.h>
 
 #include "counts/counted_job.hpp"
-#include "counts/warm_call.hpp"
 
 namespace thinbench {
 namespace {

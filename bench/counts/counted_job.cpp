@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "harness/rows.hpp"
+#include "harness/operation.hpp"
 
 namespace thinbench {
 namespace {

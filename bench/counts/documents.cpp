@@ -1,9 +1,8 @@
 #include "counts/documents.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include <fmt/format.h>
 #include <gnu/libc-version.h>
 
 #include "harness/case_json.hpp"
@@ -72,7 +71,7 @@ double rounded(double value, double scale) {
 Json limit_json(const RowLimit& limit, double issue_width) {
   Json json = row_json(limit.count);
   json["ns"] = rounded(limit.time.seconds * 1e9, 10);
-  json["cycle_ns"] = rounded(limit.time.seconds_a_cycle * 1e9, 1e5);
+  json["cycle_ns"] = rounded(limit.time.seconds_per_cycle * 1e9, 1e5);
   json["instructions_per_cycle"] = rounded(limit.instructions_per_cycle(), 1000);
   json["limit_ns"] = rounded(limit.limit_seconds(issue_width) * 1e9, 10);
   json["percent_of_limit"] = rounded(100 * limit.instructions_per_cycle() / issue_width, 10);
@@ -82,13 +81,6 @@ Json limit_json(const RowLimit& limit, double issue_width) {
   return json;
 }
 
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  std::array<char, 240> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
-
 std::string counter_of(const TimedRow& row) {
   return row.counter ? std::to_string(*row.counter) : "";
 }
@@ -96,7 +88,7 @@ std::string counter_of(const TimedRow& row) {
 }  // namespace
 
 Json build_json() {
-  return {{"compiler", machine_json("", {}).at("compiler")},
+  return {{"compiler", compiler_json()},
           {"libc", gnu_get_libc_version()},
           {"processor_level", processor_level()}};
 }
@@ -119,24 +111,23 @@ Json limits_json(const TimedInput& input, const Limits& limits, double issue_wid
 }
 
 std::string counts_table(const RowCounts& counts) {
-  std::string text = line("%-80s %12s %8s  %s\n", "row", "instructions", "counter", "counted by");
+  std::string text =
+      fmt::format("{:<80} {:>12} {:>8}  {}\n", "row", "instructions", "counter", "counted by");
   for (const RowCount& count : counts.rows) {
-    text += line("%-80s %12llu %8s  %s\n", count.row->name.c_str(),
-                 static_cast<unsigned long long>(count.instructions),
-                 counter_of(*count.row).c_str(), method_name(count.method));
+    text += fmt::format("{:<80} {:>12} {:>8}  {}\n", count.row->name, count.instructions,
+                        counter_of(*count.row), method_name(count.method));
   }
   return text;
 }
 
 std::string limits_table(const Limits& limits, double issue_width) {
-  std::string text = line("%-80s %12s %10s %9s %10s %9s\n", "row", "instructions", "us",
-                          "per cycle", "limit us", "of limit");
+  std::string text = fmt::format("{:<80} {:>12} {:>10} {:>9} {:>10} {:>9}\n", "row", "instructions",
+                                 "us", "per cycle", "limit us", "of limit");
   for (const RowLimit& limit : limits.rows) {
-    text +=
-        line("%-80s %12llu %10.2f %9.2f %10.2f %7.0f %%\n", limit.count.row->name.c_str(),
-             static_cast<unsigned long long>(limit.count.instructions), limit.time.seconds * 1e6,
-             limit.instructions_per_cycle(), limit.limit_seconds(issue_width) * 1e6,
-             100 * limit.instructions_per_cycle() / issue_width);
+    text += fmt::format("{:<80} {:>12} {:>10.2f} {:>9.2f} {:>10.2f} {:>7.0f} %\n",
+                        limit.count.row->name, limit.count.instructions, limit.time.seconds * 1e6,
+                        limit.instructions_per_cycle(), limit.limit_seconds(issue_width) * 1e6,
+                        100 * limit.instructions_per_cycle() / issue_width);
   }
   return text;
 }

@@ -11,10 +11,7 @@
 
 namespace thinbench {
 
-/// Since 3, rows name case, border and limit, and passes are called iterations; since 2, they name
-/// their method; before, all were counted by single steps.
 inline constexpr int kCountsSchema = 3;
-inline constexpr int kFirstCountsSchema = 1;
 inline constexpr int kLimitsSchema = 1;
 inline constexpr const char* kInstructionsKind = "instructions";
 

@@ -1,32 +1,63 @@
 #include "counts/limits.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
-#include "counts/call_time.hpp"
-#include "counts/cycles.hpp"
+#include "measure/measuring.hpp"
 #include "measure/progress.hpp"
 
 namespace thinbench {
 namespace {
 
-constexpr std::size_t kEpochs = 9;
+constexpr Index kAcross = 5;
+constexpr Index kDown = 16;
 
-/// What fast rows reach at least; slow ones reach less and are left out all the same.
-constexpr double kExpectedInstructionsACycle = 3;
+ByteImage small_copy_of(const ByteImage& image) {
+  ByteImage few((image.width() + kAcross - 1) / kAcross, (image.height() + kDown - 1) / kDown);
+  for (Index y = 0; y < few.height(); ++y) {
+    for (Index x = 0; x < few.width(); ++x) few.at(x, y) = image.at(x * kAcross, y * kDown);
+  }
+  return few;
+}
+
+ByteImage rows_of(const ByteImage& image, Index first, Index count) {
+  ConstImageView rows = image.view();
+  rows.data += first * rows.stride;
+  rows.height = count;
+  return copy_of(rows);
+}
+
+}  // namespace
+
+TimedInput small_copy(const TimedInput& input) {
+  return {input.name + "_small", small_copy_of(input.binary), small_copy_of(input.grey)};
+}
+
+TimedInput middle_rows(const TimedInput& input, Index rows) {
+  const Index count = std::min(rows, input.height());
+  const Index first = (input.height() - count) / 2;
+  return {input.name + "_" + std::to_string(count) + "_rows", rows_of(input.binary, first, count),
+          rows_of(input.grey, first, count)};
+}
+
+namespace {
+
+/// What fast rows reach; slow ones reach less and are skipped anyway.
+constexpr double kExpectedInstructionsPerCycle = 3;
 
 /// Callgrind counts hundreds of them while one is stepped over.
-constexpr std::uint64_t kUnderCallgrindForAStep = 250;
+constexpr std::uint64_t kUnderCallgrindPerStep = 250;
 
 bool is_too_long(const CallTime& time, std::uint64_t most_instructions) {
-  return kExpectedInstructionsACycle * time.seconds / time.seconds_a_cycle >
+  return kExpectedInstructionsPerCycle * time.seconds / time.seconds_per_cycle >
          static_cast<double>(most_instructions);
 }
 
-using Times = std::map<const TimedRow*, CallTime>;
+using RowTimes = std::map<const TimedRow*, CallTime>;
 
-Times times_of(const std::vector<TimedRow>& rows) {
-  Times times;
+RowTimes times_of(const std::vector<TimedRow>& rows) {
+  RowTimes times;
   Progress progress("timing", static_cast<double>(rows.size()));
   for (const TimedRow& row : rows) {
     times[&row] = time_of(row);
@@ -38,8 +69,8 @@ Times times_of(const std::vector<TimedRow>& rows) {
 }  // namespace
 
 CallTime time_of(const TimedRow& row) {
-  const double cycle = seconds_a_cycle();
-  return {seconds_of_call(row, kEpochs), cycle};
+  const double cycle = machine_state().chain_ns * 1e-9;  // of a dependent addition: one cycle
+  return {calibrate(row).seconds, cycle};
 }
 
 std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
@@ -50,7 +81,7 @@ std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
   std::map<const Operation*, Best> best;
   for (const TimedRow& row : rows) {
     if (row.scope != Scope::end_to_end) continue;
-    const Best one = {seconds_of_call(row, 1), &row};
+    const Best one = {calibrate(row).seconds, &row};
     const auto [place, is_first] = best.try_emplace(row.operation, one);
     if (!is_first && one.seconds < place->second.seconds) place->second = one;
   }
@@ -63,11 +94,11 @@ std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
 }
 
 Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
-  const Times times = times_of(rows);
+  const RowTimes times = times_of(rows);
   Limits limits;
   std::vector<const TimedRow*> countable;
   for (const TimedRow& row : rows) {
-    const std::uint64_t factor = callgrind_knows(row) ? kUnderCallgrindForAStep : 1;
+    const std::uint64_t factor = callgrind_knows(row) ? kUnderCallgrindPerStep : 1;
     if (!is_too_long(times.at(&row), factor * most_steps)) {
       countable.push_back(&row);
     } else {

@@ -12,16 +12,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "counts/call_time.hpp"
-#include "counts/cycles.hpp"
+#include "counts/counted_job.hpp"
 #include "counts/single_steps.hpp"
-#include "counts/warm_call.hpp"
+#include "measure/measuring.hpp"
 #include "measure/progress.hpp"
 
 namespace thinbench {
 namespace {
 
-/// What the child says of its call.
+/// What the child reports of its call.
 struct Answer {
   std::uint64_t instructions = 0;
   bool finished = false;  // within the steps it had
@@ -77,10 +76,10 @@ Answer answer_of_child(const TimedRow& row, std::uint64_t most_steps) {
 }
 
 /// Whether a call takes so many cycles that its steps need not be tried. The bound is far: a row
-/// that is counted in one run must not be passed over in the next because the core was busy.
-bool is_far_too_long(const TimedRow& row, double seconds_a_cycle, std::uint64_t most_steps) {
-  constexpr double kLeastInstructionsACycle = 0.5;
-  return kLeastInstructionsACycle * seconds_of_call(row, 1) / seconds_a_cycle >
+/// that is counted in one run must not be skipped in the next because the core was busy.
+bool is_far_too_long(const TimedRow& row, double seconds_per_cycle, std::uint64_t most_steps) {
+  constexpr double kMinInstructionsPerCycle = 0.5;
+  return kMinInstructionsPerCycle * calibrate(row).seconds / seconds_per_cycle >
          static_cast<double>(most_steps);
 }
 
@@ -155,7 +154,7 @@ RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t most
 RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
   Rows all;
   for (const TimedRow& row : rows) all.push_back(&row);
-  const double cycle = seconds_a_cycle();
+  const double cycle = machine_state().chain_ns * 1e-9;
   return counts_of(all, most_steps,
                    [&](const TimedRow& row) { return is_far_too_long(row, cycle, most_steps); });
 }

@@ -8,7 +8,7 @@
 #include "experiments/report.hpp"
 #include "support/byte_image.hpp"
 #include "thinbench/edges.hpp"
-#include "training/two_layer_net.hpp"
+#include "training/two_layer.hpp"
 
 namespace thinbench {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/experiments.hpp"
-#include "training/cluster_training.hpp"
-#include "training/two_layer_training.hpp"
+#include "training/cluster.hpp"
+#include "training/two_layer.hpp"
 
 namespace thinbench {
 namespace {

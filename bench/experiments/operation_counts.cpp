@@ -5,7 +5,7 @@
 
 #include "experiments/counting.hpp"
 #include "experiments/experiments.hpp"
-#include "training/cluster_training.hpp"
+#include "training/cluster.hpp"
 
 namespace thinbench {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "scene/scene.hpp"
-#include "support/picture_names.hpp"
+#include "support/image_names.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -118,15 +118,15 @@ ByteImage blobs(Index width, Index height, std::uint64_t seed) {
   return result;
 }
 
-std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures,
+std::vector<QualityInput> quality_inputs(const std::vector<std::string>& images,
                                          const BinariseOptions& binarise, std::ostream* log) {
   std::vector<QualityInput> inputs;
   inputs.push_back({"scene", std::move(render_scene().binary)});
   inputs.push_back({"blobs", blobs(kBlobSide, kBlobSide, 1)});
   const std::regex reserved = reserved_names();
-  for (const std::string& path : pictures) {
+  for (const std::string& path : images) {
     inputs.push_back(
-        {picture_name(path, names_of(inputs), reserved), read_binary(path, binarise, log)});
+        {image_name(path, names_of(inputs), reserved), read_binary(path, binarise, log)});
   }
   return inputs;
 }

@@ -6,7 +6,7 @@
 
 #include "experiments/report.hpp"
 #include "experiments/skeleton_measures.hpp"
-#include "picture/binarise.hpp"
+#include "images/binarise.hpp"
 
 namespace thinbench {
 
@@ -17,8 +17,8 @@ struct QualityInput {
 
 /// The test scene and blobs of smoothed noise; given images follow, binarised with the remarks in
 /// `log`, named as their files, each unlike all other inputs and files of skeletons. Throws
-/// PictureError.
-[[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& pictures,
+/// ImageError.
+[[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& images,
                                                        const BinariseOptions& binarise = {},
                                                        std::ostream* log = nullptr);
 

@@ -1,11 +1,10 @@
-#include "harness/batch_family.hpp"
-
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
 
 #include "api/catalogue.hpp"
+#include "harness/families.hpp"
 #include "reference.hpp"
 #include "thinbench/batch.hpp"
 #include "thinning/engines/lane_kernels.hpp"

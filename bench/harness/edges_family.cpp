@@ -1,7 +1,6 @@
-#include "harness/edges_family.hpp"
-
 #include <utility>
 
+#include "harness/families.hpp"
 #include "reference.hpp"
 
 namespace thinbench {
@@ -33,22 +32,6 @@ class ReferenceJob final : public Job {
   EdgeThresholds thresholds_;
 };
 
-Variant variant_of(const detail::EdgeOperation& operation, const detail::EdgeVariant& variant,
-                   const EdgeThresholds& thresholds) {
-  const TechniqueInfo& info = technique_info(variant.technique);
-  return {info.name,
-          info.description,
-          variant.isa,
-          variant.threaded,
-          false,
-          [&operation, &variant, thresholds](Index width, Index height, int threads) {
-            return std::make_unique<StateJob>(
-                make_state(operation, variant, width, height, thresholds, {.threads = threads}));
-          },
-          [&variant](Index width) { return unavailable_reason(variant, width); },
-          variant.priority};
-}
-
 }  // namespace
 
 JobMaker edges_reference(EdgeOperator op, const EdgeThresholds& thresholds) {
@@ -61,7 +44,11 @@ Operation edges_operation(const detail::EdgeOperation& operation,
                           const EdgeThresholds& thresholds) {
   Operation result = {std::string(operation.name), operation.description, InputKind::grey, {}, {}};
   for (const detail::EdgeVariant& variant : operation.variants) {
-    result.variants.push_back(variant_of(operation, variant, thresholds));
+    result.variants.push_back(library_variant(
+        variant, false, [&operation, &variant, thresholds](Index width, Index height, int threads) {
+          return std::make_unique<StateJob>(
+              make_state(operation, variant, width, height, thresholds, {.threads = threads}));
+        }));
   }
   result.reference = edges_reference(operation.op, thresholds);
   result.operation = operation.name;

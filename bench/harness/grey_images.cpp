@@ -1,8 +1,7 @@
-#include "harness/grey_images.hpp"
-
 #include <algorithm>
 #include <array>
 
+#include "harness/test_images.hpp"
 #include "support/splitmix64.hpp"
 
 namespace thinbench {

@@ -1,14 +1,43 @@
 #include "harness/operation.hpp"
 
+#include <regex>
 #include <stdexcept>
 
-#include "harness/batch_family.hpp"
-#include "harness/edges_family.hpp"
-#include "harness/localise_family.hpp"
-#include "harness/regions_family.hpp"
-#include "harness/thinning_family.hpp"
+#include "harness/families.hpp"
 
 namespace thinbench {
+namespace {
+
+[[noreturn]] void refuse_step() {
+  throw std::logic_error("this job works on bytes: it has no steps of its own");
+}
+
+}  // namespace
+
+void Job::load(const ConstImageView&) {
+  refuse_step();
+}
+
+void Job::kernel() {
+  refuse_step();
+}
+
+void Job::store(const ImageView&) const {
+  refuse_step();
+}
+
+std::string Job::name_of_number(std::size_t index) const {
+  return "number " + std::to_string(index);
+}
+
+Outcome outcome_of(Job& job, const ConstImageView& input) {
+  Outcome outcome;
+  if (job.gives_image()) outcome.image = ByteImage(input.width, input.height);
+  job.run(input, outcome.image.view());
+  outcome.numbers = job.numbers();
+  return outcome;
+}
+
 namespace {
 
 Outcome outcome_by(const JobMaker& make_job, const ConstImageView& input) {
@@ -43,6 +72,42 @@ Outcome expected_of(std::string_view operation, const ConstImageView& input) {
 Outcome expected_of(const Operation& operation, const Variant& variant,
                     const ConstImageView& input) {
   return outcome_by(variant.own_reference ? variant.own_reference : operation.reference, input);
+}
+
+namespace {
+
+std::regex compiled(const std::string& filter) {
+  try {
+    return std::regex(filter, std::regex::ECMAScript | std::regex::optimize);
+  } catch (const std::regex_error& error) {
+    throw std::invalid_argument("'" + filter + "' is no regular expression: " + error.what());
+  }
+}
+
+}  // namespace
+
+std::string row_name(std::string_view operation, std::string_view technique, std::string_view isa,
+                     int threads) {
+  std::string name(operation);
+  name.append("/").append(technique).append("/").append(isa).append("/");
+  return name + std::to_string(threads);
+}
+
+std::vector<Row> matching_rows(const std::string& filter, const std::vector<int>& thread_counts,
+                               const std::vector<Operation>& operations) {
+  const std::regex pattern = compiled(filter);
+  const std::vector<int> one = {1};
+  std::vector<Row> rows;
+  for (const Operation& operation : operations) {
+    for (const Variant& variant : operation.variants) {
+      for (const int threads : variant.threaded ? thread_counts : one) {
+        Row row{&operation, &variant, threads,
+                row_name(operation.name, variant.technique, variant.isa_label(), threads)};
+        if (std::regex_search(row.name, pattern)) rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows;
 }
 
 }  // namespace thinbench

@@ -1,10 +1,10 @@
-#include "harness/regions_family.hpp"
-
 #include <array>
 #include <memory>
 
 #include "api/catalogue.hpp"
+#include "harness/families.hpp"
 #include "holes.hpp"
+#include "localise.hpp"
 
 namespace thinbench {
 namespace {
@@ -110,27 +110,51 @@ class ReferenceJob final : public TaskJob {
   std::int64_t number_ = 0;
 };
 
-Variant variant_of(const RegionsOperation& operation, const RegionsVariant& variant) {
-  const TechniqueInfo& info = technique_info(variant.technique);
-  return {info.name,
-          info.description,
-          variant.isa,
-          variant.threaded,
-          true,
-          [&operation, &variant](Index width, Index height, int threads) -> std::unique_ptr<Job> {
-            return std::make_unique<StateJob>(
-                operation.task,
-                make_state(operation, variant, width, height, {.threads = threads}));
-          },
-          [&variant](Index width) { return unavailable_reason(variant, width); },
-          variant.priority};
-}
+/// Gives lists of regions as numbers.
+class ListJob : public Job {
+ public:
+  [[nodiscard]] bool gives_image() const override { return false; }
+  [[nodiscard]] std::string name_of_number(std::size_t index) const override {
+    return name_of_region_number(index);
+  }
+};
+
+class ChainJob final : public ListJob {
+ public:
+  explicit ChainJob(std::unique_ptr<detail::LocaliseState> state) : state_(std::move(state)) {}
+
+  void run(const ConstImageView& input, const ImageView& /*output*/) override {
+    lists_ = state_->run(input);
+  }
+  [[nodiscard]] std::vector<std::int64_t> numbers() const override { return numbers_of(lists_); }
+
+ private:
+  std::unique_ptr<detail::LocaliseState> state_;
+  detail::RegionLists lists_;
+};
+
+class ChainReference final : public ListJob {
+ public:
+  void run(const ConstImageView& input, const ImageView& /*output*/) override {
+    regions_ = reference::localise_objects(reference::edges(EdgeOperator::sobel), {}, input);
+  }
+  [[nodiscard]] std::vector<std::int64_t> numbers() const override {
+    return numbers_of({regions_.objects, regions_.holes});
+  }
+
+ private:
+  reference::Regions regions_;
+};
 
 Operation operation_of_table(const RegionsOperation& operation) {
   Operation result = {
       std::string(operation.name), operation.description, InputKind::binary, {}, {}};
   for (const RegionsVariant& variant : operation.variants) {
-    result.variants.push_back(variant_of(operation, variant));
+    result.variants.push_back(library_variant(
+        variant, true, [&operation, &variant](Index width, Index height, int threads) {
+          return std::make_unique<StateJob>(
+              operation.task, make_state(operation, variant, width, height, {.threads = threads}));
+        }));
   }
   result.operation = operation.name;
   result.reference = [task = operation.task](Index, Index, int) {
@@ -162,6 +186,21 @@ std::vector<Operation> regions_family() {
     family.push_back(operation_of_table(operation));
   }
   return family;
+}
+
+std::vector<Operation> localise_family() {
+  const detail::LocaliseOperation& chain = detail::localise_operation();
+  Operation result = {std::string(chain.name), chain.description, InputKind::grey, {}, {}};
+  for (const detail::LocaliseVariant& variant : chain.variants) {
+    result.variants.push_back(
+        library_variant(variant, false, [&chain, &variant](Index width, Index height, int threads) {
+          return std::make_unique<ChainJob>(
+              make_state(chain, variant, width, height, {}, {.threads = threads}));
+        }));
+  }
+  result.reference = [](Index, Index, int) { return std::make_unique<ChainReference>(); };
+  result.operation = chain.name;
+  return {result};
 }
 
 }  // namespace thinbench

@@ -3,7 +3,6 @@
 #include <array>
 #include <numeric>
 
-#include "harness/grey_images.hpp"
 #include "support/splitmix64.hpp"
 
 namespace thinbench {

@@ -1,4 +1,4 @@
-// Inputs on which variants are compared with references: small and nasty.
+// Inputs on which variants are compared with references: small and awkward.
 #pragma once
 
 #include <cstdint>
@@ -47,5 +47,13 @@ struct TestImageSet {
 /// neighbourhood at every phase of a word; plain, empty and border-touching shapes; images of many
 /// tiles. Grey: see grey_image_sets.
 [[nodiscard]] const std::vector<TestImageSet>& test_image_sets();
+
+/// Grey levels `lowest` to `highest`, all equally likely. The same bytes on every machine.
+[[nodiscard]] ByteImage grey_noise_image(Index width, Index height, std::uint8_t lowest,
+                                         std::uint8_t highest, std::uint64_t seed);
+
+/// Noise of all levels and of few at widths 1 to 200 and around 512 and 1024 by two heights each;
+/// constant images, ramps, steps and checkerboards of extremes, down to images without pixels.
+[[nodiscard]] std::vector<TestImageSet> grey_image_sets();
 
 }  // namespace thinbench

@@ -1,7 +1,6 @@
-#include "harness/thinning_family.hpp"
-
 #include <utility>
 
+#include "harness/families.hpp"
 #include "reference.hpp"
 
 namespace thinbench {
@@ -49,27 +48,6 @@ class ReferenceJob final : public CountingJob {
   reference::Repetition repetition_;
 };
 
-Variant variant_of(const detail::ThinningOperation& operation, const ThinningVariant& variant,
-                   const ThinningCase& options) {
-  const TechniqueInfo& info = technique_info(variant.technique);
-  return {info.name,
-          info.description,
-          variant.isa,
-          variant.threaded,
-          true,
-          [&operation, &variant, options](Index width, Index height, int threads) {
-            return thinning_job(make_state(operation, variant, width, height,
-                                           {.border = options.border,
-                                            .max_iterations = options.max_iterations,
-                                            .threads = threads,
-                                            .net = options.net}));
-          },
-          [&variant, options](Index width) {
-            return unavailable_reason(variant, width, options.border);
-          },
-          variant.priority};
-}
-
 std::string case_name(std::string_view operation, const ThinningCase& options) {
   std::string name(operation);
   if (options.border == Border::keep) name += ":keep";
@@ -86,6 +64,19 @@ bool has_peer_with_border(Rule rule) {
 
 }  // namespace
 
+Variant library_variant(const detail::VariantInfo& variant, bool has_kernel_scope,
+                        JobMaker make_job) {
+  const TechniqueInfo& info = technique_info(variant.technique);
+  return {info.name,
+          info.description,
+          variant.isa,
+          variant.threaded,
+          has_kernel_scope,
+          std::move(make_job),
+          [&variant](Index width) { return detail::unavailable_reason(variant, width); },
+          variant.priority};
+}
+
 std::unique_ptr<Job> thinning_job(std::unique_ptr<ThinningState> state) {
   return std::make_unique<StateJob>(std::move(state));
 }
@@ -95,7 +86,18 @@ Operation thinning_operation(const detail::ThinningOperation& operation,
   Operation result = {
       case_name(operation.name, options), operation.description, InputKind::binary, {}, {}};
   for (const ThinningVariant& variant : operation.variants) {
-    result.variants.push_back(variant_of(operation, variant, options));
+    Variant one = library_variant(
+        variant, true, [&operation, &variant, options](Index width, Index height, int threads) {
+          return thinning_job(make_state(operation, variant, width, height,
+                                         {.border = options.border,
+                                          .max_iterations = options.max_iterations,
+                                          .threads = threads,
+                                          .net = options.net}));
+        });
+    one.unavailable_reason = [&variant, options](Index width) {
+      return detail::unavailable_reason(variant, width, options.border);
+    };
+    result.variants.push_back(std::move(one));
   }
   result.reference = [rule = operation.rule, options](Index, Index, int) {
     return std::make_unique<ReferenceJob>(rule, options);

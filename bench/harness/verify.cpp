@@ -1,11 +1,148 @@
 #include "harness/verify.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
-#include "harness/crosscheck.hpp"
+#include "harness/test_images.hpp"
 
 namespace thinbench {
+namespace {
+
+/// A view into a buffer with guards round it, at an odd stride and alignment.
+class Guarded {
+ public:
+  static constexpr std::uint8_t kGuard = 0xA5;
+
+  Guarded(Index width, Index height, Index extra)
+      : stride_(width + 2 * extra + 1),
+        extra_(extra),
+        width_(width),
+        height_(height),
+        bytes_(static_cast<std::size_t>(stride_ * (height + 2)), kGuard) {}
+
+  [[nodiscard]] ImageView view() {
+    return {bytes_.data() + stride_ + extra_, width_, height_, stride_};
+  }
+
+  void copy_from(const ConstImageView& image) {
+    for (Index y = 0; y < height_; ++y) std::copy_n(image.row(y), width_, view().row(y));
+  }
+
+  /// True where every byte outside the view is as it was.
+  [[nodiscard]] bool intact() const {
+    for (Index y = -1; y <= height_; ++y) {
+      const std::uint8_t* row = bytes_.data() + (y + 1) * stride_;
+      const bool inside = y >= 0 && y < height_;
+      const Index from = inside ? extra_ + width_ : 0;
+      if (!all_guard(row + from, row + stride_)) return false;
+      if (inside && !all_guard(row, row + extra_)) return false;
+    }
+    return true;
+  }
+
+ private:
+  static bool all_guard(const std::uint8_t* first, const std::uint8_t* last) {
+    return std::all_of(first, last, [](std::uint8_t byte) { return byte == kGuard; });
+  }
+
+  Index stride_;
+  Index extra_;
+  Index width_;
+  Index height_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// Noise for the job to work on first. Its rows repeat: big images would take long to draw.
+ByteImage earlier_work(Index width, Index height) {
+  constexpr Index kRows = 64;
+  const ByteImage noise = noise_image(width, std::min(height, kRows), 45, 1, 99);
+  ByteImage image(width, height);
+  for (Index y = 0; y < height; ++y) {
+    std::copy_n(noise.view().row(y % kRows), width, image.view().row(y));
+  }
+  return image;
+}
+
+std::optional<std::string> image_difference(const ConstImageView& expected,
+                                            const ConstImageView& found) {
+  for (Index y = 0; y < expected.height; ++y) {
+    if (std::equal(expected.row(y), expected.row(y) + expected.width, found.row(y))) continue;
+    for (Index x = 0; x < expected.width; ++x) {
+      if (expected.row(y)[x] == found.row(y)[x]) continue;
+      return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") is " +
+             std::to_string(found.row(y)[x]) + " instead of " + std::to_string(expected.row(y)[x]) +
+             "\nreference:\n" + window_text(expected, x, y) + "variant:\n" +
+             window_text(found, x, y);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> number_difference(const Job& job,
+                                             const std::vector<std::int64_t>& expected) {
+  const std::vector<std::int64_t> found = job.numbers();
+  const auto [first, other] =
+      std::mismatch(expected.begin(), expected.end(), found.begin(), found.end());
+  if (first != expected.end() && other != found.end()) {
+    return job.name_of_number(static_cast<std::size_t>(first - expected.begin())) + ": " +
+           std::to_string(*other) + " instead of " + std::to_string(*first);
+  }
+  if (expected.size() == found.size()) return std::nullopt;
+  return std::to_string(found.size()) + " numbers instead of " + std::to_string(expected.size());
+}
+
+/// The first difference between what is in `found` and in the job, and what is expected.
+std::optional<std::string> first_difference(const Job& job, const Outcome& expected,
+                                            const ConstImageView& found) {
+  if (job.gives_image()) {
+    if (auto difference = image_difference(expected.image.view(), found)) return difference;
+  }
+  return number_difference(job, expected.numbers);
+}
+
+}  // namespace
+
+std::optional<std::string> find_mismatch(Job& job, const ConstImageView& input,
+                                         const Outcome& expected) {
+  Guarded source(input.width, input.height, 3);
+  Guarded destination(input.width, input.height, 5);
+  const ByteImage garbage = earlier_work(input.width, input.height);
+  job.run(garbage.view(), destination.view());
+  source.copy_from(input);
+  destination.copy_from(garbage.view());
+  job.run(source.view(), destination.view());
+  if (auto difference = first_difference(job, expected, destination.view())) return difference;
+  if (!source.intact() || !equal(source.view(), input)) return "the input was changed";
+  if (!destination.intact()) return "bytes beside the destination were changed";
+  return std::nullopt;
+}
+
+std::optional<std::string> find_kernel_mismatch(Job& job, const ConstImageView& input,
+                                                const Outcome& expected) {
+  ByteImage found(input.width, input.height);
+  job.load(input);
+  job.kernel();
+  job.kernel();
+  if (job.gives_image()) job.store(found.view());
+  return first_difference(job, expected, found.view());
+}
+
+std::string window_text(const ConstImageView& image, Index x, Index y) {
+  constexpr Index reach = 4;
+  std::string text;
+  for (Index row = std::max<Index>(0, y - reach); row <= std::min(image.height - 1, y + reach);
+       ++row) {
+    text += "  ";
+    for (Index column = std::max<Index>(0, x - reach);
+         column <= std::min(image.width - 1, x + reach); ++column) {
+      text += image.row(row)[column] != 0 ? '#' : '.';
+    }
+    text += '\n';
+  }
+  return text;
+}
 
 Verifier::Verifier(std::vector<Row> rows)
     : rows_(std::move(rows)), verdicts_(rows_.size()), jobs_(rows_.size()) {}

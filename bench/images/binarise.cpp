@@ -1,12 +1,12 @@
-#include "picture/binarise.hpp"
+#include "images/binarise.hpp"
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-#include "picture/mat_of.hpp"
-#include "picture/picture.hpp"
-#include "support/text.hpp"
+#include "images/image_file.hpp"
+#include "images/mat_of.hpp"
 
 namespace thinbench {
 namespace {
@@ -108,46 +108,41 @@ Foreground likely_foreground(const ConstImageView& bright) {
 /// "foreground is bright (grey level >= 108)".
 std::string description(const BinaryImage& binary) {
   const bool is_bright = binary.foreground == Foreground::bright;
-  return std::string("foreground is ") + (is_bright ? "bright" : "dark") + " (grey level " +
-         (is_bright ? ">= " : "< ") + std::to_string(binary.threshold) + ")";
+  return fmt::format("foreground is {} (grey level {} {})", is_bright ? "bright" : "dark",
+                     is_bright ? ">=" : "<", binary.threshold);
 }
 
-std::string opposite(const BinaryImage& binary) {
-  return std::string("--foreground ") +
-         (binary.foreground == Foreground::bright ? "dark" : "bright");
-}
-
-/// The options that choose otherwise what was chosen here; empty where nothing was.
-std::string overrides(const BinaryImage& binary, const BinariseOptions& options) {
-  std::vector<std::string> names;
-  if (options.foreground == Foreground::automatic) names.push_back(opposite(binary));
-  if (!options.threshold && !binary.was_binary) names.emplace_back("--threshold N");
-  return joined(names, " and ");
+const char* opposite(const BinaryImage& binary) {
+  return binary.foreground == Foreground::bright ? "--foreground dark" : "--foreground bright";
 }
 
 std::string note(const BinaryImage& binary, const BinariseOptions& options) {
   const bool is_as_read = binary.was_binary && binary.foreground == Foreground::bright;
-  const std::string others = overrides(binary, options);
-  if (is_as_read || binary.only_level || others.empty()) return {};
-  const bool are_two = others.find(" and ") != std::string::npos;
-  return description(binary) + "; " + others + (are_two ? " override" : " overrides") + " this";
+  std::vector<const char*> overrides;  // options that choose otherwise what was chosen here
+  if (options.foreground == Foreground::automatic) overrides.push_back(opposite(binary));
+  if (!options.threshold && !binary.was_binary) overrides.push_back("--threshold N");
+  if (is_as_read || binary.only_level || overrides.empty()) return {};
+  return fmt::format("{}; {} {} this", description(binary), fmt::join(overrides, " and "),
+                     overrides.size() == 1 ? "overrides" : "override");
 }
 
 std::string histogram_warning(const BinaryImage& binary, const BinariseOptions& options) {
   if (binary.only_level) {
-    return "all pixels have the same grey level, " + std::to_string(*binary.only_level) +
-           (binary.foreground_share > 0 ? ": all of them are foreground" : ": none is foreground");
+    return fmt::format(
+        "all pixels have the same grey level, {}: {}", *binary.only_level,
+        binary.foreground_share > 0 ? "all of them are foreground" : "none is foreground");
   }
   if (options.threshold || binary.separation >= kMinSeparation) return {};
-  return "the histogram has no two classes (" + fixed(100 * binary.separation, 1) +
-         " % of the variance lies between them; uniform noise has 75 %); check the result or "
-         "choose --threshold N";
+  return fmt::format(
+      "the histogram has no two classes ({:.1f} % of the variance lies between them; uniform noise "
+      "has 75 %); check the result or choose --threshold N",
+      100 * binary.separation);
 }
 
 std::string share_warning(const BinaryImage& binary) {
   if (binary.only_level || binary.foreground_share <= 0.5) return {};
-  return fixed(100 * binary.foreground_share, 1) + " % of the image is foreground; " +
-         opposite(binary) + " takes the rest instead";
+  return fmt::format("{:.1f} % of the image is foreground; {} takes the rest instead",
+                     100 * binary.foreground_share, opposite(binary));
 }
 
 void print_line(const char* kind, const std::string& name, const std::string& text,

@@ -1,4 +1,4 @@
-#include "picture/captured_stderr.hpp"
+#include "images/captured_stderr.hpp"
 
 #include <cstdio>
 

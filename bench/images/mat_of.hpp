@@ -1,5 +1,7 @@
-// Views as OpenCV has them. Includes OpenCV.
+// Images as OpenCV has them. Includes OpenCV.
 #pragma once
+
+#include <string>
 
 #include <opencv2/core.hpp>
 
@@ -12,5 +14,9 @@ namespace thinbench {
   return {static_cast<int>(view.height), static_cast<int>(view.width), CV_8UC1,
           const_cast<std::uint8_t*>(view.data), static_cast<std::size_t>(view.stride)};
 }
+
+/// Writes 8-bit grey or colour (blue, green, red) in the format that the extension names, as a
+/// whole or not at all. Throws ImageError.
+void write_mat(const std::string& path, const cv::Mat& image);
 
 }  // namespace thinbench

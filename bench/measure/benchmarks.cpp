@@ -4,9 +4,10 @@
 #include <iostream>
 #include <string_view>
 
+#include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
-#include "cli/command.hpp"
+#include "cli/usage.hpp"
 #include "cli/parse_errors.hpp"
 #include "measure/row_options.hpp"
 #include "measure/timed_call.hpp"

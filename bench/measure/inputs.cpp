@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "harness/test_images.hpp"
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "scene/scene.hpp"
-#include "support/picture_names.hpp"
+#include "support/image_names.hpp"
 
 namespace thinbench {
 namespace {
@@ -130,7 +130,7 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice, std::ostream* lo
     ByteImage grey = read_grey(path);
     BinaryImage binary = binarise(copy_of(grey.view()), choice.binarise);
     if (log != nullptr) print_remarks(path, binary, choice.binarise, *log);
-    std::string name = picture_name(path, names_of(inputs), drawn_names());
+    std::string name = image_name(path, names_of(inputs), drawn_names());
     inputs.push_back({std::move(name), std::move(binary.image), std::move(grey)});
   }
   for (const std::string& name : choice.drawn) inputs.push_back(drawn_input(name));

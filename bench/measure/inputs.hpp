@@ -1,4 +1,4 @@
-// The images that are measured: picture files and drawn images with names that say how to make
+// The images that are measured: image files and drawn images with names that say how to make
 // them again.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/job.hpp"
-#include "picture/binarise.hpp"
+#include "images/binarise.hpp"
 
 namespace thinbench {
 
@@ -42,7 +42,7 @@ struct InputChoice {
 
 /// The image files, then the drawn images; the scene where both lists are empty. Names are unique
 /// and hold no '/'; no image file gets a name that drawn_input() knows. Remarks on the image files
-/// go to `log` if there is one. Throws PictureError, and std::invalid_argument for unknown names.
+/// go to `log` if there is one. Throws ImageError, and std::invalid_argument for unknown names.
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice,
                                                    std::ostream* log = nullptr);
 

@@ -3,7 +3,6 @@
 #include <map>
 
 #include "cli/arguments.hpp"
-#include "cli/binarise_options.hpp"
 
 namespace thinbench {
 

@@ -1,10 +1,12 @@
 // Options that choose rows and inputs, the same for every program that measures.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "measure/inputs.hpp"
 #include "measure/timed_row.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace thinbench {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/command.hpp"
+#include "cli/usage.hpp"
 #include "cli/parse_errors.hpp"
 #include "measure/measuring.hpp"
 #include "measure/plan_json.hpp"

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "cli/command.hpp"
-#include "harness/crosscheck.hpp"
+#include "cli/usage.hpp"
+#include "harness/verify.hpp"
 #include "measure/progress.hpp"
 #include "support/heap.hpp"
 

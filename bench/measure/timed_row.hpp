@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/rows.hpp"
+#include "harness/operation.hpp"
 #include "measure/inputs.hpp"
 
 namespace thinbench {

@@ -3,9 +3,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "harness/edges_family.hpp"
+#include "harness/families.hpp"
+#include "images/mat_of.hpp"
 #include "peers/peers.hpp"
-#include "picture/mat_of.hpp"
 
 namespace thinbench {
 namespace {

@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "holes.hpp"
+#include "images/mat_of.hpp"
 #include "peers/peers.hpp"
-#include "picture/mat_of.hpp"
 
 namespace thinbench {
 namespace {

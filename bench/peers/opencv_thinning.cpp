@@ -3,8 +3,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
+#include "images/mat_of.hpp"
 #include "peers/peers.hpp"
-#include "picture/mat_of.hpp"
 
 namespace thinbench {
 namespace {

@@ -10,16 +10,6 @@ using PeersOf = std::vector<Variant> (*)(const Operation&);
 constexpr PeersOf kAllPeers[] = {&copy_peers,         &opencv_edge_peers,     &copy_bits_peers,
                                  &opencv_holes_peers, &opencv_thinning_peers, &leptonica_peers};
 
-/// Plain enough to be looked through.
-class PlainCopyJob final : public Job {
- public:
-  void run(const ConstImageView& input, const ImageView& output) override {
-    for (Index y = 0; y < input.height; ++y) {
-      for (Index x = 0; x < input.width; ++x) output.row(y)[x] = input.row(y)[x];
-    }
-  }
-};
-
 class ImageOnlyJob final : public Job {
  public:
   explicit ImageOnlyJob(std::unique_ptr<Job> job) : job_(std::move(job)) {}
@@ -71,10 +61,6 @@ Variant peer_variant(std::string_view technique, std::string_view description, J
   variant.is_peer = true;
   variant.own_reference = std::move(own_reference);
   return variant;
-}
-
-JobMaker plain_copy() {
-  return [](Index, Index, int) { return std::make_unique<PlainCopyJob>(); };
 }
 
 JobMaker image_only(JobMaker make_job) {

@@ -32,12 +32,9 @@ struct Peer {
 [[nodiscard]] std::vector<Variant> opencv_holes_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> opencv_thinning_peers(const Operation& operation);
 
-/// A peer with its technique and what is said of it; runs everywhere, on one thread.
+/// A peer with its technique and its description; runs everywhere, on one thread.
 [[nodiscard]] Variant peer_variant(std::string_view technique, std::string_view description,
                                    JobMaker make_job, JobMaker own_reference = {});
-
-/// The reference of every copy.
-[[nodiscard]] JobMaker plain_copy();
 
 /// The same work without the numbers, for peers that give none.
 [[nodiscard]] JobMaker image_only(JobMaker make_job);

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "scene/integer_math.hpp"
-#include "scene/moments.hpp"
+#include "scene/truth.hpp"
 
 namespace thinbench::scene_detail {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "support/byte_image.hpp"
 #include "scene/shapes.hpp"
+#include "support/byte_image.hpp"
 
 namespace thinbench::scene_detail {
 

@@ -6,7 +6,6 @@
 
 #include "scene/coverage.hpp"
 #include "scene/integer_math.hpp"
-#include "scene/noise.hpp"
 #include "scene/scene.hpp"
 #include "scene/truth.hpp"
 #include "support/splitmix64.hpp"

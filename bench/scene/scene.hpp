@@ -15,8 +15,9 @@
 namespace thinbench {
 
 enum class SceneKind {
-  parts,          ///< every part lies apart from the others and from the frame
-  frame_touching,  ///< several parts touch the frame or are cut off by it, on all four sides
+  parts,            ///< every part lies apart from the others and from the image border
+  border_touching,  ///< several parts touch the image border or are cut off by it, on all four
+                    ///< sides
 };
 
 struct SceneOptions {
@@ -44,8 +45,8 @@ struct SceneBox {
   double y_max = 0;
 };
 
-/// True geometry of a part. Where the frame cuts the part off, `area`, `centre` and `box` still
-/// describe the complete part.
+/// True geometry of a part. Where the image border cuts the part off, `area`, `centre` and `box`
+/// still describe the complete part.
 struct ScenePart {
   /// Counts from 1, in raster order of the part's first pixel in the binary image.
   int id = 0;
@@ -56,7 +57,7 @@ struct ScenePart {
   ScenePoint centre;
   SceneBox box;
   /// Whether a piece of the part lies outside the image.
-  bool cut_by_frame = false;
+  bool cut_by_border = false;
 };
 
 /// True geometry of a hole that lies inside the image as a whole; others are left out.

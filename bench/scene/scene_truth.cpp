@@ -17,10 +17,11 @@ constexpr const char* kConvention =
     "the "
     "8-connected components of these pixels, holes the 4-connected components of the others that "
     "do "
-    "not touch the frame; ids count both in raster order of their first pixel. The area of a part "
-    "leaves its holes out. Area and centre are null where the frame cuts the part off; its box "
-    "then "
-    "ends at the frame.";
+    "not touch the image border; ids count both in raster order of their first pixel. The area of "
+    "a "
+    "part excludes its holes. Area and centre are null where the image border cuts the part off; "
+    "its "
+    "box then ends at the image border.";
 
 Json point_json(ScenePoint point) {
   return {{"x", point.x}, {"y", point.y}};
@@ -36,36 +37,28 @@ Json box_json(const SceneBox& box, const Scene& scene) {
 }
 
 Json part_json(const ScenePart& part, const Scene& scene) {
-  Json json;
-  json["id"] = part.id;
-  json["kind"] = part.kind;
-  json["cut_by_frame"] = part.cut_by_frame;
-  json["area"] = part.cut_by_frame ? Json(nullptr) : Json(part.area);
-  json["centre"] = part.cut_by_frame ? Json(nullptr) : point_json(part.centre);
-  json["box"] = box_json(part.box, scene);
-  return json;
+  return {{"id", part.id},
+          {"kind", part.kind},
+          {"cut_by_border", part.cut_by_border},
+          {"area", part.cut_by_border ? Json() : Json(part.area)},
+          {"centre", part.cut_by_border ? Json() : point_json(part.centre)},
+          {"box", box_json(part.box, scene)}};
 }
 
 Json hole_json(const SceneHole& hole) {
-  Json json;
-  json["id"] = hole.id;
-  json["part"] = hole.part;
-  json["kind"] = hole.kind;
-  json["centre"] = point_json(hole.centre);
-  json["area"] = hole.area;
-  return json;
+  return {{"id", hole.id},
+          {"part", hole.part},
+          {"kind", hole.kind},
+          {"centre", point_json(hole.centre)},
+          {"area", hole.area}};
 }
 
 }  // namespace
 
 std::string scene_truth_json(const Scene& scene) {
-  Json json;
-  json["width"] = scene.grey.width();
-  json["height"] = scene.grey.height();
-  json["threshold"] = scene.threshold;
-  json["convention"] = kConvention;
-  json["parts"] = Json::array();
-  json["holes"] = Json::array();
+  Json json = {{"width", scene.grey.width()},  {"height", scene.grey.height()},
+               {"threshold", scene.threshold}, {"convention", kConvention},
+               {"parts", Json::array()},       {"holes", Json::array()}};
   for (const ScenePart& part : scene.parts) json["parts"].push_back(part_json(part, scene));
   for (const SceneHole& hole : scene.holes) json["holes"].push_back(hole_json(hole));
   return json.dump(2);

@@ -1,11 +1,11 @@
-#include "support/picture_names.hpp"
+#include "support/image_names.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
 namespace thinbench {
 
-std::string picture_name(const std::string& path, const std::vector<std::string>& taken,
+std::string image_name(const std::string& path, const std::vector<std::string>& taken,
                          const std::regex& reserved) {
   const auto is_reserved = [&](const std::string& name) {
     return std::regex_match(name, reserved);
@@ -15,8 +15,8 @@ std::string picture_name(const std::string& path, const std::vector<std::string>
   };
   std::string stem = std::filesystem::path(path).stem().string();
   if (is_free(stem)) return stem;
-  // A number may make a reserved name, too: a second picture `square` is no square_2.
-  if (is_reserved(stem) || is_reserved(stem + "_2")) stem += "_picture";
+  // A number may make a reserved name, too: a second image file `square` is no square_2.
+  if (is_reserved(stem) || is_reserved(stem + "_2")) stem += "_image";
   std::string name = stem;
   for (int i = 2; !is_free(name); ++i) name = stem + "_" + std::to_string(i);
   return name;

@@ -1,4 +1,4 @@
-// Names of inputs that are made of picture files.
+// Names of inputs that are made of image files.
 #pragma once
 
 #include <regex>
@@ -16,10 +16,10 @@ template <class Input>
   return names;
 }
 
-/// The file's name without folder and ending, unlike all `taken` names; holds no '/'. What
-/// `reserved` matches is never given: such a name gets "_picture" behind it, which `reserved` must
+/// The file's name without directory and extension, unlike all `taken` names; holds no '/'. What
+/// `reserved` matches is never given: such a name gets "_image" behind it, which `reserved` must
 /// let pass, with a number behind that, too.
-[[nodiscard]] std::string picture_name(const std::string& path,
+[[nodiscard]] std::string image_name(const std::string& path,
                                        const std::vector<std::string>& taken,
                                        const std::regex& reserved);
 

@@ -5,10 +5,10 @@
 // positive denominator, which is the last pivot. Each entry is then a minor of a matrix with ten
 // rows and entries -1, 0, 1, hence at most 10^5 (Hadamard); the cost row adds ten of them. No
 // overflow. Bland's rule, the lowest index first, excludes cycles.
-#include "training/separation.hpp"
-
 #include <algorithm>
 #include <array>
+
+#include "training/cluster.hpp"
 
 namespace thinbench {
 namespace {
@@ -115,8 +115,8 @@ Contradiction find_contradiction(const KeepTable& table, DescriptorRun run) {
   return tableau.solve() ? tableau.solution() : Contradiction{};
 }
 
-bool proves_inseparable(const Contradiction& contradiction, const KeepTable& table,
-                        DescriptorRun run) {
+bool shows_inseparable(const Contradiction& contradiction, const KeepTable& table,
+                       DescriptorRun run) {
   std::array<std::int64_t, kNetInputs + 1> difference{};
   for (const auto& [k, times] : contradiction) {
     if (times <= 0 || k < run.first || k > run.last) return false;

@@ -1,14 +1,17 @@
-// Text to weights: every field is checked, and the first that is wrong is named.
+// Text to weights: every field is checked, and the first that is wrong is named. Weights to text:
+// JSON laid out by hand, one neuron per line, and Table 1.
 #include "training/weights_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "training/non_finite.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -44,7 +47,6 @@ class Field {
   }
 
   [[nodiscard]] float number() const {
-    check_finite();
     if (!json_.is_number()) fail("must be a number");
     const auto value = json_.get<double>();
     if (std::abs(value) > kLargestWeight) fail("is " + json_.dump() + "; the largest is 1e30");
@@ -52,8 +54,7 @@ class Field {
   }
 
   [[nodiscard]] std::int64_t integer() const {
-    check_finite();
-    if (!json_.is_number_integer()) fail("must be a whole number");
+    if (!json_.is_number_integer()) fail("must be an integer");
     if (json_.is_number_unsigned() && json_.get<std::uint64_t>() > INT64_MAX) fail("is too large");
     return json_.get<std::int64_t>();
   }
@@ -69,11 +70,6 @@ class Field {
   }
 
  private:
-  void check_finite() const {
-    const auto name = json_.is_string() ? non_finite_name(json_.get<std::string>()) : std::nullopt;
-    if (name) fail("is " + *name + "; it must be a finite number");
-  }
-
   const Json& json_;
   const std::string& file_;
   std::string name_;
@@ -127,9 +123,9 @@ ClusterWeights read_cluster(const Field& root) {
 
 Json parse(const std::string& text, const std::string& name) {
   try {
-    return Json::parse(with_non_finite_marked(text));
+    return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw std::runtime_error(name + ": not JSON, or cut off, at byte " +
+    throw std::runtime_error(name + ": not JSON, or truncated, at byte " +
                              std::to_string(error.byte) + " of " + std::to_string(text.size()));
   } catch (const Json::out_of_range&) {
     throw std::runtime_error(name + ": a number is too large to read");
@@ -154,6 +150,80 @@ AnyWeights read_weights(const std::string& path) {
   const std::string text(std::istreambuf_iterator<char>(file), {});
   if (!file.is_open() || file.bad()) throw std::runtime_error("cannot read " + path);
   return parse_weights(text, path);
+}
+
+namespace {
+
+std::string file_of(const char* kind, const std::string& made_by, const std::string& nets) {
+  return fmt::format("{{\n  \"schema\": 1,\n  \"kind\": \"{}\",\n  \"made_by\": {},\n  {}\n}}\n",
+                     kind, Json(made_by).dump(), nets);
+}
+
+std::vector<std::string> shortest_of(const float (&values)[kNetInputs]) {
+  std::vector<std::string> texts;
+  for (const float value : values) texts.push_back(fmt::to_string(value));
+  return texts;
+}
+
+std::string neuron_fields(const Neuron& neuron) {
+  return fmt::format("\"weights\": [{}], \"bias\": {}", fmt::join(neuron.weight, ", "),
+                     neuron.bias);
+}
+
+/// A list of objects, one per line.
+std::string list(const std::vector<std::string>& objects) {
+  return fmt::format("[\n    {{{}}}\n  ]", fmt::join(objects, "},\n    {"));
+}
+
+/// A line of Table 1: `weights` cells, as many as there are columns, then the bias.
+std::vector<std::string> table_row(const std::string& name, std::vector<std::string> weights,
+                                   std::size_t columns, float bias) {
+  weights.insert(weights.begin(), name);
+  weights.resize(columns + 1);
+  weights.push_back(fmt::to_string(bias));
+  return weights;
+}
+
+}  // namespace
+
+std::string weights_json(const TwoLayerWeights& weights, const std::string& made_by) {
+  std::vector<std::string> hidden;
+  for (const Neuron& neuron : weights.hidden) hidden.push_back(neuron_fields(neuron));
+  return file_of("two_layer", made_by,
+                 fmt::format("\"hidden\": {},\n  \"output\": {{{}}}", list(hidden),
+                             neuron_fields(weights.output)));
+}
+
+std::string weights_json(const ClusterWeights& weights, const std::string& made_by) {
+  std::vector<std::string> nets;
+  int first = 0;
+  for (int n = 0; n < weights.count; ++n) {
+    const ClusterNet& net = weights.nets[n];
+    nets.push_back(
+        fmt::format("\"first\": {}, \"last\": {}, {}", first, net.last, neuron_fields(net.neuron)));
+    first = net.last + 1;
+  }
+  return file_of("cluster", made_by, "\"nets\": " + list(nets));
+}
+
+std::string table_markdown(const HiddenLayerNet& net) {
+  const std::size_t columns = std::max<std::size_t>(net.hidden.size(), kNetInputs);
+  std::vector<std::string> head = {""};
+  for (std::size_t i = 0; i < columns; ++i) head.push_back(fmt::format("W{}", i));
+  head.emplace_back("B");
+  std::vector<std::vector<std::string>> rows;
+  for (const Neuron& neuron : net.hidden) {
+    rows.push_back(table_row(fmt::format("Hid{}", rows.size()), shortest_of(neuron.weight), columns,
+                             neuron.bias));
+  }
+  std::vector<std::string> output;
+  for (const float weight : net.output_weight) output.push_back(fmt::to_string(weight));
+  rows.push_back(table_row("Out", std::move(output), columns, net.output_bias));
+  return markdown_table(head, rows);
+}
+
+std::string table_markdown(const TwoLayerWeights& weights) {
+  return table_markdown(to_net(weights));
 }
 
 }  // namespace thinbench

@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "training/two_layer_net.hpp"
+#include "training/two_layer.hpp"
 
 namespace thinbench {
 

@@ -1,5 +1,5 @@
 // Weights of a cluster of single-layer nets (section 3.3) that is right on all 256 descriptors of
-// the modified Naccache-Shinghal rule, with as few nets as can be. Made by
+// the modified Naccache-Shinghal rule, with as few nets as possible. Made by
 //     thinbench train cluster --integer --header kernels/nets/trained_cluster.hpp
 #pragma once
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/grey_images.hpp"
+#include "harness/test_images.hpp"
 #include "reference.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/nets.hpp"

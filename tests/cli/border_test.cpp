@@ -3,8 +3,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
-#include "picture/mat_of.hpp"
-#include "picture/picture.hpp"
+#include "images/mat_of.hpp"
+#include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "scene/scene.hpp"
 #include "support/temporary_directory.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 class Border : public testing::Test {
  protected:
-  void SetUp() override { write_grey(in, picture.view()); }
+  void SetUp() override { write_grey(in, scene.view()); }
 
   [[nodiscard]] ByteImage thinned(const std::string& operation, const std::string& border) const {
     const ProgramRun ran = run_with({"run", operation, in, out, "--border", border});
@@ -22,20 +22,20 @@ class Border : public testing::Test {
     return read_grey(out);
   }
   [[nodiscard]] ByteImage by_opencv(cv::ximgproc::ThinningTypes type) {
-    ByteImage result(picture.width(), picture.height());
+    ByteImage result(scene.width(), scene.height());
     cv::Mat skeleton;
-    cv::ximgproc::thinning(mat_of(picture.view()), skeleton, type);
+    cv::ximgproc::thinning(mat_of(scene.view()), skeleton, type);
     skeleton.copyTo(mat_of(result.view()));
     return result;
   }
 
   TemporaryDirectory folder;
-  ByteImage picture = std::move(render_scene({SceneKind::frame_touching}).binary);
+  ByteImage scene = std::move(render_scene({SceneKind::border_touching}).binary);
   std::string in = folder.file("in.png");
   std::string out = folder.file("out.png");
 };
 
-TEST_F(Border, keep_equals_opencv_on_a_picture_that_touches_the_frame) {
+TEST_F(Border, keep_equals_opencv_on_an_image_with_parts_on_its_border) {
   EXPECT_TRUE(equal(thinned("thin_zhang_suen", "keep").view(),
                     by_opencv(cv::ximgproc::THINNING_ZHANGSUEN).view()));
   EXPECT_TRUE(equal(thinned("thin_guo_hall", "keep").view(),

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/grey_images.hpp"
-#include "picture/picture.hpp"
+#include "harness/test_images.hpp"
+#include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/temporary_directory.hpp"
 #include "thinbench/edges.hpp"
@@ -13,13 +13,13 @@ namespace {
 
 using Names = std::set<std::string>;
 
-ByteImage picture() {
+ByteImage image() {
   return grey_noise_image(90, 40, 0, 255, 4);
 }
 
 class EdgesCommand : public testing::Test {
  protected:
-  void SetUp() override { write_grey(in, picture().view()); }
+  void SetUp() override { write_grey(in, image().view()); }
 
   [[nodiscard]] ProgramRun run(std::vector<std::string> more = {}) const {
     more.insert(more.begin(), {"edges", in, out});
@@ -51,7 +51,7 @@ TEST_F(EdgesCommand, writes_the_edges_and_one_line) {
   EXPECT_EQ(result.status, 0) << result.err;
   const std::regex line(R"(edges_prewitt/\w+/[\w.]+/1: 90 x 40, \d+ edge pixels, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
-  expect_output(picture(), EdgeOperator::prewitt, {70, 200});
+  expect_output(image(), EdgeOperator::prewitt, {70, 200});
 }
 
 TEST_F(EdgesCommand, long_names_of_the_thresholds_say_the_same) {
@@ -59,18 +59,18 @@ TEST_F(EdgesCommand, long_names_of_the_thresholds_say_the_same) {
       run({"--gradient-threshold", "70", "--brightness-threshold", "200", "--foreground", "dark"})
           .status,
       0);
-  expect_output(picture(), EdgeOperator::sobel, {70, 200});
+  expect_output(image(), EdgeOperator::sobel, {70, 200});
 }
 
 TEST_F(EdgesCommand, brightness_threshold_is_the_top_of_the_dark_foreground_by_default) {
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "180"}).status, 0);
-  expect_output(picture(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 179});
+  expect_output(image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 179});
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "0"}).status, 0);
-  expect_output(picture(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 0});
+  expect_output(image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 0});
 }
 
-ByteImage inverted_picture() {
-  ByteImage inverted = picture();
+ByteImage inverted_image() {
+  ByteImage inverted = image();
   for (Index y = 0; y < 40; ++y) {
     for (Index x = 0; x < 90; ++x) {
       inverted.at(x, y) = static_cast<std::uint8_t>(255 - inverted.at(x, y));
@@ -81,10 +81,10 @@ ByteImage inverted_picture() {
 
 TEST_F(EdgesCommand, images_with_bright_foreground_are_inverted_first) {
   EXPECT_EQ(run({"--p2", "250", "--foreground", "bright"}).status, 0);
-  expect_output(inverted_picture(), EdgeOperator::sobel,
+  expect_output(inverted_image(), EdgeOperator::sobel,
                 {EdgeThresholds{}.gradient_threshold, 250});
   EXPECT_EQ(run({"--foreground", "bright", "--threshold", "180"}).status, 0);
-  expect_output(inverted_picture(), EdgeOperator::sobel,
+  expect_output(inverted_image(), EdgeOperator::sobel,
                 {EdgeThresholds{}.gradient_threshold, 255 - 180});
 }
 
@@ -131,7 +131,7 @@ TEST_F(EdgesCommand, bad_arguments_are_one_line_and_no_output) {
             "edges --help'");
   EXPECT_EQ(failure({"--technique", ""}, 2).find("--technique: expected a value, got ''"), 0U);
   EXPECT_EQ(failure({"--isa", ""}, 2).find("--isa: expected a value, got ''"), 0U);
-  EXPECT_EQ(failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not made by simd_8bit"),
+  EXPECT_EQ(failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not implemented by simd_8bit"),
             0U);
   EXPECT_EQ(failure_of({"edges", in, folder.file("a.gif")}, 1).find("cannot write '"), 0U);
   EXPECT_EQ(failure_of({"edges", folder.file("absent.png"), out}, 1).find("cannot read '"), 0U);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -124,7 +124,7 @@ TEST_F(HolesCommand, every_technique_and_threads_say_the_same) {
   EXPECT_EQ(run_with({"holes", in, "--json", "--threads", "3"}).out, expected);
 }
 
-TEST_F(HolesCommand, picture_without_objects_gives_an_empty_list) {
+TEST_F(HolesCommand, image_without_objects_gives_an_empty_list) {
   write_grey(in, ByteImage(20, 10).view());
   const ProgramRun run = run_with({"holes", in, "--json", "--overlay", overlay});
   EXPECT_EQ(run.status, 0);
@@ -162,7 +162,7 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
   EXPECT_NE(failure_of({"holes", in, "--technique", "simd_run"}, 2).find("simd_runs"),
             std::string::npos);
   EXPECT_EQ(failure_of({"holes", in, "--technique", "lut"}, 2),
-            "holes is not made by lut, only by union_find, bitpacked_runs and simd_runs");
+            "holes is not implemented by lut, only by union_find, bitpacked_runs and simd_runs");
   EXPECT_EQ(folder.names(), Names{"in.png"});
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/temporary_directory.hpp"
 

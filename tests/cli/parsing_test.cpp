@@ -98,7 +98,7 @@ TEST(Program, unknown_option_of_a_command_within_a_command_is_refused_alike) {
   EXPECT_EQ(failure_of({"train", "--seed", "2", "two-layer"}, 2),
             "there is no option '--seed'; see 'thinbench train --help'");
   EXPECT_EQ(failure_of({"train", "cluster", "more"}, 2),
-            "'more' is one argument too many; see 'thinbench train cluster --help'");
+            "'more' was not expected; see 'thinbench train cluster --help'");
 }
 
 TEST(Program, unknown_option_gets_the_nearest_known_name) {
@@ -119,7 +119,7 @@ TEST(Program, missing_arguments_are_named) {
 
 TEST(Program, too_many_arguments_are_named) {
   EXPECT_EQ(run_failure({"more.png"}),
-            "'more.png' is one argument too many; see 'thinbench run --help'");
+            "'more.png' was not expected; see 'thinbench run --help'");
   EXPECT_EQ(run_failure({"--isa", "avx2", "--isa", "avx2"}),
             "--isa may be given only once; see 'thinbench run --help'");
 }

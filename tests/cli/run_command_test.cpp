@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "picture/binarise.hpp"
-#include "picture/picture.hpp"
+#include "images/binarise.hpp"
+#include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/temporary_directory.hpp"
 #include "thinbench/thinning.hpp"
@@ -146,14 +146,14 @@ TEST_F(RunCommand, unknown_and_useless_directions_are_refused) {
   EXPECT_EQ(failure_of({"run", "skeleton_scan", in, out, "--directions", "rows,colums"}, 2),
             "no direction is named 'colums'; did you mean 'columns'?");
   EXPECT_EQ(failure({"--directions", "rows"}, 2),
-            "--directions: thin_naccache_shinghal is no scan and takes none");
+            "--directions: thin_naccache_shinghal is not a scan and has no directions");
 }
 
 TEST_F(RunCommand, a_direction_left_empty_is_refused_with_the_list) {
   for (const std::string list : {"rows,,columns", ",rows", "rows,", ","}) {
     EXPECT_EQ(failure_of({"run", "skeleton_scan", in, out, "--directions", list}, 2),
               "--directions: '" + list +
-                  "' names none at one of its commas; known: rows, columns, "
+                  "' has an empty name; known: rows, columns, "
                   "diagonals and antidiagonals");
   }
   EXPECT_EQ(folder.names(), Names{"in.png"});
@@ -180,11 +180,11 @@ TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
   EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
             "lut_sliding runs on one thread only, not on 2");
   EXPECT_EQ(failure({"--technique", "simd_float_bits"}, 2)
-                .find("thin_naccache_shinghal is not made by simd_float_bits, only by lut, "),
+                .find("thin_naccache_shinghal is not implemented by simd_float_bits, only by lut, "),
             0U);
   if (!isa_available(Isa::sse42)) GTEST_SKIP() << "needs sse4.2";
   EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
-            "lut is not made for sse4.2, only for baseline");
+            "lut is not implemented for sse4.2, only for baseline");
 }
 
 TEST_F(RunCommand, isa_above_the_cap_is_refused) {
@@ -206,7 +206,7 @@ TEST_F(RunCommand, technique_that_needs_more_than_the_cap_is_refused) {
   EXPECT_NE(text.find("avx512"), std::string::npos) << text;
 }
 
-TEST_F(RunCommand, picture_wider_than_the_limit_is_refused) {
+TEST_F(RunCommand, image_wider_than_the_limit_is_refused) {
   if (!isa_available(Isa::avx512)) GTEST_SKIP() << "needs avx512";
   write_grey(in, bars(600).view());
   EXPECT_EQ(failure({"--technique", "simd_bitpacked_row"}, 1),
@@ -250,7 +250,7 @@ TEST_F(RunCommand, weights_of_the_wrong_kind_or_place_are_refused) {
   EXPECT_EQ(failure_of({"run", "net_two_layer_linear", in, out, "--weights", weights}, 1),
             weights + ": holds the wrong kind of weights; net_two_layer_linear needs two_layer");
   EXPECT_EQ(failure_of({"run", kOperation, in, out, "--weights", weights}, 1),
-            "--weights: thin_naccache_shinghal is no net and takes none");
+            "--weights: thin_naccache_shinghal is not a net and has no weights");
 }
 
 }  // namespace

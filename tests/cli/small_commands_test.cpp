@@ -5,7 +5,7 @@
 
 #include "image/thread_team.hpp"
 #include "peers/peers.hpp"
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -118,10 +118,10 @@ TEST(SceneCommand, writes_the_scene_and_says_what_it_shows) {
   EXPECT_EQ(read_grey(file).width(), 1020);
 }
 
-TEST(SceneCommand, binary_picture_holds_0_and_255_only) {
+TEST(SceneCommand, binary_image_holds_0_and_255_only) {
   const TemporaryDirectory folder;
   const std::string file = folder.file("scene.pgm");
-  ASSERT_EQ(run_with({"scene", file, "--binary", "--frame-touching"}).status, 0);
+  ASSERT_EQ(run_with({"scene", file, "--binary", "--border-touching"}).status, 0);
   const ByteImage image = read_grey(file);
   std::set<int> levels;
   for (Index y = 0; y < image.height(); ++y) {
@@ -134,7 +134,7 @@ TEST(SceneCommand, every_option_changes_the_picture) {
   const TemporaryDirectory folder;
   std::set<std::string> pictures;
   const std::vector<std::vector<std::string>> options = {
-      {}, {"--noise", "0.5"}, {"--seed", "7"}, {"--no-illumination"}, {"--frame-touching"}};
+      {}, {"--noise", "0.5"}, {"--seed", "7"}, {"--no-illumination"}, {"--border-touching"}};
   for (std::vector<std::string> args : options) {
     args.insert(args.begin(), {"scene", folder.file("a.pgm")});
     ASSERT_EQ(run_with(args).status, 0);
@@ -149,7 +149,7 @@ TEST(SceneCommand, truth_needs_no_picture) {
   EXPECT_EQ(Json::parse(run.out)["width"], 510);
 }
 
-TEST(SceneCommand, truth_and_picture_come_together) {
+TEST(SceneCommand, truth_and_image_come_together) {
   const TemporaryDirectory folder;
   const ProgramRun run = run_with({"scene", folder.file("a.png"), "--truth"});
   EXPECT_FALSE(Json::parse(run.out)["parts"].empty());
@@ -182,7 +182,7 @@ TEST(MachineCommand, prints_json_with_commit_and_options) {
 TEST(MachineCommand, refuses_options_that_are_no_object) {
   for (const std::string text : {"{", "[1]", "quick"}) {
     EXPECT_EQ(failure_of({"machine", "--options", text}, 2),
-              "--options: '" + text + R"(' is no JSON object, such as {"quick": true})");
+              "--options: '" + text + R"(' is not a JSON object such as {"quick": true})");
   }
 }
 

@@ -16,7 +16,7 @@ TEST(TrainCommand, two_layer_says_epochs_and_restarts_and_writes_both_files) {
   const ProgramRun ran =
       run_with({"train", "two-layer", "--seed", "2", "--out", json, "--markdown", markdown});
   EXPECT_EQ(ran.status, 0) << ran.err;
-  EXPECT_EQ(ran.out.find("Right on 256 of 256 descriptors with the sigmoid and 256 with the linear "
+  EXPECT_EQ(ran.out.find("Correct on 256 of 256 descriptors with the sigmoid and 256 with the linear "
                          "threshold, after 289 epochs and 0 restarts"),
             0U);
   const auto weights = std::get<TwoLayerWeights>(read_weights(json));
@@ -47,7 +47,7 @@ TEST(TrainCommand, cluster_writes_weights_and_header_with_their_commands) {
 
 TEST(TrainCommand, cluster_refuses_fewer_nets_than_it_takes) {
   EXPECT_EQ(failure_of({"train", "cluster", "--max-nets", "11"}, 1),
-            "the rule takes 12 nets, proved to be the fewest; allowed are 11");
+            "the rule needs 12 nets; --max-nets allows 11");
   EXPECT_EQ(
       failure_of({"train", "cluster", "--max-nets", "0"}, 2),
       "--max-nets: expected an integer in [1, 16], got '0'; see 'thinbench train cluster --help'");

@@ -6,8 +6,8 @@
 
 #include "api/catalogue.hpp"
 #include "cli/verify_report.hpp"
-#include "harness/thinning_family.hpp"
-#include "picture/picture.hpp"
+#include "harness/families.hpp"
+#include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/byte_image.hpp"
 #include "support/temporary_directory.hpp"
@@ -42,7 +42,7 @@ TEST(VerifyCommand, compares_on_external_images_too) {
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/baseline/1",
                 "--image", folder.file("a.png")});
   EXPECT_EQ(run.status, 0);
-  EXPECT_NE(run.err.find("pictures: 1 images"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("images: 1 images"), std::string::npos) << run.err;
 }
 
 TEST(VerifyCommand, given_images_are_binarised_as_asked_for_and_remarked_on_once) {

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json document(const std::string& row, std::uint64_t instructions) {
-  return {{"schema", 2},
+  return {{"schema", kCountsSchema},
           {"kind", "instructions"},
           {"valgrind", "3.19.0"},
           {"build", build_json()},
@@ -62,19 +62,12 @@ TEST(Comparison, another_number_of_iterations_fails_whatever_instructions_say) {
             "1 rows compared: 0 take more instructions, 1 fewer (tolerance 1 %)\n");
 }
 
-TEST(Comparison, passes_of_older_files_are_iterations) {
-  Json before = document("a", 1000);
-  before["rows"][0]["passes"] = 7;
-  EXPECT_FALSE(compare(before, of_iterations(document("a", 1000), 7)).fails());
-  EXPECT_TRUE(compare(before, of_iterations(document("a", 1000), 8)).fails());
-}
-
 Json by_callgrind(Json document) {
   document["rows"][0]["method"] = "callgrind";
   return document;
 }
 
-TEST(Comparison, rows_counted_by_another_method_or_valgrind_are_not_compared_and_said) {
+TEST(Comparison, rows_counted_by_another_method_or_valgrind_are_not_compared_and_reported) {
   const Json stepped = document("a", 1000);
   const Json counted = by_callgrind(document("a", 2000));
   EXPECT_EQ(to_text(compare(stepped, counted)),
@@ -94,17 +87,6 @@ TEST(Comparison, rows_without_callgrind_now_have_not_become_too_long) {
   EXPECT_EQ(comparison.otherwise_counted, 1U);
 }
 
-TEST(Comparison, files_from_before_methods_were_counted_by_single_steps) {
-  Json before = document("a", 1000);
-  before["schema"] = 1;
-  before.erase("valgrind");
-  before["rows"][0].erase("method");
-  EXPECT_EQ(compare(before, document("a", 1000)).compared, 1U);
-  EXPECT_EQ(compare(before, by_callgrind(document("a", 1000))).otherwise_counted, 1U);
-  const TemporaryDirectory folder;
-  EXPECT_EQ(read_counts(folder.with("old.json", before.dump())), before);
-}
-
 TEST(Comparison, another_compiler_or_input_or_no_row_in_common_compares_nothing) {
   Json other = document("a", 1000);
   other["build"]["compiler"]["version"] = "1";
@@ -116,7 +98,7 @@ TEST(Comparison, another_compiler_or_input_or_no_row_in_common_compares_nothing)
   EXPECT_EQ(compare(document("b", 1000), document("a", 1000)).compared, 0U);
 }
 
-std::string refusal_of(const std::string& file) {
+std::string rejection_of(const std::string& file) {
   try {
     static_cast<void>(read_counts(file));
     return "";
@@ -125,14 +107,14 @@ std::string refusal_of(const std::string& file) {
   }
 }
 
-TEST(Comparison, files_that_hold_no_counts_are_refused_by_name) {
+TEST(Comparison, files_that_hold_no_counts_are_rejected_by_name) {
   const TemporaryDirectory folder;
-  EXPECT_EQ(refusal_of("absent.json"), "'absent.json' cannot be read");
+  EXPECT_EQ(rejection_of("absent.json"), "'absent.json' cannot be read");
   const std::string cut = folder.with("cut.json", R"({"schema": 1,)");
-  EXPECT_EQ(refusal_of(cut), "'" + cut + "' is no complete JSON");
+  EXPECT_EQ(rejection_of(cut), "'" + cut + "' is not complete JSON");
   for (const char* text : {"[]", "{}", R"({"schema": 3})", R"({"schema": 1, "rows": [7]})"}) {
     const std::string file = folder.with("x.json", text);
-    EXPECT_EQ(refusal_of(file), "'" + file + "' holds no counts that this version knows") << text;
+    EXPECT_EQ(rejection_of(file), "'" + file + "' holds no counts that this version knows") << text;
   }
   const std::string good = folder.with("good.json", document("a", 1).dump());
   EXPECT_EQ(read_counts(good).at("rows").size(), 1U);

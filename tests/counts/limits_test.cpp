@@ -2,16 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "counts/cycles.hpp"
 #include "counts/documents.hpp"
 
 namespace thinbench {
 namespace {
-
-TEST(Cycles, a_cycle_is_as_long_as_cores_of_these_years_have_it) {
-  EXPECT_GT(seconds_a_cycle(), 1e-9 / 8);
-  EXPECT_LT(seconds_a_cycle(), 1e-9 / 0.5);
-}
 
 const std::vector<TimedInput>& scene() {
   static const std::vector<TimedInput> inputs = timed_inputs({});
@@ -30,7 +24,7 @@ TEST(Limits, instructions_time_and_frequency_make_the_limit) {
   EXPECT_NEAR(known_limit().limit_seconds(4) * 1e9, 750, 1e-6);
 }
 
-TEST(Limits, the_file_says_what_was_assumed_and_what_a_row_takes_in_a_pass) {
+TEST(Limits, the_file_says_what_was_assumed_and_what_a_row_takes_in_an_iteration) {
   const auto json = limits_json(scene().front(), {{known_limit()}, {}}, 4);
   EXPECT_EQ(json.at("schema"), 1);
   EXPECT_EQ(json.at("issue_width"), 4);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "counts/counted_input.hpp"
+#include "counts/limits.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {

@@ -4,10 +4,10 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "harness/edges_family.hpp"
-#include "harness/grey_images.hpp"
-#include "picture/mat_of.hpp"
-#include "picture/picture.hpp"
+#include "harness/families.hpp"
+#include "harness/test_images.hpp"
+#include "images/mat_of.hpp"
+#include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "support/external_images.hpp"
 #include "thinbench/edges.hpp"

@@ -8,7 +8,7 @@
 
 #include "experiments/thinning_quality.hpp"
 #include "harness/test_images.hpp"
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "support/temporary_directory.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -85,27 +85,27 @@ nlohmann::json rows_of(const std::vector<QualityInput>& inputs) {
 
 std::vector<std::string> names_from(const std::vector<std::string>& files) {
   const TemporaryDirectory folder;
-  std::vector<std::string> pictures;
+  std::vector<std::string> images;
   for (const std::string& file : files) {
-    pictures.push_back(folder.file(file));
-    std::filesystem::create_directories(std::filesystem::path(pictures.back()).parent_path());
-    write_grey(pictures.back(), noise_image(9, 9, 50, 1, 1).view());
+    images.push_back(folder.file(file));
+    std::filesystem::create_directories(std::filesystem::path(images.back()).parent_path());
+    write_grey(images.back(), noise_image(9, 9, 50, 1, 1).view());
   }
   std::vector<std::string> names;
-  for (const QualityInput& input : quality_inputs(pictures)) names.push_back(input.name);
+  for (const QualityInput& input : quality_inputs(images)) names.push_back(input.name);
   return names;
 }
 
 TEST(ThinningQuality, pictures_get_names_unlike_each_other_the_scene_and_the_blobs) {
   EXPECT_EQ(names_from({"horse.png", "a/horse.png", "scene.png", "blobs.png", "b/blobs.png"}),
-            (std::vector<std::string>{"scene", "blobs", "horse", "horse_2", "scene_picture",
-                                      "blobs_picture", "blobs_picture_2"}));
+            (std::vector<std::string>{"scene", "blobs", "horse", "horse_2", "scene_image",
+                                      "blobs_image", "blobs_picture_2"}));
 }
 
 TEST(ThinningQuality, pictures_never_get_the_name_of_the_file_of_a_skeleton) {
   EXPECT_EQ(names_from({"scene_thin_mb2.png", "x_skeleton_scan.png", "thin_mb2.png"}),
-            (std::vector<std::string>{"scene", "blobs", "scene_thin_mb2_picture",
-                                      "x_skeleton_scan_picture", "thin_mb2"}));
+            (std::vector<std::string>{"scene", "blobs", "scene_thin_mb2_image",
+                                      "x_skeleton_scan_image", "thin_mb2"}));
 }
 
 ByteImage turned(const ConstImageView& image, int quarters) {

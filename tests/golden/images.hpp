@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "harness/grey_images.hpp"
 #include "harness/test_images.hpp"
 #include "scene/scene.hpp"
 
@@ -59,7 +58,7 @@ class Gallery {
 
 /// The image border cuts parts off; twice the size of the test image, and much noise.
 inline Scene second_scene() {
-  return render_scene({SceneKind::frame_touching, 2, 320, true, 7});
+  return render_scene({SceneKind::border_touching, 2, 320, true, 7});
 }
 
 /// Foreground of `percent` in blocks of this granularity.

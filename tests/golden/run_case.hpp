@@ -9,7 +9,7 @@
 
 #include "golden/cases.hpp"
 #include "golden/hash.hpp"
-#include "harness/regions_family.hpp"
+#include "harness/families.hpp"
 #include "reference.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/localise.hpp"

@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "harness/crosscheck.hpp"
-#include "harness/grey_images.hpp"
-#include "harness/thinning_family.hpp"
+#include "harness/test_images.hpp"
+#include "harness/families.hpp"
 
 namespace thinbench {
 namespace {

@@ -1,14 +1,13 @@
-#include "picture/binarise.hpp"
+#include "images/binarise.hpp"
 
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "harness/grey_images.hpp"
 #include "harness/test_images.hpp"
-#include "picture/mat_of.hpp"
-#include "picture/picture.hpp"
+#include "images/mat_of.hpp"
+#include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -114,7 +113,7 @@ TEST(LikelyForeground, counts_each_border_pixel_once_however_thin_the_image) {
 }
 
 TEST(LikelyForeground, is_right_on_the_scenes_grey_and_binary) {
-  for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
+  for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
     const Scene scene = render_scene({kind});
     EXPECT_EQ(binarised(scene.grey).foreground, Foreground::dark);
     EXPECT_TRUE(equal(binarised(scene.binary).image.view(), scene.binary.view()));

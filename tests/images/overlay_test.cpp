@@ -1,4 +1,4 @@
-#include "picture/overlay.hpp"
+#include "images/regions.hpp"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -13,7 +13,7 @@ const cv::Vec3b kGreen(0, 170, 0);
 const cv::Vec3b kRed(40, 40, 255);
 constexpr std::uint8_t kGrey = 100;
 
-/// What is drawn over an even grey picture in which `objects` are looked for.
+/// What is drawn over an even grey image in which `objects` are looked for.
 cv::Mat3b overlay_of(const ByteImage& objects, std::int64_t min_area = 1) {
   const TemporaryDirectory folder;
   ByteImage grey(objects.width(), objects.height());
@@ -91,7 +91,7 @@ TEST(Overlay, islands_are_drawn_though_the_hole_round_them_is_too_small) {
   EXPECT_EQ(overlay_of(image)(40, 19), kRed);
 }
 
-TEST(Overlay, numbers_stay_in_the_picture) {
+TEST(Overlay, numbers_stay_in_the_image) {
   ByteImage corner(60, 30);
   fill(corner, {48, 0, 12, 30}, 255);
   const cv::Mat3b overlay = overlay_of(corner);

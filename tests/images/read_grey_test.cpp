@@ -4,8 +4,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "picture/captured_stderr.hpp"
-#include "picture/picture.hpp"
+#include "images/captured_stderr.hpp"
+#include "images/image_file.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace thinbench {
@@ -42,7 +42,7 @@ std::string error_of(const std::string& file) {
   std::string text = "no error";
   try {
     static_cast<void>(read_grey(file));
-  } catch (const PictureError& error) {
+  } catch (const ImageError& error) {
     text = error.what();
   }
   EXPECT_EQ(captured.text(), "");
@@ -54,7 +54,7 @@ void expect_error(const std::string& file, const std::string& reason) {
   EXPECT_EQ(error_of(file), "cannot read '" + file + "': " + reason);
 }
 
-constexpr const char* kDamaged = "it is damaged";
+constexpr const char* kDamaged = "it is damaged or has no pixels";
 
 class GreyFile : public testing::TestWithParam<const char*> {};
 
@@ -96,16 +96,16 @@ TEST(ReadGrey, missing_file_is_named) {
   expect_error(folder.file("absent.png"), "there is no such file");
 }
 
-TEST(ReadGrey, folder_is_no_picture) {
+TEST(ReadGrey, folder_is_no_image) {
   const TemporaryDirectory folder;
   expect_error(folder.path().string(), "it is a directory");
 }
 
-TEST(ReadGrey, device_is_no_picture) {
+TEST(ReadGrey, device_is_no_image) {
   expect_error("/dev/null", "it is not a regular file");
 }
 
-TEST(ReadGrey, protected_file_is_refused) {
+TEST(ReadGrey, protected_file_is_rejected) {
   const TemporaryDirectory folder;
   const std::string file = folder.with("a.pgm", "P5 1 1 255\nx");
   std::filesystem::permissions(file, std::filesystem::perms::none);
@@ -113,27 +113,27 @@ TEST(ReadGrey, protected_file_is_refused) {
   expect_error(file, "Permission denied");
 }
 
-TEST(ReadGrey, empty_file_is_refused) {
+TEST(ReadGrey, empty_file_is_rejected) {
   const TemporaryDirectory folder;
   expect_error(folder.with("a.png", ""), "the file is empty");
 }
 
-TEST(ReadGrey, text_is_no_picture) {
+TEST(ReadGrey, text_is_no_image) {
   const TemporaryDirectory folder;
   expect_error(folder.with("a.png", "this is text"), "it is not an image of a known format");
 }
 
-TEST(ReadGrey, picture_without_pixels_is_refused) {
+TEST(ReadGrey, image_without_pixels_is_rejected) {
   const TemporaryDirectory folder;
   for (const char* header : {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n"}) {
-    expect_error(folder.with("a.pgm", header), "it has no pixels");
+    expect_error(folder.with("a.pgm", header), "it is damaged or has no pixels");
   }
   ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
   ASSERT_TRUE(cv::imwrite(folder.file("a.bmp"), ramp()));
   for (const auto& [name, at] :
        {std::pair("a.png", 16U), {"a.png", 20U}, {"a.bmp", 18U}, {"a.bmp", 22U}}) {
     const std::string bytes = bytes_of(folder.file(name)).replace(at, 4, 4, '\0');
-    expect_error(folder.with(std::string("b.") + name, bytes), "it has no pixels");
+    expect_error(folder.with(std::string("b.") + name, bytes), "it is damaged or has no pixels");
   }
 }
 
@@ -154,7 +154,7 @@ TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, CutFile, testing::Values("png", "pgm", "bmp", "tif", "jpg"));
 
-TEST(ReadGrey, damaged_png_is_refused) {
+TEST(ReadGrey, damaged_png_is_rejected) {
   const TemporaryDirectory folder;
   ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
   std::string bytes = bytes_of(folder.file("a.png"));
@@ -162,7 +162,7 @@ TEST(ReadGrey, damaged_png_is_refused) {
   expect_error(folder.with("b.png", bytes), kDamaged);
 }
 
-TEST(ReadGrey, size_beyond_the_decoder_is_refused_by_its_header) {
+TEST(ReadGrey, size_beyond_the_decoder_is_rejected_by_its_header) {
   if (std::getenv("OPENCV_IO_MAX_IMAGE_PIXELS") != nullptr) GTEST_SKIP() << "the limit is changed";
   const TemporaryDirectory folder;
   expect_error(folder.with("a.pgm", "P5 70000 70000 255\n"),
@@ -170,7 +170,7 @@ TEST(ReadGrey, size_beyond_the_decoder_is_refused_by_its_header) {
                "environment to read up to 2^31");
 }
 
-TEST(ReadGrey, width_beyond_the_decoder_is_refused) {
+TEST(ReadGrey, width_beyond_the_decoder_is_rejected) {
   const TemporaryDirectory folder;
   expect_error(folder.with("a.pgm", "P5 2000000 1 255\n"),
                "it is wider or higher than 2^20 pixels");

@@ -1,8 +1,8 @@
-#include "picture/region_filter.hpp"
+#include "images/regions.hpp"
 
 #include <gtest/gtest.h>
 
-#include "picture/mat_of.hpp"
+#include "images/mat_of.hpp"
 #include "support/byte_image.hpp"
 
 namespace thinbench {
@@ -16,7 +16,7 @@ void fill(ByteImage& image, const cv::Rect& area, std::uint8_t level) {
 
 /// By first pixels: a dot of 1 pixel; a plate of 20 x 20 with holes of 4 pixels and of 100 with an
 /// island of 9 in it; a ring of 8 pixels round a hole of 1.
-ByteImage picture() {
+ByteImage image() {
   ByteImage image(60, 40);
   image.at(50, 0) = 255;
   fill(image, {5, 5, 20, 20}, 255);
@@ -46,12 +46,12 @@ Sizes sizes_of(const Regions& found) {
 }
 
 Sizes kept_sizes(std::int64_t min_area) {
-  const Regions found = find_regions(picture().view());
+  const Regions found = find_regions(image().view());
   return sizes_of(selected(found, kept_regions(found, min_area)));
 }
 
 TEST(RegionFilter, area_1_keeps_all_as_they_are) {
-  const Regions found = find_regions(picture().view());
+  const Regions found = find_regions(image().view());
   const Regions kept = selected(found, kept_regions(found, 1));
   EXPECT_EQ(kept.objects, found.objects);
   EXPECT_EQ(kept.holes, found.holes);
@@ -65,7 +65,7 @@ TEST(RegionFilter, areas_are_compared_inclusively_and_owners_numbered_again) {
 }
 
 TEST(RegionFilter, holes_go_with_their_object_and_objects_stay_without_their_hole) {
-  const Regions found = find_regions(picture().view());
+  const Regions found = find_regions(image().view());
   EXPECT_EQ(kept_regions(found, 9).objects, (Positions{1, 2})) << "the ring has 8 pixels";
   EXPECT_EQ(kept_sizes(92), (Sizes{{296}, {}, {}}));
   EXPECT_EQ(kept_sizes(297), (Sizes{}));

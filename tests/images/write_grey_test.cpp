@@ -5,7 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace thinbench {
@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// A strided, odd-sized picture.
+/// A strided, odd-sized image.
 ByteImage stripes() {
   ByteImage image(37, 21);
   for (Index y = 0; y < image.height(); ++y) {
@@ -26,7 +26,7 @@ void expect_error(const std::string& file, const std::string& reason) {
   try {
     write_grey(file, stripes().view());
     ADD_FAILURE() << file << " was written";
-  } catch (const PictureError& error) {
+  } catch (const ImageError& error) {
     EXPECT_EQ(std::string(error.what()), "cannot write '" + file + "': " + reason);
   }
 }
@@ -128,9 +128,9 @@ TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
   EXPECT_EQ(folder.names(), Names{"a.pgm"});
 }
 
-TEST(WriteGrey, picture_without_pixels_is_refused) {
+TEST(WriteGrey, image_without_pixels_is_refused) {
   const TemporaryDirectory folder;
-  EXPECT_THROW(write_grey(folder.file("a.png"), ByteImage(0, 4).view()), PictureError);
+  EXPECT_THROW(write_grey(folder.file("a.png"), ByteImage(0, 4).view()), ImageError);
   EXPECT_EQ(folder.names(), Names{});
 }
 
@@ -147,7 +147,7 @@ TEST(WriteGrey, size_beyond_the_limit_is_refused_before_a_pixel_is_touched) {
   const TemporaryDirectory folder;
   const std::uint8_t pixel = 0;
   const ConstImageView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
-  EXPECT_THROW(write_grey(folder.file("a.png"), huge), PictureError);
+  EXPECT_THROW(write_grey(folder.file("a.png"), huge), ImageError);
   EXPECT_EQ(folder.names(), Names{});
 }
 

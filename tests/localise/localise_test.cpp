@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "harness/grey_images.hpp"
 #include "harness/test_images.hpp"
 #include "image/packing.hpp"
 #include "localise/state.hpp"

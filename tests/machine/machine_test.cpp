@@ -2,25 +2,22 @@
 
 #include <cstdlib>
 #include <regex>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "thinbench/isa.hpp"
-#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
 
 using Json = nlohmann::json;
 
-TEST(ReadCpu, takes_the_first_processor) {
-  const TemporaryDirectory root;
-  static_cast<void>(root.with("proc/cpuinfo",
-                              "processor\t: 0\nvendor_id\t: AuthenticAMD\ncpu family\t: 25\n"
-                              "model\t\t: 17\nmodel name\t: AMD EPYC\nstepping\t: 1\n"
-                              "flags\t\t: sse2 avx2 bmi1\npower management:\n\n"
-                              "processor\t: 1\nvendor_id\t: Other\n"));
-  const CpuFacts cpu = read_cpu(root.path());
+TEST(CpuFacts, are_those_of_lscpu) {
+  const CpuFacts cpu = cpu_facts_from(R"({"lscpu": [
+      {"field": "Vendor ID:", "data": "AuthenticAMD"}, {"field": "Model name:", "data": "AMD EPYC"},
+      {"field": "CPU family:", "data": "25"}, {"field": "Model:", "data": "17"},
+      {"field": "Stepping:", "data": "1"}, {"field": "Flags:", "data": "sse2 avx2 bmi1"}]})");
   EXPECT_EQ(cpu.vendor, "amd");
   EXPECT_EQ(cpu.family, "25");
   EXPECT_EQ(cpu.model, "17");
@@ -29,38 +26,20 @@ TEST(ReadCpu, takes_the_first_processor) {
   EXPECT_EQ(cpu.flags, (std::vector<std::string>{"avx2", "bmi1", "sse2"}));
 }
 
-TEST(ReadFacts, are_unknown_on_a_bare_system) {
-  const TemporaryDirectory root;
-  const CpuFacts cpu = read_cpu(root.path());
+TEST(CpuFacts, are_unknown_without_lscpu) {
+  const CpuFacts cpu = cpu_facts_from("");
   EXPECT_EQ(cpu.vendor + cpu.family + cpu.model + cpu.stepping + cpu.name,
             "unknownunknownunknownunknownunknown");
   EXPECT_TRUE(cpu.flags.empty());
-  EXPECT_EQ(read_caches(root.path()), Json::array());
-  EXPECT_EQ(read_memory_gib(root.path()), "unknown");
-  EXPECT_EQ(read_os(root.path()), "unknown");
+  EXPECT_EQ(caches_from(""), Json::array());
 }
 
-TEST(ReadCaches, counts_kib_whatever_the_unit) {
-  const TemporaryDirectory root;
-  const std::string cache = "sys/devices/system/cpu/cpu0/cache/";
-  const char* const facts[][4] = {{"index0", "1\n", "Data\n", "48K\n"},
-                                  {"index1", "3\n", "Unified\n", "2M\n"}};
-  for (const auto& [index, level, type, size] : facts) {
-    static_cast<void>(root.with(cache + index + "/level", level));
-    static_cast<void>(root.with(cache + index + "/type", type));
-    static_cast<void>(root.with(cache + index + "/size", size));
-  }
-  EXPECT_EQ(read_caches(root.path()), Json::parse(R"([
-      {"level": 1, "type": "Data", "size_kib": 48},
-      {"level": 3, "type": "Unified", "size_kib": 2048}])"));
-}
-
-TEST(ReadFacts, of_memory_and_system) {
-  const TemporaryDirectory root;
-  static_cast<void>(root.with("proc/meminfo", "MemTotal:       16515072 kB\nMemFree: 1 kB\n"));
-  static_cast<void>(root.with("etc/os-release", "NAME=\"Some\"\nPRETTY_NAME=\"Some Linux 9\"\n"));
-  EXPECT_EQ(read_memory_gib(root.path()), 15.8);
-  EXPECT_EQ(read_os(root.path()), "Some Linux 9");
+TEST(Caches, are_in_kib) {
+  EXPECT_EQ(
+      caches_from(R"({"caches": [{"name": "L1d", "one-size": "49152", "type": "Data", "level": 1},
+                {"name": "L3", "one-size": "2097152", "type": "Unified", "level": 3}]})"),
+      Json::parse(R"([{"level": 1, "type": "Data", "size_kib": 48},
+                            {"level": 3, "type": "Unified", "size_kib": 2048}])"));
 }
 
 TEST(Fingerprint, names_the_processor_and_a_hash) {
@@ -90,7 +69,7 @@ TEST(MachineJson, has_every_field_of_the_schema) {
   EXPECT_EQ(json["commit"], "abc123");
   EXPECT_EQ(json["options"], options);
   EXPECT_GE(json["cores"], 1);
-  EXPECT_EQ(json["fingerprint"], machine_fingerprint(read_cpu()));
+  EXPECT_EQ(json["fingerprint"], machine_fingerprint());
   EXPECT_EQ(json["isa_available"][0], "baseline");
   EXPECT_TRUE(std::regex_match(json["date"].get<std::string>(),
                                std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)")));

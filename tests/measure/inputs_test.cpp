@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "support/rejection.hpp"
 #include "support/temporary_directory.hpp"
@@ -47,7 +47,7 @@ TEST(TimedInputs, image_files_give_their_names_and_each_its_own) {
 TEST(TimedInputs, image_files_never_get_the_name_of_a_drawn_input) {
   EXPECT_EQ(names_from({"scene.png", "square_64.png", "strokes_28_9.png", "square_root.png"},
                        {"square_64"}),
-            (Names{"scene_picture", "square_64_picture", "strokes_28_9_picture", "square_root",
+            (Names{"scene_image", "square_64_image", "strokes_28_9_image", "square_root",
                    "square_64"}));
 }
 

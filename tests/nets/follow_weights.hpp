@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "harness/crosscheck.hpp"
+#include "harness/verify.hpp"
 #include "harness/test_images.hpp"
-#include "harness/thinning_family.hpp"
+#include "harness/families.hpp"
 #include "nets/model.hpp"
 #include "reference.hpp"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "nets/follow_weights.hpp"
-#include "training/two_layer_training.hpp"
+#include "training/two_layer.hpp"
 
 namespace thinbench {
 namespace {

@@ -9,7 +9,7 @@
 #include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "holes.hpp"
-#include "picture/picture.hpp"
+#include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "support/external_images.hpp"
 #include "thinbench/regions.hpp"
@@ -155,7 +155,7 @@ TEST(HolesOracle, opencv_finds_the_same_objects_and_holes) {
                        std::to_string(percent) + " % in blocks of " + std::to_string(granularity));
     }
   }
-  for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
+  for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
     expect_as_opencv(render_scene({.kind = kind}).binary, "scene");
   }
 }

@@ -23,7 +23,7 @@ using flood_fill::objects_of;
 constexpr std::uint64_t kPartsHash = 0x6F01900C1697FEB3u;
 constexpr std::uint64_t kFrameTouchingHash = 0x731ED37726D961B4u;
 
-constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::frame_touching};
+constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::border_touching};
 
 std::uint64_t fnv1a(ConstImageView image) {
   std::uint64_t hash = 0xCBF29CE484222325u;
@@ -90,7 +90,7 @@ bool parts_closer_than(ConstImageView binary, const Components& parts, Index gap
 
 TEST(Scene, grey_bytes_are_the_same_on_every_machine) {
   EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::parts))), kPartsHash);
-  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::frame_touching))), kFrameTouchingHash);
+  EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::border_touching))), kFrameTouchingHash);
 }
 
 TEST(Scene, rendering_twice_gives_equal_bytes) {
@@ -171,7 +171,7 @@ TEST(Scene, flat_pixels_keep_six_sigma_away_from_the_threshold) {
 TEST(Scene, parts_keep_three_pixels_away_from_the_frame) {
   const Scene scene = render_scene();
   for (const ScenePart& part : scene.parts) {
-    EXPECT_FALSE(part.cut_by_frame);
+    EXPECT_FALSE(part.cut_by_border);
     EXPECT_GE(part.box.x_min, 2.5);
     EXPECT_GE(part.box.y_min, 2.5);
     EXPECT_LE(part.box.x_max, 510 - 3.5);
@@ -192,8 +192,8 @@ TEST(Scene, thickest_stroke_is_60_pixels_wide) {
   EXPECT_LE(erosions, 31);
 }
 
-TEST(Scene, frame_touching_scene_meets_all_sides_and_a_corner) {
-  const Scene scene = render_kind(SceneKind::frame_touching);
+TEST(Scene, border_touching_scene_meets_all_sides_and_a_corner) {
+  const Scene scene = render_kind(SceneKind::border_touching);
   int left = 0;
   int right = 0;
   int top = 0;

@@ -17,7 +17,7 @@ using flood_fill::Component;
 using flood_fill::holes_of;
 using flood_fill::objects_of;
 
-constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::frame_touching};
+constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::border_touching};
 
 Scene render_clean(SceneKind kind) {
   return render_scene({.kind = kind, .noise_sigma_16 = 0, .illumination = false});
@@ -49,7 +49,7 @@ void expect_parts_agree(const Scene& scene, double area_tolerance, double centre
   ASSERT_EQ(found.size(), scene.parts.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     const ScenePart& truth = scene.parts[i];
-    if (truth.cut_by_frame) continue;
+    if (truth.cut_by_border) continue;
     EXPECT_NEAR(found[i].area, truth.area, area_tolerance * truth.area) << "part " << truth.id;
     EXPECT_LT(centre_distance(found[i], truth.centre), centre_tolerance) << "part " << truth.id;
   }
@@ -92,7 +92,7 @@ TEST(SceneTruth, holes_belong_to_the_part_around_them) {
 }
 
 TEST(SceneTruth, json_lists_every_part_and_hole) {
-  const Scene scene = render_scene({.kind = SceneKind::frame_touching});
+  const Scene scene = render_scene({.kind = SceneKind::border_touching});
   const auto json = nlohmann::json::parse(scene_truth_json(scene));
   EXPECT_EQ(json.at("width"), 510);
   EXPECT_EQ(json.at("height"), 412);
@@ -104,11 +104,11 @@ TEST(SceneTruth, json_lists_every_part_and_hole) {
 }
 
 TEST(SceneTruth, cut_parts_have_no_area_and_a_box_inside_the_image) {
-  const Scene scene = render_scene({.kind = SceneKind::frame_touching});
+  const Scene scene = render_scene({.kind = SceneKind::border_touching});
   const auto json = nlohmann::json::parse(scene_truth_json(scene));
   int cut = 0;
   for (const auto& part : json.at("parts")) {
-    if (!part.at("cut_by_frame").get<bool>()) continue;
+    if (!part.at("cut_by_border").get<bool>()) continue;
     ++cut;
     EXPECT_TRUE(part.at("area").is_null());
     EXPECT_GE(part.at("box").at("x_min").get<double>(), -0.5);

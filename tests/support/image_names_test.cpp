@@ -1,4 +1,4 @@
-#include "support/picture_names.hpp"
+#include "support/image_names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,26 +8,26 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string named(const std::string& path, const Names& taken = {}) {
-  return picture_name(path, taken, std::regex("scene|square_[0-9]+"));
+  return image_name(path, taken, std::regex("scene|square_[0-9]+"));
 }
 
-TEST(PictureName, is_the_files_without_folder_and_ending) {
+TEST(ImageName, is_the_files_without_folder_and_ending) {
   EXPECT_EQ(named("a/b/horse.png"), "horse");
   EXPECT_EQ(named("horse.old.png"), "horse.old");
   EXPECT_EQ(named("horse"), "horse");
 }
 
-TEST(PictureName, gets_the_first_free_number) {
+TEST(ImageName, gets_the_first_free_number) {
   EXPECT_EQ(named("horse.png", {"horse"}), "horse_2");
   EXPECT_EQ(named("horse.png", {"horse", "horse_2", "horse_4"}), "horse_3");
 }
 
-TEST(PictureName, is_never_reserved_with_and_without_a_number) {
-  EXPECT_EQ(named("scene.png"), "scene_picture");
-  EXPECT_EQ(named("scene.png", {"scene_picture"}), "scene_picture_2");
+TEST(ImageName, is_never_reserved_with_and_without_a_number) {
+  EXPECT_EQ(named("scene.png"), "scene_image");
+  EXPECT_EQ(named("scene.png", {"scene_image"}), "scene_picture_2");
   EXPECT_EQ(named("square.png"), "square");
-  EXPECT_EQ(named("square.png", {"square"}), "square_picture");
-  EXPECT_EQ(named("square.png", {"square", "square_picture"}), "square_picture_2");
+  EXPECT_EQ(named("square.png", {"square"}), "square_image");
+  EXPECT_EQ(named("square.png", {"square", "square_image"}), "square_picture_2");
 }
 
 }  // namespace

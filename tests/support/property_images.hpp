@@ -19,7 +19,7 @@ inline std::vector<ByteImage> property_images() {
     }
   }
   images.push_back(std::move(render_scene().binary));
-  images.push_back(std::move(render_scene({SceneKind::frame_touching}).binary));
+  images.push_back(std::move(render_scene({SceneKind::border_touching}).binary));
   return images;
 }
 

@@ -4,7 +4,7 @@
 #include <opencv2/ximgproc.hpp>
 
 #include "harness/test_images.hpp"
-#include "picture/mat_of.hpp"
+#include "images/mat_of.hpp"
 #include "reference.hpp"
 #include "scene/scene.hpp"
 #include "thinbench/thinning.hpp"
@@ -64,7 +64,7 @@ class AgainstOpenCv : public testing::TestWithParam<Pair> {
 };
 
 TEST_P(AgainstOpenCv, equal_on_scenes) {
-  for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
+  for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
     Scene scene = render_scene({kind});
     expect_equal(scene.binary, "scene");
   }
@@ -113,7 +113,7 @@ TEST_P(AgainstOpenCv, equal_on_all_four_by_four) {
 }
 
 TEST_P(AgainstOpenCv, border_makes_a_difference_where_the_scene_touches_it) {
-  const Scene scene = render_scene({SceneKind::frame_touching});
+  const Scene scene = render_scene({SceneKind::border_touching});
   const Rule rule = GetParam().rule;
   EXPECT_FALSE(equal(by_library(rule, scene.binary, Border::background).view(),
                      by_library(rule, scene.binary, Border::keep).view()));

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/crosscheck.hpp"
+#include "harness/verify.hpp"
 #include "harness/test_images.hpp"
 #include "support/flood_fill.hpp"
 #include "scene/scene.hpp"
@@ -34,7 +34,7 @@ std::optional<std::string> difference(std::string_view operation, std::string_vi
 }
 
 TEST(ThinningPeers, opencv_equals_the_references_that_keep_the_border) {
-  for (const SceneKind kind : {SceneKind::parts, SceneKind::frame_touching}) {
+  for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
     const Scene scene = render_scene({kind});
     for (const char* operation : {"thin_zhang_suen:keep", "thin_guo_hall:keep"}) {
       const auto found = difference(operation, "opencv", scene.binary);
@@ -44,7 +44,7 @@ TEST(ThinningPeers, opencv_equals_the_references_that_keep_the_border) {
 }
 
 TEST(ThinningPeers, opencv_differs_from_the_plain_reference_at_the_border) {
-  const Scene scene = render_scene({SceneKind::frame_touching});
+  const Scene scene = render_scene({SceneKind::border_touching});
   const auto job = peer("thin_guo_hall:keep", "opencv").make_job(510, 412, 1);
   const Outcome plain = expected_of("thin_guo_hall", scene.binary.view());
   EXPECT_FALSE(equal(outcome_of(*job, scene.binary.view()).image.view(), plain.image.view()));
@@ -93,7 +93,7 @@ Counts counts_of(const ByteImage& image, int connectivity) {
 std::vector<ByteImage> leptonica_images() {
   std::vector<ByteImage> images;
   images.push_back(std::move(render_scene().binary));
-  images.push_back(std::move(render_scene({SceneKind::frame_touching}).binary));
+  images.push_back(std::move(render_scene({SceneKind::border_touching}).binary));
   std::uint64_t seed = 700;
   for (const int percent : {50, 70, 90}) {
     for (const Index granularity : {1, 2, 4}) {

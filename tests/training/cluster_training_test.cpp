@@ -1,4 +1,4 @@
-#include "training/cluster_training.hpp"
+#include "training/cluster.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "nets/trained_cluster.hpp"
-#include "training/cluster_text.hpp"
 
 namespace thinbench {
 namespace {
@@ -54,7 +53,7 @@ TEST(ClusterTraining, every_run_is_learned_and_one_more_descriptor_is_impossible
     const auto [first, last] = run.run;
     EXPECT_TRUE(recognises(run.neuron, rule, run.run)) << first;
     if (last == kDescriptors - 1) continue;
-    EXPECT_TRUE(proves_inseparable(run.one_more, rule, {first, last + 1})) << first;
+    EXPECT_TRUE(shows_inseparable(run.one_more, rule, {first, last + 1})) << first;
   }
 }
 
@@ -76,7 +75,7 @@ TEST(ClusterTraining, fewer_nets_than_needed_are_refused_with_the_number) {
     (void)train_cluster(keep_table_of_rule(), {11, false});
     FAIL() << "11 nets were accepted";
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "the rule takes 12 nets, proved to be the fewest; allowed are 11");
+    EXPECT_STREQ(error.what(), "the rule needs 12 nets; --max-nets allows 11");
   }
 }
 

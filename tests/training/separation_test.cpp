@@ -1,8 +1,7 @@
-#include "training/separation.hpp"
+#include "training/cluster.hpp"
 
 #include <gtest/gtest.h>
 
-#include "training/perceptron.hpp"
 #include "training/portable_math.hpp"
 
 namespace thinbench {
@@ -30,16 +29,16 @@ TEST(Separation, exclusive_or_is_contradicted_by_the_two_diagonals) {
     EXPECT_EQ(found[static_cast<std::size_t>(k)].descriptor, k);
     EXPECT_EQ(found[static_cast<std::size_t>(k)].times, 1);
   }
-  EXPECT_TRUE(proves_inseparable(found, exclusive_or(), kSquare));
+  EXPECT_TRUE(shows_inseparable(found, exclusive_or(), kSquare));
 }
 
 TEST(Separation, altered_contradictions_prove_nothing) {
   const KeepTable table = exclusive_or();
-  EXPECT_FALSE(proves_inseparable({}, table, kSquare));
-  EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}, {3, 2}}, table, kSquare));
-  EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}}, table, kSquare));
-  EXPECT_FALSE(proves_inseparable({{0, -1}, {1, -1}, {2, -1}, {3, -1}}, table, kSquare));
-  EXPECT_FALSE(proves_inseparable({{0, 1}, {1, 1}, {2, 1}, {3, 1}}, table, {0, 2}));
+  EXPECT_FALSE(shows_inseparable({}, table, kSquare));
+  EXPECT_FALSE(shows_inseparable({{0, 1}, {1, 1}, {2, 1}, {3, 2}}, table, kSquare));
+  EXPECT_FALSE(shows_inseparable({{0, 1}, {1, 1}, {2, 1}}, table, kSquare));
+  EXPECT_FALSE(shows_inseparable({{0, -1}, {1, -1}, {2, -1}, {3, -1}}, table, kSquare));
+  EXPECT_FALSE(shows_inseparable({{0, 1}, {1, 1}, {2, 1}, {3, 1}}, table, {0, 2}));
 }
 
 TEST(Separation, majority_of_eight_neighbours_is_separable) {
@@ -60,7 +59,7 @@ TEST(Separation, runs_of_random_tables_have_either_a_neuron_or_a_contradiction) 
       EXPECT_TRUE(recognises(train_perceptron(table, run).neuron, table, run)) << seed;
       ++separable;
     } else {
-      EXPECT_TRUE(proves_inseparable(found, table, run)) << seed;
+      EXPECT_TRUE(shows_inseparable(found, table, run)) << seed;
       ++contradicted;
     }
   }

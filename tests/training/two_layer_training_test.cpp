@@ -1,4 +1,4 @@
-#include "training/two_layer_training.hpp"
+#include "training/two_layer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,43 @@
-#include "picture/overlay.hpp"
+#include "images/regions.hpp"
 
 #include <algorithm>
 #include <tuple>
 
 #include <opencv2/imgproc.hpp>
 
-#include "picture/mat_of.hpp"
-#include "picture/picture.hpp"
-#include "picture/write_mat.hpp"
+#include "images/image_file.hpp"
+#include "images/mat_of.hpp"
 
 namespace thinbench {
+
+KeptRegions kept_regions(const Regions& found, std::int64_t min_area) {
+  const auto is_large = [&](const Region& region) { return region.area >= min_area; };
+  KeptRegions kept;
+  for (std::size_t i = 0; i < found.objects.size(); ++i) {
+    if (is_large(found.objects[i])) kept.objects.push_back(i);
+  }
+  for (std::size_t i = 0; i < found.holes.size(); ++i) {
+    const Region& hole = found.holes[i];
+    if (is_large(hole) && is_large(found.objects[hole.enclosing_object - 1]))
+      kept.holes.push_back(i);
+  }
+  return kept;
+}
+
+Regions selected(const Regions& found, const KeptRegions& kept) {
+  Regions result;
+  std::vector<std::uint32_t> new_ids(found.objects.size() + 1);
+  for (const std::size_t i : kept.objects) {
+    result.objects.push_back(found.objects[i]);
+    new_ids[i + 1] = static_cast<std::uint32_t>(result.objects.size());
+  }
+  for (const std::size_t i : kept.holes) {
+    result.holes.push_back(found.holes[i]);
+    result.holes.back().enclosing_object = new_ids[found.holes[i].enclosing_object];
+  }
+  return result;
+}
+
 namespace {
 
 // Blue, green, red.
@@ -55,10 +83,10 @@ Outlines outlines_of(const ConstImageView& objects) {
 }
 
 /// Draws the outlines at these positions.
-void draw_outlines(cv::Mat& picture, const std::vector<Outline>& outlines,
+void draw_outlines(cv::Mat& image, const std::vector<Outline>& outlines,
                    const std::vector<std::size_t>& positions, const cv::Scalar& colour) {
   for (const std::size_t i : positions) {
-    cv::polylines(picture, outlines[i].contour, true, colour);
+    cv::polylines(image, outlines[i].contour, true, colour);
   }
 }
 
@@ -77,47 +105,47 @@ cv::Size size_of(const std::string& text) {
   return cv::getTextSize(text, kFont, kFontScale, 1, nullptr);
 }
 
-/// Whether a region is so large that numbers of its like leave the picture readable.
+/// Whether a region is so large that numbers of its like leave the image readable.
 bool is_numbered(const Region& region) {
   const cv::Size digit = size_of("0");
   const cv::Rect box = box_of(region);
   return box.width > digit.width && box.height > digit.height;
 }
 
-/// Writes an id with its lower left corner at `place`, moved so far that all lies in the picture.
-void write_id(cv::Mat& picture, std::size_t id, cv::Point place, const cv::Scalar& colour) {
+/// Writes an id with its lower left corner at `place`, moved so far that all lies in the image.
+void write_id(cv::Mat& image, std::size_t id, cv::Point place, const cv::Scalar& colour) {
   const std::string text = std::to_string(id);
   const cv::Size size = size_of(text);
-  place.x = std::clamp(place.x, 0, std::max(0, picture.cols - size.width));
-  place.y = std::clamp(place.y, size.height, std::max(size.height, picture.rows - 1));
-  cv::putText(picture, text, place, kFont, kFontScale, colour, 1, cv::LINE_AA);
+  place.x = std::clamp(place.x, 0, std::max(0, image.cols - size.width));
+  place.y = std::clamp(place.y, size.height, std::max(size.height, image.rows - 1));
+  cv::putText(image, text, place, kFont, kFontScale, colour, 1, cv::LINE_AA);
 }
 
 /// A cross, or a point where a cross would hide the region.
-void draw_centre(cv::Mat& picture, const Region& region, const cv::Scalar& colour) {
+void draw_centre(cv::Mat& image, const Region& region, const cv::Scalar& colour) {
   constexpr int cross = 5;
   const cv::Rect box = box_of(region);
   const bool is_large = std::min(box.width, box.height) > 2 * cross;
-  cv::drawMarker(picture, centre_of(region), colour, cv::MARKER_CROSS, is_large ? cross : 1);
+  cv::drawMarker(image, centre_of(region), colour, cv::MARKER_CROSS, is_large ? cross : 1);
 }
 
 /// Numbers of objects stand above their first pixels, where no hole of theirs is.
-void draw_objects(cv::Mat& picture, const std::vector<Region>& objects, const Outlines& outlines,
+void draw_objects(cv::Mat& image, const std::vector<Region>& objects, const Outlines& outlines,
                   const KeptRegions& kept) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    draw_centre(picture, objects[i], kObjectColour);
+    draw_centre(image, objects[i], kObjectColour);
     if (!is_numbered(objects[i])) continue;
     const cv::Point first = outlines.objects[kept.objects[i]].first;
-    write_id(picture, i + 1, first - cv::Point(0, 2), kObjectColour);
+    write_id(image, i + 1, first - cv::Point(0, 2), kObjectColour);
   }
 }
 
 /// Those of holes stand beside the centre.
-void draw_holes(cv::Mat& picture, const std::vector<Region>& holes) {
+void draw_holes(cv::Mat& image, const std::vector<Region>& holes) {
   for (std::size_t i = 0; i < holes.size(); ++i) {
-    draw_centre(picture, holes[i], kHoleColour);
+    draw_centre(image, holes[i], kHoleColour);
     if (!is_numbered(holes[i])) continue;
-    write_id(picture, i + 1, centre_of(holes[i]) + cv::Point(3, -3), kHoleColour);
+    write_id(image, i + 1, centre_of(holes[i]) + cv::Point(3, -3), kHoleColour);
   }
 }
 
@@ -126,16 +154,16 @@ void draw_holes(cv::Mat& picture, const std::vector<Region>& holes) {
 void write_overlay(const std::string& path, const ConstImageView& grey,
                    const ConstImageView& objects, const Regions& found, std::int64_t min_area) {
   check_colour_extension(path);
-  cv::Mat picture;
-  cv::cvtColor(mat_of(grey), picture, cv::COLOR_GRAY2BGR);
+  cv::Mat image;
+  cv::cvtColor(mat_of(grey), image, cv::COLOR_GRAY2BGR);
   const Outlines outlines = outlines_of(objects);
   const KeptRegions kept = kept_regions(found, min_area);
-  draw_outlines(picture, outlines.objects, kept.objects, kObjectColour);
-  draw_outlines(picture, outlines.holes, kept.holes, kHoleColour);
+  draw_outlines(image, outlines.objects, kept.objects, kObjectColour);
+  draw_outlines(image, outlines.holes, kept.holes, kHoleColour);
   const Regions shown = selected(found, kept);
-  draw_objects(picture, shown.objects, outlines, kept);
-  draw_holes(picture, shown.holes);
-  write_mat(path, picture);
+  draw_objects(image, shown.objects, outlines, kept);
+  draw_holes(image, shown.holes);
+  write_mat(path, image);
 }
 
 }  // namespace thinbench

@@ -1,5 +1,6 @@
-// The lower bounds of everything that reads packed images: the packed words copied, where an
-// operation gives an image, and the packed words read, where it gives numbers.
+// Lower bounds: a copy of the bytes for everything that reads a byte and writes a byte per pixel;
+// for packed images the packed words copied, where an operation gives an image, or read, where it
+// gives numbers.
 #include <cstring>
 
 #include "image/packing.hpp"
@@ -13,6 +14,30 @@ using detail::BitPlane;
 using detail::BitPlaneView;
 using detail::kWordBits;
 using detail::PlaneConversion;
+
+class CopyJob final : public Job {
+ public:
+  void run(const ConstImageView& input, const ImageView& output) override {
+    const auto bytes = static_cast<std::size_t>(input.width);
+    for (Index y = 0; y < input.height && bytes > 0; ++y) {
+      std::memcpy(output.row(y), input.row(y), bytes);
+    }
+  }
+};
+
+/// The reference: plain code.
+class PlainCopyJob final : public Job {
+ public:
+  void run(const ConstImageView& input, const ImageView& output) override {
+    for (Index y = 0; y < input.height; ++y) {
+      for (Index x = 0; x < input.width; ++x) output.row(y)[x] = input.row(y)[x];
+    }
+  }
+};
+
+JobMaker plain_copy() {
+  return [](Index, Index, int) { return std::make_unique<PlainCopyJob>(); };
+}
 
 Index words_of(const BitPlaneView& plane) {
   return (plane.width + kWordBits - 1) / kWordBits;
@@ -88,7 +113,7 @@ class ReadBitsJob final : public CombinedJob {
   BitPlane source_;
 };
 
-/// Plain enough to be looked through.
+/// The reference: plain code.
 class PlainReadJob final : public CombinedJob {
  public:
   void run(const ConstImageView& input, const ImageView&) override {
@@ -108,6 +133,13 @@ std::vector<Variant> with_kernel_scope(Variant peer) {
 }
 
 }  // namespace
+
+std::vector<Variant> copy_peers(const Operation& operation) {
+  if (operation.takes != InputKind::grey) return {};
+  return {peer_variant(
+      "copy", "no operation: the same bytes copied",
+      [](Index, Index, int) { return std::make_unique<CopyJob>(); }, plain_copy())};
+}
 
 std::vector<Variant> copy_bits_peers(const Operation& operation) {
   if (operation.name == "fill_holes") {

@@ -1,0 +1,59 @@
+// The families of operations as the harness sees them: images and numbers.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "api/catalogue.hpp"
+#include "harness/operation.hpp"
+#include "regions/label_store.hpp"
+
+namespace thinbench {
+
+/// A variant of a table of the library, which outlives the result.
+[[nodiscard]] Variant library_variant(const detail::VariantInfo& variant, bool has_kernel_scope,
+                                      JobMaker make_job);
+
+/// Every rule with both borders, and the nets limited to one iteration.
+[[nodiscard]] std::vector<Operation> thinning_family();
+
+/// What changes the result of an operation.
+struct ThinningCase {
+  Border border = Border::background;
+  int max_iterations = kUnlimited;
+  std::shared_ptr<const NetModel> net = nullptr;  // instead of the rule's own
+};
+
+/// One operation; the table that it points to must outlive the result. With another net it has no
+/// reference of its own.
+[[nodiscard]] Operation thinning_operation(const detail::ThinningOperation& operation,
+                                           const ThinningCase& options = {});
+
+[[nodiscard]] std::unique_ptr<Job> thinning_job(std::unique_ptr<detail::ThinningState> state);
+
+/// With the default thresholds.
+[[nodiscard]] std::vector<Operation> edges_family();
+
+/// The reference of an edge operator with these thresholds; a brightness threshold of -1 omits the
+/// second.
+[[nodiscard]] JobMaker edges_reference(EdgeOperator op, const EdgeThresholds& thresholds);
+
+/// One operation with these thresholds; it must outlive the result.
+[[nodiscard]] Operation edges_operation(const detail::EdgeOperation& operation,
+                                        const EdgeThresholds& thresholds);
+
+[[nodiscard]] std::vector<Operation> regions_family();
+
+/// Lists as numbers: how many objects and holes there are, and then every member of each.
+[[nodiscard]] std::vector<std::int64_t> numbers_of(const detail::RegionLists& lists);
+/// What number `index` of these is, in words.
+[[nodiscard]] std::string name_of_region_number(std::size_t index);
+
+/// One operation, with the default thresholds.
+[[nodiscard]] std::vector<Operation> localise_family();
+
+/// An input of width W and height H holds H / W images of W x W pixels, one below the other; rows
+/// that are left over become background. Variants take the images one by one or as a batch.
+[[nodiscard]] std::vector<Operation> batch_family();
+
+}  // namespace thinbench

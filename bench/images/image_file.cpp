@@ -1,0 +1,171 @@
+#include "images/image_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "images/captured_stderr.hpp"
+#include "images/mat_of.hpp"
+#include "support/whole_file.hpp"
+
+namespace thinbench {
+namespace {
+
+[[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
+  throw ImageError("cannot read '" + path + "': " + why);
+}
+
+/// Rejects what no decoder could give a good reason for.
+void check_file(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0 && errno == ENOENT) cannot_read(path, "there is no such file");
+  if (descriptor < 0) cannot_read(path, std::generic_category().message(errno));
+  struct stat facts {};
+  const int failed = fstat(descriptor, &facts);
+  close(descriptor);
+  if (failed != 0) cannot_read(path, "its kind and size are unknown");
+  if (S_ISDIR(facts.st_mode)) cannot_read(path, "it is a directory");
+  if (!S_ISREG(facts.st_mode)) cannot_read(path, "it is not a regular file");
+  if (facts.st_size == 0) cannot_read(path, "the file is empty");
+}
+
+/// OpenCV reads its limit when it is loaded, before any code of ours could raise it.
+std::string too_many_pixels() {
+  constexpr const char* variable = "OPENCV_IO_MAX_IMAGE_PIXELS";
+  const char* limit = std::getenv(variable);
+  if (limit == nullptr) {
+    return std::string("it has more than 2^30 pixels; set ") + variable +
+           "=2147483648 in the environment to read up to 2^31";
+  }
+  return std::string("it has more pixels than ") + variable + "=" + limit +
+         " allows; at most 2^31 = 2147483648 can be read";
+}
+
+/// The decoder gave up without a reason.
+[[noreturn]] void cannot_decode(const std::string& path) {
+  if (!cv::haveImageReader(path)) cannot_read(path, "it is not an image of a known format");
+  cannot_read(path, "it is damaged or has no pixels");
+}
+
+/// A rejection by OpenCV in the words of this program.
+[[noreturn]] void cannot_read(const std::string& path, const cv::Exception& error) {
+  const auto mentions = [&](const char* text) { return error.err.find(text) != std::string::npos; };
+  if (mentions("CV_IO_MAX_IMAGE_PIXELS")) cannot_read(path, too_many_pixels());
+  if (mentions("CV_IO_MAX_IMAGE")) cannot_read(path, "it is wider or higher than 2^20 pixels");
+  if (error.code == cv::Error::StsNoMem) cannot_read(path, "there is not enough memory for it");
+  cannot_decode(path);
+}
+
+/// Some decoders fill up what is missing in a file that ends too early and only warn.
+void check_warnings(const std::string& path, const std::string& warnings) {
+  if (warnings.find("remature end") != std::string::npos)
+    cannot_read(path, "the file is truncated");
+}
+
+cv::Mat decoded(const std::string& path) {
+  const CapturedStderr captured;
+  cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
+  if (image.empty()) cannot_decode(path);
+  check_warnings(path, captured.text());
+  return image;
+}
+
+}  // namespace
+
+ByteImage read_grey(const std::string& path) {
+  check_file(path);
+  try {
+    const cv::Mat image = decoded(path);
+    if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
+      cannot_read(path, "it has more than 2^31 pixels");
+    }
+    return copy_of({image.data, image.cols, image.rows, static_cast<Index>(image.step[0])});
+  } catch (const cv::Exception& error) {
+    cannot_read(path, error);
+  } catch (const std::bad_alloc&) {
+    cannot_read(path, "there is not enough memory for it");
+  }
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kExtensions = {".png", ".pgm", ".bmp", ".tif", ".tiff"};
+constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
+
+[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
+  throw ImageError("cannot write '" + path + "': " + why);
+}
+
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
+  const CapturedStderr captured;
+  std::vector<std::uint8_t> bytes;
+  if (!cv::imencode(extension_of(path), image, bytes)) {
+    cannot_write(path, "the image cannot be encoded");
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void check_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
+  const std::string what = extension.empty() ? "its name has no extension"
+                           : extension == ".jpg" || extension == ".jpeg"
+                               ? "JPEG would change pixels"
+                               : "unknown extension '" + extension + "'";
+  cannot_write(path, what + "; known are " + kKnownExtensions);
+}
+
+void check_colour_extension(const std::string& path) {
+  check_extension(path);
+  if (extension_of(path) == ".pgm") cannot_write(path, "PGM holds no colours");
+}
+
+void write_mat(const std::string& path, const cv::Mat& image) {
+  try {
+    const std::vector<std::uint8_t> bytes = encoded(path, image);
+    write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  } catch (const FileError& error) {
+    throw ImageError(error.what());
+  } catch (const ImageError&) {
+    throw;
+  } catch (const std::exception&) {  // OpenCV's own, or memory is short
+    cannot_write(path, "the image cannot be encoded");
+  }
+}
+
+void write_grey(const std::string& path, const ConstImageView& image) {
+  check_extension(path);
+  try {
+    check_target(path);
+  } catch (const FileError& error) {
+    throw ImageError(error.what());
+  }
+  if (image.width == 0 || image.height == 0) cannot_write(path, "the image has no pixels");
+  if (!is_writable_size(image.width, image.height)) {
+    cannot_write(path, "the image has 2^31 pixels or more");
+  }
+  write_mat(path, mat_of(image));
+}
+
+}  // namespace thinbench
