@@ -12,6 +12,8 @@
 
 namespace thinbench {
 
+class Verifier;
+
 struct Console {
   std::ostream& out;
   std::ostream& err;
@@ -35,5 +37,10 @@ struct Command {
 [[nodiscard]] Command add_experiment_command(CLI::App& program);
 [[nodiscard]] Command add_instructions_command(CLI::App& program);
 [[nodiscard]] Command add_pictures_command(CLI::App& program);
+
+/// Skipped rows with the reason, mismatches, and "N passed, M failed, K skipped" as the last line.
+/// kFailure where a row differs from its reference, else kSuccess; throws UsageError where no row
+/// ran.
+int report_verdicts(const Verifier& verifier, std::ostream& out);
 
 }  // namespace thinbench

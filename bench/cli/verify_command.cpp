@@ -180,20 +180,6 @@ void print_verdict(const Row& row, const VerificationResult& verdict, std::ostre
   }
 }
 
-/// Skipped rows with the reason, mismatches, and "N passed, M failed, K skipped" as the last line.
-int report_verdicts(const Verifier& verifier, std::ostream& out) {
-  for (std::size_t row = 0; row < verifier.rows().size(); ++row) {
-    print_verdict(verifier.rows()[row], verifier.verdict(row), out);
-  }
-  const VerifySummary summary = summary_of(verifier);
-  out << summary.passed << " passed, " << summary.failed << " failed, " << summary.skipped
-      << " skipped" << std::endl;
-  if (summary.passed + summary.failed == 0) {
-    throw UsageError("nothing was verified: none of the matching rows is available here");
-  }
-  return summary.failed > 0 ? kFailure : kSuccess;
-}
-
 std::vector<Row> chosen_rows(const VerifyOptions& options) {
   std::vector<int> threads = options.threads;
   std::sort(threads.begin(), threads.end());
@@ -249,6 +235,19 @@ int run(const VerifyOptions& options, const Console& console) {
 }
 
 }  // namespace
+
+int report_verdicts(const Verifier& verifier, std::ostream& out) {
+  for (std::size_t row = 0; row < verifier.rows().size(); ++row) {
+    print_verdict(verifier.rows()[row], verifier.verdict(row), out);
+  }
+  const VerifySummary summary = summary_of(verifier);
+  out << summary.passed << " passed, " << summary.failed << " failed, " << summary.skipped
+      << " skipped" << std::endl;
+  if (summary.passed + summary.failed == 0) {
+    throw UsageError("nothing was verified: none of the matching rows is available here");
+  }
+  return summary.failed > 0 ? kFailure : kSuccess;
+}
 
 Command add_verify_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("verify", "Compare every variant with its reference");

@@ -26,7 +26,13 @@ constexpr std::array kBatchRules = {BatchRule{Rule::guo_hall, "batch_guo_hall"},
 template <class Stack, class View>
 Stack stack_in(const View& all) {
   const Index count = all.width > 0 ? all.height / all.width : 0;
+  if (count == 0) return {};
   return {all.data, count, all.width, all.width, all.stride, all.width * all.stride};
+}
+
+/// Of the images in an input of this size; 0 where there are none, so that no memory is allocated.
+Index side_of(Index width, Index height) {
+  return height >= width ? width : 0;
 }
 
 /// Thins all images of a stack and returns the largest number of iterations.
@@ -84,9 +90,10 @@ const ThinningVariant& best_variant(Rule rule, Isa cap, Index width) {
 }
 
 JobMaker one_by_one(Rule rule, Isa cap) {
-  return [rule, cap](Index width, Index, int) {
+  return [rule, cap](Index width, Index height, int) {
+    const Index side = side_of(width, height);
     const std::shared_ptr<detail::ThinningState> state =
-        make_state(detail::operation_of(rule), best_variant(rule, cap, width), width, width, {});
+        make_state(detail::operation_of(rule), best_variant(rule, cap, side), side, side, {});
     return std::make_unique<StackJob>(
         one_by_one([state](const ConstImageView& source, const ImageView& destination) {
           return state->run(source, destination);
@@ -95,8 +102,9 @@ JobMaker one_by_one(Rule rule, Isa cap) {
 }
 
 JobMaker batch(Rule rule, Isa isa) {
-  return [rule, isa](Index width, Index, int) {
-    const auto batch = std::make_shared<ThinningBatch>(rule, width, width, Options{.isa = isa});
+  return [rule, isa](Index width, Index height, int) {
+    const Index side = side_of(width, height);
+    const auto batch = std::make_shared<ThinningBatch>(rule, side, side, Options{.isa = isa});
     return std::make_unique<StackJob>(
         [batch](const ConstStackView& source, const StackView& destination) {
           return (*batch)(source, destination);

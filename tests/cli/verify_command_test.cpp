@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "cli/verify_report.hpp"
+#include "cli/command.hpp"
 #include "harness/families.hpp"
+#include "harness/verify.hpp"
 #include "images/image_file.hpp"
 #include "program_run.hpp"
 #include "support/byte_image.hpp"

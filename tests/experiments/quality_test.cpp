@@ -99,7 +99,7 @@ std::vector<std::string> names_from(const std::vector<std::string>& files) {
 TEST(ThinningQuality, pictures_get_names_unlike_each_other_the_scene_and_the_blobs) {
   EXPECT_EQ(names_from({"horse.png", "a/horse.png", "scene.png", "blobs.png", "b/blobs.png"}),
             (std::vector<std::string>{"scene", "blobs", "horse", "horse_2", "scene_image",
-                                      "blobs_image", "blobs_picture_2"}));
+                                      "blobs_image", "blobs_image_2"}));
 }
 
 TEST(ThinningQuality, pictures_never_get_the_name_of_the_file_of_a_skeleton) {

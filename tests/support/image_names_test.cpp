@@ -24,10 +24,10 @@ TEST(ImageName, gets_the_first_free_number) {
 
 TEST(ImageName, is_never_reserved_with_and_without_a_number) {
   EXPECT_EQ(named("scene.png"), "scene_image");
-  EXPECT_EQ(named("scene.png", {"scene_image"}), "scene_picture_2");
+  EXPECT_EQ(named("scene.png", {"scene_image"}), "scene_image_2");
   EXPECT_EQ(named("square.png"), "square");
   EXPECT_EQ(named("square.png", {"square"}), "square_image");
-  EXPECT_EQ(named("square.png", {"square", "square_image"}), "square_picture_2");
+  EXPECT_EQ(named("square.png", {"square", "square_image"}), "square_image_2");
 }
 
 }  // namespace
