@@ -165,9 +165,10 @@ int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& w
                   const ThreadTeam& team) {
   TileIteration iteration(engine, workspace, team);
   int iterations = 0;
-  const int subs = static_cast<int>(engine.sub_iterations.size());
   do {
-    for (int sub = 0; sub < subs; ++sub) iteration.run(sub);
+    for (int sub = 0; sub < static_cast<int>(engine.sub_iterations.size()); ++sub) {
+      iteration.run(sub);
+    }
     ++iterations;
   } while (iteration.any_active() && iterations < max_iterations);
   return iterations;

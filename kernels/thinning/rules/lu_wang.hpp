@@ -20,7 +20,8 @@ struct LuWang {
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
     const Word two_sides = (n.n0 | n.n4) & (n.n2 | n.n6);
     const Word two_corners = (n.n1 | n.n5) & (n.n3 | n.n7);
-    return ZhangSuen::next<sub>(n) | (n.p & ~(two_sides | two_corners));
+    const Word kept = ZhangSuen::next<sub>(n);
+    return kept | (n.p & ~(two_sides | two_corners));
   }
 };
 
