@@ -15,7 +15,6 @@ class TileWorkspace {
   TileWorkspace(Index width, Index height, Border border, int threads);
 
   [[nodiscard]] TileGrid& grid() { return grid_; }
-  [[nodiscard]] const TileGrid& grid() const { return grid_; }
 
  private:
   friend class TileIteration;

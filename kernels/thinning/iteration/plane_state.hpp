@@ -33,7 +33,6 @@ class BandTeam {
       : team_(threads), is_large_(width * height >= kMinPixelsForThreads) {}
 
   [[nodiscard]] ThreadTeam& threads() { return team_; }
-  [[nodiscard]] const ThreadTeam& threads() const { return team_; }
 
   /// Calls `body(first, last)` on ranges that partition [0, count): one per thread for large
   /// images, else one.
