@@ -14,7 +14,7 @@ namespace {
 
 class Border : public testing::Test {
  protected:
-  void SetUp() override { write_grey(in, picture.view()); }
+  void SetUp() override { write_grey(in, image.view()); }
 
   [[nodiscard]] ByteImage thinned(const std::string& operation, const std::string& border) const {
     const ProgramRun ran = run_with({"run", operation, in, out, "--border", border});
@@ -22,34 +22,34 @@ class Border : public testing::Test {
     return read_grey(out);
   }
   [[nodiscard]] ByteImage by_opencv(cv::ximgproc::ThinningTypes type) {
-    ByteImage result(picture.width(), picture.height());
+    ByteImage result(image.width(), image.height());
     cv::Mat skeleton;
-    cv::ximgproc::thinning(mat_of(picture.view()), skeleton, type);
+    cv::ximgproc::thinning(mat_of(image.view()), skeleton, type);
     skeleton.copyTo(mat_of(result.view()));
     return result;
   }
 
-  TemporaryDirectory folder;
-  ByteImage picture = std::move(render_scene({SceneKind::frame_touching}).binary);
-  std::string in = folder.file("in.png");
-  std::string out = folder.file("out.png");
+  TemporaryDirectory directory;
+  ByteImage image = std::move(render_scene({SceneKind::frame_touching}).binary);
+  std::string in = directory.file("in.png");
+  std::string out = directory.file("out.png");
 };
 
-TEST_F(Border, keep_equals_opencv_on_a_picture_that_touches_the_frame) {
+TEST_F(Border, keep_equals_opencv_on_an_image_that_touches_its_border) {
   EXPECT_TRUE(equal(thinned("thin_zhang_suen", "keep").view(),
                     by_opencv(cv::ximgproc::THINNING_ZHANGSUEN).view()));
   EXPECT_TRUE(equal(thinned("thin_guo_hall", "keep").view(),
                     by_opencv(cv::ximgproc::THINNING_GUOHALL).view()));
 }
 
-TEST_F(Border, background_is_the_default_and_differs) {
-  const ByteImage asked = thinned("thin_zhang_suen", "background");
+TEST_F(Border, background_is_the_default_and_differs_from_keep) {
+  const ByteImage background = thinned("thin_zhang_suen", "background");
   ASSERT_EQ(run_with({"run", "thin_zhang_suen", in, out}).status, 0);
-  EXPECT_TRUE(equal(read_grey(out).view(), asked.view()));
-  EXPECT_FALSE(equal(thinned("thin_zhang_suen", "keep").view(), asked.view()));
+  EXPECT_TRUE(equal(read_grey(out).view(), background.view()));
+  EXPECT_FALSE(equal(thinned("thin_zhang_suen", "keep").view(), background.view()));
 }
 
-TEST_F(Border, every_rule_and_technique_keeps_it) {
+TEST_F(Border, is_kept_by_other_rules_and_by_a_requested_technique) {
   for (const std::string operation : {"thin_spta", "skeleton_scan", "net_two_layer_linear"}) {
     EXPECT_EQ(run_with({"run", operation, in, out, "--border", "keep"}).status, 0) << operation;
   }
@@ -59,7 +59,7 @@ TEST_F(Border, every_rule_and_technique_keeps_it) {
   EXPECT_TRUE(equal(read_grey(out).view(), by_opencv(cv::ximgproc::THINNING_GUOHALL).view()));
 }
 
-TEST_F(Border, unknown_names_are_rejected_with_those_that_there_are) {
+TEST_F(Border, unknown_name_is_rejected_with_the_known_ones) {
   EXPECT_EQ(failure_of({"run", "thin_guo_hall", in, out, "--border", "wrap"}, 2),
             "no border is named 'wrap'; known: background and keep");
 }

@@ -5,15 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include "thinbench/isa.hpp"
 #include "support/temporary_directory.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {
 
 using Json = nlohmann::json;
 
-TEST(ReadCpu, takes_the_first_processor) {
+TEST(ReadCpu, reads_the_first_processor) {
   const TemporaryDirectory root;
   static_cast<void>(root.with("proc/cpuinfo",
                               "processor\t: 0\nvendor_id\t: AuthenticAMD\ncpu family\t: 25\n"
@@ -29,7 +29,7 @@ TEST(ReadCpu, takes_the_first_processor) {
   EXPECT_EQ(cpu.flags, (std::vector<std::string>{"avx2", "bmi1", "sse2"}));
 }
 
-TEST(ReadFacts, are_unknown_on_a_bare_system) {
+TEST(ReadFacts, are_unknown_if_no_file_exists) {
   const TemporaryDirectory root;
   const CpuFacts cpu = read_cpu(root.path());
   EXPECT_EQ(cpu.vendor + cpu.family + cpu.model + cpu.stepping + cpu.name,
@@ -40,7 +40,7 @@ TEST(ReadFacts, are_unknown_on_a_bare_system) {
   EXPECT_EQ(read_os(root.path()), "unknown");
 }
 
-TEST(ReadCaches, counts_kib_whatever_the_unit) {
+TEST(ReadCaches, converts_sizes_to_kib) {
   const TemporaryDirectory root;
   const std::string cache = "sys/devices/system/cpu/cpu0/cache/";
   const char* const facts[][4] = {{"index0", "1\n", "Data\n", "48K\n"},
@@ -55,7 +55,7 @@ TEST(ReadCaches, counts_kib_whatever_the_unit) {
       {"level": 3, "type": "Unified", "size_kib": 2048}])"));
 }
 
-TEST(ReadFacts, of_memory_and_system) {
+TEST(ReadFacts, reads_memory_and_operating_system) {
   const TemporaryDirectory root;
   static_cast<void>(root.with("proc/meminfo", "MemTotal:       16515072 kB\nMemFree: 1 kB\n"));
   static_cast<void>(root.with("etc/os-release", "NAME=\"Some\"\nPRETTY_NAME=\"Some Linux 9\"\n"));
@@ -63,12 +63,12 @@ TEST(ReadFacts, of_memory_and_system) {
   EXPECT_EQ(read_os(root.path()), "Some Linux 9");
 }
 
-TEST(Fingerprint, names_the_processor_and_a_hash) {
+TEST(Fingerprint, consists_of_the_processor_and_a_hash) {
   const std::string text = machine_fingerprint({"intel", "6", "143", "8", "Xeon", {"avx2"}});
   EXPECT_TRUE(std::regex_match(text, std::regex("intel-6-143-8-[0-9a-f]{8}"))) << text;
 }
 
-TEST(Fingerprint, changes_with_the_flags_alone) {
+TEST(Fingerprint, depends_on_the_flags_but_not_on_the_name) {
   const CpuFacts cpu{"intel", "6", "143", "8", "Xeon", {"avx2", "bmi1"}};
   CpuFacts other = cpu;
   other.name = "another name";
@@ -96,7 +96,7 @@ TEST(MachineJson, has_every_field_of_the_schema) {
                                std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)")));
 }
 
-TEST(MachineJson, knows_the_versions_of_compiler_and_libraries) {
+TEST(MachineJson, has_the_versions_of_compiler_and_libraries) {
   const Json json = machine_json("", Json::object());
   const std::regex version(R"(\d+\.\d+.*)");
   for (const char* name : {"xsimd", "tbb", "opencv", "benchmark"}) {

@@ -11,18 +11,18 @@ std::string named(const std::string& path, const Names& taken = {}) {
   return picture_name(path, taken, std::regex("scene|square_[0-9]+"));
 }
 
-TEST(PictureName, is_the_files_without_folder_and_ending) {
+TEST(PictureName, is_the_file_name_without_directory_and_extension) {
   EXPECT_EQ(named("a/b/horse.png"), "horse");
   EXPECT_EQ(named("horse.old.png"), "horse.old");
   EXPECT_EQ(named("horse"), "horse");
 }
 
-TEST(PictureName, gets_the_first_free_number) {
+TEST(PictureName, has_the_first_free_number_appended_if_taken) {
   EXPECT_EQ(named("horse.png", {"horse"}), "horse_2");
   EXPECT_EQ(named("horse.png", {"horse", "horse_2", "horse_4"}), "horse_3");
 }
 
-TEST(PictureName, is_never_reserved_with_and_without_a_number) {
+TEST(PictureName, avoids_reserved_names_with_and_without_a_number) {
   EXPECT_EQ(named("scene.png"), "scene_picture");
   EXPECT_EQ(named("scene.png", {"scene_picture"}), "scene_picture_2");
   EXPECT_EQ(named("square.png"), "square");

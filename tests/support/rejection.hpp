@@ -1,4 +1,4 @@
-// What the library says of a call that it rejects.
+// Error messages of rejected calls.
 #pragma once
 
 #include <stdexcept>
@@ -6,8 +6,8 @@
 
 namespace thinbench {
 
-/// The text of the std::invalid_argument that `call` throws; empty where it throws nothing. Other
-/// exceptions pass.
+/// The message of the std::invalid_argument that `call` throws; empty if it throws nothing. Other
+/// exceptions propagate.
 template <class Call>
 std::string rejection_of(const Call& call) {
   try {
@@ -18,7 +18,7 @@ std::string rejection_of(const Call& call) {
   return "";
 }
 
-/// Whether a text is one line without a full stop, as all are that programs print after a colon.
+/// Whether a message is one line without a full stop: programs print it after a colon.
 inline bool is_one_sentence(const std::string& text) {
   return !text.empty() && text.find('\n') == std::string::npos &&
          text.find(". ") == std::string::npos && text.back() != '.';

@@ -49,8 +49,9 @@ TEST(IterateTiles, equals_the_reference_if_tiles_are_written_during_the_scan) {
   for (const Index side : {7, 40, 130}) expect_equal_to_reference(squares(1000, 400, side), 1);
 }
 
-TEST(IterateTiles, equals_the_reference_if_fewer_tiles_are_held) {
-  expect_equal_to_reference(squares(200, 2500, 30), 1);  // strips of 157 tiles, so that find_delay is called
+TEST(IterateTiles, equals_the_reference_with_a_reduced_delay) {
+  expect_equal_to_reference(squares(200, 2500, 30),
+                            1);  // strips of 157 tiles, so that find_delay is called
 }
 
 TEST(IterateTiles, equals_the_reference_on_several_threads) {
@@ -104,9 +105,9 @@ std::vector<std::uint32_t> tiles_with_gaps(std::size_t count, std::uint64_t max_
   return tiles;
 }
 
-/// Checks that the result suffices and that about an eighth fewer would not.
-void expect_tight_bound(FindDelay find_delay, const std::vector<std::uint32_t>& tiles,
-                           std::uint32_t reach) {
+/// Checks that the delay suffices and that one about an eighth smaller would not.
+void expect_near_minimum(FindDelay find_delay, const std::vector<std::uint32_t>& tiles,
+                         std::uint32_t reach) {
   const auto count = static_cast<Index>(tiles.size());
   for (const Index guess : {1, 50, 1000}) {
     const Index delay = find_delay(tiles.data(), count, reach, guess, static_cast<Index>(reach));
@@ -117,14 +118,14 @@ void expect_tight_bound(FindDelay find_delay, const std::vector<std::uint32_t>& 
   }
 }
 
-TEST(FindDelay, is_enough_and_not_much_more) {
+TEST(FindDelay, result_suffices_and_is_close_to_the_minimum) {
   for (const Isa isa : kAllIsas) {
     if (!isa_available(isa)) continue;
     for (const std::uint32_t reach : {70U, 261U}) {
       for (const std::size_t count : {0U, 1U, 30U, 400U, 3000U}) {
         for (const std::uint64_t max_gap : {1U, 3U, 40U}) {
-          expect_tight_bound(kernels_of<TileKernels>(isa).find_delay,
-                                tiles_with_gaps(count, max_gap), reach);
+          expect_near_minimum(kernels_of<TileKernels>(isa).find_delay,
+                              tiles_with_gaps(count, max_gap), reach);
         }
       }
     }
