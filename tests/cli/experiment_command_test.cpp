@@ -78,22 +78,22 @@ TEST(ExperimentCommand, table_2_rejects_directories_without_valid_results) {
 
 TEST(ExperimentCommand, quality_reads_images_and_writes_skeletons) {
   const TemporaryDirectory directory;
-  const std::string picture = directory.file("spot.png");
+  const std::string image = directory.file("spot.png");
   ByteImage spot(20, 10);
   for (Index x = 4; x < 15; ++x) spot.at(x, 5) = spot.at(x, 6) = spot.at(x, 7) = 255;
-  write_grey(picture, spot.view());
+  write_grey(image, spot.view());
   const std::string file = directory.file("quality.json");
-  const ProgramRun ran = run_with({"experiment", "quality", "--image", picture, "--pictures-out",
+  const ProgramRun ran = run_with({"experiment", "quality", "--image", image, "--pictures-out",
                                    directory.path().string(), "--out", file});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("| spot | thin_guo_hall | 1 to 1 | 0 to 0 |"), std::string::npos);
   EXPECT_EQ(read_grey(directory.file("quality_spot_thin_guo_hall.png")).width(), 20);
   EXPECT_EQ(Json::parse(bytes_of(file)).at("command"),
             "thinbench experiment quality --image spot.png");
-  const ProgramRun dark = run_with({"experiment", "quality", "--image", picture, "--foreground",
+  const ProgramRun dark = run_with({"experiment", "quality", "--image", image, "--foreground",
                                     "dark", "--threshold", "9", "--out", file});
   EXPECT_NE(dark.out.find("| spot | thin_guo_hall | 1 to 1 | 1 to 1 |"), std::string::npos);
-  EXPECT_EQ(dark.err.find("warning: " + picture + ": 83.5 % of the image is foreground"), 0U);
+  EXPECT_EQ(dark.err.find("warning: " + image + ": 83.5 % of the image is foreground"), 0U);
   EXPECT_EQ(Json::parse(bytes_of(file)).at("command"),
             "thinbench experiment quality --image spot.png --foreground dark --threshold 9");
   EXPECT_EQ(failure_of({"experiment", "quality", "--image", "absent.png"}, 1),
