@@ -58,8 +58,9 @@ std::string cluster_header(const ClusterWeights& weights, const std::string& com
   std::vector<std::string> nets;
   nets.reserve(kMaxClusterNets);
   for (int n = 0; n < weights.count; ++n) nets.push_back(net_initialiser(weights.nets[n]));
-  return "// Weights of a cluster of single-layer nets (section 3.3) that is right on all 256 "
-         "descriptors of\n// the modified Naccache-Shinghal rule, with as few nets as can be. Made "
+  return "// Weights of a cluster of single-layer nets (section 3.3), correct on all 256 "
+         "descriptors "
+         "of the\n// modified Naccache-Shinghal rule, with the minimum number of nets. Generated "
          "by\n//     " +
          command +
          "\n#pragma once\n\n#include \"thinbench/nets.hpp\"\n\nnamespace thinbench::detail {\n\n"
