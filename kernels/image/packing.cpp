@@ -1,10 +1,10 @@
 // Conversions between byte images and planes. Compiled for every ISA.
 //
 // Packing compares 64 bytes with zero and keeps one bit of each: 1 (AVX-512), 2 (AVX2) or 4 (SSE2)
-// comparisons and mask moves per word. Unpacking is a mask move on AVX-512; elsewhere each byte of the
-// word is broadcast to the lanes of its bits and tested there. Both are limited by memory traffic of 1
-// byte per pixel. Rows are prefetched kPrefetchBytes ahead: docs/experiments.md#prefetching-source-rows.
-// Not adopted: docs/experiments.md#whole-cache-lines.
+// comparisons and mask moves per word. Unpacking is a mask move on AVX-512; elsewhere each byte of
+// the word is broadcast to the lanes of its bits and tested there. Both are limited by memory
+// traffic of 1 byte per pixel. Rows are prefetched kPrefetchBytes ahead:
+// docs/experiments.md#prefetching-source-rows. Not adopted: docs/experiments.md#whole-cache-lines.
 #include "image/packing.hpp"
 
 #include "simd/vector.hpp"
@@ -37,8 +37,8 @@ constexpr Index kPrefetchBytes = 4096;
 }
 
 // The last word of a row covers bytes past the row, which must not be accessed. Rows of at least 64
-// pixels use the last 64 bytes of the row and shift; only narrower rows go through a buffer, which made
-// rows of 510 pixels about 1.5 times as slow, as 64 bytes stored in pieces are loaded at once.
+// pixels use the last 64 bytes of the row and shift; only narrower rows go through a buffer, which
+// made rows of 510 pixels about 1.5 times as slow, as 64 bytes stored in pieces are loaded at once.
 
 std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
   if (width >= kWordBits) return pack_word(row + width - kWordBits) >> (kWordBits - tail);
@@ -73,8 +73,8 @@ void read_bits(const ConstImageView& source, const BitPlaneView& target) {
   const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
-  // Whole rows ahead, to skip the bytes between the rows of a view of a wider image. Prefetching past
-  // the image is harmless.
+  // Whole rows ahead, to skip the bytes between the rows of a view of a wider image. Prefetching
+  // past the image is harmless.
   const Index ahead = source.width == 0 ? 0 : (kPrefetchBytes / source.width + 1) * source.stride;
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* bytes = source.row(y);

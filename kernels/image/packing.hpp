@@ -11,8 +11,8 @@ namespace thinbench::detail {
 /// docs/experiments.md#non-temporal-stores.
 inline constexpr Index kNonTemporalBytes = Index{8} << 20;
 
-/// Source and target have the same size. `read` writes all words or bytes of a row that hold pixels,
-/// with zeros past the width. `write` writes exactly `width` bytes per row.
+/// Source and target have the same size. `read` writes all words or bytes of a row that hold
+/// pixels, with zeros past the width. `write` writes exactly `width` bytes per row.
 template <class T>
 struct PlaneConversion {
   void (*read)(const ConstImageView& source, const PlaneView<T>& target);
