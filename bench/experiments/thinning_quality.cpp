@@ -56,7 +56,7 @@ ByteImage rotated(const ConstImageView& image, int quarters) {
 }
 
 /// With the skeletons of the image rotated by one, two and three quarters, each rotated back.
-double least_overlap(Rule rule, const ConstImageView& image, const ConstImageView& skeleton) {
+double min_overlap(Rule rule, const ConstImageView& image, const ConstImageView& skeleton) {
   double least = 1;
   for (int quarters = 1; quarters < 4; ++quarters) {
     const ByteImage other = thinned(rule, rotated(image, quarters).view()).skeleton;
@@ -76,7 +76,7 @@ QualityRow measure(Rule rule, const QualityInput& input, const Topology& before,
           topology_of(skeleton),
           shape_of(skeleton),
           distance_from(axis.view(), skeleton),
-          least_overlap(rule, image, skeleton),
+          min_overlap(rule, image, skeleton),
           result.iterations};
 }
 
