@@ -1,10 +1,9 @@
 // Thinning by other libraries: OpenCV must equal our references, Leptonica must keep topology.
-#include "peers/peers.hpp"
-
 #include <gtest/gtest.h>
 
 #include "harness/crosscheck.hpp"
 #include "harness/test_images.hpp"
+#include "peers/peers.hpp"
 #include "scene/scene.hpp"
 #include "support/flood_fill.hpp"
 #include "support/property_images.hpp"
