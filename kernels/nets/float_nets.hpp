@@ -46,7 +46,8 @@ template <Activation activation>
 /// threshold: 64 masked additions, 8 x 6 for hidden activations, 16 + 6 for the output.
 template <Activation activation>
 struct TwoLayerNet {
-  [[gnu::always_inline]] static FloatBatch hidden(const NetModel& model, const MaskInputs& inputs,
+  template <class Inputs>
+  [[gnu::always_inline]] static FloatBatch hidden(const NetModel& model, const Inputs& inputs,
                                                   int j) {
     const Neuron& neuron = model.two_layer.hidden[j];
     FloatBatch sum(neuron.bias);
@@ -55,7 +56,8 @@ struct TwoLayerNet {
     return activated<activation>(sum);
   }
 
-  [[gnu::always_inline]] static FloatBatch output(const NetModel& model, const MaskInputs& inputs) {
+  template <class Inputs>
+  [[gnu::always_inline]] static FloatBatch output(const NetModel& model, const Inputs& inputs) {
     keep_loads_in_loop();
     FloatBatch sum(model.two_layer.output.bias);
 #pragma GCC unroll 8
@@ -65,8 +67,8 @@ struct TwoLayerNet {
     return activated<activation>(sum);
   }
 
-  [[gnu::always_inline]] static std::uint64_t decide(const NetModel& model,
-                                                     const MaskInputs& inputs) {
+  template <class Inputs>
+  [[gnu::always_inline]] static std::uint64_t decide(const NetModel& model, const Inputs& inputs) {
     return bits_of(output(model, inputs) >= FloatBatch(0.5F));
   }
 };
@@ -74,8 +76,8 @@ struct TwoLayerNet {
 /// Equations (5) to (7): the descriptor selects a net, whose weights are looked up. Operations per
 /// batch: 8 additions, 2 per net, 2 per input.
 struct ClusterOfNets {
-  [[gnu::always_inline]] static std::uint64_t decide(const NetModel& model,
-                                                     const MaskInputs& inputs) {
+  template <class Inputs>
+  [[gnu::always_inline]] static std::uint64_t decide(const NetModel& model, const Inputs& inputs) {
     FloatBatch descriptor(0.0F);
 #pragma GCC unroll 8
     for (int i = 0; i < kNetInputs; ++i) {
