@@ -1,5 +1,4 @@
 // The meaning of border and max_iterations, tested on the references of all rules.
-#include <algorithm>
 
 #include <gtest/gtest.h>
 
