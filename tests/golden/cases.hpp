@@ -41,11 +41,17 @@ struct Result {
 /// changed, and the other cases on this image are meaningless.
 inline constexpr const char* kInput = "input";
 
-inline constexpr std::array kThinning = {"thin_naccache_shinghal",  "thin_zhang_suen",
-                                         "thin_guo_hall",           "thin_spta",
-                                         "thin_spta_directional",   "thin_mb2",
-                                         "skeleton_scan",           "net_two_layer_sigmoid",
-                                         "net_two_layer_rounded",   "net_two_layer_linear",
+inline constexpr std::array kThinning = {"thin_naccache_shinghal",
+                                         "thin_zhang_suen",
+                                         "thin_lu_wang",
+                                         "thin_guo_hall",
+                                         "thin_spta",
+                                         "thin_spta_directional",
+                                         "thin_mb2",
+                                         "skeleton_scan",
+                                         "net_two_layer_sigmoid",
+                                         "net_two_layer_rounded",
+                                         "net_two_layer_linear",
                                          "net_single_layer_cluster"};
 /// Recorded for one iteration, too.
 inline constexpr std::array kOneIteration = {"net_two_layer_sigmoid", "net_two_layer_linear",

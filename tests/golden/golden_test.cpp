@@ -15,7 +15,7 @@
 namespace thinbench::golden {
 namespace {
 
-constexpr std::size_t kMinCases = 1436;
+constexpr std::size_t kMinCases = 1512;
 constexpr Index kMaxPixelsForReferences = 50'000;
 
 const std::map<std::string, TestImage>& images_by_name() {

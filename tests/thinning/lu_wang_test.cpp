@@ -34,6 +34,14 @@ TEST(LuWang, slanted_lines_two_pixels_wide_keep_their_length) {
   EXPECT_LT(foreground_pixels(Rule::zhang_suen, line), 20);
 }
 
+TEST(LuWang, squares_of_two_by_two_pixels_vanish) {
+  ByteImage square(4, 4);
+  for (const Index y : {1, 2}) {
+    for (const Index x : {1, 2}) square.at(x, y) = 255;
+  }
+  EXPECT_EQ(foreground_pixels(Rule::lu_wang, square), 0);
+}
+
 /// Over all neighbourhoods: pixels with two foreground neighbours are kept, all others treated as
 /// by Zhang and Suen's rule.
 template <int sub>
