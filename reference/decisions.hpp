@@ -1,5 +1,5 @@
-// The decision on one foreground pixel, as published. Over any type of truth value and number: the
-// references use bool and float, the count of operations uses types that count them.
+// The published decisions on one foreground pixel, for any types of truth value and number: the
+// references use bool and float; the count of operations uses types that count.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace thinbench::reference {
 enum class Side { left, right, top, bottom };
 
 /// B4, B0, B2 or B6 over the neighbours, n[0] east, then anticlockwise; foreground is TRUE.
-/// Complemented literals read `m`, which differs from `n` in the sequential SPTA only.
+/// Complemented literals read `m`, which differs from `n` only in the sequential SPTA.
 template <class Truth>
 Truth expression(Side side, const Truth (&n)[8], const Truth (&m)[8]) {
   switch (side) {
@@ -34,7 +34,7 @@ constexpr int neighbour_on(Side side) {
   return neighbours[static_cast<int>(side)];
 }
 
-/// For an edge point of a side: FALSE where it is a break or end point.
+/// Each expression is FALSE for an edge point of its side that is a break or end point.
 template <class Truth>
 struct Expressions {
   Truth b0, b2, b4, b6;

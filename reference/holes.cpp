@@ -14,7 +14,7 @@ struct Point {
 
 enum class Neighbours : std::uint8_t { four, eight };
 
-/// An image in a background margin one pixel wide, and the number of each pixel's region.
+/// An image with a background margin one pixel wide, and the number of each pixel's region.
 class Flood {
  public:
   explicit Flood(const ConstImageView& source)
@@ -28,16 +28,16 @@ class Flood {
     return numbers_[static_cast<std::size_t>((y + 1) * (width_ + 2) + x + 1)];
   }
 
-  /// Numbers all pixels connected to (x, y), and sums them up.
+  /// Numbers all pixels connected to (x, y) and returns their region.
   Region fill(Index x, Index y, Neighbours neighbours, std::uint32_t with) {
     const auto column = static_cast<std::int32_t>(x);
     const auto row = static_cast<std::int32_t>(y);
     Region region{0, 0, 0, column, row, column, row, 0};
-    std::vector<Point> waiting = {{x, y}};
+    std::vector<Point> stack = {{x, y}};
     number(x, y) = with;
-    while (!waiting.empty()) {
-      const Point here = waiting.back();
-      waiting.pop_back();
+    while (!stack.empty()) {
+      const Point here = stack.back();
+      stack.pop_back();
       add(region, here);
       for (Index dy = -1; dy <= 1; ++dy) {
         for (Index dx = -1; dx <= 1; ++dx) {
@@ -46,7 +46,7 @@ class Flood {
           if (!inside_margin(next) || number(next.x, next.y) != 0) continue;
           if (foreground(next.x, next.y) != foreground(x, y)) continue;
           number(next.x, next.y) = with;
-          waiting.push_back(next);
+          stack.push_back(next);
         }
       }
     }

@@ -1,5 +1,5 @@
-// Section 2.2 of the paper in plain code: hole detection as published, and objects and holes of any
-// image.
+// Section 2.2 of the paper in plain code: the published hole detection, and objects and holes of
+// any image.
 #pragma once
 
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace thinbench::reference {
 
-/// The result of the relabelling scan. `flag` is the smallest grey level assigned, 255 without any
-/// point.
+/// The result of the relabelling scan. `flag` is the smallest grey level assigned, 255 if there is
+/// no point.
 struct LiteralHoles {
   int flag = 255;
 
-  /// The number of contours, and the paper's number of holes: all contours but the exterior one.
+  /// The number of contours, and the paper's number of holes: all contours except the exterior one.
   [[nodiscard]] int contours() const { return 255 - flag; }
   [[nodiscard]] int holes() const { return flag == 255 ? 0 : 254 - flag; }
 };
 
-/// The relabelling scan, steps a) to e) as published, on an image of contours (255 on contours,
-/// anything else is background and read as 0). `labels` gets the grey levels; same size.
+/// The relabelling scan, steps a) to e) as published, on an image of contours (255; anything else
+/// is background and read as 0). Writes the grey levels to `labels`, of the same size.
 ///
 ///   a) Scan line by line to the first 255 point; it and the flag become 254.
 ///   b) Scan on to the next 255 point p, with the neighbours W, NW, N, NE as a, b, c, d.
@@ -30,13 +30,13 @@ struct LiteralHoles {
 ///      the maximum, all levels below x are incremented, and so is the flag.
 ///   e) Back to b) until no point is 255.
 ///
-/// Outside the image is background. In d) background, 0, is neither an x nor incremented (implied
-/// by the paper: its levels are those of contours). Throws std::length_error where more than 254
-/// levels are needed at once.
+/// Everything outside the image is background. In d) background, 0, is neither an x nor
+/// incremented, as the paper implies: its levels are those of contours. Throws std::length_error if
+/// more than 254 levels are needed at once.
 LiteralHoles holes_literal(ConstImageView contours, ImageView labels);
 
-/// Object pixels with a background pixel to the west, north, east or south: the input of
-/// holes_literal for a binary image. 0 and 255.
+/// Writes 255 on object pixels with a background pixel to the west, north, east or south, else 0:
+/// the input of holes_literal for a binary image.
 void contours_of(ConstImageView source, ImageView destination);
 
 /// Objects and holes as region.hpp defines them, each by flood fill from its first pixel.
@@ -46,15 +46,15 @@ struct Regions {
 };
 [[nodiscard]] Regions holes(ConstImageView source);
 
-/// The objects alone.
+/// The objects only.
 [[nodiscard]] Regions components(ConstImageView source);
 
-/// Objects (255) with everything that they enclose: only background that is 4-connected to the
-/// border remains background. May be in place.
+/// Writes 255 on objects and everything they enclose: only background that is 4-connected to the
+/// border remains background. `destination` may be the source.
 void fill_holes(ConstImageView source, ImageView destination);
 
-/// Objects minus holes, by counting both: 8-connected objects with 4-connected holes, or the other
-/// way round.
+/// Objects minus holes, by counting both: 8-connected objects and 4-connected holes, or 4-connected
+/// objects and 8-connected holes.
 [[nodiscard]] std::int64_t euler_number(ConstImageView source);
 [[nodiscard]] std::int64_t euler_number_4(ConstImageView source);
 

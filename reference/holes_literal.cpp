@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint8_t kPoint = 255;
 
-/// The grey levels during the scan, in a background margin.
+/// The grey levels during the scan, with a background margin.
 class Levels {
  public:
   explicit Levels(const ConstImageView& contours)
@@ -62,13 +62,13 @@ class Scan {
                                 levels_.at(x, y - 1), levels_.at(x + 1, y - 1)};
     };
     const std::array<int, 4> abcd = neighbours();
-    const int largest = *std::max_element(abcd.begin(), abcd.end());
-    levels_.at(x, y) = static_cast<std::uint8_t>(largest == 0 ? next_level() : largest);
+    const int maximum = *std::max_element(abcd.begin(), abcd.end());
+    levels_.at(x, y) = static_cast<std::uint8_t>(maximum == 0 ? next_level() : maximum);
     // A replacement increments smaller levels, so each neighbour is read again.
     for (std::size_t i = 0; i < abcd.size(); ++i) {
       const int level = neighbours()[i];
-      if (level == 0 || level >= largest) continue;
-      levels_.replace(level, largest, first_row_);
+      if (level == 0 || level >= maximum) continue;
+      levels_.replace(level, maximum, first_row_);
       ++flag_;
     }
   }

@@ -39,18 +39,18 @@ class Outlines {
   /// Assigns a kind to (x, y) and all pixels connected to it: contours are 8-connected, regions
   /// between them 4-connected.
   void spread(Index x, Index y, Kind kind) {
-    std::vector<Point> waiting = {{x, y}};
+    std::vector<Point> stack = {{x, y}};
     this->kind(x, y) = kind;
-    while (!waiting.empty()) {
-      const Point here = waiting.back();
-      waiting.pop_back();
+    while (!stack.empty()) {
+      const Point here = stack.back();
+      stack.pop_back();
       for (Index dy = -1; dy <= 1; ++dy) {
         for (Index dx = -1; dx <= 1; ++dx) {
           const Point next = {here.x + dx, here.y + dy};
-          const bool is_step = kind == Kind::outermost_contour || dx == 0 || dy == 0;
-          if (!is_step || !takes(kind, next.x, next.y)) continue;
+          const bool is_neighbour = kind == Kind::outermost_contour || dx == 0 || dy == 0;
+          if (!is_neighbour || !takes(kind, next.x, next.y)) continue;
           this->kind(next.x, next.y) = kind;
-          waiting.push_back(next);
+          stack.push_back(next);
         }
       }
     }

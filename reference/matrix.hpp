@@ -7,7 +7,8 @@
 
 namespace thinbench::reference {
 
-/// Foreground (1) and background (0) pixels, one byte each, in a background margin one pixel wide.
+/// Foreground (1) and background (0) pixels, one byte each, with a background margin one pixel
+/// wide.
 class Matrix {
  public:
   Matrix(Index width, Index height)

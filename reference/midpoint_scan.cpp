@@ -5,13 +5,13 @@
 namespace thinbench::reference {
 namespace {
 
-/// From a pixel to the next along a direction.
-struct Step {
+/// From one pixel to the next in a direction.
+struct Offset {
   Index x;
   Index y;
 };
 
-constexpr Step step_of(Direction direction) {
+constexpr Offset offset_of(Direction direction) {
   switch (direction) {
     case Direction::rows:
       return {1, 0};
@@ -25,11 +25,11 @@ constexpr Step step_of(Direction direction) {
 }
 
 /// Marks the midpoint of the run whose first pixel is (x, y).
-void mark_midpoint(const Matrix& image, Matrix& marks, Index x, Index y, Step step) {
+void mark_midpoint(const Matrix& image, Matrix& marks, Index x, Index y, Offset offset) {
   Index length = 1;
-  while (image.at(x + length * step.x, y + length * step.y)) ++length;
+  while (image.at(x + length * offset.x, y + length * offset.y)) ++length;
   const Index middle = (length - 1) / 2;
-  marks.set(x + middle * step.x, y + middle * step.y, true);
+  marks.set(x + middle * offset.x, y + middle * offset.y, true);
 }
 
 }  // namespace
@@ -40,11 +40,11 @@ int midpoint_scan(Directions directions, Border border, ConstImageView source,
   Matrix marks(source.width, source.height);
   for (const Direction direction : kAllDirections) {
     if (!directions.has(direction)) continue;
-    const Step step = step_of(direction);
+    const Offset offset = offset_of(direction);
     for (Index y = 0; y < source.height; ++y) {
       for (Index x = 0; x < source.width; ++x) {
-        const bool first = image.at(x, y) && !image.at(x - step.x, y - step.y);
-        if (first) mark_midpoint(image, marks, x, y, step);
+        const bool first = image.at(x, y) && !image.at(x - offset.x, y - offset.y);
+        if (first) mark_midpoint(image, marks, x, y, offset);
       }
     }
   }

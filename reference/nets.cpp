@@ -6,7 +6,7 @@
 namespace thinbench::reference {
 namespace {
 
-/// The inputs of every net: foreground neighbours are 1.
+/// The inputs of a net: 1 for foreground neighbours, else 0.
 struct Inputs {
   float n[8];
 };
@@ -18,7 +18,7 @@ Inputs inputs_at(const Matrix& image, Index x, Index y) {
   return inputs;
 }
 
-/// The published procedure with a net that decides whether a foreground pixel is kept.
+/// The published procedure, where a net decides which foreground pixels are kept.
 template <class Keeps>
 int thin_by(const Keeps& keeps, const Repetition& repetition, ConstImageView source,
             ImageView destination) {
@@ -30,14 +30,14 @@ int thin_by(const Keeps& keeps, const Repetition& repetition, ConstImageView sou
 
 }  // namespace
 
-float two_layer_answer(const TwoLayerWeights& net, Activation activation, const float* n) {
+float two_layer_output(const TwoLayerWeights& net, Activation activation, const float* n) {
   Inputs inputs{};
   for (int i = 0; i < 8; ++i) inputs.n[i] = n[i];
   return activation == Activation::sigmoid ? two_layer_output<Activation::sigmoid>(net, inputs.n)
                                            : two_layer_output<Activation::linear>(net, inputs.n);
 }
 
-float activation_answer(Activation activation, float x) {
+float activation_output(Activation activation, float x) {
   return activation == Activation::sigmoid ? activated<Activation::sigmoid>(x)
                                            : activated<Activation::linear>(x);
 }

@@ -1,6 +1,5 @@
 // The paper in plain code: one short function per operation, obviously correct, never tuned. Shares
-// data types with the kernels (views of images, options, weights of nets), but no code that
-// computes.
+// data types with the kernels (image views, options, weights of nets), but no computation.
 #pragma once
 
 #include <string_view>
@@ -27,7 +26,7 @@ struct Repetition {
 ///   B0 = n4 (n2 + n3 + n5 + n6) (n6 + !n7) (!n1 + n2)    right edge points
 ///   B2 = n6 (n0 + n4 + n5 + n7) (n0 + !n1) (!n3 + n4)    top edge points
 ///   B6 = n2 (n0 + n1 + n3 + n4) (n4 + !n5) (!n7 + n0)    bottom edge points
-/// If one or two of them are FALSE the pixel is background in a second matrix, else it is copied.
+/// If one or two of them are FALSE, the pixel is background in a second matrix, else it is copied.
 /// The second matrix then becomes the image, until an iteration changes nothing. Does not keep
 /// topology.
 ///
@@ -71,15 +70,15 @@ using Thinning = int (*)(const Repetition& repetition, ConstImageView source,
 /// The paper's own method, end of section 3.1: scans the image along each of `directions` and marks
 /// the midpoint of every run of foreground pixels, p[first ... last]:
 ///   midpoint = first + floor((last - first) / 2)
-/// The paper says "marking the centre point of the object segment" and no more. Chosen here: of the
-/// two middle pixels of an even run the first in scan order (the western one in rows, else the
-/// northern one); a single pixel is its own midpoint, so that lines one pixel wide are kept;
-/// outside the image everything is background, so the border ends a run. The result is the union of
-/// all marks; with Border::keep the outermost pixels are those of the source.
+/// The paper only says "marking the centre point of the object segment". Our choices: of the two
+/// middle pixels of an even run, the first in scan order (the western one in rows, else the
+/// northern one); a single pixel is its own midpoint, so lines one pixel wide are kept; everything
+/// outside the image is background, so the border ends a run. The result is the union of all marks;
+/// with Border::keep the outermost pixels are those of the source.
 ///
 /// Views as above; returns 1, the number of iterations. The result is a subset of the image with at
-/// least one pixel of every 8-component. In general it is neither connected nor thin nor
-/// idempotent; topology is not kept.
+/// least one pixel of every 8-component. In general it is not connected, thin or idempotent, and
+/// topology is not kept.
 int midpoint_scan(Directions directions, Border border, ConstImageView source,
                   ImageView destination);
 
@@ -95,19 +94,19 @@ int net_single_layer_cluster(const ClusterWeights& cluster, const Repetition& re
                              ConstImageView source, ImageView destination);
 
 /// The output of the two-layer net before equation (4), for eight inputs.
-[[nodiscard]] float two_layer_answer(const TwoLayerWeights& net, Activation activation,
+[[nodiscard]] float two_layer_output(const TwoLayerWeights& net, Activation activation,
                                      const float* inputs);
 
 /// Equation (1) or (2).
-[[nodiscard]] float activation_answer(Activation activation, float x);
+[[nodiscard]] float activation_output(Activation activation, float x);
 
 /// Edges by steps a) to d) of section 2.1: `destination` is 255 where the scaled gradient exceeds
 /// the gradient threshold and the brightest pixel of the 3 x 3 neighbourhood exceeds the brightness
 /// threshold, else 0.
 ///
-/// The magnitude |gx| + |gy| is compared with the threshold times the operator's scale, which gives
-/// a vertical step of height h the value h; all in integers, nothing is rounded. Border: edge
-/// replication. `source` and `destination` have one size and do not overlap.
+/// The magnitude |gx| + |gy| is compared with the threshold times the operator's scale, so that the
+/// scaled gradient of a vertical step edge is its height. Exact integer arithmetic. Border: edge
+/// replication. `source` and `destination` must have the same size and must not overlap.
 using EdgeDetection = void (*)(const EdgeThresholds& thresholds, ConstImageView source,
                                ImageView destination);
 

@@ -5,7 +5,7 @@
 namespace thinbench::reference {
 namespace {
 
-/// The image before the iteration, and foreground that is not flagged yet.
+/// The image before the iteration, and the foreground not yet flagged.
 struct Matrices {
   Matrix before;
   Matrix now;
@@ -18,7 +18,7 @@ bool flags(const Matrices& image, Index x, Index y, Side side) {
   return !before.n[neighbour_on(side)] && expression(side, now.n, before.n);
 }
 
-/// True where a pixel was flagged.
+/// Returns whether a pixel was flagged.
 bool scan(Matrices& image, const Repetition& repetition, const ConstImageView& size, Side one,
           Side other) {
   bool flagged = false;

@@ -69,7 +69,7 @@ void print_json(std::ostream& out) {
                     {"technique", row.variant.technique},
                     {"isa", row.variant.isa_label()},
                     {"threads", row.threads()},
-                    {"least_pixels", row.min_pixels()},
+                    {"min_pixels", row.min_pixels()},
                     {"available", row.reason.empty()},
                     {"reason", row.reason},
                     {"peer", row.variant.is_peer},

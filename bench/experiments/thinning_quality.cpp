@@ -58,7 +58,7 @@ ByteImage rotated(const ConstImageView& image, int quarters) {
 }
 
 /// With the skeletons of the image rotated by one, two and three quarters, each rotated back.
-double least_overlap(Rule rule, const ConstImageView& image, const ConstImageView& skeleton) {
+double min_overlap(Rule rule, const ConstImageView& image, const ConstImageView& skeleton) {
   double least = 1;
   for (int quarters = 1; quarters < 4; ++quarters) {
     const ByteImage other = thinned(rule, rotated(image, quarters).view()).skeleton;

@@ -17,7 +17,7 @@ namespace thinbench {
 
 namespace {
 
-/// Thins images [first, last) in memory of its own and returns the largest number of iterations.
+/// Thins images [first, last) in its own memory and returns the maximum number of iterations.
 using Worker = std::function<int(const ConstStackView& source, const StackView& destination,
                                  Index first, Index last)>;
 
@@ -57,7 +57,7 @@ class ThinningBatch::Engine {
 
   /// For stacks with pixels.
   int run(const ConstStackView& source, const StackView& destination) {
-    constexpr Index group = 16;  // images that fill the widest register
+    constexpr Index group = 16;  // fills the widest register
     const Index groups = (source.count + group - 1) / group;
     const auto count = static_cast<Index>(workers_.size());
     const auto first_of = [&](Index worker) {
@@ -90,7 +90,7 @@ ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options
     const auto& variant = detail::choose(operation, width, height, single);
     return detail::make_state(operation, variant, width, height, single);
   };
-  auto state = make_state();  // lanes need it only for its checks
+  auto state = make_state();  // with lanes, only for its checks
   const Isa isa = options.isa.value_or(best_isa());
   const detail::LaneKernel kernel = detail::kernels_of<detail::LaneKernels>(isa).by_rule[rule];
   const bool in_lanes = kernel != nullptr && !options.technique && width <= detail::kMaxLaneWidth;

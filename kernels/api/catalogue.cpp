@@ -53,15 +53,15 @@ std::vector<RegionsOperation> make_regions_operations() {
                     "4-connected objects minus 8-connected holes")};
 }
 
-/// The operation with this value of `key`; `name` is for the message.
-template <class Operations, class Key, class Wanted>
-const auto& operation_with(const Operations& operations, Key key, Wanted wanted,
+/// The operation whose member `key` has this value; `name` is for the message.
+template <class Operations, class Key, class Value>
+const auto& operation_with(const Operations& operations, Key key, Value value,
                            const std::string& name) {
   for (const auto& operation : operations) {
-    if (operation.*key == wanted) return operation;
+    if (operation.*key == value) return operation;
   }
   throw std::invalid_argument(name + ": expected one of the enumeration, got number " +
-                              std::to_string(static_cast<int>(wanted)));
+                              std::to_string(static_cast<int>(value)));
 }
 
 }  // namespace

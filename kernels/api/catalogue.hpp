@@ -19,7 +19,7 @@ struct ThinningOperation {
   std::string_view description;
   std::vector<ThinningVariant> variants;
   bool is_net;            // takes Options::net
-  bool takes_directions;  // takes Options::directions; needs one iteration
+  bool takes_directions;  // takes Options::directions; always one iteration
 };
 
 struct EdgeOperation {
@@ -52,8 +52,8 @@ struct LocaliseOperation {
 [[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
 [[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
-/// Each makes the state of a variant, which must be one of the operation. Throws
-/// std::invalid_argument as the public functions do, and std::bad_alloc.
+// Make the state of a variant, which must belong to the operation. Throw std::invalid_argument as
+// the public functions do, and std::bad_alloc.
 [[nodiscard]] std::unique_ptr<ThinningState> make_state(const ThinningOperation& operation,
                                                         const ThinningVariant& variant, Index width,
                                                         Index height, const Options& options);
@@ -70,13 +70,13 @@ struct LocaliseOperation {
                                                         const EdgeThresholds& thresholds,
                                                         const Options& options);
 
-/// Options with one thread instead of several where the technique is left open and the image is
-/// below 2^20 pixels or no variant uses threads (`can_share`).
+/// The options, but with one thread if they name no technique and the image is below 2^20 pixels or
+/// no variant uses threads (`can_share` is false).
 [[nodiscard]] Options with_useful_threads(const Options& options, bool can_share, Index width,
                                           Index height);
 
-/// The variant that fits the options and the size of the image. Throws std::invalid_argument where
-/// the number of threads is out of range or no variant fits.
+/// The variant for these options and this image size. Throws std::invalid_argument if the number of
+/// threads is out of range or no variant fits.
 template <class Operation>
 [[nodiscard]] const auto& choose(const Operation& operation, Index width, Index height,
                                  const Options& options) {

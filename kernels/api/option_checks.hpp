@@ -1,20 +1,22 @@
-// Checks of options at the public interface. All throw std::invalid_argument, with one sentence.
+// Checks of options at the public interface. All throw std::invalid_argument with a one-line
+// message.
 #pragma once
 
 #include "api/catalogue.hpp"
 
 namespace thinbench::detail {
 
-/// Threads out of range, or a variant that cannot run here on images of this width.
+/// Rejects threads out of range, and a variant that cannot run on this machine at this width.
 void check_variant(const VariantInfo& variant, Index width, const Options& options);
 
-/// A negative size, a side above 2^29 or more than 2^32 pixels.
+/// Rejects a negative size, a side above 2^29 and more than 2^32 pixels.
 void check_regions_size(Index width, Index height);
 
-/// A border, max_iterations, directions or a net out of range or not for this operation.
+/// Rejects a border, max_iterations, directions or net that is out of range or not for this
+/// operation.
 void check_thinning_options(const ThinningOperation& operation, const Options& options);
 
-/// Options for thinning only.
+/// Rejects options that only thinning has.
 void check_no_thinning_options(std::string_view operation, const Options& options);
 
 }  // namespace thinbench::detail

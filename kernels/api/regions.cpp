@@ -9,7 +9,7 @@ namespace {
 using detail::RegionsState;
 using detail::RegionsTask;
 
-/// The state with its result.
+/// A state that holds the result.
 std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& source,
                                        const Options& options) {
   detail::check_views(source, source, detail::InPlace::allowed);

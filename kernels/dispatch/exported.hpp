@@ -1,4 +1,4 @@
-// How baseline code reaches kernels that are compiled for every ISA.
+// Access from baseline code to kernels that are compiled for every ISA.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace thinbench::detail {
 
-/// The kernels of one family for one ISA: a plain struct of function pointers, which the family's
-/// source file defines in each of its compilations:
+/// The kernels of one family for one ISA: a plain struct of function pointers. The family's source
+/// file defines it in each of its compilations:
 ///   template <>
 ///   constinit const SomeKernels Exported<SomeKernels, kThisIsa>::kKernels = {...};
 template <class Kernels, Isa isa>
@@ -18,7 +18,7 @@ struct Exported {
   static const Kernels kKernels;
 };
 
-/// The same for an ISA chosen at run time.
+/// The kernels for an ISA chosen at run time.
 template <class Kernels>
 [[nodiscard]] const Kernels& kernels_of(Isa isa) {
   static constexpr auto table = []<std::size_t... i>(std::index_sequence<i...>) {

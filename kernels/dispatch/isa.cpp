@@ -27,8 +27,7 @@ constexpr Features kAvx512Bitalg = 1U << 13;
 constexpr Features kAvx512Vpopcntdq = 1U << 14;
 constexpr Features kGfni = 1U << 15;
 
-// The compiler's support library reports AVX and AVX-512 as missing where the operating system does
-// not save their registers.
+// __builtin_cpu_supports also checks that the operating system saves AVX and AVX-512 registers.
 Features detect_features() {
   __builtin_cpu_init();
   Features found = 0;
@@ -52,8 +51,8 @@ Features detect_features() {
   return found;
 }
 
-constexpr bool contains(Features set, Features wanted) {
-  return (wanted & ~set) == 0;
+constexpr bool contains(Features set, Features subset) {
+  return (subset & ~set) == 0;
 }
 
 struct IsaInfo {

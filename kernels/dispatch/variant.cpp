@@ -7,7 +7,7 @@
 namespace thinbench::detail {
 namespace {
 
-/// Rejects numbers outside the enumeration; isa_name does this for ISAs.
+/// Rejects values outside the enumeration; isa_name does so for ISAs.
 void check_technique(Technique technique) {
   const auto number = static_cast<std::size_t>(technique);
   if (number < kTechniques.size()) return;
@@ -44,8 +44,8 @@ std::string names_of(std::span<const VariantInfo> variants, const Keep& keep,
   return text;
 }
 
-/// Why no variant fits the options on any machine and image: the first of technique, ISA and
-/// threads that does not.
+/// For options that no variant has: the values available for the first of technique, ISA and
+/// threads that does not fit.
 std::string available_options(std::span<const VariantInfo> variants, const Options& options) {
   const auto has_technique = [&](const VariantInfo& one) {
     return one.technique == options.technique.value_or(one.technique);

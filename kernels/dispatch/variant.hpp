@@ -1,4 +1,4 @@
-// Variants: implementations of an operation, one type for all families, and the choice among them.
+// Variants (the implementations of an operation) and the choice among them, for all families.
 #pragma once
 
 #include <limits>
@@ -14,20 +14,20 @@
 namespace thinbench::detail {
 
 inline constexpr Index kAnyWidth = std::numeric_limits<Index>::max();
-/// Priorities within an ISA are below this.
+/// Priorities within an ISA must be below this.
 inline constexpr int kPrioritiesPerIsa = 100;
 
-/// The properties that a choice depends on.
+/// The properties that the choice depends on.
 struct VariantInfo {
   Technique technique;
   Isa isa;
   bool threaded = false;        // uses several threads
   Index max_width = kAnyWidth;  // of images
   bool keeps_border = true;     // supports Border::keep
-  int priority = 0;             // of the variants that can run, the highest is chosen
+  int priority = 0;             // the highest is chosen among the variants that can run
 };
 
-/// A variant in a family of states that are made from a `State::Setting`.
+/// A variant of a family; `make` makes its state.
 template <class State>
 struct Variant : VariantInfo {
   std::unique_ptr<State> (*make)(const typename State::Setting& setting) = nullptr;
@@ -39,7 +39,8 @@ class VariantList {
  public:
   using Make = std::unique_ptr<State> (*)(const typename State::Setting& setting);
 
-  /// `priority` is that within the ISA: any variant of a later ISA precedes all of an earlier one.
+  /// `priority` ranks variants of the same ISA. Every variant of a later ISA ranks above all of an
+  /// earlier one.
   struct Facts {
     int priority = 0;
     Index max_width = kAnyWidth;
@@ -52,7 +53,7 @@ class VariantList {
         {{technique, isa, threaded, facts.max_width, facts.keeps_border, priority}, make});
   }
 
-  /// One variant for one thread and one for several.
+  /// Adds one variant for a single thread and one for several threads.
   void add_with_threads(Technique technique, Isa isa, Make make, const Facts& facts) {
     add(technique, isa, make, facts);
     add(technique, isa, make, facts, true);
@@ -64,18 +65,18 @@ class VariantList {
   std::vector<Variant<State>> variants_;
 };
 
-/// Why a variant cannot run on this machine on an image of this width; empty where it can.
+/// Why a variant cannot run on this machine for this width and border; empty if it can.
 [[nodiscard]] std::string unavailable_reason(const VariantInfo& variant, Index width,
                                              Border border = Border::background);
 
-/// The index of the variant that fits the options and the width. Throws std::invalid_argument where
-/// none fits: with the reason why the last candidate does not or, without a candidate, with the
-/// available techniques or ISAs.
+/// The index of the variant with the highest priority that fits the options and the width. Throws
+/// std::invalid_argument if none fits, with the reason why the last candidate cannot run or,
+/// without a candidate, the available techniques or ISAs.
 [[nodiscard]] std::size_t choose_variant(std::string_view operation,
                                          std::span<const VariantInfo> variants, Index width,
                                          const Options& options);
 
-/// The same from a family's list.
+/// The same for a family's list.
 template <class State>
 [[nodiscard]] const Variant<State>& choose_variant(std::string_view operation,
                                                    const std::vector<Variant<State>>& variants,

@@ -1,7 +1,6 @@
-// The reference's arithmetic in a form that compilers vectorise: whole rows without a branch, the
-// border columns separately. Compiled for every ISA at -O3, to compare hand-written SIMD with what
-// the compiler generates. Every pixel of the window is loaded separately: 9 (or 25) loads per
-// pixel, and no sums are shared between rows.
+// The reference's arithmetic in a form that compilers vectorise: rows without branches, border
+// columns separately. Compiled for every ISA at -O3: the baseline for hand-written SIMD. Each pixel
+// takes 9 (or 25) loads; rows share no sums.
 #include "dispatch/exported.hpp"
 #include "edges/kernels.hpp"
 
@@ -23,8 +22,8 @@ template <class At>
           at(-1, 1) + middle * at(0, 1) + at(1, 1) - at(-1, -1) - middle * at(0, -1) - at(1, -1)};
 }
 
-/// The sum on one side of a diagonal minus that on the other; `fall` is 1 for the diagonal that
-/// falls to the right, -1 for the one that rises.
+/// The sum on one side of a diagonal minus the sum on the other side; `fall` is 1 for the diagonal
+/// that falls to the right, -1 for the one that rises.
 template <int reach, class At>
 [[gnu::always_inline]] inline int diagonal_difference(const At& at, int fall) {
   int total = 0;
@@ -37,7 +36,7 @@ template <int reach, class At>
   return total;
 }
 
-/// `at(right, down)` is a grey level of the window as an int.
+/// `at(right, down)` returns a grey level of the window.
 template <EdgeOperator op, class At>
 [[gnu::always_inline]] inline EdgeGradient edge_gradient(const At& at) {
   constexpr int reach = static_cast<int>(kEdgeReach<op>);
@@ -54,7 +53,7 @@ template <EdgeOperator op, class At>
   }
 }
 
-/// The gradient threshold is multiplied by the operator's scale.
+/// `gradient_threshold` is already multiplied by the operator's scale.
 template <EdgeOperator op, class At>
 [[gnu::always_inline]] inline std::uint8_t decide(const At& at, int gradient_threshold,
                                                   int brightness_threshold) {
@@ -73,12 +72,12 @@ template <EdgeOperator op, class At>
   return static_cast<std::uint8_t>(-static_cast<int>(steep & bright));
 }
 
-/// The coordinate, or the nearest one inside the image.
+/// The nearest coordinate inside the image.
 [[gnu::always_inline]] inline Index nearest(Index coordinate, Index size) {
   return coordinate < 0 ? 0 : coordinate < size ? coordinate : size - 1;
 }
 
-/// The rows of a window; outside the image, the nearest inside.
+/// The rows of a window; rows outside the image are replaced by the nearest one inside.
 template <Index reach>
 struct EdgeWindow {
   const std::uint8_t* rows[static_cast<std::size_t>(2 * reach + 1)];

@@ -1,18 +1,19 @@
-// The gradients of the edge operators on lanes, row by row: what `sweep.hpp` calls an operator. For
-// ISA files only. State of rows that came before is kept; only results after 2 reach rows count.
+// The gradients of the edge operators on byte lanes: the operators of scan.hpp. For ISA files only.
+// Each operator keeps partial results of preceding rows, so its first 2 * kReach results are
+// invalid.
 #pragma once
 
-#include "edges/sweep.hpp"
+#include "edges/scan.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 
-/// P1 times the operator's scale, against which 16-bit magnitudes stand.
-[[gnu::always_inline]] inline WideBatch scaled(int p1, int scale) {
-  return WideBatch(static_cast<std::int16_t>(p1 * scale));
+/// The threshold for 16-bit magnitudes.
+[[gnu::always_inline]] inline WideBatch scaled(int gradient_threshold, int scale) {
+  return WideBatch(static_cast<std::int16_t>(gradient_threshold * scale));
 }
 
-/// |gx| + |gy| above the threshold, as bytes that are not 0.
+/// Nonzero bytes where |gx| + |gy| exceeds the threshold.
 [[gnu::always_inline]] inline ByteBatch sum_above(const Halves& gx, const Halves& gy,
                                                   WideBatch threshold) {
   return pack(excess(absolute(gx) + absolute(gy), threshold));
@@ -20,9 +21,9 @@ inline namespace THINBENCH_ISA {
 
 struct Roberts4In16Bits {
   static constexpr int kReach = 1;
-  explicit Roberts4In16Bits(int p1) : threshold(scaled(p1, 2)) {}
+  explicit Roberts4In16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 2)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
     const ByteBatch result =
         sum_above(difference(here.at(0), row.at(1)), difference(here.at(1), row.at(0)), threshold);
     here = row;
@@ -35,9 +36,9 @@ struct Roberts4In16Bits {
 
 struct Roberts9In16Bits {
   static constexpr int kReach = 1;
-  explicit Roberts9In16Bits(int p1) : threshold(scaled(p1, 2)) {}
+  explicit Roberts9In16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 2)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
     const ByteBatch result = sum_above(difference(above.at(-1), row.at(1)),
                                        difference(above.at(1), row.at(-1)), threshold);
     above = here;
@@ -50,12 +51,13 @@ struct Roberts9In16Bits {
   Columns<1> here = {};
 };
 
-/// The average is rounded up: average(a, b) > P1 is a + b > 2 P1, exactly.
+/// The average is rounded up, so average(a, b) > t is exactly a + b > 2 t.
 struct Roberts4In8Bits {
   static constexpr int kReach = 1;
-  explicit Roberts4In8Bits(int p1) : threshold(static_cast<std::uint8_t>(p1)) {}
+  explicit Roberts4In8Bits(int gradient_threshold)
+      : threshold(static_cast<std::uint8_t>(gradient_threshold)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
     const ByteBatch mean =
         average(distance(here.at(0), row.at(1)), distance(here.at(1), row.at(0)));
     here = row;
@@ -68,9 +70,10 @@ struct Roberts4In8Bits {
 
 struct Roberts9In8Bits {
   static constexpr int kReach = 1;
-  explicit Roberts9In8Bits(int p1) : threshold(static_cast<std::uint8_t>(p1)) {}
+  explicit Roberts9In8Bits(int gradient_threshold)
+      : threshold(static_cast<std::uint8_t>(gradient_threshold)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
     const ByteBatch mean =
         average(distance(above.at(-1), row.at(1)), distance(above.at(1), row.at(-1)));
     above = here;
@@ -85,9 +88,9 @@ struct Roberts9In8Bits {
 
 struct PrewittIn16Bits {
   static constexpr int kReach = 1;
-  explicit PrewittIn16Bits(int p1) : threshold(scaled(p1, 3)) {}
+  explicit PrewittIn16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 3)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<1>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
     const Halves across = difference(row.at(1), row.at(-1));
     const Halves along = sum(row.at(1), row.at(-1)) + widened(row.at(0));
     const ByteBatch result = sum_above(across_pair + across, along - along_above, threshold);
@@ -105,18 +108,18 @@ struct PrewittIn16Bits {
   Halves along_above = {};
 };
 
-/// What Sobel's operator and Mero-Vassy's have in common. With the sums of the four blocks of 2 x 2
-/// pixels round p,
-///   D1 = NE block - SW block,  D2 = SE block - NW block    (Mero-Vassy's two halves; p cancels)
-///   gx = D1 + D2,  gy = D2 - D1                            (Sobel's)
-/// so that Sobel's |gx| + |gy| is 2 max(|D1|, |D2|).
+/// Shared by Sobel's and Mero-Vassy's operators. With the sums of the four blocks of 2 x 2 pixels
+/// around p,
+///   D1 = NE block - SW block,  D2 = SE block - NW block    (Mero-Vassy's gradient; p cancels)
+///   gx = D1 + D2,  gy = D2 - D1                            (Sobel's gradient)
+/// so Sobel's |gx| + |gy| is 2 max(|D1|, |D2|).
 struct BlockDifferences {
   Halves d1;
   Halves d2;
 };
 
 struct Blocks {
-  [[gnu::always_inline]] BlockDifferences step(const Columns<1>& row) {
+  [[gnu::always_inline]] BlockDifferences advance(const Columns<1>& row) {
     const Halves east = sum(row.at(0), row.at(1));
     const Halves west = sum(row.at(-1), row.at(0));
     const Halves east_block = east_here + east;
@@ -131,17 +134,17 @@ struct Blocks {
 
   Halves east_here = {};
   Halves west_here = {};
-  Halves east_above = {};  // blocks of the rows above
+  Halves east_above = {};  // blocks one row above
   Halves west_above = {};
 };
 
 struct SobelIn16Bits {
   static constexpr int kReach = 1;
-  explicit SobelIn16Bits(int p1) : threshold(scaled(p1, 2)) {}
+  explicit SobelIn16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 2)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<1>& row) {
-    const BlockDifferences d = blocks.step(row);
-    return pack(excess(largest(absolute(d.d1), absolute(d.d2)), threshold));
+  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+    const BlockDifferences d = blocks.advance(row);
+    return pack(excess(maximum(absolute(d.d1), absolute(d.d2)), threshold));
   }
 
   WideBatch threshold;
@@ -150,10 +153,10 @@ struct SobelIn16Bits {
 
 struct MeroVassyIn16Bits {
   static constexpr int kReach = 1;
-  explicit MeroVassyIn16Bits(int p1) : threshold(scaled(p1, 4)) {}
+  explicit MeroVassyIn16Bits(int gradient_threshold) : threshold(scaled(gradient_threshold, 4)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<1>& row) {
-    const BlockDifferences d = blocks.step(row);
+  [[gnu::always_inline]] ByteBatch advance(const Columns<1>& row) {
+    const BlockDifferences d = blocks.advance(row);
     return sum_above(d.d1, d.d2, threshold);
   }
 
@@ -161,14 +164,15 @@ struct MeroVassyIn16Bits {
   Blocks blocks;
 };
 
-/// The window of 5 x 5 split by its diagonals, summed up while rows come in: a row adds to five
-/// windows. Over a row's pixels a b c d e, from west to east, the weights in D1 are
+/// The 5 x 5 window split by its diagonals. Each new row adds to five windows. The weights in D1 of
+/// the five pixels of a row, from west to east, are
 ///   top 0++++   -0+++   --0++   ---0+   ----0 bottom   (D2: the same from bottom to top)
 struct MeroVassy5x5In16Bits {
   static constexpr int kReach = 2;
-  explicit MeroVassy5x5In16Bits(int p1) : threshold(scaled(p1, 12)) {}
+  explicit MeroVassy5x5In16Bits(int gradient_threshold)
+      : threshold(scaled(gradient_threshold, 12)) {}
 
-  [[gnu::always_inline]] ByteBatch step(const Columns<2>& row) {
+  [[gnu::always_inline]] ByteBatch advance(const Columns<2>& row) {
     const Halves c = widened(row.at(0));
     const Halves inner = sum(row.at(-1), row.at(1)) + c;
     const Halves outer_difference = difference(row.at(2), row.at(-2));
@@ -185,12 +189,12 @@ struct MeroVassy5x5In16Bits {
     d2[0] = d2[1] + three_east;
     d2[1] = d2[2] + two;
     d2[2] = three_west - d2[3];
-    d2[3] = four_west;  // to be taken away
+    d2[3] = four_west;  // is subtracted
     return result;
   }
 
   WideBatch threshold;
-  Halves d1[4] = {};  // of the next four windows, so far
+  Halves d1[4] = {};  // partial sums of the next four windows
   Halves d2[4] = {};
 };
 

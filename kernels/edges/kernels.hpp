@@ -1,4 +1,4 @@
-// The kernels of the edge operators and the tables that export them.
+// The kernels of the edge operators, in tables by operator.
 #pragma once
 
 #include "image/plane_view.hpp"
@@ -12,18 +12,18 @@ namespace thinbench::detail {
   return scales[static_cast<std::size_t>(op)];
 }
 
-/// A band of rows.
+/// The band of rows [first, last).
 struct EdgeRows {
   Index first;
-  Index last;  // after the last
+  Index last;
 };
 
-/// Writes the rows of the band: 255 on edges, else 0. Reads rows beside the band, nothing outside
-/// the source. Sizes are equal; the images do not overlap.
+/// Writes the rows of the band: 255 on edges, else 0. Also reads adjacent rows of the source. Both
+/// images have the same size and do not overlap.
 using EdgesToBytes = void (*)(const EdgeThresholds& thresholds, const ConstImageView& source,
                               const ImageView& target, const EdgeRows& rows);
 
-/// The same as packed bits. Margins and the bits past the width stay 0.
+/// The same as packed bits. Leaves margins and the bits past the width 0.
 using EdgesToBits = void (*)(const EdgeThresholds& thresholds, const ConstImageView& source,
                              const BitPlaneView& target, const EdgeRows& rows);
 

@@ -1,19 +1,18 @@
-// Edges on lanes, compiled once for every instruction-set level: gradient, brightest neighbour and
-// decision in one sweep, 1 byte read and 1 byte (or bit) written a pixel.
+// Edges on byte lanes, compiled for every ISA: gradient, brightest neighbour and decision in one
+// scan, with 1 byte read and 1 byte (or bit) written per pixel.
 //
-// simd_16bit: magnitudes in 16 bits. Operations a batch of bytes for Sobel: 4 interleavings, 4
-// multiply-adds of pairs, 8 additions and differences, 4 absolute values, 2 maxima, 2 subtractions
-// that saturate, 1 pack; 4 maxima and 1 subtraction for P2; 3 to join and spread: 33. The loop at
-// avx512 has 59 instructions, as counted in its assembly, 9 of them moves between registers.
+// simd_16bit: magnitudes in 16 bits. Operations per batch of bytes for Sobel: 4 interleavings, 4
+// multiply-adds of pairs, 8 additions and subtractions, 4 absolute values, 2 maxima, 2 saturating
+// subtractions, 1 pack; 4 maxima and 1 subtraction for the brightness; 3 to combine both and write
+// bytes: 33. The avx512 loop has 59 instructions in its assembly, 9 of them register moves.
 // simd_8bit: Roberts' two differences fit bytes, and their rounded average decides exactly: 13
-// operations a batch with P2, no interleaving.
-// simd_to_bits: the faster of the two, a mask of bits stored instead of bytes: 1/8 of the bytes
-// written.
+// operations per batch including brightness, without interleaving.
+// to_bits: the faster of the two, but stores bits: 1/8 of the bytes written.
 //
-// Tried and left out: Sobel in 8 bits, from averages of averages that are within one unit of the
-// block sums, with batches computed again in 16 bits that hold a pixel within that unit of P1. On
-// the test image it took 1.28 times the time of 16 bits at avx512, 0.97 at avx2 and 0.85 at sse4.2,
-// and its time depends on the picture.
+// Measured, not adopted: Sobel in 8 bits. Averages of averages are within one unit of the block
+// sums; batches with a pixel within one unit of the threshold were recomputed in 16 bits. On the
+// test image this took 1.28 times the time of 16 bits on avx512, 0.97 on avx2 and 0.85 on sse4.2,
+// and its time depends on the image.
 #include "dispatch/exported.hpp"
 #include "edges/gradients.hpp"
 
@@ -24,13 +23,13 @@ namespace {
 template <class Operator>
 void to_bytes(const EdgeThresholds& thresholds, const ConstImageView& source,
               const ImageView& target, const EdgeRows& rows) {
-  sweep_to_bytes<Operator>(thresholds, source, target, rows);
+  scan_to_bytes<Operator>(thresholds, source, target, rows);
 }
 
 template <class Operator>
 void to_bits(const EdgeThresholds& thresholds, const ConstImageView& source,
              const BitPlaneView& target, const EdgeRows& rows) {
-  sweep_to_bits<Operator>(thresholds, source, target, rows);
+  scan_to_bits<Operator>(thresholds, source, target, rows);
 }
 
 }  // namespace

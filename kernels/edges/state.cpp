@@ -57,7 +57,7 @@ void check_thresholds(const EdgeThresholds& thresholds) {
 std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
   EdgeVariants list;
   for (const Isa isa : kAllIsas) {
-    if (isa == Isa::avx512icl) continue;  // has no instruction that these kernels use
+    if (isa == Isa::avx512icl) continue;  // adds no instruction that these kernels use
     list.add(autovec, isa, &make<AutovecEdgeKernels, &AutovecEdgeKernels::bytes>, {0});
     constexpr auto make_16bit = &make<EdgeKernels, &EdgeKernels::simd_16bit>;
     list.add(simd_16bit, isa, make_16bit, {1});

@@ -1,4 +1,4 @@
-// The states of the edge operators, with edges as bytes or as packed bits.
+// The states of the edge operators: edges as bytes or as packed bits.
 #pragma once
 
 #include <memory>
@@ -20,14 +20,14 @@ struct EdgeSetting {
   int threads;
 };
 
-/// Bands of rows on the threads of a team.
+/// Edges as bytes. Threads share bands of rows.
 class EdgeState {
  public:
   using Setting = EdgeSetting;
 
   EdgeState(EdgesToBytes kernel, const EdgeSetting& setting);
 
-  /// Both views have the size of the setting and do not overlap.
+  /// Both views must have the size of the setting and must not overlap.
   void run(const ConstImageView& source, const ImageView& destination);
 
  private:
@@ -44,7 +44,7 @@ using EdgeVariants = VariantList<EdgeState>;
 /// Throws std::invalid_argument for a threshold outside [0, 255].
 void check_thresholds(const EdgeThresholds& thresholds);
 
-/// Edges as packed bits.
+/// Edges as packed bits. Threads share bands of rows.
 class PackedEdges {
  public:
   explicit PackedEdges(const EdgeSetting& setting);

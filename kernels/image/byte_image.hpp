@@ -10,7 +10,7 @@
 
 namespace thinbench::detail {
 
-/// Bytes of a cache line: every row that this library allocates starts on one.
+/// The size of a cache line. Every row that this library allocates starts on one.
 inline constexpr std::size_t kAlignment = 64;
 
 struct AlignedDelete {
@@ -20,14 +20,14 @@ struct AlignedDelete {
 template <class T>
 using AlignedArray = std::unique_ptr<T[], AlignedDelete>;
 
-/// `count` zeroed elements of a trivial type, on a cache line. Throws std::bad_alloc.
+/// `count` zeroed elements of a trivial type, aligned to a cache line. Throws std::bad_alloc.
 template <class T>
 [[nodiscard]] AlignedArray<T> make_aligned(std::size_t count) {
   void* memory = ::operator new (count * sizeof(T), std::align_val_t{kAlignment});
   return AlignedArray<T>(new (memory) T[count]());
 }
 
-/// Owns an image, zeroed at first, with rows padded by padded_row_bytes.
+/// Owns an image, initially zero. The stride is padded_row_bytes(width).
 class ByteImage {
  public:
   ByteImage() = default;

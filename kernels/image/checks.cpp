@@ -20,7 +20,7 @@ std::string text_of(const ConstStackView& stack) {
   return std::to_string(stack.count) + " images of " + size_text(stack.width, stack.height);
 }
 
-/// For an image or a stack: a stride below the width.
+/// Rejects a stride below the width.
 template <class View>
 void check_stride(const View& view, const char* name) {
   if (view.stride >= view.width) return;
@@ -37,7 +37,7 @@ void check_view(const ConstImageView& view, const char* name) {
   if (view.width < 0 || view.height < 0) reject(name + (" has the size " + text_of(view)));
   check_stride(view, name);
   if (overflows(view.stride, view.height)) {
-    reject(name + (" spans more memory than there is: " + text_of(view)) + ", stride " +
+    reject(name + (" exceeds the address space: " + text_of(view)) + ", stride " +
            std::to_string(view.stride));
   }
   if (view.data == nullptr && view.width > 0 && view.height > 0) {
@@ -49,8 +49,8 @@ bool same_image(const ConstImageView& a, const ConstImageView& b) {
   return a.data == b.data && a.stride == b.stride;
 }
 
-/// Whether two views of one buffer are side by side: with equal strides, the columns of one begin
-/// after those of the other end and end before they begin again in the next row.
+/// Whether two views of one buffer are side by side: their strides are equal and their ranges of
+/// columns are disjoint.
 bool side_by_side(const ConstImageView& a, const ConstImageView& b) {
   if (a.stride != b.stride) return false;
   const Index distance = b.data - a.data;
@@ -66,7 +66,7 @@ bool ranges_overlap(const std::uint8_t* a, Index a_bytes, const std::uint8_t* b,
          b_begin < a_begin + static_cast<std::uintptr_t>(a_bytes);
 }
 
-/// Bytes from the first pixel of an image to its last; 0 without pixels.
+/// Bytes from the first to the last pixel of an image; 0 without pixels.
 template <class View>
 Index image_bytes(const View& view) {
   if (view.width == 0 || view.height == 0) return 0;
@@ -93,7 +93,7 @@ void check_stack(const ConstStackView& stack, const char* name) {
            " bytes; its images take " + std::to_string(image_bytes(stack)));
   }
   if (!images_fit || overflows(stack.image_stride, stack.count)) {
-    reject(name + (" spans more memory than there is: " + text_of(stack)) + ", strides " +
+    reject(name + (" exceeds the address space: " + text_of(stack)) + ", strides " +
            std::to_string(stack.stride) + " and " + std::to_string(stack.image_stride));
   }
   if (stack.data == nullptr && has_pixels(stack)) reject(name + std::string(" has no data"));
@@ -112,8 +112,8 @@ bool overlap(const ConstStackView& a, const ConstStackView& b) {
 
 }  // namespace
 
-void require(bool holds, const std::string& otherwise) {
-  if (!holds) reject(otherwise);
+void require(bool condition, const std::string& message) {
+  if (!condition) reject(message);
 }
 
 std::string size_text(Index width, Index height) {
@@ -143,7 +143,7 @@ void check_views(const ConstImageView& source, const ConstImageView& destination
   check_view(destination, "destination");
   if (source.width != destination.width || source.height != destination.height) {
     reject("source is " + text_of(source) + " and destination " + text_of(destination) +
-           "; they must have one size");
+           "; they must have the same size");
   }
   if (!overlap(source, destination)) return;
   if (in_place == InPlace::rejected) reject("source and destination overlap");
@@ -158,7 +158,7 @@ void check_stacks(const ConstStackView& source, const ConstStackView& destinatio
   if (source.count != destination.count || source.width != destination.width ||
       source.height != destination.height) {
     reject("source is " + text_of(source) + " and destination " + text_of(destination) +
-           "; they must be alike");
+           "; they must have the same count and size");
   }
   if (overlap(source, destination) && !same_stack(source, destination)) {
     reject("source and destination overlap without being the same images");

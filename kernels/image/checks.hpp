@@ -1,4 +1,4 @@
-// Checks at the public interface, before anything is allocated or written. All throw
+// Checks of arguments at the public interface, before anything is allocated or written. All throw
 // std::invalid_argument.
 #pragma once
 
@@ -8,26 +8,28 @@
 
 namespace thinbench::detail {
 
-/// Throws with this text unless the condition holds.
-void require(bool holds, const std::string& otherwise);
+/// Throws with this message unless the condition holds.
+void require(bool condition, const std::string& message);
 
-/// "510 x 412", for texts.
+/// "510 x 412", for messages.
 [[nodiscard]] std::string size_text(Index width, Index height);
 
-/// A negative size; more than 2^40 pixels; a number of threads outside [1, kMaxThreads].
+// Each rejects what it names: a negative size, more than 2^40 pixels, threads outside [1,
+// kMaxThreads].
 void require_size(Index width, Index height);
 void require_max_pixels(Index width, Index height);
 void require_threads(int threads);
 
 enum class InPlace : bool { rejected, allowed };
 
-/// A negative size, a stride below the width, an image without data, sizes that differ, or an
-/// overlap. `in_place` says whether both may be the same image.
+/// Rejects a negative size, a stride below the width, a view that exceeds the address space, a null
+/// image, sizes that differ, or an overlap. `in_place`: whether both may be the same image.
 void check_views(const ConstImageView& source, const ConstImageView& destination, InPlace in_place);
 
-/// A negative count or size, a row or an image that does not fit its stride, a stack that exceeds
-/// the address space or has no data, counts or sizes that differ, or a partial overlap. Stacks with
-/// interleaved images in one buffer count as overlapping. Allocates nothing unless it throws.
+/// Rejects a negative count or size, a row or an image that does not fit its stride, a stack that
+/// exceeds the address space or has no data, counts or sizes that differ, or a partial overlap.
+/// Stacks with interleaved images in one buffer count as overlapping. Allocates nothing unless it
+/// throws.
 void check_stacks(const ConstStackView& source, const ConstStackView& destination);
 
 }  // namespace thinbench::detail

@@ -1,4 +1,4 @@
-// The padding of rows in memory: one rule for every image type.
+// The padding of rows in memory, for all image types.
 #pragma once
 
 #include "image/byte_image.hpp"
@@ -9,8 +9,8 @@ namespace thinbench::detail {
   return (value + multiple - 1) / multiple * multiple;
 }
 
-/// The stride in bytes of rows of `bytes` bytes: whole cache lines, and never a multiple of 4096
-/// bytes, at which every row would fall into the same cache sets.
+/// The stride, in bytes, for rows of `bytes` bytes: whole cache lines, but never a multiple of 4096
+/// bytes, which would map all rows to the same cache sets.
 [[nodiscard]] constexpr Index padded_row_bytes(Index bytes) {
   constexpr Index line = static_cast<Index>(kAlignment);
   const Index padded = round_up(bytes, line);

@@ -1,9 +1,9 @@
-// Conversions between byte images and planes, compiled once for every ISA.
+// Conversions between byte images and planes. Compiled for every ISA.
 //
 // Packing compares 64 bytes with zero and keeps one bit of each: 1 (AVX-512), 2 (AVX2) or 4 (SSE2)
-// comparisons and mask moves for a word. Unpacking spreads the bits again: a mask move on AVX-512,
-// else each byte of the word is broadcast to the lanes of its bits and tested there. Both are bound
-// by the bytes moved, 1 byte per pixel. Rows are prefetched kBytesAhead bytes ahead:
+// comparisons and mask moves per word. Unpacking is a mask move on AVX-512; elsewhere each byte of
+// the word is broadcast to the lanes of its bits and tested there. Both are limited by memory
+// traffic of 1 byte per pixel. Rows are prefetched kPrefetchBytes ahead:
 // docs/experiments.md#prefetching-source-rows. Not adopted: docs/experiments.md#whole-cache-lines.
 #include "image/packing.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
 
-constexpr Index kBytesAhead = 4096;
+constexpr Index kPrefetchBytes = 4096;
 
 /// Bit i is set where byte i is not zero, for the first kLanes bytes.
 [[gnu::always_inline]] inline std::uint64_t foreground_bits(const std::uint8_t* bytes) {
@@ -36,10 +36,9 @@ constexpr Index kBytesAhead = 4096;
   }
 }
 
-// The last word of a row covers bytes that belong to somebody else. Rows of at least 64 pixels take
-// the 64 bytes that end with the row and shift (going through a buffer made the conversions of
-// rows of 510 pixels about half as slow again: 64 bytes loaded just after they were stored in
-// pieces); narrow rows use the buffer.
+// The last word of a row covers bytes past the row, which must not be accessed. Rows of at least 64
+// pixels use the last 64 bytes of the row and shift; only narrower rows go through a buffer, which
+// made rows of 510 pixels about 1.5 times as slow, as 64 bytes stored in pieces are loaded at once.
 
 std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
   if (width >= kWordBits) return pack_word(row + width - kWordBits) >> (kWordBits - tail);
@@ -69,14 +68,14 @@ void unpack_tail(const std::uint64_t* word, std::uint8_t* row, Index width, Inde
   unpack_some(*word, row, tail);
 }
 
-// Sizes are copied to locals: a store of bytes could otherwise be taken to change them.
+// Sizes are copied to locals because byte stores could alias them.
 void read_bits(const ConstImageView& source, const BitPlaneView& target) {
   const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
-  // In whole rows: what lies between the rows of a part of a wider image is not wanted. It may lie
-  // past the image, where a prefetch does nothing.
-  const Index ahead = source.width == 0 ? 0 : (kBytesAhead / source.width + 1) * source.stride;
+  // Whole rows ahead, to skip the bytes between the rows of a view of a wider image. Prefetching
+  // past the image is harmless.
+  const Index ahead = source.width == 0 ? 0 : (kPrefetchBytes / source.width + 1) * source.stride;
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* bytes = source.row(y);
     std::uint64_t* row = target.row(y);
@@ -99,7 +98,7 @@ void write_bits(const ConstBitPlaneView& source, const ImageView& target, bool n
       for (Index x = 0; x < words * kWordBits; x += kLanes) {
         store_non_temporal(bytes + x, spread_bits(row[x / kWordBits] >> (x % kWordBits)));
       }
-      // Nothing that was written so is touched again.
+      // Not unpack_tail, which would write again to lines already stored non-temporally.
       if (tail > 0) unpack_some(row[words], bytes + words * kWordBits, tail);
     } else {
       for (Index word = 0; word < words; ++word) unpack_word(row[word], bytes + word * kWordBits);
@@ -109,12 +108,12 @@ void write_bits(const ConstBitPlaneView& source, const ImageView& target, bool n
   if (non_temporal) finish_non_temporal_stores();
 }
 
-void write_streamed_bits(const ConstBitPlaneView& source, const ImageView& target) {
+void write_non_temporal_bits(const ConstBitPlaneView& source, const ImageView& target) {
   write_bits(source, target, allows_non_temporal_stores(target));
 }
 
 void write_bits_by_size(const ConstBitPlaneView& source, const ImageView& target) {
-  const bool large = target.width * target.height >= kStreamedBytes;
+  const bool large = target.width * target.height >= kNonTemporalBytes;
   write_bits(source, target, large && allows_non_temporal_stores(target));
 }
 
@@ -145,6 +144,6 @@ void write_bytes(const ConstBytePlaneView& source, const ImageView& target) {
 template <>
 constinit const PlaneConversions Exported<PlaneConversions, kThisIsa>::kKernels = {
     {&read_bytes, &write_bytes, &write_bytes},
-    {&read_bits, &write_bits_by_size, &write_streamed_bits}};
+    {&read_bits, &write_bits_by_size, &write_non_temporal_bits}};
 
 }  // namespace thinbench::detail

@@ -1,4 +1,4 @@
-// Conversion between byte images of the public interface (0 is background, anything else
+// Conversion between the byte images of the public interface (0 is background, anything else is
 // foreground; 255 is written) and the planes that kernels work on.
 #pragma once
 
@@ -7,19 +7,18 @@
 
 namespace thinbench::detail {
 
-/// Images of so many bytes are written with non-temporal stores:
+/// Images of at least this many bytes are written with non-temporal stores:
 /// docs/experiments.md#non-temporal-stores.
-inline constexpr Index kStreamedBytes = Index{8} << 20;
+inline constexpr Index kNonTemporalBytes = Index{8} << 20;
 
-/// Source and target have the same size. `read` writes whole rows of the plane up to the last word
-/// or byte of the image, with zeros past the width; `write` writes `width` bytes per row and no
-/// more.
+/// Source and target have the same size. `read` writes all words or bytes of a row that hold
+/// pixels, with zeros past the width. `write` writes exactly `width` bytes per row.
 template <class T>
 struct PlaneConversion {
   void (*read)(const ConstImageView& source, const PlaneView<T>& target);
   void (*write)(const ConstPlaneView<T>& source, const ImageView& target);
-  /// As `write`, for some rows of an image of kStreamedBytes or more.
-  void (*write_streamed)(const ConstPlaneView<T>& source, const ImageView& target);
+  /// As `write`, for a band of an image of at least kNonTemporalBytes.
+  void (*write_non_temporal)(const ConstPlaneView<T>& source, const ImageView& target);
 };
 
 /// Compiled for every ISA.

@@ -1,4 +1,4 @@
-// Views of planes, the two representations that kernels work on: plain structs without ownership.
+// Views of planes, the two pixel formats that kernels work on: plain structs without ownership.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@ inline constexpr Index kWordBits = 64;
 /// Rows of packed bits are padded to whole 512-bit blocks, so that every vector length fits.
 inline constexpr Index kBlockWords = 8;
 
-/// The largest reach of a rule.
+/// The maximum reach of a rule.
 inline constexpr Index kMarginRows = 2;
 
-/// A rectangle of elements in a margin of zeros that may be read and is never written: kMarginRows
-/// rows above and below, and at least two elements before and after each row.
+/// A rectangle of elements with a margin of zeros, which kernels may read but never write:
+/// kMarginRows rows above and below, and at least two elements before and after each row.
 ///
 /// For T = std::uint8_t a row holds `width` pixels, one byte each, 0 or 1.
-/// For T = std::uint64_t pixel x is bit x % 64 of word x / 64, low bit first, and bits past the
-/// width are 0: equality is a comparison of memory, area is a sum of popcounts.
-/// In both, a row is padded with zeros up to `row_elements`, a multiple of 64 bytes. Kernels may
-/// compute on the padding, where every thinning rule yields 0 again.
+/// For T = std::uint64_t pixel x is bit x % 64 of word x / 64, low bit first. Bits past the width
+/// are 0, so equality is a comparison of memory and area a sum of popcounts. In both, rows are
+/// padded with zeros to `row_elements`, a multiple of 64 bytes. Kernels may compute on the padding,
+/// where every thinning rule yields 0 again.
 template <class T>
 struct ConstPlaneView {
   const T* data = nullptr;  // pixel (0, 0)

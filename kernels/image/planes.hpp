@@ -18,7 +18,7 @@ class Plane {
     constexpr Index block = static_cast<Index>(kAlignment) / element_bytes;
     constexpr Index pixels_per_element = sizeof(T) == 1 ? 1 : kWordBits;
     const Index row_elements = round_up(width, block * pixels_per_element) / pixels_per_element;
-    // One block between rows is the margin after one row and before the next.
+    // One block between rows serves as the margin after one row and before the next.
     const Index stride = padded_row_bytes((row_elements + block) * element_bytes) / element_bytes;
     const Index storage = block + (height + 2 * kMarginRows) * stride;
     data_ = make_aligned<T>(static_cast<std::size_t>(storage));

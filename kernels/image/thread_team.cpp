@@ -10,8 +10,8 @@
 namespace thinbench::detail {
 namespace {
 
-// oneTBB, which synchronises the threads, is not compiled with the thread sanitizer. These two tell
-// the sanitizer what oneTBB guarantees: `publish(token)` happens before `receive(token)`.
+// oneTBB synchronises the threads but is not compiled with ThreadSanitizer. These functions declare
+// what oneTBB guarantees: `publish(token)` happens before `receive(token)`.
 #ifdef __SANITIZE_THREAD__
 void publish(const void* token) {
   __tsan_release(const_cast<void*>(token));
@@ -26,7 +26,7 @@ void receive(const void*) {}
 
 }  // namespace
 
-// oneTBB's global limit, which belongs to the program, may reduce the number of threads; by default
+// oneTBB's global limit, which the program controls, may reduce the number of threads; by default
 // to the number of cores.
 struct ThreadTeam::Arena {
   explicit Arena(int threads) : arena(threads) {}

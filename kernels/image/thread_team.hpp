@@ -1,4 +1,4 @@
-// Loops on a fixed number of threads: all threading of the library.
+// Loops on a fixed number of threads. All threading of the library is here.
 #pragma once
 
 #include <memory>
@@ -8,14 +8,13 @@
 
 namespace thinbench::detail {
 
-/// Smaller images are faster on one thread: docs/experiments.md#threads-on-small-images.
+/// Images below this are faster on one thread: docs/experiments.md#threads-on-small-images.
 inline constexpr Index kMinPixelsForThreads = Index{1} << 20;
 
-/// Runs loops by oneTBB; the calling thread is one of the threads. A team serves one caller at a
-/// time.
+/// Runs loops by oneTBB; the calling thread takes part. Not thread-safe: one caller at a time.
 class ThreadTeam {
  public:
-  /// Needs threads >= 1.
+  /// Requires threads >= 1.
   explicit ThreadTeam(int threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -23,8 +22,8 @@ class ThreadTeam {
 
   [[nodiscard]] int threads() const { return threads_; }
 
-  /// Calls `body(first, last)` on as many disjoint ranges as there are threads, which cover
-  /// [0, count), and returns when all are done.
+  /// Splits [0, count) into one range per thread (at most `count`), calls `body(first, last)` on
+  /// each, and returns when all are done.
   template <class Body>
   void for_ranges(Index count, const Body& body) const {
     run(count, &invoke<Body>, &body);

@@ -15,7 +15,7 @@ void OutlinedObjects::write(const ConstBitPlaneView& contours, const BitPlaneVie
   }
 }
 
-/// The first pixel of an outermost contour has the outside to its west.
+/// The first pixel of an outermost contour has the outside as its western neighbour.
 void OutlinedObjects::find_outermost_contours(Index height) {
   const Label* const background = runs_.roots(0);
   const Label* const contours = runs_.roots(1);

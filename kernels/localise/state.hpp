@@ -1,5 +1,5 @@
-// The state of the paper's whole chain: edges as packed bits, the objects that they outline, and
-// the regions of these.
+// The state of the paper's whole pipeline: edges as packed bits, the objects that they outline, and
+// the regions of these objects.
 #pragma once
 
 #include <vector>
@@ -21,17 +21,17 @@ struct LocaliseSetting {
   int threads;
 };
 
-/// Nothing is unpacked on the way: two bits per pixel, 8 bytes per run of the edges and 52 bytes
-/// per provisional label. Memory for runs and labels grows on demand: run() allocates where an
-/// image has more of them than any before, but not in a second run on it. Threads share edges and
-/// regions; outlined objects are found on one.
+/// Everything stays packed: two bits per pixel, 8 bytes per run of the edges and 52 bytes per
+/// provisional label. Memory for runs and labels grows on demand: run() allocates only when an
+/// image has more of them than all before. Threads share edges and regions; outlined objects are
+/// found on one thread.
 class LocaliseState {
  public:
   using Setting = LocaliseSetting;
 
   LocaliseState(LabelRows label_rows, const LocaliseSetting& setting);
 
-  /// Objects and holes, valid until the next run. `source` has the size of the setting.
+  /// Objects and holes, valid until the next run. `source` must have the size of the setting.
   RegionLists run(const ConstImageView& source);
 
  private:

@@ -1,6 +1,6 @@
-// The midpoint scan on bytes, in loops that compilers vectorise: each pixel gets the number of
-// foreground pixels that precede and follow it in its run, one row of counts from its neighbour
-// row. Diagonals are columns that lean by one pixel per row; rows are transposed and scanned as
+// The midpoint scan on bytes, in loops that compilers vectorise. Counts, for each pixel, the
+// foreground pixels before and after it in its run; a row of counts is computed from the adjacent
+// row. Diagonals are columns that shift by one pixel per row; rows are transposed and scanned as
 // columns. Compiled for every ISA at -O3.
 #include <algorithm>
 #include <limits>
@@ -15,8 +15,8 @@ namespace {
 
 using Bytes = const std::uint8_t* __restrict;
 
-/// Memory for one image. Rows of counts have a background pixel on either side. One row before the
-/// first is for the outside, two after the last are for the counts from below.
+/// Sizes of the working memory for one image. Rows of counts have a background pixel on either
+/// side; one extra row before the first is the outside, two after the last hold counts from below.
 struct Scratch {
   static constexpr Index kExtraRows = 3;
 
@@ -31,7 +31,7 @@ struct Scratch {
     const Index size = count_size(std::max(width, height));
     return {stride, stride * width, round_up(counts * size, static_cast<Index>(kAlignment))};
   }
-  /// Bytes of a count that can hold one more than the longest run.
+  /// Bytes of a count, which must hold `longest` + 1.
   static constexpr Index count_size(Index longest) {
     if (longest < std::numeric_limits<std::uint16_t>::max()) return sizeof(std::uint16_t);
     return longest < std::numeric_limits<std::uint32_t>::max() ? sizeof(std::uint32_t)
@@ -44,12 +44,12 @@ struct Scratch {
   static constexpr Index kWordBytes = sizeof(std::uint64_t);
 };
 
-/// Columns of an image that lean by `lean` pixels to the east per row.
+/// Columns of an image that shift by `shift` pixels to the east per row.
 template <class Count>
 struct Columns {
   ConstBytePlaneView source;
   BytePlaneView target;
-  Index lean;
+  Index shift;
   Count* counts;
 
   [[nodiscard]] Count* row(Index y) const { return counts + (y + 1) * (source.width + 2) + 1; }
@@ -59,14 +59,14 @@ struct Columns {
     clear(-1);
     for (Index y = 0; y < height; ++y) {
       clear_margins(y);
-      count(source.row(y), row(y - 1) - lean, row(y));
+      count(source.row(y), row(y - 1) - shift, row(y));
     }
     Count* below = row(height);
     Count* here = row(height + 1);
     clear(height);
     clear(height + 1);
     for (Index y = height - 1; y >= 0; --y) {
-      count(source.row(y), below + lean, here);
+      count(source.row(y), below + shift, here);
       mark_row(source.row(y), row(y), here, target.row(y));
       std::swap(below, here);
     }
@@ -82,7 +82,7 @@ struct Columns {
     }
   }
 
-  /// As many pixels of the run precede the midpoint as follow it, or one more follows it.
+  /// A midpoint is followed by as many pixels of its run as precede it, or by one more.
   void mark_row(Bytes pixels, const Count* __restrict preceding, const Count* __restrict following,
                 std::uint8_t* __restrict marks) const {
     for (Index x = 0; x < source.width; ++x) {
@@ -107,8 +107,8 @@ template <class Body>
   }
 }
 
-/// Combines row x of `to` with column x of `from`. Views by value: byte stores could alias the
-/// fields of a reference, docs/experiments.md#sizes-behind-references.
+/// Combines row x of `to` with column x of `from`. Takes views by value because byte stores could
+/// alias the fields of a reference: docs/experiments.md#sizes-behind-references.
 template <class Combine>
 void transpose(ConstBytePlaneView from, BytePlaneView to, const Combine& combine) {
   for_each_block(from.width, from.height, [=](Index left, Index top, Index width, Index height) {

@@ -1,5 +1,5 @@
-// The midpoint scan on words of 64 pixels in general registers, see column_scan.hpp. Compiled
-// without auto-vectorisation, to measure what packing alone gives.
+// The midpoint scan on 64-bit words (column_scan.hpp). Compiled without auto-vectorisation, to
+// measure what packing alone gains.
 #include "midpoints/engine.hpp"
 
 namespace thinbench::detail {

@@ -1,10 +1,10 @@
-// The midpoint scan on packed words: one engine for words of any length.
+// The midpoint scan on packed words of any length.
 //
-// A foreground pixel is the midpoint of its run where as many pixels of the run precede it as
-// follow it, or one more follows it. Two scans over columns of words count them: down, and up again
-// with the comparison. Counting and comparing take 5 gates per counter bit and row, whatever the
-// image shows, with 9 bits for runs of up to 510 pixels. Counts are stored once per 32 rows and
-// recomputed from there, which is 2 of the 5 gates.
+// A foreground pixel is the midpoint of its run if it is followed by as many pixels of the run as
+// precede it, or by one more. Two scans over columns of words count these pixels: one down, and one
+// up that also compares. This takes 5 gates per counter bit and row on any image, with 9 bits for
+// runs of up to 510 pixels. Counts are stored once per 32 rows and recomputed from there, by 2 of
+// the 5 gates.
 //
 // Rows become columns by transposing blocks of 64 x 64 pixels (6 x 32 exchanges of half rows per
 // batch of blocks), diagonals by rotating row y of the image by y pixels (2 loads, 3 operations).
@@ -17,7 +17,7 @@
 
 namespace thinbench::detail {
 
-/// A column of words: the source of pixels and the destination of marks.
+/// A column of words: where to read pixels and write marks.
 struct ScanColumn {
   const std::uint64_t* from;
   Index from_stride;
@@ -56,7 +56,7 @@ struct ColumnScan {
     for (Index first = last_chunk; first >= 0; first -= kChunkRows) mark_chunk(first, counter);
   }
 
-  /// `following` counts from below and has reached the row after the chunk.
+  /// `following` counts pixels from below, up to the row after the chunk.
   [[gnu::always_inline]] void mark_chunk(Index first, Counter& following) const {
     alignas(64) std::uint64_t preceding[std::size_t{kChunkRows * kCounterElements}];
     const Index end = first + kChunkRows < column.rows ? first + kChunkRows : column.rows;

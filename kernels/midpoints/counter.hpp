@@ -1,4 +1,4 @@
-// The length of the current run: a counter per pixel, its bits in `bits` words.
+// Counters of run lengths: one counter per pixel, bit i of all counters in word i.
 #pragma once
 
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace thinbench::detail {
 
-/// Calls `body` with integral constants 0 to count - 1: a loop over registers.
+/// Calls `body` with integral constants 0 to count - 1, so that arrays can live in registers.
 template <int count, class Body>
 [[gnu::always_inline]] inline void unrolled(const Body& body) {
   [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
@@ -17,8 +17,8 @@ template <int count, class Body>
 }
 
 /// The second feedback tap, counted from 1; the first is the last bit. The polynomial
-/// x^bits + x^(bits - place) + 1 is primitive: from 0 the counter takes every state but all ones.
-constexpr int feedback_place(int bits) {
+/// x^bits + x^(bits - tap) + 1 is primitive: from 0 the counter takes every state except all ones.
+constexpr int feedback_tap(int bits) {
   switch (bits) {
     case 7:
       return 6;
@@ -33,8 +33,8 @@ constexpr int feedback_place(int bits) {
   }
 }
 
-/// A linear-feedback shift register: it takes each state once, so equal counts are equal states,
-/// and it has no carry chain. Counting costs one AND per bit, and one gate.
+/// A linear-feedback shift register. It takes each state once, so equal counts are equal states,
+/// and it has no carry chain. Counting costs one AND per bit, plus one gate.
 template <class Word, int bits>
 struct RunCounter {
   Word bit[std::size_t{bits}];
@@ -45,7 +45,7 @@ struct RunCounter {
 
   /// Increments foreground lanes, resets background lanes to 0.
   [[gnu::always_inline]] void count(Word foreground) {
-    const Word feedback = ternary(bit[bits - 1], bit[feedback_place(bits) - 1], foreground,
+    const Word feedback = ternary(bit[bits - 1], bit[feedback_tap(bits) - 1], foreground,
                                   [](auto a, auto b, auto f) { return ~(a ^ b) & f; });
     unrolled<bits - 1>([&](auto i) __attribute__((always_inline)) {
       constexpr int to = bits - 1 - i;

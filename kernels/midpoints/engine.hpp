@@ -1,4 +1,4 @@
-// The steps of the midpoint scan for one word type; column_scan.hpp has their cost.
+// The phases of the midpoint scan for one word type. For their cost see column_scan.hpp.
 #pragma once
 
 #include "midpoints/column_scan.hpp"
@@ -6,7 +6,7 @@
 
 namespace thinbench::detail {
 
-/// `isa` separates what is compiled for different ISAs.
+/// `isa` makes the symbols of each ISA distinct.
 template <class Word, Isa isa>
 struct ScanEngine {
   using Traits = WordTraits<Word>;
@@ -74,14 +74,14 @@ struct ScanEngine {
   }
 
   static bool in_register(const ScanWork& work) {
-    return RegisterTurn<Word>::kAvailable && work.rings.words == kBatch;
+    return RegisterRotl<Word, isa>::kAvailable && work.rings.words == kBatch;
   }
 
   static std::uint64_t* ring(const ScanWork& work, Index y) {
     return work.rings.row(y % work.rings.rows);
   }
 
-  /// Stores each row twice, one copy after the other. A ring may be longer than a row.
+  /// Stores each row twice, contiguously. A ring may be longer than a row.
   template <class Rows>
   static void make_rings(const ScanWork& work, const Rows& from, Index first, Index end) {
     const Index words = work.rings.words;
@@ -101,11 +101,11 @@ struct ScanEngine {
   static void rotate_rows(const ScanWork& work, Direction direction, Index first, Index end) {
     const PackedRows to = work.buffer(direction).pixels;
     DiagonalRotation rotation(to, direction, first);
-    if constexpr (RegisterTurn<Word>::kAvailable) {
+    if constexpr (RegisterRotl<Word, isa>::kAvailable) {
       if (in_register(work)) {
         for (Index y = first; y < end; ++y, rotation.move_down()) {
           const Word row = Traits::load(work.source.row(y));
-          Traits::store(to.row(y), RegisterTurn<Word>::apply(row, rotation.forward()));
+          Traits::store(to.row(y), RegisterRotl<Word, isa>::apply(row, rotation.forward()));
         }
         return;
       }
@@ -123,10 +123,11 @@ struct ScanEngine {
     const BitPlaneView target = work.target;
     const Index words = target.row_elements < rows.words ? target.row_elements : rows.words;
     DiagonalRotation rotation(rows, direction, first);
-    if constexpr (RegisterTurn<Word>::kAvailable) {
+    if constexpr (RegisterRotl<Word, isa>::kAvailable) {
       if (in_register(work)) {
         for (Index y = first; y < end; ++y, rotation.move_down()) {
-          const Word marks = RegisterTurn<Word>::apply(Traits::load(rows.row(y)), rotation.back());
+          const Word marks =
+              RegisterRotl<Word, isa>::apply(Traits::load(rows.row(y)), rotation.back());
           Traits::store(target.row(y), Traits::load(target.row(y)) | marks);
         }
         return;

@@ -1,6 +1,6 @@
-// The scanning skeleton on xsimd batches, compiled once for every instruction-set level; see
-// sweep.hpp. A row of up to 511 pixels is one batch on AVX-512, where every gate is one
-// instruction and 9 counter bits twice, with what they are compared with, stay in registers.
+// The midpoint scan on vectors (column_scan.hpp). Compiled for every ISA. On AVX-512 a row of up to
+// 511 pixels is one batch, every gate is one instruction, and both 9-bit counters and the values
+// they are compared with stay in registers.
 #include <concepts>
 
 #include "dispatch/exported.hpp"
@@ -9,9 +9,9 @@
 
 namespace thinbench::detail {
 
-// Through a ring in memory a diagonal of the test image took 1.26 times as long.
+// A ring in memory takes 1.26 times as long for a diagonal of the test image.
 template <std::same_as<WordBatch> Word>
-requires kRegisterHoldsRow struct RegisterTurn<Word> {
+requires kRegisterHoldsRow struct RegisterRotl<Word, kThisIsa> {
   static constexpr bool kAvailable = true;
 
   [[gnu::always_inline]] static Word apply(Word row, Index pixels) { return rotated(row, pixels); }

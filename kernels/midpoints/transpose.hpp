@@ -1,4 +1,4 @@
-// How rows and diagonals become columns, and back.
+// Transposition and rotation: rows and diagonals to columns, and back.
 #pragma once
 
 #include "midpoints/counter.hpp"
@@ -7,7 +7,8 @@
 
 namespace thinbench::detail {
 
-/// Batch `word` of a row rotated left by `pixels`, that is, to the east; `ring` has the row twice.
+/// Batch `word` of a row that is rotated left, that is, to the east, by `pixels`. `ring` holds the
+/// row twice.
 template <class Word>
 [[gnu::always_inline]] inline Word rotl_row(const std::uint64_t* ring, Index words, Index pixels,
                                             Index word) {
@@ -17,13 +18,13 @@ template <class Word>
   return (Traits::load(from) << shift) | (Traits::load(from - 1) >> 1 >> (kWordBits - 1 - shift));
 }
 
-/// The same in a register, for word types that hold a whole row and specialise this.
-template <class Word>
-struct RegisterTurn {
+/// Rotation in a register; specialised where a word holds a whole row.
+template <class Word, Isa isa>
+struct RegisterRotl {
   static constexpr bool kAvailable = false;
 };
 
-/// The rotation of successive rows that makes diagonals columns.
+/// The rotation of each row that turns diagonals into columns.
 class DiagonalRotation {
  public:
   [[gnu::always_inline]] DiagonalRotation(const PackedRows& rows, Direction direction, Index y)
@@ -44,7 +45,7 @@ class DiagonalRotation {
   Index ring_pixels_, per_row_, pixels_;
 };
 
-/// 64 rows of one batch: a block of 64 x 64 pixels per lane.
+/// 64 rows of one batch: a block of 64 x 64 pixels in each lane.
 template <class Word>
 struct Blocks {
   using Traits = WordTraits<Word>;
@@ -60,7 +61,7 @@ struct Blocks {
     for (Index y = 0; y < kWordBits; ++y) set_row(y, Traits::zero());
   }
 
-  /// The 64 rows of one block from and to words `stride` apart.
+  /// Copies the 64 rows of one block from or to words `stride` apart.
   [[gnu::always_inline]] void load_lane(Index lane, const std::uint64_t* from, Index stride) {
     for (Index y = 0; y < kWordBits; y += 8, from += 8 * stride) {
       unrolled<8>([&](auto i) __attribute__((always_inline)) {
@@ -76,15 +77,15 @@ struct Blocks {
     }
   }
 
-  /// Pixel (x, y) of each block becomes pixel (y, x): halves are exchanged, then quarters ... Eight
-  /// rows stay in registers for three of the six stages.
+  /// Pixel (x, y) of each block becomes pixel (y, x), by exchanging halves, then quarters, and so
+  /// on. Eight rows stay in registers for three of the six stages.
   [[gnu::always_inline]] void transpose() {
     for (Index y = 0; y < 8; ++y) three_stages<8>(y);
     for (Index y = 0; y < kWordBits; y += 8) three_stages<1>(y);
   }
 
  private:
-  /// Exchanges between rows y, y + distance ... y + 7 distance.
+  /// Three stages on rows y, y + distance, ..., y + 7 distance.
   template <int distance>
   [[gnu::always_inline]] void three_stages(Index y) {
     Word eight[8];
@@ -96,15 +97,15 @@ struct Blocks {
                     __attribute__((always_inline)) { set_row(y + i * distance, eight[i]); });
   }
 
-  /// Exchanges the high parts, of `pixels` pixels each, of every row with the low parts of the row
-  /// `places` places on.
-  template <int places, int pixels>
+  /// Exchanges the high parts of row i, of `pixels` pixels each, with the low parts of row
+  /// i + `offset`.
+  template <int offset, int pixels>
   [[gnu::always_inline]] static void exchange(Word* eight) {
     constexpr std::uint64_t low = ~std::uint64_t{0} / ((std::uint64_t{1} << pixels) + 1);
     unrolled<8>([&](auto i) __attribute__((always_inline)) {
-      if constexpr ((i & places) == 0) {
+      if constexpr ((i & offset) == 0) {
         Word& above = eight[i];
-        Word& below = eight[i + places];
+        Word& below = eight[i + offset];
         const Word different = ((above >> pixels) ^ below) & Word(low);
         above = above ^ (different << pixels);
         below = below ^ different;

@@ -24,7 +24,7 @@ void copy_pixel(const std::uint64_t* from, std::uint64_t* to, Index x) {
   word ^= (word ^ from[x / kWordBits]) & bit;
 }
 
-/// With Border::keep, copies the outermost pixels.
+/// With Border::keep, copies the outermost rows and columns.
 template <class T>
 void apply_border(Border border, const ConstPlaneView<T>& source, const PlaneView<T>& target) {
   if (border == Border::background || source.width == 0) return;
@@ -106,7 +106,7 @@ class ScanState final : public PlaneState<std::uint64_t> {
     }
   }
 
-  /// Whole batches for so many pixels.
+  /// Words for `pixels` pixels, rounded up to whole batches.
   [[nodiscard]] Index words_for(Index pixels) const {
     return round_up((pixels + kWordBits - 1) / kWordBits, kernels_.batch_words);
   }
@@ -167,7 +167,8 @@ State make_byte_scan(const ThinningSetting& setting) {
 
 }  // namespace
 
-// No look-up table and no bytes by hand: docs/experiments.md#other-techniques-for-the-scan.
+// Why there is no look-up table and no SIMD on bytes:
+// docs/experiments.md#other-techniques-for-the-scan.
 std::vector<ThinningVariant> midpoint_variants() {
   ThinningVariants list;
   list.add_with_threads(bitpacked, Isa::baseline, &make_bitpacked_scan, {1});

@@ -1,6 +1,6 @@
-// The nets' equations on bytes 0/1 as plain loops over strips of a row that compilers vectorise at
-// -O3, compiled for every ISA: the baseline for hand-written SIMD. Background pixels are computed,
-// too, as the equations have no branch.
+// The nets' equations on bytes 0 and 1, as plain loops over strips of a row that compilers
+// vectorise at -O3. Compiled for every ISA: the baseline for hand-written SIMD. The equations have
+// no branch, so background pixels are computed too.
 #include "dispatch/exported.hpp"
 #include "nets/exponential.hpp"
 #include "nets/net_kernels.hpp"
@@ -35,8 +35,8 @@ template <Activation activation>
 float activated(float x) {
   if constexpr (activation == Activation::sigmoid) return sigmoid(x);
   const float inside = 0.166F * x + 0.5F;
-  const float not_below = x < -3.0F ? 0.0F : inside;
-  return x > 3.0F ? 1.0F : not_below;
+  const float at_least_0 = x < -3.0F ? 0.0F : inside;
+  return x > 3.0F ? 1.0F : at_least_0;
 }
 
 template <Activation activation>

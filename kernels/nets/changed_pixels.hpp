@@ -1,13 +1,12 @@
-// Full evaluation of a net on packed pixels, as rarely as possible: a foreground pixel is asked
-// only where its neighbourhood changed in the last step, since equal inputs give an equal answer,
-// and pixels of many words are gathered until all lanes are full. For ISA files only.
+// Evaluates a net on as few packed pixels as possible: only on foreground pixels whose
+// neighbourhood changed in the last iteration, since equal inputs give equal outputs. Pixels of
+// many words are gathered until all lanes are full. For ISA files only.
 //
-// Cost beside the net: six loads and three XORs to see what changed in a word and its rows; where
-// something did, the eight neighbours, 8 times gather_bits, 8 shifts and ORs, once scatter_bits.
-// Where the processor cannot gather bits, pixels stay in their places, and only batches without any
-// pixel to ask are skipped.
+// Cost besides the net: 6 loads and 3 XORs per word to find changes; per changed word the eight
+// neighbours, 8 gather_bits, 8 shifts and ORs, and one scatter_bits. Without a gather instruction,
+// pixels keep their positions and only batches without candidates are skipped.
 //
-// On the test image the printed procedure looks at 710,268 foreground pixels in its 31 steps;
+// On the test image the published procedure evaluates 710,268 foreground pixels in 31 iterations;
 // 201,048 of them have a changed neighbourhood.
 #pragma once
 
@@ -19,6 +18,7 @@
 #include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 
 /// The neighbours of 64 packed pixels, in the order of the descriptor.
 struct PackedNeighbours {
@@ -35,21 +35,21 @@ struct PackedNeighbours {
            *below, Traits::east(*below, below)}};
 }
 
-/// A word with pixels to ask about.
-struct AskedWord {
-  std::uint64_t asked;
+/// A word with candidates: pixels on which the net must be evaluated.
+struct CandidateWord {
+  std::uint64_t candidates;
   std::uint64_t foreground;
   std::uint64_t* to;
-  Index x;  // of the word in its row
+  Index x;  // index of the word in its row
 };
 
-/// Writes what becomes of words, and knows the columns of the band that changed.
+/// Writes new words and records which columns of the band changed.
 class ChangedWords {
  public:
   [[gnu::always_inline]] explicit ChangedWords(const Band& band) : band_(band) {}
 
-  [[gnu::always_inline]] void write(const AskedWord& word, std::uint64_t kept) {
-    const std::uint64_t removed = word.asked & ~kept;
+  [[gnu::always_inline]] void write(const CandidateWord& word, std::uint64_t kept) {
+    const std::uint64_t removed = word.candidates & ~kept;
     *word.to = word.foreground & ~removed;
     if (removed != 0) columns_ |= band_.columns_of(word.x, word.x + 1);
   }
@@ -60,54 +60,54 @@ class ChangedWords {
   std::uint64_t columns_ = 0;
 };
 
-// Two ways to ask `Decider` about pixels and to write what becomes of their words. A decider has
-// kLanes and `decider(neighbours, first)`: bit i is set where pixel first + i is kept. `finish`
-// asks about what is left and returns the columns of the band that changed.
+// Two queues that evaluate a `Decider` on candidates and write their words. A decider has `kLanes`
+// and `decider(neighbours, first)`, whose bit i is set where pixel first + i is kept. `finish`
+// evaluates the remaining candidates and returns the columns of the band that changed.
 
-/// Pixels stay in their places.
+/// Evaluates each word at once; pixels keep their positions.
 template <class Decider>
 class WordQueue {
  public:
   [[gnu::always_inline]] WordQueue(const Decider& decider, const Band& band)
-      : decider_(decider), words_(band) {}
+      : decider_(decider), changed_(band) {}
 
-  [[gnu::always_inline]] void add(const AskedWord& word, const PackedNeighbours& neighbours) {
+  [[gnu::always_inline]] void add(const CandidateWord& word, const PackedNeighbours& neighbours) {
     constexpr std::uint64_t lanes = ~std::uint64_t{0} >> (kWordBits - Decider::kLanes);
     std::uint64_t kept = 0;
     for (Index first = 0; first < kWordBits; first += Decider::kLanes) {
-      if ((word.asked >> first & lanes) != 0) kept |= decider_(neighbours, first) << first;
+      if ((word.candidates >> first & lanes) != 0) kept |= decider_(neighbours, first) << first;
     }
-    words_.write(word, kept);
+    changed_.write(word, kept);
   }
 
-  [[gnu::always_inline]] std::uint64_t finish() { return words_.columns(); }
+  [[gnu::always_inline]] std::uint64_t finish() { return changed_.columns(); }
 
  private:
   Decider decider_;
-  ChangedWords words_;
+  ChangedWords changed_;
 };
 
-/// Pixels of many words are gathered.
+/// Gathers the candidates of many words.
 template <class Decider>
 class GatheringQueue {
  public:
   [[gnu::always_inline]] GatheringQueue(const Decider& decider, const Band& band)
-      : decider_(decider), words_(band) {}
+      : decider_(decider), changed_(band) {}
 
-  [[gnu::always_inline]] void add(const AskedWord& word, const PackedNeighbours& neighbours) {
-    const Index count = __builtin_popcountll(word.asked);
+  [[gnu::always_inline]] void add(const CandidateWord& word, const PackedNeighbours& neighbours) {
+    const Index count = __builtin_popcountll(word.candidates);
     if (count_ + count > kWordBits) flush();
     for (int i = 0; i < kNetInputs; ++i) {
-      gathered_.n[i] |= gather_bits(neighbours.n[i], word.asked) << count_;
+      gathered_.n[i] |= gather_bits(neighbours.n[i], word.candidates) << count_;
     }
-    asked_[pending_] = word;
-    first_[pending_++] = count_;
+    words_[word_count_] = word;
+    first_[word_count_++] = count_;
     count_ += count;
   }
 
   [[gnu::always_inline]] std::uint64_t finish() {
     flush();
-    return words_.columns();
+    return changed_.columns();
   }
 
  private:
@@ -116,27 +116,27 @@ class GatheringQueue {
     for (Index first = 0; first < count_; first += Decider::kLanes) {
       kept |= decider_(gathered_, first) << first;
     }
-    for (int i = 0; i < pending_; ++i) {
-      words_.write(asked_[i], scatter_bits(kept >> first_[i], asked_[i].asked));
+    for (int i = 0; i < word_count_; ++i) {
+      changed_.write(words_[i], scatter_bits(kept >> first_[i], words_[i].candidates));
     }
     gathered_ = {};
-    pending_ = 0;
+    word_count_ = 0;
     count_ = 0;
   }
 
   PackedNeighbours gathered_{};
-  AskedWord asked_[kWordBits];
-  Index first_[kWordBits];  // place of a word's first pixel in `gathered_`
-  int pending_ = 0;
-  Index count_ = 0;
+  CandidateWord words_[kWordBits];
+  Index first_[kWordBits];  // position of a word's first candidate in `gathered_`
+  int word_count_ = 0;
+  Index count_ = 0;  // candidates in `gathered_`
   Decider decider_;
-  ChangedWords words_;
+  ChangedWords changed_;
 };
 
 template <class Decider>
 using PixelQueue = std::conditional_t<kHasBitGather, GatheringQueue<Decider>, WordQueue<Decider>>;
 
-/// Where the neighbourhood of a pixel changed, word by word along row y.
+/// Finds the pixels of row y whose neighbourhood changed, word by word.
 class ChangedNeighbourhoods {
  public:
   ChangedNeighbourhoods(const ConstBitPlaneView& before, const ConstBitPlaneView& now, Index y,
@@ -148,7 +148,7 @@ class ChangedNeighbourhoods {
         west_(in_three_rows(first_word - 1)),
         here_(in_three_rows(first_word)) {}
 
-  /// For words first_word, first_word + 1, ... in turn.
+  /// Must be called for words first_word, first_word + 1, ... in this order.
   std::uint64_t at(Index word) {
     const std::uint64_t east = in_three_rows(word + 1);
     const std::uint64_t changed =
@@ -174,10 +174,9 @@ class ChangedNeighbourhoods {
   std::uint64_t here_;
 };
 
-/// A whole ChangePass by one decider. `fixed(x)` are the pixels of word x of any row that keep
-/// their value.
+/// A ChangePass by one decider. `fixed(x)` has the pixels of word x, in any row, that never change.
 template <class Decider, class Fixed>
-[[gnu::always_inline]] inline std::uint64_t decide_changed_but(
+[[gnu::always_inline]] inline std::uint64_t decide_changed_except(
     const Decider& decider, const Fixed& fixed, const ConstBitPlaneView& previous,
     const ConstBitPlaneView& source, const BitPlaneView& target, const Band& band) {
   PixelQueue<Decider> queue(decider, band);
@@ -186,14 +185,14 @@ template <class Decider, class Fixed>
     const std::uint64_t* here = source.row(y);
     std::uint64_t* next = target.row(y);
     for (Index x = from; x < to; ++x) {
-      const std::uint64_t asked = changed.at(x) & here[x] & ~fixed(x);
-      if (asked == 0) {
+      const std::uint64_t candidates = changed.at(x) & here[x] & ~fixed(x);
+      if (candidates == 0) {
         next[x] = here[x];
       } else {
-        queue.add({asked, here[x], next + x, x}, packed_neighbours(here + x, source.stride));
+        queue.add({candidates, here[x], next + x, x}, packed_neighbours(here + x, source.stride));
       }
     }
-    return false;  // the queue knows what changed
+    return false;  // the queue records changes
   });
   return queue.finish();
 }
@@ -205,10 +204,11 @@ template <class Decider>
     const ConstBitPlaneView& source, const BitPlaneView& target, const Band& band) {
   if (fixed != nullptr) {
     const auto fixed_at = [fixed](Index x) { return fixed[x]; };
-    return decide_changed_but(decider, fixed_at, previous, source, target, band);
+    return decide_changed_except(decider, fixed_at, previous, source, target, band);
   }
   const auto nothing = [](Index) { return std::uint64_t{0}; };
-  return decide_changed_but(decider, nothing, previous, source, target, band);
+  return decide_changed_except(decider, nothing, previous, source, target, band);
 }
 
+}  // namespace THINBENCH_ISA
 }  // namespace thinbench::detail

@@ -1,9 +1,9 @@
-// e^x in single precision for scalars and batches, with the same bits on every ISA.
+// e^x in single precision for scalars and batches, bit-identical on every ISA.
 #pragma once
 
 namespace thinbench::detail {
 
-/// The operations beyond + - *; specialised for batches elsewhere.
+/// Operations beyond + - *; float_lanes.hpp specialises this for batches.
 template <class Real>
 struct RealOps;
 
@@ -13,7 +13,7 @@ struct RealOps<float> {
   static float clamped(float x, float low, float high) {
     return x < low ? low : (x > high ? high : x);
   }
-  /// The nearest integer, for |x| < 2^22, ties to even: adding 1.5 * 2^23 leaves no fraction bits.
+  /// The nearest integer for |x| < 2^22, ties to even: adding 1.5 * 2^23 leaves no fraction bits.
   static float rounded(float x) {
     constexpr float magic = 12582912.0F;
     return (x + magic) - magic;
@@ -24,9 +24,9 @@ struct RealOps<float> {
   }
 };
 
-/// e^x with x clamped to [-87, 87]: x = n ln 2 + r with |r| <= ln 2 / 2, where n ln 2 is subtracted
-/// in two parts (the first has few bits, so that its product is exact), then the Taylor polynomial
-/// of degree 7 in r by Horner's rule, times 2^n. Error: below 1.1e-7, relative, see
+/// e^x for x clamped to [-87, 87]: x = n ln 2 + r with |r| <= ln 2 / 2, then the Taylor polynomial
+/// of degree 7 in r by Horner's rule, times 2^n. n ln 2 is subtracted in two parts; the first has
+/// few bits, so its product is exact. Relative error below 1.1e-7:
 /// docs/experiments.md#exponential-by-a-taylor-polynomial.
 template <class Real>
 [[gnu::always_inline]] inline Real exponential(Real x) {

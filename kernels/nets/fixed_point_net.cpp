@@ -1,9 +1,9 @@
-// The two-layer net with a linear threshold on 8-bit integers, pixels across byte lanes: 16, 32 or
-// 64 an operation. Compiled once for every instruction-set level.
+// The two-layer net with a linear threshold on 8-bit integers, one pixel per byte lane: 16, 32 or
+// 64 per operation. Compiled for every ISA.
 //
-// Cost a batch: 64 masked additions (on AVX-512 a word of neighbours is the mask), 3 operations for
-// each answer, and for each pair of hidden neurons 2 interleavings, 2 multiply-adds and 2 additions
-// in 16 bits: about 115 operations for 64 pixels on AVX-512.
+// Cost per batch: 64 masked additions (on AVX-512 a word of neighbours is the mask), 3 operations
+// per hidden output, and per pair of hidden neurons 2 interleavings, 2 multiply-adds and 2
+// additions in 16 bits: about 115 operations for 64 pixels on AVX-512.
 #include "dispatch/exported.hpp"
 #include "nets/changed_pixels.hpp"
 #include "nets/model.hpp"
@@ -20,17 +20,17 @@ struct ByteInputs {
   ByteMask mask[kNetInputs];
 };
 
-/// The answer of hidden neuron j, in [0, 2 limit].
-[[gnu::always_inline]] inline ByteBatch answer(const FixedPointNet& net, int j,
-                                               const ByteInputs& inputs) {
+/// The output of hidden neuron j, in [0, 2 limit].
+[[gnu::always_inline]] inline ByteBatch hidden_output(const FixedPointNet& net, int j,
+                                                      const ByteInputs& inputs) {
   SignedByteBatch sum(net.bias[j]);
 #pragma GCC unroll 8
   for (int i = 0; i < kNetInputs; ++i) {
     sum = add_where(inputs.mask[i], sum, SignedByteBatch(net.weight[j][i]));
   }
   const SignedByteBatch limit(net.limit);
-  const SignedByteBatch lowest = SignedByteBatch(std::int8_t{0}) - limit;
-  return reinterpreted<ByteBatch>(xsimd::min(xsimd::max(sum, lowest), limit) + limit);
+  const SignedByteBatch min_sum = SignedByteBatch(std::int8_t{0}) - limit;
+  return reinterpreted<ByteBatch>(xsimd::min(xsimd::max(sum, min_sum), limit) + limit);
 }
 
 [[gnu::always_inline]] inline std::uint64_t decide(const FixedPointNet& net,
@@ -39,11 +39,12 @@ struct ByteInputs {
   Halves sums = {bias, bias};
 #pragma GCC unroll 4
   for (int j = 0; j < kHiddenNeurons; j += 2) {
-    const Halves answers = interleaved(answer(net, j, inputs), answer(net, j + 1, inputs));
+    const Halves hidden =
+        interleaved(hidden_output(net, j, inputs), hidden_output(net, j + 1, inputs));
     const WideBatch weights(static_cast<std::int16_t>(
         static_cast<std::uint8_t>(net.output_weight[j]) | net.output_weight[j + 1] * 256));
-    sums.low = sums.low + weighted_pairs(answers.low, weights);
-    sums.high = sums.high + weighted_pairs(answers.high, weights);
+    sums.low = sums.low + weighted_pairs(hidden.low, weights);
+    sums.high = sums.high + weighted_pairs(hidden.high, weights);
   }
   return nonnegative_bits(sums);
 }

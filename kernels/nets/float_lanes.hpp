@@ -1,12 +1,17 @@
-// Single precision across lanes, one pixel each. For ISA files only.
+// Single precision, one pixel per lane. For ISA files only.
 #pragma once
 
 #include "nets/exponential.hpp"
 #include "simd/vector.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 
 inline constexpr Index kFloatLanes = static_cast<Index>(FloatBatch::size);
+
+}  // namespace THINBENCH_ISA
+
+// A specialisation belongs to the namespace of its template.
 
 template <>
 struct RealOps<FloatBatch> {

@@ -1,6 +1,6 @@
-// The three nets in single precision with pixels across lanes. Nothing is known of what the weights
-// decide; every sum is taken in the order that weights.hpp fixes, so lanes hold the reference's
-// bits.
+// The three nets in single precision, one pixel per lane, for any weights. Sums are taken in the
+// order that thinbench/nets.hpp defines, so lanes are bit-identical to the reference. For ISA files
+// only.
 #pragma once
 
 #include "nets/changed_pixels.hpp"
@@ -8,14 +8,15 @@
 #include "nets/model.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 
-/// Weights are loaded and broadcast by the very addition that uses them. Left alone, GCC takes 81
-/// of them out of the loop, spills them, and loads whole registers back.
-[[gnu::always_inline]] inline void keep_loads_here() {
+/// Makes each addition load and broadcast its own weight. Without this barrier GCC hoists 81
+/// weights out of the loop, spills them and reloads whole registers.
+[[gnu::always_inline]] inline void keep_loads_in_loop() {
   asm volatile("" : : : "memory");
 }
 
-/// Neighbours as lane masks, from packed bits: a multiplication by 0 or 1 is a masked addition.
+/// Neighbours as lane masks: a product with an input of 0 or 1 is a masked addition.
 struct MaskInputs {
   LaneMask mask[kNetInputs];
 
@@ -31,18 +32,18 @@ struct MaskInputs {
 }
 
 template <Activation activation>
-[[gnu::always_inline]] inline FloatBatch answer(FloatBatch x) {
+[[gnu::always_inline]] inline FloatBatch activated(FloatBatch x) {
   if constexpr (activation == Activation::sigmoid) {
     return sigmoid(x);
   } else {
     const FloatBatch inside = FloatBatch(0.166F) * x + FloatBatch(0.5F);
-    const FloatBatch not_below = xsimd::select(x < FloatBatch(-3.0F), FloatBatch(0.0F), inside);
-    return xsimd::select(x > FloatBatch(3.0F), FloatBatch(1.0F), not_below);
+    const FloatBatch at_least_0 = xsimd::select(x < FloatBatch(-3.0F), FloatBatch(0.0F), inside);
+    return xsimd::select(x > FloatBatch(3.0F), FloatBatch(1.0F), at_least_0);
   }
 }
 
-/// Equations (3) and (4) with activation (1) or (2). Cost a batch with the linear threshold: 64
-/// masked additions, 8 x 6 for the answers, 16 for the output, 6 for its threshold.
+/// Equations (3) and (4) with activation (1) or (2). Operations per batch with the linear
+/// threshold: 64 masked additions, 8 x 6 for hidden activations, 16 + 6 for the output.
 template <Activation activation>
 struct TwoLayerNet {
   template <class Inputs>
@@ -52,18 +53,18 @@ struct TwoLayerNet {
     FloatBatch sum(neuron.bias);
 #pragma GCC unroll 8
     for (int i = 0; i < kNetInputs; ++i) sum = inputs.add(i, sum, FloatBatch(neuron.weight[i]));
-    return answer<activation>(sum);
+    return activated<activation>(sum);
   }
 
   template <class Inputs>
   [[gnu::always_inline]] static FloatBatch output(const NetModel& model, const Inputs& inputs) {
-    keep_loads_here();
+    keep_loads_in_loop();
     FloatBatch sum(model.two_layer.output.bias);
 #pragma GCC unroll 8
     for (int j = 0; j < kHiddenNeurons; ++j) {
       sum = sum + FloatBatch(model.two_layer.output.weight[j]) * hidden(model, inputs, j);
     }
-    return answer<activation>(sum);
+    return activated<activation>(sum);
   }
 
   template <class Inputs>
@@ -72,8 +73,8 @@ struct TwoLayerNet {
   }
 };
 
-/// Equations (5) to (7): the descriptor, the net that is responsible for it, that net's weights by
-/// look-up, and the step function. Cost a batch: 8 additions, 2 for each run, 2 for each input.
+/// Equations (5) to (7): the descriptor selects a net, whose weights are looked up. Operations per
+/// batch: 8 additions, 2 per net, 2 per input.
 struct ClusterOfNets {
   template <class Inputs>
   [[gnu::always_inline]] static std::uint64_t decide(const NetModel& model, const Inputs& inputs) {
@@ -97,4 +98,5 @@ struct ClusterOfNets {
   }
 };
 
+}  // namespace THINBENCH_ISA
 }  // namespace thinbench::detail

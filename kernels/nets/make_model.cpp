@@ -26,18 +26,18 @@ void inputs_of(int descriptor, float* inputs) {
   for (int i = 0; i < kNetInputs; ++i) inputs[i] = static_cast<float>(descriptor >> i & 1);
 }
 
-void require_moderate(float value, const std::string& name) {
-  constexpr float max_weight = 1e30F;          // sums of ten such numbers are finite
+void require_in_range(float value, const std::string& name) {
+  constexpr float max_weight = 1e30F;          // keeps every sum finite
   if (std::fabs(value) <= max_weight) return;  // false for NaN
-  throw std::invalid_argument(name + " is " + std::to_string(value) +
-                              "; it must be within -1e30 ... 1e30");
+  throw std::invalid_argument(name + ": expected a number in [-1e30, 1e30], got " +
+                              std::to_string(value));
 }
 
-void require_moderate(const Neuron& neuron, const std::string& name) {
+void require_in_range(const Neuron& neuron, const std::string& name) {
   for (int i = 0; i < kNetInputs; ++i) {
-    require_moderate(neuron.weight[i], "weight " + std::to_string(i) + " of " + name);
+    require_in_range(neuron.weight[i], "weight " + std::to_string(i) + " of " + name);
   }
-  require_moderate(neuron.bias, "the bias of " + name);
+  require_in_range(neuron.bias, "the bias of " + name);
 }
 
 bool two_layer_keeps(const TwoLayerWeights& weights, Activation activation, int descriptor) {
@@ -58,7 +58,7 @@ bool cluster_keeps(const ClusterWeights& weights, int descriptor) {
   return net_input(weights.nets[net].neuron, inputs) >= 0.0F;
 }
 
-/// To multiples of 1 / scale; false where the result does not fit into 8 bits.
+/// Rounds to multiples of 1 / scale; false where the result does not fit into 8 bits.
 bool quantise(float value, float scale, std::int8_t& result) {
   const float scaled = std::nearbyint(value * scale);
   if (std::fabs(scaled) > 127) return false;
@@ -72,11 +72,11 @@ bool quantise(const Neuron& neuron, float scale, std::int8_t* weights, std::int8
     max_sum += std::fabs(neuron.weight[i]);
     if (!quantise(neuron.weight[i], scale, weights[i])) return false;
   }
-  // Partial sums in any order stay below 128, with half a unit of rounding for each of 9 terms.
+  // Bounds partial sums in any order below 128: each of 9 terms is rounded by at most half a unit.
   return max_sum * scale + 4.5F < 127 && quantise(neuron.bias, scale, bias);
 }
 
-/// True where every sum fits its width.
+/// False where a weight or a sum would not fit its integer type.
 bool make_fixed_point(const TwoLayerWeights& weights, float scale, FixedPointNet& net) {
   for (int j = 0; j < kHiddenNeurons; ++j) {
     if (!quantise(weights.hidden[j], scale, net.weight[j], net.bias[j])) return false;
@@ -105,7 +105,7 @@ bool fixed_point_keeps(const FixedPointNet& net, int descriptor) {
   return sum >= 0;
 }
 
-/// The largest scale of 16, 8, 4, 2, 1 at which the fixed-point net fits and agrees with the table.
+/// Finds the largest scale of 16, 8, 4, 2, 1 at which the fixed-point net agrees with the table.
 void find_fixed_point(NetModel& model) {
   for (float scale = 16; scale >= 1 && !model.fixed_point_is_exact; scale /= 2) {
     if (!make_fixed_point(model.two_layer, scale, model.fixed_point)) continue;
@@ -127,7 +127,7 @@ void fill_columns(const ClusterWeights& weights, NetModel& model) {
   }
 }
 
-/// Derives everything that depends on the decisions alone.
+/// Derives all tables that depend only on the decisions.
 template <class Keeps>
 void derive_tables(NetModel& model, const Keeps& keeps) {
   for (int k = 0; k < 256; ++k) model.new_pixel[256 + k] = keeps(k) ? 1 : 0;
@@ -139,9 +139,9 @@ void derive_tables(NetModel& model, const Keeps& keeps) {
 
 NetModel two_layer_model(const TwoLayerWeights& weights, Activation activation) {
   for (int j = 0; j < kHiddenNeurons; ++j) {
-    require_moderate(weights.hidden[j], "hidden neuron " + std::to_string(j));
+    require_in_range(weights.hidden[j], "hidden neuron " + std::to_string(j));
   }
-  require_moderate(weights.output, "the output neuron");
+  require_in_range(weights.output, "the output neuron");
   NetModel model{};
   model.activation = activation;
   model.two_layer = weights;
@@ -157,7 +157,7 @@ NetModel cluster_model(const ClusterWeights& weights) {
   }
   int before = -1;
   for (int net = 0; net < weights.count; ++net) {
-    require_moderate(weights.nets[net].neuron, "net " + std::to_string(net));
+    require_in_range(weights.nets[net].neuron, "net " + std::to_string(net));
     if (weights.nets[net].last <= before) {
       throw std::invalid_argument("net " + std::to_string(net) + " covers no descriptor");
     }

@@ -1,4 +1,4 @@
-// Nets as engines read them: plain data, for files of every ISA.
+// Nets as plain data, safe to include in files of every ISA.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,9 @@
 
 namespace thinbench::detail {
 
-/// The two-layer net with linear threshold in 8-bit fixed point. `weight` and `bias` hold multiples
-/// of 1 / scale; a hidden activation is an integer in [0, 2 limit] with limit = 3 scale. The new
-/// pixel is foreground where the sum of output weights times activations plus output bias, in 16
-/// bits, is not negative.
+/// The two-layer net with a linear threshold in 8-bit fixed point. `weight` and `bias` are
+/// multiples of 1 / scale; a hidden activation is an integer in [0, 2 limit] with limit = 3 scale.
+/// A pixel is kept where output_bias + sum(output_weight * activation), in 16 bits, is at least 0.
 struct FixedPointNet {
   std::int8_t weight[kHiddenNeurons][kNetInputs];
   std::int8_t bias[kHiddenNeurons];
@@ -24,24 +23,24 @@ struct FixedPointNet {
 
 namespace thinbench {
 
-/// A net and all that is derived from it.
+/// A net and the tables derived from it.
 struct NetModel : detail::RuntimeRule {
   Activation activation;
   TwoLayerWeights two_layer;
   ClusterWeights cluster;
-  // The cluster, transposed: weight i (i = 8: the bias) of every net, and its last descriptor; 255
-  // beyond the last net.
+  // The cluster, transposed: weight i of every net (i = 8: its bias), and its last descriptor (255
+  // for unused nets).
   float cluster_column[kNetInputs + 1][kMaxClusterNets];
   float cluster_last[kMaxClusterNets];
   detail::FixedPointNet fixed_point;
-  bool fixed_point_is_exact;  // equal to the float net on all 256 descriptors
+  bool fixed_point_is_exact;  // agrees with the float net on all 256 descriptors
 };
 
 }  // namespace thinbench
 
 namespace thinbench::detail {
 
-/// The net that an engine gets as its rule.
+/// An engine's rule, which must be a net.
 inline const NetModel& net_of(const RuntimeRule* rule) {
   return *static_cast<const NetModel*>(rule);
 }

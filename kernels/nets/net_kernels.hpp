@@ -6,7 +6,7 @@
 
 namespace thinbench::detail {
 
-/// One kind of arithmetic for the three kinds of net.
+/// The passes of one arithmetic for the three kinds of net.
 template <class AnyPass>
 struct NetPasses {
   AnyPass sigmoid;
@@ -21,7 +21,7 @@ struct FloatNetKernels {
 struct FixedPointKernels {
   ChangePass linear;  // two layers, linear threshold
 };
-/// Null pointers where vectorised loops over bytes are slower than the reference.
+/// Null on ISAs where vectorised loops over bytes are slower than the reference.
 struct AutovecNetKernels {
   NetPasses<Pass<std::uint8_t>> bytes;
 };

@@ -1,4 +1,4 @@
-// Nets on xsimd batches, pixels across lanes, compiled once for every instruction-set level.
+// Nets in single precision, one pixel per lane. Compiled for every ISA.
 //
 // Reads packed bits and evaluates changed neighbourhoods only (changed_pixels.hpp); a word of
 // neighbours is the mask of an addition.

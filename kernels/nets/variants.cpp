@@ -30,29 +30,30 @@ State make_net_lut_sliding(const ThinningSetting& setting) {
   return make_pass(ScalarPasses::kRuntimeLutSliding, setting);
 }
 
-/// Whether the net agrees with the Naccache-Shinghal rule, which has a minimised circuit.
-bool has_learned_rule(const ThinningSetting& setting) {
+/// Whether the net has the truth table of the Naccache-Shinghal rule, which has a minimised
+/// circuit.
+bool matches_naccache_shinghal(const ThinningSetting& setting) {
   static constexpr RuleTable kTable = make_rule_table<NaccacheShinghal, 0>();
   return std::equal(kTable.begin(), kTable.end(), setting.runtime_rule->new_pixel);
 }
 
-ThinningSetting with_learned_rule(ThinningSetting setting) {
+ThinningSetting as_naccache_shinghal(ThinningSetting setting) {
   setting.rule = Rule::naccache_shinghal;
   return setting;
 }
 
 State make_net_bitpacked(const ThinningSetting& setting) {
-  if (has_learned_rule(setting)) return make_bitpacked(with_learned_rule(setting));
+  if (matches_naccache_shinghal(setting)) return make_bitpacked(as_naccache_shinghal(setting));
   return make_pass(ScalarPasses::kRuntimeBitpacked, setting);
 }
 
 State make_net_simd_bitpacked(const ThinningSetting& setting) {
-  if (has_learned_rule(setting)) return make_simd_bitpacked(with_learned_rule(setting));
+  if (matches_naccache_shinghal(setting)) return make_simd_bitpacked(as_naccache_shinghal(setting));
   return make_pass(kernels_of<SimdPasses>(setting.isa).runtime_bitpacked, setting);
 }
 
 State make_net_row(const ThinningSetting& setting) {
-  if (has_learned_rule(setting)) return make_row(with_learned_rule(setting));
+  if (matches_naccache_shinghal(setting)) return make_row(as_naccache_shinghal(setting));
   return std::make_unique<RowState>(kernels_of<RowKernels>(setting.isa).runtime, setting);
 }
 
@@ -74,7 +75,7 @@ State make_float_bits(const ThinningSetting& setting) {
 
 State make_fixed_point(const ThinningSetting& setting) {
   require(net_of(setting.runtime_rule.get()).fixed_point_is_exact,
-          "simd_fixed_point cannot run: no 8-bit weights decide as these do");
+          "simd_fixed_point cannot run: no 8-bit weights reproduce the decisions of this net");
   return std::make_unique<ChangeState>(kernels_of<FixedPointKernels>(setting.isa).linear, setting);
 }
 

@@ -1,8 +1,8 @@
-// The Euler number on 64-bit words for any processor, and by a table of quads on bytes.
+// The Euler number: on 64-bit words for any processor, and by a table of 2 x 2 quads on bytes.
 //
-// bitpacked: 4 loads, 4 operations for the western neighbours, 6 gates and two population counts
-// per 64 pixels; without a popcnt instruction each count takes about 12 operations. lut: 2 loads, 2
-// shifts, a look-up and an addition per pixel, in one dependency chain.
+// Cost of bitpacked per 64 pixels: 4 loads, 4 operations for west neighbours, 6 gates and 2
+// population counts (about 12 operations each without popcnt). Cost of lut per pixel: 2 loads, 2
+// shifts, a look-up and an addition, in one dependency chain.
 #include "regions/euler.hpp"
 
 namespace thinbench::detail {
@@ -13,7 +13,7 @@ std::int64_t count(const ConstBitPlaneView& image, Index first, Index last) {
   return sum_euler<Connectivity, std::uint64_t, WordCounter>(image, first, last);
 }
 
-/// The contribution of a quad: c is bit 3, n bit 2, w bit 1 and nw bit 0.
+/// Contributions of quads: c is bit 3, n bit 2, w bit 1 and nw bit 0.
 struct QuadTable {
   std::int8_t of_quad[16] = {};
 };

@@ -1,9 +1,9 @@
-// Runs of packed rows by count-trailing-zeros, and union-find over runs.
+// Finds the runs of packed rows by count-trailing-zeros and joins them by union-find.
 //
-// Cost: 4 instructions per word without boundary. A run takes 6 to find (of both colours, as each
-// boundary ends one and begins another), about 10 to compare with the row above, and 12 with 6
-// loads and stores to sum up in closed form. An image of parts has about one run per 30 pixels, so
-// this should be more than 10 times as fast as anything that visits single pixels.
+// Cost: 4 instructions per word without a boundary. Each run, of either colour, takes 6 to find,
+// about 10 to compare with the row above, and 12, with 6 loads and stores, to sum in closed form.
+// An image of parts has about one run per 30 pixels, so this should be over 10 times as fast as
+// visiting single pixels.
 #include "regions/run_engine.hpp"
 
 namespace thinbench::detail {

@@ -7,14 +7,14 @@
 
 namespace thinbench::detail {
 
-/// The contribution of rows [first, last), where row `height` counts too: the sum over rows
-/// [0, height] is the Euler number.
+/// The contribution of rows [first, last). The Euler number is the sum over rows 0 to `height`, one
+/// row past the image.
 using EulerKernel = std::int64_t (*)(const ConstBitPlaneView& image, Index first, Index last);
 
-/// The same over all rows of a byte plane, by a table of the 16 quads of pixels.
+/// The Euler number of a byte plane, by a table of the 16 quads of pixels.
 using EulerQuadKernel = std::int64_t (*)(const ConstBytePlaneView& image);
 
-/// By connectivity of the objects; that of the background is the other one.
+/// Kernels by connectivity of the objects; the background has the other connectivity.
 template <class Kernel>
 struct EulerPair {
   Kernel eight;
@@ -24,19 +24,18 @@ struct EulerPair {
 /// Compiled for every ISA.
 using EulerKernels = EulerPair<EulerKernel>;
 
-/// 64 pixels per word, popcount of the compiler's baseline.
+/// On 64-bit words, with the baseline's population count.
 extern const EulerKernels kBitpackedEuler;
 extern const EulerPair<EulerQuadKernel> kEulerByQuads;
 
-/// Pixels that add 1 to the number, and pixels that subtract 1; disjoint.
+/// Pixels that add 1 to the Euler number, and pixels that subtract 1; disjoint.
 template <class Word>
 struct EulerTerms {
   Word plus;
   Word minus;
 };
 
-/// With a pixel c and its neighbours to the west, north and north-west, where c may lie one column
-/// or row beyond the image:
+/// For a pixel c, which may lie one column or row past the image, and its neighbours w, n and nw:
 ///   E8 = |!c !w !n nw| - |!c w n|        E4 = |c !w !n| - |c w n !nw|
 struct EulerEight {
   template <class Word>
@@ -53,7 +52,7 @@ struct EulerFour {
   }
 };
 
-/// Every kernel is this loop over another word type.
+/// The loop of every kernel, for any word type.
 template <class Connectivity, class Word, class Counter>
 [[gnu::always_inline]] inline std::int64_t sum_euler(const ConstBitPlaneView& image, Index first,
                                                      Index last) {
@@ -72,7 +71,7 @@ template <class Connectivity, class Word, class Counter>
   return counter.sum();
 }
 
-/// A popcnt instruction where the compiler may use one.
+/// Compiles to popcnt where the ISA has it.
 struct WordCounter {
   std::int64_t total = 0;
   [[gnu::always_inline]] void add(const EulerTerms<std::uint64_t>& terms) {

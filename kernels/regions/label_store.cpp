@@ -14,8 +14,8 @@ void add_region(Region& sum, const Region& part) {
   sum.bottom = std::max(sum.bottom, part.bottom);
 }
 
-/// Moves regions to the front in the order of their roots. A parent never comes after its label, so
-/// its index is known when the label is visited.
+/// Moves regions to the front in the order of their roots. A parent never exceeds its label, so its
+/// index is known when the label is visited.
 Label gather_regions(const LabelTable& table) {
   Label count = 0;
   for (Label label = 0; label < table.count; ++label) {
@@ -69,7 +69,7 @@ LabelStore::Offsets LabelStore::append(const LabelTables& other) {
   for (int colour = 0; colour < 2; ++colour) {
     LabelTable& table = tables_.of_colour[colour];
     const LabelTable& part = other.of_colour[colour];
-    const Label shared = colour == 0 ? 1 : 0;  // the outside is already here
+    const Label shared = colour == 0 ? 1 : 0;  // both tables have the outside
     const Label offset = table.count - shared;
     for (Label label = shared; label < part.count; ++label) {
       const Label parent = part.parents[label];

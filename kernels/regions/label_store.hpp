@@ -14,28 +14,28 @@ struct RegionLists {
   std::span<const Region> holes;
 };
 
-/// Memory for labels of both colours: 52 bytes per label. An image has at most height x
-/// (width + 1) / 2 of them together and usually few, so memory grows on demand, by doubling, and is
+/// Memory for labels of both colours: 52 bytes per label. An image has at most
+/// height * (width + 1) / 2 labels and usually few, so memory grows on demand, by doubling, and is
 /// reused.
 class LabelStore {
  public:
-  /// With room for the labels of the first row and some more.
+  /// Makes room for the labels of the first row and some more.
   explicit LabelStore(Index width);
 
   [[nodiscard]] LabelTables& tables() { return tables_; }
-  /// Removes all labels but label 0 of the background.
+  /// Removes all labels except label 0 of the background.
   void clear();
-  /// Makes room for `labels` more of each colour. Throws std::bad_alloc.
+  /// Makes room for `labels` more labels of each colour. Throws std::bad_alloc.
   void make_room(Index labels);
 
   struct Offsets {
     Label of_colour[2];
   };
-  /// Appends the labels of another part of the image, below all of this one. Its label i of colour
-  /// c becomes i + the result's element c, but label 0 of the background stays 0.
+  /// Appends the labels of a part of the image below this one. Its label i of colour c becomes
+  /// i + of_colour[c], except that label 0 of the background remains 0.
   Offsets append(const LabelTables& other);
-  /// Sums up the labels of each region and numbers the regions. `parents` then hold, per label, the
-  /// index of its region: in objects, or in holes plus one (0 is no hole).
+  /// Sums the labels of each region and numbers the regions. Afterwards `parents[label]` is the
+  /// index of the label's object, or the index of its hole plus one (0: not a hole).
   RegionLists number_regions();
 
  private:

@@ -1,5 +1,5 @@
-// Provisional labels: union-find forests and what was summed up per label. For every file, ISA
-// files included: plain structs and functions that are always inlined.
+// Provisional labels: union-find forests and sums per label. Plain structs and always-inlined
+// functions, safe to include in ISA files.
 #pragma once
 
 #include "image/plane_view.hpp"
@@ -9,8 +9,8 @@ namespace thinbench::detail {
 
 using Label = std::uint32_t;
 
-/// `parents[label]` is never above `label`, so a root is the first label of its region, and the
-/// order of roots is the raster order of first pixels.
+/// `parents[label] <= label`, so a root is the first label of its region, and the order of roots is
+/// the raster order of first pixels.
 struct LabelTable {
   Label* parents = nullptr;
   Region* regions = nullptr;
@@ -18,8 +18,7 @@ struct LabelTable {
   Label capacity = 0;
 };
 
-/// Labels of both colours: tables[0] background, where label 0 is everything that reaches the image
-/// border, and tables[1] foreground.
+/// [0] is background, whose label 0 is everything connected to the image border; [1] is foreground.
 struct LabelTables {
   LabelTable of_colour[2];
 };
@@ -42,7 +41,7 @@ struct LabelTables {
   return root;
 }
 
-/// A label with its first pixel in row y. The table must have room.
+/// Adds a label whose first pixel is in row y. The table must have room.
 [[gnu::always_inline]] inline Label new_label(LabelTable& table, Index y, Label enclosing_object) {
   const Label label = table.count++;
   const auto row = static_cast<std::int32_t>(y);
@@ -51,7 +50,7 @@ struct LabelTables {
   return label;
 }
 
-/// Adds pixels [begin, end) of row y, the lowest row so far.
+/// Adds pixels [begin, end) of row y; y must not decrease between calls.
 [[gnu::always_inline]] inline void add_run(Region& region, std::int64_t begin, std::int64_t end,
                                            Index y) {
   const std::int64_t length = end - begin;

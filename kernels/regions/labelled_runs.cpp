@@ -13,7 +13,7 @@ RunRow RunStore::next_row(Index width) {
 }
 
 void RunStore::store(Index y, Index count) {
-  constexpr Index keys_after_row = 3;  // as far as comparisons of rows may read
+  constexpr Index keys_after_row = 3;  // label_runs reads up to three keys past a row
   rows_[static_cast<std::size_t>(y)] = {used_, count};
   used_ += count + keys_after_row + 1;
 }

@@ -1,6 +1,6 @@
-// All runs of a packed image with their labels: for images that are made from regions.
+// All runs of a packed image with their labels, for operations that write images.
 //
-// Cost: that of bitpacked_runs without sums, and 8 bytes stored per run.
+// Cost: that of bitpacked_runs without sums, plus 8 bytes stored per run.
 #pragma once
 
 #include <vector>
@@ -17,9 +17,9 @@ class RunStore {
   explicit RunStore(Index height) : rows_(static_cast<std::size_t>(height)) {}
 
   void clear() { used_ = 1; }
-  /// Memory for any row, behind the stored rows. Invalidates rows returned before.
+  /// Memory for one more row, after the stored rows. Invalidates rows returned before.
   RunRow next_row(Index width);
-  /// Stores what was written to next_row as row y.
+  /// Keeps the contents of the last next_row() as row y, with `count` keys.
   void store(Index y, Index count);
   [[nodiscard]] RunRow row(Index y);
 
@@ -43,14 +43,14 @@ class LabelledRuns {
  public:
   LabelledRuns(Index width, Index height) : labels_(width), rows_(height) {}
 
-  /// Labels all runs of an image with at least one row.
+  /// Labels all runs of an image of at least one row.
   void label(const ConstBitPlaneView& image);
 
   [[nodiscard]] RunRow row(Index y) { return rows_.row(y); }
-  /// The root of each label of a colour; that of all background connected to the border is 0.
+  /// The root of each label of a colour; background connected to the border has root 0.
   [[nodiscard]] const Label* roots(int colour) { return table(colour).parents; }
   [[nodiscard]] Label labels(int colour) { return table(colour).count; }
-  /// For the root of a hole: a label of the contour around it. For other labels: any contour's.
+  /// For the root of a hole, a label of the contour around it; for other labels, of any contour.
   [[nodiscard]] Label contour_of_hole(Label root) {
     return table(0).regions[root].enclosing_object;
   }
@@ -63,7 +63,7 @@ class LabelledRuns {
   RunStore rows_;
 };
 
-/// Sets the pixels of run i, neither the first of a row nor the last.
+/// Sets the pixels of run i, which must not be the first or last of its row.
 void set_run(std::uint64_t* row, const RunRow& runs, Index i);
 
 }  // namespace thinbench::detail

@@ -6,42 +6,41 @@
 
 namespace thinbench::detail {
 
-/// Accumulators of simd_runs, one of each kind per run, while the runs of neighbouring rows match
+/// Accumulators of simd_runs: one of each kind per run, used while the runs of adjacent rows match
 /// one to one. Sums are unsigned; the kernel adds them to the regions before any reaches 2^32.
-struct RunSlots {
-  Key* length = nullptr;   // sum of lengths
-  Key* squares = nullptr;  // sum of end^2 - begin^2, columns counted from 1
-  Key* rows = nullptr;     // sum of lengths times rows since the start
-  Key* least = nullptr;    // minimum of first keys
-  Key* largest = nullptr;  // maximum of last keys
+struct RunAccumulators {
+  Key* length = nullptr;     // sum of lengths
+  Key* squares = nullptr;    // sum of end^2 - begin^2, columns counted from 1
+  Key* rows = nullptr;       // sum of length * (row - first row)
+  Key* min_begin = nullptr;  // minimum of first keys
+  Key* max_end = nullptr;    // maximum of last keys
 };
 
 /// The working data of a kernel, in the caller's memory. Rows of runs and accumulators have room
-/// for every possible row and two paddings.
+/// for any row plus 2 * kKeyPadding.
 struct RunLabelling {
   LabelTables tables;
-  RunRow above;  // the last row that was labelled and summed up
+  RunRow above;  // the last row that was labelled and summed
   RunRow here;   // memory for the next one
-  RunSlots slots;
+  RunAccumulators accumulators;
 };
 
-/// Labels and sums up rows [first, last), given `above`. Returns `last`, or the first row that was
-/// not processed because the tables need room for (width + 1) / 2 labels more.
+/// Labels and sums rows [first, last), given `above`. Returns `last`, or the first row not
+/// processed because the tables need room for (width + 1) / 2 more labels.
 using LabelRows = Index (*)(const ConstBitPlaneView& image, Index first, Index last,
                             RunLabelling& labelling);
 
-/// With holes (background runs are labelled too) and for objects alone. Compiled for every ISA by
-/// simd_runs.
+/// `holes` labels background runs too, `components` only foreground. Compiled for every ISA.
 struct RunEngine {
   LabelRows holes;
   LabelRows components;
 };
 
-/// The kernel `bitpacked_runs`.
+/// The kernels of bitpacked_runs.
 extern const RunEngine kBitpackedRunEngine;
 
-/// Labels row y without a row above: every run that does not reach the image border gets a new
-/// label.
+/// Labels row y as the first of a band: every run gets a new label, except the background runs at
+/// either end, which get 0.
 void label_first_row(const ConstBitPlaneView& image, Index y, RunLabelling& labelling);
 
 }  // namespace thinbench::detail

@@ -7,8 +7,8 @@
 namespace thinbench::detail {
 namespace {
 
-/// Elements for the keys, labels or accumulators of a row: the boundaries of a word are written at
-/// once, with padding after them, and one key precedes the first.
+/// Elements for the keys, labels or accumulators of a row: one key precedes the first, and the keys
+/// of a whole word plus padding may be written after the last.
 Index elements_of_row(Index width) {
   return round_up(width + 2 + kWordBits + 2 * kKeyPadding, kKeyPadding);
 }
@@ -28,8 +28,8 @@ void join_rows(LabelTables& tables, const RunRow& above, const RunRow& below) {
   }
 }
 
-/// Appends the labels of `lower` to `labels`, gives them to the rows of `lower`, and joins the rows
-/// at the seam.
+/// Appends the labels of `lower` to `labels`, renumbers the rows of `lower`, and joins the rows at
+/// the seam.
 void join_bands(LabelStore& labels, const RunRow& last_above, RunBand& lower) {
   const LabelStore::Offsets offsets = labels.append(lower.labels().tables());
   for (RunRow* row : {&lower.first_row(), &lower.last_row()}) {
@@ -57,8 +57,8 @@ RunBand::RunBand(Index width)
     row->keys[-1] = kFirstKey;
     row->labels = reinterpret_cast<Label*>(take());
   }
-  RunSlots& sums = labelling_.slots;
-  for (Key** sum : {&sums.length, &sums.squares, &sums.rows, &sums.least, &sums.largest}) {
+  RunAccumulators& sums = labelling_.accumulators;
+  for (Key** sum : {&sums.length, &sums.squares, &sums.rows, &sums.min_begin, &sums.max_end}) {
     *sum = take();
   }
 }

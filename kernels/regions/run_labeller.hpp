@@ -10,15 +10,15 @@
 
 namespace thinbench::detail {
 
-/// Labels a band and owns the memory for it: 44 bytes per column, a few thousand more, and labels.
+/// Labels a band and owns its memory: 44 bytes per column, a few kilobytes, and labels.
 class RunBand {
  public:
   explicit RunBand(Index width);
 
-  /// Labels rows [first, last) of the image, at least one.
+  /// Labels rows [first, last) of the image; needs first < last.
   void label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last);
 
-  /// The labelled rows at the seams, and the labels.
+  // Results: the rows at the seams, and the labels.
   [[nodiscard]] RunRow& first_row() { return first_row_; }
   [[nodiscard]] RunRow& last_row() { return labelling_.above; }
   [[nodiscard]] LabelStore& labels() { return labels_; }
@@ -34,7 +34,7 @@ class RunLabeller {
  public:
   RunLabeller(LabelRows label_rows, Index width, Index height, int threads);
 
-  /// Objects and, if the kernel labels background runs, holes; valid until the next call. Throws
+  /// Objects and, if the kernel labels background runs, holes. Valid until the next call. Throws
   /// std::bad_alloc.
   RegionLists label(const ConstBitPlaneView& image);
 
@@ -44,7 +44,7 @@ class RunLabeller {
   std::deque<RunBand> bands_;
 };
 
-/// Makes background runs of a row at the image border part of the outside.
+/// Joins all background runs of a row at the image border with the outside.
 void join_border(LabelTables& tables, const RunRow& row);
 
 }  // namespace thinbench::detail

@@ -1,12 +1,12 @@
-// Rows as runs of equal pixels, and how the runs of two neighbouring rows touch. For every file,
-// ISA files included.
+// Rows as runs of equal pixels, and which runs of adjacent rows touch. Safe to include in ISA
+// files.
 //
 // A row is represented by its boundaries, as sorted keys: 2 (x + 1) where a foreground run begins
-// at x and 2 (x + 1) + 1 where one ends before x. Run i lies between keys[i - 1] and keys[i]; even
-// runs are background, odd runs foreground; the first and the last run reach the image border. The
-// odd bit turns "8-connected foreground" and "4-connected background" into one comparison: runs i
-// and j of the same colour in neighbouring rows touch where each begins below the other's end. Two
-// such keys are never equal.
+// at x, and 2 (x + 1) + 1 where one ends before x. Run i lies between keys[i - 1] and keys[i]; even
+// runs are background, odd runs foreground; the first and the last run reach the image border. Due
+// to the low bit, one comparison serves 8-connected foreground and 4-connected background: runs of
+// the same colour in adjacent rows touch if and only if each begins before the other ends, by
+// strict comparison of keys. The compared keys are never equal.
 //
 //   x         0 1 2 3 4 5 6 7          keys  6 11 14 17  (foreground in [2, 4) and [6, 7))
 //   pixels    . . # # . . # .          runs  0 background, 1 foreground, 2 background, ...
@@ -22,26 +22,27 @@ using Key = std::int32_t;
 inline constexpr Key kFirstKey = 0;
 inline constexpr Key kLastKey = INT32_MAX;
 
-/// So many kLastKey follow the keys of a row, and so many elements after them may be written.
+/// This many kLastKey follow the keys of a row, and as many elements after them may be overwritten.
 inline constexpr Index kKeyPadding = 16;
 
 struct RunRow {
   Key* keys = nullptr;  // keys[-1] is kFirstKey
   Label* labels = nullptr;
-  Index count = 0;  // of keys; there is one run more
+  Index count = 0;  // number of keys; there are count + 1 runs
 };
 
-/// The column at which a run begins (first key) or before which it ends (last key).
+/// The column where a run begins (its first key) or one past its end (its last key).
 [[gnu::always_inline]] inline std::int64_t column_of(Key key) {
   return (key >> 1) - 1;
 }
 
-/// Words of a row that can hold boundaries: one beyond the last pixel is in the margin.
+/// Words of a row that can hold boundaries. A run that ends with the row has one past the last
+/// pixel.
 [[gnu::always_inline]] inline Index words_with_boundaries(Index width) {
   return width / kWordBits + 1;
 }
 
-/// A bit wherever a pixel differs from its western neighbour.
+/// Bits of pixels that differ from their west neighbour.
 [[gnu::always_inline]] inline std::uint64_t boundaries(const std::uint64_t* word) {
   return word[0] ^ (word[0] << 1 | word[-1] >> 63);
 }
@@ -50,8 +51,8 @@ struct RunRow {
   for (Index i = 0; i < kKeyPadding; ++i) keys[count + i] = kLastKey;
 }
 
-/// Writes the keys of a word's boundaries and returns their number; `before` keys precede them in
-/// the row.
+/// Writes the keys of a word's boundaries and returns their number; `before` is the number of keys
+/// before them in the row.
 [[gnu::always_inline]] inline Index find_keys_of_word(std::uint64_t bits, Index word, Index before,
                                                       Key* keys) {
   const auto first = static_cast<Key>(2 * (word * kWordBits + 1));
@@ -72,9 +73,9 @@ struct RunRow {
   return count;
 }
 
-/// Labels runs [first, last] of row y into `labels`, given the labelled row above; its runs before
-/// `first_above` touch none of them. `labels[first - 1]` must be set: it encloses a hole that
-/// begins with run `first`. Background runs are labelled only with `with_background`.
+/// Labels runs [first, last] of row y, given the labelled row above, whose runs before
+/// `first_above` touch none of them. `labels[first - 1]` must be set, as the enclosing object of a
+/// hole that begins with run `first`. Background runs get label 0 unless `with_background`.
 template <bool with_background>
 [[gnu::always_inline]] inline void label_runs(LabelTables& tables, const RunRow& above,
                                               Index first_above, const Key* keys, Label* labels,
@@ -101,7 +102,7 @@ template <bool with_background>
   }
 }
 
-/// Sums up the runs of row y that do not reach the image border.
+/// Adds the runs of row y to their regions, except the first and the last.
 [[gnu::always_inline]] inline void add_runs(LabelTables& tables, const RunRow& row, Index y) {
   for (Index i = 1; i < row.count; ++i) {
     add_run(tables.of_colour[i % 2].regions[row.labels[i]], column_of(row.keys[i - 1]),

@@ -1,9 +1,9 @@
-// The Euler number on vectors of packed words, compiled for every level.
+// The Euler number on vectors of packed words. Compiled for every ISA.
 //
-// Cost a vector of 128, 256 or 512 pixels: 4 loads, 6 operations for the western neighbours (2 with
-// funnel shifts), 6 gates (4 with vpternlog) and two counts: 2 instructions with VPOPCNTDQ; else a
-// table of 16 nibbles by byte shuffles, 9 instructions for the difference of both. Below AVX2,
-// where the shuffle would count 16 bytes, one popcnt a word is as fast: the loop runs on 64-bit
+// Cost per vector of 128, 256 or 512 pixels: 4 loads, 6 operations for west neighbours (2 with
+// funnel shifts), 6 gates (4 with vpternlog) and two counts. Counts take 2 instructions with
+// VPOPCNTDQ, else 9 for the difference of both, by a nibble table in byte shuffles. Below AVX2 a
+// shuffle would count only 16 bytes; one popcnt per word is as fast, so the loop runs on 64-bit
 // words.
 #include <type_traits>
 
@@ -15,7 +15,7 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-/// Counts in lanes with one instruction.
+/// Counts each lane with one instruction.
 template <class Word>
 struct LaneCounter {
   Word total = Word(0);
@@ -27,8 +27,8 @@ struct LaneCounter {
 
 constexpr std::uint8_t kNibbleCounts[] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
-/// Nibble counts of `plus`, and 4 minus those of `minus`, so that bytes stay positive: 16 a byte
-/// at most, 64 a lane too much.
+/// Sums nibble counts of `plus` and 4 minus those of `minus`, so that bytes do not become negative:
+/// a byte is at most 16, and each lane is 64 too large.
 template <class Word>
 struct NibbleCounter {
   Word total = Word(0);

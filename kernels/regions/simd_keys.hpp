@@ -1,4 +1,4 @@
-// The keys of a row as fast as an ISA finds them. For ISA files only.
+// Finds the keys of a row, with byte compress where the ISA has it. For ISA files only.
 #pragma once
 
 #include <type_traits>
@@ -7,11 +7,11 @@
 #include "simd/vector.hpp"
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 
 static_assert(std::is_same_v<Key, IntBatch::value_type>);
 
-/// Writes the keys of a word's boundaries, with byte compress whole vectors of them, and returns
-/// how many there are.
+/// As find_keys_of_word; with byte compress it writes whole vectors of keys.
 ///   bits       ..1....1.1     bytes  0 2 7 0 ..      keys  2 (64 word + 1 + byte) + (is an end)
 [[gnu::always_inline]] inline int store_keys(std::uint64_t bits, Index word, Index before,
                                              Key* keys) {
@@ -19,7 +19,7 @@ static_assert(std::is_same_v<Key, IntBatch::value_type>);
     return static_cast<int>(find_keys_of_word(bits, word, before, keys));
   } else {
     const ByteBatch bytes = set_bit_places(bits);
-    // Every other boundary is an end, the first one where an odd number came before.
+    // Every other boundary ends a run: the first one if an odd number of keys precedes it.
     const WordBatch is_end(before % 2 == 0 ? std::uint64_t{1} << 32 : 1);
     const IntBatch first =
         IntBatch(static_cast<Key>(2 * (word * kWordBits + 1))) + reinterpreted<IntBatch>(is_end);
@@ -37,8 +37,8 @@ static_assert(std::is_same_v<Key, IntBatch::value_type>);
   }
 }
 
-/// Writes the keys of a row and returns how many there are; where a register holds eight words, it
-/// skips words without boundaries eight at a time.
+/// Writes the keys of a row and returns their number. Where a register holds eight words, words
+/// without boundaries are skipped eight at a time.
 [[gnu::always_inline]] inline Index find_keys_of_row(const std::uint64_t* row, Index words,
                                                      Key* keys) {
   if constexpr (!kRegisterHoldsRow) {
@@ -58,4 +58,5 @@ static_assert(std::is_same_v<Key, IntBatch::value_type>);
   }
 }
 
+}  // namespace THINBENCH_ISA
 }  // namespace thinbench::detail

@@ -1,12 +1,11 @@
-// Runs whose neighbours below match them one to one are summed up side by side in vector lanes, one
-// run a lane; union-find sees only the runs round a change. Compiled for every level.
+// Sums runs in vector lanes, one run per lane, while the runs of adjacent rows match one to one;
+// only runs near a change go through union-find. Compiled for every ISA.
 //
-// Cost a row of n runs: 2 comparisons, 2 multiplications, 9 additions or minima, 8 loads and 5
-// stores a vector of runs (4, 8 or 16), where bitpacked_runs spends about 30 instructions on every
-// run. Finding boundaries costs the same as there below AVX-512, which passes over eight words
-// without any at once; with VBMI2 one compress turns the 64 bits of a word into the list of its
-// boundaries. Most rows of a picture of parts repeat the runs of the row above with slightly moved
-// ends.
+// Most rows of an image of parts repeat the runs of the row above with slightly moved ends. Cost of
+// such a row, per vector of 4, 8 or 16 runs: 2 comparisons, 2 multiplications, 9 additions or
+// minima, 8 loads and 5 stores, where bitpacked_runs takes about 30 instructions per run. Finding
+// boundaries costs the same as there, except that AVX-512 skips eight words without boundaries at
+// once, and with VBMI2 one compress lists all boundaries of a word.
 #include "dispatch/exported.hpp"
 #include "regions/run_engine.hpp"
 #include "regions/simd_keys.hpp"
@@ -20,61 +19,63 @@ using KeyBatch = BatchOf<Key>;
 constexpr Index kLanes = static_cast<Index>(KeyBatch::size);
 static_assert(kLanes <= kKeyPadding);
 
-/// Whether each of runs [0, count] touches its counterpart above and no other.
+/// Whether each of runs [0, count] touches its counterpart above and no other run.
 [[gnu::always_inline]] inline bool all_match(const Key* above, const Key* here, Index count) {
-  auto apart = KeyBatch(0) > KeyBatch(0);
+  auto disjoint = KeyBatch(0) > KeyBatch(0);
   for (Index i = 0; i <= count; i += kLanes) {
     const auto above_begin = KeyBatch::load_unaligned(above + i - 1);
     const auto above_end = KeyBatch::load_unaligned(above + i);
     const auto here_begin = KeyBatch::load_unaligned(here + i - 1);
     const auto here_end = KeyBatch::load_unaligned(here + i);
-    apart = apart | (here_begin > above_end) | (above_begin > here_end);
+    disjoint = disjoint | (here_begin > above_end) | (above_begin > here_end);
   }
-  return !xsimd::any(apart);
+  return !xsimd::any(disjoint);
 }
 
 [[gnu::always_inline]] inline bool matches(const Key* above, const Key* here) {
   return here[-1] < above[0] && above[-1] < here[0];
 }
 
-/// Runs at either end of two rows that match one to one and touch nothing else.
+/// Numbers of runs at the ends of two rows that match one to one and touch no others.
 struct Matching {
   Index left;
   Index right;
 };
 
 [[gnu::always_inline]] inline Matching find_matching(const RunRow& above, const RunRow& here) {
-  const Index most = above.count < here.count ? above.count : here.count;
+  const Index max = above.count < here.count ? above.count : here.count;
   Index left = 0;
-  while (left <= most && matches(above.keys + left, here.keys + left)) ++left;
+  while (left <= max && matches(above.keys + left, here.keys + left)) ++left;
   Index right = 0;
-  while (right <= most &&
+  while (right <= max &&
          matches(above.keys + above.count - right, here.keys + here.count - right)) {
     ++right;
   }
-  // The last run that was reached may touch the first that does not match.
+  // The last matching run may also touch the first one that does not match.
   left = left > 0 ? left - 1 : 0;
   right = right > 0 ? right - 1 : 0;
-  return {left, right < most + 1 - left ? right : most + 1 - left};
+  return {left, right < max + 1 - left ? right : max + 1 - left};
 }
 
-[[gnu::always_inline]] inline void start_slots(const RunSlots& slots, Index first, Index last) {
+[[gnu::always_inline]] inline void clear_accumulators(const RunAccumulators& accumulators,
+                                                      Index first, Index last) {
   for (Index i = first; i <= last; ++i) {
-    slots.length[i] = 0;
-    slots.squares[i] = 0;
-    slots.rows[i] = 0;
-    slots.least[i] = kLastKey;
-    slots.largest[i] = kFirstKey;
+    accumulators.length[i] = 0;
+    accumulators.squares[i] = 0;
+    accumulators.rows[i] = 0;
+    accumulators.min_begin[i] = kLastKey;
+    accumulators.max_end[i] = kFirstKey;
   }
 }
 
-/// Sums wrap round like unsigned numbers: runs that reach the frame have keys without meaning.
+/// Wraps around like unsigned numbers: the keys of runs that reach the image border have no
+/// meaning.
 [[gnu::always_inline]] inline KeyBatch product(KeyBatch a, KeyBatch b) {
   return reinterpreted<KeyBatch>(reinterpreted<Lanes32>(a) * reinterpreted<Lanes32>(b));
 }
 
-[[gnu::always_inline]] inline void add_row(const RunSlots& slots, const Key* keys, Index count,
-                                           Index rows_since_start) {
+[[gnu::always_inline]] inline void add_row(const RunAccumulators& accumulators, const Key* keys,
+                                           Index count, Index rows_since_start) {
   const KeyBatch row(static_cast<Key>(rows_since_start));
   for (Index i = 0; i <= count; i += kLanes) {
     const auto load = [i](const Key* from) { return KeyBatch::load_unaligned(from + i); };
@@ -83,32 +84,33 @@ struct Matching {
     const KeyBatch begin = begin_key >> 1;
     const KeyBatch end = end_key >> 1;
     const KeyBatch length = end - begin;
-    (load(slots.length) + length).store_unaligned(slots.length + i);
-    (load(slots.squares) + product(length, begin + end)).store_unaligned(slots.squares + i);
-    (load(slots.rows) + product(length, row)).store_unaligned(slots.rows + i);
-    xsimd::min(load(slots.least), begin_key).store_unaligned(slots.least + i);
-    xsimd::max(load(slots.largest), end_key).store_unaligned(slots.largest + i);
+    (load(accumulators.length) + length).store_unaligned(accumulators.length + i);
+    (load(accumulators.squares) + product(length, begin + end))
+        .store_unaligned(accumulators.squares + i);
+    (load(accumulators.rows) + product(length, row)).store_unaligned(accumulators.rows + i);
+    xsimd::min(load(accumulators.min_begin), begin_key).store_unaligned(accumulators.min_begin + i);
+    xsimd::max(load(accumulators.max_end), end_key).store_unaligned(accumulators.max_end + i);
   }
 }
 
-/// Adds what the slots of runs [first, last] hold of rows [start, end) to the runs' regions. Runs
-/// that reach the frame (0 and `count`) are left out.
-[[gnu::always_inline]] inline void empty_slots(RunLabelling& labelling, Index first, Index last,
-                                               Index start, Index end) {
-  const RunSlots& slots = labelling.slots;
+/// Adds the accumulators of runs [first, last] over rows [start, end) to the runs' regions, except
+/// those of runs that reach the image border (0 and `count`).
+[[gnu::always_inline]] inline void flush_accumulators(RunLabelling& labelling, Index first,
+                                                      Index last, Index start, Index end) {
+  const RunAccumulators& accumulators = labelling.accumulators;
   const RunRow& row = labelling.above;
   if (first < 1) first = 1;
   if (last > row.count - 1) last = row.count - 1;
   for (Index i = first; i <= last; ++i) {
     Region& region = labelling.tables.of_colour[i % 2].regions[row.labels[i]];
     const auto unsigned_of = [](Key sum) { return std::int64_t{static_cast<std::uint32_t>(sum)}; };
-    const std::int64_t length = unsigned_of(slots.length[i]);
-    if (length == 0) continue;  // new in the row to come
+    const std::int64_t length = unsigned_of(accumulators.length[i]);
+    if (length == 0) continue;  // cleared for the next row
     region.area += length;
-    region.sum_x += (unsigned_of(slots.squares[i]) - length) / 2 - length;
-    region.sum_y += start * length + unsigned_of(slots.rows[i]);
-    const auto left = static_cast<std::int32_t>(column_of(slots.least[i]));
-    const auto right = static_cast<std::int32_t>(column_of(slots.largest[i]) - 1);
+    region.sum_x += (unsigned_of(accumulators.squares[i]) - length) / 2 - length;
+    region.sum_y += start * length + unsigned_of(accumulators.rows[i]);
+    const auto left = static_cast<std::int32_t>(column_of(accumulators.min_begin[i]));
+    const auto right = static_cast<std::int32_t>(column_of(accumulators.max_end[i]) - 1);
     if (left < region.left) region.left = left;
     if (right > region.right) region.right = right;
     region.bottom = static_cast<std::int32_t>(end - 1);
@@ -120,19 +122,20 @@ template <class T>
   __builtin_memmove(elements + to, elements + from, static_cast<std::size_t>(count) * sizeof(T));
 }
 
-/// Gives the last runs of the row their new positions, labels and slots.
+/// Moves labels and accumulators of the last `count` runs to their new positions.
 [[gnu::always_inline]] inline void move_runs(RunLabelling& labelling, Index from, Index to,
                                              Index count) {
   if (from == to) return;
-  const RunSlots& slots = labelling.slots;
-  for (Key* sums : {slots.length, slots.squares, slots.rows, slots.least, slots.largest}) {
+  const RunAccumulators& accumulators = labelling.accumulators;
+  for (Key* sums : {accumulators.length, accumulators.squares, accumulators.rows,
+                    accumulators.min_begin, accumulators.max_end}) {
     move_elements(sums, from, to, count);
   }
   move_elements(labelling.above.labels, from, to, count);
 }
 
-/// Labels the row `here`, whose runs do not all match those above: union-find for the runs between
-/// the matching ends. `above` keeps its label memory, which then holds the new labels.
+/// Labels a row whose runs do not all match those above, by union-find for the runs between the
+/// matching ends. Afterwards `above.labels` holds the new labels.
 template <bool with_background>
 [[gnu::always_inline]] inline void label_change(RunLabelling& labelling, Index start, Index y) {
   RunRow& above = labelling.above;
@@ -141,53 +144,53 @@ template <bool with_background>
   const Index first = matching.left;
   const Index last = here.count - matching.right;
   const Index last_above = above.count - matching.right;
-  empty_slots(labelling, first, last_above, start, y);
+  flush_accumulators(labelling, first, last_above, start, y);
   if (first > 0) here.labels[first - 1] = above.labels[first - 1];
   label_runs<with_background>(labelling.tables, above, first, here.keys, here.labels, first, last,
                               y);
   move_runs(labelling, last_above + 1, last + 1, matching.right);
   for (Index i = first; i <= last; ++i) above.labels[i] = here.labels[i];
-  start_slots(labelling.slots, first, last);
+  clear_accumulators(labelling.accumulators, first, last);
 }
 
-/// Rows that the slots can sum up before 32 bits are too few: sums of squares stay below
-/// rows (width + 2)^2, sums of rows below rows^2 width.
-[[gnu::always_inline]] inline Index rows_between_emptyings(Index width) {
-  constexpr Index most = 1024;
+/// The number of rows that fit 32-bit accumulators: sums of squares stay below rows * (width +
+/// 2)^2, sums of rows below rows^2 * width.
+[[gnu::always_inline]] inline Index max_rows_per_flush(Index width) {
+  constexpr Index max_rows = 1024;
   const Index rows = (Index{1} << 32) / ((width + 2) * (width + 2));
-  return rows < most ? rows : most;
+  return rows < max_rows ? rows : max_rows;
 }
 
-/// Labels rows [first, last), at most rows_between_emptyings.
+/// Labels rows [first, last), at most max_rows_per_flush.
 template <bool with_background>
 Index label_block(const ConstBitPlaneView& image, Index first, Index last,
                   RunLabelling& labelling) {
   const Index words = words_with_boundaries(image.width);
   RunRow& above = labelling.above;
   RunRow& here = labelling.here;
-  start_slots(labelling.slots, 0, above.count);
+  clear_accumulators(labelling.accumulators, 0, above.count);
   Index y = first;
   for (; y < last && has_room(labelling.tables, image.width); ++y) {
     here.count = find_keys_of_row(image.row(y), words, here.keys);
     if (here.count != above.count || !all_match(above.keys, here.keys, here.count)) {
       label_change<with_background>(labelling, first, y);
     }
-    add_row(labelling.slots, here.keys, here.count, y - first);
+    add_row(labelling.accumulators, here.keys, here.count, y - first);
     Key* const keys = above.keys;
     above.keys = here.keys;
     above.count = here.count;
     here.keys = keys;
   }
-  empty_slots(labelling, 0, above.count, first, y);
+  flush_accumulators(labelling, 0, above.count, first, y);
   return y;
 }
 
 template <bool with_background>
 Index label_rows(const ConstBitPlaneView& image, Index first, Index last, RunLabelling& labelling) {
-  const Index most = rows_between_emptyings(image.width);
+  const Index max_rows = max_rows_per_flush(image.width);
   Index y = first;
   while (y < last) {
-    const Index end = y + most < last ? y + most : last;
+    const Index end = y + max_rows < last ? y + max_rows : last;
     const Index reached = label_block<with_background>(image, y, end, labelling);
     if (reached < end) return reached;
     y = end;

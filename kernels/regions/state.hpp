@@ -12,8 +12,8 @@
 
 namespace thinbench::detail {
 
-/// The result: lists of regions (holes, components), a number (the Euler number with 8- or
-/// 4-connected objects) or an image (interior contours filled).
+/// What to compute: lists of regions (holes, components), the Euler number with 8- or 4-connected
+/// objects, or an image (fill).
 enum class RegionsTask : std::uint8_t { holes, components, euler_eight, euler_four, fill };
 
 struct RegionsSetting {
@@ -25,10 +25,10 @@ struct RegionsSetting {
 };
 
 /// Owns all memory for images of one size: one bit per pixel for packed images, one byte for `lut`,
-/// five bytes for `union_find`. Filling takes one bit or byte per pixel more, and 8 bytes per run
-/// on packed images. Regions take 52 bytes per provisional label (at most one per two pixels, one
-/// per some thousand on images of parts). Labels and runs grow on demand: compute() allocates where
-/// an image has more of them than any before, but not in a second run on it.
+/// five bytes for `union_find`. Filling takes another bit or byte per pixel, and 8 bytes per run
+/// on packed images. Regions take 52 bytes per provisional label (at most one per two pixels; on
+/// images of parts one per some thousand). Memory for labels and runs grows on demand: compute()
+/// allocates only when an image has more of them than all before.
 class RegionsState {
  public:
   using Setting = RegionsSetting;
@@ -40,10 +40,10 @@ class RegionsState {
 
   /// Packs the image.
   virtual void load(const ConstImageView& source) = 0;
-  /// Leaves the loaded image unchanged, so that it may be repeated.
+  /// Does not change the loaded image, so it may be repeated.
   virtual void compute() = 0;
-  /// The result of the task; the two others throw std::logic_error. Lists are valid until the next
-  /// compute().
+  /// The result of the task; the other two functions throw std::logic_error. Lists are valid until
+  /// the next compute().
   [[nodiscard]] virtual RegionLists regions() const { throw_other_result(); }
   [[nodiscard]] virtual std::int64_t number() const { throw_other_result(); }
   virtual void store(const ImageView& /*destination*/) const { throw_other_result(); }
@@ -54,7 +54,7 @@ class RegionsState {
   }
 };
 
-/// A state that works on a plane of T.
+/// The base of states that work on a plane of T.
 template <class T>
 class RegionsPlaneState : public RegionsState {
  public:
@@ -75,9 +75,9 @@ class RegionsPlaneState : public RegionsState {
 using RegionsVariant = Variant<RegionsState>;
 using RegionsVariants = VariantList<RegionsState>;
 
-/// The largest width and height: keys of boundaries are 32-bit numbers.
+/// The maximum width and height: keys are 32-bit numbers.
 inline constexpr Index kMaxRegionsSide = Index{1} << 29;
-/// Labels are 32-bit numbers, sums of coordinates 64-bit ones.
+/// The maximum number of pixels: labels are 32-bit numbers, sums of coordinates 64-bit ones.
 inline constexpr Index kMaxRegionsPixels = Index{1} << 32;
 
 }  // namespace thinbench::detail

@@ -1,15 +1,15 @@
-// Two-pass labelling of bytes, as in textbooks: provisional labels from the neighbours already
-// visited, joined in a union-find forest; then every pixel is added to its region.
+// Textbook two-pass labelling of bytes: the first pass takes provisional labels from the neighbours
+// already visited and joins them in a union-find forest; the second adds every pixel to its region.
 //
 // Cost per pixel: up to 4 look-ups of neighbours' labels, 4 bytes written and read again, and 12
-// operations to sum up, with branches that depend on the image. It is the baseline for run-based
-// labelling: docs/experiments.md#union-find-on-noise.
+// operations to sum, with unpredictable branches. The baseline for run-based labelling:
+// docs/experiments.md#union-find-on-noise.
 #include "regions/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-/// Labels of both colours, in a margin one pixel wide with label 0 of the background.
+/// Labels of both colours, with a margin one pixel wide that has label 0 of the background.
 class LabelPlane {
  public:
   LabelPlane(Index width, Index height)
@@ -30,7 +30,7 @@ class UnionFindState : public RegionsPlaneState<std::uint8_t> {
       : RegionsPlaneState(setting), labels_(setting.width, setting.height), store_(setting.width) {}
 
  protected:
-  /// The first pass; rows at the image border are joined with the outside.
+  /// The first pass; joins background at the image border with the outside.
   void label() {
     store_.clear();
     for (Index y = 0; y < image().height; ++y) {
@@ -61,7 +61,7 @@ class UnionFindState : public RegionsPlaneState<std::uint8_t> {
     LabelTable& table = store_.tables().of_colour[1];
     const std::uint8_t* north = pixel - stride;
     const Label* label_north = label - labels_.stride();
-    if (north[0] != 0) return label_north[0];  // touches the other three
+    if (north[0] != 0) return label_north[0];  // already joined with the other three
     const bool east = north[1] != 0;
     Label joined = 0;
     if (pixel[-1] != 0) {

@@ -44,9 +44,9 @@ State make_simd_runs(const RegionsSetting& setting) {
 
 /// Labels all runs, then sets those of holes.
 ///
-/// Cost: that of labelled_runs.hpp, a load and a store per word for the copy of the image, and per
-/// background run a look-up and, in a hole, its words.
-/// Rejected without measurement: docs/experiments.md#filling-with-lanes-or-threads.
+/// Cost: that of labelled_runs.hpp, a load and a store per word to copy the image, and a look-up
+/// per background run, plus its words if it belongs to a hole. Rejected without measurement:
+/// docs/experiments.md#filling-with-lanes-or-threads.
 class FillState final : public RegionsPlaneState<std::uint64_t> {
  public:
   explicit FillState(const RegionsSetting& setting)
@@ -145,7 +145,7 @@ void add_euler_variants(RegionsVariants& list) {
   list.add(lut, Isa::baseline, &make_euler_lut, {0});
   list.add_with_threads(bitpacked, Isa::baseline, &make_euler_bitpacked, {1});
   for (const Isa isa : kAllIsas) {
-    if (isa == Isa::baseline) continue;  // counts words as `bitpacked` does
+    if (isa == Isa::baseline) continue;  // the same as `bitpacked`
     list.add_with_threads(simd_bitpacked, isa, &make_euler_simd, {2});
   }
 }

@@ -7,12 +7,12 @@
 
 namespace thinbench::detail {
 
-/// simd_runs sums up squares of columns in 32 bits.
+/// The maximum width of simd_runs, which sums squares of columns in 32 bits.
 inline constexpr Index kSimdRunsWidth = 65534;
 
 [[nodiscard]] std::vector<RegionsVariant> regions_variants(RegionsTask task);
 
-/// The technique union_find: holes and components, and filled images.
+/// States of the technique union_find: for holes and components, and for filling.
 [[nodiscard]] std::unique_ptr<RegionsState> make_union_find(const RegionsSetting& setting);
 [[nodiscard]] std::unique_ptr<RegionsState> make_union_find_fill(const RegionsSetting& setting);
 

@@ -1,4 +1,4 @@
-// The vocabulary in 256-bit registers of x86: AVX2 and BMI2.
+// The vocabulary on 256-bit registers: AVX2 and BMI2.
 #pragma once
 
 #include <immintrin.h>
@@ -64,7 +64,7 @@ inline std::uint64_t scatter_bits(std::uint64_t word, std::uint64_t mask) {
   return _pdep_u64(word, mask);
 }
 
-// Packing works within 128 bits: eight lanes, eight zeros, eight lanes, eight zeros.
+// Packing works within 128 bits and gives eight lanes, eight zeros, eight lanes, eight zeros.
 inline std::uint32_t nonzero_lanes(Lanes16 a) {
   const __m256i zero = _mm256_setzero_si256();
   const __m256i bytes = _mm256_packs_epi16(_mm256_cmpeq_epi16(a, zero), zero);
@@ -125,7 +125,7 @@ inline ByteBatch pack(const Halves& a) {
   return _mm256_packus_epi16(a.low, a.high);
 }
 
-// Saturation keeps signs.
+// Saturation preserves signs.
 inline std::uint64_t nonnegative_bits(const Halves& a) {
   return ~static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_packs_epi16(a.low, a.high)));
 }
@@ -164,11 +164,7 @@ inline std::uint64_t bits_of(LaneMask lanes) {
   return static_cast<unsigned>(_mm256_movemask_ps(lanes));
 }
 
-inline FloatBatch load_bytes(const std::uint8_t* from) {
-  return _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(from)));
-}
-
-// The permutation looks at three bits of the index; the fourth picks the half.
+// The permutation uses three bits of the index; the fourth selects the half.
 inline FloatBatch look_up_16(const float* table, FloatBatch index) {
   const __m256i i = _mm256_cvtps_epi32(index);
   const __m256 low = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table), i);

@@ -1,5 +1,5 @@
-// The vocabulary in 512-bit registers of x86: AVX-512 F, CD, DQ, BW and VL, and VBMI2 and VPOPCNTDQ
-// where the ISA has them.
+// The vocabulary on 512-bit registers: AVX-512 F, CD, DQ, BW and VL, and VBMI2 and VPOPCNTDQ where
+// the ISA has them.
 #pragma once
 
 #include <immintrin.h>
@@ -170,8 +170,8 @@ inline WordBatch next_word(WordBatch a) {
   return _mm512_alignr_epi64(_mm512_setzero_si512(), a, 1);
 }
 
-// Two permutations and a funnel shift (without VBMI2 two shifts and an OR). Only the low three bits
-// of an index count: lane 0 gets lane 8 - n.
+// Two permutations and a funnel shift (without VBMI2 two shifts and an OR). Permutations use the
+// low three bits of an index, so lane 0 gets lane 8 - n.
 inline WordBatch rotated(WordBatch row, Index pixels) {
   const __m512i lanes = _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 6, 7);
   const __m512i here = _mm512_sub_epi64(lanes, _mm512_set1_epi64(pixels / 64));
@@ -205,7 +205,7 @@ inline WordBatch rotated(WordBatch row, Index pixels) {
 }
 
 inline Square transposed(const Square& in) {
-  constexpr int even = 0x88;  // parts of 128 bits: 0 and 2 of either operand
+  constexpr int even = 0x88;  // 128-bit parts 0 and 2 of each operand
   constexpr int odd = 0xDD;
   const Square fours = interleaved_fours(in);
   Square out;
@@ -266,7 +266,7 @@ inline ByteBatch pack(const Halves& a) {
   return _mm512_packus_epi16(a.low, a.high);
 }
 
-// Saturation keeps signs.
+// Saturation preserves signs.
 inline std::uint64_t nonnegative_bits(const Halves& a) {
   return ~_mm512_movepi8_mask(_mm512_packs_epi16(a.low, a.high));
 }
@@ -300,11 +300,6 @@ inline LaneMask lane_mask(std::uint64_t bits) {
 
 inline std::uint64_t bits_of(LaneMask lanes) {
   return static_cast<__mmask16>(lanes);
-}
-
-inline FloatBatch load_bytes(const std::uint8_t* from) {
-  return _mm512_cvtepi32_ps(
-      _mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
 }
 
 inline FloatBatch look_up_16(const float* table, FloatBatch index) {

@@ -1,4 +1,4 @@
-// The vocabulary in 128-bit registers of x86: SSE2, and SSSE3 where the ISA has it.
+// The vocabulary on 128-bit registers: SSE2, and SSSE3 where the ISA has it.
 #pragma once
 
 #include <immintrin.h>
@@ -14,7 +14,7 @@ inline constexpr bool kHasCompress = false;
 inline constexpr bool kHasByteCompress = false;
 inline constexpr bool kHasTranspose = false;
 inline constexpr bool kHasPopcount = false;
-inline constexpr bool kHasByteLookUp = false;  // SSSE3 has it, but a popcnt a word is as fast
+inline constexpr bool kHasByteLookUp = false;  // SSSE3 has it, but one popcnt per word is as fast
 inline constexpr bool kHasBitGather = false;
 
 inline std::uint64_t nonzero_bits(ByteBatch a) {
@@ -88,7 +88,7 @@ inline WideBatch weighted_pairs(WideBatch pairs, WideBatch weights) {
 #if defined(__SSSE3__)
   return _mm_maddubs_epi16(pairs, weights);
 #else
-  // Lower and upper bytes separately; weights are widened by shifts that keep the sign.
+  // Lower and upper bytes separately; weights are sign-extended by shifts.
   const __m128i lower = _mm_and_si128(pairs, _mm_set1_epi16(0xFF));
   const __m128i upper = _mm_srli_epi16(pairs, 8);
   const __m128i lower_weight = _mm_srai_epi16(_mm_slli_epi16(weights, 8), 8);
@@ -101,7 +101,7 @@ inline ByteBatch pack(const Halves& a) {
   return _mm_packus_epi16(a.low, a.high);
 }
 
-// Saturation keeps signs.
+// Saturation preserves signs.
 inline std::uint64_t nonnegative_bits(const Halves& a) {
   return static_cast<std::uint16_t>(~_mm_movemask_epi8(_mm_packs_epi16(a.low, a.high)));
 }
@@ -136,12 +136,6 @@ inline LaneMask lane_mask(std::uint64_t bits) {
 
 inline std::uint64_t bits_of(LaneMask lanes) {
   return static_cast<unsigned>(_mm_movemask_ps(lanes));
-}
-
-inline FloatBatch load_bytes(const std::uint8_t* from) {
-  const __m128i zero = _mm_setzero_si128();
-  const __m128i words = _mm_unpacklo_epi8(_mm_loadu_si32(from), zero);
-  return _mm_cvtepi32_ps(_mm_unpacklo_epi16(words, zero));
 }
 
 inline FloatBatch look_up_16(const float* table, FloatBatch index) {

@@ -1,6 +1,6 @@
-// Vectors for kernels: the vocabulary (vocabulary.hpp) as this ISA's architecture defines it, what
-// follows from it on every architecture, and batches as words. The one header of this directory
-// that ISA files include. What differs between versions of xsimd is hidden here, too.
+// Vectors for kernels: vocabulary.hpp as this ISA's architecture implements it, functions built on
+// it, and batches as words. Hides differences between versions of xsimd. ISA files include this
+// header.
 #pragma once
 
 #include "simd/vocabulary.hpp"
@@ -31,8 +31,8 @@ template <class T, class A>
   return xsimd::any(batch != xsimd::batch<T, A>(T{0}));
 }
 
-/// The western neighbours of packed pixels: each lane shifted by `pixels` towards high bits; the
-/// bits that come in are the highest of `before`.
+/// The west neighbours of packed pixels: each lane shifted by `pixels` towards high bits, filled
+/// with the highest bits of `before`.
 template <int pixels, class T, class A>
 [[gnu::always_inline]] inline xsimd::batch<T, A> west_neighbour(const xsimd::batch<T, A>& centre,
                                                                 const xsimd::batch<T, A>& before) {
@@ -43,7 +43,7 @@ template <int pixels, class T, class A>
   }
 }
 
-/// The same towards low bits; the lowest of `after` come in.
+/// The east neighbours: shifted towards low bits, filled with the lowest bits of `after`.
 template <int pixels, class T, class A>
 [[gnu::always_inline]] inline xsimd::batch<T, A> east_neighbour(const xsimd::batch<T, A>& centre,
                                                                 const xsimd::batch<T, A>& after) {
@@ -66,11 +66,11 @@ template <int pixels, class T, class A>
   return {xsimd::abs(a.low), xsimd::abs(a.high)};
 }
 
-[[gnu::always_inline]] inline Halves largest(const Halves& a, const Halves& b) {
+[[gnu::always_inline]] inline Halves maximum(const Halves& a, const Halves& b) {
   return {xsimd::max(a.low, b.low), xsimd::max(a.high, b.high)};
 }
 
-/// a - b for values from 0 to 32767; `pack` makes 0 of what is negative.
+/// a - b for values from 0 to 32767; `pack` saturates negative results to 0.
 [[gnu::always_inline]] inline Halves excess(const Halves& a, WideBatch b) {
   return {xsimd::ssub(a.low, b), xsimd::ssub(a.high, b)};
 }
@@ -105,7 +105,7 @@ template <int pixels, class T, class A>
 
 }  // namespace THINBENCH_ISA
 
-// Specialisations stand where their template does, outside the namespace of the ISA.
+// Specialisations belong to the namespace of their template, outside that of the ISA.
 
 /// Byte lanes, one pixel each: neighbours are one element away.
 template <>
@@ -125,8 +125,8 @@ struct WordTraits<ByteBatch> {
   [[gnu::always_inline]] static bool any(Word word) { return any_bit(word); }
 };
 
-/// Packed pixels, 64 a lane. The bit that crosses a lane comes from an unaligned load one word
-/// away, which needs no lane-crossing shuffle.
+/// Packed pixels, 64 per lane. The bit from the adjacent lane comes from an unaligned load one word
+/// away, which avoids a lane-crossing shuffle.
 template <>
 struct WordTraits<WordBatch> {
   using Element = std::uint64_t;

@@ -1,25 +1,23 @@
-// The vocabulary of vector operations: all that kernels may say about vectors. Every architecture
-// file (sse2.hpp, avx2.hpp, avx512.hpp) defines the functions that are declared here, and only this
-// directory names instructions or asks which architecture it is compiled for. Kernels include
-// vector.hpp. For ISA files only.
+// The vocabulary of vector operations. Each architecture file (sse2.hpp, avx2.hpp, avx512.hpp)
+// defines the functions declared here; only this directory uses intrinsics or tests for an
+// architecture. Kernels include vector.hpp. For ISA files only.
 //
-// Types and functions have one name and another meaning for each ISA, so they stand in an inline
-// namespace of the ISA: the linker would merge whatever a compiler does not inline.
+// Types and functions have the same name but another meaning in each ISA, so they are in an inline
+// namespace of the ISA: otherwise the linker would merge functions that were not inlined.
 //
-// Lanes are numbered from low to high addresses, and so are the bits of words. Bits of a result
+// Lanes are numbered from low to high addresses, bits of words from low to high. Bits of a result
 // beyond the number of lanes are 0 unless stated otherwise.
 //
-// An architecture file also defines these constants. Functions marked with one of them exist where
-// it is true; kernels use them in `if constexpr`, with another algorithm as the alternative.
+// An architecture file also defines these constants. A function marked with one of them exists only
+// where it is true; kernels use it in `if constexpr`, with another algorithm as the alternative.
 //   kHasFunnelShift   west_neighbour and east_neighbour in one instruction
-//   kHasMaskedBytes   loads and stores of some bytes of a register
-//   kHasCompress      lanes of 32 bits that a mask selects, one after another
-//   kHasByteCompress  the same for bytes
-//   kHasTranspose     a square of 32-bit lanes, transposed in registers
-//   kHasPopcount      the set bits of each 64-bit lane
-//   kHasByteLookUp    tables of 16 bytes and horizontal sums of bytes, faster than a scalar
-//   popcount kHasBitGather     bits of a 64-bit word that a mask selects, one after another, and
-//   back
+//   kHasMaskedBytes   masked loads and stores of bytes
+//   kHasCompress      compress-store of 32-bit lanes
+//   kHasByteCompress  compress of bytes
+//   kHasTranspose     transposition of a square of 32-bit lanes in registers
+//   kHasPopcount      population count of each 64-bit lane
+//   kHasByteLookUp    16-byte tables and horizontal sums of bytes, faster than scalar popcnt
+//   kHasBitGather     gather and scatter of the bits of a 64-bit word (PEXT, PDEP)
 #pragma once
 
 #include <cstddef>
@@ -62,7 +60,7 @@ using Architecture = ArchitectureOf<kThisIsa>::Type;
 template <class T>
 using BatchOf = xsimd::batch<T, Architecture>;
 
-using WordBatch = BatchOf<std::uint64_t>;  // 64 packed pixels a lane
+using WordBatch = BatchOf<std::uint64_t>;  // 64 packed pixels per lane
 using ByteBatch = BatchOf<std::uint8_t>;
 using SignedByteBatch = BatchOf<std::int8_t>;
 using WideBatch = BatchOf<std::int16_t>;
@@ -71,24 +69,24 @@ using FloatBatch = BatchOf<float>;
 using Lanes16 = BatchOf<std::uint16_t>;
 using Lanes32 = BatchOf<std::uint32_t>;
 
-/// Lanes chosen: a mask register where there is one, all-ones lanes elsewhere.
+/// Masks of lanes: a mask register where the ISA has them, else lanes of all ones.
 using LaneMask = xsimd::batch_bool<float, Architecture>;
 using ByteMask = xsimd::batch_bool<std::uint8_t, Architecture>;
 
-/// Bytes widened to 16 bits, in two halves, interleaved as the processor does it, within 128 bits
-/// on AVX2 and AVX-512. `pack` undoes that; nothing between may depend on the order of lanes.
+/// Bytes widened to 16 bits, in two halves, in the order of the unpack instructions (within 128
+/// bits on AVX2 and AVX-512). `pack` restores the order; code in between must not depend on it.
 struct Halves {
   WideBatch low;
   WideBatch high;
 };
 
-/// As many rows of 32-bit lanes as a row has lanes.
+/// A square of 32-bit lanes.
 struct Square {
   static constexpr Index kSize = static_cast<Index>(Lanes32::size);
   Lanes32 rows[std::size_t{kSize}];
 };
 
-/// Whether rows of up to 512 pixels fit one register.
+/// Whether a register holds a row of up to 512 pixels.
 inline constexpr bool kRegisterHoldsRow = 8 * sizeof(WordBatch) == 512;
 
 // ---- Bytes and bits.
@@ -99,15 +97,15 @@ inline constexpr bool kRegisterHoldsRow = 8 * sizeof(WordBatch) == 512;
 /// Byte i is 255 where byte i of `a` is not 0, else 0.
 [[gnu::always_inline]] inline ByteBatch nonzero_bytes(ByteBatch a);
 
-/// Byte i is 255 where bit i is set, else 0; bits beyond the lanes do not count.
+/// Byte i is 255 where bit i is set, else 0; bits beyond the lanes are ignored.
 [[gnu::always_inline]] inline ByteBatch spread_bits(std::uint64_t bits);
 
-/// Bit i is set where bit i of `mask` is and byte i is not 0. Bytes outside the mask are not read.
-/// Bits has 32 or 64 bits. [kHasMaskedBytes]
+/// Bit i is set where bit i of `mask` is set and byte i is not 0. Bytes outside the mask are not
+/// read. Bits has 32 or 64 bits. [kHasMaskedBytes]
 template <class Bits>
 [[gnu::always_inline]] inline Bits load_nonzero_bits(const std::uint8_t* from, Bits mask);
 
-/// Writes byte i where bit i of `mask` is set, 255 where bit i of `bits` is, else 0.
+/// Where bit i of `mask` is set, writes byte i: 255 if bit i of `bits` is set, else 0.
 /// [kHasMaskedBytes]
 template <class Bits>
 [[gnu::always_inline]] inline void store_spread_bits(std::uint8_t* to, Bits bits, Bits mask);
@@ -118,22 +116,22 @@ template <class Bits>
 /// spread_bits to 16 bytes in memory. [not kHasMaskedBytes]
 [[gnu::always_inline]] inline void store_16_spread_bits(std::uint8_t* to, std::uint64_t bits);
 
-/// A non-temporal store; `to` is aligned to the size of a batch.
+/// A non-temporal store; `to` must be aligned to the size of a batch.
 [[gnu::always_inline]] inline void store_non_temporal(std::uint8_t* to, ByteBatch a);
 
-/// After the last of some non-temporal stores: orders them before what follows.
+/// Orders all preceding non-temporal stores before subsequent stores.
 [[gnu::always_inline]] inline void finish_non_temporal_stores();
 
-/// The bits of `word` that `mask` selects, moved together at the low end. [kHasBitGather]
+/// The bits of `word` selected by `mask`, moved to the low end (PEXT). [kHasBitGather]
 [[gnu::always_inline]] inline std::uint64_t gather_bits(std::uint64_t word, std::uint64_t mask);
 
-/// The low bits of `word`, one after another, in the places of the bits of `mask`. [kHasBitGather]
+/// The low bits of `word`, moved to the positions of the set bits of `mask` (PDEP). [kHasBitGather]
 [[gnu::always_inline]] inline std::uint64_t scatter_bits(std::uint64_t word, std::uint64_t mask);
 
-/// The places of the set bits, from low to high, then zeros. [kHasByteCompress]
+/// The positions of the set bits, from low to high, then zeros. [kHasByteCompress]
 [[gnu::always_inline]] inline ByteBatch set_bit_places(std::uint64_t bits);
 
-/// Lane i is byte i of the quarter with that number. [kHasByteCompress]
+/// The bytes of quarter `number`, zero-extended to 32 bits. [kHasByteCompress]
 template <int number>
 [[gnu::always_inline]] inline IntBatch widened_quarter(ByteBatch a);
 
@@ -148,29 +146,28 @@ template <int number>
 [[gnu::always_inline]] inline std::uint32_t highest_bits(Lanes32 a);
 [[gnu::always_inline]] inline std::uint32_t lowest_bits(Lanes32 a);
 
-/// a << count in each lane, where the highest bits of `low` come in. [kHasFunnelShift]
+/// a << count in each lane, filled with the highest bits of `low`. [kHasFunnelShift]
 template <int count>
 [[gnu::always_inline]] inline WordBatch funnel_left(WordBatch a, WordBatch low);
 template <int count>
 [[gnu::always_inline]] inline Lanes32 funnel_left(Lanes32 a, Lanes32 low);
 
-/// a >> count in each lane, where the lowest bits of `high` come in. [kHasFunnelShift]
+/// a >> count in each lane, filled with the lowest bits of `high`. [kHasFunnelShift]
 template <int count>
 [[gnu::always_inline]] inline WordBatch funnel_right(WordBatch a, WordBatch high);
 template <int count>
 [[gnu::always_inline]] inline Lanes32 funnel_right(Lanes32 a, Lanes32 high);
 
-/// With lanes in pairs: the first lane of a pair in place of the second, and 0 in place of the
-/// first; or the second in place of the first, and 0 in place of the second.
+/// Moves lanes within pairs: (a0, a1) to (0, a0), or to (a1, 0).
 [[gnu::always_inline]] inline WordBatch previous_in_pair(WordBatch a);
 [[gnu::always_inline]] inline WordBatch next_in_pair(WordBatch a);
 
-/// Lane i is lane i - 1 (lane i + 1) of `a`, and 0 where there is none. [kRegisterHoldsRow]
+/// Lane i is lane i - 1 (previous) or i + 1 (next) of `a`, or 0 if there is none.
+/// [kRegisterHoldsRow]
 [[gnu::always_inline]] inline WordBatch previous_word(WordBatch a);
 [[gnu::always_inline]] inline WordBatch next_word(WordBatch a);
 
-/// The pixels of a register moved by `pixels` to the east, in a ring; 0 <= pixels < 512.
-/// [kRegisterHoldsRow]
+/// The 512 pixels rotated to the east by `pixels`, 0 <= pixels < 512. [kRegisterHoldsRow]
 [[gnu::always_inline]] inline WordBatch rotated(WordBatch row, Index pixels);
 
 /// Lane i of row j becomes lane j of row i. [kHasTranspose]
@@ -179,18 +176,18 @@ template <int count>
 /// Lane i is i. [kHasCompress]
 [[gnu::always_inline]] inline Lanes32 lane_numbers();
 
-/// Stores the lanes whose bits are set in `selected`, one after another. A whole register is
-/// written; bits beyond the lanes do not count. [kHasCompress]
+/// Stores the lanes whose bits are set in `selected`, contiguously. Writes a whole register; bits
+/// beyond the lanes are ignored. [kHasCompress]
 [[gnu::always_inline]] inline void store_compressed(std::uint32_t* to, Lanes32 a,
                                                     std::uint32_t selected);
 
 /// The number of set bits of each lane. [kHasPopcount]
 [[gnu::always_inline]] inline WordBatch popcounts(WordBatch a);
 
-/// A table of 16 bytes, ready for look_up. [kHasByteLookUp]
+/// Loads a table of 16 bytes for look_up. [kHasByteLookUp]
 [[gnu::always_inline]] inline ByteBatch byte_table(const std::uint8_t* table);
 
-/// Byte i is table[index of byte i], for indices from 0 to 15. [kHasByteLookUp]
+/// Byte i is table[index[i]], for indices from 0 to 15. [kHasByteLookUp]
 [[gnu::always_inline]] inline ByteBatch look_up(ByteBatch table, ByteBatch index);
 
 /// The sum of the eight bytes of each 64-bit lane. [kHasByteLookUp]
@@ -207,23 +204,23 @@ template <int count>
 /// Pairs of bytes in 16-bit lanes: a in the lower byte, b in the upper one.
 [[gnu::always_inline]] inline Halves interleaved(ByteBatch a, ByteBatch b);
 
-/// lower byte of the pair * lower byte of the weight + the same of the upper bytes: pairs are
-/// unsigned, weights signed, and the sum must fit 16 bits.
+/// In each lane: lower byte of pair * lower byte of weight + upper byte of pair * upper byte of
+/// weight. Pairs are unsigned, weights signed; the sum must fit 16 bits.
 [[gnu::always_inline]] inline WideBatch weighted_pairs(WideBatch pairs, WideBatch weights);
 
-/// Bytes again, in order; what is below 0 becomes 0, what is above 255 becomes 255.
+/// Narrows to bytes, in order, saturating to [0, 255].
 [[gnu::always_inline]] inline ByteBatch pack(const Halves& a);
 
-/// Bit i is set where the lane that `pack` makes byte i of is not negative.
+/// Bit i is set where the lane that `pack` narrows to byte i is not negative.
 [[gnu::always_inline]] inline std::uint64_t nonnegative_bits(const Halves& a);
 
-/// Byte i is byte i - 1 of `a`, byte 0 stays.
+/// Byte i is byte i - 1 of `a`; byte 0 is byte 0.
 [[gnu::always_inline]] inline ByteBatch first_repeated(ByteBatch a);
 
-/// Byte i is byte i + 1 of `a`, the last byte stays.
+/// Byte i is byte i + 1 of `a`; the last byte is the last byte.
 [[gnu::always_inline]] inline ByteBatch last_repeated(ByteBatch a);
 
-/// The bytes whose bits are set; bits beyond the lanes do not count.
+/// Selects byte i where bit i is set; bits beyond the lanes are ignored.
 [[gnu::always_inline]] inline ByteMask byte_mask(std::uint64_t bits);
 
 /// sum + value in the lanes of `mask`, sum elsewhere: sum + value * n for inputs n of 0 and 1.
@@ -233,14 +230,11 @@ template <int count>
 
 // ---- Single precision.
 
-/// The lanes whose bits are set; bits beyond the lanes do not count.
+/// Selects lane i where bit i is set; bits beyond the lanes are ignored.
 [[gnu::always_inline]] inline LaneMask lane_mask(std::uint64_t bits);
 
-/// Bit i is lane i.
+/// Bit i is set where lane i is selected.
 [[gnu::always_inline]] inline std::uint64_t bits_of(LaneMask lanes);
-
-/// As many bytes as a batch has lanes, each converted to a number.
-[[gnu::always_inline]] inline FloatBatch load_bytes(const std::uint8_t* from);
 
 /// table[index] for indices 0.0 to 15.0.
 [[gnu::always_inline]] inline FloatBatch look_up_16(const float* table, FloatBatch index);

@@ -1,5 +1,5 @@
-// A word is anything that holds one pixel a bit (or a byte lane) and knows &, |, ^ and ~: rules are
-// written over words, engines choose them. Here: the operations beyond those four, for any word.
+// A word holds one pixel per bit or per byte lane and has the operators &, |, ^ and ~. Rules are
+// written for any word type; engines choose one. This file has the other operations on words.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,14 @@
 
 namespace thinbench::detail {
 
-/// The truth table of a gate with three inputs, as processors number it: bit 4a + 2b + c.
+/// The truth table of a gate with three inputs, numbered as in vpternlog: bit 4a + 2b + c.
 template <class Gate>
 consteval std::uint8_t truth_table(Gate gate) {
   return static_cast<std::uint8_t>(gate(0xF0, 0xCC, 0xAA));
 }
 
-/// How a word type evaluates a gate with three inputs. The general way is the gate's own
-/// expression; word types with one instruction for all 256 gates specialise this with
-/// `truth_table`.
+/// How a word type evaluates a gate with three inputs: by the gate's own expression, unless a
+/// specialisation has one instruction for all 256 gates.
 template <class Word>
 struct TernaryGate {
   static constexpr bool kOneInstruction = false;
@@ -28,19 +27,19 @@ struct TernaryGate {
 };
 
 /// One gate with three inputs: `ternary(a, b, c, [](auto a, auto b, auto c) { return ...; })`.
-/// Write the expression with as few two-input operations as possible: that is what words without a
-/// three-input instruction execute.
+/// Use as few two-input operations as possible: words without a three-input instruction execute
+/// them.
 template <class Word, class Gate>
 [[gnu::always_inline]] constexpr Word ternary(Word a, Word b, Word c, Gate gate) {
   return TernaryGate<Word>::apply(a, b, c, gate);
 }
 
-/// Memory access and neighbours of a word type, one (west, east) and two pixels away (west2,
-/// east2); `Element` is what a plane holds.
+/// Memory access of a word type, and neighbours one pixel (west, east) and two pixels (west2,
+/// east2) away. `Element` is the element type of planes.
 template <class Word>
 struct WordTraits;
 
-/// 64 packed pixels: the western neighbour of bit i is bit i - 1, so words shift towards high bits.
+/// 64 packed pixels. The west neighbour of bit i is bit i - 1, so `west` shifts towards high bits.
 template <>
 struct WordTraits<std::uint64_t> {
   using Element = std::uint64_t;

@@ -10,10 +10,10 @@
 namespace thinbench::detail {
 namespace {
 
-using Order = std::array<int, kNeighbours>;  // from the root down
-using Function = std::bitset<256>;           // by descriptor, variables renumbered by the order
+using Order = std::array<int, kNeighbours>;  // variables from the root down
+using Function = std::bitset<256>;           // by descriptor, variables permuted by the order
 
-/// The function with variable order[i] moved to bit 7 - i, so that halves are cofactors.
+/// Moves variable order[i] to bit 7 - i, so that the halves of a range are its cofactors.
 Function reordered(const std::uint8_t* keep, const Order& order) {
   Function function;
   for (std::size_t code = 0; code < 256; ++code) {
@@ -26,7 +26,7 @@ Function reordered(const std::uint8_t* keep, const Order& order) {
   return function;
 }
 
-/// Builds bottom-up and merges equal sub-functions.
+/// Builds a diagram bottom-up and merges equal sub-functions.
 class Builder {
  public:
   explicit Builder(const Order& order) : order_(order) {}
@@ -60,7 +60,7 @@ MuxProgram built(const std::uint8_t* keep, const Order& order) {
   return Builder(order).build(reordered(keep, order));
 }
 
-/// A constant function has no node; it gets one that selects between equal values.
+/// Adds a node to the empty diagram of a constant function: it selects between equal values.
 MuxProgram with_result(MuxProgram program, bool constant) {
   if (program.count == 0) {
     const std::uint8_t value = constant ? 1 : 0;
@@ -71,6 +71,7 @@ MuxProgram with_result(MuxProgram program, bool constant) {
 
 }  // namespace
 
+// Minimises the number of nodes by exchanging pairs of variables until no exchange helps.
 MuxProgram make_mux_program(const std::uint8_t* keep) {
   Order order{};
   std::iota(order.begin(), order.end(), 0);

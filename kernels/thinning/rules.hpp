@@ -1,6 +1,6 @@
-// The parallel thinning rules: those whose sub-iterations decide all pixels at once. Each is one
-// file in rules/, an expression over any word type that every engine instantiates, and names its
-// entry in the catalogue:
+// The parallel thinning rules: each sub-iteration computes all pixels from the same input. Each
+// file in rules/ defines one rule as an expression over any word type, and its entry in the
+// catalogue:
 //   template <>
 //   struct RuleType<Rule::guo_hall> { using Type = GuoHall; };
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace thinbench::detail {
 
-/// Calls `body.template operator()<Type>(rule)` for each parallel rule, in the catalogue's order.
+/// Calls `body.template operator()<Type>(rule)` for each parallel rule, in catalogue order.
 template <class Body>
 constexpr void for_each_parallel_rule(const Body& body) {
   const auto visit = [&]<std::size_t i>() {

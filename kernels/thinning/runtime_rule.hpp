@@ -1,4 +1,4 @@
-// Rules that are known at run time only: plain data, for files of every ISA.
+// Rules known only at run time. Plain data, so that files of every ISA can include it.
 #pragma once
 
 #include <cstddef>
@@ -8,32 +8,32 @@ namespace thinbench::detail {
 
 inline constexpr int kNeighbours = 8;
 
-/// A node of a decision diagram: value `high` where neighbour n_variable is foreground, else value
-/// `low`. Values 0 and 1 are background and foreground, value i + 2 is that of node i.
+/// A node of a decision diagram: value `high` if neighbour n_variable is foreground, else value
+/// `low`. Values 0 and 1 are background and foreground; value i + 2 is the result of node i.
 struct MuxNode {
   std::uint8_t variable;
   std::uint8_t high;
   std::uint8_t low;
 };
 
-/// A truth table over the eight neighbours as a reduced ordered decision diagram; the last value is
-/// the result. With eight variables no order needs more than 79 nodes.
+/// A truth table over the eight neighbours as a reduced ordered decision diagram. The last node is
+/// the result. With eight variables, 79 nodes suffice for every function and order.
 struct MuxProgram {
   static constexpr int kMaxNodes = 79;
   int count;
   MuxNode nodes[kMaxNodes];
 };
 
-/// The diagram of `table`, the result by descriptor. No node reads a later one.
+/// The diagram of `table`, which has the new pixel by descriptor. Nodes read earlier nodes only.
 [[nodiscard]] MuxProgram make_mux_program(const std::uint8_t* table);
 
 inline constexpr std::size_t kPairTableSize = 4096;
 
-/// The table of lut_sliding: `pairs[window]` holds the new pixels in the middle of columns 1 and 2
-/// of four, one per byte. Column c of the window is its bits 3 c to 3 c + 2, south first. The index
-/// of `new_pixel` is k + 256 p, with the descriptor k.
+/// The table of lut_sliding: `pairs[window]` holds the two new pixels at the centre of a window of
+/// four columns and three rows, one per byte. Bits 3 c to 3 c + 2 of the window are its column c,
+/// south first. `new_pixel` is indexed by k + 256 p, with the descriptor k.
 constexpr void fill_pair_table(const std::uint8_t* new_pixel, std::uint16_t* pairs) {
-  // Bit i of three adjacent columns is bit bit_of[i] of k + 256 p.
+  // Maps bit i of three adjacent columns to bit bit_of[i] of k + 256 p.
   constexpr int bit_of[9] = {5, 4, 3, 6, 8, 2, 7, 0, 1};
   const auto pixel = [&](std::size_t columns) {
     std::size_t index = 0;
@@ -45,7 +45,7 @@ constexpr void fill_pair_table(const std::uint8_t* new_pixel, std::uint16_t* pai
   }
 }
 
-/// A rule of one sub-iteration over eight neighbours.
+/// A rule of eight neighbours with one sub-iteration.
 struct RuntimeRule {
   std::uint8_t new_pixel[512];  // by k + 256 p, with the descriptor k; 0 or 1
   std::uint16_t pixel_pairs[kPairTableSize];

@@ -1,4 +1,4 @@
-// The interface of thinning states: a variant with its memory.
+// The interface of thinning states. A state is a variant with its memory.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace thinbench::detail {
 
-/// What a state is made from, already checked.
+/// The parameters of a state, already validated.
 struct ThinningSetting {
   Rule rule;
   Isa isa;
@@ -18,13 +18,13 @@ struct ThinningSetting {
   int threads;
   Border border;
   int max_iterations;
-  Directions directions;                            // of the midpoint scan
-  std::shared_ptr<const RuntimeRule> runtime_rule;  // of nets; nullptr for other rules
+  Directions directions;                            // midpoint scan only
+  std::shared_ptr<const RuntimeRule> runtime_rule;  // nets only, else nullptr
 };
 
-/// Owns all memory for thinning images of one size. Three steps, to be timed separately: load()
-/// packs the image into the variant's representation; thin() leaves it unchanged, so that it may be
-/// repeated; store() writes the result.
+/// Owns all memory for thinning images of one size. Its three steps can be timed separately: load()
+/// packs the image into the variant's representation; thin() does not modify the packed image, so
+/// it can be repeated; store() writes the result. Not thread-safe.
 class ThinningState {
  public:
   using Setting = ThinningSetting;
@@ -38,7 +38,7 @@ class ThinningState {
   /// Returns the number of iterations, including the last one, which changed nothing.
   virtual int thin() = 0;
   virtual void store(const ImageView& destination) const = 0;
-  /// All three steps. store() need not work afterwards.
+  /// Does all three steps. A later store() is not supported.
   virtual int run(const ConstImageView& source, const ImageView& destination) {
     load(source);
     const int iterations = thin();

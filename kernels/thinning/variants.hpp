@@ -10,18 +10,18 @@ namespace thinbench::detail {
 /// Whether the rule is in rules.hpp.
 [[nodiscard]] bool is_parallel_rule(Rule rule);
 
-/// All techniques of a parallel rule.
+/// The variants of a parallel rule.
 [[nodiscard]] std::vector<ThinningVariant> parallel_rule_variants(Rule rule);
 
-/// The original, sequential SPTA.
+/// The variants of the original, sequential SPTA.
 [[nodiscard]] std::vector<ThinningVariant> spta_variants();
 
-/// For nets, too.
+/// Factories that nets share.
 [[nodiscard]] std::unique_ptr<ThinningState> make_bitpacked(const ThinningSetting& setting);
 [[nodiscard]] std::unique_ptr<ThinningState> make_simd_bitpacked(const ThinningSetting& setting);
 [[nodiscard]] std::unique_ptr<ThinningState> make_row(const ThinningSetting& setting);
 
-/// Within an ISA, from the slowest technique to the fastest.
+/// Priorities within an ISA: the highest is the fastest technique.
 enum ThinningPriority : int {
   kLutPriority,
   kLutSlidingPriority,

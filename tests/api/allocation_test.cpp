@@ -1,4 +1,4 @@
-// Thinning allocates nothing while it runs.
+// Thinning does not allocate memory while it runs.
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -12,13 +12,13 @@
 #include "thinbench/thinning.hpp"
 
 namespace {
-// Of all threads, counted by the replaced operators below. oneTBB takes the memory of its tasks
-// from a pool of its own, which they do not see.
+// Allocations by all threads, counted by the operators below. They do not see oneTBB's own memory
+// pool, from which tasks are allocated.
 std::atomic<long> allocations = 0;
 }  // namespace
 
-// Not inlined, because GCC would then see memory from `new` go to `free` and warn. Every form that
-// the tests use is replaced: memory must go back to where it came from.
+// Not inlined, because GCC would then warn that memory from `new` is passed to `free`. Every form
+// that the tests use is replaced, so that new and delete match.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
@@ -46,7 +46,7 @@ std::atomic<long> allocations = 0;
 namespace thinbench {
 namespace {
 
-TEST(Thinner, allocates_nothing_after_it_was_made) {
+TEST(Thinner, allocates_nothing_after_construction) {
   const ByteImage image = noise_image(300, 90, 97, 1, 5);
   ByteImage out(300, 90);
   for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
@@ -69,7 +69,7 @@ TEST(Thinner, allocates_nothing_after_it_was_made) {
   }
 }
 
-TEST(ThinningBatch, allocates_nothing_after_it_was_made) {
+TEST(ThinningBatch, allocates_nothing_after_construction) {
   std::vector<std::uint8_t> pixels(50 * 28 * 28, 255);
   const StackView stack = {pixels.data(), 50, 28, 28, 28, 28 * 28};
   for (const RuleInfo& info : kRules) {
@@ -83,7 +83,7 @@ TEST(ThinningBatch, allocates_nothing_after_it_was_made) {
   }
 }
 
-TEST(Allocations, are_counted) {
+TEST(AllocationCounter, counts_aligned_and_plain_allocations) {
   const long before = allocations;
   const ByteImage image(300, 90);
   const std::vector<int> numbers(5);

@@ -1,4 +1,4 @@
-// ThinningBatch at the public edge: what it counts and what it rejects.
+// ThinningBatch: iterations, rejected arguments, moves.
 #include "thinbench/batch.hpp"
 
 #include <algorithm>
@@ -17,18 +17,19 @@ namespace {
 
 constexpr std::uint8_t kUntouched = 0x5A;
 
-TEST(ThinBatch, takes_no_iteration_for_no_images_and_one_for_images_without_pixels) {
+TEST(ThinBatch, takes_no_iteration_for_an_empty_stack_and_one_for_images_without_pixels) {
   EXPECT_EQ(thin_batch(Rule::guo_hall, ConstStackView{}, StackView{}), 0);
   EXPECT_EQ(thin_batch(Rule::guo_hall, {nullptr, 0, 28, 28}, {nullptr, 0, 28, 28}), 0);
   EXPECT_EQ(thin_batch(Rule::guo_hall, {nullptr, 3, 0, 28}, {nullptr, 3, 0, 28}), 1);
   EXPECT_EQ(thin_batch(Rule::mb2, {nullptr, 3, 28, 0}, {nullptr, 3, 28, 0}), 1);
 }
 
+/// The error for these stacks.
 std::string rejected_stacks(const ConstStackView& source, const StackView& destination) {
   return rejection_of([&] { thin_batch(Rule::guo_hall, source, destination); });
 }
 
-TEST(ThinBatch, names_what_is_wrong_with_a_stack) {
+TEST(ThinBatch, rejects_invalid_stacks) {
   std::vector<std::uint8_t> from(100, kUntouched);
   std::vector<std::uint8_t> to(100, kUntouched);
   const StackView good = {to.data(), 4, 5, 5, 5, 25};
@@ -42,13 +43,14 @@ TEST(ThinBatch, names_what_is_wrong_with_a_stack) {
   EXPECT_EQ(rejected(4, 5, 5, 4, 25), "source has a stride of 4 bytes, below its width of 5");
   EXPECT_EQ(rejected(4, 5, 5, 5, 24), "source has an image stride of 24 bytes; its images take 25");
   EXPECT_EQ(rejected(PTRDIFF_MAX / 2, 5, 5, 5, 25),
-            "source spans more memory than there is: 4611686018427387903 images of 5 x 5, strides "
+            "source exceeds the address space: 4611686018427387903 images of 5 x 5, strides "
             "5 and 25");
   EXPECT_EQ(rejected(4, 5, PTRDIFF_MAX / 2, 5, 25),
-            "source spans more memory than there is: 4 images of 5 x 4611686018427387903, strides "
+            "source exceeds the address space: 4 images of 5 x 4611686018427387903, strides "
             "5 and 25");
   EXPECT_EQ(rejected(3, 5, 5, 5, 25),
-            "source is 3 images of 5 x 5 and destination 4 images of 5 x 5; they must be alike");
+            "source is 3 images of 5 x 5 and destination 4 images of 5 x 5; they must have the "
+            "same count and size");
   EXPECT_EQ(rejected_stacks({nullptr, 4, 5, 5, 5, 25}, good), "source has no data");
   EXPECT_EQ(rejected_stacks({from.data(), 4, 5, 5, 5, 25}, {nullptr, 4, 5, 5, 5, 25}),
             "destination has no data");
@@ -58,12 +60,13 @@ TEST(ThinBatch, names_what_is_wrong_with_a_stack) {
       std::all_of(to.begin(), to.end(), [](std::uint8_t byte) { return byte == kUntouched; }));
 }
 
-TEST(ThinBatch, counts_stacks_whose_images_alternate_as_overlapping) {
+TEST(ThinBatch, rejects_stacks_with_interleaved_images_as_overlapping) {
   std::vector<std::uint8_t> both(200, kUntouched);
   EXPECT_EQ(rejected_stacks({both.data(), 3, 5, 5, 5, 50}, {both.data() + 25, 3, 5, 5, 5, 50}),
             "source and destination overlap without being the same images");
 }
 
+/// The error for these options; checks that nothing was written.
 std::string rejected_options(Rule rule, const Options& options, Index width = 5) {
   std::vector<std::uint8_t> pixels(50 * 5, kUntouched);
   const StackView stack = {pixels.data(), 2, 5, 5, 5, 25};
@@ -77,7 +80,7 @@ std::string rejected_options(Rule rule, const Options& options, Index width = 5)
   return text;
 }
 
-TEST(ThinningBatch, rejects_options_that_do_not_fit) {
+TEST(ThinningBatch, rejects_unsuitable_options) {
   EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = 0}),
             "threads: expected an integer in [1, 1024], got 0");
   EXPECT_EQ(rejected_options(Rule::guo_hall, {.max_iterations = 0}),
@@ -93,7 +96,7 @@ TEST(ThinningBatch, rejects_options_that_do_not_fit) {
   EXPECT_NE(rejected_options(Rule::guo_hall, {.technique = Technique::simd_runs}), "");
 }
 
-TEST(ThinningBatch, rejects_numbers_that_are_no_enumerators) {
+TEST(ThinningBatch, rejects_invalid_enumerators) {
   EXPECT_EQ(rejected_options(static_cast<Rule>(99), {}),
             "rule: expected one of the enumeration, got number 99");
   EXPECT_EQ(rejected_options(Rule::mb2, {.technique = static_cast<Technique>(99)}),
@@ -104,7 +107,7 @@ TEST(ThinningBatch, rejects_numbers_that_are_no_enumerators) {
             "border: expected background or keep, got 2");
 }
 
-TEST(ThinningBatch, rejects_images_of_another_size_than_its_own) {
+TEST(ThinningBatch, rejects_images_of_another_size) {
   std::vector<std::uint8_t> pixels(60, kUntouched);
   const StackView stack = {pixels.data(), 2, 5, 6};
   ThinningBatch batch(Rule::guo_hall, 28, 28);
@@ -113,7 +116,7 @@ TEST(ThinningBatch, rejects_images_of_another_size_than_its_own) {
                           [](std::uint8_t byte) { return byte == kUntouched; }));
 }
 
-TEST(ThinningBatch, moves_with_all_that_it_owns) {
+TEST(ThinningBatch, works_after_a_move) {
   static_assert(!std::is_copy_constructible_v<ThinningBatch>);
   static_assert(std::is_nothrow_move_constructible_v<ThinningBatch>);
   static_assert(std::is_nothrow_move_assignable_v<ThinningBatch>);

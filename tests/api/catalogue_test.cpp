@@ -1,4 +1,4 @@
-// The catalogue: what it lists, and what is chosen from it.
+// The catalogue of operations, and the choice of a variant from it.
 #include "api/catalogue.hpp"
 
 #include <set>
@@ -13,7 +13,7 @@ const ThinningOperation& parallel_operation() {
   return operation_of(Rule::naccache_shinghal);
 }
 
-TEST(Catalogue, lists_every_enumerator_in_its_place) {
+TEST(Catalogue, lists_every_enumerator_at_its_index) {
   for (std::size_t i = 0; i < kRules.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(kRules[i].rule), i);
     EXPECT_EQ(thinning_operations()[i].rule, kRules[i].rule);
@@ -29,7 +29,7 @@ TEST(Catalogue, lists_every_enumerator_in_its_place) {
   }
 }
 
-TEST(Catalogue, names_are_unique_and_lead_back) {
+TEST(Catalogue, names_are_unique_and_map_to_their_enumerators) {
   std::set<std::string_view> names;
   for (const RuleInfo& info : kRules) {
     EXPECT_TRUE(names.insert(info.operation).second) << info.operation;
@@ -54,7 +54,7 @@ TEST(Catalogue, names_are_unique_and_lead_back) {
 }
 
 template <class Operation>
-void expect_sound_variants(const Operation& operation) {
+void expect_valid_variants(const Operation& operation) {
   std::set<std::tuple<Technique, Isa, bool>> seen;
   bool runs_anywhere = false;
   for (const auto& variant : operation.variants) {
@@ -68,18 +68,18 @@ void expect_sound_variants(const Operation& operation) {
   EXPECT_TRUE(runs_anywhere) << operation.name;
 }
 
-TEST(Catalogue, every_operation_has_a_variant_for_any_machine_and_image_and_none_twice) {
-  for (const ThinningOperation& operation : thinning_operations()) expect_sound_variants(operation);
-  for (const EdgeOperation& operation : edge_operations()) expect_sound_variants(operation);
-  for (const RegionsOperation& operation : regions_operations()) expect_sound_variants(operation);
-  expect_sound_variants(localise_operation());
+TEST(Catalogue, every_operation_has_unique_variants_and_one_for_any_machine_and_image) {
+  for (const ThinningOperation& operation : thinning_operations()) expect_valid_variants(operation);
+  for (const EdgeOperation& operation : edge_operations()) expect_valid_variants(operation);
+  for (const RegionsOperation& operation : regions_operations()) expect_valid_variants(operation);
+  expect_valid_variants(localise_operation());
 }
 
 int useful_threads(const Options& options, Index width, Index height, bool can_share = true) {
   return with_useful_threads(options, can_share, width, height).threads;
 }
 
-TEST(UsefulThreads, are_one_on_small_images_unless_a_technique_is_asked_for) {
+TEST(UsefulThreads, small_images_use_one_thread_unless_a_technique_is_requested) {
   const Options four = {.threads = 4};
   EXPECT_EQ(useful_threads(four, 510, 412), 1);
   EXPECT_EQ(useful_threads(four, 1024, 1023), 1);
@@ -89,17 +89,17 @@ TEST(UsefulThreads, are_one_on_small_images_unless_a_technique_is_asked_for) {
   EXPECT_EQ(useful_threads(four, Index{1} << 19, Index{1} << 44), 4);
 }
 
-TEST(UsefulThreads, are_one_where_no_variant_shares_its_work) {
+TEST(UsefulThreads, operations_without_a_threaded_variant_use_one_thread) {
   EXPECT_EQ(useful_threads({.threads = 4}, 2000, 2000, false), 1);
   EXPECT_FALSE(choose(operation_of(Rule::spta), 2000, 2000, {.threads = 4}).threaded);
 }
 
-TEST(UsefulThreads, are_checked_first) {
+TEST(UsefulThreads, numbers_out_of_range_are_rejected) {
   EXPECT_THROW(useful_threads({.threads = 0}, 5, 5), std::invalid_argument);
   EXPECT_THROW(useful_threads({.threads = kMaxThreads + 1}, 5, 5), std::invalid_argument);
 }
 
-TEST(Choose, takes_the_best_isa_and_the_fastest_technique_at_it) {
+TEST(Choose, takes_the_highest_priority_which_is_the_latest_isa) {
   for (const ThinningOperation& operation : thinning_operations()) {
     const ThinningVariant& chosen = choose(operation, 2000, 500, {});
     for (const ThinningVariant& other : operation.variants) {
@@ -111,7 +111,7 @@ TEST(Choose, takes_the_best_isa_and_the_fastest_technique_at_it) {
   EXPECT_EQ(choose(parallel_operation(), 2000, 500, {}).technique, Technique::simd_bitpacked_tiles);
 }
 
-TEST(Choose, follows_the_options) {
+TEST(Choose, takes_the_requested_technique_threads_and_isa) {
   const ThinningVariant& variant =
       choose(parallel_operation(), 100, 10, {.threads = 2, .technique = Technique::lut});
   EXPECT_EQ(variant.technique, Technique::lut);

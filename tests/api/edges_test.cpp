@@ -1,13 +1,13 @@
-// detect_edges() at the public edge.
+// detect_edges().
 #include "thinbench/edges.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
 #include "reference.hpp"
+#include "support/filled_image.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/nets.hpp"
 
@@ -17,16 +17,14 @@ namespace {
 constexpr std::uint8_t kUntouched = 0x5A;
 
 ByteImage untouched(Index width, Index height) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) std::fill_n(image.view().row(y), width, kUntouched);
-  return image;
+  return filled_image(width, height, kUntouched);
 }
 
 bool is_untouched(const ByteImage& image) {
-  return equal(image.view(), untouched(image.width(), image.height()).view());
+  return is_filled(image.view(), kUntouched);
 }
 
-TEST(DetectEdges, by_default_equals_the_reference) {
+TEST(DetectEdges, equals_the_reference_by_default) {
   for (const EdgeOperatorInfo& info : kEdgeOperators) {
     for (const Index width : {1, 7, 64, 200, 513}) {
       const ByteImage image = grey_noise_image(width, 21, 60, 200, 3);
@@ -41,7 +39,7 @@ TEST(DetectEdges, by_default_equals_the_reference) {
   }
 }
 
-TEST(DetectEdges, takes_images_without_pixels) {
+TEST(DetectEdges, accepts_images_without_pixels) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}}) {
     for (const EdgeOperatorInfo& info : kEdgeOperators) {
       EXPECT_NO_THROW(detect_edges(info.op, {nullptr, width, height}, {nullptr, width, height}));
@@ -53,14 +51,14 @@ std::string rejected_views(const ConstImageView& source, const ImageView& destin
   return rejection_of([&] { detect_edges(EdgeOperator::sobel, source, destination); });
 }
 
-TEST(DetectEdges, rejects_bad_views_and_any_overlap) {
+TEST(DetectEdges, rejects_invalid_views_and_any_overlap) {
   ByteImage a = untouched(20, 10);
   ByteImage b = untouched(20, 10);
   ByteImage c = untouched(20, 11);
   const ConstImageView from = a.view();
   const ImageView to = b.view();
   EXPECT_EQ(rejected_views(from, c.view()),
-            "source is 20 x 10 and destination 20 x 11; they must have one size");
+            "source is 20 x 10 and destination 20 x 11; they must have the same size");
   EXPECT_EQ(rejected_views(from, a.view()), "source and destination overlap");
   EXPECT_EQ(rejected_views({nullptr, 20, 10, 64}, to), "source has no data");
   EXPECT_EQ(rejected_views(from, {nullptr, 20, 10, 64}), "destination has no data");
@@ -96,7 +94,7 @@ TEST(DetectEdges, rejects_thresholds_out_of_range) {
   EXPECT_EQ(rejected({0, -1}), "brightness_threshold" + range + "-1");
 }
 
-TEST(DetectEdges, rejects_numbers_that_are_no_enumerators) {
+TEST(DetectEdges, rejects_invalid_enumerators) {
   EXPECT_EQ(rejected({}, {}, static_cast<EdgeOperator>(6)),
             "operator: expected one of the enumeration, got number 6");
   EXPECT_EQ(rejected({}, {.technique = static_cast<Technique>(99)}),
@@ -105,7 +103,7 @@ TEST(DetectEdges, rejects_numbers_that_are_no_enumerators) {
             "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
 }
 
-TEST(DetectEdges, rejects_options_that_do_not_fit) {
+TEST(DetectEdges, rejects_unsuitable_options) {
   EXPECT_EQ(rejected({}, {.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
   EXPECT_EQ(rejected({}, {.border = Border::keep}), "edges_sobel takes no border");
   EXPECT_EQ(rejected({}, {.max_iterations = 3}), "edges_sobel takes no max_iterations");

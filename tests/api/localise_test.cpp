@@ -1,4 +1,4 @@
-// localise_objects() at the public edge.
+// localise_objects().
 #include "thinbench/localise.hpp"
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace thinbench {
 namespace {
 
-TEST(LocaliseObjects, by_default_finds_what_the_reference_finds) {
+TEST(LocaliseObjects, equals_the_reference_by_default) {
   const ByteImage blocks = grey_noise_image(40, 30, 0, 255, 3);
   ByteImage image(200, 150);
   for (Index y = 0; y < 150; ++y) {
@@ -45,7 +45,7 @@ std::string rejected(const ConstImageView& view, const EdgeThresholds& threshold
   return text;
 }
 
-TEST(LocaliseObjects, rejects_bad_views) {
+TEST(LocaliseObjects, rejects_invalid_views) {
   const ByteImage image(10, 4);
   const std::uint8_t* data = image.view().data;
   EXPECT_EQ(rejected({nullptr, 10, 4, 64}), "source has no data");
@@ -55,7 +55,7 @@ TEST(LocaliseObjects, rejects_bad_views) {
             "image size 536870913 x 0 has a side above 2^29 pixels");
 }
 
-TEST(LocaliseObjects, rejects_thresholds_and_options_that_do_not_fit) {
+TEST(LocaliseObjects, rejects_unsuitable_thresholds_and_options) {
   const ByteImage image(10, 4);
   const ConstImageView view = image.view();
   EXPECT_EQ(rejected(view, {256, 0}),

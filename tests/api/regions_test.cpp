@@ -1,7 +1,6 @@
-// Objects, holes and Euler numbers at the public edge.
+// find_regions(), find_components(), fill_holes() and the Euler numbers.
 #include "thinbench/regions.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@
 namespace thinbench {
 namespace {
 
-TEST(FindRegions, by_default_finds_what_the_reference_finds) {
+TEST(FindRegions, equals_the_reference_by_default) {
   for (const Index width : {1, 64, 200, 1100}) {
     const ByteImage image = noise_image(width, 60, 45, 2, 5);
     const reference::Regions expected = reference::holes(image.view());
@@ -42,13 +41,13 @@ TEST(FindRegions, finds_nothing_in_images_without_pixels) {
   }
 }
 
-TEST(EulerNumber, depends_on_which_side_touches_at_corners) {
+TEST(EulerNumber, depends_on_the_connectivity) {
   const ByteImage diamond = image_of({".#.", "#.#", ".#."});
-  EXPECT_EQ(euler_number(diamond.view()), 0) << "one object round one hole";
+  EXPECT_EQ(euler_number(diamond.view()), 0) << "one object around one hole";
   EXPECT_EQ(euler_number_4(diamond.view()), 4) << "four objects, and all background is outside";
 }
 
-TEST(FillHoles, fills_what_an_object_encloses_with_all_that_lies_in_it) {
+TEST(FillHoles, fills_holes_and_the_objects_inside_them) {
   const ByteImage image = image_of({"#####..", "#...#.#", "#.#.#..", "#...#..", "#####.."});
   const TextImage expected = {"#####..", "#####.#", "#####..", "#####..", "#####.."};
   ByteImage filled(image.width(), image.height());
@@ -59,7 +58,7 @@ TEST(FillHoles, fills_what_an_object_encloses_with_all_that_lies_in_it) {
   EXPECT_EQ(text_of(filled), expected) << "in place";
 }
 
-/// What each operation on one image says of a view; they must say the same.
+/// The error for a view, which must be the same from all operations on one image.
 std::string rejected_view(const ConstImageView& view) {
   const std::string text = rejection_of([&] { (void)find_regions(view); });
   EXPECT_EQ(rejection_of([&] { (void)find_components(view); }), text);
@@ -68,7 +67,7 @@ std::string rejected_view(const ConstImageView& view) {
   return text;
 }
 
-TEST(FindRegions, rejects_bad_views) {
+TEST(FindRegions, rejects_invalid_views) {
   const ByteImage image(10, 4);
   const std::uint8_t* data = image.view().data;
   EXPECT_EQ(rejected_view({nullptr, 10, 4, 64}), "source has no data");
@@ -82,7 +81,7 @@ TEST(FindRegions, rejects_bad_views) {
             "image size 131072 x 131072 is larger than 2^32 pixels");
 }
 
-TEST(FillHoles, rejects_bad_views_and_partial_overlap) {
+TEST(FillHoles, rejects_invalid_views_and_partial_overlap) {
   ByteImage image(50, 12);
   const ImageView view = image.view();
   ByteImage other(20, 10);
@@ -96,13 +95,13 @@ TEST(FillHoles, rejects_bad_views_and_partial_overlap) {
             "destination has a stride of 19 bytes, below its width of 20");
   EXPECT_EQ(rejected(source, {nullptr, 20, 10, 64}), "destination has no data");
   EXPECT_EQ(rejected(source, ByteImage(21, 10).view()),
-            "source is 20 x 10 and destination 21 x 10; they must have one size");
+            "source is 20 x 10 and destination 21 x 10; they must have the same size");
   EXPECT_EQ(rejected(source, {view.row(2) + 3, 20, 10, view.stride}),
             "source and destination overlap without being the same image");
   EXPECT_EQ(rejected(source, {view.data + 25, 20, 10, view.stride}), "") << "side by side";
 }
 
-/// What find_regions says of options; fill_holes must not write.
+/// find_regions' error for options; checks that fill_holes fails without writing.
 std::string rejected_options(const Options& options) {
   const ByteImage image = noise_image(10, 4, 50, 1, 2);
   ByteImage out = copy_of(image.view());
@@ -114,7 +113,7 @@ std::string rejected_options(const Options& options) {
   return text;
 }
 
-TEST(FindRegions, rejects_options_that_do_not_fit) {
+TEST(FindRegions, rejects_unsuitable_options) {
   EXPECT_EQ(rejected_options({.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
   EXPECT_EQ(rejected_options({.technique = Technique::simd_bytes}),
             "holes by simd_bytes at any instruction set on one thread: there is no such variant; "
@@ -125,7 +124,7 @@ TEST(FindRegions, rejects_options_that_do_not_fit) {
             "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
 }
 
-TEST(FindRegions, rejects_options_that_are_for_thinning) {
+TEST(FindRegions, rejects_options_of_thinning) {
   EXPECT_EQ(rejected_options({.border = Border::keep}), "holes takes no border");
   EXPECT_EQ(rejected_options({.border = static_cast<Border>(7)}), "holes takes no border");
   EXPECT_EQ(rejected_options({.max_iterations = 3}), "holes takes no max_iterations");

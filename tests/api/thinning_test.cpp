@@ -1,4 +1,4 @@
-// thin() and Thinner: what they choose, what they promise and what they reject.
+// thin() and Thinner: results, chosen variants, rejected arguments.
 #include "thinbench/thinning.hpp"
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
-#include "reference.hpp"
+#include "support/filled_image.hpp"
+#include "support/reference_thinning.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/nets.hpp"
 
@@ -21,36 +22,18 @@ namespace {
 constexpr std::uint8_t kUntouched = 0x5A;
 
 ByteImage untouched(Index width, Index height) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) std::fill_n(image.view().row(y), width, kUntouched);
-  return image;
+  return filled_image(width, height, kUntouched);
 }
 
 bool is_untouched(const ConstImageView& view) {
-  for (Index y = 0; y < view.height; ++y) {
-    for (Index x = 0; x < view.width; ++x) {
-      if (view.row(y)[x] != kUntouched) return false;
-    }
-  }
-  return true;
+  return is_filled(view, kUntouched);
 }
 
-struct Expected {
-  ByteImage image;
-  int iterations;
-};
-
-Expected expected_of(Rule rule, const ByteImage& image) {
-  Expected expected = {ByteImage(image.width(), image.height()), 0};
-  expected.iterations = reference::thinning(rule)({}, image.view(), expected.image.view());
-  return expected;
-}
-
-TEST(Thin, by_default_equals_the_reference_at_any_width) {
+TEST(Thin, equals_the_reference_by_default_at_any_width) {
   for (const RuleInfo& info : kRules) {
     for (const Index width : {1, 64, 510, 512, 513, 1100}) {
       const ByteImage image = noise_image(width, 20, 95, 1, 2);
-      const Expected expected = expected_of(info.rule, image);
+      const Thinned expected = thinned_by_reference(info.rule, image);
       for (const int threads : {1, 3}) {
         ByteImage out(width, 20);
         EXPECT_EQ(thin(info.rule, image.view(), out.view(), {.threads = threads}),
@@ -61,7 +44,7 @@ TEST(Thin, by_default_equals_the_reference_at_any_width) {
   }
 }
 
-TEST(Thin, gives_the_same_on_several_threads_of_a_large_image) {
+TEST(Thin, large_image_has_the_same_result_on_one_and_on_three_threads) {
   const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
   for (const Rule rule : {Rule::guo_hall, Rule::midpoint_scan, Rule::net_two_layer_linear}) {
     for (const Border border : {Border::background, Border::keep}) {
@@ -89,9 +72,9 @@ TEST(Thin, takes_one_iteration_for_images_without_pixels) {
   }
 }
 
-TEST(Thin, takes_any_byte_but_0_for_foreground_and_writes_0_and_255) {
+TEST(Thin, treats_any_nonzero_byte_as_foreground_and_writes_0_and_255) {
   ByteImage image = noise_image(70, 12, 90, 1, 3);
-  const Expected expected = expected_of(Rule::zhang_suen, image);
+  const Thinned expected = thinned_by_reference(Rule::zhang_suen, image);
   for (Index y = 0; y < 12; ++y) {
     for (Index x = 0; x < 70; ++x) {
       if (image.at(x, y) != 0) image.at(x, y) = static_cast<std::uint8_t>(1 + (x * 7 + y) % 255);
@@ -102,10 +85,10 @@ TEST(Thin, takes_any_byte_but_0_for_foreground_and_writes_0_and_255) {
   EXPECT_TRUE(equal(out.view(), expected.image.view()));
 }
 
-TEST(Thin, takes_views_of_one_buffer_that_lie_side_by_side) {
+TEST(Thin, accepts_disjoint_views_of_one_buffer) {
   const ByteImage image = noise_image(20, 10, 90, 1, 3);
-  const Expected expected = expected_of(Rule::guo_hall, image);
-  for (const Index first : {0, 20}) {  // the source's column; the destination takes the other half
+  const Thinned expected = thinned_by_reference(Rule::guo_hall, image);
+  for (const Index first : {0, 20}) {  // the source's column; the destination is the other half
     ByteImage buffer(40, 10);
     const ImageView source{buffer.view().data + first, 20, 10, buffer.view().stride};
     const ImageView destination{buffer.view().data + 20 - first, 20, 10, buffer.view().stride};
@@ -120,11 +103,11 @@ std::string rejected_views(const ConstImageView& source, const ImageView& destin
   return rejection_of([&] { thin(Rule::guo_hall, source, destination); });
 }
 
-TEST(Thin, rejects_bad_views_and_says_why) {
+TEST(Thin, rejects_invalid_views) {
   ByteImage a = untouched(20, 10);
   ByteImage b = untouched(20, 11);
   EXPECT_EQ(rejected_views(a.view(), b.view()),
-            "source is 20 x 10 and destination 20 x 11; they must have one size");
+            "source is 20 x 10 and destination 20 x 11; they must have the same size");
   const ConstImageView from = a.view();
   const ImageView to = {b.view().data, 20, 10, b.view().stride};
   EXPECT_EQ(rejected_views({from.data, 20, 10, 19}, to),
@@ -138,7 +121,7 @@ TEST(Thin, rejects_bad_views_and_says_why) {
   EXPECT_EQ(rejected_views(from, {nullptr, 20, 10, 64}), "destination has no data");
   constexpr Index huge = std::numeric_limits<Index>::max() / 2;
   EXPECT_EQ(rejected_views({from.data, 20, 10, huge}, to),
-            "source spans more memory than there is: 20 x 10, stride 4611686018427387903");
+            "source exceeds the address space: 20 x 10, stride 4611686018427387903");
   EXPECT_TRUE(is_untouched(a.view()));
   EXPECT_TRUE(is_untouched(b.view()));
 }
@@ -151,16 +134,18 @@ TEST(Thin, rejects_partial_overlap) {
   EXPECT_EQ(rejected_views({data, 20, 8, stride}, {data, 20, 8, stride}), "") << "one image";
   buffer = untouched(40, 10);
   data = buffer.view().data;
-  for (const Index apart : {Index{1}, Index{19}, stride - 19, stride + 19, 2 * stride}) {
-    EXPECT_EQ(rejected_views({data, 20, 8, stride}, {data + apart, 20, 8, stride}), text) << apart;
-    EXPECT_EQ(rejected_views({data + apart, 20, 8, stride}, {data, 20, 8, stride}), text) << apart;
+  for (const Index distance : {Index{1}, Index{19}, stride - 19, stride + 19, 2 * stride}) {
+    EXPECT_EQ(rejected_views({data, 20, 8, stride}, {data + distance, 20, 8, stride}), text)
+        << distance;
+    EXPECT_EQ(rejected_views({data + distance, 20, 8, stride}, {data, 20, 8, stride}), text)
+        << distance;
   }
   EXPECT_EQ(rejected_views({data, 20, 4, stride}, {data, 20, 4, 2 * stride}), text)
-      << "one beginning, other strides";
+      << "same first pixel, other strides";
   EXPECT_TRUE(is_untouched(buffer.view()));
 }
 
-/// The text of what thin() throws for these options; checks that nothing was written.
+/// The error that thin() and Thinner throw for these options; checks that nothing was written.
 std::string rejected_options(Rule rule, const Options& options) {
   const ByteImage image = noise_image(60, 10, 80, 1, 5);
   ByteImage out = untouched(60, 10);
@@ -168,7 +153,7 @@ std::string rejected_options(Rule rule, const Options& options) {
   EXPECT_TRUE(is_one_sentence(text)) << text;
   EXPECT_TRUE(is_untouched(out.view())) << text;
   const std::string of_thinner = rejection_of([&] { Thinner(rule, 60, 10, options); });
-  EXPECT_EQ(of_thinner, text) << "a Thinner rejects the same with the same words";
+  EXPECT_EQ(of_thinner, text);
   return text;
 }
 
@@ -187,7 +172,7 @@ TEST(Thin, rejects_numbers_out_of_range) {
   }
 }
 
-TEST(Thin, rejects_numbers_that_are_no_enumerators) {
+TEST(Thin, rejects_invalid_enumerators) {
   const auto number = [](auto kind, int value) { return static_cast<decltype(kind)>(value); };
   for (const int value : {static_cast<int>(kRules.size()), 99, 255}) {
     EXPECT_EQ(rejected_options(number(Rule{}, value), {}),
@@ -212,7 +197,7 @@ TEST(Thin, rejects_numbers_that_are_no_enumerators) {
             "directions: expected bits in [0, 15], got 16");
 }
 
-TEST(Thin, rejects_options_that_the_rule_does_not_know) {
+TEST(Thin, rejects_directions_and_weights_for_other_rules) {
   const auto linear = two_layer_net(kPaperTwoLayer, Activation::linear);
   for (const RuleInfo& info : kRules) {
     const bool takes_directions = info.rule == Rule::midpoint_scan;
@@ -228,7 +213,7 @@ TEST(Thin, rejects_options_that_the_rule_does_not_know) {
   }
 }
 
-TEST(Thin, rejects_another_kind_of_net) {
+TEST(Thin, rejects_weights_of_another_kind_of_net) {
   const auto sigmoid = two_layer_net(kPaperTwoLayer, Activation::sigmoid);
   const auto linear = two_layer_net(kPaperTwoLayer, Activation::linear);
   const std::string text = ": the weights are those of another kind of net";
@@ -243,7 +228,7 @@ TEST(Thin, rejects_another_kind_of_net) {
             "net_two_layer_linear" + text);
 }
 
-TEST(Thin, names_what_there_is_where_a_variant_does_not_exist) {
+TEST(Thin, error_for_a_missing_variant_lists_the_existing_ones) {
   const std::string none = ": there is no such variant; ";
   EXPECT_EQ(rejected_options(Rule::guo_hall, {.technique = Technique::simd_runs}),
             "thin_guo_hall by simd_runs at any instruction set on one thread" + none +
@@ -260,46 +245,44 @@ TEST(Thin, names_what_there_is_where_a_variant_does_not_exist) {
                 "it runs on one thread only");
 }
 
-TEST(Thinner, chooses_the_fastest_that_this_machine_offers) {
+TEST(Thinner, chooses_the_latest_isa_and_the_technique_by_width) {
   const Thinner narrow(Rule::naccache_shinghal, 100, 10);
   const Thinner wide(Rule::naccache_shinghal, 2000, 10);
   EXPECT_EQ(narrow.isa(), best_isa());
   EXPECT_EQ(wide.isa(), best_isa());
-  const bool has_rows = best_isa() >= Isa::avx512;
+  const bool has_row_kernel = best_isa() >= Isa::avx512;
   EXPECT_EQ(narrow.technique(),
-            has_rows ? Technique::simd_bitpacked_row : Technique::simd_bitpacked_tiles);
+            has_row_kernel ? Technique::simd_bitpacked_row : Technique::simd_bitpacked_tiles);
   EXPECT_EQ(wide.technique(), Technique::simd_bitpacked_tiles);
   const Thinner sequential(Rule::spta, 2000, 2000, {.threads = 4});
   EXPECT_EQ(sequential.technique(), Technique::bitpacked);
   EXPECT_EQ(sequential.isa(), Isa::baseline);
 }
 
-TEST(Thinner, reports_what_it_was_asked_for) {
+TEST(Thinner, reports_the_requested_technique_and_isa) {
   const Options options = {.isa = Isa::baseline, .technique = Technique::autovec};
   const Thinner thinner(Rule::zhang_suen, 100, 10, options);
   EXPECT_EQ(thinner.technique(), Technique::autovec);
   EXPECT_EQ(thinner.isa(), Isa::baseline);
 }
 
-TEST(Thinner, may_be_used_again_and_again) {
+TEST(Thinner, gives_correct_results_on_repeated_use) {
   Thinner thinner(Rule::guo_hall, 90, 33, {.border = Border::keep, .max_iterations = 2});
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const ByteImage image = noise_image(90, 33, 30 * static_cast<int>(seed), 2, seed);
-    ByteImage expected(90, 33);
+    const Thinned expected = thinned_by_reference(Rule::guo_hall, image, {Border::keep, 2});
     ByteImage out = untouched(90, 33);
-    const int iterations =
-        reference::thinning(Rule::guo_hall)({Border::keep, 2}, image.view(), expected.view());
-    EXPECT_EQ(thinner(image.view(), out.view()), iterations);
-    EXPECT_TRUE(equal(out.view(), expected.view()));
+    EXPECT_EQ(thinner(image.view(), out.view()), expected.iterations);
+    EXPECT_TRUE(equal(out.view(), expected.image.view()));
   }
 }
 
-TEST(Thinner, moves_with_all_that_it_owns) {
+TEST(Thinner, works_after_moves) {
   static_assert(!std::is_copy_constructible_v<Thinner> && !std::is_copy_assignable_v<Thinner>);
   static_assert(std::is_nothrow_move_constructible_v<Thinner>);
   static_assert(std::is_nothrow_move_assignable_v<Thinner>);
   const ByteImage image = noise_image(60, 20, 90, 1, 4);
-  const Expected expected = expected_of(Rule::mb2, image);
+  const Thinned expected = thinned_by_reference(Rule::mb2, image);
   Thinner first(Rule::mb2, 60, 20);
   const Technique technique = first.technique();
   Thinner second(std::move(first));
@@ -311,7 +294,7 @@ TEST(Thinner, moves_with_all_that_it_owns) {
   EXPECT_TRUE(equal(out.view(), expected.image.view()));
 }
 
-TEST(Thinner, rejects_sizes_that_it_cannot_have) {
+TEST(Thinner, rejects_invalid_sizes) {
   const auto rejected = [](Index width, Index height) {
     return rejection_of([&] { Thinner(Rule::guo_hall, width, height); });
   };
@@ -322,7 +305,7 @@ TEST(Thinner, rejects_sizes_that_it_cannot_have) {
             "image size 2 x 9223372036854775807 is larger than 2^40 pixels");
 }
 
-TEST(Thinner, rejects_images_of_another_size_than_its_own) {
+TEST(Thinner, rejects_images_of_another_size) {
   Thinner thinner(Rule::guo_hall, 28, 28);
   ByteImage image(28, 27);
   ByteImage out = untouched(28, 27);

@@ -8,11 +8,12 @@
 #include "program_run.hpp"
 #include "scene/scene.hpp"
 #include "support/temporary_directory.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
-class Border : public testing::Test {
+class BorderOption : public testing::Test {
  protected:
   void SetUp() override { write_grey(in, scene.view()); }
 
@@ -42,16 +43,19 @@ TEST_F(Border, keep_equals_opencv_on_an_image_with_parts_on_its_border) {
                     by_opencv(cv::ximgproc::THINNING_GUOHALL).view()));
 }
 
-TEST_F(Border, background_is_the_default_and_differs) {
-  const ByteImage asked = thinned("thin_zhang_suen", "background");
+TEST_F(BorderOption, background_is_the_default_and_differs_from_keep) {
+  const ByteImage background = thinned("thin_zhang_suen", "background");
   ASSERT_EQ(run_with({"run", "thin_zhang_suen", in, out}).status, 0);
-  EXPECT_TRUE(equal(read_grey(out).view(), asked.view()));
-  EXPECT_FALSE(equal(thinned("thin_zhang_suen", "keep").view(), asked.view()));
+  EXPECT_TRUE(equal(read_grey(out).view(), background.view()));
+  EXPECT_FALSE(equal(thinned("thin_zhang_suen", "keep").view(), background.view()));
 }
 
-TEST_F(Border, every_rule_and_technique_keeps_it) {
+TEST_F(BorderOption, keep_applies_to_other_rules_and_to_a_requested_technique) {
   for (const std::string operation : {"thin_spta", "skeleton_scan", "net_two_layer_linear"}) {
-    EXPECT_EQ(run_with({"run", operation, in, out, "--border", "keep"}).status, 0) << operation;
+    ByteImage expected(image.width(), image.height());
+    thin(rule_from_name(operation).value(), image.view(), expected.view(),
+         {.border = Border::keep});
+    EXPECT_TRUE(equal(thinned(operation, "keep").view(), expected.view())) << operation;
   }
   const auto tiles = run_with(
       {"run", "thin_guo_hall", in, out, "--border", "keep", "--technique", "simd_bitpacked_tiles"});
@@ -59,7 +63,7 @@ TEST_F(Border, every_rule_and_technique_keeps_it) {
   EXPECT_TRUE(equal(read_grey(out).view(), by_opencv(cv::ximgproc::THINNING_GUOHALL).view()));
 }
 
-TEST_F(Border, unknown_names_are_rejected_with_those_that_there_are) {
+TEST_F(BorderOption, unknown_name_is_rejected_with_the_known_ones) {
   EXPECT_EQ(failure_of({"run", "thin_guo_hall", in, out, "--border", "wrap"}, 2),
             "no border is named 'wrap'; known: background and keep");
 }

@@ -25,11 +25,11 @@ class EdgesCommand : public testing::Test {
     more.insert(more.begin(), {"edges", in, out});
     return run_with(more);
   }
-  /// The failure, after which no file has appeared.
+  /// The error message; checks that no file was written.
   [[nodiscard]] std::string failure(std::vector<std::string> more, int status) const {
     more.insert(more.begin(), {"edges", in, out});
     std::string text = failure_of(more, status);
-    EXPECT_EQ(folder.names(), Names{"in.png"});
+    EXPECT_EQ(directory.names(), Names{"in.png"});
     return text;
   }
   void expect_output(const ByteImage& grey, EdgeOperator op,
@@ -39,12 +39,12 @@ class EdgesCommand : public testing::Test {
     EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
   }
 
-  TemporaryDirectory folder;
-  std::string in = folder.file("in.png");
-  std::string out = folder.file("out.png");
+  TemporaryDirectory directory;
+  std::string in = directory.file("in.png");
+  std::string out = directory.file("out.png");
 };
 
-TEST_F(EdgesCommand, writes_the_edges_and_one_line) {
+TEST_F(EdgesCommand, writes_the_edges_and_prints_one_line) {
   const ProgramRun result = run({"--operator", "prewitt", "--p1", "70", "--p2", "200",
                                  "--foreground", "dark", "--threshold", "90"});
   EXPECT_EQ(result.err, "");
@@ -54,7 +54,7 @@ TEST_F(EdgesCommand, writes_the_edges_and_one_line) {
   expect_output(image(), EdgeOperator::prewitt, {70, 200});
 }
 
-TEST_F(EdgesCommand, long_names_of_the_thresholds_say_the_same) {
+TEST_F(EdgesCommand, thresholds_have_long_names) {
   EXPECT_EQ(
       run({"--gradient-threshold", "70", "--brightness-threshold", "200", "--foreground", "dark"})
           .status,
@@ -62,7 +62,7 @@ TEST_F(EdgesCommand, long_names_of_the_thresholds_say_the_same) {
   expect_output(image(), EdgeOperator::sobel, {70, 200});
 }
 
-TEST_F(EdgesCommand, brightness_threshold_is_the_top_of_the_dark_foreground_by_default) {
+TEST_F(EdgesCommand, brightness_threshold_defaults_to_the_highest_level_of_dark_foreground) {
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "180"}).status, 0);
   expect_output(image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 179});
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "0"}).status, 0);
@@ -88,8 +88,8 @@ TEST_F(EdgesCommand, images_with_bright_foreground_are_inverted_first) {
                 {EdgeThresholds{}.gradient_threshold, 255 - 180});
 }
 
-/// A square of one level on another, far from the border.
-ByteImage square(std::uint8_t ground, std::uint8_t part) {
+/// A rectangle of level `part` on level `ground`, away from the image border.
+ByteImage rectangle(std::uint8_t ground, std::uint8_t part) {
   ByteImage image(40, 30);
   for (Index y = 0; y < 30; ++y) {
     for (Index x = 0; x < 40; ++x) {
@@ -99,8 +99,8 @@ ByteImage square(std::uint8_t ground, std::uint8_t part) {
   return image;
 }
 
-TEST_F(EdgesCommand, finds_the_edges_of_either_polarity_without_options) {
-  write_grey(in, square(100, 20).view());
+TEST_F(EdgesCommand, finds_the_same_edges_of_dark_and_bright_foreground_by_default) {
+  write_grey(in, rectangle(100, 20).view());
   const ProgramRun dark = run();
   EXPECT_EQ(dark.err, "note: " + in +
                           ": foreground is dark (grey level < 21); --foreground bright and "
@@ -108,19 +108,19 @@ TEST_F(EdgesCommand, finds_the_edges_of_either_polarity_without_options) {
   const ByteImage edges = read_grey(out);
   EXPECT_EQ(edges.at(10, 12), 255);
   EXPECT_EQ(edges.at(15, 12), 0);
-  write_grey(in, square(155, 235).view());
+  write_grey(in, rectangle(155, 235).view());
   EXPECT_NE(run().err.find("foreground is bright"), std::string::npos);
   EXPECT_TRUE(equal(read_grey(out).view(), edges.view()));
 }
 
-TEST_F(EdgesCommand, uses_the_variant_that_was_asked_for) {
+TEST_F(EdgesCommand, uses_the_requested_variant) {
   const ProgramRun result =
       run({"--technique", "simd_16bit", "--isa", "baseline", "--threads", "3"});
   EXPECT_EQ(result.out.rfind("edges_sobel/simd_16bit/baseline/3: ", 0), 0U)
       << result.out << result.err;
 }
 
-TEST_F(EdgesCommand, bad_arguments_are_one_line_and_no_output) {
+TEST_F(EdgesCommand, rejects_invalid_arguments_without_output) {
   EXPECT_EQ(failure({"--operator", "sobl"}, 2),
             "no operator is named 'sobl'; did you mean 'sobel'?");
   EXPECT_EQ(failure({"--p1", "256"}, 2),
@@ -133,11 +133,11 @@ TEST_F(EdgesCommand, bad_arguments_are_one_line_and_no_output) {
   EXPECT_EQ(failure({"--isa", ""}, 2).find("--isa: expected a value, got ''"), 0U);
   EXPECT_EQ(failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not implemented by simd_8bit"),
             0U);
-  EXPECT_EQ(failure_of({"edges", in, folder.file("a.gif")}, 1).find("cannot write '"), 0U);
-  EXPECT_EQ(failure_of({"edges", folder.file("absent.png"), out}, 1).find("cannot read '"), 0U);
+  EXPECT_EQ(failure_of({"edges", in, directory.file("a.gif")}, 1).find("cannot write '"), 0U);
+  EXPECT_EQ(failure_of({"edges", directory.file("absent.png"), out}, 1).find("cannot read '"), 0U);
 }
 
-TEST(EdgesRows, peers_are_proved_like_variants) {
+TEST(EdgesPeers, are_verified_like_variants) {
   const ProgramRun result =
       run_with({"verify", "--quick", "--filter", "edges_sobel/(opencv|copy)"});
   EXPECT_EQ(result.status, 0) << result.out;

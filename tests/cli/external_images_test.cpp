@@ -1,4 +1,4 @@
-// What a new user sees: real images, no options.
+// Photographs and drawings with default options.
 #include "support/external_images.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ struct Expected {
   bool has_warning;
 };
 
-class GivenPicture : public testing::TestWithParam<Expected> {};
+class ExternalImage : public testing::TestWithParam<Expected> {};
 
-TEST_P(GivenPicture, shows_its_objects_without_a_choice_of_foreground_or_threshold) {
+TEST_P(ExternalImage, has_the_expected_objects_with_default_foreground_and_threshold) {
   const std::filesystem::path path = external_image_directory() / GetParam().file;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
   const ProgramRun run = run_with({"holes", path.string(), "--min-area", GetParam().min_area});
@@ -30,21 +30,21 @@ TEST_P(GivenPicture, shows_its_objects_without_a_choice_of_foreground_or_thresho
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Defaults, GivenPicture,
+    Defaults, ExternalImage,
     testing::Values(
-        // A plate with seven holes, and six other shapes; some single pixels are holes, too.
+        // A plate with seven holes, and six other shapes; some single pixels are holes as well.
         Expected{"pic1.png", "20", "7 objects, 7 holes", "dark", false},
         Expected{"horse.png", "20", "1 object, 0 holes", "dark", false},
-        // Six parts on a bright table that a dark room surrounds.
+        // Six parts on a bright table, surrounded by a dark room.
         Expected{"pca_test1.jpg", "1", "1 object, 6 holes", "bright", false},
-        // 24 coins, the light so uneven that the corner of the background joins one of them.
+        // 24 coins in uneven light: a corner of the background merges with one of them.
         Expected{"coins.png", "50", "24 objects, 3 holes", "bright", true}),
     [](const testing::TestParamInfo<Expected>& one) {
       const std::string file = one.param.file;
       return file.substr(0, file.find('.'));
     });
 
-TEST(GivenPictureOfCoins, in_uneven_light_has_no_warning_once_the_threshold_is_chosen) {
+TEST(ExternalImageOfCoins, has_no_warning_if_the_threshold_is_given) {
   const std::filesystem::path path = external_image_directory() / "coins.png";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
   const ProgramRun run = run_with({"holes", path.string(), "--threshold", "140", "--foreground",

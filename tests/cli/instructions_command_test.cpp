@@ -11,40 +11,41 @@ namespace {
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-constexpr const char* kRows = "^euler_number/bitpacked/baseline/1/";
+constexpr const char* kFilter = "^euler_number/bitpacked/baseline/1/";
 
-Words counting(const Words& more) {
-  Words words = {"instructions", "--filter", kRows};
+/// A command that counts two cases.
+Words count_command(const Words& more) {
+  Words words = {"instructions", "--filter", kFilter};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
 
-TEST(InstructionsCommand, counts_are_equal_to_those_that_were_just_stored) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("counts.json");
-  const ProgramRun first = run_with(counting({"--out", file}));
+TEST(InstructionsCommand, counts_are_reproducible) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("counts.json");
+  const ProgramRun first = run_with(count_command({"--out", file}));
   EXPECT_EQ(first.status, 0) << first.err;
   EXPECT_NE(first.out.find("euler_number/bitpacked/baseline/1/kernel/scene_small"),
             std::string::npos);
-  EXPECT_EQ(run_with(counting({"--json"})).out, bytes_of(file));
-  const ProgramRun again = run_with(counting({"--against", file}));
+  EXPECT_EQ(run_with(count_command({"--json"})).out, bytes_of(file));
+  const ProgramRun again = run_with(count_command({"--against", file}));
   EXPECT_EQ(again.status, 0);
   EXPECT_EQ(again.out, "2 rows compared: 0 take more instructions, 0 fewer (tolerance 1 %)\n");
 }
 
-TEST(InstructionsCommand, more_instructions_than_stored_are_exit_status_1_and_none_in_common_4) {
-  const TemporaryDirectory folder;
-  Json counts = Json::parse(run_with(counting({"--json"})).out);
+TEST(InstructionsCommand, exits_with_1_for_more_instructions_and_with_4_for_no_common_case) {
+  const TemporaryDirectory directory;
+  Json counts = Json::parse(run_with(count_command({"--json"})).out);
   counts["rows"][0]["instructions"] = 100;
-  const std::string less = folder.with("less.json", counts.dump());
-  EXPECT_EQ(run_with(counting({"--against", less})).status, 1);
+  const std::string less = directory.with("less.json", counts.dump());
+  EXPECT_EQ(run_with(count_command({"--against", less})).status, 1);
   counts["rows"] = Json::array();
-  const std::string none = folder.with("none.json", counts.dump());
-  EXPECT_EQ(run_with(counting({"--against", none})).status, 4);
+  const std::string none = directory.with("none.json", counts.dump());
+  EXPECT_EQ(run_with(count_command({"--against", none})).status, 4);
 }
 
 TEST(InstructionsCommand, limits_give_instructions_per_cycle) {
-  const ProgramRun run = run_with(counting({"--limits", "--quick", "--json"}));
+  const ProgramRun run = run_with(count_command({"--limits", "--quick", "--json"}));
   EXPECT_EQ(run.status, 0) << run.err;
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json.at("/input/height"_json_pointer), 24);
@@ -52,16 +53,16 @@ TEST(InstructionsCommand, limits_give_instructions_per_cycle) {
   EXPECT_GT(json.at("/rows/0/instructions_per_cycle"_json_pointer), 0.1);
 }
 
-TEST(InstructionsCommand, images_are_binarised_as_asked_for) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("a.png");
+TEST(InstructionsCommand, image_is_binarised_by_the_given_options) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.png");
   ByteImage image(100, 64);
   for (Index x = 20; x < 80; ++x) image.at(x, 16) = 200;
   write_grey(file, image.view());
   const auto hash = [&](const Words& more) {
     Words words = {"--json", "--image", file};
     words.insert(words.end(), more.begin(), more.end());
-    const ProgramRun run = run_with(counting(words));
+    const ProgramRun run = run_with(count_command(words));
     return Json::parse(run.out).at("/input/hash"_json_pointer).get<std::string>() +
            (run.err.find("note: " + file + ": foreground is bright") == 0 ? " noted" : "");
   };
@@ -70,7 +71,7 @@ TEST(InstructionsCommand, images_are_binarised_as_asked_for) {
   EXPECT_NE(hash({"--foreground", "dark", "--threshold", "1"}), bright);
 }
 
-TEST(InstructionsCommand, options_that_do_not_go_together_are_refused) {
+TEST(InstructionsCommand, incompatible_options_are_rejected) {
   EXPECT_EQ(failure_of({"instructions", "--against", "x", "--limits"}, 2),
             "--against goes with neither --json nor --limits");
   EXPECT_EQ(failure_of({"instructions", "--quick"}, 2), "--quick goes with --limits only");

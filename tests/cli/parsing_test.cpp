@@ -7,13 +7,13 @@ namespace {
 
 constexpr const char* kOperation = "thin_naccache_shinghal";
 
-/// The failure of `run OPERATION in.png out.png` with these arguments more.
+/// The error message of `run OPERATION in.png out.png` with more arguments.
 std::string run_failure(std::vector<std::string> more) {
   more.insert(more.begin(), {"run", kOperation, "in.png", "out.png"});
   return failure_of(more, 2);
 }
 
-TEST(Program, no_arguments_print_the_help_as_an_error) {
+TEST(Program, without_arguments_prints_the_help_to_standard_error) {
   const ProgramRun run = run_with({});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
@@ -22,7 +22,7 @@ TEST(Program, no_arguments_print_the_help_as_an_error) {
 
 using Words = std::vector<std::string>;
 
-/// The commands that the help of these words lists.
+/// The subcommands that the help of a command lists.
 Words commands_below(Words words) {
   words.emplace_back("--help");
   std::istringstream help(run_with(words).out);
@@ -37,7 +37,7 @@ Words commands_below(Words words) {
   return found;
 }
 
-/// Every command that there is, as the words that name it; those that hold others come first.
+/// Every command as a list of words, parents before their subcommands.
 std::vector<Words> all_commands() {
   std::vector<Words> commands = {{}};
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -71,7 +71,7 @@ TEST(Program, version_is_one_line) {
   EXPECT_EQ(run.out.find('\n') + 1, run.out.size());
 }
 
-TEST(Program, unknown_command_gets_the_nearest_known_name) {
+TEST(Program, unknown_command_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"lst"}, 2), "no command is named 'lst'; did you mean 'list'?");
   EXPECT_EQ(
       failure_of({"frobnicate"}, 2),
@@ -79,7 +79,7 @@ TEST(Program, unknown_command_gets_the_nearest_known_name) {
       "train, experiment and instructions");
 }
 
-TEST(Program, unknown_command_within_a_command_gets_the_nearest_known_name) {
+TEST(Program, unknown_subcommand_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"train", "two-layers"}, 2),
             "no command is named 'two-layers'; did you mean 'two-layer'?");
   EXPECT_EQ(failure_of({"experiment", "nothing"}, 2),
@@ -89,7 +89,7 @@ TEST(Program, unknown_command_within_a_command_gets_the_nearest_known_name) {
             "train needs one more word: two-layer or cluster; see 'thinbench train --help'");
 }
 
-TEST(Program, unknown_option_of_a_command_within_a_command_is_refused_alike) {
+TEST(Program, unknown_option_of_a_subcommand_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"train", "two-layer", "--sead", "2"}, 2),
             "there is no option '--sead'; did you mean '--seed'? See 'thinbench train two-layer "
             "--help'");
@@ -101,7 +101,7 @@ TEST(Program, unknown_option_of_a_command_within_a_command_is_refused_alike) {
             "'more' was not expected; see 'thinbench train cluster --help'");
 }
 
-TEST(Program, unknown_option_gets_the_nearest_known_name) {
+TEST(Program, unknown_option_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(run_failure({"--treshold", "5"}),
             "there is no option '--treshold'; did you mean '--threshold'? "
             "See 'thinbench run --help'");
@@ -110,26 +110,26 @@ TEST(Program, unknown_option_gets_the_nearest_known_name) {
             "there is no option '--json'; see 'thinbench --help'");
 }
 
-TEST(Program, missing_arguments_are_named) {
+TEST(Program, missing_arguments_are_rejected) {
   EXPECT_EQ(failure_of({"run"}, 2), "OPERATION is required; see 'thinbench run --help'");
   EXPECT_EQ(failure_of({"run", kOperation, "in.png"}, 2),
             "OUT is required; see 'thinbench run --help'");
   EXPECT_EQ(run_failure({"--threshold"}), "--threshold needs a value; see 'thinbench run --help'");
 }
 
-TEST(Program, too_many_arguments_are_named) {
+TEST(Program, excess_arguments_are_rejected) {
   EXPECT_EQ(run_failure({"more.png"}),
             "'more.png' was not expected; see 'thinbench run --help'");
   EXPECT_EQ(run_failure({"--isa", "avx2", "--isa", "avx2"}),
             "--isa may be given only once; see 'thinbench run --help'");
 }
 
-TEST(Program, names_of_commands_may_be_arguments) {
+TEST(Program, names_of_commands_are_valid_arguments) {
   const std::string text = failure_of({"run", "list", "scene", "run"}, 2);
   EXPECT_EQ(text.find("no operation is named 'list'; known: "), 0U) << text;
 }
 
-TEST(Program, empty_values_are_refused) {
+TEST(Program, empty_values_are_rejected) {
   for (const std::string option : {"--technique", "--isa", "--weights"}) {
     const std::string text = option + ": expected a value, got ''; see 'thinbench run --help'";
     EXPECT_EQ(run_failure({option, ""}), text);
@@ -141,7 +141,7 @@ TEST(Program, empty_values_are_refused) {
             "--results: expected a value, got ''; see 'thinbench experiment table-2 --help'");
 }
 
-TEST(Program, numbers_out_of_range_are_refused_with_the_range) {
+TEST(Program, numbers_out_of_range_are_rejected_with_the_range) {
   const std::string see = "; see 'thinbench run --help'";
   for (const std::string value : {"256", "-1", "x", "1.5", "0x10", ""}) {
     EXPECT_EQ(run_failure({"--threshold=" + value}).find("--threshold"), 0U);
@@ -159,7 +159,7 @@ TEST(Program, numbers_out_of_range_are_refused_with_the_range) {
   }
 }
 
-/// All commands that read images, with the arguments that they need.
+/// All commands that read images, with their required arguments.
 std::vector<Words> image_commands() {
   return {{"run", kOperation, "absent.png", "out.png"},
           {"edges", "absent.png", "out.png"},
@@ -169,7 +169,7 @@ std::vector<Words> image_commands() {
           {"experiment", "quality", "--image", "absent.png"}};
 }
 
-TEST(Program, every_command_that_reads_images_takes_the_same_options) {
+TEST(Program, every_command_that_reads_images_accepts_the_same_options) {
   for (const Words& command : image_commands()) {
     for (const Words& options :
          {Words{"--foreground", "auto", "--threshold", "otsu"}, Words{"--foreground", "bright"},
@@ -181,7 +181,7 @@ TEST(Program, every_command_that_reads_images_takes_the_same_options) {
   }
 }
 
-TEST(Program, every_command_that_reads_images_refuses_other_values_alike) {
+TEST(Program, every_command_that_reads_images_rejects_the_same_values) {
   for (const Words& command : image_commands()) {
     const auto failure = [&](const std::string& option, const std::string& value) {
       Words words = command;
@@ -200,7 +200,7 @@ TEST(Program, every_command_that_reads_images_refuses_other_values_alike) {
   }
 }
 
-TEST(Program, options_of_images_need_one_where_the_scene_is_the_default) {
+TEST(Program, options_of_images_require_an_image_where_the_scene_is_the_default) {
   for (const Words& command :
        {Words{"verify"}, Words{"instructions"}, Words{"experiment", "quality"}}) {
     for (const Words& option : {Words{"--foreground", "dark"}, Words{"--threshold", "9"}}) {
@@ -212,24 +212,24 @@ TEST(Program, options_of_images_need_one_where_the_scene_is_the_default) {
   }
 }
 
-TEST(Program, malformed_cap_stops_every_command) {
+TEST(Program, every_command_rejects_a_malformed_cap) {
   const IsaCap cap("sse9");
   const std::string text =
       "THINBENCH_MAX_ISA: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got 'sse9'";
-  int stopped = 0;
+  int tested = 0;
   for (Words words : all_commands()) {
     if (words.empty() || !commands_below(words).empty()) continue;
     if (words.front() == "run") words.insert(words.end(), {kOperation, "in.png", "out.png"});
     if (words.front() == "holes") words.emplace_back("in.png");
     if (words.front() == "edges") words.insert(words.end(), {"in.png", "out.png"});
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
-    ++stopped;
+    ++tested;
   }
-  EXPECT_EQ(stopped, 8 + 2 + 9);
+  EXPECT_EQ(tested, 8 + 2 + 9);
   EXPECT_EQ(run_with({"--help"}).status, 0);
 }
 
-TEST(Program, output_that_cannot_be_written_is_a_failure) {
+TEST(Program, fails_if_standard_output_cannot_be_written) {
   std::ostringstream out;
   std::ostringstream err;
   out.setstate(std::ios::badbit);

@@ -1,14 +1,12 @@
-// Runs the program within the test and keeps what it said.
+// Runs the program inside the test process and captures its output.
 #pragma once
 
-#include <cstdlib>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/program.hpp"
-#include "thinbench/isa.hpp"
+#include "support/isa_cap.hpp"
 
 namespace thinbench {
 
@@ -25,7 +23,8 @@ inline ProgramRun run_with(const std::vector<std::string>& args) {
   return {status, out.str(), err.str()};
 }
 
-/// The text of a failure with this status: one line on standard error, nothing on the other.
+/// The error message of a run that must fail with this status, with one line on standard error and
+/// nothing on standard output; otherwise a description of the run.
 inline std::string failure_of(const std::vector<std::string>& args, int status) {
   const ProgramRun run = run_with(args);
   const std::string lead_in = "thinbench: ";
@@ -36,22 +35,5 @@ inline std::string failure_of(const std::vector<std::string>& args, int status) 
   }
   return run.err.substr(lead_in.size(), run.err.size() - lead_in.size() - 1);
 }
-
-/// Sets the cap on the instruction set while it lives.
-class IsaCap {
- public:
-  explicit IsaCap(const char* cap) {
-    if (const char* old = std::getenv(kIsaCapVariable)) old_ = old;
-    setenv(kIsaCapVariable, cap, 1);
-  }
-  ~IsaCap() { old_ ? setenv(kIsaCapVariable, old_->c_str(), 1) : unsetenv(kIsaCapVariable); }
-  IsaCap(const IsaCap&) = delete;
-  IsaCap& operator=(const IsaCap&) = delete;
-  IsaCap(IsaCap&&) = delete;
-  IsaCap& operator=(IsaCap&&) = delete;
-
- private:
-  std::optional<std::string> old_;
-};
 
 }  // namespace thinbench

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kOperation = "thin_naccache_shinghal";
 using Names = std::set<std::string>;
 
-/// Grey bars of several levels on 0; those of 180 and, by Otsu's method, of 120 are bright.
+/// Bars of levels 60, 120 and 180 on 0. By Otsu's threshold of 61, those of 120 and 180 are bright.
 ByteImage bars(Index width = 90) {
   ByteImage image(width, 40);
   for (Index y = 4; y < 36; ++y) {
@@ -44,23 +44,23 @@ class RunCommand : public testing::Test {
     more.insert(more.begin(), {"run", kOperation, in, out});
     return run_with(more);
   }
-  /// The failure, after which no file has appeared.
+  /// The error message; checks that no file was written.
   [[nodiscard]] std::string failure(std::vector<std::string> more, int status) const {
     more.insert(more.begin(), {"run", kOperation, in, out});
     std::string text = failure_of(more, status);
-    EXPECT_EQ(folder.names(), Names{"in.png"});
+    EXPECT_EQ(directory.names(), Names{"in.png"});
     return text;
   }
   void expect_output(int threshold, bool invert) const {
     EXPECT_TRUE(equal(read_grey(out).view(), skeleton_of(bars(), threshold, invert).view()));
   }
 
-  TemporaryDirectory folder;
-  std::string in = folder.file("in.png");
-  std::string out = folder.file("out.png");
+  TemporaryDirectory directory;
+  std::string in = directory.file("in.png");
+  std::string out = directory.file("out.png");
 };
 
-TEST_F(RunCommand, writes_the_skeleton_and_one_line) {
+TEST_F(RunCommand, writes_the_skeleton_and_prints_one_line) {
   const ProgramRun result = run({"--foreground", "bright", "--threshold", "128"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
@@ -69,10 +69,10 @@ TEST_F(RunCommand, writes_the_skeleton_and_one_line) {
       R"(\d+ after, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
   expect_output(128, false);
-  EXPECT_EQ(folder.names(), (Names{"in.png", "out.png"}));
+  EXPECT_EQ(directory.names(), (Names{"in.png", "out.png"}));
 }
 
-TEST_F(RunCommand, threshold_and_foreground_choose_the_objects) {
+TEST_F(RunCommand, threshold_and_foreground_select_the_objects) {
   EXPECT_EQ(run({"--threshold", "60", "--foreground", "bright"}).status, 0);
   expect_output(60, false);
   const ProgramRun dark = run({"--threshold", "180", "--foreground", "dark"});
@@ -81,7 +81,7 @@ TEST_F(RunCommand, threshold_and_foreground_choose_the_objects) {
   expect_output(180, true);
 }
 
-TEST_F(RunCommand, takes_otsus_threshold_and_the_likely_foreground_without_options) {
+TEST_F(RunCommand, uses_otsus_threshold_and_the_likely_foreground_by_default) {
   const ProgramRun result = run();
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.err, "note: " + in +
@@ -90,7 +90,7 @@ TEST_F(RunCommand, takes_otsus_threshold_and_the_likely_foreground_without_optio
   expect_output(61, false);
 }
 
-TEST_F(RunCommand, skeletons_are_foreground_again) {
+TEST_F(RunCommand, skeleton_is_read_as_foreground) {
   ASSERT_EQ(run_with({"run", "thin_guo_hall", in, out}).status, 0);
   const ByteImage skeleton = read_grey(out);
   const ProgramRun again = run_with({"run", "thin_guo_hall", out, out});
@@ -99,7 +99,7 @@ TEST_F(RunCommand, skeletons_are_foreground_again) {
   EXPECT_TRUE(equal(read_grey(out).view(), skeleton.view()));
 }
 
-TEST_F(RunCommand, max_iterations_end_the_thinning_early) {
+TEST_F(RunCommand, max_iterations_limits_the_iterations) {
   const ProgramRun result = run({"--max-iterations", "2"});
   EXPECT_NE(result.out.find(", 2 iterations, "), std::string::npos) << result.out << result.err;
   ByteImage expected(bars().width(), bars().height());
@@ -108,7 +108,7 @@ TEST_F(RunCommand, max_iterations_end_the_thinning_early) {
   EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
 }
 
-TEST_F(RunCommand, uses_the_variant_that_was_asked_for) {
+TEST_F(RunCommand, uses_the_requested_variant) {
   const ProgramRun result =
       run({"--technique", "bitpacked", "--isa", "baseline", "--threads", "3"});
   EXPECT_EQ(result.out.rfind("thin_naccache_shinghal/bitpacked/baseline/3: ", 0), 0U)
@@ -116,13 +116,13 @@ TEST_F(RunCommand, uses_the_variant_that_was_asked_for) {
   expect_output(61, false);
 }
 
-TEST_F(RunCommand, may_write_over_its_input) {
+TEST_F(RunCommand, may_overwrite_its_input) {
   EXPECT_EQ(run_with({"run", kOperation, in, in}).status, 0);
   EXPECT_TRUE(equal(read_grey(in).view(), skeleton_of(bars(), 61, false).view()));
-  EXPECT_EQ(folder.names(), Names{"in.png"});
+  EXPECT_EQ(directory.names(), Names{"in.png"});
 }
 
-TEST_F(RunCommand, directions_choose_where_skeleton_scan_looks) {
+TEST_F(RunCommand, directions_select_those_of_the_scan) {
   const auto scan = [&](const std::string& names) {
     EXPECT_EQ(run_with({"run", "skeleton_scan", in, out, "--directions", names}).status, 0);
     return read_grey(out);
@@ -142,29 +142,29 @@ TEST_F(RunCommand, directions_choose_where_skeleton_scan_looks) {
   EXPECT_FALSE(equal(scan("columns").view(), expected.view()));
 }
 
-TEST_F(RunCommand, unknown_and_useless_directions_are_refused) {
+TEST_F(RunCommand, unknown_directions_and_directions_for_other_rules_are_rejected) {
   EXPECT_EQ(failure_of({"run", "skeleton_scan", in, out, "--directions", "rows,colums"}, 2),
             "no direction is named 'colums'; did you mean 'columns'?");
   EXPECT_EQ(failure({"--directions", "rows"}, 2),
             "--directions: thin_naccache_shinghal is not a scan and has no directions");
 }
 
-TEST_F(RunCommand, a_direction_left_empty_is_refused_with_the_list) {
+TEST_F(RunCommand, empty_direction_is_rejected_with_the_known_ones) {
   for (const std::string list : {"rows,,columns", ",rows", "rows,", ","}) {
     EXPECT_EQ(failure_of({"run", "skeleton_scan", in, out, "--directions", list}, 2),
               "--directions: '" + list +
                   "' has an empty name; known: rows, columns, "
                   "diagonals and antidiagonals");
   }
-  EXPECT_EQ(folder.names(), Names{"in.png"});
+  EXPECT_EQ(directory.names(), Names{"in.png"});
 }
 
-TEST_F(RunCommand, unknown_operation_gets_the_nearest_known_name) {
+TEST_F(RunCommand, unknown_operation_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"run", "thin_nacache", in, out}, 2),
             "no operation is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?");
 }
 
-TEST_F(RunCommand, unknown_technique_and_isa_get_the_nearest_known_name) {
+TEST_F(RunCommand, unknown_technique_and_isa_are_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure({"--technique", "simd_bites"}, 2),
             "no technique is named 'simd_bites'; did you mean 'simd_bytes'?");
   EXPECT_EQ(
@@ -176,7 +176,7 @@ TEST_F(RunCommand, unknown_technique_and_isa_get_the_nearest_known_name) {
             "avx512icl");
 }
 
-TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
+TEST_F(RunCommand, explains_that_a_variant_does_not_exist) {
   EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
             "lut_sliding runs on one thread only, not on 2");
   EXPECT_EQ(failure({"--technique", "simd_float_bits"}, 2)
@@ -187,7 +187,7 @@ TEST_F(RunCommand, variants_that_do_not_exist_are_explained) {
             "lut is not implemented for sse4.2, only for baseline");
 }
 
-TEST_F(RunCommand, isa_above_the_cap_is_refused) {
+TEST_F(RunCommand, isa_above_the_cap_is_rejected) {
   const IsaCap cap("baseline");
   for (const Isa isa : kAllIsas) {
     if (isa == Isa::baseline) continue;
@@ -200,7 +200,7 @@ TEST_F(RunCommand, isa_above_the_cap_is_refused) {
   EXPECT_EQ(run().out.find("/baseline/1: ") != std::string::npos, true);
 }
 
-TEST_F(RunCommand, technique_that_needs_more_than_the_cap_is_refused) {
+TEST_F(RunCommand, technique_that_needs_more_than_the_cap_is_rejected) {
   const IsaCap cap("sse4.2");
   const std::string text = failure({"--technique", "simd_bitpacked_row"}, 1);
   EXPECT_NE(text.find("avx512"), std::string::npos) << text;
@@ -213,28 +213,28 @@ TEST_F(RunCommand, image_wider_than_the_limit_is_refused) {
             "simd_bitpacked_row takes images up to 512 pixels wide; this one has 600");
 }
 
-TEST_F(RunCommand, unreadable_input_is_one_line_and_no_output) {
-  const std::string text = folder.with("in.png", "no picture");
+TEST_F(RunCommand, unreadable_input_is_rejected_without_output) {
+  const std::string text = directory.with("in.png", "no picture");
   EXPECT_EQ(failure({}, 1), "cannot read '" + in + "': it is not an image of a known format");
   std::filesystem::remove(in);
   EXPECT_EQ(failure_of({"run", kOperation, in, out}, 1),
             "cannot read '" + in + "': there is no such file");
-  EXPECT_EQ(folder.names(), Names{});
+  EXPECT_EQ(directory.names(), Names{});
 }
 
-TEST_F(RunCommand, unwritable_output_is_one_line_and_no_output) {
-  const std::string absent = folder.file("absent");
+TEST_F(RunCommand, unwritable_output_is_rejected) {
+  const std::string absent = directory.file("absent");
   EXPECT_EQ(failure_of({"run", kOperation, in, absent + "/a.png"}, 1),
             "cannot write '" + absent + "/a.png': there is no directory '" + absent + "'");
-  EXPECT_EQ(failure_of({"run", kOperation, in, folder.file("a.gif")}, 1),
-            "cannot write '" + folder.file("a.gif") +
+  EXPECT_EQ(failure_of({"run", kOperation, in, directory.file("a.gif")}, 1),
+            "cannot write '" + directory.file("a.gif") +
                 "': unknown extension '.gif'; known are .png, .pgm, "
                 ".bmp, .tif and .tiff");
-  EXPECT_EQ(folder.names(), Names{"in.png"});
+  EXPECT_EQ(directory.names(), Names{"in.png"});
 }
 
-TEST_F(RunCommand, trained_weights_drive_every_technique) {
-  const std::string weights = folder.file("weights.json");
+TEST_F(RunCommand, trained_weights_work_with_several_techniques) {
+  const std::string weights = directory.file("weights.json");
   ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
   for (const char* technique : {"lut", "lut_sliding", "simd_float_bits", "simd_bitpacked"}) {
     const ProgramRun result = run_with({"run", "net_single_layer_cluster", in, out, "--weights",
@@ -244,8 +244,8 @@ TEST_F(RunCommand, trained_weights_drive_every_technique) {
   }
 }
 
-TEST_F(RunCommand, weights_of_the_wrong_kind_or_place_are_refused) {
-  const std::string weights = folder.file("weights.json");
+TEST_F(RunCommand, weights_of_another_kind_of_net_or_for_other_rules_are_rejected) {
+  const std::string weights = directory.file("weights.json");
   ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
   EXPECT_EQ(failure_of({"run", "net_two_layer_linear", in, out, "--weights", weights}, 1),
             weights + ": holds the wrong kind of weights; net_two_layer_linear needs two_layer");

@@ -9,10 +9,10 @@ namespace {
 
 using Names = std::set<std::string>;
 
-TEST(TrainCommand, two_layer_says_epochs_and_restarts_and_writes_both_files) {
-  const TemporaryDirectory folder;
-  const std::string json = folder.file("weights.json");
-  const std::string markdown = folder.file("weights.md");
+TEST(TrainCommand, two_layer_prints_epochs_and_restarts_and_writes_both_files) {
+  const TemporaryDirectory directory;
+  const std::string json = directory.file("weights.json");
+  const std::string markdown = directory.file("weights.md");
   const ProgramRun ran =
       run_with({"train", "two-layer", "--seed", "2", "--out", json, "--markdown", markdown});
   EXPECT_EQ(ran.status, 0) << ran.err;
@@ -25,16 +25,16 @@ TEST(TrainCommand, two_layer_says_epochs_and_restarts_and_writes_both_files) {
             std::string::npos);
 }
 
-TEST(TrainCommand, two_layer_that_fails_says_how_far_it_came) {
+TEST(TrainCommand, failed_two_layer_training_prints_its_best_result) {
   EXPECT_EQ(failure_of({"train", "two-layer", "--hidden", "1", "--max-restarts", "0"}, 1)
                 .find("training reached "),
             0U);
 }
 
 TEST(TrainCommand, cluster_writes_weights_and_header_with_their_commands) {
-  const TemporaryDirectory folder;
-  const std::string json = folder.file("cluster.json");
-  const std::string header = folder.file("cluster.hpp");
+  const TemporaryDirectory directory;
+  const std::string json = directory.file("cluster.json");
+  const std::string header = directory.file("cluster.hpp");
   const ProgramRun ran =
       run_with({"train", "cluster", "--integer", "--out", json, "--header", header});
   EXPECT_EQ(ran.status, 0) << ran.err;
@@ -45,7 +45,7 @@ TEST(TrainCommand, cluster_writes_weights_and_header_with_their_commands) {
             std::string::npos);
 }
 
-TEST(TrainCommand, cluster_refuses_fewer_nets_than_it_takes) {
+TEST(TrainCommand, cluster_rejects_a_limit_below_the_minimum_number_of_nets) {
   EXPECT_EQ(failure_of({"train", "cluster", "--max-nets", "11"}, 1),
             "the rule needs 12 nets; --max-nets allows 11");
   EXPECT_EQ(
@@ -53,7 +53,7 @@ TEST(TrainCommand, cluster_refuses_fewer_nets_than_it_takes) {
       "--max-nets: expected an integer in [1, 16], got '0'; see 'thinbench train cluster --help'");
 }
 
-TEST(TrainCommand, numbers_that_are_none_are_refused) {
+TEST(TrainCommand, invalid_numbers_are_rejected) {
   const std::string see = "; see 'thinbench train two-layer --help'";
   for (const std::string seed : {"-1", "1.5", "x", ""}) {
     EXPECT_EQ(failure_of({"train", "two-layer", "--seed", seed}, 2),
@@ -63,20 +63,21 @@ TEST(TrainCommand, numbers_that_are_none_are_refused) {
             "--hidden: expected an integer in [1, 64], got '65'" + see);
 }
 
-TEST(TrainCommand, other_sizes_are_not_written_as_weights) {
-  const TemporaryDirectory folder;
-  EXPECT_EQ(failure_of({"train", "two-layer", "--hidden", "10", "--out", folder.file("a.json")}, 2),
-            "--out: weights files hold nets of 8 hidden neurons, not 10");
-  EXPECT_EQ(folder.names(), Names{});
+TEST(TrainCommand, weights_files_for_other_sizes_are_rejected) {
+  const TemporaryDirectory directory;
+  EXPECT_EQ(
+      failure_of({"train", "two-layer", "--hidden", "10", "--out", directory.file("a.json")}, 2),
+      "--out: weights files hold nets of 8 hidden neurons, not 10");
+  EXPECT_EQ(directory.names(), Names{});
 }
 
-TEST(TrainCommand, files_that_cannot_be_written_are_refused_before_the_training) {
+TEST(TrainCommand, unwritable_files_are_rejected_before_the_training) {
   const std::string reason = "': there is no directory 'no_such_folder'";
   for (const std::string option : {"--out", "--header"}) {
     EXPECT_EQ(failure_of({"train", "cluster", option, "no_such_folder/a"}, 1),
               "cannot write 'no_such_folder/a" + reason);
   }
-  // With these options the training itself would fail, with other words.
+  // With these options the training itself would fail with another error.
   for (const std::string option : {"--out", "--markdown"}) {
     EXPECT_EQ(failure_of({"train", "two-layer", "--seed", "5", "--max-restarts", "0", option,
                           "no_such_folder/a"},

@@ -22,34 +22,34 @@ std::string last_line(const std::string& text) {
   return text.substr(start == std::string::npos ? 0 : start + 1);
 }
 
-TEST(VerifyCommand, ends_with_the_summary) {
+TEST(VerifyCommand, prints_a_summary) {
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "3 passed, 0 failed, 0 skipped\n");  // on 1, 2 and 7 threads
 }
 
-TEST(VerifyCommand, reports_each_set_once_where_there_is_no_terminal) {
+TEST(VerifyCommand, reports_each_set_once_without_a_terminal) {
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/baseline/1"});
   const std::regex lines(R"((\w+: \d+ images in \d+\.\d s\n){5})");
   EXPECT_TRUE(std::regex_match(run.err, lines)) << run.err;
 }
 
-TEST(VerifyCommand, compares_on_external_images_too) {
-  const TemporaryDirectory folder;
-  write_grey(folder.file("a.png"), noise_image(70, 30, 80, 2, 5).view());
+TEST(VerifyCommand, also_compares_on_given_images) {
+  const TemporaryDirectory directory;
+  write_grey(directory.file("a.png"), noise_image(70, 30, 80, 2, 5).view());
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/baseline/1",
-                "--image", folder.file("a.png")});
+                "--image", directory.file("a.png")});
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("images: 1 images"), std::string::npos) << run.err;
 }
 
-TEST(VerifyCommand, given_images_are_binarised_as_asked_for_and_remarked_on_once) {
+TEST(VerifyCommand, images_are_binarised_by_the_given_options_with_remarks_once) {
   const std::string filter = "(thin_naccache_shinghal/bitpacked|edges_sobel/lut)/baseline/1";
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("a.pgm");
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.pgm");
   ByteImage image(30, 20);
   image.at(9, 9) = 200;
   write_grey(file, image.view());
@@ -61,14 +61,14 @@ TEST(VerifyCommand, given_images_are_binarised_as_asked_for_and_remarked_on_once
   EXPECT_EQ(run.err.find("warning", 1), std::string::npos) << run.err;
 }
 
-TEST(VerifyCommand, takes_thread_counts_once_each) {
+TEST(VerifyCommand, ignores_repeated_thread_counts) {
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/bitpacked/baseline/3",
                 "--threads", "3", "--threads", "3"});
   EXPECT_EQ(run.out, "1 passed, 0 failed, 0 skipped\n");
 }
 
-TEST(VerifyCommand, names_skipped_rows_with_the_reason) {
+TEST(VerifyCommand, prints_skipped_variants_with_the_reason) {
   const IsaCap cap("baseline");
   const ProgramRun run =
       run_with({"verify", "--quick", "--filter", "thin_naccache_shinghal/autovec/(baseline|avx2)"});
@@ -77,7 +77,7 @@ TEST(VerifyCommand, names_skipped_rows_with_the_reason) {
   EXPECT_EQ(last_line(run.out), "1 passed, 0 failed, 1 skipped\n");
 }
 
-TEST(VerifyCommand, fails_where_every_row_is_skipped) {
+TEST(VerifyCommand, fails_if_every_variant_is_skipped) {
   const IsaCap cap("baseline");
   const ProgramRun run = run_with({"verify", "--filter", "thin_naccache_shinghal/autovec/avx2"});
   EXPECT_EQ(run.status, 2);
@@ -86,14 +86,14 @@ TEST(VerifyCommand, fails_where_every_row_is_skipped) {
             "thinbench: nothing was verified: none of the matching rows is available here\n");
 }
 
-TEST(VerifyCommand, fails_where_no_row_matches) {
+TEST(VerifyCommand, fails_if_no_variant_matches) {
   const ProgramRun run = run_with({"verify", "--filter", "no_such_row"});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "0 passed, 0 failed, 0 skipped\n");
   EXPECT_EQ(run.err, "thinbench: no row matches the filter 'no_such_row'; see 'thinbench list'\n");
 }
 
-TEST(VerifyCommand, refuses_malformed_arguments_before_it_starts) {
+TEST(VerifyCommand, rejects_invalid_arguments_before_it_starts) {
   EXPECT_EQ(failure_of({"verify", "--filter", "("}, 2).find("--filter: '(' is no regular"), 0U);
   EXPECT_EQ(failure_of({"verify", "--image", "absent.png"}, 1),
             "cannot read 'absent.png': there is no such file");
@@ -101,7 +101,7 @@ TEST(VerifyCommand, refuses_malformed_arguments_before_it_starts) {
             "--threads: expected an integer in [1, 1024], got '0'; see 'thinbench verify --help'");
 }
 
-/// Changes nothing, ever.
+/// Returns its input unchanged.
 class IdleState final : public detail::ThinningState {
  public:
   void load(const ConstImageView& source) override { image_ = copy_of(source); }
@@ -120,7 +120,7 @@ std::unique_ptr<detail::ThinningState> make_idle(const detail::ThinningSetting&)
   return std::make_unique<IdleState>();
 }
 
-TEST(VerifyReport, shows_a_mismatch_and_fails) {
+TEST(VerifyReport, prints_a_mismatch_and_fails) {
   detail::ThinningOperation idle = detail::thinning_operations().front();
   idle.variants.resize(1);
   idle.variants.front().make = &make_idle;
@@ -133,7 +133,7 @@ TEST(VerifyReport, shows_a_mismatch_and_fails) {
   EXPECT_EQ(last_line(out.str()), "0 passed, 1 failed, 0 skipped\n");
 }
 
-TEST(VerifyReport, says_that_every_image_was_too_wide) {
+TEST(VerifyReport, reports_that_every_image_is_too_wide) {
   detail::ThinningOperation two = detail::thinning_operations().front();
   two.variants = {two.variants.front(), two.variants.front()};
   two.variants[0].max_width = 4;

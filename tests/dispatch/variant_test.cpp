@@ -1,19 +1,20 @@
-// The choice among variants, on lists made up for the purpose.
+// The choice among variants, on synthetic lists.
 #include "dispatch/variant.hpp"
 
-#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "support/rejection.hpp"
 
 namespace thinbench::detail {
 namespace {
 
 using enum Technique;
 
-// All at the baseline, which every machine has.
+// All at the baseline, which is always available.
 constexpr VariantInfo kSlow = {.technique = lut, .isa = Isa::baseline, .priority = 1};
-constexpr VariantInfo kShared = {
+constexpr VariantInfo kThreaded = {
     .technique = lut, .isa = Isa::baseline, .threaded = true, .priority = 1};
 constexpr VariantInfo kFast = {.technique = bitpacked, .isa = Isa::baseline, .priority = 5};
 constexpr VariantInfo kNarrow = {
@@ -28,25 +29,20 @@ std::size_t chosen(const std::vector<VariantInfo>& variants, Index width,
 
 std::string rejection(const std::vector<VariantInfo>& variants, Index width,
                       const Options& options) {
-  try {
-    static_cast<void>(chosen(variants, width, options));
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return rejection_of([&] { static_cast<void>(chosen(variants, width, options)); });
 }
 
 TEST(ChooseVariant, takes_the_highest_priority_that_fits) {
   EXPECT_EQ(chosen({kSlow, kFast, kNarrow}, 512), 2U);
   EXPECT_EQ(chosen({kSlow, kFast, kNarrow}, 513), 1U) << "too wide for the fastest";
-  EXPECT_EQ(chosen({kNarrow, kFast, kSlow}, 512), 0U) << "the order of the list is of no account";
+  EXPECT_EQ(chosen({kNarrow, kFast, kSlow}, 512), 0U) << "the order of the list does not matter";
 }
 
-TEST(ChooseVariant, of_equal_priorities_takes_the_first) {
+TEST(ChooseVariant, takes_the_first_of_equal_priorities) {
   EXPECT_EQ(chosen({kSlow, kSlow}, 5), 0U);
 }
 
-TEST(ChooseVariant, keeps_the_border_with_what_can) {
+TEST(ChooseVariant, keeps_the_border_only_with_variants_that_can) {
   EXPECT_EQ(chosen({kFast, kBackgroundOnly}, 5), 1U);
   EXPECT_EQ(chosen({kFast, kBackgroundOnly}, 5, {.border = Border::keep}), 0U);
   EXPECT_EQ(rejection({kBackgroundOnly}, 5, {.border = Border::keep}),
@@ -54,12 +50,12 @@ TEST(ChooseVariant, keeps_the_border_with_what_can) {
             "border");
 }
 
-TEST(ChooseVariant, takes_threads_for_threads) {
-  EXPECT_EQ(chosen({kSlow, kShared, kFast}, 5, {.threads = 2}), 1U);
-  EXPECT_EQ(chosen({kShared, kSlow}, 5), 1U);
+TEST(ChooseVariant, takes_a_threaded_variant_only_for_several_threads) {
+  EXPECT_EQ(chosen({kSlow, kThreaded, kFast}, 5, {.threads = 2}), 1U);
+  EXPECT_EQ(chosen({kThreaded, kSlow}, 5), 1U);
 }
 
-TEST(ChooseVariant, names_the_first_of_technique_isa_and_threads_that_does_not_exist) {
+TEST(ChooseVariant, error_lists_the_existing_techniques_or_isas) {
   const std::vector<VariantInfo> variants = {kSlow, kFast};
   EXPECT_EQ(rejection(variants, 5, {.technique = simd_runs}),
             "thin_it by simd_runs at any instruction set on one thread: there is no such variant; "
@@ -72,21 +68,21 @@ TEST(ChooseVariant, names_the_first_of_technique_isa_and_threads_that_does_not_e
             "on one thread only");
 }
 
-TEST(ChooseVariant, names_the_width_that_is_too_large) {
+TEST(ChooseVariant, error_names_the_width_limit) {
   EXPECT_EQ(rejection({kNarrow}, 513, {}),
             "thin_it by any technique at any instruction set on one thread: wider than this "
             "variant's limit of 512 pixels");
 }
 
-struct SomeState {
+struct FakeState {
   using Setting = int;
 };
 
-TEST(VariantList, puts_any_variant_of_a_later_isa_before_all_of_an_earlier) {
-  VariantList<SomeState> list;
+TEST(VariantList, ranks_every_variant_of_a_later_isa_above_all_of_an_earlier_one) {
+  VariantList<FakeState> list;
   list.add(lut, Isa::avx2, nullptr, {0});
   list.add_with_threads(bitpacked, Isa::sse42, nullptr, {kPrioritiesPerIsa - 1, 512, false});
-  const std::vector<Variant<SomeState>> variants = list.take();
+  const std::vector<Variant<FakeState>> variants = list.take();
   ASSERT_EQ(variants.size(), 3U);
   EXPECT_GT(variants[0].priority, variants[1].priority);
   EXPECT_EQ(variants[1].max_width, 512);

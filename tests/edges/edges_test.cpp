@@ -1,4 +1,4 @@
-// Every variant at thresholds beyond the defaults, and packed edges.
+// Thresholds, the image border, packed edges and the preferred variants.
 #include "thinbench/edges.hpp"
 
 #include <algorithm>
@@ -18,16 +18,16 @@ namespace {
 using detail::edge_operations;
 using detail::EdgeOperation;
 
-/// 0 left of column `at`, `height` from there on.
-ByteImage step_image(Index at, std::uint8_t height) {
+/// A vertical step: 0 left of `column`, `height` from there on.
+ByteImage step_image(Index column, std::uint8_t height) {
   ByteImage image(80, 12);
   for (Index y = 0; y < 12; ++y) {
-    for (Index x = at; x < 80; ++x) image.at(x, y) = height;
+    for (Index x = column; x < 80; ++x) image.at(x, y) = height;
   }
   return image;
 }
 
-TEST(EdgeThresholds, every_variant_equals_its_reference_at_every_kind) {
+TEST(EdgeThresholds, every_variant_equals_its_reference_at_extreme_thresholds) {
   const ByteImage image = grey_noise_image(199, 41, 0, 255, 3);
   for (const EdgeOperation& edges : edge_operations()) {
     for (const EdgeThresholds& thresholds :
@@ -45,7 +45,7 @@ TEST(EdgeThresholds, every_variant_equals_its_reference_at_every_kind) {
   }
 }
 
-TEST(EdgeScales, vertical_step_of_height_h_reads_h) {
+TEST(EdgeThresholds, gradient_of_a_vertical_step_is_its_height) {
   for (const EdgeOperation& operation : edge_operations()) {
     const ByteImage image = step_image(40, 100);
     ByteImage out(80, 12);
@@ -56,7 +56,7 @@ TEST(EdgeScales, vertical_step_of_height_h_reads_h) {
   }
 }
 
-TEST(EdgeThresholds, second_one_asks_for_a_bright_pixel_beside_the_edge) {
+TEST(EdgeThresholds, brightness_threshold_requires_a_brighter_pixel_in_the_window) {
   const ByteImage image = step_image(40, 100);
   ByteImage out(80, 12);
   detect_edges(EdgeOperator::sobel, image.view(), out.view(), {10, 99});
@@ -66,16 +66,16 @@ TEST(EdgeThresholds, second_one_asks_for_a_bright_pixel_beside_the_edge) {
   EXPECT_EQ(out.at(39, 6), 0);
 }
 
-TEST(EdgeBorder, is_no_edge_by_itself) {
+TEST(EdgeBorder, constant_image_has_no_edge_at_the_image_border) {
   for (const EdgeOperation& operation : edge_operations()) {
-    ByteImage image = step_image(0, 255);
+    const ByteImage image = step_image(0, 255);
     ByteImage out = grey_noise_image(80, 12, 0, 255, 1);
     detect_edges(operation.op, image.view(), out.view(), {0, 0});
     EXPECT_TRUE(equal(out.view(), ByteImage(80, 12).view())) << operation.name;
   }
 }
 
-TEST(PackedEdges, hold_what_bytes_show) {
+TEST(PackedEdges, equal_the_reference_and_leave_the_margin_zero) {
   const ByteImage image = grey_noise_image(131, 20, 0, 255, 5);
   for (const EdgeOperatorInfo& info : kEdgeOperators) {
     ByteImage expected(131, 20);
@@ -95,7 +95,7 @@ TEST(PackedEdges, hold_what_bytes_show) {
   }
 }
 
-TEST(EdgeVariants, prefer_8_bit_lanes_where_these_are_exact_and_16_bit_lanes_elsewhere) {
+TEST(EdgeVariants, prefer_8_bit_lanes_if_available_and_16_bit_lanes_otherwise) {
   for (const EdgeOperation& operation : edge_operations()) {
     const bool has_8_bit =
         std::any_of(operation.variants.begin(), operation.variants.end(),

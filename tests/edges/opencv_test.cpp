@@ -1,5 +1,4 @@
-// The references against OpenCV's filters with kernels written down here: another implementation of
-// the same formulae. Images of one's own join in by THINBENCH_TEST_IMAGES, a directory.
+// The references against an implementation of the same formulae by OpenCV's filters.
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -83,21 +82,21 @@ class EdgesAgainstOpenCv : public testing::TestWithParam<EdgeOperator> {
 };
 
 TEST_P(EdgesAgainstOpenCv, equal_on_the_scene) {
-  Scene scene = render_scene();
+  const Scene scene = render_scene();
   expect_equal(scene.grey, "scene");
 }
 
 TEST_P(EdgesAgainstOpenCv, equal_on_noise_of_odd_sizes) {
   for (const auto& [width, height] :
        {std::pair<Index, Index>{1, 1}, {1, 9}, {9, 1}, {2, 2}, {5, 3}, {67, 31}, {129, 40}}) {
-    ByteImage image = grey_noise_image(width, height, 0, 255, 7);
+    const ByteImage image = grey_noise_image(width, height, 0, 255, 7);
     expect_equal(image, std::to_string(width) + " x " + std::to_string(height));
   }
 }
 
 TEST_P(EdgesAgainstOpenCv, equal_on_external_images) {
   const std::vector<std::string> paths = external_images();
-  if (paths.empty()) GTEST_SKIP() << "no pictures in " << external_image_directory();
+  if (paths.empty()) GTEST_SKIP() << "no images in " << external_image_directory();
   for (const std::string& path : paths) {
     expect_equal(read_grey(path), path);
   }
@@ -114,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(All, EdgesAgainstOpenCv, testing::ValuesIn(all_operator
                            return std::string(edge_operator_info(tested.param).name);
                          });
 
-TEST(EdgesMeroVassy, in_3x3_pixels_take_the_larger_of_sobels_gradients) {
+TEST(MeroVassy, gradient_of_3x3_is_the_larger_of_sobels_gradients) {
   const ByteImage image = grey_noise_image(131, 67, 0, 255, 9);
   const Kernels sobel = kernels_of(EdgeOperator::sobel);
   const cv::Mat gx = cv::abs(filtered(image, sobel.gx));

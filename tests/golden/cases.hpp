@@ -1,4 +1,4 @@
-// The cases of the golden file: which operation runs on which image, and with which options.
+// The cases of the golden file: an operation, its options and an image.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace thinbench::golden {
 
-/// The first four columns of a line; "-" where an option does not apply.
+/// The first four columns of a line; "-" for an option that does not apply.
 struct Case {
   std::string operation;
   std::string border;          // "background", "keep" or "-"
   std::string max_iterations;  // a number, or "-" for no limit
   std::string image;
 
-  /// The order of lines.
+  /// The order of the lines.
   friend bool operator<(const Case& a, const Case& b) {
     return std::tie(a.operation, a.border, a.max_iterations, a.image) <
            std::tie(b.operation, b.border, b.max_iterations, b.image);
@@ -37,17 +37,23 @@ struct Result {
   }
 };
 
-/// Not an operation: the hash of the image itself. Where it differs, the drawing has changed, and
-/// nothing can be said of the operations.
+/// Not an operation: the hash of the input image. If it differs, the generator of the image has
+/// changed, and the other cases on this image are meaningless.
 inline constexpr const char* kInput = "input";
 
-inline constexpr std::array kThinning = {"thin_naccache_shinghal",  "thin_zhang_suen",
-                                         "thin_guo_hall",           "thin_spta",
-                                         "thin_spta_directional",   "thin_mb2",
-                                         "skeleton_scan",           "net_two_layer_sigmoid",
-                                         "net_two_layer_rounded",   "net_two_layer_linear",
+inline constexpr std::array kThinning = {"thin_naccache_shinghal",
+                                         "thin_zhang_suen",
+                                         "thin_lu_wang",
+                                         "thin_guo_hall",
+                                         "thin_spta",
+                                         "thin_spta_directional",
+                                         "thin_mb2",
+                                         "skeleton_scan",
+                                         "net_two_layer_sigmoid",
+                                         "net_two_layer_rounded",
+                                         "net_two_layer_linear",
                                          "net_single_layer_cluster"};
-/// Also recorded for one iteration.
+/// Recorded for one iteration, too.
 inline constexpr std::array kOneIteration = {"net_two_layer_sigmoid", "net_two_layer_linear",
                                              "net_single_layer_cluster"};
 inline constexpr std::array kOtherBinary = {"holes", "components", "fill_holes", "euler_number",
@@ -65,7 +71,7 @@ inline std::vector<Case> thinning_cases_on(const std::string& image) {
   return cases;
 }
 
-/// All cases on an image of this name.
+/// All cases on the image with this name.
 inline std::vector<Case> cases_on(const std::string& image, InputKind kind) {
   std::vector<Case> cases = {{kInput, "-", "-", image}};
   if (kind == InputKind::grey) {

@@ -1,4 +1,4 @@
-// The golden file: tab-separated text, one case a line below a header, in ascending order.
+// The golden file: tab-separated text with a header and one case per line, sorted.
 #pragma once
 
 #include <fstream>
@@ -25,7 +25,8 @@ inline void write_golden(const std::string& path, const Recorded& recorded) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-/// Throws std::runtime_error for a missing file, another header or a line without six columns.
+/// Throws std::runtime_error if the file is missing or has another header, or if a line has fewer
+/// than six columns.
 inline Recorded read_golden(const std::string& path) {
   std::ifstream file(path);
   std::string line;
@@ -37,7 +38,7 @@ inline Recorded read_golden(const std::string& path) {
     Result result;
     columns >> one.operation >> one.border >> one.max_iterations >> one.image;
     if (!(columns >> result.hash >> result.iterations))
-      throw std::runtime_error("cut off: " + line);
+      throw std::runtime_error("truncated: " + line);
     recorded[one] = result;
   }
   return recorded;

@@ -1,5 +1,5 @@
-// Every operation on fixed images, compared with the outputs that golden.tsv holds.
-// With THINBENCH_RECORD_GOLDEN=PATH in the environment the outputs are written to PATH instead.
+// Every operation on fixed images, compared with the outputs recorded in golden.tsv.
+// With THINBENCH_RECORD_GOLDEN=PATH in the environment, writes the outputs to PATH instead.
 #include <cstdlib>
 #include <exception>
 #include <map>
@@ -15,7 +15,7 @@
 namespace thinbench::golden {
 namespace {
 
-constexpr std::size_t kMinCases = 1436;
+constexpr std::size_t kMinCases = 1512;
 constexpr Index kMaxPixelsForReferences = 50'000;
 
 const std::map<std::string, TestImage>& images_by_name() {
@@ -35,8 +35,8 @@ std::string text_of(const Case& one) {
          ", image " + one.image;
 }
 
-/// The text of an exception in place of the hash where one is thrown.
-Result run_or_explain(const Case& one, const ByteImage& image, int threads) {
+/// If the case throws, the result has the exception's message in place of the hash.
+Result result_or_error(const Case& one, const ByteImage& image, int threads) {
   try {
     return run_case(one, image, threads);
   } catch (const std::exception& error) {
@@ -49,7 +49,7 @@ void expect_recorded(const Case& one, const Result& recorded) {
   ASSERT_NE(found, images_by_name().end()) << "no such image: " << text_of(one);
   const ByteImage& image = found->second.image;
   for (const int threads : {1, 3}) {
-    EXPECT_EQ(run_or_explain(one, image, threads), recorded)
+    EXPECT_EQ(result_or_error(one, image, threads), recorded)
         << text_of(one) << ", threads " << threads;
   }
 }
@@ -68,7 +68,7 @@ Recorded golden_file() {
   return read_golden(THINBENCH_SOURCE_DIR "/tests/golden/golden.tsv");
 }
 
-TEST(Golden, outputs_are_those_recorded) {
+TEST(Golden, outputs_equal_the_recorded_ones) {
   if (const char* path = std::getenv("THINBENCH_RECORD_GOLDEN"); path != nullptr) {
     const Recorded results = results_of_all_cases();
     write_golden(path, results);
@@ -79,7 +79,7 @@ TEST(Golden, outputs_are_those_recorded) {
   for (const auto& [one, result] : recorded) expect_recorded(one, result);
 }
 
-TEST(Golden, references_give_what_was_recorded_on_small_images) {
+TEST(Golden, thinning_references_equal_the_recorded_outputs_on_small_images) {
   for (const auto& [one, result] : golden_file()) {
     const auto found = images_by_name().find(one.image);
     if (one.border == "-" || found == images_by_name().end()) continue;

@@ -1,4 +1,4 @@
-// The images of the golden file, all drawn by integer arithmetic.
+// The images of the golden file, all drawn with integer arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ ByteImage drawn(Index width, Index height, const Level& level) {
   return image;
 }
 
-/// Collects images of one kind. Names say how to draw an image again.
+/// Collects images of one kind. A name holds all parameters of its image.
 class Gallery {
  public:
   explicit Gallery(InputKind kind) : kind_(kind) {}
@@ -38,7 +38,7 @@ class Gallery {
   void add(std::string name, ByteImage image) {
     images_.push_back({std::move(name), std::move(image), kind_});
   }
-  /// Foreground where `contains` is true.
+  /// Foreground where `contains` returns true.
   template <class Contains>
   void add_shape(std::string_view name, Index width, Index height, const Contains& contains) {
     add(sized(name, width, height),
@@ -56,12 +56,11 @@ class Gallery {
   std::vector<TestImage> images_;
 };
 
-/// The image border cuts parts off; twice the size of the test image, and much noise.
+/// Parts touch the image border; twice the size of the test image, and strong noise.
 inline Scene second_scene() {
   return render_scene({SceneKind::border_touching, 2, 320, true, 7});
 }
 
-/// Foreground of `percent` in blocks of this granularity.
 inline void add_noise(Gallery& gallery, Index width, Index height, int percent, Index granularity,
                       std::uint64_t seed) {
   const std::string name =
@@ -91,7 +90,7 @@ inline void add_wide_noise(Gallery& gallery) {
   add_noise(gallery, 513, 1, 60, 1, 14);
   add_noise(gallery, 1030, 70, 50, 9, 15);
   add_noise(gallery, 4200, 40, 99, 1, 16);
-  // Large enough for several threads.
+  // Large enough to run on several threads.
   add_noise(gallery, 1100, 1000, 60, 12, 17);
   add_noise(gallery, 1030, 1100, 99, 1, 18);
 }
@@ -135,7 +134,7 @@ inline std::vector<TestImage> binary_images() {
   gallery.add("test_image", std::move(render_scene().binary));
   gallery.add("second_scene", std::move(second_scene().binary));
   gallery.add("all_neighbourhoods_261x32", neighbourhood_sheet(5));
-  // Foreground of other values than 255.
+  // Foreground values other than 255.
   gallery.add("values_0_to_3_130x40_seed20", grey_noise_image(130, 40, 0, 3, 20));
   add_narrow_noise(gallery);
   add_wide_noise(gallery);
@@ -145,13 +144,13 @@ inline std::vector<TestImage> binary_images() {
   return gallery.take();
 }
 
-inline void add_grey_noise(Gallery& gallery, Index width, Index height, int lowest, int highest,
-                           std::uint64_t seed) {
+inline void add_grey_noise(Gallery& gallery, Index width, Index height, int min_level,
+                           int max_level, std::uint64_t seed) {
   const std::string name =
-      "grey_noise_" + std::to_string(lowest) + "_to_" + std::to_string(highest);
+      "grey_noise_" + std::to_string(min_level) + "_to_" + std::to_string(max_level);
   gallery.add(seeded(sized(name, width, height), seed),
-              grey_noise_image(width, height, static_cast<std::uint8_t>(lowest),
-                               static_cast<std::uint8_t>(highest), seed));
+              grey_noise_image(width, height, static_cast<std::uint8_t>(min_level),
+                               static_cast<std::uint8_t>(max_level), seed));
 }
 
 inline void add_grey_noises(Gallery& gallery) {
@@ -191,7 +190,7 @@ inline std::vector<TestImage> grey_images() {
   return gallery.take();
 }
 
-/// All of them; names are unique.
+/// All images; their names are unique.
 inline std::vector<TestImage> golden_images() {
   std::vector<TestImage> images = binary_images();
   for (TestImage& grey : grey_images()) images.push_back(std::move(grey));

@@ -1,4 +1,4 @@
-// The part of the golden test that calls the library: from a case to its result.
+// Runs a case of the golden file.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,9 @@ inline int limit_of(const Case& one) {
   return one.max_iterations == "-" ? kUnlimited : std::stoi(one.max_iterations);
 }
 
-/// Of this size, filled with what no operation gives, so that pixels left unwritten show.
+/// Filled with a value that no operation writes, so that unwritten pixels are noticed.
 inline ByteImage unwritten(Index width, Index height) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) image.at(x, y) = 77;
-  }
-  return image;
+  return filled_image(width, height, 77);
 }
 
 inline Result run_thinning(const Case& one, const ByteImage& image, int threads) {
@@ -70,7 +66,7 @@ inline std::vector<std::int64_t> numbers_found(std::string_view operation, Const
   throw std::invalid_argument("no operation is named " + std::string(operation));
 }
 
-/// By the library's own choice of technique.
+/// By the technique that the library chooses.
 inline Result run_case(const Case& one, const ByteImage& image, int threads) {
   const bool gives_image = one.operation.starts_with("edges_") || one.operation == "fill_holes";
   if (one.operation == kInput) return {hash_of(image)};
@@ -79,12 +75,11 @@ inline Result run_case(const Case& one, const ByteImage& image, int threads) {
   return {hash_of(numbers_found(one.operation, image.view(), threads))};
 }
 
-/// By the plain reference.
+/// By the reference; only for thinning.
 inline Result run_reference(const Case& one, const ByteImage& image) {
-  ByteImage output = unwritten(image.width(), image.height());
-  const auto function = reference::thinning(rule_from_name(one.operation).value());
-  const int iterations = function({border_of(one), limit_of(one)}, image.view(), output.view());
-  return {hash_of(output), std::to_string(iterations)};
+  const Thinned result = thinned_by_reference(rule_from_name(one.operation).value(), image,
+                                              {border_of(one), limit_of(one)});
+  return {hash_of(result.image), std::to_string(result.iterations)};
 }
 
 }  // namespace thinbench::golden

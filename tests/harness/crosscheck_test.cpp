@@ -1,4 +1,4 @@
-// Every available variant against its reference on every set of test images.
+// Compares every available variant with its reference on every set of test images.
 #include <algorithm>
 #include <cstdlib>
 
@@ -20,12 +20,12 @@ void PrintTo(const Case& tested, std::ostream* out) {
 
 class Crosscheck : public testing::TestWithParam<Case> {};
 
-/// Nets are shown the large sets with one iteration only: more are the same code.
+/// Whether one iteration suffices on large images: further iterations run the same code.
 bool is_omitted(const TestImageSet& set, const Operation& operation) {
   return operation.small_sets_only && set.name == "sizes";
 }
 
-/// Every operation with every set of the kind that it takes.
+/// Every operation with every set of its input kind.
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const TestImageSet& set : test_image_sets()) {
@@ -36,22 +36,22 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-/// The ISA whose variants alone are wanted; empty for all.
-std::string wanted_isa() {
+/// The only ISA to verify; empty for all.
+std::string requested_isa() {
   const char* isa = std::getenv("THINBENCH_CROSSCHECK_ISA");
   return isa == nullptr ? "" : isa;
 }
 
-/// The variants of an operation, as a filter.
+/// A filter that matches the variants of an operation at the requested ISA.
 std::string filter_of(const Operation& operation) {
-  const std::string isa = wanted_isa();
+  const std::string isa = requested_isa();
   return "^" + operation.name + (isa.empty() ? "/" : "/[^/]+/" + isa + "/");
 }
 
 TEST_P(Crosscheck, every_available_variant_equals_its_reference) {
   const auto& [set, operation] = GetParam();
   if (is_omitted(*set, *operation)) GTEST_SKIP() << "covered by the case of one iteration";
-  const auto isa = isa_from_name(wanted_isa());
+  const auto isa = isa_from_name(requested_isa());
   if (isa && !cpu_supports(*isa)) GTEST_SKIP() << "this machine lacks " << isa_name(*isa);
   Verifier verifier(matching_rows(filter_of(*operation), {2, 7}));
   set->generate([&](const TestImage& image) { verifier.show(image); });
@@ -66,7 +66,7 @@ TEST_P(Crosscheck, every_available_variant_equals_its_reference) {
 
 std::string case_name(const testing::TestParamInfo<Case>& tested) {
   std::string name = tested.param.operation->name + "_on_" + tested.param.set->name;
-  std::replace(name.begin(), name.end(), ':', '_');  // GoogleTest takes no other sign
+  std::replace(name.begin(), name.end(), ':', '_');  // ':' is not allowed in test names
   return name;
 }
 

@@ -1,6 +1,6 @@
-// No variant appears or disappears unnoticed: variants.txt has their numbers, whether or not this
-// machine can run them. With THINBENCH_RECORD_VARIANTS=PATH in the environment they are written to
-// PATH instead.
+// variants.txt records the number of variants per case and ISA, whether or not this machine can run
+// them, so that none appears or disappears unnoticed. With THINBENCH_RECORD_VARIANTS=PATH in the
+// environment, the numbers are written to PATH instead.
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -17,9 +17,9 @@ namespace {
 
 constexpr const char* kTable = THINBENCH_SOURCE_DIR "/tests/harness/variants.txt";
 
-/// Numbers of variants in the order of kAllIsas.
+/// Numbers of variants, in the order of kAllIsas.
 using Counts = std::array<std::size_t, kAllIsas.size()>;
-/// By case of an operation.
+/// By case.
 using Table = std::map<std::string, Counts>;
 
 std::string header() {
@@ -28,7 +28,7 @@ std::string header() {
   return text;
 }
 
-/// One for each technique, and one more where it has threads.
+/// The technique of each variant at an ISA, peers excluded.
 std::vector<std::string> variants_of(const Operation& operation, Isa isa) {
   std::vector<std::string> names;
   for (const Variant& variant : operation.variants) {
@@ -82,7 +82,7 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
-/// What a case has lost or gained against its line; empty where nothing.
+/// The variants that a case has lost or gained against the record; empty if none.
 std::string difference(const Operation& operation, const Counts& recorded) {
   std::string text;
   for (std::size_t i = 0; i < kAllIsas.size(); ++i) {
@@ -96,7 +96,7 @@ std::string difference(const Operation& operation, const Counts& recorded) {
   return text;
 }
 
-/// All differences between operations and a table, one on each line.
+/// All differences between the operations and the record, one per line.
 std::string differences(const std::vector<Operation>& operations, Table recorded) {
   std::string text;
   for (const Operation& operation : operations) {
@@ -107,7 +107,7 @@ std::string differences(const std::vector<Operation>& operations, Table recorded
   return text;
 }
 
-TEST(Variants, are_as_many_as_recorded) {
+TEST(Variants, numbers_equal_the_recorded_ones) {
   if (const char* path = std::getenv("THINBENCH_RECORD_VARIANTS"); path != nullptr && *path != 0) {
     write_table(path, table_of_operations());
     GTEST_SKIP() << "recorded";
@@ -121,7 +121,7 @@ Operation operation_with(const std::string& name, const std::vector<Isa>& isas) 
   return operation;
 }
 
-TEST(Variants, that_are_lost_or_gained_are_named_by_their_case) {
+TEST(Variants, lost_and_gained_variants_are_reported_by_case) {
   const std::vector<Operation> operations = {
       operation_with("thin_a", {Isa::baseline, Isa::avx2, Isa::avx2}),
       operation_with("thin_a:keep", {Isa::baseline})};

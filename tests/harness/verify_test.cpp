@@ -1,4 +1,4 @@
-// The verification itself is put to the test: a wrong variant must be caught and named.
+// Tests the verification itself: it must detect and describe wrong variants.
 #include "harness/verify.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace thinbench {
 namespace {
 
-/// Copies its input and forgets one pixel.
-class ForgetfulState final : public detail::ThinningState {
+/// Copies its input, except for one pixel.
+class WrongPixelState final : public detail::ThinningState {
  public:
   void load(const ConstImageView& source) override { image_ = copy_of(source); }
   int thin() override { return 1; }
@@ -28,25 +28,25 @@ class ForgetfulState final : public detail::ThinningState {
   ByteImage image_;
 };
 
-std::string mismatch_of_forgetful(const ConstImageView& input, const Outcome& expected) {
-  const auto job = thinning_job(std::make_unique<ForgetfulState>());
+std::string mismatch_of_wrong_pixel(const ConstImageView& input, const Outcome& expected) {
+  const auto job = thinning_job(std::make_unique<WrongPixelState>());
   return find_mismatch(*job, input, expected).value_or("");
 }
 
-TEST(FindMismatch, names_the_first_wrong_pixel_and_shows_a_window) {
+TEST(FindMismatch, names_the_first_wrong_pixel_and_prints_its_neighbourhood) {
   const ByteImage input = image_of_bits(5, 3, 0b00000'11111'00100);
-  const std::string text = mismatch_of_forgetful(input.view(), {copy_of(input.view()), {1}});
+  const std::string text = mismatch_of_wrong_pixel(input.view(), {copy_of(input.view()), {1}});
   EXPECT_NE(text.find("pixel (2, 0) is 0 instead of 255"), std::string::npos) << text;
   EXPECT_NE(text.find("  ..#..\n  #####\n"), std::string::npos) << text;
 }
 
-TEST(FindMismatch, notices_a_wrong_number_of_iterations) {
+TEST(FindMismatch, detects_a_wrong_number_of_iterations) {
   const ByteImage input(5, 3);
-  EXPECT_EQ(mismatch_of_forgetful(input.view(), {copy_of(input.view()), {3}}),
+  EXPECT_EQ(mismatch_of_wrong_pixel(input.view(), {copy_of(input.view()), {3}}),
             "iterations: 1 instead of 3");
 }
 
-/// Copies its input, and does harm besides in its second run, whose input and output have guards.
+/// Copies its input. In its second run, whose buffers have guard bytes, it also does harm.
 class CopyingJob final : public Job {
  public:
   using Harm = void (*)(const ConstImageView& input, const ImageView& output);
@@ -73,7 +73,7 @@ void change(const ConstImageView& input, Index offset) {
   ++const_cast<std::uint8_t*>(input.data)[offset];
 }
 
-TEST(FindMismatch, notices_a_changed_input) {
+TEST(FindMismatch, detects_a_changed_input) {
   EXPECT_EQ(mismatch_after([](const ConstImageView&, const ImageView&) {}), "");
   const CopyingJob::Harm harms[] = {
       [](const ConstImageView& input, const ImageView&) { change(input, 2 * input.stride + 3); },
@@ -82,7 +82,7 @@ TEST(FindMismatch, notices_a_changed_input) {
   for (const auto harm : harms) EXPECT_EQ(mismatch_after(harm), "the input was changed");
 }
 
-TEST(FindMismatch, notices_bytes_beside_the_destination) {
+TEST(FindMismatch, detects_writes_outside_the_destination) {
   const CopyingJob::Harm harms[] = {
       [](const ConstImageView&, const ImageView& output) { output.row(2)[output.width] = 0; },
       [](const ConstImageView&, const ImageView& output) { output.row(4)[-1] = 0; },
@@ -93,7 +93,7 @@ TEST(FindMismatch, notices_bytes_beside_the_destination) {
   }
 }
 
-/// Gives a list of numbers and no image, as labelling does.
+/// Gives a list of numbers and no image, like labelling.
 class ListJob final : public Job {
  public:
   explicit ListJob(std::vector<std::int64_t> list) : list_(std::move(list)) {}
@@ -105,7 +105,7 @@ class ListJob final : public Job {
   std::vector<std::int64_t> list_;
 };
 
-TEST(FindMismatch, compares_lists_of_numbers_without_an_image) {
+TEST(FindMismatch, compares_lists_of_numbers) {
   ListJob job({4, 5, 6});
   const ByteImage input(5, 3);
   EXPECT_EQ(find_mismatch(job, input.view(), {{}, {4, 5, 6}}), std::nullopt);
@@ -113,7 +113,7 @@ TEST(FindMismatch, compares_lists_of_numbers_without_an_image) {
   EXPECT_EQ(find_mismatch(job, input.view(), {{}, {4, 5}}), "3 numbers instead of 2");
 }
 
-TEST(FindKernelMismatch, compares_what_the_kernel_alone_gives) {
+TEST(FindKernelMismatch, compares_the_result_of_the_kernel_alone) {
   const detail::ThinningOperation& operation = detail::thinning_operations().front();
   const ByteImage input = noise_image(40, 20, 80, 2, 6);
   const Outcome expected = expected_of(operation.name, input.view());
@@ -123,18 +123,18 @@ TEST(FindKernelMismatch, compares_what_the_kernel_alone_gives) {
             "iterations: " + std::to_string(expected.numbers[0]) + " instead of 0");
 }
 
-TEST(Job, without_steps_of_its_own_rejects_them) {
+TEST(Job, without_a_separate_kernel_rejects_the_call) {
   ListJob job({});
   EXPECT_THROW(job.kernel(), std::logic_error);
 }
 
-TEST(Verifier, shows_no_variant_an_image_of_the_wrong_kind) {
+TEST(Verifier, skips_variants_of_another_input_kind) {
   Verifier verifier(matching_rows("thin_naccache_shinghal/lut/", {2}));
   verifier.show({"grey", grey_noise_image(9, 9, 0, 255, 1), InputKind::grey});
   EXPECT_EQ(summary_of(verifier).skipped, static_cast<int>(verifier.rows().size()));
 }
 
-TEST(GreyImages, noise_holds_all_levels_asked_for_and_no_other) {
+TEST(GreyImages, noise_has_every_level_of_its_range_and_no_other) {
   const ByteImage image = grey_noise_image(100, 100, 7, 40, 1);
   std::array<bool, 256> seen{};
   for (Index i = 0; i < 10000; ++i) seen[image.at(i % 100, i / 100)] = true;
@@ -143,7 +143,7 @@ TEST(GreyImages, noise_holds_all_levels_asked_for_and_no_other) {
   }
 }
 
-TEST(MatchingRows, filters_by_name_and_repeats_threaded_variants) {
+TEST(MatchingRows, filters_by_name_and_repeats_threaded_variants_per_thread_count) {
   for (const Row& row : matching_rows("simd_bitpacked/.*/(2|7)$", {2, 7})) {
     EXPECT_TRUE(row.variant->threaded);
   }
@@ -155,7 +155,7 @@ TEST(MatchingRows, rejects_a_malformed_expression) {
   EXPECT_THROW(static_cast<void>(matching_rows("(", {1})), std::invalid_argument);
 }
 
-TEST(TestImages, sheet_holds_all_512_neighbourhoods) {
+TEST(TestImages, neighbourhood_sheet_has_all_512_neighbourhoods) {
   const ByteImage sheet = neighbourhood_sheet(5);
   std::array<bool, 512> seen{};
   for (Index y = 1; y + 1 < sheet.height(); ++y) {

@@ -4,19 +4,16 @@
 
 #include "harness/test_images.hpp"
 #include "image/planes.hpp"
+#include "support/filled_image.hpp"
+#include "support/isa_parameters.hpp"
 #include "support/margins.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-class Convert : public testing::TestWithParam<Isa> {
- protected:
-  void SetUp() override {
-    if (!isa_available(GetParam())) GTEST_SKIP() << isa_name(GetParam()) << " is not available";
-  }
-};
+class PlaneConversion : public IsaTest {};
 
-TEST_P(Convert, packed_pixel_x_is_bit_x_mod_64_of_word_x_div_64) {
+TEST_P(PlaneConversion, packed_pixel_x_is_bit_x_mod_64_of_word_x_div_64) {
   for (const Index width : {1, 7, 63, 64, 65, 127, 128, 130, 510, 512, 515}) {
     const ByteImage image = noise_image(width, 5, 50, 1, 3);
     BitPlane plane(width, 5);
@@ -30,7 +27,7 @@ TEST_P(Convert, packed_pixel_x_is_bit_x_mod_64_of_word_x_div_64) {
   }
 }
 
-TEST_P(Convert, any_nonzero_byte_is_foreground) {
+TEST_P(PlaneConversion, any_nonzero_byte_is_foreground) {
   ByteImage image(256, 1);
   for (Index x = 0; x < 256; ++x) image.at(x, 0) = static_cast<std::uint8_t>(x);
   BitPlane bits(256, 1);
@@ -48,8 +45,7 @@ void expect_round_trip(Isa isa, Index width) {
   const ByteImage image = noise_image(width, 4, 40, 1, 8);
   Plane<T> plane(width, 4);
   plane_conversion<T>(isa).read(image.view(), plane.view());
-  ByteImage wide(width + 9, 4);
-  for (Index y = 0; y < 4; ++y) std::fill_n(wide.view().row(y), width + 9, std::uint8_t{7});
+  ByteImage wide = filled_image(width + 9, 4, 7);
   ImageView out = wide.view();
   out.width = width;
   const auto& filled = plane;
@@ -62,15 +58,15 @@ void expect_round_trip(Isa isa, Index width) {
   }
 }
 
-TEST_P(Convert, there_and_back_is_the_same_image_and_nothing_else_is_written) {
+TEST_P(PlaneConversion, round_trip_keeps_the_image_and_writes_nothing_else) {
   for (Index width = 1; width <= 200; ++width) {
     expect_round_trip<std::uint8_t>(GetParam(), width);
     expect_round_trip<std::uint64_t>(GetParam(), width);
   }
 }
 
-TEST_P(Convert, images_larger_than_caches_come_back_the_same) {
-  for (const Index width : {4096, 4100}) {  // rows on cache lines; ByteImage pads both
+TEST_P(PlaneConversion, round_trip_keeps_images_larger_than_caches_with_and_without_streaming) {
+  for (const Index width : {4096, 4100}) {
     const ByteImage image = noise_image(width, 2100, 50, 8, 4);
     BitPlane plane(width, 2100);
     plane_conversion<std::uint64_t>(GetParam()).read(image.view(), plane.view());
@@ -84,9 +80,7 @@ TEST_P(Convert, images_larger_than_caches_come_back_the_same) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, Convert, testing::ValuesIn(kAllIsas), [](const auto& tested) {
-  return "isa" + std::to_string(static_cast<int>(tested.param));
-});
+INSTANTIATE_TEST_SUITE_P(Isas, PlaneConversion, testing::ValuesIn(kAllIsas), isa_test_name);
 
 }  // namespace
 }  // namespace thinbench::detail

@@ -13,7 +13,7 @@ class Planes : public testing::Test {};
 using Elements = testing::Types<std::uint8_t, std::uint64_t>;
 TYPED_TEST_SUITE(Planes, Elements);
 
-TYPED_TEST(Planes, rows_start_on_cache_lines_and_strides_are_no_multiple_of_4096_bytes) {
+TYPED_TEST(Planes, rows_start_on_cache_lines_and_strides_are_not_multiples_of_4096_bytes) {
   for (const Index width : {0, 1, 64, 510, 512, 4000, 4032, 32192, 32256, 100000}) {
     Plane<TypeParam> plane(width, 3);
     const auto address = reinterpret_cast<std::uintptr_t>(plane.view().row(1));
@@ -22,22 +22,22 @@ TYPED_TEST(Planes, rows_start_on_cache_lines_and_strides_are_no_multiple_of_4096
   }
 }
 
-TYPED_TEST(Planes, margin_check_sees_one_bit_anywhere_outside) {
+TYPED_TEST(Planes, margin_check_detects_a_nonzero_element_anywhere_in_the_margin) {
   Plane<TypeParam> plane(70, 4);
   const auto view = plane.view();
   EXPECT_TRUE(margin_is_zero(plane.view()));
   view.row(2)[0] = 1;
-  EXPECT_TRUE(margin_is_zero(plane.view())) << "inside is not margin";
-  for (TypeParam* beside :
+  EXPECT_TRUE(margin_is_zero(plane.view())) << "a pixel is not margin";
+  for (TypeParam* outside :
        {view.row(-2), view.row(-1), view.row(4), view.row(5) + view.row_elements - 1,
         view.row(0) - 1, view.row(3) + view.row_elements, view.row(1) + view.row_elements - 1}) {
-    *beside = TypeParam{1};
+    *outside = TypeParam{1};
     EXPECT_FALSE(margin_is_zero(plane.view()));
-    *beside = 0;
+    *outside = 0;
   }
 }
 
-TEST(BitPlane, margin_check_sees_bits_past_the_width_in_the_last_word) {
+TEST(BitPlane, margin_check_detects_bits_past_the_width_in_the_last_word) {
   BitPlane plane(70, 1);
   plane.view().row(0)[1] = std::uint64_t{1} << 5;
   EXPECT_TRUE(margin_is_zero(plane.view()));

@@ -8,7 +8,7 @@
 namespace thinbench::detail {
 namespace {
 
-TEST(ThreadTeam, ranges_cover_every_index_once) {
+TEST(ThreadTeam, ranges_cover_every_index_exactly_once) {
   for (const int threads : {1, 2, 7}) {
     ThreadTeam team(threads);
     for (const Index count : {0, 1, 2, 6, 7, 8, 1000}) {
@@ -21,7 +21,7 @@ TEST(ThreadTeam, ranges_cover_every_index_once) {
   }
 }
 
-TEST(ThreadTeam, makes_no_more_ranges_than_threads) {
+TEST(ThreadTeam, makes_one_range_per_thread) {
   ThreadTeam team(7);
   std::atomic<int> ranges = 0;
   team.for_ranges(1000, [&](Index, Index) { ++ranges; });

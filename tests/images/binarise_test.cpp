@@ -20,8 +20,8 @@ ByteImage all_levels() {
   return image;
 }
 
-/// One level with a rectangle of another.
-ByteImage drawn(std::uint8_t ground, std::uint8_t part, const cv::Rect& area = {10, 8, 12, 9}) {
+/// A rectangle of level `part` on level `ground`.
+ByteImage rectangle(std::uint8_t ground, std::uint8_t part, const cv::Rect& area = {10, 8, 12, 9}) {
   ByteImage image(40, 30);
   mat_of(image.view()).setTo(ground);
   mat_of(image.view())(area).setTo(part);
@@ -46,57 +46,57 @@ constexpr BinariseOptions dark_below(int threshold) {
   return {Foreground::dark, threshold};
 }
 
-TEST(Binarise, bright_are_pixels_at_or_above_the_threshold) {
+TEST(Binarise, bright_foreground_is_at_or_above_the_threshold) {
   const ByteImage image = binarised(all_levels(), bright_from(60)).image;
   for (Index x = 0; x < 256; ++x) EXPECT_EQ(image.at(x, 0), x >= 60 ? 255 : 0) << x;
   EXPECT_EQ(foreground_pixels(image.view()), 196);
 }
 
-TEST(Binarise, dark_are_all_others) {
+TEST(Binarise, dark_foreground_is_below_the_threshold) {
   const BinaryImage binary = binarised(all_levels(), dark_below(60));
   for (Index x = 0; x < 256; ++x) EXPECT_EQ(binary.image.at(x, 0), x < 60 ? 255 : 0) << x;
   EXPECT_EQ(binary.foreground_share, 60.0 / 256);
 }
 
-TEST(Binarise, threshold_may_be_0_or_255) {
+TEST(Binarise, accepts_thresholds_0_and_255) {
   EXPECT_EQ(binarised(all_levels(), bright_from(0)).foreground_share, 1);
   EXPECT_EQ(foreground_pixels(binarised(all_levels(), bright_from(255)).image.view()), 1);
   EXPECT_EQ(binarised(all_levels(), dark_below(0)).foreground_share, 0);
 }
 
-TEST(Binarise, threshold_is_that_of_opencv_where_none_is_given) {
+TEST(Binarise, default_threshold_equals_opencvs_otsu_threshold) {
   for (const ByteImage& grey :
        {grey_noise_image(90, 40, 0, 255, 1), grey_noise_image(7, 50, 90, 99, 2),
-        copy_of(render_scene().grey.view()), drawn(31, 77), all_levels()}) {
+        copy_of(render_scene().grey.view()), rectangle(31, 77), all_levels()}) {
     cv::Mat expected;
     const double level = cv::threshold(mat_of(grey.view()), expected, 0, 255, cv::THRESH_OTSU);
     const BinaryImage bright = binarised(grey, {Foreground::bright});
     EXPECT_EQ(bright.threshold, level + 1);
     EXPECT_EQ(cv::norm(mat_of(bright.image.view()), expected, cv::NORM_INF), 0);
     const ByteImage again = binarised(grey, bright_from(bright.threshold)).image;
-    EXPECT_TRUE(equal(again.view(), bright.image.view())) << "the level that was told, given";
+    EXPECT_TRUE(equal(again.view(), bright.image.view())) << "with the reported threshold";
   }
 }
 
-TEST(LikelyForeground, is_what_the_background_surrounds) {
-  const BinaryImage dark = binarised(drawn(200, 40));
+TEST(LikelyForeground, is_the_class_that_the_other_surrounds) {
+  const BinaryImage dark = binarised(rectangle(200, 40));
   EXPECT_EQ(dark.foreground, Foreground::dark);
   EXPECT_EQ(foreground_pixels(dark.image.view()), 12 * 9);
-  const BinaryImage bright = binarised(drawn(40, 200));
+  const BinaryImage bright = binarised(rectangle(40, 200));
   EXPECT_EQ(bright.foreground, Foreground::bright);
   EXPECT_EQ(foreground_pixels(bright.image.view()), 12 * 9);
 }
 
-TEST(LikelyForeground, may_be_the_larger_part_and_touch_less_than_half_of_the_border) {
-  const BinaryImage large = binarised(drawn(200, 40, {1, 1, 38, 28}));
+TEST(LikelyForeground, may_be_the_larger_class_and_cover_less_than_half_of_the_border) {
+  const BinaryImage large = binarised(rectangle(200, 40, {1, 1, 38, 28}));
   EXPECT_EQ(large.foreground, Foreground::dark);
   EXPECT_GT(large.foreground_share, 0.5);
-  EXPECT_EQ(binarised(drawn(200, 40, {0, 0, 30, 20})).foreground, Foreground::dark);
-  EXPECT_EQ(binarised(drawn(200, 40, {0, 0, 40, 25})).foreground, Foreground::bright);
+  EXPECT_EQ(binarised(rectangle(200, 40, {0, 0, 30, 20})).foreground, Foreground::dark);
+  EXPECT_EQ(binarised(rectangle(200, 40, {0, 0, 40, 25})).foreground, Foreground::bright);
 }
 
-TEST(LikelyForeground, is_the_smaller_class_where_both_have_half_of_the_border) {
-  ByteImage halves = drawn(200, 40, {0, 0, 20, 30});
+TEST(LikelyForeground, is_the_smaller_class_if_each_covers_half_of_the_border) {
+  ByteImage halves = rectangle(200, 40, {0, 0, 20, 30});
   EXPECT_EQ(binarised(halves).foreground, Foreground::bright) << "equal classes";
   halves.at(5, 5) = 200;
   EXPECT_EQ(binarised(halves).foreground, Foreground::dark);
@@ -104,8 +104,8 @@ TEST(LikelyForeground, is_the_smaller_class_where_both_have_half_of_the_border) 
   EXPECT_EQ(binarised(halves).foreground, Foreground::bright);
 }
 
-TEST(LikelyForeground, counts_each_border_pixel_once_however_thin_the_image) {
-  ByteImage column(1, 5);  // 3 of 5 pixels are bright, 2 of 4 inner ones
+TEST(LikelyForeground, counts_each_border_pixel_once_in_images_one_pixel_wide_or_high) {
+  ByteImage column(1, 5);  // 3 of 5 pixels are bright
   for (const Index y : {0, 1, 2}) column.at(0, y) = 200;
   EXPECT_EQ(binarised(column).foreground, Foreground::dark);
   EXPECT_EQ(binarised(all_levels(), {Foreground::automatic, 100}).foreground, Foreground::dark);
@@ -120,43 +120,43 @@ TEST(LikelyForeground, is_right_on_the_scenes_grey_and_binary) {
   }
 }
 
-TEST(Remarks, name_what_was_chosen_and_what_overrides_it) {
-  EXPECT_EQ(remarks(drawn(200, 40)),
+TEST(Remarks, name_the_automatic_choices_and_the_options_that_override_them) {
+  EXPECT_EQ(remarks(rectangle(200, 40)),
             "note: a.png: foreground is dark (grey level < 41); --foreground bright and "
             "--threshold N override this\n");
-  EXPECT_EQ(remarks(drawn(40, 200), {Foreground::automatic, 90}),
+  EXPECT_EQ(remarks(rectangle(40, 200), {Foreground::automatic, 90}),
             "note: a.png: foreground is bright (grey level >= 90); --foreground dark overrides "
             "this\n");
-  EXPECT_EQ(remarks(drawn(40, 200), {Foreground::bright}),
+  EXPECT_EQ(remarks(rectangle(40, 200), {Foreground::bright}),
             "note: a.png: foreground is bright (grey level >= 41); --threshold N overrides this\n");
-  EXPECT_EQ(remarks(drawn(40, 200), bright_from(90)), "");
+  EXPECT_EQ(remarks(rectangle(40, 200), bright_from(90)), "");
 }
 
-TEST(Remarks, are_none_on_binary_images_unless_their_dark_side_is_taken) {
-  EXPECT_EQ(remarks(drawn(0, 255)), "");
-  EXPECT_EQ(remarks(drawn(0, 255), {Foreground::bright}), "");
+TEST(Remarks, are_omitted_for_binary_images_unless_the_foreground_is_dark) {
+  EXPECT_EQ(remarks(rectangle(0, 255)), "");
+  EXPECT_EQ(remarks(rectangle(0, 255), {Foreground::bright}), "");
   EXPECT_EQ(
-      remarks(drawn(255, 0)),
+      remarks(rectangle(255, 0)),
       "note: a.png: foreground is dark (grey level < 1); --foreground bright overrides this\n");
-  EXPECT_EQ(remarks(drawn(255, 0), {Foreground::dark}), "");
+  EXPECT_EQ(remarks(rectangle(255, 0), {Foreground::dark}), "");
 }
 
-TEST(Remarks, warn_of_more_than_half_foreground_and_name_the_option) {
-  EXPECT_EQ(remarks(drawn(200, 40), bright_from(90)),
+TEST(Remarks, warn_of_more_than_half_foreground) {
+  EXPECT_EQ(remarks(rectangle(200, 40), bright_from(90)),
             "warning: a.png: 91.0 % of the image is foreground; --foreground dark takes the rest "
             "instead\n");
-  EXPECT_EQ(remarks(drawn(40, 200), dark_below(90)),
+  EXPECT_EQ(remarks(rectangle(40, 200), dark_below(90)),
             "warning: a.png: 91.0 % of the image is foreground; --foreground bright takes the rest "
             "instead\n");
-  EXPECT_EQ(remarks(drawn(200, 40, {0, 0, 20, 30}), bright_from(90)), "") << "just half";
+  EXPECT_EQ(remarks(rectangle(200, 40, {0, 0, 20, 30}), bright_from(90)), "") << "exactly half";
 }
 
-TEST(Remarks, warn_of_images_of_one_level_whatever_the_options) {
+TEST(Remarks, warn_of_images_of_one_level_with_any_options) {
   const std::string same = "warning: a.png: all pixels have the same grey level, ";
-  EXPECT_EQ(remarks(drawn(77, 77)), same + "77: none is foreground\n");
+  EXPECT_EQ(remarks(rectangle(77, 77)), same + "77: none is foreground\n");
   EXPECT_EQ(remarks(ByteImage(9, 9)), same + "0: none is foreground\n");
-  EXPECT_EQ(remarks(drawn(255, 255)), same + "255: none is foreground\n");
-  EXPECT_EQ(remarks(drawn(77, 77), bright_from(70)), same + "77: all of them are foreground\n");
+  EXPECT_EQ(remarks(rectangle(255, 255)), same + "255: none is foreground\n");
+  EXPECT_EQ(remarks(rectangle(77, 77), bright_from(70)), same + "77: all of them are foreground\n");
 }
 
 TEST(Remarks, warn_of_a_histogram_without_two_classes_unless_the_threshold_is_given) {
@@ -169,26 +169,26 @@ TEST(Remarks, warn_of_a_histogram_without_two_classes_unless_the_threshold_is_gi
   EXPECT_EQ(remarks(render_scene().grey, {Foreground::dark}).find("warning"), std::string::npos);
 }
 
-TEST(Remarks, separation_is_three_quarters_for_uniform_levels_and_1_for_two) {
+TEST(Separation, is_three_quarters_for_uniform_levels_and_1_for_two_levels) {
   EXPECT_NEAR(binarised(all_levels()).separation, 0.75, 0.001);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     EXPECT_LT(binarised(grey_noise_image(64, 64, 0, 255, seed)).separation, kMinSeparation);
     EXPECT_LT(binarised(grey_noise_image(64, 64, 100, 120, seed)).separation, kMinSeparation);
   }
-  EXPECT_EQ(binarised(drawn(100, 101)).separation, 1);
+  EXPECT_EQ(binarised(rectangle(100, 101)).separation, 1);
 }
 
-TEST(ReadBinary, reads_and_tells) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("a.png");
-  write_grey(file, drawn(200, 40).view());
+TEST(ReadBinary, binarises_the_file_and_prints_remarks) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.png");
+  write_grey(file, rectangle(200, 40).view());
   std::ostringstream log;
   EXPECT_EQ(foreground_pixels(read_binary(file, {}, &log).view()), 12 * 9);
   EXPECT_EQ(log.str().find("note: " + file + ": foreground is dark"), 0U) << log.str();
   EXPECT_EQ(foreground_pixels(read_binary(file, bright_from(90)).view()), 40 * 30 - 12 * 9);
 }
 
-TEST(ForegroundPixels, counts_the_view_and_not_what_lies_between_its_rows) {
+TEST(ForegroundPixels, ignores_bytes_between_rows) {
   const std::uint8_t bytes[] = {1, 0, 9, 0, 255, 9};
   EXPECT_EQ(foreground_pixels({bytes, 2, 2, 3}), 2);
 }

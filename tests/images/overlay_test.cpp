@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "support/byte_image.hpp"
+#include "picture/mat_of.hpp"
+#include "support/filled_image.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace thinbench {
@@ -15,20 +16,15 @@ constexpr std::uint8_t kGrey = 100;
 
 /// What is drawn over an even grey image in which `objects` are looked for.
 cv::Mat3b overlay_of(const ByteImage& objects, std::int64_t min_area = 1) {
-  const TemporaryDirectory folder;
-  ByteImage grey(objects.width(), objects.height());
-  for (Index y = 0; y < grey.height(); ++y) {
-    for (Index x = 0; x < grey.width(); ++x) grey.at(x, y) = kGrey;
-  }
-  const std::string path = folder.file("overlay.png");
+  const TemporaryDirectory directory;
+  const ByteImage grey = filled_image(objects.width(), objects.height(), kGrey);
+  const std::string path = directory.file("overlay.png");
   write_overlay(path, grey.view(), objects.view(), find_regions(objects.view()), min_area);
   return cv::imread(path, cv::IMREAD_COLOR);
 }
 
 void fill(ByteImage& image, const cv::Rect& area, std::uint8_t level) {
-  for (int y = area.y; y < area.y + area.height; ++y) {
-    for (int x = area.x; x < area.x + area.width; ++x) image.at(x, y) = level;
-  }
+  mat_of(image.view())(area).setTo(level);
 }
 
 /// Whether anything was drawn in an area.
@@ -55,38 +51,37 @@ TEST(Overlay, outlines_of_objects_are_green_and_those_of_holes_red) {
   }
 }
 
-TEST(Overlay, number_of_an_object_stands_above_it_and_that_of_its_hole_in_the_hole) {
+TEST(Overlay, number_of_an_object_is_above_it_and_that_of_a_hole_inside_it) {
   const cv::Mat3b overlay = overlay_of(ring());
   EXPECT_TRUE(is_drawn(overlay, {20, 10, 10, 9})) << "the object's number";
   EXPECT_TRUE(is_drawn(overlay, {43, 30, 7, 8})) << "the hole's number";
   EXPECT_FALSE(is_drawn(overlay, {31, 43, 17, 6})) << "the rest of the hole";
-  EXPECT_FALSE(is_drawn(overlay, {0, 62, 80, 18})) << "the ground below";
+  EXPECT_FALSE(is_drawn(overlay, {0, 62, 80, 18})) << "the background below";
 }
 
-TEST(Overlay, regions_that_are_too_small_leave_no_trace_and_give_their_numbers_to_the_next) {
+TEST(Overlay, small_regions_are_not_drawn_and_not_numbered) {
   ByteImage image = ring();
   const cv::Mat3b alone = overlay_of(image);
   fill(image, {4, 2, 10, 10}, 255);  // the first object, with a hole
   fill(image, {6, 4, 2, 2}, 0);
-  fill(image, {22, 22, 3, 2}, 0);  // holes of the other, before and after its large one
+  fill(image, {22, 22, 3, 2}, 0);  // small holes of the ring, before and after the large one
   image.at(55, 55) = 0;
-  fill(image, {36, 36, 5, 5}, 255);  // an island in that
+  fill(image, {36, 36, 5, 5}, 255);  // an object inside the large hole
   EXPECT_GT(cv::norm(overlay_of(image), alone, cv::NORM_INF), 0);
   cv::Mat3b kept = overlay_of(image, 150);
-  // Of the large hole and its object, which lost pixels to small regions, the centres may have
-  // moved.
+  // The small regions may have moved the centres of the ring and of its large hole.
   for (cv::Mat3b overlay : {kept, alone}) overlay(cv::Rect(36, 30, 14, 14)).setTo(0);
   EXPECT_EQ(cv::norm(kept, alone, cv::NORM_INF), 0);
 }
 
-TEST(Overlay, islands_are_drawn_though_the_hole_round_them_is_too_small) {
+TEST(Overlay, objects_inside_holes_are_drawn_even_if_the_hole_is_too_small) {
   ByteImage image(80, 80);
   fill(image, {10, 10, 60, 60}, 255);
   fill(image, {20, 20, 40, 40}, 0);
   fill(image, {21, 21, 38, 38}, 255);
   const cv::Mat3b overlay = overlay_of(image, 200);
-  EXPECT_EQ(overlay(40, 21), kGreen) << "the island";
-  EXPECT_EQ(overlay(10, 40), kGreen) << "what encloses it";
+  EXPECT_EQ(overlay(40, 21), kGreen) << "the inner object";
+  EXPECT_EQ(overlay(10, 40), kGreen) << "the outer object";
   EXPECT_EQ(overlay(40, 19), cv::Vec3b(kGrey, kGrey, kGrey)) << "the hole of 156 pixels";
   EXPECT_EQ(overlay_of(image)(40, 19), kRed);
 }
@@ -95,10 +90,11 @@ TEST(Overlay, numbers_stay_in_the_image) {
   ByteImage corner(60, 30);
   fill(corner, {48, 0, 12, 30}, 255);
   const cv::Mat3b overlay = overlay_of(corner);
-  EXPECT_TRUE(is_drawn(overlay, {49, 1, 10, 9})) << "within the object, as there is nothing above";
+  EXPECT_TRUE(is_drawn(overlay, {49, 1, 10, 9}))
+      << "inside the object, because there is no space above";
 }
 
-TEST(Overlay, regions_smaller_than_a_digit_have_a_point_and_no_number) {
+TEST(Overlay, regions_smaller_than_a_digit_have_a_point_instead_of_a_number) {
   ByteImage plate(60, 40);
   fill(plate, {5, 15, 50, 20}, 255);
   plate.at(20, 25) = 0;

@@ -31,7 +31,7 @@ ByteImage image() {
 struct Sizes {
   std::vector<std::int64_t> objects;
   std::vector<std::int64_t> holes;
-  std::vector<std::uint32_t> owners;
+  std::vector<std::uint32_t> enclosing_objects;
   bool operator==(const Sizes&) const = default;
 };
 
@@ -40,7 +40,7 @@ Sizes sizes_of(const Regions& found) {
   for (const Region& object : found.objects) sizes.objects.push_back(object.area);
   for (const Region& hole : found.holes) {
     sizes.holes.push_back(hole.area);
-    sizes.owners.push_back(hole.enclosing_object);
+    sizes.enclosing_objects.push_back(hole.enclosing_object);
   }
   return sizes;
 }
@@ -58,7 +58,7 @@ TEST(RegionFilter, area_1_keeps_all_as_they_are) {
   EXPECT_EQ(sizes_of(found), (Sizes{{1, 296, 9, 8}, {4, 91, 1}, {2, 2, 4}}));
 }
 
-TEST(RegionFilter, areas_are_compared_inclusively_and_owners_numbered_again) {
+TEST(RegionFilter, min_area_is_inclusive_and_enclosing_objects_are_renumbered) {
   EXPECT_EQ(kept_sizes(2), (Sizes{{296, 9, 8}, {4, 91}, {1, 1}}));
   EXPECT_EQ(kept_sizes(4), kept_sizes(2));
   EXPECT_EQ(kept_sizes(5), (Sizes{{296, 9, 8}, {91}, {1}}));
@@ -70,7 +70,7 @@ TEST(RegionFilter, holes_go_with_their_object_and_objects_stay_without_their_hol
   EXPECT_EQ(kept_sizes(92), (Sizes{{296}, {}, {}}));
   EXPECT_EQ(kept_sizes(297), (Sizes{}));
   Regions thin = found;
-  thin.objects[1].area = 1;  // a frame smaller than its hole and than the island in that
+  thin.objects[1].area = 1;  // smaller than its hole and than the object inside
   EXPECT_EQ(sizes_of(selected(thin, kept_regions(thin, 9))), (Sizes{{9}, {}, {}}));
 }
 

@@ -42,12 +42,12 @@ TEST(Caches, are_in_kib) {
                             {"level": 3, "type": "Unified", "size_kib": 2048}])"));
 }
 
-TEST(Fingerprint, names_the_processor_and_a_hash) {
+TEST(Fingerprint, consists_of_the_processor_and_a_hash) {
   const std::string text = machine_fingerprint({"intel", "6", "143", "8", "Xeon", {"avx2"}});
   EXPECT_TRUE(std::regex_match(text, std::regex("intel-6-143-8-[0-9a-f]{8}"))) << text;
 }
 
-TEST(Fingerprint, changes_with_the_flags_alone) {
+TEST(Fingerprint, depends_on_the_flags_but_not_on_the_name) {
   const CpuFacts cpu{"intel", "6", "143", "8", "Xeon", {"avx2", "bmi1"}};
   CpuFacts other = cpu;
   other.name = "another name";
@@ -75,7 +75,7 @@ TEST(MachineJson, has_every_field_of_the_schema) {
                                std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)")));
 }
 
-TEST(MachineJson, knows_the_versions_of_compiler_and_libraries) {
+TEST(MachineJson, has_the_versions_of_compiler_and_libraries) {
   const Json json = machine_json("", Json::object());
   const std::regex version(R"(\d+\.\d+.*)");
   for (const char* name : {"xsimd", "tbb", "opencv", "benchmark"}) {

@@ -1,4 +1,4 @@
-// What the midpoint scan claims of itself, on images of many kinds.
+// The documented properties of the midpoint scan, on many kinds of images.
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/filled_image.hpp"
 #include "support/flood_fill.hpp"
-#include "thinbench/thinning.hpp"
 #include "support/property_images.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
-
 
 ByteImage scanned(const ByteImage& image, Directions directions = {}) {
   ByteImage result(image.width(), image.height());
@@ -26,14 +26,14 @@ Directions only(Direction direction) {
   return directions;
 }
 
-/// Column steps and row steps of a direction.
+/// Step in x and y along each direction.
 constexpr std::pair<Index, Index> kSteps[] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
 
 bool foreground_at(const ByteImage& image, Index x, Index y) {
   return x >= 0 && y >= 0 && x < image.width() && y < image.height() && image.at(x, y) != 0;
 }
 
-/// Marks on the run that starts at (x, y), and whether all of them are at its centre.
+/// The marks on a run, and whether all of them are at its centre.
 struct RunMarks {
   Index count = 0;
   bool central = true;
@@ -52,12 +52,12 @@ RunMarks marks_of_run(const ByteImage& image, const ByteImage& marks, Index x, I
   return found;
 }
 
-TEST(MidpointScanProperties, each_direction_marks_one_pixel_of_a_run_and_that_its_centre) {
+TEST(MidpointScanProperties, each_direction_marks_exactly_the_centre_of_each_run) {
   for (const ByteImage& image : property_images()) {
     for (const Direction direction : kAllDirections) {
       const ByteImage marks = scanned(image, only(direction));
       const std::pair<Index, Index> step = kSteps[static_cast<std::size_t>(direction)];
-      EXPECT_EQ(marked_outside(marks, image), 0);
+      EXPECT_EQ(pixels_outside(marks, image), 0);
       Index wrong = 0;
       for (Index y = 0; y < image.height(); ++y) {
         for (Index x = 0; x < image.width(); ++x) {
@@ -73,10 +73,10 @@ TEST(MidpointScanProperties, each_direction_marks_one_pixel_of_a_run_and_that_it
   }
 }
 
-TEST(MidpointScanProperties, all_directions_give_a_subset_with_a_pixel_of_every_object) {
+TEST(MidpointScanProperties, all_directions_together_mark_a_subset_with_a_pixel_of_every_object) {
   for (const ByteImage& image : property_images()) {
     const ByteImage marks = scanned(image);
-    EXPECT_EQ(marked_outside(marks, image), 0);
+    EXPECT_EQ(pixels_outside(marks, image), 0);
     const auto objects = flood_fill::objects_of(image.view());
     std::vector<bool> hit(objects.list.size() + 1);
     for (Index y = 0; y < image.height(); ++y) {
@@ -90,18 +90,14 @@ TEST(MidpointScanProperties, all_directions_give_a_subset_with_a_pixel_of_every_
   }
 }
 
-TEST(MidpointScanProperties, one_direction_is_idempotent_and_so_is_no_larger_set) {
-  // In one direction the marks are runs of their own, of one pixel each: two runs have
-  // background between them. In two, marks of one touch those of the other and make new runs.
-  ByteImage square(5, 5);
-  for (Index y = 0; y < 5; ++y) {
-    for (Index x = 0; x < 5; ++x) square.at(x, y) = 255;
-  }
+TEST(MidpointScanProperties, is_idempotent_for_at_most_one_direction) {
+  // With one direction every mark is a run of one pixel, because background separates runs. With
+  // several directions, marks of different directions touch and form longer runs.
   for (int bits = 0; bits < 1 << kDirectionCount; ++bits) {
     const Directions directions = {static_cast<std::uint8_t>(bits)};
     bool idempotent = true;
     std::vector<ByteImage> images = property_images();
-    images.push_back(copy_of(square.view()));
+    images.push_back(filled_image(5, 5, 255));
     for (const ByteImage& image : images) {
       const ByteImage marks = scanned(image, directions);
       idempotent = idempotent && equal(scanned(marks, directions).view(), marks.view());

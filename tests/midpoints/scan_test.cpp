@@ -1,4 +1,4 @@
-// The midpoint scan: the reference on runs worked by hand, sets of directions, the counters.
+// The midpoint scan: the reference on hand-worked runs, all variants, the run counters.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "midpoints/counter.hpp"
 #include "midpoints/work.hpp"
 #include "reference.hpp"
+#include "support/filled_image.hpp"
 #include "support/text_image.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -22,6 +23,7 @@ Directions only(Direction direction) {
   return directions;
 }
 
+/// The marks of the reference.
 TextImage marked(const TextImage& lines, Directions directions,
                  Border border = Border::background) {
   ByteImage image = image_of(lines);
@@ -29,16 +31,16 @@ TextImage marked(const TextImage& lines, Directions directions,
   return text_of(image);
 }
 
-TEST(ReferenceMidpointScan, rows_mark_the_middle_or_the_western_of_two) {
+TEST(ReferenceMidpointScan, rows_mark_the_middle_pixel_or_the_west_one_of_two) {
   EXPECT_EQ(marked({"#.##.###.####"}, only(Direction::rows)), TextImage{"#.#...#...#.."});
 }
 
-TEST(ReferenceMidpointScan, the_border_ends_runs) {
+TEST(ReferenceMidpointScan, runs_end_at_the_image_border) {
   EXPECT_EQ(marked({"#####"}, only(Direction::rows)), TextImage{"..#.."});
   EXPECT_EQ(marked({"####", "####"}, only(Direction::rows)), (TextImage{".#..", ".#.."}));
 }
 
-TEST(ReferenceMidpointScan, columns_mark_the_middle_or_the_northern_of_two) {
+TEST(ReferenceMidpointScan, columns_mark_the_middle_pixel_or_the_north_one_of_two) {
   EXPECT_EQ(marked({"#.#", "##.", ".##", "###"}, only(Direction::columns)),
             (TextImage{"#.#", "...", ".##", "#.."}));
 }
@@ -58,7 +60,7 @@ TEST(ReferenceMidpointScan, antidiagonals_go_down_to_the_west) {
 }
 
 TEST(ReferenceMidpointScan, result_is_the_union_of_all_directions) {
-  // Diagonals of 1, 2, 3, 2, 1 pixels add the corners and the northern pixels of the pairs.
+  // Diagonals of 1, 2, 3, 2, 1 pixels add the corners and the north pixel of each pair.
   EXPECT_EQ(marked({"###", "###", "###"}, Directions{}), (TextImage{"###", "###", "###"}));
   Directions two = only(Direction::rows);
   two.add(Direction::columns);
@@ -66,7 +68,7 @@ TEST(ReferenceMidpointScan, result_is_the_union_of_all_directions) {
   EXPECT_EQ(marked({"###"}, kNoDirections), TextImage{"..."});
 }
 
-TEST(ReferenceMidpointScan, keeps_the_border_where_asked_to) {
+TEST(ReferenceMidpointScan, keeps_the_border_on_request) {
   EXPECT_EQ(marked({"###", "###", "###"}, only(Direction::rows), Border::keep),
             (TextImage{"###", "###", "###"}));
   EXPECT_EQ(marked({"#####", "#####", ".....", "####."}, only(Direction::rows), Border::keep),
@@ -78,7 +80,7 @@ const ThinningOperation& scan_operation() {
   return operation_of(Rule::midpoint_scan);
 }
 
-/// Calls `check(state, name)` for every variant that can run on images of this width.
+/// Calls `check(state, name)` for every variant that is available for this width and border.
 template <class Check>
 void for_each_variant(Index width, Index height, const Options& options, const Check& check) {
   for (const ThinningVariant& variant : scan_operation().variants) {
@@ -90,7 +92,7 @@ void for_each_variant(Index width, Index height, const Options& options, const C
   }
 }
 
-TEST(MidpointScan, every_variant_takes_every_set_of_directions_and_border) {
+TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directions_and_border) {
   constexpr Index height = 150;
   for (const Index width : {70, 511, 512, 600}) {
     const ByteImage image = noise_image(width, height, 75, 9, 11);
@@ -109,13 +111,12 @@ TEST(MidpointScan, every_variant_takes_every_set_of_directions_and_border) {
   }
 }
 
-TEST(MidpointScan, runs_longer_than_short_counters_keep_their_centres) {
+TEST(MidpointScan, every_variant_equals_the_reference_on_runs_longer_than_short_counters) {
   constexpr std::pair<Index, Index> kSizes[] = {{70000, 2}, {2, 70000},  {65534, 1},
                                                 {65535, 1}, {32767, 1},  {1, 65535},
                                                 {2100, 40}, {130, 2100}, {512, 520}};
   for (const auto& [width, height] : kSizes) {
-    ByteImage full(width, height);
-    for (Index y = 0; y < height; ++y) std::fill_n(full.view().row(y), width, std::uint8_t{255});
+    const ByteImage full = filled_image(width, height, 255);
     ByteImage expected(width, height);
     ByteImage found(width, height);
     reference::midpoint_scan(Directions{}, Border::background, full.view(), expected.view());
@@ -126,13 +127,7 @@ TEST(MidpointScan, runs_longer_than_short_counters_keep_their_centres) {
   }
 }
 
-TEST(MidpointScan, other_rules_take_no_directions) {
-  ByteImage image(5, 5);
-  const Options options = {.directions = only(Direction::rows)};
-  EXPECT_EQ(thin(Rule::midpoint_scan, image.view(), image.view(), options), 1);
-  EXPECT_THROW(thin(Rule::mb2, image.view(), image.view(), options), std::invalid_argument);
-}
-
+/// The number of steps until the counter returns to its first state.
 template <int bits>
 std::uint64_t period() {
   RunCounter<std::uint64_t, bits> counter;
@@ -145,14 +140,14 @@ std::uint64_t period() {
   }
 }
 
-TEST(RunCounter, takes_every_state_but_one_before_the_first_comes_back) {
+TEST(RunCounter, has_a_period_of_2_to_the_bits_minus_1) {
   EXPECT_EQ(period<7>(), 127U);
   EXPECT_EQ(period<9>(), 511U);
   EXPECT_EQ(period<11>(), 2047U);
   EXPECT_EQ(period<15>(), 32767U);
 }
 
-/// x to the power of `exponent` modulo x^41 + x^3 + 1, over two elements.
+/// x to the power of `exponent` modulo x^41 + x^3 + 1, over GF(2).
 std::uint64_t power_of_x(std::uint64_t exponent) {
   const auto product = [](std::uint64_t a, std::uint64_t b) {
     std::uint64_t sum = 0;
@@ -169,8 +164,8 @@ std::uint64_t power_of_x(std::uint64_t exponent) {
   return result;
 }
 
-TEST(RunCounter, the_longest_has_a_primitive_polynomial) {
-  ASSERT_EQ(feedback_place(41), 38);
+TEST(RunCounter, longest_counter_has_a_primitive_polynomial) {
+  ASSERT_EQ(feedback_tap(41), 38);
   constexpr std::uint64_t states = (std::uint64_t{1} << 41) - 1;
   static_assert(states == std::uint64_t{13367} * 164511353, "its prime factors");
   EXPECT_EQ(power_of_x(states), 1U);
@@ -178,7 +173,7 @@ TEST(RunCounter, the_longest_has_a_primitive_polynomial) {
   EXPECT_NE(power_of_x(states / 164511353), 1U);
 }
 
-TEST(CounterBits, tell_apart_all_counts) {
+TEST(CounterBits, suffice_for_distinct_states_of_all_counts) {
   EXPECT_EQ(counter_bits(0), 7);
   EXPECT_EQ(counter_bits(126), 7);
   EXPECT_EQ(counter_bits(127), 9);

@@ -1,17 +1,15 @@
-// Nets as engines see them: what is derived from weights, and that any weights at all can be run.
+// Net models: what is derived from weights, and that every variant follows any weights.
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "nets/follow_weights.hpp"
+#include "nets/given_weights.hpp"
 #include "nets/trained_cluster.hpp"
 #include "nets/variants.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/rule_table.hpp"
 
 namespace thinbench {
@@ -19,12 +17,10 @@ namespace {
 
 using detail::default_net;
 using detail::kTrainedCluster;
-using detail::make_mux_program;
-using detail::MuxProgram;
 
 constexpr detail::RuleTable kRule = detail::make_rule_table<detail::NaccacheShinghal, 0>();
 
-TEST(Models, paper_nets_and_trained_cluster_have_the_table_of_the_rule) {
+TEST(NetModel, paper_nets_and_trained_cluster_have_the_table_of_the_rule) {
   for (const Rule rule :
        {Rule::net_two_layer_sigmoid, Rule::net_two_layer_linear, Rule::net_single_layer_cluster}) {
     const auto net = default_net(rule);
@@ -32,42 +28,8 @@ TEST(Models, paper_nets_and_trained_cluster_have_the_table_of_the_rule) {
   }
 }
 
-TEST(Models, eight_bits_are_enough_for_the_linear_net) {
+TEST(NetModel, eight_bit_weights_are_exact_for_the_paper_s_linear_net) {
   EXPECT_TRUE(default_net(Rule::net_two_layer_linear)->fixed_point_is_exact);
-}
-
-std::vector<std::uint8_t> random_table(std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::vector<std::uint8_t> table(256);
-  for (std::uint8_t& entry : table) entry = random() & 1;
-  return table;
-}
-
-void expect_evaluates(const std::vector<std::uint8_t>& table) {
-  const MuxProgram program = make_mux_program(table.data());
-  ASSERT_LE(program.count, MuxProgram::kMaxNodes);
-  for (int word = 0; word < 8; ++word) {
-    const auto input = [word](int variable) { return detail::counting_pattern(variable, word); };
-    const detail::Neighbourhood<std::uint64_t> n = {
-        input(8), input(0), input(1), input(2), input(3), input(4), input(5), input(6), input(7)};
-    const std::uint64_t next = detail::MuxRule{program}.next<0>(n);
-    for (int bit = 0; bit < 64; ++bit) {
-      const int code = 64 * word + bit;
-      const bool expected = code >= 256 && table[static_cast<std::size_t>(code & 255)] != 0;
-      ASSERT_EQ((next >> bit & 1) != 0, expected) << code;
-    }
-  }
-}
-
-TEST(DecisionDiagram, evaluates_any_table) {
-  for (std::uint64_t seed = 0; seed < 50; ++seed) expect_evaluates(random_table(seed));
-  expect_evaluates(std::vector<std::uint8_t>(256, 0));
-  expect_evaluates(std::vector<std::uint8_t>(256, 1));
-  expect_evaluates({kRule.begin() + 256, kRule.end()});
-}
-
-TEST(DecisionDiagram, rule_of_the_paper_needs_few_nodes) {
-  EXPECT_LE(make_mux_program(kRule.data() + 256).count, 40);
 }
 
 TwoLayerWeights inexact_in_eight_bits() {
@@ -76,11 +38,11 @@ TwoLayerWeights inexact_in_eight_bits() {
   return weights;
 }
 
-TEST(Models, eight_bits_do_not_express_a_bias_beyond_their_sums) {
+TEST(NetModel, eight_bit_weights_are_inexact_for_a_huge_bias) {
   EXPECT_FALSE(two_layer_net(inexact_in_eight_bits(), Activation::linear)->fixed_point_is_exact);
 }
 
-TEST(Models, rounded_weights_are_correct_on_251_and_252_descriptors) {
+TEST(NetModel, rounded_weights_are_correct_on_251_descriptors_with_sigmoid_and_252_with_linear) {
   const auto correct = [&](Activation activation) {
     const auto rounded = two_layer_net(kRoundedTwoLayer, activation);
     int count = 0;
@@ -91,14 +53,14 @@ TEST(Models, rounded_weights_are_correct_on_251_and_252_descriptors) {
   EXPECT_EQ(correct(Activation::linear), 252);
 }
 
-/// A net that learned something else: Table 1 with one hidden neuron silenced.
+/// A net with another table than the rule: Table 1 with one hidden neuron disabled.
 TwoLayerWeights damaged_net() {
   TwoLayerWeights weights = kPaperTwoLayer;
   weights.output.weight[0] = 0;
   return weights;
 }
 
-TEST(Models, every_variant_follows_other_weights_not_the_known_rule) {
+TEST(NetModel, every_variant_follows_weights_that_differ_from_the_rule) {
   const ByteImage image = noise_image(130, 50, 90, 1, 4);
   ByteImage by_rule(130, 50);
   thin(Rule::naccache_shinghal, image.view(), by_rule.view());
@@ -106,18 +68,18 @@ TEST(Models, every_variant_follows_other_weights_not_the_known_rule) {
     const Outcome damaged =
         reference_outcome(damaged_net(), activation, Border::background, image.view());
     EXPECT_FALSE(equal(damaged.image.view(), by_rule.view()));
-    expect_every_variant_follows(damaged_net(), activation);
+    expect_every_variant_equals_reference(damaged_net(), activation);
   }
 }
 
-/// The trained cluster with one net silenced: it says foreground throughout.
+/// The trained cluster with one net replaced by a constant: always foreground.
 ClusterWeights damaged_cluster() {
   ClusterWeights weights = kTrainedCluster;
   weights.nets[5].neuron = {{}, 1.0F};
   return weights;
 }
 
-TEST(Models, every_variant_follows_other_weights_of_a_cluster) {
+TEST(NetModel, every_variant_follows_other_weights_of_a_cluster) {
   const detail::ThinningOperation& operation = detail::operation_of(Rule::net_single_layer_cluster);
   const auto net = cluster_net(damaged_cluster());
   const ByteImage image = noise_image(130, 50, 90, 1, 4);
@@ -133,17 +95,17 @@ TEST(Models, every_variant_follows_other_weights_of_a_cluster) {
   }
 }
 
-TEST(Models, that_take_weights_out_of_range_are_rejected) {
+TEST(NetModel, rejects_weights_out_of_range) {
   TwoLayerWeights weights = kPaperTwoLayer;
   weights.hidden[3].weight[5] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(rejection_of([&] { (void)two_layer_net(weights, Activation::linear); }),
-            "weight 5 of hidden neuron 3 is nan; it must be within -1e30 ... 1e30");
+            "weight 5 of hidden neuron 3: expected a number in [-1e30, 1e30], got nan");
   weights = kPaperTwoLayer;
   weights.output.bias = 2e30F;
   EXPECT_THROW((void)two_layer_net(weights, Activation::sigmoid), std::invalid_argument);
 }
 
-TEST(Models, of_clusters_that_do_not_cover_the_descriptors_are_rejected) {
+TEST(NetModel, rejects_clusters_that_do_not_cover_the_descriptors) {
   ClusterWeights cluster = kTrainedCluster;
   cluster.nets[11].last = 254;
   EXPECT_EQ(rejection_of([&] { (void)cluster_net(cluster); }),
@@ -158,14 +120,14 @@ TEST(Models, of_clusters_that_do_not_cover_the_descriptors_are_rejected) {
   }
 }
 
-TEST(MakeState, rejects_eight_bits_for_a_net_that_they_cannot_express) {
+TEST(MakeState, rejects_fixed_point_for_a_net_without_exact_eight_bit_weights) {
   const detail::ThinningOperation& operation = detail::operation_of(Rule::net_two_layer_linear);
   const auto net = two_layer_net(inexact_in_eight_bits(), Activation::linear);
   ASSERT_FALSE(net->fixed_point_is_exact);
   for (const detail::ThinningVariant& variant : operation.variants) {
     if (variant.technique != Technique::simd_fixed_point || !isa_available(variant.isa)) continue;
     EXPECT_EQ(rejection_of([&] { (void)make_state(operation, variant, 5, 5, {.net = net}); }),
-              "simd_fixed_point cannot run: no 8-bit weights decide as these do");
+              "simd_fixed_point cannot run: no 8-bit weights reproduce the decisions of this net");
   }
 }
 

@@ -1,4 +1,4 @@
-// Compiled for every ISA.
+// Compiled once for every ISA.
 #include "nets/neuron_values.hpp"
 
 #include "dispatch/exported.hpp"

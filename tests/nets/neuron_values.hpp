@@ -1,12 +1,12 @@
-// What every neuron of a two-layer net answers, computed across lanes as the kernels do.
+// The output of every neuron of a two-layer net, computed by the vector code of the kernels.
 #pragma once
 
 #include "nets/model.hpp"
 
 namespace thinbench::detail {
 
-/// Each writes 9 x 256 values: those of hidden neurons 0 to 7 and of the output, each for the
-/// descriptors 0 to 255. Compiled for every ISA.
+/// Each function writes 9 x 256 values: for hidden neurons 0 to 7 and then for the output neuron,
+/// one per descriptor. Compiled once for every ISA.
 struct NeuronValues {
   void (*sigmoid)(const NetModel& model, float* values);
   void (*linear)(const NetModel& model, float* values);

@@ -1,4 +1,4 @@
-// Every variant follows weights that were trained here.
+// Nets with newly trained weights.
 #include <gtest/gtest.h>
 
 #include "nets/follow_weights.hpp"
@@ -7,12 +7,12 @@
 namespace thinbench {
 namespace {
 
-TEST(TrainedNets, are_followed_by_every_variant) {
+TEST(TrainedNets, every_variant_equals_the_reference) {
   for (const std::uint64_t seed : {2U, 3U}) {
     const TrainedTwoLayer trained = train_two_layer(keep_table_of_rule(), {.seed = seed});
     ASSERT_EQ(trained.right_linear, 256);
-    expect_every_variant_follows(to_weights(trained.net), Activation::linear);
-    expect_every_variant_follows(to_weights(trained.net), Activation::sigmoid);
+    expect_every_variant_equals_reference(to_weights(trained.net), Activation::linear);
+    expect_every_variant_equals_reference(to_weights(trained.net), Activation::sigmoid);
   }
 }
 

@@ -1,4 +1,4 @@
-// The reference against examples worked by hand and figures that come from the paper alone.
+// The reference on hand-worked examples.
 #include <gtest/gtest.h>
 
 #include "reference.hpp"
@@ -13,37 +13,37 @@ TextImage thinned(const TextImage& lines, int& iterations) {
   return text_of(image);
 }
 
-TEST(ReferenceNaccacheShinghal, thin_line_stays) {
+TEST(ReferenceNaccacheShinghal, thin_line_is_kept) {
   int iterations = 0;
   const TextImage line = {".....", ".###.", "....."};
   EXPECT_EQ(thinned(line, iterations), line);
-  EXPECT_EQ(iterations, 1) << "one iteration that flags nothing";
+  EXPECT_EQ(iterations, 1) << "one iteration that removes nothing";
 }
 
 TEST(ReferenceNaccacheShinghal, bar_of_three_rows_becomes_its_middle_row) {
   int iterations = 0;
   const TextImage result =
       thinned({".........", ".#######.", ".#######.", ".#######.", "........."}, iterations);
-  EXPECT_EQ(result[2], "..#####..") << "the whole contour goes in one iteration";
+  EXPECT_EQ(result[2], "..#####..") << "one iteration removes the whole contour";
   EXPECT_EQ(result[1], ".........");
   EXPECT_EQ(result[3], ".........");
 }
 
-TEST(ReferenceNaccacheShinghal, line_two_pixels_wide_loses_both_rows_at_once) {
+TEST(ReferenceNaccacheShinghal, line_two_pixels_wide_loses_both_rows_in_one_iteration) {
   int iterations = 0;
   const TextImage result = thinned({"........", "########", "########", "........"}, iterations);
   EXPECT_EQ(result[1].substr(2, 4), "....");
   EXPECT_EQ(result[2].substr(2, 4), "....");
 }
 
-TEST(ReferenceNaccacheShinghal, outside_is_background_so_shapes_on_the_border_erode) {
+TEST(ReferenceNaccacheShinghal, shape_on_the_image_border_erodes_from_there) {
   int iterations = 0;
   const TextImage result = thinned({"####", "####", "####"}, iterations);
   EXPECT_EQ(result[0], "....");
   EXPECT_GT(iterations, 1);
 }
 
-TEST(ReferenceNaccacheShinghal, single_pixel_stays) {
+TEST(ReferenceNaccacheShinghal, single_pixel_is_kept) {
   int iterations = 0;
   EXPECT_EQ(thinned({"#"}, iterations), TextImage{"#"});
 }

@@ -1,4 +1,4 @@
-// The relabelling scan as published: what it counts, and where its count is no longer correct.
+// The relabelling scan as published: its count of holes, and when that count is wrong.
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ int holes_of_object(const ByteImage& image) {
   return scan(contours).count.holes();
 }
 
-TEST(HolesLiteral, paper_s_example_of_flag_252_means_two_holes) {
+TEST(HolesLiteral, example_of_the_paper_with_flag_252_has_two_holes) {
   const ByteImage contours = image_of(
       {"###########", "#.........#", "#.##...##.#", "#.##...##.#", "#.........#", "###########"});
   const Scanned scanned = scan(contours);
@@ -37,8 +37,8 @@ TEST(HolesLiteral, paper_s_example_of_flag_252_means_two_holes) {
   EXPECT_EQ(scanned.levels.at(8, 3), 252);
 }
 
-TEST(HolesLiteral, branches_that_meet_give_their_level_back) {
-  // Three teeth begin apart (254, 253, 252) and meet below; the dot gets the next free level.
+TEST(HolesLiteral, merged_branches_release_their_levels) {
+  // Three branches (254, 253, 252) merge below; the dot gets the next free level.
   const ByteImage contours = image_of({"#.#.#..", "#.#.#..", "#####.#"});
   const Scanned scanned = scan(contours);
   EXPECT_EQ(scanned.count.flag, 253);
@@ -47,36 +47,33 @@ TEST(HolesLiteral, branches_that_meet_give_their_level_back) {
   EXPECT_EQ(scanned.levels.at(6, 2), 253);
 }
 
-TEST(HolesLiteral, level_that_is_given_back_moves_all_smaller_ones_up) {
-  // 254: left tooth; 253: right tooth; 252: dot. The teeth meet: the dot becomes 253.
+TEST(HolesLiteral, released_level_raises_all_lower_levels) {
+  // 254: left branch; 253: right branch; 252: dot. The branches merge, and the dot becomes 253.
   const ByteImage contours = image_of({"#.#.#", "#.#..", "##..."});
   const Scanned scanned = scan(contours);
   EXPECT_EQ(scanned.levels.at(4, 0), 253);
   EXPECT_EQ(scanned.count.flag, 253);
 }
 
-TEST(HolesLiteral, image_without_points_has_no_contours_and_no_holes) {
+TEST(HolesLiteral, image_without_foreground_has_no_contours_and_no_holes) {
   const Scanned scanned = scan(ByteImage(7, 5));
   EXPECT_EQ(scanned.count.contours(), 0);
   EXPECT_EQ(scanned.count.holes(), 0);
 }
 
-/// Dots on every other pixel of an image 508 pixels wide.
+/// Isolated foreground pixels in a row.
 ByteImage dots(Index count) {
-  ByteImage image(508, 3);
+  ByteImage image(2 * count, 3);
   for (Index i = 0; i < count; ++i) image.at(2 * i, 1) = 255;
   return image;
 }
 
-TEST(HolesLiteral, more_than_254_levels_are_rejected_and_never_wrap) {
-  const ByteImage most = dots(254);
-  EXPECT_EQ(scan(most).count.flag, 1);
-  ByteImage one_more(510, 3);
-  for (Index i = 0; i < 255; ++i) one_more.at(2 * i, 1) = 255;
-  EXPECT_THROW((void)scan(one_more), std::length_error);
+TEST(HolesLiteral, more_than_254_levels_are_rejected) {
+  EXPECT_EQ(scan(dots(254)).count.flag, 1);
+  EXPECT_THROW((void)scan(dots(255)), std::length_error);
 }
 
-/// A plate with holes of one pixel in a row, `wall` pixels from its border and from each other.
+/// A plate with a row of one-pixel holes, `wall` pixels from its border and from each other.
 ByteImage plate_with_holes(Index holes, Index wall) {
   ByteImage plate(holes * (wall + 1) + wall, 2 * wall + 1);
   for (Index y = 0; y < plate.height(); ++y) {
@@ -98,16 +95,17 @@ TEST(HolesLiteral, is_correct_on_one_object_whose_walls_are_at_least_three_pixel
   }
 }
 
-TEST(HolesLiteral, takes_every_object_beyond_the_first_for_a_hole) {
+TEST(HolesLiteral, counts_every_object_after_the_first_as_a_hole) {
   const ByteImage two = image_of({"###.###", "#.#.###", "###.###"});
   EXPECT_EQ(reference::holes(two.view()).holes.size(), 1U);
-  EXPECT_EQ(holes_of_object(two), 1) << "the second object; the hole's contour is the object's own";
+  EXPECT_EQ(holes_of_object(two), 1)
+      << "the second object; the hole has the same contour as its object";
 }
 
-TEST(HolesLiteral, loses_holes_behind_walls_of_one_or_two_pixels) {
+TEST(HolesLiteral, misses_holes_behind_walls_of_one_or_two_pixels) {
   for (const Index wall : {1, 2}) {
     EXPECT_EQ(reference::holes(plate_with_holes(5, wall).view()).holes.size(), 5U);
-    EXPECT_EQ(holes_of_object(plate_with_holes(5, wall)), 0) << "the contours on both sides touch";
+    EXPECT_EQ(holes_of_object(plate_with_holes(5, wall)), 0) << "inner and outer contours touch";
   }
 }
 

@@ -1,4 +1,4 @@
-// Oracles that share no code with the kernels: Euler's formula, OpenCV, the scene's true geometry.
+// Oracles that share no code with the kernels: Euler's formula, OpenCV, the scene's ground truth.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -30,7 +30,7 @@ std::vector<Summary> summaries(const std::vector<Region>& regions) {
   return all;
 }
 
-/// The image with one row and column of background all round.
+/// The image with a margin of one background pixel.
 cv::Mat padded(const ByteImage& image) {
   cv::Mat mat(static_cast<int>(image.height()) + 2, static_cast<int>(image.width()) + 2, CV_8U,
               cv::Scalar(0));
@@ -42,7 +42,7 @@ cv::Mat padded(const ByteImage& image) {
   return mat;
 }
 
-/// What connectedComponentsWithStats finds, without the component of `omitted`.
+/// Regions by cv::connectedComponentsWithStats, without the component that contains `omitted`.
 std::vector<Summary> opencv_summaries(const cv::Mat& mat, int connectivity, cv::Point omitted) {
   cv::Mat labels;
   cv::Mat stats;
@@ -76,7 +76,7 @@ void expect_near(const std::vector<Summary>& found, const std::vector<Summary>& 
   }
 }
 
-void expect_as_opencv(const ByteImage& image, const std::string& what) {
+void expect_equal_to_opencv(const ByteImage& image, const std::string& what) {
   const Regions found = find_regions(image.view());
   const cv::Mat foreground = padded(image);
   const cv::Point corner(0, 0);
@@ -86,11 +86,11 @@ void expect_as_opencv(const ByteImage& image, const std::string& what) {
               what + ", holes");
 }
 
-/// Objects minus holes of each available variant that runs on one thread, by its name; those with
-/// threads run the same kernels.
-class Counters {
+/// Computes the Euler number by each available variant that runs on one thread; threaded variants
+/// run the same kernels.
+class EulerCounters {
  public:
-  Counters(detail::RegionsTask task, Index width, Index height) {
+  EulerCounters(detail::RegionsTask task, Index width, Index height) {
     const detail::RegionsOperation& operation = detail::operation_of(task);
     for (const detail::RegionsVariant& variant : operation.variants) {
       if (variant.threaded || !unavailable_reason(variant, width).empty()) continue;
@@ -101,8 +101,8 @@ class Counters {
     gives_lists_ = task == detail::RegionsTask::holes;
   }
 
-  /// The first that gives another number; empty where there is none.
-  [[nodiscard]] std::string dissenter(const ConstImageView& image, std::int64_t expected) {
+  /// The first variant with another result; empty if there is none.
+  [[nodiscard]] std::string first_mismatch(const ConstImageView& image, std::int64_t expected) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       states_[i]->load(image);
       states_[i]->compute();
@@ -124,16 +124,17 @@ class Counters {
   bool gives_lists_;
 };
 
-TEST(HolesOracle, euler_formula_holds_on_all_4x4_images_and_by_every_counter) {
-  Counters lists(detail::RegionsTask::holes, 4, 4);
-  Counters eight(detail::RegionsTask::euler_eight, 4, 4);
-  Counters four(detail::RegionsTask::euler_four, 4, 4);
+TEST(HolesOracle, every_variant_computes_the_euler_number_of_all_4x4_images) {
+  EulerCounters lists(detail::RegionsTask::holes, 4, 4);
+  EulerCounters eight(detail::RegionsTask::euler_eight, 4, 4);
+  EulerCounters four(detail::RegionsTask::euler_four, 4, 4);
   for (std::uint64_t bits = 0; bits < 65536; ++bits) {
     const ByteImage image = image_of_bits(4, 4, bits);
     const std::int64_t expected = reference::euler_number(image.view());
-    ASSERT_EQ(lists.dissenter(image.view(), expected), "") << bits;
-    ASSERT_EQ(eight.dissenter(image.view(), expected), "") << bits;
-    ASSERT_EQ(four.dissenter(image.view(), reference::euler_number_4(image.view())), "") << bits;
+    ASSERT_EQ(lists.first_mismatch(image.view(), expected), "") << bits;
+    ASSERT_EQ(eight.first_mismatch(image.view(), expected), "") << bits;
+    ASSERT_EQ(four.first_mismatch(image.view(), reference::euler_number_4(image.view())), "")
+        << bits;
   }
 }
 
@@ -151,8 +152,9 @@ TEST(HolesOracle, euler_formula_holds_on_noise) {
 TEST(HolesOracle, opencv_finds_the_same_objects_and_holes) {
   for (int percent = 10; percent < 100; percent += 10) {
     for (const Index granularity : {1, 3, 8}) {
-      expect_as_opencv(noise_image(257, 130, percent, granularity, 11),
-                       std::to_string(percent) + " % in blocks of " + std::to_string(granularity));
+      expect_equal_to_opencv(
+          noise_image(257, 130, percent, granularity, 11),
+          std::to_string(percent) + " % in blocks of " + std::to_string(granularity));
     }
   }
   for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
@@ -160,8 +162,7 @@ TEST(HolesOracle, opencv_finds_the_same_objects_and_holes) {
   }
 }
 
-/// The object whose outer contour encloses a hole's contour, by OpenCV's hierarchy: the box of each
-/// hole contour's parent.
+// In OpenCV's hierarchy, the parent of a hole's contour is the contour of the enclosing object.
 TEST(HolesOracle, opencv_gives_each_hole_the_same_enclosing_object) {
   const ByteImage image = noise_image(200, 150, 60, 4, 5);
   const Regions found = find_regions(image.view());
@@ -172,66 +173,65 @@ TEST(HolesOracle, opencv_gives_each_hole_the_same_enclosing_object) {
   for (std::size_t i = 0; i < contours.size(); ++i) {
     const int parent = hierarchy[i][3];
     if (parent < 0) continue;
-    // A hole's contour runs on the foreground round it.
+    // OpenCV traces a hole's contour on the surrounding foreground.
     const cv::Rect box = cv::boundingRect(contours[i]);
     expected.emplace_back(
         cv::Rect(box.x, box.y, box.width - 2, box.height - 2),
         cv::boundingRect(contours[static_cast<std::size_t>(parent)]) - cv::Point(1, 1));
   }
-  std::vector<std::tuple<cv::Rect, cv::Rect>> mine;
+  std::vector<std::tuple<cv::Rect, cv::Rect>> actual;
   const auto box_of = [](const Region& region) {
     return cv::Rect(region.left, region.top, region.right - region.left + 1,
                     region.bottom - region.top + 1);
   };
   for (const Region& hole : found.holes) {
-    mine.emplace_back(box_of(hole), box_of(found.objects[hole.enclosing_object - 1]));
+    actual.emplace_back(box_of(hole), box_of(found.objects[hole.enclosing_object - 1]));
   }
   const auto key = [](const std::tuple<cv::Rect, cv::Rect>& pair) {
     const auto& [a, b] = pair;
     return std::make_tuple(a.x, a.y, a.width, a.height, b.x, b.y, b.width, b.height);
   };
   const auto before = [&](const auto& a, const auto& b) { return key(a) < key(b); };
-  std::sort(mine.begin(), mine.end(), before);
+  std::sort(actual.begin(), actual.end(), before);
   std::sort(expected.begin(), expected.end(), before);
-  ASSERT_EQ(mine.size(), expected.size());
-  for (std::size_t i = 0; i < mine.size(); ++i) EXPECT_EQ(key(mine[i]), key(expected[i])) << i;
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t i = 0; i < actual.size(); ++i) EXPECT_EQ(key(actual[i]), key(expected[i])) << i;
 }
 
-/// The largest distance of a hole's centre from the truth; -1 where holes or enclosing objects
-/// differ.
-double worst_centre(const SceneOptions& options) {
+/// The maximum distance of a hole's centre from the truth; -1 if holes or enclosing objects differ.
+double max_centre_error(const SceneOptions& options) {
   const Scene scene = render_scene(options);
   const Regions found = find_regions(scene.binary.view());
   if (found.holes.size() != scene.holes.size()) return -1;
-  double worst = 0;
+  double max_error = 0;
   for (std::size_t i = 0; i < found.holes.size(); ++i) {
     const Region& hole = found.holes[i];
     if (static_cast<int>(hole.enclosing_object) != scene.holes[i].part) return -1;
-    worst = std::max(worst, std::hypot(hole.centre_x() - scene.holes[i].centre.x,
-                                       hole.centre_y() - scene.holes[i].centre.y));
+    max_error = std::max(max_error, std::hypot(hole.centre_x() - scene.holes[i].centre.x,
+                                               hole.centre_y() - scene.holes[i].centre.y));
   }
-  return worst;
+  return max_error;
 }
 
-// At larger scales thresholding alone moves the centre of a square by up to half a pixel, as whole
-// rows and columns fall on one side.
-TEST(HolesOracle, every_hole_of_the_clean_scene_is_within_a_quarter_pixel) {
+// At larger scales thresholding alone moves the centre of a square by up to half a pixel, because
+// whole rows and columns change class.
+TEST(HolesOracle, centres_of_holes_of_the_clean_scene_are_within_a_quarter_pixel) {
   for (const bool illumination : {false, true}) {
-    const double worst = worst_centre({.noise_sigma_16 = 0, .illumination = illumination});
-    EXPECT_GE(worst, 0);
-    EXPECT_LE(worst, 0.25);
+    const double max_error = max_centre_error({.noise_sigma_16 = 0, .illumination = illumination});
+    EXPECT_GE(max_error, 0);
+    EXPECT_LE(max_error, 0.25);
   }
 }
 
-TEST(HolesOracle, every_hole_of_the_noisy_scene_is_within_half_a_pixel) {
+TEST(HolesOracle, centres_of_holes_of_the_noisy_scene_are_within_half_a_pixel) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const double worst = worst_centre({.seed = seed});
-    EXPECT_GE(worst, 0) << seed;
-    EXPECT_LE(worst, 0.5) << seed;
+    const double max_error = max_centre_error({.seed = seed});
+    EXPECT_GE(max_error, 0) << seed;
+    EXPECT_LE(max_error, 0.5) << seed;
   }
 }
 
-TEST(HolesOracle, plate_of_a_drawn_picture_has_exactly_seven_holes) {
+TEST(HolesOracle, plate_in_pic1_has_seven_holes) {
   const std::filesystem::path path = external_image_directory() / "pic1.png";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
   const ByteImage grey = read_grey(path.string());

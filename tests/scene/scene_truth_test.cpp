@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "support/flood_fill.hpp"
 #include "scene/scene.hpp"
+#include "support/flood_fill.hpp"
 
 namespace thinbench {
 namespace {
@@ -27,12 +27,13 @@ double centre_distance(const Component& found, ScenePoint truth) {
   return std::hypot(found.x - truth.x, found.y - truth.y);
 }
 
-/// 2 %, and a quarter pixel of the side of a square as large: small holes end up as whole pixels.
+/// 2 % of the area, and a quarter pixel times the side of a square of this area, because small
+/// holes are rounded to whole pixels.
 double area_tolerance(double area) {
   return 0.02 * area + 0.25 * std::sqrt(area);
 }
 
-/// Both lists are in raster order, so equal places mean the same thing.
+/// Both lists are in raster order, so equal indices mean the same hole.
 void expect_holes_agree(const Scene& scene, double centre_tolerance) {
   const std::vector<Component> found = holes_of(scene.binary.view());
   ASSERT_EQ(found.size(), scene.holes.size());
@@ -43,7 +44,7 @@ void expect_holes_agree(const Scene& scene, double centre_tolerance) {
   }
 }
 
-/// `tolerance` is the accepted share of the area and, in pixels, the accepted shift of the centre.
+/// `area_tolerance` is a fraction of the area, `centre_tolerance` a distance in pixels.
 void expect_parts_agree(const Scene& scene, double area_tolerance, double centre_tolerance) {
   const std::vector<Component> found = objects_of(scene.binary.view()).list;
   ASSERT_EQ(found.size(), scene.parts.size());
@@ -71,16 +72,16 @@ TEST(SceneTruth, noisy_image_agrees_with_the_truth) {
   }
 }
 
-TEST(SceneTruth, larger_scale_still_agrees_with_the_truth) {
+TEST(SceneTruth, scaled_image_agrees_with_the_truth) {
   const Scene scene = render_scene({.scale = 4, .noise_sigma_16 = 0, .illumination = false});
   EXPECT_EQ(scene.grey.width(), 2040);
   EXPECT_EQ(scene.grey.height(), 1648);
-  // Edges may now fall anywhere between pixels: up to half a pixel off along each axis.
+  // At this scale edges fall between pixels: errors of up to half a pixel along each axis.
   expect_holes_agree(scene, 0.71);
   expect_parts_agree(scene, 0.01, 0.71);
 }
 
-TEST(SceneTruth, holes_belong_to_the_part_around_them) {
+TEST(SceneTruth, holes_are_inside_the_box_of_their_part) {
   const Scene scene = render_scene();
   for (const SceneHole& hole : scene.holes) {
     const SceneBox& box = scene.parts[static_cast<std::size_t>(hole.part) - 1].box;

@@ -1,4 +1,4 @@
-"""Folders of kernels/ include each other in one direction only, and nothing of what builds on them."""
+"""Directories of kernels/ include each other only in the allowed directions."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# Which folders of kernels/ a folder may include besides itself; "include" is the public headers.
+# The directories of kernels/ that each directory may include besides itself; "include" is the
+# public headers.
 BASE = {"include", "dispatch", "simd"}
 ALLOWED = {
     "include": set(),
@@ -24,14 +25,14 @@ ALLOWED = {
 }
 ALLOWED["api"] = set(ALLOWED)
 
-# Within a folder: these files may not include those.
+# Pairs of path prefixes: files of the first may not include files of the second.
 FORBIDDEN_WITHIN = [
     ("thinning/rules/", "thinning/engines/"),
     ("thinning/rules/", "thinning/iteration/"),
     ("thinning/engines/", "thinning/iteration/"),
 ]
 
-# All that references share with the kernels beside the public headers: data.
+# Files that references share with the kernels besides the public headers: data only.
 SHARED_WITH_REFERENCES = {"nets/trained_cluster.hpp"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
@@ -39,22 +40,22 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
 @dataclass(frozen=True)
 class Include:
-    file: str  # from the root of the project
+    file: str  # relative to the project
     line: int
-    target: str  # as written
+    target: str  # as written in the file
 
     def __str__(self) -> str:
         return f"{self.file}:{self.line} includes {self.target}"
 
 
-def sources(folder: Path) -> list[Path]:
-    return sorted(path for path in folder.rglob("*") if path.suffix in {".hpp", ".cpp", ".h"})
+def sources(directory: Path) -> list[Path]:
+    return sorted(path for path in directory.rglob("*") if path.suffix in {".hpp", ".cpp", ".h"})
 
 
-def includes_of(root: Path, folder: str) -> list[Include]:
-    """All #include lines of the files below a folder, those in angle brackets with their brackets."""
+def includes_of(root: Path, directory: str) -> list[Include]:
+    """All #include lines in a directory. Targets in angle brackets keep the brackets."""
     found = []
-    for path in sources(root / folder):
+    for path in sources(root / directory):
         for number, text in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
             match = INCLUDE.match(text)
             if match:
@@ -63,26 +64,26 @@ def includes_of(root: Path, folder: str) -> list[Include]:
     return found
 
 
-def folder_of_target(target: str) -> str:
-    """The folder of kernels/ that a quoted include leads to."""
-    folder = target.split("/")[0] if "/" in target else target
-    return "include" if folder == "thinbench" else folder
+def directory_of_target(target: str) -> str:
+    """The directory of kernels/ that a quoted include refers to."""
+    directory = target.split("/")[0] if "/" in target else target
+    return "include" if directory == "thinbench" else directory
 
 
 def violations_in_kernels(root: Path) -> list[str]:
     found = []
     for one in includes_of(root, "kernels"):
         place = one.file.removeprefix("kernels/")
-        folder = place.split("/")[0]
+        directory = place.split("/")[0]
         if one.target.startswith("<thinbench"):
-            found.append(f"{one}, which is quoted elsewhere")
+            found.append(f"{one}, which must be quoted")
         if one.target.startswith("<"):
             continue
-        target = folder_of_target(one.target)
-        if folder not in ALLOWED:
-            found.append(f"{one}, but kernels/{folder} is not in the table of this test")
-        elif target != folder and target not in ALLOWED[folder]:
-            found.append(f"{one}, but kernels/{folder} may not include {target}")
+        target = directory_of_target(one.target)
+        if directory not in ALLOWED:
+            found.append(f"{one}, but kernels/{directory} is not in the table of this test")
+        elif target != directory and target not in ALLOWED[directory]:
+            found.append(f"{one}, but kernels/{directory} may not include {target}")
         for begin, forbidden in FORBIDDEN_WITHIN:
             if place.startswith(begin) and one.target.startswith(forbidden):
                 found.append(f"{one}, but {begin} may not include {forbidden}")
@@ -101,7 +102,7 @@ def violations_in_references(root: Path) -> list[str]:
 
 
 def includes_by_file(root: Path) -> dict[str, list[str]]:
-    """Files of kernels/ that each of them includes."""
+    """For each file of kernels/, the files of kernels/ that it includes."""
     graph: dict[str, list[str]] = {}
     for one in includes_of(root, "kernels"):
         targets = [f"kernels/{one.target}", f"kernels/include/{one.target}"]
@@ -111,7 +112,7 @@ def includes_by_file(root: Path) -> dict[str, list[str]]:
 
 
 def cycle_in(graph: dict[str, list[str]]) -> list[str]:
-    """Files that include each other in a circle, the first of them last again; empty without one."""
+    """A cycle of includes, with its first file repeated at the end; empty if there is none."""
     done: set[str] = set()
 
     def search(path: list[str]) -> list[str]:
@@ -132,23 +133,24 @@ def cycle_in(graph: dict[str, list[str]]) -> list[str]:
 
 
 def test_table_has_no_cycle():
-    assert cycle_in({folder: sorted(allowed - {folder}) for folder, allowed in ALLOWED.items()}) == []
+    graph = {directory: sorted(allowed - {directory}) for directory, allowed in ALLOWED.items()}
+    assert cycle_in(graph) == []
 
 
-def test_table_has_the_folders_that_there_are():
-    folders = {path.name for path in (ROOT / "kernels").iterdir() if path.is_dir()}
-    assert folders == set(ALLOWED)
+def test_table_has_exactly_the_existing_directories():
+    directorys = {path.name for path in (ROOT / "kernels").iterdir() if path.is_dir()}
+    assert directorys == set(ALLOWED)
 
 
 def test_kernels_include_in_the_allowed_directions():
     assert "\n".join(violations_in_kernels(ROOT)) == ""
 
 
-def test_no_files_of_the_kernels_include_each_other_in_a_circle():
+def test_kernels_have_no_include_cycle():
     assert " -> ".join(cycle_in(includes_by_file(ROOT))) == ""
 
 
-def test_references_share_public_headers_and_data_with_the_kernels():
+def test_references_share_only_public_headers_and_data_with_the_kernels():
     assert "\n".join(violations_in_references(ROOT)) == ""
     for shared in SHARED_WITH_REFERENCES:
         for one in includes_of(ROOT, "kernels/" + shared.split("/")[0]):
@@ -156,7 +158,7 @@ def test_references_share_public_headers_and_data_with_the_kernels():
                 assert one.target.startswith("thinbench/"), str(one)
 
 
-def made_up(root: Path, files: dict[str, str]) -> Path:
+def write_files(root: Path, files: dict[str, str]) -> Path:
     for name, text in files.items():
         path = root / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -164,8 +166,8 @@ def made_up(root: Path, files: dict[str, str]) -> Path:
     return root
 
 
-def test_a_wrong_direction_is_named_by_file_line_and_include(tmp_path):
-    root = made_up(
+def test_wrong_direction_is_reported_with_file_line_and_include(tmp_path):
+    root = write_files(
         tmp_path,
         {
             "kernels/image/planes.hpp": '// Planes.\n#include "image/layout.hpp"\n'
@@ -185,8 +187,8 @@ def test_a_wrong_direction_is_named_by_file_line_and_include(tmp_path):
     ]
 
 
-def test_code_of_the_kernels_in_a_reference_is_named(tmp_path):
-    root = made_up(
+def test_kernel_code_in_a_reference_is_reported(tmp_path):
+    root = write_files(
         tmp_path,
         {
             "reference/own.hpp": "#include <vector>\n#include \"thinbench/rule.hpp\"\n",
@@ -201,8 +203,8 @@ def test_code_of_the_kernels_in_a_reference_is_named(tmp_path):
     ]
 
 
-def test_a_circle_is_found(tmp_path):
-    root = made_up(
+def test_cycle_is_found(tmp_path):
+    root = write_files(
         tmp_path,
         {
             "kernels/image/a.hpp": '#include "image/b.hpp"\n',

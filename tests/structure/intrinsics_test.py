@@ -1,4 +1,4 @@
-"""Only kernels/simd/ names vector instructions or asks which architecture it is compiled for."""
+"""Only kernels/simd/ uses intrinsics or tests for an architecture."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ARCHITECTURE = re.compile(
 
 
 def findings(file: Path) -> Iterator[str]:
-    """'file:line: what' for each use; comments do not count."""
+    """'file:line: name' for each use outside of comments."""
     for number, line in enumerate(file.read_text().splitlines(), start=1):
         for match in ARCHITECTURE.finditer(line.split("//", 1)[0]):
             yield f"{file.relative_to(KERNELS.parent)}:{number}: {match[0]}"
@@ -33,19 +33,19 @@ def sources(directory: Path) -> list[Path]:
     return sorted(file for file in directory.rglob("*") if file.suffix in {".hpp", ".cpp", ".h"})
 
 
-def test_only_the_vocabulary_knows_the_architecture():
+def test_only_the_vocabulary_depends_on_the_architecture():
     outside = [file for file in sources(KERNELS) if SIMD not in file.parents]
     assert len(outside) > 50
     found = [finding for file in outside for finding in findings(file)]
     assert not found, "outside kernels/simd/:\n" + "\n".join(found)
 
 
-def test_architecture_files_are_recognised():
+def test_architecture_files_of_the_vocabulary_are_recognised():
     assert [file.name for file in sources(SIMD) if any(findings(file))] == [
         "avx2.hpp", "avx512.hpp", "sse2.hpp", "vector.hpp"]
 
 
-@pytest.mark.parametrize("line, what", [
+@pytest.mark.parametrize("line, name", [
     ("#include <immintrin.h>", "<immintrin.h>"),
     ("#include <arm_neon.h>", "<arm_neon.h>"),
     ("#ifdef __AVX512VBMI2__", "__AVX512VBMI2__"),
@@ -55,8 +55,8 @@ def test_architecture_files_are_recognised():
     ("return vaddq_u8(a, b);", "vaddq_u8"),
     ("uint8x16_t lanes;", "uint8x16_t"),
 ])
-def test_each_kind_is_found(line: str, what: str):
-    assert [match[0] for match in ARCHITECTURE.finditer(line)] == [what]
+def test_use_is_found(line: str, name: str):
+    assert [match[0] for match in ARCHITECTURE.finditer(line)] == [name]
 
 
 @pytest.mark.parametrize("line", [
@@ -64,5 +64,5 @@ def test_each_kind_is_found(line: str, what: str):
     '__builtin_cpu_supports("avx512f")',
     "std::uint64_t word = value_8 | __builtin_popcountll(bits);",
 ])
-def test_portable_code_is_not(line: str):
+def test_portable_code_is_not_reported(line: str):
     assert not ARCHITECTURE.search(line)

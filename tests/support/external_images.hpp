@@ -1,4 +1,4 @@
-// Pictures that are no part of the project: tests that want them are skipped where there are none.
+// Images that are not part of the project; tests that need them are skipped if there are none.
 #pragma once
 
 #include <cstdlib>
@@ -8,19 +8,20 @@
 
 namespace thinbench {
 
-/// The folder that THINBENCH_TEST_IMAGES names, else one beside the project.
+/// THINBENCH_TEST_IMAGES from the environment, else a directory beside the project.
 inline std::filesystem::path external_image_directory() {
   const char* chosen = std::getenv("THINBENCH_TEST_IMAGES");
   return chosen != nullptr ? chosen : THINBENCH_IMAGES_BESIDE;
 }
 
-/// Its pictures; none where there is no such folder.
+/// PNG and JPEG files in that directory; empty if it does not exist.
 inline std::vector<std::string> external_images() {
   std::vector<std::string> paths;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(external_image_directory(), none)) {
-    const std::string ending = entry.path().extension().string();
-    if (ending == ".png" || ending == ".jpg") paths.push_back(entry.path().string());
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(external_image_directory(), ignored)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".png" || extension == ".jpg") paths.push_back(entry.path().string());
   }
   return paths;
 }

@@ -1,4 +1,4 @@
-// Flood fill for the scene's tests, written apart from the library's labelling on purpose.
+// Connected components by flood fill: an oracle that shares no code with the library.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,27 @@
 namespace thinbench::flood_fill {
 
 struct Component {
-  Index first = 0;  // raster position of the first pixel
+  Index first = 0;  // raster index of the first pixel
   double area = 0;
-  double x = 0;  // mean of the pixels' coordinates
+  double x = 0;  // the centre: mean of the pixels' coordinates
   double y = 0;
-  bool at_frame = false;
+  bool touches_border = false;
 };
 
 struct Components {
-  std::vector<int> label;  // per pixel, counted from 1; 0 where the pixel has another value
+  std::vector<int> label;  // per pixel, from 1; 0 if the pixel has another value
   std::vector<Component> list;
 };
 
+/// Labels the components of all pixels with one value.
 class FloodFill {
  public:
-  FloodFill(ConstImageView image, int value, bool diagonals)
-      : image_(image), value_(value), diagonals_(diagonals) {
+  FloodFill(ConstImageView image, int value, bool eight_connected)
+      : image_(image), value_(value), eight_connected_(eight_connected) {
     result_.label.assign(static_cast<std::size_t>(image.width * image.height), 0);
     for (Index y = 0; y < image.height; ++y) {
       for (Index x = 0; x < image.width; ++x) {
-        if (wants(x, y)) fill(x, y);
+        if (is_unlabelled(x, y)) fill(x, y);
       }
     }
   }
@@ -41,13 +42,13 @@ class FloodFill {
     return result_.label[static_cast<std::size_t>(y * image_.width + x)];
   }
 
-  bool wants(Index x, Index y) {
+  bool is_unlabelled(Index x, Index y) {
     return x >= 0 && y >= 0 && x < image_.width && y < image_.height &&
            image_.row(y)[x] == value_ && label(x, y) == 0;
   }
 
   void visit(Index x, Index y) {
-    if (!wants(x, y)) return;
+    if (!is_unlabelled(x, y)) return;
     label(x, y) = static_cast<int>(result_.list.size());
     stack_.emplace_back(x, y);
   }
@@ -57,7 +58,7 @@ class FloodFill {
     component.x += static_cast<double>(x);
     component.y += static_cast<double>(y);
     if (x == 0 || y == 0 || x == image_.width - 1 || y == image_.height - 1) {
-      component.at_frame = true;
+      component.touches_border = true;
     }
   }
 
@@ -70,7 +71,7 @@ class FloodFill {
       count(result_.list.back(), x, y);
       for (Index dy = -1; dy <= 1; ++dy) {
         for (Index dx = -1; dx <= 1; ++dx) {
-          if (diagonals_ || dx == 0 || dy == 0) visit(x + dx, y + dy);
+          if (eight_connected_ || dx == 0 || dy == 0) visit(x + dx, y + dy);
         }
       }
     }
@@ -81,7 +82,7 @@ class FloodFill {
 
   ConstImageView image_;
   int value_;
-  bool diagonals_;
+  bool eight_connected_;
   Components result_;
   std::vector<std::pair<Index, Index>> stack_;
 };
@@ -91,10 +92,10 @@ inline Components objects_of(ConstImageView binary) {
   return FloodFill(binary, 255, true).take();
 }
 
-/// 4-connected background components that do not touch the frame, in raster order.
+/// 4-connected background components that do not touch the image border, in raster order.
 inline std::vector<Component> holes_of(ConstImageView binary) {
   std::vector<Component> holes = FloodFill(binary, 0, false).take().list;
-  std::erase_if(holes, [](const Component& component) { return component.at_frame; });
+  std::erase_if(holes, [](const Component& component) { return component.touches_border; });
   return holes;
 }
 

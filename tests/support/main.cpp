@@ -1,4 +1,5 @@
-// The main of every test program: seven threads are real threads even on two cores.
+// The main function of every test program. oneTBB may use 8 threads even on a machine with fewer
+// cores, so that tests with 7 threads run 7 threads.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

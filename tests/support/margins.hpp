@@ -1,5 +1,5 @@
-// Whether what lies round the pixels of a plane or of a grid of tiles is still zero: engines read
-// it and must never write it.
+// Checks that the margin of a plane or of a tile grid is zero: engines read it and must not write
+// it.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace thinbench {
 
-/// Reads everything that a plane promises to be zero: kMarginRows rows above and below, the
-/// elements between the end of a row and the beginning of the next, two elements before the first
-/// row, and the bits past the width.
+/// Reads everything that must be zero: kMarginRows rows above and below, the elements between the
+/// end of a row and the start of the next, two elements before the first row, and the bits past the
+/// width.
 template <class T>
 [[nodiscard]] bool margin_is_zero(const detail::ConstPlaneView<T>& plane) {
   constexpr Index pixels_of_element = sizeof(T) == 1 ? 1 : detail::kWordBits;
@@ -40,7 +40,7 @@ template <class T>
   return margin_is_zero(detail::ConstPlaneView<T>(plane));
 }
 
-/// The same for the tiles round an image, and for the pixels past its last column and row.
+/// The same for the tiles around an image and for the pixels past its last column and row.
 [[nodiscard]] inline bool margin_is_zero(const detail::TileGridView& grid) {
   const auto pixels_of = [&](Index tile, Index row) {
     const Index strip = tile / grid.strip_tiles - 1;

@@ -1,4 +1,4 @@
-// What properties of skeletons are tested on.
+// Images on which the properties of skeletons are tested.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace thinbench {
 
-/// Noise of many kinds, and scenes.
+/// Noise of several densities and block sizes, and both scenes.
 inline std::vector<ByteImage> property_images() {
   std::vector<ByteImage> images;
   std::uint64_t seed = 500;
@@ -23,12 +23,12 @@ inline std::vector<ByteImage> property_images() {
   return images;
 }
 
-/// Pixels that are marked and background in the image.
-inline Index marked_outside(const ByteImage& marks, const ByteImage& image) {
+/// The number of foreground pixels of `skeleton` that are background in `image`.
+inline Index pixels_outside(const ByteImage& skeleton, const ByteImage& image) {
   Index outside = 0;
   for (Index y = 0; y < image.height(); ++y) {
     for (Index x = 0; x < image.width(); ++x) {
-      outside += marks.at(x, y) != 0 && image.at(x, y) == 0 ? 1 : 0;
+      outside += skeleton.at(x, y) != 0 && image.at(x, y) == 0 ? 1 : 0;
     }
   }
   return outside;

@@ -1,4 +1,4 @@
-// What the library says of a call that it rejects.
+// Error messages of rejected calls.
 #pragma once
 
 #include <stdexcept>
@@ -18,7 +18,7 @@ std::string rejection_of(const Call& call) {
   return "";
 }
 
-/// Whether a text is one line without a full stop, as all are that programs print after a colon.
+/// Whether a message is one line without a full stop: programs print it after a colon.
 inline bool is_one_sentence(const std::string& text) {
   return !text.empty() && text.find('\n') == std::string::npos &&
          text.find(". ") == std::string::npos && text.back() != '.';

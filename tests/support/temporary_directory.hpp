@@ -1,4 +1,4 @@
-// A folder that a test may fill and that vanishes after it.
+// A directory that is removed, with its contents, at the end of a test.
 #pragma once
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ class TemporaryDirectory {
  public:
   TemporaryDirectory() : path_(std::filesystem::temp_directory_path() / "thinbench-test-XXXXXX") {
     std::string text = path_.string();
-    if (mkdtemp(text.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    if (mkdtemp(text.data()) == nullptr) throw std::runtime_error("no temporary directory");
     path_ = text;
   }
   ~TemporaryDirectory() {
@@ -30,14 +30,14 @@ class TemporaryDirectory {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
 
-  /// Writes a file and returns its path; folders on the way are made.
+  /// Writes a file, creating parent directories, and returns its path.
   [[nodiscard]] std::string with(const std::string& name, const std::string& bytes) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << bytes;
     return file(name);
   }
 
-  /// Names of all that lies in the folder, hidden files included.
+  /// Names of all entries, hidden files included.
   [[nodiscard]] std::set<std::string> names() const {
     std::set<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) {

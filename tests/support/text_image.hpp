@@ -1,4 +1,4 @@
-// Binary images written as text: '#' is foreground, '.' background; all lines have one length.
+// Binary images as text: '#' is foreground, '.' is background; all lines have the same length.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ inline ByteImage image_of(const TextImage& lines) {
   return image;
 }
 
-/// The inverse; '?' where a pixel is neither 0 nor 255.
+/// The inverse; '?' for a pixel that is neither 0 nor 255.
 inline TextImage text_of(const ByteImage& image) {
   TextImage lines;
   for (Index y = 0; y < image.height(); ++y) {

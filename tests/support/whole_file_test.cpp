@@ -1,11 +1,8 @@
 #include "support/whole_file.hpp"
 
-#include <csignal>
-
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
+#include "support/file_size_limit.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace thinbench {
@@ -22,48 +19,44 @@ std::string failure_of(const std::string& path, const std::string& bytes = "new"
   return "written";
 }
 
-TEST(WholeFile, appears_with_all_its_bytes_and_alone) {
-  const TemporaryDirectory folder;
+TEST(WholeFile, holds_all_bytes_and_leaves_no_temporary_file) {
+  const TemporaryDirectory directory;
   const std::string bytes("a\0b\n", 4);
-  write_whole_file(folder.file("a.json"), bytes);
-  EXPECT_EQ(bytes_of(folder.file("a.json")), bytes);
-  EXPECT_EQ(folder.names(), Names{"a.json"});
+  write_whole_file(directory.file("a.json"), bytes);
+  EXPECT_EQ(bytes_of(directory.file("a.json")), bytes);
+  EXPECT_EQ(directory.names(), Names{"a.json"});
 }
 
-TEST(WholeFile, replaces_a_file_and_leaves_a_neighbour_called_part_alone) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.with("a.json", "old");
-  static_cast<void>(folder.with("a.json.part", "somebody's"));
+TEST(WholeFile, replaces_an_existing_file_but_not_a_file_named_part) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.json", "old");
+  static_cast<void>(directory.with("a.json.part", "unrelated"));
   write_whole_file(file, "new");
   EXPECT_EQ(bytes_of(file), "new");
-  EXPECT_EQ(bytes_of(file + ".part"), "somebody's");
+  EXPECT_EQ(bytes_of(file + ".part"), "unrelated");
 }
 
-TEST(WholeFile, names_what_is_in_the_way) {
-  const TemporaryDirectory folder;
-  const std::string absent = folder.file("absent");
+TEST(WholeFile, explains_why_a_path_cannot_be_written) {
+  const TemporaryDirectory directory;
+  const std::string absent = directory.file("absent");
   const std::string inside = absent + "/a.json";
   EXPECT_EQ(failure_of(inside),
             "cannot write '" + inside + "': there is no directory '" + absent + "'");
-  EXPECT_EQ(failure_of(folder.path().string()),
-            "cannot write '" + folder.path().string() + "': it is a directory");
+  EXPECT_EQ(failure_of(directory.path().string()),
+            "cannot write '" + directory.path().string() + "': it is a directory");
   EXPECT_EQ(failure_of(""), "cannot write '': its name is empty");
 }
 
-TEST(WholeFile, failure_on_the_way_leaves_the_old_file_and_nothing_else) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.with("a.json", "old");
-  auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit old{};
-  getrlimit(RLIMIT_FSIZE, &old);
-  const rlimit small{100, old.rlim_max};  // as on a full disk
-  setrlimit(RLIMIT_FSIZE, &small);
-  const std::string failure = failure_of(file, std::string(1000, 'x'));
-  setrlimit(RLIMIT_FSIZE, &old);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(failure, "cannot write '" + file + "': File too large");
+TEST(WholeFile, failed_write_keeps_the_old_file_and_leaves_no_other) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.json", "old");
+  {
+    const FileSizeLimit limit(100);
+    EXPECT_EQ(failure_of(file, std::string(1000, 'x')),
+              "cannot write '" + file + "': File too large");
+  }
   EXPECT_EQ(bytes_of(file), "old");
-  EXPECT_EQ(folder.names(), Names{"a.json"});
+  EXPECT_EQ(directory.names(), Names{"a.json"});
 }
 
 }  // namespace

@@ -1,17 +1,18 @@
-// Batches of small images: every rule, border, limit and ISA equal to the reference one by one.
+// Batches of small images against the reference: every rule, border, iteration limit and ISA.
 #include "thinbench/batch.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
 #include "reference.hpp"
+#include "support/filled_image.hpp"
+#include "support/rule_parameters.hpp"
 #include "support/splitmix64.hpp"
-#include "thinning/engines/lane_kernels.hpp"
 #include "thinning/edge_case_images.hpp"
+#include "thinning/engines/lane_kernels.hpp"
 #include "thinning/variants.hpp"
 
 namespace thinbench {
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::uint8_t kGap = 0x5A;
 
-/// Owns images with gaps between rows and images.
+/// A stack of images with gaps between rows and between images.
 class Stack {
  public:
   Stack(Index count, Index width, Index height, Index row_gap = 0, Index image_gap = 0)
@@ -39,7 +40,7 @@ class Stack {
     }
   }
 
-  /// Whether nothing was written between rows and images.
+  /// Whether the gaps are unwritten.
   [[nodiscard]] bool gaps_are_intact() const {
     for (std::size_t i = 0; i < bytes_.size(); ++i) {
       const auto in_image = static_cast<Index>(i) % view_.image_stride;
@@ -55,7 +56,7 @@ class Stack {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Images of all densities and block sizes, the shapes among them.
+/// Noise of all densities and block sizes, with some other edge cases.
 Stack random_stack(Index count, Index width, Index height, std::uint64_t seed) {
   Stack stack(count, width, height, static_cast<Index>(seed % 4), static_cast<Index>(seed % 3));
   for (Index i = 0; i < count; ++i) {
@@ -63,7 +64,7 @@ Stack random_stack(Index count, Index width, Index height, std::uint64_t seed) {
     const int percent = static_cast<int>(random % 101);
     const Index granularity = 1 + static_cast<Index>(random >> 32) % 5;
     ByteImage image = noise_image(width, height, percent, granularity, random);
-    if (random >> 60 == 0) image = edge_case_images::full(width, height);
+    if (random >> 60 == 0) image = filled_image(width, height, 255);
     if (random >> 60 == 1) image = edge_case_images::shapes_on_every_side(width, height);
     stack.set(i, image.view());
   }
@@ -86,7 +87,7 @@ Expected expected_of(Rule rule, const reference::Repetition& repetition, Stack& 
   return expected;
 }
 
-/// The first image that differs, or -1.
+/// The index of the first image that differs, or -1.
 Index first_difference(StackView a, StackView b) {
   for (Index i = 0; i < a.count; ++i) {
     if (!equal(a.image(i), b.image(i))) return i;
@@ -110,7 +111,7 @@ void expect_batch(Rule rule, Stack& source, const Options& options, Expected& ex
                     << first_difference(out.view(), expected.images.view());
 }
 
-/// At every ISA where the rule has lanes, else as chosen.
+/// At every ISA if the rule is parallel, else at the default.
 void expect_batch_at_every_isa(Rule rule, Stack& source, const reference::Repetition& repetition,
                                int threads) {
   Expected expected = expected_of(rule, repetition, source);
@@ -124,15 +125,15 @@ void expect_batch_at_every_isa(Rule rule, Stack& source, const reference::Repeti
   }
 }
 
-class BatchOf : public testing::TestWithParam<std::tuple<Rule, Border>> {
+class BatchOf : public testing::TestWithParam<RuleAndBorder> {
  protected:
   [[nodiscard]] static Rule rule() { return std::get<Rule>(GetParam()); }
   [[nodiscard]] static Border border() { return std::get<Border>(GetParam()); }
-  /// Nets and other rules without lanes are thinned one by one, by what other tests verify.
+  /// Other rules thin the images one by one, by code that other tests verify.
   [[nodiscard]] static bool has_lanes() { return detail::is_parallel_rule(rule()); }
 };
 
-TEST_P(BatchOf, random_images_of_every_width_and_limit_equals_the_reference) {
+TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
   const Index step = has_lanes() ? 1 : 19;
   for (Index width = 1; width <= detail::kMaxLaneWidth + 2; width += step) {
     const std::uint64_t random = splitmix64(17, static_cast<std::uint64_t>(width));
@@ -162,12 +163,13 @@ TEST_P(BatchOf, narrow_and_low_images_equals_the_reference_at_every_limit) {
 }
 
 TEST_P(BatchOf, all_images_of_four_by_four_equals_the_reference) {
-  constexpr int count = 1 << 14;  // at a time, each quarter with another limit
+  constexpr int count = 1 << 14;  // a quarter of all images; each quarter has another limit
   const int limits[] = {kUnlimited, 1, 2, 3};
   for (int quarter = 0; quarter < 4; ++quarter) {
     Stack source(count, 4, 4);
     for (int i = 0; i < count; ++i) {
-      // Multiplied by an odd number, so that quarters do not share the upper pixels.
+      // The odd factor permutes the images, so that each quarter has all values of the upper
+      // pixels.
       const auto bits = static_cast<std::uint64_t>((count * quarter + i) * 40503 & 0xFFFF);
       source.set(i, image_of_bits(4, 4, bits).view());
     }
@@ -176,22 +178,9 @@ TEST_P(BatchOf, all_images_of_four_by_four_equals_the_reference) {
   }
 }
 
-std::vector<Rule> all_rules() {
-  std::vector<Rule> rules;
-  for (const RuleInfo& info : kRules) rules.push_back(info.rule);
-  return rules;
-}
+INSTANTIATE_TEST_SUITE_P(Rules, BatchOf, all_rules_and_borders(), rule_and_border_test_name);
 
-INSTANTIATE_TEST_SUITE_P(Rules, BatchOf,
-                         testing::Combine(testing::ValuesIn(all_rules()),
-                                          testing::Values(Border::background, Border::keep)),
-                         [](const auto& tested) {
-                           return std::string(rule_name(std::get<Rule>(tested.param))) +
-                                  "_border_" +
-                                  std::string(border_name(std::get<Border>(tested.param)));
-                         });
-
-TEST(ThinningBatch, has_lanes_for_parallel_rules_up_to_the_widest_lane) {
+TEST(ThinningBatch, uses_lanes_for_parallel_rules_up_to_the_maximum_lane_width) {
   for (const RuleInfo& info : kRules) {
     EXPECT_EQ(ThinningBatch(info.rule, 40, 31).one_by_one(), !detail::is_parallel_rule(info.rule))
         << info.name;
@@ -200,7 +189,7 @@ TEST(ThinningBatch, has_lanes_for_parallel_rules_up_to_the_widest_lane) {
   EXPECT_TRUE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth + 1, 5).one_by_one());
 }
 
-TEST(ThinningBatch, thins_one_by_one_with_a_technique_that_is_asked_for) {
+TEST(ThinningBatch, thins_one_by_one_if_a_technique_is_requested) {
   const Options options = {.technique = Technique::bitpacked};
   EXPECT_TRUE(ThinningBatch(Rule::guo_hall, 28, 28, options).one_by_one());
   Stack source = random_stack(21, 40, 31, 5);
@@ -208,23 +197,23 @@ TEST(ThinningBatch, thins_one_by_one_with_a_technique_that_is_asked_for) {
   expect_batch(Rule::guo_hall, source, options, expected);
 }
 
-TEST(ThinningBatch, takes_any_byte_but_0_for_foreground) {
+TEST(ThinningBatch, treats_any_nonzero_byte_as_foreground) {
   Stack source(2, 5, 5);
-  Stack usual(2, 5, 5);
+  Stack binary(2, 5, 5);
   for (Index i = 0; i < 2; ++i) {
     ByteImage image = noise_image(5, 5, 80, 1, 3);
-    usual.set(i, image.view());
+    binary.set(i, image.view());
     for (Index x = 0; x < 25; ++x) {
       std::uint8_t& pixel = image.at(x % 5, x / 5);
       pixel = pixel == 0 ? 0 : static_cast<std::uint8_t>(1 + x);
     }
     source.set(i, image.view());
   }
-  Expected expected = expected_of(Rule::guo_hall, {}, usual);
+  Expected expected = expected_of(Rule::guo_hall, {}, binary);
   expect_batch(Rule::guo_hall, source, {}, expected);
 }
 
-TEST(ThinningBatch, source_and_destination_may_be_one_stack) {
+TEST(ThinningBatch, works_in_place) {
   for (const Index width : {28, 64, 128, 150}) {
     Stack source = random_stack(37, width, 20, 8);
     Expected expected = expected_of(Rule::zhang_suen, {}, source);
@@ -234,7 +223,7 @@ TEST(ThinningBatch, source_and_destination_may_be_one_stack) {
   }
 }
 
-TEST(ThinningBatch, threads_share_the_images_with_lanes_and_without) {
+TEST(ThinningBatch, threads_share_the_images_with_and_without_lanes) {
   for (const Index width : {28, 140}) {
     Stack source = random_stack(100, width, 12, 4);
     Expected expected = expected_of(Rule::guo_hall, {}, source);
@@ -244,7 +233,7 @@ TEST(ThinningBatch, threads_share_the_images_with_lanes_and_without) {
   }
 }
 
-TEST(ThinningBatch, may_be_repeated_with_other_counts) {
+TEST(ThinningBatch, takes_a_different_number_of_images_in_each_call) {
   ThinningBatch batch(Rule::guo_hall, 28, 28, {.threads = 2});
   for (const Index count : {40, 3, 0, 17}) {
     Stack source = random_stack(count, 28, 28, static_cast<std::uint64_t>(count));

@@ -1,22 +1,15 @@
-// Images on which thinning engines are likely to go wrong, of any size.
+// Images of any size on which thinning engines are likely to fail.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "harness/test_images.hpp"
+#include "support/filled_image.hpp"
 
 namespace thinbench::edge_case_images {
 
-inline ByteImage full(Index width, Index height) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) std::fill_n(image.view().row(y), width, std::uint8_t{255});
-  return image;
-}
-
-/// Bars along all four sides, three pixels thick, with gaps that the image border cuts, and lines
-/// from side to side.
+/// Bars three pixels thick along all four sides, with gaps, and lines from side to side.
 inline ByteImage shapes_on_every_side(Index width, Index height) {
   ByteImage image(width, height);
   for (Index y = 0; y < height; ++y) {
@@ -30,12 +23,12 @@ inline ByteImage shapes_on_every_side(Index width, Index height) {
   return image;
 }
 
-/// Noise, everything foreground, shapes; the last is noise again, so that a state that is used for
-/// one after another meets both more and less than before.
+/// Noise, all foreground, shapes, and noise again, so that consecutive images have both more and
+/// less foreground than the one before.
 inline std::vector<ByteImage> of_size(Index width, Index height, std::uint64_t seed) {
   std::vector<ByteImage> images;
   images.push_back(noise_image(width, height, 60, 1, seed));
-  images.push_back(full(width, height));
+  images.push_back(filled_image(width, height, 255));
   images.push_back(shapes_on_every_side(width, height));
   images.push_back(noise_image(width, height, 93, 2, seed + 1));
   return images;

@@ -1,5 +1,5 @@
-// All binary images of 5 x 5 pixels at once: cells on sheets, thinned a sheet at a time, and their
-// topology by bit tricks.
+// All binary images of 5 x 5 pixels: tiled into sheets, which are thinned as one image; and their
+// topology by bit operations.
 #pragma once
 
 #include <bit>
@@ -10,12 +10,12 @@
 
 namespace thinbench::five_by_five {
 
-/// An image of 5 x 5 pixels inside 8 x 8 bits: pixel (x, y) is bit 8 (y + 1) + x + 1.
+/// An image of 5 x 5 pixels in a bit board of 8 x 8: pixel (x, y) is bit 8 (y + 1) + x + 1.
 using Cell = std::uint64_t;
 
 inline constexpr Index kSide = 5;
 inline constexpr std::uint32_t kCount = 1U << (kSide * kSide);
-inline constexpr Cell kFrame = 0x007F7F7F7F7F7F7F;  // the pixels and a background pixel all round
+inline constexpr Cell kCellWithMargin = 0x007F7F7F7F7F7F7F;  // the pixels and a margin of one
 
 /// Bit y * 5 + x of `code` is pixel (x, y).
 constexpr Cell cell_of(std::uint32_t code) {
@@ -24,14 +24,13 @@ constexpr Cell cell_of(std::uint32_t code) {
   return cell;
 }
 
-/// The part of `within` that `seed` reaches by steps to direct neighbours and, if asked for, to
-/// diagonal ones.
-template <bool diagonals>
+/// Flood fill: the pixels of `within` that are connected with `seed`, by 4- or 8-connectivity.
+template <bool eight_connected>
 constexpr Cell reached(Cell seed, Cell within) {
   for (Cell before = 0; before != seed;) {
     before = seed;
     const Cell row = seed | seed << 1 | seed >> 1;
-    const Cell from = diagonals ? row : seed;
+    const Cell from = eight_connected ? row : seed;
     seed = (row | from << 8 | from >> 8) & within;
   }
   return seed;
@@ -44,23 +43,24 @@ constexpr int euler_number(Cell cell) {
          std::popcount(cell | cell << 8) + std::popcount(cell);
 }
 
-/// Whether every object of `before` holds exactly one of `after`, and every background component of
-/// `after` exactly one of `before`. Where all hold one at least, objects cannot become fewer nor
-/// holes more, so that an equal Euler number means that both numbers are equal.
+/// Whether every object of `before` contains exactly one of `after`, and every background component
+/// of `after` exactly one of `before`. If each contains at least one, the number of objects cannot
+/// fall and that of holes cannot rise, so equal Euler numbers mean that both numbers are equal.
 constexpr bool same_topology(Cell before, Cell after) {
   return (after & ~before) == 0 && reached<true>(after, before) == before &&
-         reached<false>(kFrame & ~before, kFrame & ~after) == (kFrame & ~after) &&
+         reached<false>(kCellWithMargin & ~before, kCellWithMargin & ~after) ==
+             (kCellWithMargin & ~after) &&
          euler_number(before) == euler_number(after);
 }
 
-/// `kCells` images with background between them.
+/// A grid of `kCells` images, separated by background.
 class Sheet {
  public:
-  static constexpr Index kAcross = 256;
-  static constexpr Index kDown = 128;
-  static constexpr std::uint32_t kCells = kAcross * kDown;
+  static constexpr Index kColumns = 256;  // of images
+  static constexpr Index kRows = 128;
+  static constexpr std::uint32_t kCells = kColumns * kRows;
 
-  /// The images with the codes from `first` on.
+  /// Draws the images with codes `first`, `first` + 1, ...
   void fill(std::uint32_t first) {
     for (std::uint32_t i = 0; i < kCells; ++i) {
       for (Index y = 0; y < kSide; ++y) put_row(i, y, (first + i) >> (5 * y) & 31);
@@ -76,26 +76,27 @@ class Sheet {
   [[nodiscard]] ImageView view() { return image_.view(); }
 
  private:
-  static constexpr Index kPitch = 8;  // columns of a cell
+  static constexpr Index kPitch = 8;  // pixels from image to image
 
   void put_row(std::uint32_t i, Index y, std::uint64_t bits) {
-    // Bit k goes to byte k, from there to the byte's highest bit and down to its lowest.
+    // Expands bit k to byte k: the mask selects it from copies of all bits, the addition carries it
+    // to the byte's highest bit, and the shift moves it to the lowest.
     const std::uint64_t bytes =
         ((bits * 0x0101010101010101 & 0x8040201008040201) + 0x7F7F7F7F7F7F7F7F) >> 7 &
         0x0101010101010101;
     const std::uint64_t foreground = bytes * 255;
-    std::memcpy(image_.view().row(y + i / kAcross * (kSide + 1)) + i % kAcross * kPitch,
+    std::memcpy(image_.view().row(y + i / kColumns * (kSide + 1)) + i % kColumns * kPitch,
                 &foreground, sizeof foreground);
   }
 
   [[nodiscard]] std::uint64_t row(std::uint32_t i, Index y) const {
     std::uint64_t bytes = 0;
-    std::memcpy(&bytes, image_.view().row(y + i / kAcross * (kSide + 1)) + i % kAcross * kPitch,
+    std::memcpy(&bytes, image_.view().row(y + i / kColumns * (kSide + 1)) + i % kColumns * kPitch,
                 sizeof bytes);
     return (bytes & 0x0101010101010101) * 0x0102040810204080 >> 56;
   }
 
-  ByteImage image_{kAcross * kPitch, kDown*(kSide + 1)};
+  ByteImage image_{kColumns * kPitch, kRows*(kSide + 1)};
 };
 
 }  // namespace thinbench::five_by_five

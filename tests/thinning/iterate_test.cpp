@@ -7,7 +7,7 @@ namespace {
 
 constexpr Index kRows = BandActivity::kRows;
 
-/// Visits what the step lists; tile (band, column) changes where `changes` says so.
+/// Visits the active cells; `changes(band)` has a bit for every column that changes.
 template <class Changes>
 std::vector<std::pair<Index, std::uint64_t>> visit(BandActivity& activity, int lookback,
                                                    const Changes& changes) {
@@ -25,7 +25,7 @@ std::vector<std::pair<Index, std::uint64_t>> visit(BandActivity& activity, int l
 constexpr auto kNothing = [](Index) { return std::uint64_t{0}; };
 using Visits = std::vector<std::pair<Index, std::uint64_t>>;
 
-TEST(BandActivity, first_two_steps_visit_every_tile) {
+TEST(BandActivity, first_two_sub_iterations_visit_every_cell) {
   BandActivity activity({0, 3 * kRows - 5}, 6, 1);
   for (int repeat = 0; repeat < 2; ++repeat) {
     activity.restart();
@@ -36,7 +36,7 @@ TEST(BandActivity, first_two_steps_visit_every_tile) {
   }
 }
 
-TEST(BandActivity, a_change_makes_the_tile_and_its_eight_neighbours_active_for_one_step) {
+TEST(BandActivity, change_activates_the_cell_and_its_eight_neighbours_for_one_sub_iteration) {
   BandActivity activity({0, 6 * kRows}, 6, 1);
   activity.restart();
   visit(activity, 1, kNothing);
@@ -45,7 +45,7 @@ TEST(BandActivity, a_change_makes_the_tile_and_its_eight_neighbours_active_for_o
   EXPECT_TRUE(visit(activity, 1, kNothing).empty());
 }
 
-TEST(BandActivity, a_cycle_of_two_keeps_tiles_active_for_two_steps) {
+TEST(BandActivity, lookback_of_two_keeps_cells_active_for_two_sub_iterations) {
   BandActivity activity({0, 6 * kRows}, 2, 1);
   activity.restart();
   visit(activity, 2, kNothing);
@@ -56,13 +56,7 @@ TEST(BandActivity, a_cycle_of_two_keeps_tiles_active_for_two_steps) {
   EXPECT_TRUE(visit(activity, 2, kNothing).empty());
 }
 
-TEST(BandActivity, rows_without_elements_have_nothing_to_visit) {
-  BandActivity activity({0, 7}, 0, 64);
-  activity.restart();
-  EXPECT_TRUE(visit(activity, 1, kNothing).empty());
-}
-
-TEST(BandActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
+TEST(BandActivity, rows_have_at_most_64_columns_which_cover_them) {
   for (const Index elements : {1, 63, 64, 65, 127, 128, 129, 1000}) {
     BandActivity activity({0, 1}, elements, 1);
     activity.restart();
@@ -72,7 +66,7 @@ TEST(BandActivity, wide_rows_get_wider_columns_and_never_more_than_64) {
   }
 }
 
-TEST(BandActivity, bands_begin_with_the_first_row_that_may_change) {
+TEST(BandActivity, bands_start_at_the_first_row_that_may_change) {
   BandActivity activity({1, 2 * kRows + 3}, 6, 1);
   activity.restart();
   const auto bands = activity.begin_sub_iteration(1);
@@ -83,14 +77,14 @@ TEST(BandActivity, bands_begin_with_the_first_row_that_may_change) {
   EXPECT_EQ(bands[2].last, 2 * kRows + 3);
 }
 
-TEST(BandActivity, no_row_that_may_change_has_no_tiles) {
+TEST(BandActivity, empty_range_of_rows_has_no_cells) {
   BandActivity activity({1, 1}, 6, 1);
   activity.restart();
   EXPECT_TRUE(activity.begin_sub_iteration(2).empty());
   EXPECT_FALSE(activity.end_sub_iteration());
 }
 
-TEST(ChangingRows, are_all_but_the_outermost_where_the_border_is_kept) {
+TEST(ChangingRows, exclude_the_first_and_the_last_row_if_the_border_is_kept) {
   const auto count = [](Index height, Border border) {
     const RowRange rows = changing_rows(height, border);
     return rows.last - rows.first;
@@ -102,14 +96,14 @@ TEST(ChangingRows, are_all_but_the_outermost_where_the_border_is_kept) {
   }
 }
 
-TEST(BandActivity, rows_without_elements_have_no_tiles) {
+TEST(BandActivity, rows_without_elements_have_no_cells) {
   BandActivity activity({0, 5}, 0, 1);
   activity.restart();
   EXPECT_TRUE(activity.begin_sub_iteration(1).empty());
   EXPECT_FALSE(activity.end_sub_iteration());
 }
 
-TEST(Band, columns_of_elements_are_those_they_touch) {
+TEST(Band, columns_of_elements_are_those_that_contain_them) {
   const Band band = {0, 1, 0, 3, 12};
   EXPECT_EQ(band.columns_of(0, 3), 0b1U);
   EXPECT_EQ(band.columns_of(2, 4), 0b11U);
@@ -117,7 +111,7 @@ TEST(Band, columns_of_elements_are_those_they_touch) {
   EXPECT_EQ((Band{0, 1, 0, 1, 64}.columns_of(0, 64)), ~std::uint64_t{0});
 }
 
-TEST(ForEachRun, visits_runs_of_columns_within_the_row_and_collects_changes) {
+TEST(ForEachRun, visits_runs_of_columns_clipped_to_the_row_and_collects_changes) {
   Visits seen;
   const std::uint64_t changed =
       for_each_run(Band{2, 4, 0b1011, 10, 36}, [&](Index y, Index from, Index to) {

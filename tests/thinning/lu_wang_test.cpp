@@ -1,4 +1,4 @@
-// What tells Lu and Wang's rule from Zhang and Suen's.
+// The difference between Lü and Wang's rule and Zhang and Suen's.
 #include <gtest/gtest.h>
 
 #include "support/byte_image.hpp"
@@ -34,8 +34,16 @@ TEST(LuWang, slanted_lines_two_pixels_wide_keep_their_length) {
   EXPECT_LT(foreground_pixels(Rule::zhang_suen, line), 20);
 }
 
-/// Over all neighbourhoods: removed is what Zhang and Suen's rule removes, but for pixels with two
-/// foreground neighbours.
+TEST(LuWang, squares_of_two_by_two_pixels_vanish) {
+  ByteImage square(4, 4);
+  for (const Index y : {1, 2}) {
+    for (const Index x : {1, 2}) square.at(x, y) = 255;
+  }
+  EXPECT_EQ(foreground_pixels(Rule::lu_wang, square), 0);
+}
+
+/// Over all neighbourhoods: pixels with two foreground neighbours are kept, all others treated as
+/// by Zhang and Suen's rule.
 template <int sub>
 void expect_difference_at_two_neighbours() {
   const auto lu_wang = detail::make_rule_table<detail::LuWang, sub>();

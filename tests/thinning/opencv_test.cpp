@@ -1,4 +1,4 @@
-// Two rules against OpenCV's ximgproc module, which keeps the border.
+// Zhang-Suen and Guo-Hall against OpenCV's ximgproc module, which keeps the border.
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
@@ -7,17 +7,18 @@
 #include "images/mat_of.hpp"
 #include "reference.hpp"
 #include "scene/scene.hpp"
+#include "support/reference_thinning.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
-struct Pair {
+struct RuleAndType {
   Rule rule;
   cv::ximgproc::ThinningTypes type;
 };
 
-ByteImage by_opencv(const Pair& pair, ByteImage& image) {
+ByteImage by_opencv(const RuleAndType& pair, ByteImage& image) {
   cv::Mat skeleton;
   cv::ximgproc::thinning(mat_of(image.view()), skeleton, pair.type);
   ByteImage result(image.width(), image.height());
@@ -31,13 +32,7 @@ ByteImage by_library(Rule rule, const ByteImage& image, Border border) {
   return result;
 }
 
-ByteImage by_reference(Rule rule, const ByteImage& image, Border border) {
-  ByteImage result(image.width(), image.height());
-  reference::thinning(rule)({border}, image.view(), result.view());
-  return result;
-}
-
-/// The same with background in the outermost rows and columns.
+/// The image with background in the outermost rows and columns.
 ByteImage with_background_border(const ByteImage& image) {
   ByteImage result(image.width(), image.height());
   for (Index y = 1; y < image.height() - 1; ++y) {
@@ -46,15 +41,15 @@ ByteImage with_background_border(const ByteImage& image) {
   return result;
 }
 
-class AgainstOpenCv : public testing::TestWithParam<Pair> {
+class AgainstOpenCv : public testing::TestWithParam<RuleAndType> {
  protected:
-  /// Reference and library where the border is kept, and also where it is not, once the outermost
-  /// pixels are background.
+  /// Compares reference and library, keeping the border; and the library, not keeping it, on the
+  /// image with a background border, where both give the same.
   static void expect_equal(ByteImage& image, const std::string& what) {
     const Rule rule = GetParam().rule;
     const ByteImage expected = by_opencv(GetParam(), image);
-    EXPECT_TRUE(equal(by_reference(rule, image, Border::keep).view(), expected.view()))
-        << what << ", reference";
+    const Thinned by_reference = thinned_by_reference(rule, image, {Border::keep});
+    EXPECT_TRUE(equal(by_reference.image.view(), expected.view())) << what << ", reference";
     EXPECT_TRUE(equal(by_library(rule, image, Border::keep).view(), expected.view())) << what;
     ByteImage inner = with_background_border(image);
     EXPECT_TRUE(equal(by_library(rule, inner, Border::background).view(),
@@ -119,12 +114,11 @@ TEST_P(AgainstOpenCv, border_makes_a_difference_where_the_scene_touches_it) {
                      by_library(rule, scene.binary, Border::keep).view()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, AgainstOpenCv,
-                         testing::Values(Pair{Rule::zhang_suen, cv::ximgproc::THINNING_ZHANGSUEN},
-                                         Pair{Rule::guo_hall, cv::ximgproc::THINNING_GUOHALL}),
-                         [](const auto& tested) {
-                           return std::string(rule_name(tested.param.rule));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Rules, AgainstOpenCv,
+    testing::Values(RuleAndType{Rule::zhang_suen, cv::ximgproc::THINNING_ZHANGSUEN},
+                    RuleAndType{Rule::guo_hall, cv::ximgproc::THINNING_GUOHALL}),
+    [](const auto& tested) { return std::string(rule_name(tested.param.rule)); });
 
 }  // namespace
 }  // namespace thinbench

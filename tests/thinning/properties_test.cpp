@@ -1,4 +1,4 @@
-// What the rules claim of themselves, as properties: topology, idempotence, subset, symmetry.
+// The documented properties of the rules: topology, idempotence, subset, symmetry.
 #include <optional>
 #include <string>
 #include <vector>
@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "support/flood_fill.hpp"
-#include "scene/scene.hpp"
-#include "thinbench/thinning.hpp"
 #include "support/property_images.hpp"
+#include "support/rule_parameters.hpp"
+#include "thinbench/thinning.hpp"
 #include "thinning/five_by_five.hpp"
 
 namespace thinbench {
@@ -31,7 +31,7 @@ ByteImage rotated(const ByteImage& image) {
   return result;
 }
 
-/// All but the nets and the midpoint scan, which promises nothing of what is tested here.
+/// All but the midpoint scan, which has none of these properties, and the nets.
 std::vector<Rule> rules_without_nets() {
   std::vector<Rule> rules;
   for (const RuleInfo& info : kRules) {
@@ -52,8 +52,8 @@ std::string image_text(Cell cell) {
   return text;
 }
 
-/// The first image of 5 x 5 pixels whose topology a rule changes.
-std::optional<std::string> changed_five_by_five(Rule rule) {
+/// Describes the first image of 5 x 5 pixels whose topology the rule changes; empty if none.
+std::optional<std::string> first_topology_change(Rule rule) {
   Sheet sheet;
   for (std::uint32_t first = 0; first < five_by_five::kCount; first += Sheet::kCells) {
     sheet.fill(first);
@@ -68,18 +68,14 @@ std::optional<std::string> changed_five_by_five(Rule rule) {
   return std::nullopt;
 }
 
-std::string name_of_tested_rule(const testing::TestParamInfo<Rule>& tested) {
-  return std::string(rule_name(tested.param));
-}
-
 class KeepsTopology : public testing::TestWithParam<Rule> {};
 
 TEST_P(KeepsTopology, on_all_five_by_five) {
-  const auto changed = changed_five_by_five(GetParam());
+  const auto changed = first_topology_change(GetParam());
   EXPECT_FALSE(changed) << changed.value_or("");
 }
 
-TEST_P(KeepsTopology, on_images) {
+TEST_P(KeepsTopology, on_noise_and_scenes) {
   for (const ByteImage& image : property_images()) {
     const ByteImage skeleton = thinned(GetParam(), image);
     EXPECT_EQ(flood_fill::objects_of(image.view()).list.size(),
@@ -92,7 +88,7 @@ TEST_P(KeepsTopology, on_images) {
 INSTANTIATE_TEST_SUITE_P(Rules, KeepsTopology,
                          testing::Values(Rule::guo_hall, Rule::spta, Rule::spta_directional,
                                          Rule::mb2),
-                         name_of_tested_rule);
+                         rule_test_name);
 
 class EveryRule : public testing::TestWithParam<Rule> {};
 
@@ -100,11 +96,11 @@ TEST_P(EveryRule, is_idempotent_and_gives_a_subset) {
   for (const ByteImage& image : property_images()) {
     const ByteImage skeleton = thinned(GetParam(), image);
     EXPECT_TRUE(equal(thinned(GetParam(), skeleton).view(), skeleton.view()));
-    EXPECT_EQ(marked_outside(skeleton, image), 0);
+    EXPECT_EQ(pixels_outside(skeleton, image), 0);
   }
 }
 
-TEST_P(EveryRule, is_symmetric_under_quarter_turns_where_it_has_one_sub_iteration) {
+TEST_P(EveryRule, is_symmetric_under_quarter_turns_if_it_has_one_sub_iteration) {
   const Rule rule = GetParam();
   const bool expected = rule == Rule::naccache_shinghal || rule == Rule::mb2;
   bool symmetric = true;
@@ -115,8 +111,7 @@ TEST_P(EveryRule, is_symmetric_under_quarter_turns_where_it_has_one_sub_iteratio
   EXPECT_EQ(symmetric, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(rules_without_nets()),
-                         name_of_tested_rule);
+INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(rules_without_nets()), rule_test_name);
 
 ByteImage block(Index width, Index height) {
   ByteImage image(width + 4, height + 4);
@@ -130,34 +125,34 @@ std::size_t objects_after(Rule rule, const ByteImage& image) {
   return flood_fill::objects_of(thinned(rule, image).view()).list.size();
 }
 
-TEST(Rules, zhang_suen_loses_a_two_by_two_block) {
+TEST(Rules, zhang_suen_removes_a_two_by_two_block) {
   EXPECT_EQ(objects_after(Rule::zhang_suen, block(2, 2)), 0U);
 }
 
-TEST(Rules, guo_hall_keeps_a_two_by_two_block_connected) {
+TEST(Rules, guo_hall_keeps_one_object_of_a_two_by_two_block) {
   EXPECT_EQ(objects_after(Rule::guo_hall, block(2, 2)), 1U);
 }
 
-TEST(Rules, naccache_shinghal_loses_bars_of_even_width) {
+TEST(Rules, naccache_shinghal_removes_bars_two_pixels_wide_and_keeps_bars_three_pixels_wide) {
   for (const Index length : {2, 3, 8, 19}) {
     EXPECT_EQ(objects_after(Rule::naccache_shinghal, block(2, length)), 0U) << length;
     EXPECT_EQ(objects_after(Rule::naccache_shinghal, block(3, length + 2)), 1U) << length;
   }
 }
 
-TEST(Rules, naccache_shinghal_breaks_a_slanted_line_of_even_width) {
+TEST(Rules, naccache_shinghal_breaks_a_slanted_line_two_pixels_wide) {
   ByteImage line(60, 60);
   for (Index i = 2; i < 50; ++i) line.at(i, i) = line.at(i + 1, i) = 255;
   ASSERT_EQ(flood_fill::objects_of(line.view()).list.size(), 1U);
   EXPECT_EQ(objects_after(Rule::naccache_shinghal, line), 2U);
 }
 
-TEST(Rules, those_that_change_topology_are_caught_on_five_by_five) {
-  EXPECT_TRUE(changed_five_by_five(Rule::zhang_suen));
-  EXPECT_TRUE(changed_five_by_five(Rule::naccache_shinghal));
+TEST(Rules, topology_check_detects_changes_on_five_by_five) {
+  EXPECT_TRUE(first_topology_change(Rule::zhang_suen));
+  EXPECT_TRUE(first_topology_change(Rule::naccache_shinghal));
 }
 
-TEST(SmallImages, topology_by_bits_tells_rings_from_discs_and_one_object_from_two) {
+TEST(TopologyByBits, distinguishes_rings_from_discs_and_one_object_from_two) {
   const Cell ring = five_by_five::cell_of(0x1F8C63F);
   const Cell disc = five_by_five::cell_of(0x1FFFFFF);
   EXPECT_EQ(five_by_five::euler_number(ring), 0);

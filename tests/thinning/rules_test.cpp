@@ -1,7 +1,6 @@
-// Rules against tables that come from elsewhere: the expressions as published, written out
-// again here, and the keep table that was computed from the paper before any code.
+// Rules against independent sources: the published expressions, written out again here, and the
+// keep table, which was computed from the paper before the code was written.
 #include "thinning/rules.hpp"
-#include "thinning/variants.hpp"
 
 #include <string_view>
 #include <utility>
@@ -9,12 +8,14 @@
 
 #include <gtest/gtest.h>
 
+#include "thinning/all_neighbourhoods.hpp"
 #include "thinning/engines/rule_table.hpp"
+#include "thinning/variants.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-// Bit k of this number, most significant hex digit first, says whether a foreground pixel with
+// A hexadecimal number, most significant digit first: bit k is set if a foreground pixel with
 // descriptor k is kept.
 constexpr std::string_view kKeepTable =
     "ece4ff55ece45f55ffffffff5f5f5f5faca4ff55aca45f550f0fffff0f0f5f5f";
@@ -28,8 +29,7 @@ bool is_kept_by_table(std::size_t k) {
 bool is_kept_as_published(std::size_t k) {
   const auto n = [k](int i) { return (k >> i & 1) != 0; };
   int false_count = 0;
-  // B4, B0, B2, B6 are one expression seen from four sides: quarter rotations, and the mirror
-  // between B4 and B0; each is written out, as in the paper.
+  // One expression for the four sides, up to rotation and reflection; written out as in the paper.
   const bool b4 = n(0) && (n(1) || n(2) || n(6) || n(7)) && (n(2) || !n(3)) && (!n(5) || n(6));
   const bool b0 = n(4) && (n(2) || n(3) || n(5) || n(6)) && (n(6) || !n(7)) && (!n(1) || n(2));
   const bool b2 = n(6) && (n(0) || n(4) || n(5) || n(7)) && (n(0) || !n(1)) && (!n(3) || n(4));
@@ -40,12 +40,12 @@ bool is_kept_as_published(std::size_t k) {
 
 constexpr RuleTable kTable = make_rule_table<NaccacheShinghal, 0>();
 
-TEST(NaccacheShinghal, circuit_equals_the_expressions_on_all_descriptors) {
+TEST(NaccacheShinghal, circuit_equals_the_expressions_of_the_paper) {
   for (std::size_t k = 0; k < 256; ++k)
     EXPECT_EQ(kTable[256 + k] != 0, is_kept_as_published(k)) << k;
 }
 
-TEST(NaccacheShinghal, circuit_equals_the_keep_table_with_176_codes_kept) {
+TEST(NaccacheShinghal, circuit_equals_the_keep_table_and_keeps_176_descriptors) {
   int kept = 0;
   for (std::size_t k = 0; k < 256; ++k) {
     EXPECT_EQ(kTable[256 + k] != 0, is_kept_by_table(k)) << k;
@@ -54,29 +54,16 @@ TEST(NaccacheShinghal, circuit_equals_the_keep_table_with_176_codes_kept) {
   EXPECT_EQ(kept, 176);
 }
 
-TEST(NaccacheShinghal, published_form_on_bytes_equals_the_circuit) {
-  for (unsigned k = 0; k < 512; ++k) {
-    const auto bit = [k](int i) { return static_cast<std::uint8_t>(k >> i & 1); };
-    const Neighbourhood<std::uint8_t> n = {bit(8), bit(0), bit(1), bit(2), bit(3),
-                                           bit(4), bit(5), bit(6), bit(7)};
-    EXPECT_EQ(NaccacheShinghal::published<0>(n), kTable[k]) << k;
-  }
-}
-
-TEST(NaccacheShinghal, background_pixels_stay_background) {
-  for (std::size_t k = 0; k < 256; ++k) EXPECT_EQ(kTable[k], 0) << k;
-}
-
-TEST(NaccacheShinghal, is_symmetric_under_quarter_rotations_and_mirrors) {
+TEST(NaccacheShinghal, is_symmetric_under_quarter_turns_and_reflection) {
   const auto rotated = [](std::size_t k) { return (k << 2 | k >> 6) & 255; };
-  const auto mirrored = [](std::size_t k) {
+  const auto reflected = [](std::size_t k) {
     std::size_t m = 0;
     for (std::size_t i = 0; i < 8; ++i) m |= (k >> i & 1) << ((12 - i) % 8);
     return m;
   };
   for (std::size_t k = 0; k < 256; ++k) {
     EXPECT_EQ(kTable[256 + k], kTable[256 + rotated(k)]) << k;
-    EXPECT_EQ(kTable[256 + k], kTable[256 + mirrored(k)]) << k;
+    EXPECT_EQ(kTable[256 + k], kTable[256 + reflected(k)]) << k;
   }
 }
 
@@ -92,15 +79,9 @@ TEST(CountingPattern, enumerates_all_neighbourhoods) {
   }
 }
 
-/// All 512 neighbourhoods, 64 at a time.
-Neighbourhood<std::uint64_t> counted_neighbourhoods(int word) {
-  const auto input = [word](int variable) { return counting_pattern(variable, word); };
-  return {input(8), input(0), input(1), input(2), input(3), input(4), input(5), input(6), input(7)};
-}
-
-/// Bit `bit` of every word.
+/// The neighbourhood in bit `bit` of every word.
 template <class Lane>
-Neighbourhood<Lane> one_of(const Neighbourhood<std::uint64_t>& n, int bit) {
+Neighbourhood<Lane> neighbourhood_at(const Neighbourhood<std::uint64_t>& n, int bit) {
   const auto at = [bit](std::uint64_t word) { return static_cast<Lane>(word >> bit & 1); };
   return {at(n.p), at(n.n0), at(n.n1), at(n.n2), at(n.n3), at(n.n4), at(n.n5), at(n.n6), at(n.n7)};
 }
@@ -108,33 +89,38 @@ Neighbourhood<Lane> one_of(const Neighbourhood<std::uint64_t>& n, int bit) {
 template <class Rule, int sub>
 void expect_circuit_equals_published_form() {
   for (int word = 0; word < 8; ++word) {
-    const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+    const Neighbourhood<std::uint64_t> n = neighbourhoods_of_word(word);
     const std::uint64_t next = Rule::template next<sub>(n);
     for (int bit = 0; bit < 64; ++bit) {
-      EXPECT_EQ(next >> bit & 1, Rule::template published<sub>(one_of<std::uint8_t>(n, bit)))
+      EXPECT_EQ(next >> bit & 1,
+                Rule::template published<sub>(neighbourhood_at<std::uint8_t>(n, bit)))
           << "neighbourhood " << 64 * word + bit << ", sub-iteration " << sub;
     }
   }
 }
 
 template <class Rule>
-void expect_both_circuits_are_one_function() {
+void expect_circuits_are_equivalent() {
   for (int word = 0; word < 8; ++word) {
-    const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+    const Neighbourhood<std::uint64_t> n = neighbourhoods_of_word(word);
     EXPECT_EQ(Rule::by_two_input_gates(n), Rule::by_three_input_gates(n));
   }
 }
 
-TEST(NaccacheShinghal, both_circuits_are_one_function) {
-  expect_both_circuits_are_one_function<NaccacheShinghal>();
+TEST(NaccacheShinghal, circuits_are_equivalent) {
+  expect_circuits_are_equivalent<NaccacheShinghal>();
 }
 
-TEST(ZhangSuen, both_circuits_are_one_function) {
-  expect_both_circuits_are_one_function<ZhangSuen>();
+TEST(ZhangSuen, circuits_are_equivalent) {
+  expect_circuits_are_equivalent<ZhangSuen>();
 }
 
-TEST(GuoHall, both_circuits_are_one_function) {
-  expect_both_circuits_are_one_function<GuoHall>();
+TEST(GuoHall, circuits_are_equivalent) {
+  expect_circuits_are_equivalent<GuoHall>();
+}
+
+TEST(NaccacheShinghal, circuit_equals_the_published_form) {
+  expect_circuit_equals_published_form<NaccacheShinghal, 0>();
 }
 
 TEST(ZhangSuen, circuit_equals_the_published_form) {
@@ -154,30 +140,30 @@ TEST(SptaDirectional, circuit_equals_the_published_form) {
   expect_circuit_equals_published_form<SptaDirectional, 3>();
 }
 
-/// A neighbourhood in which all bits of n_i are bit i of `descriptor`; p is as n_0.
-Neighbourhood<std::uint64_t> everywhere(int descriptor) {
+/// All bits of n_i are bit i of `descriptor`; p equals n_0.
+Neighbourhood<std::uint64_t> broadcast(int descriptor) {
   const auto all = [=](int i) { return (descriptor >> i & 1) != 0 ? ~std::uint64_t{0} : 0; };
   return {all(0), all(0), all(1), all(2), all(3), all(4), all(5), all(6), all(7)};
 }
 
 TEST(Mb2, circuit_equals_the_published_form_for_all_pixels_and_features) {
   for (int features = 0; features < 256; ++features) {
-    const Neighbourhood<std::uint64_t> interior = everywhere(features);
+    const Neighbourhood<std::uint64_t> interior = broadcast(features);
     for (int word = 0; word < 8; ++word) {
-      const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+      const Neighbourhood<std::uint64_t> n = neighbourhoods_of_word(word);
       const std::uint64_t next = Mb2::next<0>(n, interior);
       for (int bit = 0; bit < 64; ++bit) {
-        ASSERT_EQ(next >> bit & 1, Mb2::published<0>(one_of<std::uint8_t>(n, bit),
-                                                     one_of<std::uint8_t>(interior, bit)))
+        ASSERT_EQ(next >> bit & 1, Mb2::published<0>(neighbourhood_at<std::uint8_t>(n, bit),
+                                                     neighbourhood_at<std::uint8_t>(interior, bit)))
             << "neighbourhood " << 64 * word + bit << ", features " << features;
       }
     }
   }
 }
 
-/// A feature that is there with fewer foreground pixels is there with more.
+/// A feature that exists with fewer foreground pixels exists with more.
 template <class Rule>
-void expect_no_feature_made_by_removals() {
+void expect_removals_make_no_feature() {
   for (int foreground = 0; foreground < 32; ++foreground) {
     for (int removed = 1; removed < 32; removed *= 2) {
       const auto feature_of = [](int pixels) {
@@ -190,15 +176,15 @@ void expect_no_feature_made_by_removals() {
   }
 }
 
-/// What is kept with more features is kept with fewer.
+/// A pixel that is kept with more features is kept with fewer.
 template <class Rule, int sub>
-void expect_no_more_removed_by_fewer_features() {
+void expect_fewer_features_remove_no_more() {
   for (int features = 0; features < 256; ++features) {
     for (int lost = 1; lost < 256; lost *= 2) {
-      const Neighbourhood<std::uint64_t> more = everywhere(features | lost);
-      const Neighbourhood<std::uint64_t> fewer = everywhere(features & ~lost);
+      const Neighbourhood<std::uint64_t> more = broadcast(features | lost);
+      const Neighbourhood<std::uint64_t> fewer = broadcast(features & ~lost);
       for (int word = 0; word < 8; ++word) {
-        const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+        const Neighbourhood<std::uint64_t> n = neighbourhoods_of_word(word);
         const auto kept = [&](const auto& seen) { return Rule::template next<sub>(n, seen); };
         ASSERT_EQ(kept(more) & ~kept(fewer), 0U) << features << ", " << lost;
       }
@@ -207,22 +193,22 @@ void expect_no_more_removed_by_fewer_features() {
 }
 
 template <class Rule>
-void expect_laws() {
+void expect_two_stage_laws() {
   if constexpr (TwoStageRule<Rule>) {
-    expect_no_feature_made_by_removals<Rule>();
+    expect_removals_make_no_feature<Rule>();
     [&]<int... subs>(std::integer_sequence<int, subs...>) {
-      (expect_no_more_removed_by_fewer_features<Rule, subs>(), ...);
+      (expect_fewer_features_remove_no_more<Rule, subs>(), ...);
     }
     (std::make_integer_sequence<int, Rule::kSubIterations>{});
   }
 }
 
-// The engine over tiles skips pixels within one pixel of which nothing changed.
-TEST(TwoStageRule, losing_pixels_or_features_removes_no_pixel_that_was_kept) {
-  for_each_parallel_rule([]<class Type>(Rule) { expect_laws<Type>(); });
+// The tile engine relies on it: it skips a pixel if nothing changed within one pixel of it.
+TEST(TwoStageRule, removed_pixels_make_no_feature_and_lost_features_remove_no_pixel) {
+  for_each_parallel_rule([]<class Type>(Rule) { expect_two_stage_laws<Type>(); });
 }
 
-TEST(ParallelRules, are_those_that_engines_compute_in_the_order_of_the_catalogue) {
+TEST(ParallelRules, are_visited_in_the_order_of_the_catalogue) {
   std::vector<Rule> rules;
   for_each_parallel_rule([&]<class Type>(Rule rule) { rules.push_back(rule); });
   std::vector<Rule> computed;
@@ -233,14 +219,13 @@ TEST(ParallelRules, are_those_that_engines_compute_in_the_order_of_the_catalogue
   EXPECT_GE(rules.size(), 6U);
 }
 
-/// New background pixels of a sub-iteration that were background: all of them.
 template <class Rule, int sub>
-void expect_background_stays() {
+void expect_background_is_kept() {
   for (int word = 0; word < 8; ++word) {
-    const Neighbourhood<std::uint64_t> n = counted_neighbourhoods(word);
+    const Neighbourhood<std::uint64_t> n = neighbourhoods_of_word(word);
     if constexpr (TwoStageRule<Rule>) {
       for (int features = 0; features < 256; ++features) {
-        EXPECT_EQ(Rule::template next<sub>(n, everywhere(features)) & ~n.p, 0U);
+        EXPECT_EQ(Rule::template next<sub>(n, broadcast(features)) & ~n.p, 0U);
       }
     } else {
       EXPECT_EQ(Rule::template next<sub>(n) & ~n.p, 0U);
@@ -248,17 +233,17 @@ void expect_background_stays() {
   }
 }
 
-// Keeping the border relies on it: a pixel is put back by an or.
+// Keeping the border relies on it: an OR restores removed pixels.
 TEST(ParallelRules, only_remove_pixels) {
   for_each_parallel_rule([]<class Type>(Rule) {
     [&]<int... subs>(std::integer_sequence<int, subs...>) {
-      (expect_background_stays<Type, subs>(), ...);
+      (expect_background_is_kept<Type, subs>(), ...);
     }
     (std::make_integer_sequence<int, Type::kSubIterations>{});
   });
 }
 
-TEST(Rotation, by_half_a_turn_swaps_opposite_neighbours) {
+TEST(Rotation, half_turn_swaps_opposite_neighbours) {
   const Neighbourhood<int> n = {8, 0, 1, 2, 3, 4, 5, 6, 7};
   const Neighbourhood<int> half = rotated<4>(n);
   EXPECT_EQ(half.n0, 4);

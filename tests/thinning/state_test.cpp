@@ -1,4 +1,4 @@
-// States: what all variants of all rules promise beside the right result.
+// Requirements on the states of all variants of all rules, besides the correct result.
 #include "thinning/state.hpp"
 
 #include <string>
@@ -7,6 +7,7 @@
 
 #include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
+#include "support/filled_image.hpp"
 #include "support/margins.hpp"
 #include "thinning/iteration/pass_state.hpp"
 #include "thinning/iteration/row_state.hpp"
@@ -17,8 +18,8 @@ namespace {
 constexpr Index kWidth = 133;
 constexpr Index kHeight = 41;
 
-/// Calls `check(state, name)` for a new state of every variant of every rule that runs here, with
-/// both borders.
+/// Calls `check(state, name)` for a new state of every available variant of every rule, with both
+/// borders.
 template <class Check>
 void for_each_state(const Check& check) {
   for (const ThinningOperation& operation : thinning_operations()) {
@@ -40,20 +41,20 @@ ByteImage noise(std::uint64_t seed) {
   return noise_image(kWidth, kHeight, 95, 1, seed);
 }
 
-TEST(ThinningState, steps_give_what_one_run_gives) {
+TEST(ThinningState, load_thin_store_equals_run) {
   const ByteImage image = noise(6);
   for_each_state([&](ThinningState& state, const std::string& name) {
     ByteImage at_once(kWidth, kHeight);
     const int iterations = state.run(image.view(), at_once.view());
-    ByteImage by_steps(kWidth, kHeight);
+    ByteImage separately(kWidth, kHeight);
     state.load(image.view());
     EXPECT_EQ(state.thin(), iterations) << name;
-    state.store(by_steps.view());
-    EXPECT_TRUE(equal(by_steps.view(), at_once.view())) << name;
+    state.store(separately.view());
+    EXPECT_TRUE(equal(separately.view(), at_once.view())) << name;
   });
 }
 
-TEST(ThinningState, thin_keeps_its_input_and_may_be_repeated) {
+TEST(ThinningState, thin_keeps_its_input_and_is_repeatable) {
   const ByteImage image = noise(7);
   for_each_state([&](ThinningState& state, const std::string& name) {
     state.load(image.view());
@@ -67,7 +68,7 @@ TEST(ThinningState, thin_keeps_its_input_and_may_be_repeated) {
   });
 }
 
-TEST(ThinningState, source_and_destination_may_be_one_image) {
+TEST(ThinningState, works_in_place) {
   const ByteImage image = noise(8);
   for_each_state([&](ThinningState& state, const std::string& name) {
     ByteImage elsewhere(kWidth, kHeight);
@@ -78,7 +79,7 @@ TEST(ThinningState, source_and_destination_may_be_one_image) {
   });
 }
 
-/// Whether a state that keeps its image in planes of T leaves their margins zero; true for others.
+/// Whether the margins of the state's planes of T are zero; true if it has none.
 template <class T>
 bool margins_are_zero(ThinningState& state) {
   const auto* planes = dynamic_cast<PlaneState<T>*>(&state);
@@ -87,10 +88,9 @@ bool margins_are_zero(ThinningState& state) {
          margin_is_zero(planes->planes.result.view());
 }
 
-TEST(ThinningState, margins_of_planes_stay_zero) {
+TEST(ThinningState, margins_of_planes_remain_zero) {
   const ByteImage image = noise(9);
-  ByteImage full(kWidth, kHeight);
-  for (Index y = 0; y < kHeight; ++y) std::fill_n(full.view().row(y), kWidth, std::uint8_t{255});
+  const ByteImage full = filled_image(kWidth, kHeight, 255);
   ByteImage result(kWidth, kHeight);
   for_each_state([&](ThinningState& state, const std::string& name) {
     state.run(full.view(), result.view());
@@ -100,7 +100,7 @@ TEST(ThinningState, margins_of_planes_stay_zero) {
   });
 }
 
-TEST(MakeState, rejects_images_wider_than_the_variant) {
+TEST(MakeState, rejects_images_wider_than_the_limit_of_the_variant) {
   const ThinningOperation& operation = operation_of(Rule::naccache_shinghal);
   for (const ThinningVariant& variant : operation.variants) {
     if (variant.technique != Technique::simd_bitpacked_row) continue;
@@ -111,7 +111,7 @@ TEST(MakeState, rejects_images_wider_than_the_variant) {
   }
 }
 
-TEST(MakeState, rejects_sizes_and_numbers_of_threads_out_of_range) {
+TEST(MakeState, rejects_sizes_and_thread_counts_out_of_range) {
   const ThinningOperation& operation = operation_of(Rule::naccache_shinghal);
   const ThinningVariant& variant = operation.variants.front();
   const auto make = [&](Index width, Index height, int threads = 1) {

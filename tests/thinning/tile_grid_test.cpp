@@ -65,8 +65,8 @@ struct LoadedGrid {
   std::vector<std::uint64_t> visited;
 };
 
-TEST(TileGrid, every_isa_lays_pixels_out_alike) {
-  const Index width = 1100;  // two squares of 16 tiles and some strips
+TEST(TileGrid, every_isa_has_the_same_layout) {
+  const Index width = 1100;  // two groups of 16 strips and some more
   const Index height = 40;
   BitPlane plane = noise(width, height);
   for (Index y = 0; y < 20; ++y)
@@ -90,7 +90,7 @@ TEST(TileGrid, every_isa_lays_pixels_out_alike) {
   }
 }
 
-TEST(TileGrid, gives_back_the_pixels_of_every_size) {
+TEST(TileGrid, round_trip_keeps_the_pixels_of_images_of_every_size) {
   for (const Index width : {1, 31, 32, 33, 64, 65, 127, 510, 513}) {
     for (const Index height : {1, 15, 16, 17, 33, 100}) {
       const BitPlane plane = noise(width, height);
@@ -106,7 +106,7 @@ TEST(TileGrid, gives_back_the_pixels_of_every_size) {
   }
 }
 
-TEST(TileGrid, lists_the_tiles_that_have_foreground) {
+TEST(TileGrid, lists_the_tiles_with_foreground) {
   BitPlane plane(3 * kTileColumns, 2 * kTileRows);
   plane.view().row(kTileRows - 1)[0] = 1;                           // strip 0, tile 0
   plane.view().row(2 * kTileRows - 1)[1] = std::uint64_t{1} << 31;  // strip 2, tile 1
@@ -117,7 +117,7 @@ TEST(TileGrid, lists_the_tiles_that_have_foreground) {
   EXPECT_EQ(loaded.list[1], 3 * strip + 1);
 }
 
-TEST(TileGrid, a_second_image_leaves_nothing_of_the_first) {
+TEST(TileGrid, second_image_replaces_the_first) {
   const BitPlane first = noise(100, 50);
   const BitPlane background(100, 50);
   BitPlane result(100, 50);
@@ -128,7 +128,7 @@ TEST(TileGrid, a_second_image_leaves_nothing_of_the_first) {
   EXPECT_TRUE(equal_planes(background.view(), std::as_const(result).view()));
 }
 
-TEST(TileGrid, margin_check_sees_a_pixel_beyond_the_image) {
+TEST(TileGrid, margin_check_detects_a_pixel_outside_the_image) {
   for (const Index word : {Index{-1}, Index{0}, Index{20}}) {
     LoadedGrid loaded(40, 20);
     EXPECT_TRUE(margin_is_zero(loaded.grid.view()));
@@ -138,7 +138,7 @@ TEST(TileGrid, margin_check_sees_a_pixel_beyond_the_image) {
   }
 }
 
-/// Tiles with a bit in `border_tiles`, from the strip in the west.
+/// Strip and row of the tiles with a bit in `border_tiles`.
 std::vector<std::pair<Index, Index>> border_tiles_of(const TileGridView& grid) {
   std::vector<std::pair<Index, Index>> tiles;
   for (Index tile = 0; tile < grid.groups * kTileGroup; ++tile) {
@@ -149,7 +149,7 @@ std::vector<std::pair<Index, Index>> border_tiles_of(const TileGridView& grid) {
   return tiles;
 }
 
-TEST(TileGrid, marks_the_tiles_with_outermost_pixels_where_the_border_is_kept) {
+TEST(TileGrid, marks_the_tiles_on_the_image_border_if_it_is_kept) {
   const LoadedGrid plain(4 * kTileColumns, 3 * kTileRows);
   EXPECT_EQ(plain.grid.view().border_tiles, nullptr);
   const LoadedGrid kept(3 * kTileColumns + 1, 3 * kTileRows, Isa::baseline, Border::keep);
@@ -160,7 +160,7 @@ TEST(TileGrid, marks_the_tiles_with_outermost_pixels_where_the_border_is_kept) {
   EXPECT_EQ(border_tiles_of(single.grid.view()), (std::vector<std::pair<Index, Index>>{{0, 0}}));
 }
 
-TEST(TileGrid, neighbours_of_every_tile_lie_inside_and_are_background_beyond_the_image) {
+TEST(TileGrid, neighbours_of_border_tiles_are_in_the_grid_and_background) {
   LoadedGrid loaded(40, 20);
   BitPlane full(40, 20);
   for (Index y = 0; y < 20; ++y) full.view().row(y)[0] = (std::uint64_t{1} << 40) - 1;

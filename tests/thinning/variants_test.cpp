@@ -1,13 +1,13 @@
-// Every variant of every rule against the reference, with both borders and limits of iterations.
+// Every variant of every rule against the reference, with both borders and iteration limits.
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "reference.hpp"
+#include "support/reference_thinning.hpp"
+#include "support/rule_parameters.hpp"
 #include "support/splitmix64.hpp"
 #include "thinning/edge_case_images.hpp"
 
@@ -17,30 +17,18 @@ namespace {
 constexpr int kLimits[] = {1, 2, 3, kUnlimited};
 constexpr std::uint8_t kUnwritten = 77;
 
-struct Expected {
-  ByteImage image;
-  int iterations;
-};
-
-Expected expected_of(Rule rule, Border border, int limit, const ByteImage& image) {
-  Expected expected = {ByteImage(image.width(), image.height()), 0};
-  expected.iterations =
-      reference::thinning(rule)({border, limit}, image.view(), expected.image.view());
-  return expected;
-}
-
-/// By limit, as in kLimits. Each goes on where the one before ended, which is the same, see
-/// reference/repetition_test.cpp, and takes less time.
-std::vector<Expected> expected_by_limit(Rule rule, Border border, const ByteImage& image) {
-  std::vector<Expected> all;
-  all.push_back(expected_of(rule, border, 1, image));
+/// One result per element of kLimits. To save time, each continues from the one before, which gives
+/// the same; see reference/repetition_test.cpp.
+std::vector<Thinned> expected_by_limit(Rule rule, Border border, const ByteImage& image) {
+  std::vector<Thinned> all;
+  all.push_back(thinned_by_reference(rule, image, {border, 1}));
   bool changed = rule != Rule::midpoint_scan && !equal(all[0].image.view(), image.view());
   while (all.size() < std::size(kLimits)) {
-    const Expected& before = all.back();
-    Expected next = {copy_of(before.image.view()), before.iterations};
+    const Thinned& before = all.back();
+    Thinned next = {copy_of(before.image.view()), before.iterations};
     if (changed) {
       const int limit = all.size() + 1 < std::size(kLimits) ? 1 : kUnlimited;
-      next = expected_of(rule, border, limit, before.image);
+      next = thinned_by_reference(rule, before.image, {border, limit});
       next.iterations += before.iterations;
       changed = !equal(next.image.view(), before.image.view());
     }
@@ -49,13 +37,12 @@ std::vector<Expected> expected_by_limit(Rule rule, Border border, const ByteImag
   return all;
 }
 
-/// A variant at work.
 struct NamedState {
   std::string name;
   std::unique_ptr<ThinningState> state;
 };
 
-/// All variants that run here on images of this size; those with threads only where `with_threads`.
+/// States of all available variants for images of this size; threaded ones if `with_threads`.
 std::vector<NamedState> states_of(Rule rule, Index width, Index height, Options options,
                                   bool with_threads) {
   const ThinningOperation& operation = operation_of(rule);
@@ -72,12 +59,12 @@ std::vector<NamedState> states_of(Rule rule, Index width, Index height, Options 
   return states;
 }
 
-/// What is wrong with the result of a state; empty where nothing is. `result` is of the image's
-/// size.
-std::string difference(ThinningState& state, const ByteImage& image, const Expected& expected,
+/// Describes the first difference of a state's result; empty if there is none. `result` is a buffer
+/// of the image's size.
+std::string difference(ThinningState& state, const ByteImage& image, const Thinned& expected,
                        ByteImage& result) {
   const ImageView out = result.view();
-  for (Index y = 0; y < out.height; ++y) std::fill_n(out.row(y), out.width, kUnwritten);
+  fill(out, kUnwritten);
   const int iterations = state.run(image.view(), out);
   for (Index y = 0; y < out.height; ++y) {
     if (std::equal(out.row(y), out.row(y) + out.width, expected.image.view().row(y))) continue;
@@ -92,16 +79,16 @@ std::string difference(ThinningState& state, const ByteImage& image, const Expec
          std::to_string(expected.iterations);
 }
 
-class EveryVariant : public testing::TestWithParam<std::tuple<Rule, Border>> {
+class EveryVariant : public testing::TestWithParam<RuleAndBorder> {
  protected:
   [[nodiscard]] static Rule rule() { return std::get<Rule>(GetParam()); }
   [[nodiscard]] static Border border() { return std::get<Border>(GetParam()); }
 
-  /// All limits on all images of a size.
+  /// Checks all limits on all images of a size.
   static void expect_all_equal(Index width, Index height, bool with_threads) {
     const auto images = edge_case_images::of_size(width, height, static_cast<std::uint64_t>(width));
     ByteImage result(width, height);
-    std::vector<std::vector<Expected>> expected;  // by image, then limit
+    std::vector<std::vector<Thinned>> expected;  // by image, then limit
     for (const ByteImage& image : images) {
       expected.push_back(expected_by_limit(rule(), border(), image));
     }
@@ -118,7 +105,7 @@ class EveryVariant : public testing::TestWithParam<std::tuple<Rule, Border>> {
   }
 };
 
-/// The references take long: large images of a part of the sizes, and of fewer for nets.
+/// Fewer sizes for large images, and for nets fewer still, because the references are slow.
 std::vector<Index> heights_for(Index width, bool is_net) {
   if (width <= 129) return {1, 2, 3, 15, 16, 17, 70};
   if (width == 513 && !is_net) return {1, 2, 3, 70};
@@ -126,7 +113,7 @@ std::vector<Index> heights_for(Index width, bool is_net) {
 }
 
 TEST_P(EveryVariant, equals_the_reference_at_every_size_and_limit) {
-  constexpr Index kBandRows = 16;  // fewer are not shared among threads
+  constexpr Index kBandRows = 16;  // lower images run on one thread
   const auto with_threads = [](Index width, Index height) {
     return height > kBandRows && (width == 2 || width == 65 || width >= 513);
   };
@@ -146,11 +133,11 @@ TEST_P(EveryVariant, equals_the_reference_on_all_four_by_four) {
   }
   ByteImage result(4, 4);
   for (std::uint64_t bits = 0; bits < 65536; ++bits) {
-    // One limit for each image, and a quarter of the variants.
+    // To save time, each image runs with one limit, by a quarter of the variants.
     const std::uint64_t random = splitmix64(5, bits);
     const std::size_t limit = random % 4;
     const ByteImage image = image_of_bits(4, 4, bits);
-    const Expected expected = expected_of(rule(), border(), kLimits[limit], image);
+    const Thinned expected = thinned_by_reference(rule(), image, {border(), kLimits[limit]});
     const auto& states = by_limit[limit];
     for (std::size_t i = (random >> 8) % 4; i < states.size(); i += 4) {
       ASSERT_EQ(difference(*states[i].state, image, expected, result), "")
@@ -159,20 +146,7 @@ TEST_P(EveryVariant, equals_the_reference_on_all_four_by_four) {
   }
 }
 
-std::vector<Rule> all_rules() {
-  std::vector<Rule> rules;
-  for (const RuleInfo& info : kRules) rules.push_back(info.rule);
-  return rules;
-}
-
-INSTANTIATE_TEST_SUITE_P(Rules, EveryVariant,
-                         testing::Combine(testing::ValuesIn(all_rules()),
-                                          testing::Values(Border::background, Border::keep)),
-                         [](const auto& tested) {
-                           return std::string(rule_name(std::get<Rule>(tested.param))) +
-                                  "_border_" +
-                                  std::string(border_name(std::get<Border>(tested.param)));
-                         });
+INSTANTIATE_TEST_SUITE_P(Rules, EveryVariant, all_rules_and_borders(), rule_and_border_test_name);
 
 }  // namespace
 }  // namespace thinbench::detail

@@ -23,7 +23,7 @@ enum class EdgeOperator : std::uint8_t {
 struct EdgeOperatorInfo {
   EdgeOperator op;
   std::string_view name;
-  std::string_view operation;  // its name in results
+  std::string_view operation;  // its name as an operation, for example in results
   std::string_view description;
 };
 
@@ -54,8 +54,8 @@ inline constexpr std::array kEdgeOperators = {
   return std::nullopt;
 }
 
-/// In grey levels from 0 to 255. An edge needs a scaled gradient above `gradient_threshold` and a
-/// pixel above `brightness_threshold` in its 3 x 3 neighbourhood: the background is bright.
+/// Thresholds in grey levels, 0 to 255. An edge has a scaled gradient above `gradient_threshold`
+/// and a pixel above `brightness_threshold` in its 3 x 3 neighbourhood; the background is bright.
 struct EdgeThresholds {
   int gradient_threshold = 40;     // P1 of the paper
   int brightness_threshold = 128;  // P2 of the paper
@@ -66,31 +66,31 @@ inline constexpr int kMaxThreshold = 255;
 /// Writes the edges of `source` to `destination`: 255 where
 ///   |gx| + |gy| > scale * gradient_threshold   and
 ///   the maximum of the 3 x 3 neighbourhood > brightness_threshold,
-/// else 0. The operator's scale gives a vertical step of height h the value h: Roberts 2, Prewitt
-/// 3, Sobel and Mero-Vassy 4, Mero-Vassy with 5 x 5 pixels 12. All in integers, nothing is rounded.
+/// else 0. The scale makes the scaled gradient of a vertical step edge equal to its height: Roberts
+/// 2, Prewitt 3, Sobel and Mero-Vassy 4, Mero-Vassy 5 x 5 12. Exact integer arithmetic.
 ///
 /// gx and gy, by rows of the window, separated by "/":
-///   roberts4     1 0 / 0 -1               and  0 1 / -1 0, the pixel at the upper left
+///   roberts4     1 0 / 0 -1               and  0 1 / -1 0, with the pixel at the upper left
 ///   roberts9     1 0 0 / 0 0 0 / 0 0 -1   and  0 0 1 / 0 0 0 / -1 0 0
 ///   prewitt      -1 0 1 / -1 0 1 / -1 0 1 and  -1 -1 -1 / 0 0 0 / 1 1 1
 ///   sobel        -1 0 1 / -2 0 2 / -1 0 1 and  -1 -2 -1 / 0 0 0 / 1 2 1
-///   mero_vassy   0 1 1 / -1 0 1 / -1 -1 0 and  -1 -1 0 / -1 0 1 / 0 1 1; with 5 x 5 pixels
-///                likewise: the right minus the left side of the falling and the rising diagonal
-/// The paper names its operators but publishes no masks. Chosen here: |gx| + |gy| as the magnitude;
-/// the corners of the window for Roberts' 9 points, which have no standard; and the split along
-/// both diagonals, as no text that quotes Mero and Vassy's masks was found.
+///   mero_vassy   0 1 1 / -1 0 1 / -1 -1 0 and  -1 -1 0 / -1 0 1 / 0 1 1; likewise for 5 x 5: the
+///                right minus the left side of the falling and of the rising diagonal
+/// The paper names its operators but publishes no masks. Our choices: |gx| + |gy| as the magnitude;
+/// the corners of the window for Roberts' 9 points, for which there is no standard; and the split
+/// along both diagonals, as we found no source that quotes Mero and Vassy's masks.
 ///
-/// Border: edge replication, so the border itself makes no edge. White is 255, and the brightness
-/// threshold demands a bright background beside the edge: invert images of bright objects on a dark
-/// background first. The two views have one size and do not overlap.
+/// Border: edge replication, so the border itself is no edge. White is 255. The brightness
+/// threshold requires a bright background next to the edge, so invert images of bright objects on a
+/// dark background first. Both views must have the same size and must not overlap.
 ///
-/// Of `options`, only technique, ISA and threads may be set. Any number of threads may call it at
-/// once, on different destinations. Throws std::invalid_argument for a threshold outside [0, 255],
-/// sizes that differ or are negative, a stride below the width, a null image, an overlap, or
-/// options that no variant fits; std::bad_alloc where memory is short. Nothing is written then.
+/// Of `options`, only technique, ISA and threads may be set. Thread-safe for different
+/// destinations. Throws std::invalid_argument for a threshold outside [0, 255], sizes that differ
+/// or are negative, a stride below the width, a null image, an overlap, or options that no variant
+/// fits, and std::bad_alloc if memory runs out. Nothing is written if it throws.
 ///
-/// Not invariant: contours need not be closed or one pixel wide; at a step they are at least two
-/// pixels wide, except for roberts4. Source: section 2.1 of the paper, steps a) to d).
+/// Not guaranteed: contours that are closed or one pixel wide. At a step edge they are at least two
+/// pixels wide, except with roberts4. Source: section 2.1 of the paper, steps a) to d).
 void detect_edges(EdgeOperator op, ConstImageView source, ImageView destination,
                   const EdgeThresholds& thresholds = {}, const Options& options = {});
 

@@ -10,11 +10,11 @@ namespace thinbench {
 /// Sizes, coordinates and strides. Signed, so that `y - 1` is safe to write.
 using Index = std::ptrdiff_t;
 
-/// Read-only image, one byte per pixel: pixel (x, y) is `data[y * stride + x]`, y downwards.
+/// Read-only image, one byte per pixel: pixel (x, y) is `data[y * stride + x]`; y points down.
 ///
-/// Binary images: 0 is background, anything else foreground. Grey images: 0 is black. `stride` is
-/// the distance of rows in bytes and may exceed the width, so a view can show a part of a larger
-/// image.
+/// Binary images: 0 is background, anything else is foreground. Grey images: 0 is black. `stride`
+/// is the distance between rows in bytes. It may exceed the width, so a view can show part of a
+/// larger image.
 struct ConstImageView {
   const std::uint8_t* data = nullptr;
   Index width = 0;
@@ -31,7 +31,7 @@ struct ConstImageView {
   [[nodiscard]] constexpr const std::uint8_t* row(Index y) const { return data + y * stride; }
 };
 
-/// Writable image, otherwise as ConstImageView. Binary results are 0 and 255.
+/// Writable image; see ConstImageView. Binary results are 0 and 255.
 struct ImageView {
   std::uint8_t* data = nullptr;
   Index width = 0;
@@ -77,7 +77,7 @@ struct ConstStackView {
   }
 };
 
-/// Writable stack, otherwise as ConstStackView.
+/// Writable stack; see ConstStackView.
 struct StackView {
   std::uint8_t* data = nullptr;
   Index count = 0;

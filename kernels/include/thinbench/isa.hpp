@@ -1,5 +1,5 @@
-// Instruction sets: the sets of processor features that kernels are compiled for, those that this
-// machine supports, and the cap for tests. Any thread may call all functions.
+// Instruction sets (ISAs) that kernels are compiled for, which of them this machine supports, and a
+// cap for tests. All functions are thread-safe.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@ namespace thinbench {
 /// these sets contains the ones before it.
 enum class Isa : std::uint8_t { baseline, sse42, avx2, avx512, avx512icl };
 
-/// Every set that kernels are compiled for.
+/// Every ISA that kernels are compiled for.
 inline constexpr std::array kAllIsas = {Isa::baseline, Isa::sse42, Isa::avx2, Isa::avx512,
                                         Isa::avx512icl};
 
-/// This environment variable caps what is used on any machine: with `THINBENCH_MAX_ISA=avx2` only
-/// avx2 and the sets that it contains are available. It is read once, when it is first needed.
+/// The environment variable that caps the available ISAs: with `THINBENCH_MAX_ISA=avx2` only avx2
+/// and the ISAs it contains are available. Read once, on first use.
 inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 
-/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl". All functions of an Isa throw
+/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl". All functions that take an Isa throw
 /// std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] std::string_view isa_name(Isa isa);
 [[nodiscard]] std::optional<Isa> isa_from_name(std::string_view name);
@@ -30,14 +30,14 @@ inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 /// Whether processor and operating system support every feature of the set, regardless of the cap.
 [[nodiscard]] bool cpu_supports(Isa isa);
 
-/// The set in the environment variable; nothing where it is unset or empty. Throws
+/// The ISA in the environment variable, or nullopt if it is unset or empty. Throws
 /// std::invalid_argument for an unknown name.
 [[nodiscard]] std::optional<Isa> isa_cap();
 
 /// Whether the processor supports the set and the cap contains it. Throws as isa_cap does.
 [[nodiscard]] bool isa_available(Isa isa);
 
-/// The available set that kernels prefer. Throws as isa_cap does.
+/// The last of kAllIsas that is available. Throws as isa_cap does.
 [[nodiscard]] Isa best_isa();
 
 }  // namespace thinbench

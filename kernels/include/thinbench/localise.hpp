@@ -1,4 +1,4 @@
-// Objects and holes of a grey image: the whole chain of section 2 of the paper.
+// Objects and holes of a grey image: the whole pipeline of section 2 of the paper.
 #pragma once
 
 #include "thinbench/edges.hpp"
@@ -6,19 +6,20 @@
 
 namespace thinbench {
 
-/// Edges by Sobel's operator, their contours, filled interiors, and the regions of these. Edges are
-/// 8-connected rings around outlines. An object is an outermost ring with what it encloses up to
-/// the rings within; its holes are those rings, filled with all that they enclose. Ids and
-/// enclosing objects are those of find_regions on the image of these objects.
+/// Finds edges by Sobel's operator, fills their contours, and returns the regions of the result.
+/// Edges are 8-connected rings around outlines. An object is an outermost ring with everything it
+/// encloses up to the rings inside it; its holes are those inner rings with everything they
+/// enclose. Ids and enclosing objects are those that find_regions gives for the image of these
+/// objects.
 ///
-/// Areas include the width of the rings, so objects and holes are too large; centres are not
-/// biased. A ring that is opened by noise, weak contrast or the image border encloses nothing: it
-/// becomes an object as thin as its edges. Where a hole's ring touches the outer one, the hole is
-/// lost. Each speckle of noise counts as an object or a hole. Objects are dark on a bright
-/// background; for this and the border see detect_edges.
+/// Areas include the width of the rings, so objects and holes are too large; centres are unbiased.
+/// A ring that is broken by noise, low contrast or the image border encloses nothing and becomes an
+/// object as thin as its edges. A hole whose ring touches the outer ring is lost. Each speckle of
+/// noise counts as an object or a hole. Objects must be dark on a bright background; see
+/// detect_edges, also for the border.
 ///
-/// Options, thread safety and errors are those of find_regions; also throws for a threshold outside
-/// [0, 255].
+/// Options, thread-safety and errors as in find_regions; also throws std::invalid_argument for a
+/// threshold outside [0, 255].
 [[nodiscard]] Regions localise_objects(ConstImageView grey, const EdgeThresholds& thresholds = {},
                                        const Options& options = {});
 

@@ -7,7 +7,7 @@
 
 namespace thinbench {
 
-/// Neighbours that feed a net: n0 (east) to n7, anticlockwise; foreground is 1.
+/// The inputs of a net: the neighbours n0 (east) to n7, anticlockwise; foreground is 1.
 inline constexpr int kNetInputs = 8;
 inline constexpr int kHiddenNeurons = 8;
 
@@ -17,8 +17,8 @@ enum class Activation {
   linear,   // equation (2): 0.166 x + 0.5 within [-3, 3], else 0 or 1
 };
 
-/// A neuron with the net input bias + weight[0] n0 + ... + weight[7] n7, summed up in this order,
-/// in single precision, one rounding per operation.
+/// A neuron. Its net input is bias + weight[0] n0 + ... + weight[7] n7, summed in this order in
+/// single precision, with one rounding per operation.
 struct Neuron {
   float weight[kNetInputs];
   float bias;
@@ -30,7 +30,7 @@ struct TwoLayerWeights {
   Neuron output;  // its inputs are the hidden neurons
 };
 
-/// One net of the cluster of section 3.3, for the descriptors after those of its predecessor, up to
+/// One net of the cluster of section 3.3, for the descriptors from its predecessor's `last` + 1 to
 /// `last`. A foreground pixel is kept where the net input is at least 0.
 struct ClusterNet {
   int last;
@@ -57,7 +57,7 @@ inline constexpr TwoLayerWeights kPaperTwoLayer = {
      {{-1.11F, 0.72F, 6.8F, -1.31F, 2.96F, 2.56F, 2.03F, 1.94F}, -3.09F}},
     {{-19.88F, 18.22F, 14.24F, 11.98F, -13.4F, 15.2F, 8.96F, -11.04F}, -0.75F}};
 
-/// To the nearest integer, ties away from zero.
+/// Rounds to the nearest integer, ties away from zero.
 constexpr float rounded_weight(float value) {
   return static_cast<float>(static_cast<int>(value < 0 ? value - 0.5F : value + 0.5F));
 }
@@ -78,9 +78,9 @@ constexpr TwoLayerWeights rounded_weights(TwoLayerWeights net) {
 /// descriptors with the sigmoid and on 252 with the linear threshold.
 inline constexpr TwoLayerWeights kRoundedTwoLayer = rounded_weights(kPaperTwoLayer);
 
-/// A net for Options::net, with the rule net_two_layer_sigmoid or net_two_layer_linear, whichever
-/// has this activation. Any number of thinners and threads may share it. Throws
-/// std::invalid_argument for a weight outside [-1e30, 1e30].
+/// A net for Options::net. With Activation::sigmoid use it with the rules net_two_layer_sigmoid and
+/// net_two_layer_rounded, with Activation::linear with net_two_layer_linear. Thinners and threads
+/// may share it. Throws std::invalid_argument for a weight outside [-1e30, 1e30].
 [[nodiscard]] std::shared_ptr<const NetModel> two_layer_net(const TwoLayerWeights& weights,
                                                             Activation activation);
 

@@ -1,4 +1,4 @@
-// The options of all operations.
+// Options of operations: technique, ISA, threads, border and others.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace thinbench {
 
-/// The border of thinning. Outside the image everything is background.
+/// How thinning treats the image border. Everything outside the image is background.
 enum class Border : std::uint8_t {
-  background,  // no exception for the outermost pixels
-  keep,        // as in OpenCV: the outermost rows and columns never change
+  background,  // the outermost pixels are thinned like all others
+  keep,        // the outermost rows and columns never change, as in OpenCV
 };
 
 inline constexpr std::array<std::string_view, 2> kBorderNames = {"background", "keep"};
@@ -109,7 +109,7 @@ inline constexpr int kDirectionCount = 4;
 inline constexpr std::array<std::string_view, kDirectionCount> kDirectionNames = {
     "rows", "columns", "diagonals", "antidiagonals"};
 
-/// A set of directions: bit i is that of the direction with number i. All by default.
+/// A set of directions; bit i stands for static_cast<Direction>(i). Default: all.
 struct Directions {
   std::uint8_t bits = (1 << kDirectionCount) - 1;
 
@@ -124,28 +124,28 @@ struct Directions {
 
 inline constexpr Directions kNoDirections = {0};
 
-/// Opaque; made by the functions of thinbench/nets.hpp.
+/// Opaque; created by the functions of thinbench/nets.hpp.
 struct NetModel;
 
 inline constexpr int kUnlimited = std::numeric_limits<int>::max();
 inline constexpr int kMaxThreads = 1024;
 
-/// Operations reject options that they do not have.
+/// Options of one call. Operations reject options that do not apply to them.
 struct Options {
-  /// Thinning.
+  /// Thinning only.
   Border border = Border::background;
-  /// Thinning: the maximum number of iterations, at least 1. An iteration applies every
+  /// Thinning only: the maximum number of iterations, at least 1. An iteration applies every
   /// sub-iteration of the rule once.
   int max_iterations = kUnlimited;
-  /// The maximum number of threads, from 1 to kMaxThreads. Without a technique, images below 2^20
-  /// pixels are computed on one thread, which is faster.
+  /// The maximum number of threads, from 1 to kMaxThreads. If no technique is set, images below
+  /// 2^20 pixels use one thread, which is faster.
   int threads = 1;
-  /// The fastest that this machine supports where not set.
+  /// Default: the fastest that this machine supports.
   std::optional<Isa> isa = std::nullopt;
   std::optional<Technique> technique = std::nullopt;
-  /// The midpoint scan.
+  /// The midpoint scan only.
   Directions directions = {};
-  /// Nets: weights other than the default ones.
+  /// Nets only; nullptr: the rule's default weights.
   std::shared_ptr<const NetModel> net = nullptr;
 };
 

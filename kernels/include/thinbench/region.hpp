@@ -5,25 +5,24 @@
 
 namespace thinbench {
 
-/// A set of pixels with its area, the exact sums of its coordinates and its bounding box, in
-/// pixels.
+/// Area, exact sums of coordinates and bounding box of a set of pixels.
 ///
 /// An object is an 8-connected component of the foreground, without its holes. A hole is a
-/// 4-connected component of the background that does not reach the border of the image, without the
-/// objects inside it. Everything outside the image is background, so background pixels on the
-/// border are no hole.
+/// 4-connected component of the background that does not touch the image border, without the
+/// objects inside it. Everything outside the image is background, so background that touches the
+/// border is not a hole.
 ///
-/// Objects have ids 1, 2, 3, ... in raster order of their first pixels (by rows, from the west),
-/// and so have holes, over the whole image. A region's id is its index in the list plus one.
+/// Objects have ids 1, 2, 3, ... in raster order of their first pixels, and so do holes. A region's
+/// id is its index in the list plus one.
 struct Region {
   std::int64_t area = 0;
   std::int64_t sum_x = 0;
   std::int64_t sum_y = 0;
   std::int32_t left = 0;
   std::int32_t top = 0;
-  std::int32_t right = 0;  // the last column and row of the region
+  std::int32_t right = 0;  // inclusive, as is `bottom`
   std::int32_t bottom = 0;
-  std::uint32_t enclosing_object = 0;  // of a hole: the id of the object around it; else 0
+  std::uint32_t enclosing_object = 0;  // for a hole the id of the object around it, else 0
 
   friend bool operator==(const Region&, const Region&) = default;
 

@@ -1,5 +1,4 @@
-// The catalogue of thinning rules. A new parallel rule needs a line in each of the two lists here,
-// a file in kernels/thinning/rules/, a reference and a test.
+// The catalogue of thinning rules. CONTRIBUTING.md shows how to add one.
 #pragma once
 
 #include <array>
@@ -28,7 +27,7 @@ enum class Rule : std::uint8_t {
 struct RuleInfo {
   Rule rule;
   std::string_view name;
-  std::string_view operation;  // its name in results
+  std::string_view operation;  // its name as an operation, for example in results
   std::string_view description;
 };
 

@@ -13,24 +13,23 @@ namespace detail {
 class ThinningState;
 }  // namespace detail
 
-/// Thins `source` (0 is background, anything else foreground) into `destination` (0 and 255) by a
-/// rule. Returns the number of iterations, including the last one, which changed nothing. Outside
-/// the image everything is background; see Border for the outermost pixels.
+/// Thins `source` (0 is background, anything else is foreground) into `destination` (0 and 255) by
+/// a rule. Returns the number of iterations, including the last one, which changed nothing.
+/// Everything outside the image is background; for the outermost pixels see Border.
 ///
-/// The two views have one size; they are the same image or share no pixel (views side by side in
-/// one buffer have equal strides). Any number of threads may call it at once, on different
-/// destinations.
+/// Both views must have the same size and be the same image or share no pixel. Views side by side
+/// in one buffer must have equal strides. Thread-safe for different destinations.
 ///
-/// Throws std::invalid_argument, with one sentence that names the value, for sizes that differ or
-/// are negative, more than 2^40 pixels, a stride below the width, a null image, a partial overlap,
-/// an option that is out of range or that the rule does not have, and where no variant fits;
-/// std::bad_alloc where memory is short. Nothing is written then.
+/// Throws std::invalid_argument for sizes that differ or are negative, more than 2^40 pixels, a
+/// stride below the width, a null image, a partial overlap, an option that is out of range or does
+/// not apply to the rule, and if no variant fits; std::bad_alloc if memory runs out. Messages are
+/// one line and name the value. Nothing is written if it throws.
 ///
 /// docs/thinning.md has the formulas, connectivity, invariants and sources of the rules.
 int thin(Rule rule, ConstImageView source, ImageView destination, const Options& options = {});
 
-/// Thins images of one size; owns all memory for it. One thread at a time may use a thinner;
-/// several threads may use different thinners.
+/// Thins images of one size with memory allocated once. Not thread-safe, but threads may use
+/// different thinners concurrently.
 class Thinner {
  public:
   /// Throws as thin() does for sizes and options.
@@ -41,7 +40,7 @@ class Thinner {
   Thinner(const Thinner&) = delete;
   Thinner& operator=(const Thinner&) = delete;
 
-  /// As thin(), for views of the size given above. Allocates nothing.
+  /// As thin(), for views of the size given above. Allocates no memory.
   int operator()(ConstImageView source, ImageView destination);
 
   /// The chosen variant.

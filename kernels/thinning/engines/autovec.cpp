@@ -1,6 +1,5 @@
-// The reference's arithmetic on bytes 0/1 in a form that compilers vectorise: whole rows, no
-// branch, no early exit. Compiled for every ISA at -O3, to compare hand-written SIMD with what the
-// compiler generates.
+// The published arithmetic on bytes 0 and 1, written for the compiler's vectoriser: whole rows, no
+// branches, no early exit. Compiled for every ISA at -O3, as the baseline for hand-written SIMD.
 #include "dispatch/exported.hpp"
 #include "thinning/engines/passes.hpp"
 
@@ -16,7 +15,7 @@ using Bytes = const std::uint8_t* __restrict;
           here[x - 1], below[x - 1], below[x],     below[x + 1]};
 }
 
-/// For rules of two stages: the features of three rows of a strip.
+/// The features of three rows of a strip, for two-stage rules.
 struct FeatureStrip {
   static constexpr Index kPixels = 64;
   static constexpr Index kStride = 128;
@@ -44,7 +43,8 @@ template <class Rule, int sub, class... Neighbourhoods>
   }
 }
 
-/// Writes `next(x)` for a strip of a row; not 0 where a pixel changed. `fixed`: see Pass.
+/// Writes `next(x)` for `count` pixels of a row. Returns nonzero if a pixel changed. `fixed`: see
+/// Pass.
 template <class Next>
 [[gnu::always_inline]] inline std::uint8_t write_pixels(const std::uint8_t* fixed, Bytes here,
                                                         std::uint8_t* __restrict target,

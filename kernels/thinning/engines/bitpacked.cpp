@@ -1,10 +1,11 @@
 // The word scan on words of 64 pixels in general registers. Compiled without auto-vectorisation, to
-// measure what packing alone gives.
-// Cost per word, see sweep.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the rule in
+// measure the gain of packing alone.
+//
+// Cost per word, see word_scan.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the rule in
 // two-input operations (14 for Naccache-Shinghal) and its inversions.
 #include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/passes.hpp"
-#include "thinning/engines/sweep.hpp"
+#include "thinning/engines/word_scan.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -15,14 +16,14 @@ struct Bitpacked {
   static std::uint64_t pass(const RuntimeRule*, const std::uint64_t* fixed,
                             const ConstBitPlaneView& source, const BitPlaneView& target,
                             const Band& band) {
-    return sweep_band<Rule, sub, std::uint64_t>(Rule{}, fixed, source, target, band);
+    return scan_band<Rule, sub, std::uint64_t>(Rule{}, fixed, source, target, band);
   }
 };
 
 std::uint64_t runtime_pass(const RuntimeRule* rule, const std::uint64_t* fixed,
                            const ConstBitPlaneView& source, const BitPlaneView& target,
                            const Band& band) {
-  return sweep_band<MuxRule, 0, std::uint64_t>(MuxRule{rule->program}, fixed, source, target, band);
+  return scan_band<MuxRule, 0, std::uint64_t>(MuxRule{rule->program}, fixed, source, target, band);
 }
 
 }  // namespace

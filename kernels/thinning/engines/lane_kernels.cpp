@@ -1,18 +1,18 @@
 // Small images, one per lane: with 32-bit lanes and AVX-512, a register holds a row of 16 images.
 //
-// No neighbour crosses a lane, so west and east are plain shifts; the rows above and below are the
-// registers before and after. Cost per row of a group and sub-iteration: 1 load, 1 store, 2 shifts,
-// the rule's gates, 1 to keep the border, 1 to see the change, 2 prefetches. A group (1.8 KB for
-// 28 x 28 pixels) stays in the first-level cache from packing to unpacking and is thinned in place
-// until none of its images changes: one that is done stays as it is.
+// No neighbour crosses a lane, so west and east are plain shifts. Cost per row of a group and
+// sub-iteration: 1 load, 1 store, 2 shifts, the rule's gates, 1 to keep the border, 1 to detect
+// changes, 2 prefetches. A group (1.8 KB for 28 x 28 pixels) stays in the L1 cache from packing to
+// unpacking. It is thinned in place until none of its images changes; further iterations do not
+// change an image that is done.
 //
-// Memory is prefetched for the next group: docs/experiments.md#prefetching-the-next-group.
+// The next group is prefetched: docs/experiments.md#prefetching-the-next-group.
 // Measured, not adopted: docs/experiments.md#packing-from-whole-loads.
 #include "thinning/engines/lane_kernels.hpp"
 
 #include "dispatch/exported.hpp"
 #include "thinning/engines/lane_packing.hpp"
-#include "thinning/engines/sweep.hpp"
+#include "thinning/engines/word_scan.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
@@ -24,27 +24,27 @@ struct PlainLanes {
   using Word = xsimd::batch<T, Architecture>;
   using Element = T;
   static constexpr Index kImages = static_cast<Index>(Word::size);
-  static constexpr Index kElements = 1;  // an image
+  static constexpr Index kElements = 1;  // per image
 
-  [[gnu::always_inline]] static RowOfThree<Word> with_neighbours(Word row) {
+  [[gnu::always_inline]] static RowTriple<Word> with_neighbours(Word row) {
     return {row << 1, row, row >> 1};
   }
 };
 
-/// Images up to 128 pixels wide, each in two lanes.
+/// Images up to 128 pixels wide, each in two adjacent lanes.
 struct PairedLanes {
   using Word = WordBatch;
   using Element = std::uint64_t;
   static constexpr Index kImages = static_cast<Index>(Word::size) / 2;
   static constexpr Index kElements = 2;
 
-  [[gnu::always_inline]] static RowOfThree<Word> with_neighbours(Word row) {
+  [[gnu::always_inline]] static RowTriple<Word> with_neighbours(Word row) {
     return {west_neighbour<1>(row, previous_in_pair(row)), row,
             east_neighbour<1>(row, next_in_pair(row))};
   }
 };
 
-/// The working images: rows of one register each between two rows of the margin.
+/// A group of images: rows of one register each, with margin rows above and below.
 template <class Lanes>
 struct LaneRows {
   using Word = typename Lanes::Word;
@@ -54,14 +54,14 @@ struct LaneRows {
   Element* data;  // row 0
 
   [[gnu::always_inline]] Element* at(Index y) const { return data + y * kRow; }
-  [[gnu::always_inline]] RowOfThree<Word> row(Index y) const {
+  [[gnu::always_inline]] RowTriple<Word> row(Index y) const {
     return Lanes::with_neighbours(Word::load_aligned(at(y)));
   }
 
   template <class Rule>
-  [[gnu::always_inline]] RowOfThree<Word> features(Index, const RowOfThree<Word>& above,
-                                                   const RowOfThree<Word>& here,
-                                                   const RowOfThree<Word>& below) const {
+  [[gnu::always_inline]] RowTriple<Word> features(Index, const RowTriple<Word>& above,
+                                                  const RowTriple<Word>& here,
+                                                  const RowTriple<Word>& below) const {
     return Lanes::with_neighbours(Rule::feature(cross(above.centre, here, below.centre)));
   }
 };
@@ -73,15 +73,15 @@ void clear(const LaneRows<Lanes>& rows, Index first, Index last) {
   }
 }
 
-/// Calls `part(image, row, element, x, width)` for all parts of the rows of a group's images that
-/// one element holds: `element` is in row 0 of the image's lanes.
+/// Calls `part(image, element, x, width)` for each element of a register row of a group: it holds
+/// pixels [x, x + width) of the image.
 template <class Lanes, class Part>
 [[gnu::always_inline]] inline void for_parts(Index images, Index width, const Part& part) {
   constexpr Index bits = 8 * static_cast<Index>(sizeof(typename Lanes::Element));
   for (Index image = 0; image < images; ++image) {
     for (Index x = 0, i = 0; i < Lanes::kElements; x += bits, ++i) {
-      const Index left = width - x;
-      part(image, image * Lanes::kElements + i, x, left < bits ? left : bits);
+      const Index rest = width - x;
+      part(image, image * Lanes::kElements + i, x, rest < bits ? rest : bits);
     }
   }
 }
@@ -116,7 +116,7 @@ void write_group(const LaneRows<Lanes>& rows, Index first, Index images, const S
       });
 }
 
-/// Pixels of a row that may change: all, or all but the outermost of each image.
+/// The mask of pixels of a row that may change: all, or all but the first and last of each image.
 template <class Lanes>
 typename Lanes::Word free_pixels(Index width, bool keep_border) {
   using Element = typename Lanes::Element;
@@ -135,29 +135,29 @@ typename Lanes::Word free_pixels(Index width, bool keep_border) {
   return Lanes::Word::load_aligned(pattern);
 }
 
-/// What of the images may change.
+/// The pixels that may change.
 template <class Lanes>
-struct Inside {
-  Index first;  // row
-  Index last;   // row after the last
-  typename Lanes::Word pixels;
+struct FreeArea {
+  Index first;                  // row
+  Index last;                   // row after the last
+  typename Lanes::Word pixels;  // of each row
 };
 
 template <class Lanes>
-Inside<Lanes> inside_of(const LaneJob& job) {
+FreeArea<Lanes> free_area(const LaneJob& job) {
   const Index margin = job.keep_border ? 1 : 0;
   return {margin, job.source.height - margin,
           free_pixels<Lanes>(job.source.width, job.keep_border)};
 }
 
-/// Memory that the next group will read and write, asked for a line at a time.
-struct Ahead {
+/// Prefetches the memory that the next group will read and write, one cache line at a time.
+struct Prefetcher {
   const std::uint8_t* source;
   const std::uint8_t* target;
   Index bytes;
   Index next = 0;
 
-  [[gnu::always_inline]] void ask() {
+  [[gnu::always_inline]] void prefetch_line() {
     constexpr Index line = 64;
     if (next >= bytes) return;
     __builtin_prefetch(source + next, 0, 2);
@@ -166,9 +166,9 @@ struct Ahead {
   }
 };
 
-/// The memory of a group that begins with image `first`; none from `last` on.
+/// Prefetches the group that begins with image `first`; nothing if `first` >= `last`.
 template <class Lanes>
-Ahead ahead_of(const LaneJob& job, Index first, Index last) {
+Prefetcher prefetcher_of(const LaneJob& job, Index first, Index last) {
   const Index images = last - first < Lanes::kImages ? last - first : Lanes::kImages;
   const Index from = job.source.image_stride;
   const Index to = job.target.image_stride;
@@ -176,37 +176,38 @@ Ahead ahead_of(const LaneJob& job, Index first, Index last) {
           images * (from < to ? from : to)};
 }
 
-/// One sub-iteration, in place. True where a pixel changed.
+/// Applies one sub-iteration in place. True if a pixel changed.
 template <class Rule, int sub, class Lanes>
-[[gnu::always_inline]] inline bool step(const LaneRows<Lanes>& rows, const Inside<Lanes>& inside,
-                                        Ahead& shared) {
-  Ahead ahead = shared;  // a store could otherwise be taken to change it
+[[gnu::always_inline]] inline bool run_sub_iteration(const LaneRows<Lanes>& rows,
+                                                     const FreeArea<Lanes>& area,
+                                                     Prefetcher& shared) {
+  Prefetcher prefetcher = shared;  // a local copy, which stores cannot alias
   using Word = typename Lanes::Word;
   const Rule rule{};
-  const Word pixels = inside.pixels;
+  const Word pixels = area.pixels;
   Word changed(typename Lanes::Element{0});
-  Window<Rule, LaneRows<Lanes>> window(rows, inside.first);
-  for (Index y = inside.first; y < inside.last; ++y) {
+  Window<Rule, LaneRows<Lanes>> window(rows, area.first);
+  for (Index y = area.first; y < area.last; ++y) {
     const Word before = window.centre();
     const Word next = ternary(window.template next<sub>(rule, rows, y), before, pixels,
                               [](auto a, auto b, auto c) { return b ^ ((a ^ b) & c); });
     next.store_aligned(rows.at(y));
-    ahead.ask();
+    prefetcher.prefetch_line();
     changed = ternary(changed, before, next, [](auto a, auto b, auto c) { return a | (b ^ c); });
     window.move_down();
   }
-  shared = ahead;
+  shared = prefetcher;
   return any_bit(changed);
 }
 
 template <class Rule, class Lanes, int... subs>
-int thin_group(const LaneRows<Lanes>& rows, const Inside<Lanes>& inside, int max_iterations,
-               Ahead ahead, std::integer_sequence<int, subs...>) {
+int thin_group(const LaneRows<Lanes>& rows, const FreeArea<Lanes>& area, int max_iterations,
+               Prefetcher prefetcher, std::integer_sequence<int, subs...>) {
   int iterations = 0;
   bool changed = true;
   while (changed && iterations < max_iterations) {
     changed = false;
-    ((changed = step<Rule, subs>(rows, inside, ahead) || changed), ...);
+    ((changed = run_sub_iteration<Rule, subs>(rows, area, prefetcher) || changed), ...);
     ++iterations;
   }
   return iterations;
@@ -218,19 +219,19 @@ int thin_lanes(const LaneJob& job, Index first, Index last, void* scratch) {
   constexpr auto subs = std::make_integer_sequence<int, Rule::kSubIterations>{};
   const LaneRows<Lanes> rows = {static_cast<Element*>(scratch) +
                                 kMarginRows * LaneRows<Lanes>::kRow};
-  const Inside<Lanes> inside = inside_of<Lanes>(job);
+  const FreeArea<Lanes> area = free_area<Lanes>(job);
   clear(rows, -kMarginRows, 0);
   clear(rows, job.source.height, job.source.height + kMarginRows);
-  int most = 0;
+  int max_taken = 0;
   for (Index image = first; image < last; image += Lanes::kImages) {
     const Index images = last - image < Lanes::kImages ? last - image : Lanes::kImages;
     read_group(job.source, image, images, rows);
-    const int iterations = thin_group<Rule>(rows, inside, job.max_iterations,
-                                            ahead_of<Lanes>(job, image + images, last), subs);
+    const int iterations = thin_group<Rule>(rows, area, job.max_iterations,
+                                            prefetcher_of<Lanes>(job, image + images, last), subs);
     write_group(rows, image, images, job.target);
-    if (iterations > most) most = iterations;
+    if (iterations > max_taken) max_taken = iterations;
   }
-  return most;
+  return max_taken;
 }
 
 template <class Rule>

@@ -1,4 +1,4 @@
-// Kernels for many small images: one image a lane of a register.
+// Kernels for many small images: one image per lane of a register.
 #pragma once
 
 #include "image/plane_view.hpp"
@@ -7,16 +7,16 @@
 
 namespace thinbench::detail {
 
-/// As wide as the widest lane.
+/// In pixels: a pair of 64-bit lanes.
 inline constexpr Index kMaxLaneWidth = 128;
 
-/// Rows of the widest register and the margin, in words: enough for every level.
+/// Image and margin rows, in words. Sufficient for the widest registers, hence for every ISA.
 constexpr Index lane_scratch_words(Index height) {
   return (height + 2 * kMarginRows) * kBlockWords;
 }
 
-/// The stacks are of one size and either the same or apart; their images have pixels and are up to
-/// kMaxLaneWidth wide.
+/// The stacks have equal sizes and are identical or disjoint. Images are not empty and at most
+/// kMaxLaneWidth pixels wide.
 struct LaneJob {
   ConstStackView source;
   StackView target;
@@ -24,9 +24,9 @@ struct LaneJob {
   bool keep_border;
 };
 
-/// Thins images [first, last) and returns the largest number of cycles that one of them took, the
-/// last included; 0 where there are none. `scratch` is `lane_scratch_words` words on a cache line
-/// and may hold anything.
+/// Thins images [first, last). Returns the maximum number of iterations of an image, including the
+/// last; 0 for an empty range. `scratch` has lane_scratch_words() words, aligned to a cache line,
+/// and may be uninitialised.
 using LaneKernel = int (*)(const LaneJob& job, Index first, Index last, void* scratch);
 
 struct LaneKernels {

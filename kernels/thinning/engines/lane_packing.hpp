@@ -1,7 +1,7 @@
-// A row of up to 64 pixels between bytes and the bits of one word. For ISA files only.
+// Packs up to 64 bytes of a row into the bits of one word, and unpacks them. For ISA files only.
 //
-// With masked loads and stores of bytes at once; elsewhere in pieces of 16 bytes, of which the last
-// ends with the row and may overlap the one before.
+// ISAs with masked byte access do this in one step. Others use chunks of 16 bytes; the last chunk
+// ends at the end of the row and may overlap the one before.
 #pragma once
 
 #include "image/plane_view.hpp"
@@ -13,24 +13,24 @@ namespace thinbench::detail {
   return count == 0 ? 0 : ~std::uint64_t{0} >> (kWordBits - count);
 }
 
-inline constexpr Index kPiece = 16;
+inline constexpr Index kChunk = 16;
 
-/// Calls `piece(x)` for pieces that cover a row of at least one piece.
-template <class Piece>
-[[gnu::always_inline]] inline void for_pieces(Index width, const Piece& piece) {
-  for (Index x = 0; x + kPiece <= width; x += kPiece) piece(x);
-  if (width % kPiece != 0) piece(width - kPiece);
+/// Calls `body(x)` for chunks that cover a row. Requires width >= kChunk.
+template <class Body>
+[[gnu::always_inline]] inline void for_chunks(Index width, const Body& body) {
+  for (Index x = 0; x + kChunk <= width; x += kChunk) body(x);
+  if (width % kChunk != 0) body(width - kChunk);
 }
 
-/// Bit x is set where byte x of `width`, 0 to the bits of Bits, is not zero.
+/// Sets bit x if byte x is not zero. `width` is 0 to the number of bits of Bits.
 template <class Bits>
 [[gnu::always_inline]] inline Bits pack_pixels(const std::uint8_t* row, Index width) {
   if constexpr (kHasMaskedBytes) {
     return load_nonzero_bits(row, static_cast<Bits>(first_bits(width)));
   } else {
     std::uint64_t bits = 0;
-    if (width >= kPiece) {
-      for_pieces(width, [&](Index x) { bits |= load_16_nonzero_bits(row + x) << x; });
+    if (width >= kChunk) {
+      for_chunks(width, [&](Index x) { bits |= load_16_nonzero_bits(row + x) << x; });
     } else {
       for (Index x = 0; x < width; ++x) bits |= std::uint64_t{row[x] != 0} << x;
     }
@@ -38,13 +38,13 @@ template <class Bits>
   }
 }
 
-/// The other way round: writes 0 and 255, `width` bytes and no more.
+/// Writes `width` bytes, 255 where bit x is set, else 0.
 template <class Bits>
 [[gnu::always_inline]] inline void unpack_pixels(Bits bits, std::uint8_t* row, Index width) {
   if constexpr (kHasMaskedBytes) {
     store_spread_bits(row, bits, static_cast<Bits>(first_bits(width)));
-  } else if (width >= kPiece) {
-    for_pieces(width, [&](Index x) { store_16_spread_bits(row + x, bits >> x); });
+  } else if (width >= kChunk) {
+    for_chunks(width, [&](Index x) { store_16_spread_bits(row + x, bits >> x); });
   } else {
     for (Index x = 0; x < width; ++x) row[x] = (bits >> x & 1) != 0 ? 255 : 0;
   }

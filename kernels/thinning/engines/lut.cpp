@@ -1,11 +1,14 @@
-// Table look-up on bytes 0/1, one pixel after another.
+// Table look-up on bytes 0 and 1, in scalar code.
 //
-// lut: gathers the eight neighbours of each foreground pixel into its descriptor, 256 entries:
-// about 20 operations per foreground pixel. Eight background pixels at a time are skipped.
-// lut_sliding: columns of three pixels slide along the row, eight columns at a time in a general
-// register; a window of four columns (12 bits) gives two pixels from a table of 4096 entries (8
-// KB). About 4 operations per pixel, without branches or a dependency chain. Measured, not adopted:
-// docs/experiments.md#one-column-per-pixel.
+// lut: gathers the eight neighbours of each foreground pixel into its descriptor, the index of a
+// table of 256 entries. About 20 operations per foreground pixel; skips eight background pixels at
+// a time.
+//
+// lut_sliding: a window of four columns of three pixels (12 bits) is the index of a table of 4096
+// pairs of pixels (8 KB). Eight columns are computed at a time in a general register: about 4
+// operations per pixel, without branches or a dependency chain.
+//
+// Measured, not adopted: docs/experiments.md#one-column-per-pixel.
 #include <cstring>
 
 #include "thinning/engines/passes.hpp"
@@ -31,7 +34,7 @@ unsigned descriptor(const std::uint8_t* above, const std::uint8_t* here,
                                here[-1] << 4 | below[-1] << 5 | below[0] << 6 | below[1] << 7);
 }
 
-/// The engine lut: `table` has the new value of a foreground pixel by descriptor.
+/// A row by lut. `table` has the new value of a foreground pixel by descriptor.
 template <bool has_fixed>
 bool lut_row(const std::uint8_t* table, [[maybe_unused]] const std::uint8_t* fixed,
              const std::uint8_t* here, Index stride, std::uint8_t* target, Index count) {
@@ -61,8 +64,8 @@ std::uint64_t column_pairs(const std::uint8_t* here, Index stride) {
   return (columns | columns >> 5) & 0x003F003F003F003F;
 }
 
-/// The engine lut_sliding. Pixels x to x + 7 need columns x - 1 to x + 8, so windows start at odd
-/// columns.
+/// A row by lut_sliding. Pixels x to x + 7 depend on columns x - 1 to x + 8, so windows start at
+/// odd columns.
 template <bool has_fixed>
 bool sliding_row(const std::uint16_t* table, [[maybe_unused]] const std::uint8_t* fixed,
                  const std::uint8_t* here, Index stride, std::uint8_t* target, Index count) {
@@ -83,7 +86,7 @@ bool sliding_row(const std::uint16_t* table, [[maybe_unused]] const std::uint8_t
   return changed != 0;
 }
 
-/// See Pass.
+/// Calls `row` for the rows of a band, see Pass.
 template <class Row, class Table>
 std::uint64_t all_rows(const Row& row, const Table* table, const std::uint8_t* fixed,
                        const ConstBytePlaneView& source, const BytePlaneView& target,
@@ -121,7 +124,7 @@ constexpr PairTable make_pair_table(const RuleTable& by_descriptor) {
 struct Lut {
   using Element = std::uint8_t;
   template <class Rule, int sub>
-  requires(!TwoStageRule<Rule>)  // their 21 pixels would need tables of two million entries
+  requires(!TwoStageRule<Rule>)  // 21 input pixels would need a table of 2^21 entries
       static std::uint64_t
       pass(const RuntimeRule*, const std::uint8_t* fixed, const ConstBytePlaneView& source,
            const BytePlaneView& target, const Band& band) {

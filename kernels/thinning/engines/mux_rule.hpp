@@ -1,4 +1,4 @@
-// Any rule of eight neighbours on words of any width: a decision diagram, one multiplexer per node.
+// Evaluates a decision diagram on words of any type, one multiplexer per node.
 #pragma once
 
 #include "thinning/rules/neighbourhood.hpp"
@@ -6,8 +6,8 @@
 
 namespace thinbench::detail {
 
-/// Cost per word and node: 3 loads, 1 multiplexer (one instruction on AVX-512, else three) and 1
-/// store. More than a minimised circuit, but for any table at run time.
+/// Any rule of eight neighbours, given at run time. Cost per word and node: 3 loads, 1 multiplexer
+/// (one instruction on AVX-512, else three) and 1 store, more than a minimised circuit.
 struct MuxRule {
   static constexpr int kSubIterations = 1;
 

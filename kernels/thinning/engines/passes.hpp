@@ -1,5 +1,5 @@
-// The interface of engines: functions that apply a sub-iteration of a rule to a band of rows, in
-// tables by rule.
+// The interface of engines: passes, which are functions that apply one sub-iteration of a rule to a
+// band of rows, and tables of passes by rule.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace thinbench::detail {
 
-/// A band of rows, cut into at most 64 tiles: columns of `column_elements` elements. Column i must
-/// be computed where bit i of `columns` is set.
+/// A band of rows, divided into at most 64 columns of `column_elements` elements. Column i is
+/// active, and must be computed, if bit i of `columns` is set.
 struct Band {
   Index first;  // row
   Index last;   // row after the last
   std::uint64_t columns;
   Index column_elements;
-  Index row_elements;  // the last column may be narrower
+  Index row_elements;  // the last column may be narrower than the others
 
-  /// The columns with elements [from, to), as bits.
+  /// The bit set of columns that contain elements [from, to).
   [[nodiscard]] std::uint64_t columns_of(Index from, Index to) const {
     const Index low = from / column_elements;
     const Index high = (to - 1) / column_elements;
@@ -29,33 +29,33 @@ struct Band {
   }
 };
 
-/// Applies a sub-iteration to the columns of `band` that must be computed; may write the others,
-/// too, with correct pixels. Returns which of the former changed. The planes have one size and do
-/// not overlap; no other rows are written. `rule` is nullptr for rules that are fixed at compile
-/// time. `fixed` is nullptr or a row of elements with a 1 for every pixel that must not change.
+/// Applies one sub-iteration to the active columns of `band` and returns which of them changed. May
+/// also write the correct pixels of inactive columns; writes no other rows. The planes have equal
+/// sizes and do not overlap. `rule` is nullptr for compile-time rules. `fixed` is nullptr or a row
+/// with a 1 for every pixel that must not change. Thread-safe for different bands.
 template <class T>
 using Pass = std::uint64_t (*)(const RuntimeRule* rule, const T* fixed,
                                const ConstPlaneView<T>& source, const PlaneView<T>& target,
                                const Band& band);
 
-/// A Pass on packed pixels that also sees what the last sub-iteration changed: `previous` is the
-/// image before it, or background before the first.
+/// A Pass on packed pixels that also reads `previous`, the image before the last sub-iteration
+/// (background before the first).
 using ChangePass = std::uint64_t (*)(const RuntimeRule* rule, const std::uint64_t* fixed,
                                      const ConstBitPlaneView& previous,
                                      const ConstBitPlaneView& source, const BitPlaneView& target,
                                      const Band& band);
 
-/// For engines that work row by row: calls `row(y, from, to)` for each row of the band and each run
-/// of adjacent columns, and returns the columns of runs where it returned true.
+/// For engines that work row by row: calls `row(y, from, to)` for each run of active columns and
+/// each row of the band. Returns the columns of the runs for which a call returned true.
 template <class Row>
 [[gnu::always_inline]] inline std::uint64_t for_each_run(const Band& band, const Row& row) {
   std::uint64_t changed = 0;
-  for (std::uint64_t left = band.columns; left != 0;) {
-    const int begin = __builtin_ctzll(left);
-    const std::uint64_t gap = ~left >> begin;
+  for (std::uint64_t rest = band.columns; rest != 0;) {
+    const int begin = __builtin_ctzll(rest);
+    const std::uint64_t gap = ~rest >> begin;
     const int length = gap == 0 ? 64 - begin : __builtin_ctzll(gap);
     const std::uint64_t run = (~std::uint64_t{0} >> (64 - length)) << begin;
-    left &= ~run;
+    rest &= ~run;
     const Index from = begin * band.column_elements;
     const Index end = (begin + length) * band.column_elements;
     const Index to = end < band.row_elements ? end : band.row_elements;
@@ -68,15 +68,15 @@ template <class Row>
 
 inline constexpr int kMaxSubIterations = 4;
 
-/// A function per sub-iteration of a rule. Empty where an engine does not support the rule.
+/// The functions of a rule's sub-iterations. Empty if an engine does not support the rule.
 template <class Function>
-struct Cycle {
-  Function steps[kMaxSubIterations] = {};
+struct SubIterations {
+  Function entries[kMaxSubIterations] = {};
   int count = 0;
 
   [[nodiscard]] constexpr bool empty() const { return count == 0; }
   [[nodiscard]] constexpr std::span<const Function> functions() const {
-    return {steps, static_cast<std::size_t>(count)};
+    return {entries, static_cast<std::size_t>(count)};
   }
 };
 
@@ -89,16 +89,15 @@ struct ByRule {
   constexpr T& operator[](Rule rule) { return entries[static_cast<std::size_t>(rule)]; }
 };
 
-/// `Engine::template pass<Type, sub>` for every sub-iteration of every parallel rule that the
-/// engine supports.
+/// The table of `Engine::template pass<Type, sub>` for all parallel rules that the engine supports.
 template <class Function, class Engine>
-consteval ByRule<Cycle<Function>> cycles_by_rule() {
-  ByRule<Cycle<Function>> table;
+consteval ByRule<SubIterations<Function>> sub_iterations_by_rule() {
+  ByRule<SubIterations<Function>> table;
   for_each_parallel_rule([&]<class Type>(Rule rule) {
     static_assert(Type::kSubIterations <= kMaxSubIterations);
     const auto add = [&]<int sub>() {
       if constexpr (requires { &Engine::template pass<Type, sub>; }) {
-        table[rule].steps[sub] = &Engine::template pass<Type, sub>;
+        table[rule].entries[sub] = &Engine::template pass<Type, sub>;
         table[rule].count = Type::kSubIterations;
       }
     };
@@ -111,14 +110,14 @@ consteval ByRule<Cycle<Function>> cycles_by_rule() {
 }
 
 template <class T>
-using PassesByRule = ByRule<Cycle<Pass<T>>>;
+using PassesByRule = ByRule<SubIterations<Pass<T>>>;
 
 template <class Engine>
 consteval PassesByRule<typename Engine::Element> passes_by_rule() {
-  return cycles_by_rule<Pass<typename Engine::Element>, Engine>();
+  return sub_iterations_by_rule<Pass<typename Engine::Element>, Engine>();
 }
 
-/// Compiled once, for the baseline. The last three take a RuntimeRule.
+/// Compiled once, for the baseline. The last three require a RuntimeRule.
 struct ScalarPasses {
   static const PassesByRule<std::uint8_t> kLut;
   static const PassesByRule<std::uint8_t> kLutSliding;
@@ -132,7 +131,7 @@ struct ScalarPasses {
 struct SimdPasses {
   PassesByRule<std::uint8_t> bytes;
   PassesByRule<std::uint64_t> bitpacked;
-  Pass<std::uint64_t> runtime_bitpacked;  // takes a RuntimeRule
+  Pass<std::uint64_t> runtime_bitpacked;  // requires a RuntimeRule
 };
 struct AutovecPasses {
   PassesByRule<std::uint8_t> bytes;

@@ -1,4 +1,4 @@
-// Whole-image kernels that hold each row of up to 512 pixels in one register.
+// Whole-image kernels for images up to 512 pixels wide: one register holds a row.
 #pragma once
 
 #include "image/plane_view.hpp"
@@ -9,7 +9,7 @@ namespace thinbench::detail {
 
 inline constexpr Index kRowKernelWidth = 512;
 
-/// Rows are grouped in at most 64 bands, one bit of a word each, of at least 8 rows.
+/// Rows are grouped in at most 64 bands of at least 8 rows, so that a word is a bit set of bands.
 constexpr Index row_kernel_band_rows(Index height) {
   constexpr Index min_rows = 8;
   return height <= 64 * min_rows ? min_rows : (height + 63) / 64;
@@ -20,29 +20,28 @@ constexpr Index row_kernel_bands(Index height) {
   return (height + rows - 1) / rows;
 }
 
-/// Whole bands and the margin, in words.
+/// Whole bands and the margins, in words.
 constexpr Index row_kernel_scratch_words(Index height) {
   return (row_kernel_bands(height) * row_kernel_band_rows(height) + 2 * kMarginRows) * kBlockWords;
 }
 
-/// How often a rule is repeated, and what it does at the border.
 struct RowKernelOptions {
-  const RuntimeRule* rule;  // nullptr for rules that are fixed at compile time
+  const RuntimeRule* rule;  // nullptr for compile-time rules
   Border border;
   int max_iterations;
 };
 
-/// Repeats a rule until nothing changes or the limit is reached; returns the number of iterations,
-/// the last included. Reads `source` and writes `target` once; works in `scratch`,
-/// `row_kernel_scratch_words` words on a cache line, of which all beyond the image's own rows must
-/// be zero and stay so. Needs width <= kRowKernelWidth.
+/// Iterates a rule until nothing changes or `max_iterations` is reached; returns the number of
+/// iterations, including the last. Reads `source` and writes `target` once. `scratch` has
+/// row_kernel_scratch_words() words, aligned to a cache line; words outside the image's rows must
+/// be zero and are zero on return. Requires width <= kRowKernelWidth.
 using RowKernel = int (*)(const RowKernelOptions& options, const ConstBitPlaneView& source,
                           const BitPlaneView& target, std::uint64_t* scratch);
 
-/// Empty where no register holds a row.
+/// All nullptr if the ISA has no 512-bit registers.
 struct RowKernels {
   ByRule<RowKernel> by_rule;
-  RowKernel runtime;  // takes a RuntimeRule
+  RowKernel runtime;  // requires a RuntimeRule
 };
 
 }  // namespace thinbench::detail

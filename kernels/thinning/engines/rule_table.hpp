@@ -1,4 +1,4 @@
-// The table of a rule: its expression evaluated on all 512 neighbourhoods, 64 at a time.
+// The truth table of a rule: its expression evaluated on all 512 neighbourhoods, 64 at a time.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace thinbench::detail {
 
-/// Bit i of word w is input number `variable` of neighbourhood 64 w + i.
+/// Word `word` of the values of input `variable`: bit i belongs to neighbourhood 64 word + i.
 constexpr std::uint64_t counting_pattern(int variable, int word) {
   constexpr std::uint64_t low[6] = {0xAAAAAAAAAAAAAAAA, 0xCCCCCCCCCCCCCCCC, 0xF0F0F0F0F0F0F0F0,
                                     0xFF00FF00FF00FF00, 0xFFFF0000FFFF0000, 0xFFFFFFFF00000000};

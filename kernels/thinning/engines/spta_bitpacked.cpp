@@ -1,14 +1,17 @@
-// The original, sequential SPTA on words of 64 pixels, exact: row by row, the 64 pixels of a word
-// at once.
+// The original, sequential SPTA, computed exactly on words of 64 pixels. Within a row, a pixel
+// depends on flags of this scan only through its western neighbour.
 //
-// Within a row, the western neighbour is the only one that the scan has visited before. Left and
-// right edge points: a left edge point has a background western neighbour, so its decision does not
-// depend on the row; the western neighbour of a right edge point can only have been flagged as a
-// left edge point, because its eastern neighbour is foreground. Two steps, no dependency chain. Top
-// and bottom edge points: the expressions are monotonic in the western neighbour, so a pixel is
-// flagged always, never, or if and only if its western neighbour was not. In g = flagged xor (x
-// odd) the last kind copies g from the west, as carries propagate through an addition: one addition
-// decides the word. About 50 and 75 operations per word; words without foreground are skipped.
+// Left and right edge points: a left edge point has a background western neighbour, so it does not
+// depend on flags of its row. The western neighbour of a right edge point has a foreground eastern
+// neighbour, so it can be flagged only as a left edge point. Hence two steps and no dependency
+// chain.
+//
+// Top and bottom edge points: the expressions are monotonic in the western neighbour, so a pixel is
+// flagged always, never, or if and only if its western neighbour was not. Let g = flagged xor (x is
+// odd). In the third case g is copied from the west, as carries propagate through an addition: one
+// addition decides the word.
+//
+// About 50 and 75 operations per word. Words without foreground are skipped.
 #include "simd/word.hpp"
 #include "thinning/engines/spta.hpp"
 #include "thinning/rules/neighbourhood.hpp"
@@ -16,7 +19,7 @@
 namespace thinbench::detail {
 namespace {
 
-/// The two scans of an iteration.
+/// The two scans of an iteration, named after the edge points that they flag.
 enum class SptaScan : int { left_right, top_bottom };
 
 using Word = std::uint64_t;
@@ -24,10 +27,9 @@ using Traits = WordTraits<Word>;
 
 constexpr Word kOddPixels = 0xAAAAAAAAAAAAAAAA;
 
-using Around = Neighbourhood<Word>;
+using Neighbours = Neighbourhood<Word>;
 
-/// The neighbours of 64 pixels.
-Around around(const Word* at, Index stride) {
+Neighbours neighbours_of(const Word* at, Index stride) {
   const Word* above = at - stride;
   const Word* below = at + stride;
   return {*at,
@@ -41,45 +43,49 @@ Around around(const Word* at, Index stride) {
           Traits::east(*below, below)};
 }
 
-/// The candidates that are edge points of a side with a TRUE expression; the rotation makes the
-/// side the left one.
+/// The candidates that are edge points of one side and whose expression is TRUE. The rotation maps
+/// the side to the left side.
 template <int eighths>
-Word edge(Word candidates, const Around& before, const Around& now) {
-  const Around n = rotated<eighths>(now);
-  const Around b = rotated<eighths>(before);
-  const Around c = {~b.p, ~b.n0, ~b.n1, ~b.n2, ~b.n3, ~b.n4, ~b.n5, ~b.n6, ~b.n7};
+Word edge_points(Word candidates, const Neighbours& before, const Neighbours& now) {
+  const Neighbours n = rotated<eighths>(now);
+  const Neighbours b = rotated<eighths>(before);
+  const Neighbours c = {~b.p, ~b.n0, ~b.n1, ~b.n2, ~b.n3, ~b.n4, ~b.n5, ~b.n6, ~b.n7};
   return candidates & c.n4 & edge_expression(n, c);
 }
 
-/// Candidates may be flagged; `centre` is foreground that is not flagged.
-Word left_right(Word candidates, Word centre, const Word* at, const Around& before, Around now) {
-  const Word left = edge<0>(candidates, before, now);
-  now.n4 = Traits::west(centre & ~left, at);  // the previous word is done
-  return left | edge<4>(candidates, before, now);
+/// The flagged candidates. `centre` is the foreground that is not flagged yet.
+Word left_right(Word candidates, Word centre, const Word* at, const Neighbours& before,
+                Neighbours now) {
+  const Word left = edge_points<0>(candidates, before, now);
+  now.n4 = Traits::west(centre & ~left, at);  // at[-1] has its final value
+  return left | edge_points<4>(candidates, before, now);
 }
 
-/// `flagged_before`: whether the last pixel of the previous word was flagged in this scan.
-Word top_bottom(Word candidates, const Around& before, Around now, bool flagged_before) {
+/// The flagged candidates. `flagged_before`: whether this scan flagged the last pixel of the
+/// previous word.
+Word top_bottom(Word candidates, const Neighbours& before, Neighbours now, bool flagged_before) {
   const Word western = now.n4;
   now.n4 = 0;
-  const Word always = edge<6>(candidates, before, now) | edge<2>(candidates, before, now);
+  const Word always =
+      edge_points<6>(candidates, before, now) | edge_points<2>(candidates, before, now);
   now.n4 = western;
-  const Word possibly = edge<6>(candidates, before, now) | edge<2>(candidates, before, now);
+  const Word possibly =
+      edge_points<6>(candidates, before, now) | edge_points<2>(candidates, before, now);
   const Word copies = possibly & ~always;
   const Word sets = ~copies & (always ^ kOddPixels);
   const Word both = copies | sets;
-  const Word sum = both + sets + (flagged_before ? 0 : 1);  // that pixel is odd
+  const Word sum = both + sets + (flagged_before ? 0 : 1);  // the x of that pixel is odd
   const Word from_west = both ^ sets ^ sum;
   return (sets | (copies & from_west)) ^ kOddPixels;
 }
 
 struct Rows {
-  Word* before;  // word 0 of row 0, between zero words and rows
+  Word* before;  // the image before the iteration, surrounded by zero words and rows
   Index before_stride;
   BitPlaneView now;
   Index words;
-  const Word* changing;  // a 1 for every pixel of a row that may be flagged
-  Index first;           // of the rows that may change
+  const Word* changing;  // the mask of pixels of a row that may change
+  Index first;           // rows [first, last) may change
   Index last;
 };
 
@@ -93,21 +99,20 @@ Word run_row(const Rows& rows, Index y) {
   Word* now = rows.now.row(y);
   Word any = 0;
   Word flagged = 0;
-  // The previous word before this scan, to know whether its last pixel was flagged.
-  Word west = 0;
+  Word west = 0;  // the previous word before this scan
   for (Index i = 0; i < rows.words; ++i) {
     const Word pixels = now[i];
     const bool flagged_before = (flagged >> 63) != 0;
     flagged = 0;
     if (pixels != 0) {
       const Word candidates = pixels & rows.changing[i];
-      const Around was = around(before + i, rows.before_stride);
-      Around is = around(now + i, rows.now.stride);
+      const Neighbours old = neighbours_of(before + i, rows.before_stride);
+      Neighbours current = neighbours_of(now + i, rows.now.stride);
       if constexpr (scan == SptaScan::left_right) {
-        flagged = left_right(candidates, pixels, now + i, was, is);
+        flagged = left_right(candidates, pixels, now + i, old, current);
       } else {
-        is.n4 = pixels << 1 | west >> 63;
-        flagged = top_bottom(candidates, was, is, flagged_before);
+        current.n4 = pixels << 1 | west >> 63;
+        flagged = top_bottom(candidates, old, current, flagged_before);
       }
       now[i] = pixels & ~flagged;
       any |= flagged;
@@ -121,7 +126,7 @@ void copy(const Word* from, Word* to, Index words) {
   for (Index i = 0; i < words; ++i) to[i] = from[i];
 }
 
-/// True where a pixel was flagged.
+/// True if a pixel was flagged.
 bool iterate_once(const Rows& rows) {
   const Index height = rows.now.height;
   for (Index y = 0; y < height; ++y) {
@@ -133,7 +138,7 @@ bool iterate_once(const Rows& rows) {
   return flagged != 0;
 }
 
-/// `scratch` holds the image before an iteration, in a margin, then the pixels that may change.
+/// Lays out `scratch`: the image before the iteration with its margin, then the mask `changing`.
 Rows make_rows(Border border, const BitPlaneView& image, Word* scratch) {
   const Index count = spta_scratch_words(image.width, image.height);
   for (Index i = 0; i < count; ++i) scratch[i] = 0;

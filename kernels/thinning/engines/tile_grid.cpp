@@ -17,7 +17,7 @@ TileGrid::TileGrid(Index width, Index height, Border border)
       view_{} {
   view_.width = width;
   view_.height = height;
-  // Odd, so that tiles of neighbouring strips never share a cache set.
+  // Odd, so that horizontally adjacent tiles never map to the same cache set.
   view_.strip_tiles = (tile_rows_ + 1) | 1;
   const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
   view_.groups = tiles / kTileGroup;
@@ -32,9 +32,9 @@ TileGrid::TileGrid(Index width, Index height, Border border)
   }
   occupied_ = make_aligned<std::uint32_t>(count_of(view_.groups));
   view_.occupied = occupied_.get();
-  wanted_ = make_aligned<std::uint32_t>(count_of(kMaxSubIterations * view_.groups));
+  changed_near_ = make_aligned<std::uint32_t>(count_of(kMaxSubIterations * view_.groups));
   for (Index sub = 0; sub < kMaxSubIterations; ++sub) {
-    view_.wanted[count_of(sub)] = wanted_.get() + sub * view_.groups;
+    view_.changed_near[count_of(sub)] = changed_near_.get() + sub * view_.groups;
   }
   occupied_groups_ = make_aligned<std::uint64_t>(count_of(group_words()));
   view_.occupied_groups = occupied_groups_.get();
@@ -72,8 +72,8 @@ Index TileGrid::list_occupied(std::uint32_t* list) {
   Index count = 0;
   for (Index group = 0; group < view_.groups; ++group) {
     const std::uint32_t tiles = view_.occupied[group];
-    for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
-      list[count++] = static_cast<std::uint32_t>(group * kTileGroup + __builtin_ctz(left));
+    for (std::uint32_t rest = tiles; rest != 0; rest &= rest - 1) {
+      list[count++] = static_cast<std::uint32_t>(group * kTileGroup + __builtin_ctz(rest));
     }
     if (tiles == 0) continue;
     occupied_groups_[count_of(group / kWordBits)] |= std::uint64_t{1} << (group % kWordBits);
@@ -81,13 +81,13 @@ Index TileGrid::list_occupied(std::uint32_t* list) {
   return count;
 }
 
-Index TileGrid::begin(std::uint32_t* list, std::uint64_t* visited) {
+Index TileGrid::restart(std::uint32_t* list, std::uint64_t* visited) {
   const Index tiles = view_.groups * kTileGroup;
   find_occupied();
   for (std::uint16_t* flags : {view_.changed_rows, view_.changed_west, view_.changed_east}) {
     std::fill_n(flags, tiles, 0);
   }
-  for (std::uint32_t* wanted : view_.wanted) std::copy_n(view_.occupied, view_.groups, wanted);
+  for (std::uint32_t* near : view_.changed_near) std::copy_n(view_.occupied, view_.groups, near);
   const Index count = list_occupied(list);
   std::copy_n(view_.occupied_groups, group_words(), visited);
   return count;

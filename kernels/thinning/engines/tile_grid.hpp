@@ -1,8 +1,8 @@
-// Packed pixels in tiles of 16 rows by 32 columns, 512 bits each, and which of them changed.
+// Packed pixels in tiles of 16 rows by 32 columns (512 bits), and which of their rows changed.
 //
-// Tiles are stored in strips 32 columns wide, from the top down, so the rows above and below a word
-// are the words before and after it. Every strip ends with at least one background tile, and there
-// is a background strip on either side: no neighbour needs a condition.
+// Tiles are stored in vertical strips 32 columns wide, so the words before and after a word are its
+// neighbours above and below. Every strip ends with at least one background tile, and there is a
+// background strip on either side, so that no neighbour access needs a condition.
 #pragma once
 
 #include <array>
@@ -17,49 +17,49 @@ namespace thinbench::detail {
 
 inline constexpr Index kTileRows = 16;
 inline constexpr Index kTileColumns = 32;
-/// The flags of a group of tiles are one word.
+/// A group is the tiles that share a word of a bit set.
 inline constexpr Index kTileGroup = 32;
 
 struct TileGridView {
-  Index strip_tiles;  // the distance from a tile to its neighbour in the next strip
+  Index strip_tiles;  // the distance between horizontally adjacent tiles
   Index groups;       // margins included
 
-  std::uint32_t* words;  // row r of tile i is words[kTileRows * i + r], low bit first
+  std::uint32_t* words;  // row r of tile i is words[kTileRows * i + r]; the low bit is westernmost
 
-  // What the last sub-iteration changed, one bit per row of each tile: anywhere, in the first
-  // column, in the last. Zero for tiles that were not visited. Readable one strip and a group
-  // outside.
+  // The rows of each tile that the last sub-iteration changed, as bits: in any column, in the first
+  // column, in the last column. Zero for tiles that were not visited. Readable up to one strip and
+  // one group beyond both ends.
   std::uint16_t* changed_rows;
   std::uint16_t* changed_west;
   std::uint16_t* changed_east;
 
-  // Bit sets by tile or by group of tiles.
-  const std::uint32_t* occupied;  // has foreground at the beginning
-  /// By sub-iteration: the tile or a pixel beside it changed.
-  std::array<std::uint32_t*, kMaxSubIterations> wanted;
-  const std::uint64_t* occupied_groups;  // one of its tiles is occupied
-  /// Has outermost pixels of the image, which must not change; nullptr where all pixels may.
+  // Bit sets of tiles or groups.
+  const std::uint32_t* occupied;  // tiles with foreground in the input
+  /// By sub-iteration: tiles in which, or next to which, a pixel changed.
+  std::array<std::uint32_t*, kMaxSubIterations> changed_near;
+  const std::uint64_t* occupied_groups;  // groups with an occupied tile
+  /// Tiles with border pixels, which must not change; nullptr if all pixels may change.
   const std::uint32_t* border_tiles;
   Index width;
   Index height;
 };
 
-/// Owns a grid. No allocation after construction.
+/// Owns a grid. Allocates only in the constructor.
 class TileGrid {
  public:
   TileGrid(Index width, Index height, Border border);
 
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
-  /// Rows of tiles.
+  /// The number of rows of tiles.
   [[nodiscard]] Index tile_rows() const { return tile_rows_; }
-  /// Words of a bit set by group.
+  /// The number of 64-bit words of a bit set of groups.
   [[nodiscard]] Index group_words() const { return (view_.groups + kWordBits - 1) / kWordBits; }
 
-  /// After all rows were loaded, see TileLayout: lists the tiles with foreground in ascending order
-  /// in `list`, which has room for all tiles, sets the bits of their groups in `visited`, and
-  /// returns their number.
-  Index begin(std::uint32_t* list, std::uint64_t* visited);
+  /// Clears the history. Call after all rows are loaded (see TileLayout). Writes the occupied tiles
+  /// to `list`, which has room for all tiles, in ascending order, and the bit set of their groups
+  /// to `visited`; returns the number of tiles.
+  Index restart(std::uint32_t* list, std::uint64_t* visited);
 
  private:
   void mark_border_tiles();
@@ -72,7 +72,7 @@ class TileGrid {
   AlignedArray<std::uint32_t> words_;
   std::array<AlignedArray<std::uint16_t>, 3> changed_;
   AlignedArray<std::uint32_t> occupied_;
-  AlignedArray<std::uint32_t> wanted_;
+  AlignedArray<std::uint32_t> changed_near_;
   AlignedArray<std::uint32_t> border_tiles_;
   AlignedArray<std::uint64_t> occupied_groups_;
 };

@@ -1,8 +1,7 @@
-// Rows of packed pixels into tiles and back. Compiled once for every instruction-set level.
+// Converts rows of packed pixels to tiles and back. Compiled once for every ISA.
 //
-// Rows keep the pixels of neighbouring tiles together, tiles those of neighbouring rows. At AVX-512
-// 16 tiles are transposed in registers, 16 loads, 64 shuffles and 16 stores for 8,192 pixels. Other
-// ISAs, and what is left at the edges, move a word of two tiles at a time.
+// AVX-512 transposes 16 tiles in registers: 16 loads, 64 shuffles and 16 stores for 8,192 pixels.
+// Other ISAs, and the remainder at the edges, move one 64-bit word of two tiles at a time.
 #include "dispatch/exported.hpp"
 #include "simd/vector.hpp"
 #include "thinning/engines/tile_passes.hpp"
@@ -11,14 +10,14 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-constexpr Index kWordsOf64 = 2;  // strips that one 64-bit word of a plane holds
+constexpr Index kStripsPerWord = 2;  // of 64 bits
 
-/// The tile of a row in the first strip of the image.
+/// The tile of a row of tiles in the first strip of the image.
 Index first_tile(const TileGridView& grid, Index tile_row) {
   return grid.strip_tiles + tile_row;
 }
 
-/// Tiles of two neighbouring strips, the second of which may be the empty one behind the last.
+/// Loads tiles of two adjacent strips. The second may be the background strip after the last.
 void load_two_tiles(const TileGridView& grid, const ConstBitPlaneView& rows, Index strip,
                     Index tile_row) {
   const Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
@@ -26,7 +25,7 @@ void load_two_tiles(const TileGridView& grid, const ConstBitPlaneView& rows, Ind
   std::uint32_t* high = low + grid.strip_tiles * kTileRows;
   std::uint64_t any = 0;
   for (Index y = 0; y < rows.height; ++y) {
-    const std::uint64_t word = rows.row(y)[strip / kWordsOf64];
+    const std::uint64_t word = rows.row(y)[strip / kStripsPerWord];
     low[y] = static_cast<std::uint32_t>(word);
     high[y] = static_cast<std::uint32_t>(word >> kTileColumns);
     any |= word;
@@ -41,20 +40,20 @@ void store_two_tiles(const TileGridView& grid, const BitPlaneView& rows, Index s
   const std::uint32_t* low = grid.words + tile * kTileRows;
   const std::uint32_t* high = low + grid.strip_tiles * kTileRows;
   for (Index y = 0; y < rows.height; ++y) {
-    rows.row(y)[strip / kWordsOf64] = low[y] | std::uint64_t{high[y]} << kTileColumns;
+    rows.row(y)[strip / kStripsPerWord] = low[y] | std::uint64_t{high[y]} << kTileColumns;
   }
 }
 
 constexpr Index kTransposedStrips = Square::kSize;
 static_assert(!kHasTranspose || Square::kSize == kTileRows);
 
-/// Whole tiles of kTransposedStrips strips. A template, as the next one, for it to be compiled only
-/// where squares can be transposed.
+/// Loads whole tiles of kTransposedStrips strips. This and store_transposed() are templates so that
+/// they are instantiated only on ISAs that can transpose a Square.
 template <class View>
 void load_transposed(const TileGridView& grid, const View& rows, Index strip, Index tile_row) {
   Square square;
   for (int y = 0; y < kTileRows; ++y) {
-    const std::uint64_t* row = rows.row(y) + strip / kWordsOf64;
+    const std::uint64_t* row = rows.row(y) + strip / kStripsPerWord;
     square.rows[y] = reinterpreted<Lanes32>(WordBatch::load_unaligned(row));
   }
   const Square tiles = transposed(square);
@@ -76,11 +75,11 @@ void store_transposed(const TileGridView& grid, const View& rows, Index strip, I
   }
   const Square pixels = transposed(square);
   for (int y = 0; y < kTileRows; ++y) {
-    reinterpreted<WordBatch>(pixels.rows[y]).store_unaligned(rows.row(y) + strip / kWordsOf64);
+    reinterpreted<WordBatch>(pixels.rows[y]).store_unaligned(rows.row(y) + strip / kStripsPerWord);
   }
 }
 
-/// Strips that are transposed together; the others follow.
+/// The number of leading strips that can be transposed in whole squares.
 template <class View>
 Index transposed_strips(const View& rows) {
   if (rows.height < kTileRows) return 0;
@@ -94,7 +93,7 @@ void load_rows(const TileGridView& grid, const ConstBitPlaneView& rows, Index ti
     const Index end = transposed_strips(rows);
     for (; strip < end; strip += kTransposedStrips) load_transposed(grid, rows, strip, tile_row);
   }
-  for (; strip * kTileColumns < rows.width; strip += kWordsOf64) {
+  for (; strip * kTileColumns < rows.width; strip += kStripsPerWord) {
     load_two_tiles(grid, rows, strip, tile_row);
   }
 }
@@ -105,7 +104,7 @@ void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_r
     const Index end = transposed_strips(rows);
     for (; strip < end; strip += kTransposedStrips) store_transposed(grid, rows, strip, tile_row);
   }
-  for (; strip * kTileColumns < rows.width; strip += kWordsOf64) {
+  for (; strip * kTileColumns < rows.width; strip += kStripsPerWord) {
     store_two_tiles(grid, rows, strip, tile_row);
   }
 }

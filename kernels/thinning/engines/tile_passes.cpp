@@ -1,17 +1,20 @@
-// Sub-iterations on tiles of 16 x 32 packed pixels, only those within one pixel of which something
-// changed since the sub-iteration last ran. Compiled once for every ISA.
+// Sub-iterations on tiles of 16 x 32 packed pixels. Visits only tiles in which, or within one pixel
+// of which, something changed since the same sub-iteration last ran. Compiled once for every ISA.
 //
 // Cost per tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's
-// gates, 1 to notice change, 3 for its flags, 1 store to where it waits and 1 load and 1 store from
-// there to the grid; a rule of two stages takes 16 funnel shifts and 15 loads, of which GCC
-// makes 20. An image is in the grid once: new pixels wait until no neighbour needs the old ones. As
-// few wait as the list allows: with room for the densest list, 32 KB for 4,120 rows, they pushed
-// the grid out of the first cache, and Zhang-Suen's rule took 14 % longer on deep strokes.
+// gates, 1 gate to detect changes, 3 for its flags, 1 store to the pending tiles, then 1 load and 1
+// store to copy it to the grid. A two-stage rule takes 16 funnel shifts and 15 loads (20 as
+// compiled by GCC).
 //
-// It visits 8,613 tiles of the test image with Guo-Hall's rule, where the row kernel visits 18,228
-// rows of as many pixels, but a tile costs twice as much: 17 cycles in the first cache, where the
-// instructions alone are 10, stores 3 and loads across lines 2. It wins where strokes are deep or
-// images large: most tiles are quiet then.
+// The grid is updated in place: new pixels are pending until no neighbour needs the old ones. The
+// number of pending tiles is adapted to the list. With the ring buffer of the densest list, 32 KB
+// for 4,120 rows, the grid was evicted from the L1 cache, and Zhang-Suen took 14 % longer on deep
+// strokes.
+//
+// On the test image with Guo-Hall it visits 8,613 tiles; the row kernel visits 18,228 rows of the
+// same size in pixels. But a tile takes twice as long: 17 cycles in the L1 cache, of which
+// instructions account for 10, stores for 3 and line-crossing loads for 2. Tiles are faster for
+// deep strokes and large images, where most tiles are inactive.
 //
 // Measured, not adopted: docs/experiments.md#tiles.
 #include "thinning/engines/tile_passes.hpp"
@@ -20,25 +23,25 @@
 
 #include "dispatch/exported.hpp"
 #include "simd/vector.hpp"
-#include "thinning/engines/sweep.hpp"
+#include "thinning/engines/word_scan.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-using Rows = Lanes32;   // a row of a tile in each lane
-using Flags = Lanes16;  // a tile in each lane
+using Rows = Lanes32;   // one row of a tile per lane
+using Flags = Lanes16;  // one tile per lane
 constexpr Index kRowLanes = static_cast<Index>(Rows::size);
 constexpr Index kFlagLanes = static_cast<Index>(Flags::size);
 constexpr std::uint16_t kFirstRow = 1;
 constexpr std::uint16_t kLastRow = 0x8000;
 
-/// What a rule sees: row y is the register that begins y rows further down.
+/// Row access for rules: row(y) has kRowLanes rows of the strip, from y rows below `words`.
 struct RowsOfTile {
   const std::uint32_t* words;
   Index strip;
 
-  [[gnu::always_inline]] RowOfThree<Rows> row(Index y) const {
+  [[gnu::always_inline]] RowTriple<Rows> row(Index y) const {
     const std::uint32_t* at = words + y;
     const Rows centre = Rows::load_unaligned(at);
     return {west_neighbour<1>(centre, Rows::load_unaligned(at - strip)), centre,
@@ -46,17 +49,17 @@ struct RowsOfTile {
   }
 
   template <class Rule>
-  [[gnu::always_inline]] RowOfThree<Rows> features(Index y, const RowOfThree<Rows>& above,
-                                                   const RowOfThree<Rows>& here,
-                                                   const RowOfThree<Rows>& below) const {
+  [[gnu::always_inline]] RowTriple<Rows> features(Index y, const RowTriple<Rows>& above,
+                                                  const RowTriple<Rows>& here,
+                                                  const RowTriple<Rows>& below) const {
     const std::uint32_t* at = words + y;
-    return features_beside<Rule>(above, here, below,
-                                 west_neighbour<2>(here.centre, Rows::load_unaligned(at - strip)),
-                                 east_neighbour<2>(here.centre, Rows::load_unaligned(at + strip)));
+    return feature_triple<Rule>(above, here, below,
+                                west_neighbour<2>(here.centre, Rows::load_unaligned(at - strip)),
+                                east_neighbour<2>(here.centre, Rows::load_unaligned(at + strip)));
   }
 };
 
-/// What changed in the rows of one register, see TileGridView.
+/// The changed rows of a tile or register as bits, see TileGridView.
 struct ChangedRows {
   std::uint32_t anywhere, west, east;
 };
@@ -66,8 +69,8 @@ struct ChangedRows {
   return {nonzero_lanes(changed), lowest_bits(changed), highest_bits(changed)};
 }
 
-/// A window would do for every rule; without one GCC finds more in registers below AVX-512, and the
-/// printed rule takes 14 % less time with SSE2.
+/// A Window would be correct for every rule. Without one GCC keeps more values in registers on ISAs
+/// below AVX-512: naccache_shinghal takes 14 % less time with SSE2.
 template <class Rule, int sub>
 [[gnu::always_inline]] inline Rows next_rows(const RowsOfTile& rows) {
   if constexpr (TwoStageRule<Rule>) {
@@ -94,10 +97,10 @@ template <class Rule, int sub>
   return all;
 }
 
-/// Outermost pixels of the image within a tile.
+/// The border pixels of the image within a tile.
 struct BorderOfTile {
-  std::uint32_t columns;  // in every row
-  std::uint32_t rows;     // bit a row: all of it
+  std::uint32_t columns;  // bit set of columns
+  std::uint32_t rows;     // bit set of rows
 };
 
 inline BorderOfTile border_of(const TileGridView& grid, Index tile) {
@@ -110,7 +113,8 @@ inline BorderOfTile border_of(const TileGridView& grid, Index tile) {
           bit(-y, kTileRows) | bit(grid.height - 1 - y, kTileRows)};
 }
 
-/// As visit_tile, for a tile with pixels that keep their values; few tiles are.
+/// As visit_tile, for a tile with border pixels, which it restores. Out of line because such tiles
+/// are few.
 template <class Rule, int sub>
 [[gnu::noinline]] ChangedRows visit_border_tile(const TileGridView& grid, Index tile,
                                                 PendingTile& pending) {
@@ -131,12 +135,11 @@ template <class Rule, int sub>
 }
 
 template <class Rule, int sub, bool has_border>
-[[gnu::always_inline]] inline void visit_tiles(const TileGridView& shared,
-                                               const TileVisits& visits) {
-  const TileGridView grid = shared;  // a store could otherwise be taken to change its fields
+[[gnu::always_inline]] inline void visit_tiles(const TileGridView& shared, const TileRange& range) {
+  const TileGridView grid = shared;  // a local copy, which stores cannot alias
   const Index strip = grid.strip_tiles * kTileRows;
-  PendingTile* pending = visits.pending;
-  PendingTile* const pending_end = pending + visits.kept;
+  PendingTile* pending = range.pending;
+  PendingTile* const pending_end = pending + range.delay;
   const auto next_pixels = [&](Index tile) __attribute__((always_inline)) {
     if constexpr (has_border) {
       if ((grid.border_tiles[tile / kTileGroup] >> (tile % kTileGroup) & 1) != 0) {
@@ -151,7 +154,7 @@ template <class Rule, int sub, bool has_border>
     grid.changed_west[tile] = static_cast<std::uint16_t>(changed.west);
     grid.changed_east[tile] = static_cast<std::uint16_t>(changed.east);
     ++pending;
-    if (pending == pending_end) pending = visits.pending;
+    if (pending == pending_end) pending = range.pending;
   };
   const auto commit = [&](Index tile) __attribute__((always_inline)) {
     std::uint32_t* to = grid.words + tile * kTileRows;
@@ -159,35 +162,38 @@ template <class Rule, int sub, bool has_border>
       Rows::load_aligned(pending->words + row).store_aligned(to + row);
     }
   };
-  const std::uint32_t* const end = visits.tiles + visits.count;
-  const std::uint32_t* next = visits.tiles;
-  for (const auto* first = next + std::min(visits.count, visits.kept); next != first; ++next) {
+  const std::uint32_t* const end = range.tiles + range.count;
+  const std::uint32_t* next = range.tiles;
+  for (const auto* first = next + std::min(range.count, range.delay); next != first; ++next) {
     visit(*next);
   }
-  for (const std::uint32_t* last = visits.tiles; next != end; ++next, ++last) {
-    commit(*last);
+  for (const std::uint32_t* oldest = range.tiles; next != end; ++next, ++oldest) {
+    commit(*oldest);
     visit(*next);
   }
 }
 
-/// Tiles of a group whose pixels, or pixels beside them, changed; enough for rules of two stages,
-/// too, see TwoStageRule.
-[[gnu::always_inline]] inline std::uint32_t wanted_tiles(const TileGridView& grid, Index first) {
+/// Tiles of a group in which, or next to which, a pixel changed in the last sub-iteration. Correct
+/// for two-stage rules too, see TwoStageRule.
+[[gnu::always_inline]] inline std::uint32_t tiles_near_changes(const TileGridView& grid,
+                                                               Index first) {
   const auto any_of = [&](Index tile) {
     return Flags::load_unaligned(grid.changed_rows + tile) |
            Flags::load_unaligned(grid.changed_west + tile + grid.strip_tiles) |
            Flags::load_unaligned(grid.changed_east + tile - grid.strip_tiles);
   };
-  std::uint32_t wanted = 0;
+  std::uint32_t tiles = 0;
   for (Index part = 0; part < kTileGroup; part += kFlagLanes) {
     const Index tile = first + part;
     const Flags any =
         any_of(tile) | (any_of(tile - 1) & Flags(kLastRow)) | (any_of(tile + 1) & Flags(kFirstRow));
-    wanted |= nonzero_lanes(any) << part;
+    tiles |= nonzero_lanes(any) << part;
   }
-  return wanted;
+  return tiles;
 }
 
+/// Writes the numbers of a group's tiles to `list` and returns how many. May write kTileGroup
+/// entries.
 [[gnu::always_inline]] inline Index append_tiles(std::uint32_t* list, Index first,
                                                  std::uint32_t tiles) {
   if constexpr (kHasCompress) {
@@ -196,14 +202,14 @@ template <class Rule, int sub, bool has_border>
     store_compressed(list, low, tiles);
     store_compressed(list + __builtin_popcount(tiles & 0xFFFF), low + Lanes32(16), tiles >> 16);
   } else {
-    for (std::uint32_t left = tiles; left != 0; left &= left - 1) {
-      *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(left));
+    for (std::uint32_t rest = tiles; rest != 0; rest &= rest - 1) {
+      *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(rest));
     }
   }
   return __builtin_popcount(tiles);
 }
 
-/// Bits [64 i + offset, 64 i + offset + 64) of a bit set of `words` words; zeros outside.
+/// Bits [64 i + offset, 64 i + offset + 64) of a bit set of `words` words; bits outside are zero.
 std::uint64_t bits_from(const std::uint64_t* bits, Index words, Index i, Index offset) {
   const Index from = i * kWordBits + offset;
   const Index word = from >> 6;
@@ -212,7 +218,8 @@ std::uint64_t bits_from(const std::uint64_t* bits, Index words, Index i, Index o
   return shift == 0 ? at(word) : at(word) >> shift | at(word + 1) << (kWordBits - shift);
 }
 
-/// Occupied groups of a word in whose reach tiles were visited: only they can hold active tiles.
+/// Occupied groups of word `i` with visited tiles in or next to them: only these can have active
+/// tiles.
 std::uint64_t candidates(const TileGridView& grid, const std::uint64_t* visited, Index i) {
   const Index strip = grid.strip_tiles / kTileGroup;  // rounded down
   const Index words = (grid.groups + kWordBits - 1) / kWordBits;
@@ -223,70 +230,69 @@ std::uint64_t candidates(const TileGridView& grid, const std::uint64_t* visited,
   return near & grid.occupied_groups[i];
 }
 
-/// Every tile that changed is in the next list, so its flags are written again, and those of a tile
-/// that is left out are zero since its last visit: a list may not leave out more.
+/// The list must include every tile that changed, because only a visit resets a tile's flags: the
+/// flags of tiles that are not listed must be zero.
 Index list_active(const TileGridView& shared_grid, const TileListing& shared_listing) {
-  const TileGridView grid = shared_grid;  // stores could otherwise be taken to change the fields
+  const TileGridView grid = shared_grid;  // local copies, which stores cannot alias
   const TileListing listing = shared_listing;
-  std::uint32_t* const wanted_now = grid.wanted[static_cast<std::size_t>(listing.step)];
-  const std::uint32_t* earlier_wanted[kMaxSubIterations];
-  for (int back = 1; back < listing.length; ++back) {
-    const int step = (listing.step + back) % listing.length;
-    earlier_wanted[back] = grid.wanted[static_cast<std::size_t>(step)];
+  std::uint32_t* const latest = grid.changed_near[static_cast<std::size_t>(listing.sub_iteration)];
+  const std::uint32_t* earlier[kMaxSubIterations];
+  for (int k = 1; k < listing.sub_iterations; ++k) {
+    const int sub = (listing.sub_iteration + k) % listing.sub_iterations;
+    earlier[k] = grid.changed_near[static_cast<std::size_t>(sub)];
   }
   Index count = 0;
   for (Index i = listing.first_word; i < listing.last_word; ++i) {
     std::uint64_t visited = 0;
-    for (std::uint64_t left = candidates(grid, listing.visited, i); left != 0; left &= left - 1) {
-      const Index group = i * kWordBits + __builtin_ctzll(left);
-      std::uint32_t active = wanted_tiles(grid, group * kTileGroup);
-      wanted_now[group] = active;
-      for (int back = 1; back < listing.length; ++back) {
-        active |= earlier_wanted[back][group];
-      }
+    for (std::uint64_t rest = candidates(grid, listing.visited, i); rest != 0; rest &= rest - 1) {
+      const Index group = i * kWordBits + __builtin_ctzll(rest);
+      std::uint32_t active = tiles_near_changes(grid, group * kTileGroup);
+      latest[group] = active;
+      for (int k = 1; k < listing.sub_iterations; ++k) active |= earlier[k][group];
       active &= grid.occupied[group];
       count += append_tiles(listing.list + count, group * kTileGroup, active);
-      visited |= std::uint64_t{active != 0} << (group % kWordBits);  // a branch would be a toss-up
+      // Without a branch, which would be unpredictable.
+      visited |= std::uint64_t{active != 0} << (group % kWordBits);
     }
     listing.next_visited[i] = visited;
   }
   return count;
 }
 
-/// Whether entries `apart` places from each other are `reach` tiles or more from each other.
-bool all_lie_apart(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index apart) {
-  constexpr Index looked_at_together = 512;
-  for (Index begin = 0; begin + apart < count; begin += looked_at_together) {
-    const Index end = std::min(begin + looked_at_together, count - apart);
+/// Whether tiles[i + delay] - tiles[i] >= reach for all i.
+bool is_sufficient(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index delay) {
+  constexpr Index chunk = 512;  // the inner loop has no exit, so that it is vectorised
+  for (Index begin = 0; begin + delay < count; begin += chunk) {
+    const Index end = std::min(begin + chunk, count - delay);
     std::uint32_t near = 0;
-    for (Index i = begin; i < end; ++i) near |= tiles[i + apart] - tiles[i] < reach ? 1 : 0;
+    for (Index i = begin; i < end; ++i) near |= tiles[i + delay] - tiles[i] < reach ? 1 : 0;
     if (near != 0) return false;
   }
   return true;
 }
 
-Index find_held(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index guess,
-                Index most) {
-  constexpr Index few = 64;  // 4 KB
-  if (most <= few) return most;
-  Index kept = std::clamp(guess, few / 2, most);
-  while (kept < most && !all_lie_apart(tiles, count, reach, kept)) {
-    kept = std::min(most, kept + kept / 8 + 1);
+Index find_delay(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index guess,
+                 Index max_delay) {
+  constexpr Index small = 64;  // 4 KB: a search would not pay
+  if (max_delay <= small) return max_delay;
+  Index delay = std::clamp(guess, small / 2, max_delay);
+  while (delay < max_delay && !is_sufficient(tiles, count, reach, delay)) {
+    delay = std::min(max_delay, delay + delay / 8 + 1);
   }
-  for (Index fewer = kept - kept / 8 - 1; fewer >= few / 2; fewer = kept - kept / 8 - 1) {
-    if (!all_lie_apart(tiles, count, reach, fewer)) break;
-    kept = fewer;
+  for (Index less = delay - delay / 8 - 1; less >= small / 2; less = delay - delay / 8 - 1) {
+    if (!is_sufficient(tiles, count, reach, less)) break;
+    delay = less;
   }
-  return kept;
+  return delay;
 }
 
 struct Tiles {
   template <class Rule, int sub>
-  static void pass(const TileGridView& grid, const TileVisits& visits) {
+  static void pass(const TileGridView& grid, const TileRange& range) {
     if (grid.border_tiles == nullptr) {
-      visit_tiles<Rule, sub, false>(grid, visits);
+      visit_tiles<Rule, sub, false>(grid, range);
     } else {
-      visit_tiles<Rule, sub, true>(grid, visits);
+      visit_tiles<Rule, sub, true>(grid, range);
     }
   }
 };
@@ -296,6 +302,6 @@ struct Tiles {
 
 template <>
 constinit const TileKernels Exported<TileKernels, kThisIsa>::kKernels = {
-    cycles_by_rule<TileVisit, Tiles>(), &list_active, &find_held};
+    sub_iterations_by_rule<TilePass, Tiles>(), &list_active, &find_delay};
 
 }  // namespace thinbench::detail

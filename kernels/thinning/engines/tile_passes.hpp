@@ -1,4 +1,4 @@
-// The interface of the engine over tiles, see tile_grid.hpp: passes that visit listed tiles.
+// The interface of the tile engine, see tile_grid.hpp: passes over lists of tiles.
 #pragma once
 
 #include <span>
@@ -8,63 +8,64 @@
 
 namespace thinbench::detail {
 
-/// New pixels of a tile, until no neighbour needs the old ones any more.
+/// New pixels of a tile, not written to the grid yet because a neighbour still needs the old ones.
 struct alignas(64) PendingTile {
   std::uint32_t words[kTileRows];
 };
 
-/// A range of the active tiles. A tile is written, `kept` visits later, when it has no neighbours
-/// ahead; `pending` has room for as many.
-struct TileVisits {
+/// A range of the list of active tiles. A tile is written to the grid `delay` visits after its own,
+/// when no neighbour of it remains to be visited.
+struct TileRange {
   const std::uint32_t* tiles;
   Index count;
-  PendingTile* pending;  // of entry i at i modulo `kept`
-  Index kept;
+  PendingTile* pending;  // a ring buffer of `delay` tiles: entry i is at i modulo `delay`
+  Index delay;
 };
 
-/// Applies one sub-iteration to the tiles of a range and notes what changed. The last `kept`
-/// of them are left to commit().
-using TileVisit = void (*)(const TileGridView& grid, const TileVisits& visits);
+/// Applies one sub-iteration to the tiles of a range and records which rows changed. The last
+/// `delay` tiles remain pending.
+using TilePass = void (*)(const TileGridView& grid, const TileRange& range);
 
-/// Where to look for tiles that the next step must visit, and where to list them.
+/// The input and output of ListActive, which can process parts of the grid in parallel.
 struct TileListing {
-  int step;  // the one that ran, of a cycle of `length`
-  int length;
-  Index first_word;              // of the bit sets with a bit a group
-  Index last_word;               // the word after the last
-  const std::uint64_t* visited;  // groups that the step visited, all of them
-  std::uint64_t* next_visited;   // those of the list, in the words asked for
-  std::uint32_t* list;           // ascending; kTileGroup entries behind the last may be written
+  int sub_iteration;   // index of the one that just ran
+  int sub_iterations;  // per iteration
+  Index first_word;    // words [first_word, last_word) of the bit sets of groups
+  Index last_word;
+  const std::uint64_t* visited;  // all groups that the sub-iteration visited
+  std::uint64_t* next_visited;   // output: the groups of the list, in words of the range only
+  std::uint32_t* list;           // output, ascending; kTileGroup more entries may be overwritten
 };
 
-/// Lists the tiles within one pixel of which something changed; returns how many.
+/// Lists the tiles that the next sub-iteration must visit: the occupied tiles in which, or next to
+/// which, a pixel changed during the last iteration. Returns their number.
 using ListActive = Index (*)(const TileGridView& grid, const TileListing& listing);
 
-/// How many tiles of an ascending list must wait so that each waits while a tile ahead is its
-/// neighbour: entries so far apart differ by `reach` or more, which is positive. At most an eighth
-/// more than the least that would do, but not below a number that is small enough for any list; at
-/// most `most`, which is always enough. A guess near the result saves time.
-using FindHeld = Index (*)(const std::uint32_t* tiles, Index count, std::uint32_t reach,
-                           Index guess, Index most);
+/// A sufficient delay for an ascending list of tiles: tiles[i + delay] - tiles[i] >= reach for all
+/// i, so that entries `delay` places apart are not neighbours. `reach` is positive. At most about
+/// an eighth above the minimum, unless that is small; at most `max_delay`, which must be
+/// sufficient. Fast if `guess` is near the result.
+using FindDelay = Index (*)(const std::uint32_t* tiles, Index count, std::uint32_t reach,
+                            Index guess, Index max_delay);
 
-/// Pixels of one row of tiles, into the grid and back: `rows` are its rows of pixels, kTileRows
-/// except at the lower end of the image. Loading leaves in `changed_rows` which tiles have dark
-/// pixels, for TileGrid::begin.
+/// Copies the pixels of one row of tiles into the grid and back. `rows` has kTileRows rows of
+/// pixels, fewer at the lower end of the image. load_rows sets `changed_rows` to nonzero for tiles
+/// with foreground, for TileGrid::restart.
 struct TileLayout {
   void (*load_rows)(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row);
   void (*store_rows)(const TileGridView& grid, const BitPlaneView& rows, Index tile_row);
 };
 
-/// What iterates over tiles at one ISA.
+/// The tile engine for one ISA.
 struct TileKernels {
-  ByRule<Cycle<TileVisit>> by_rule;
+  ByRule<SubIterations<TilePass>> by_rule;
   ListActive list_active;
-  FindHeld find_held;
+  FindDelay find_delay;
 };
 
-/// A rule's sub-iterations, and all that is the same for every rule.
+/// The tile engine for one ISA and rule.
 struct TileEngine {
-  std::span<const TileVisit> cycle;
+  std::span<const TilePass> sub_iterations;
   const TileKernels* kernels;
   const TileLayout* layout;
 };

@@ -10,7 +10,7 @@ RowRange changing_rows(Index height, Border border) {
   return {1, std::max<Index>(1, height - 1)};
 }
 
-TileActivity::TileActivity(RowRange rows, Index row_elements, Index min_column)
+BandActivity::BandActivity(RowRange rows, Index row_elements, Index min_column)
     : rows_(rows), row_elements_(row_elements) {
   constexpr Index max_columns = 64;
   const Index narrow_columns = std::max<Index>(1, row_elements / min_column);
@@ -23,16 +23,16 @@ TileActivity::TileActivity(RowRange rows, Index row_elements, Index min_column)
   for (auto& columns_by_band : history_) columns_by_band.resize(bands);
 }
 
-void TileActivity::restart() {
+void BandActivity::restart() {
   sub_iteration_ = 0;
   for (auto& changed : history_) std::fill(changed.begin(), changed.end(), all_columns_);
 }
 
-std::uint64_t TileActivity::active_columns(std::size_t band, int length) const {
+std::uint64_t BandActivity::active_columns(std::size_t band, int lookback) const {
   const std::size_t from = band == 0 ? 0 : band - 1;
   const std::size_t to = std::min(band + 1, active_.size() - 1);
   std::uint64_t recent = 0;
-  for (int back = 1; back <= length; ++back) {
+  for (int back = 1; back <= lookback; ++back) {
     const auto& changed =
         history_[static_cast<std::size_t>(sub_iteration_ - back) % kMaxSubIterations];
     for (std::size_t i = from; i <= to; ++i) recent |= changed[i];
@@ -40,12 +40,12 @@ std::uint64_t TileActivity::active_columns(std::size_t band, int length) const {
   return (recent | recent << 1 | recent >> 1) & all_columns_;
 }
 
-std::span<const Band> TileActivity::begin_step(int length) {
-  // The first number keeps all indices into the history positive.
+std::span<const Band> BandActivity::begin_sub_iteration(int lookback) {
+  // Starts at kMaxSubIterations so that indices into the history are never negative.
   sub_iteration_ = sub_iteration_ == 0 ? kMaxSubIterations : sub_iteration_ + 1;
   active_count_ = 0;
   for (std::size_t band = 0; band < active_.size(); ++band) {
-    const std::uint64_t columns = active_columns(band, length);
+    const std::uint64_t columns = active_columns(band, lookback);
     if (columns == 0) continue;
     const Index first = rows_.first + static_cast<Index>(band) * kRows;
     active_[active_count_++] = {first, std::min(first + kRows, rows_.last), columns,
@@ -54,7 +54,7 @@ std::span<const Band> TileActivity::begin_step(int length) {
   return {active_.data(), active_count_};
 }
 
-bool TileActivity::end_step() {
+bool BandActivity::end_sub_iteration() {
   auto& now = history_[static_cast<std::size_t>(sub_iteration_) % kMaxSubIterations];
   std::fill(now.begin(), now.end(), 0);
   bool any = false;
@@ -62,23 +62,23 @@ bool TileActivity::end_step() {
     now[static_cast<std::size_t>((active_[i].first - rows_.first) / kRows)] = changed_[i];
     any = any || changed_[i] != 0;
   }
-  // The second sub-iteration must write all tiles of the other buffer.
+  // The second sub-iteration must write all cells, because its target is not initialised.
   if (sub_iteration_ == kMaxSubIterations) std::fill(now.begin(), now.end(), all_columns_);
   return any;
 }
 
 namespace {
 
-/// Calls `body(band)` for every band with tiles that may change. True where one did.
+/// Calls `body(band)` for every band with active cells. True if any of them changed.
 template <class Body>
-bool run_sub_iteration(int length, TileActivity& activity, ThreadTeam& team, const Body& body) {
-  const auto bands = activity.begin_step(length);
+bool run_sub_iteration(int lookback, BandActivity& activity, ThreadTeam& team, const Body& body) {
+  const auto bands = activity.begin_sub_iteration(lookback);
   team.for_ranges(static_cast<Index>(bands.size()), [&](Index first, Index last) {
     for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
       activity.set_changed(i, body(bands[i]));
     }
   });
-  return activity.end_step();
+  return activity.end_sub_iteration();
 }
 
 template <class T>
@@ -100,7 +100,7 @@ void copy_fixed_rows(const RowRange& changing, const ConstPlaneView<T>& source,
 template <class T>
 int iterate(std::span<const Pass<T>> sub_iterations, const Repetition<T>& repetition,
             const ConstPlaneView<T>& source, const PlaneView<T>& target,
-            const PlaneView<T>& scratch, TileActivity& activity, ThreadTeam& team) {
+            const PlaneView<T>& scratch, BandActivity& activity, ThreadTeam& team) {
   activity.restart();
   for (const PlaneView<T>& plane : {target, scratch}) {
     copy_fixed_rows(repetition.rows, source, plane);
@@ -108,7 +108,7 @@ int iterate(std::span<const Pass<T>> sub_iterations, const Repetition<T>& repeti
   ConstPlaneView<T> from = source;
   PlaneView<T> to = target;
   PlaneView<T> other = scratch;
-  const int length = static_cast<int>(sub_iterations.size());
+  const int lookback = static_cast<int>(sub_iterations.size());
   int iterations = 0;
   bool changed = true;
   while (changed && iterations < repetition.max_iterations) {
@@ -117,23 +117,23 @@ int iterate(std::span<const Pass<T>> sub_iterations, const Repetition<T>& repeti
       const auto run = [&](const Band& band) {
         return pass(repetition.rule, repetition.fixed, from, to, band);
       };
-      changed = run_sub_iteration(length, activity, team, run) || changed;
+      changed = run_sub_iteration(lookback, activity, team, run) || changed;
       from = to;
       std::swap(to, other);
     }
     ++iterations;
   }
-  // After an iteration without change both buffers hold the result.
+  // After an iteration without changes both buffers hold the result.
   if (changed && from.data != target.data) copy_rows(from, target, {0, from.height});
   return iterations;
 }
 
 int iterate_changes(ChangePass sub_iteration, const Repetition<std::uint64_t>& repetition,
                     const ConstBitPlaneView& source, const std::array<BitPlaneView, 3>& buffers,
-                    TileActivity& activity, ThreadTeam& team) {
-  // The buffer that is written holds the image of three iterations ago, so a tile may be skipped
-  // only after two without change.
-  constexpr int length = 2;
+                    BandActivity& activity, ThreadTeam& team) {
+  // The target holds the image of three iterations ago: a cell may be skipped only after two
+  // iterations without changes.
+  constexpr int lookback = 2;
   activity.restart();
   const BitPlaneView& background = buffers[2];
   for (Index y = 0; y < background.height; ++y) {
@@ -145,7 +145,7 @@ int iterate_changes(ChangePass sub_iteration, const Repetition<std::uint64_t>& r
   int iterations = 0;
   for (bool changed = true; changed && iterations < repetition.max_iterations; ++iterations) {
     const BitPlaneView& next = buffers[static_cast<std::size_t>(iterations) % buffers.size()];
-    changed = run_sub_iteration(length, activity, team, [&](const Band& band) {
+    changed = run_sub_iteration(lookback, activity, team, [&](const Band& band) {
       return sub_iteration(repetition.rule, repetition.fixed, previous, current, next, band);
     });
     previous = std::exchange(current, next);
@@ -156,9 +156,9 @@ int iterate_changes(ChangePass sub_iteration, const Repetition<std::uint64_t>& r
 
 template int iterate(std::span<const Pass<std::uint8_t>>, const Repetition<std::uint8_t>&,
                      const ConstBytePlaneView&, const BytePlaneView&, const BytePlaneView&,
-                     TileActivity&, ThreadTeam&);
+                     BandActivity&, ThreadTeam&);
 template int iterate(std::span<const Pass<std::uint64_t>>, const Repetition<std::uint64_t>&,
                      const ConstBitPlaneView&, const BitPlaneView&, const BitPlaneView&,
-                     TileActivity&, ThreadTeam&);
+                     BandActivity&, ThreadTeam&);
 
 }  // namespace thinbench::detail

@@ -7,20 +7,20 @@
 namespace thinbench::detail {
 namespace {
 
-/// Tiles per thread below which barriers cost more than threads save:
+/// With fewer tiles per thread, barriers cost more than threads gain:
 /// docs/experiments.md#smaller-shares.
 constexpr Index kMinShare = 512;
 
-/// The distance from a tile to the first that is no neighbour of it.
+/// Tiles whose numbers differ by this or more are not neighbours.
 std::uint32_t reach_of(const TileGridView& grid) {
   return static_cast<std::uint32_t>(grid.strip_tiles + 2);
 }
 
-/// Writes the tiles of a range that are still pending.
-void commit(const TileGridView& grid, const TileVisits& visits) {
-  for (Index i = std::max<Index>(0, visits.count - visits.kept); i < visits.count; ++i) {
-    const PendingTile& from = visits.pending[i % visits.kept];
-    std::memcpy(grid.words + Index{visits.tiles[i]} * kTileRows, from.words, sizeof(from.words));
+/// Writes the pending tiles of a range to the grid.
+void commit(const TileGridView& grid, const TileRange& range) {
+  for (Index i = std::max<Index>(0, range.count - range.delay); i < range.count; ++i) {
+    const PendingTile& from = range.pending[i % range.delay];
+    std::memcpy(grid.words + Index{range.tiles[i]} * kTileRows, from.words, sizeof(from.words));
   }
 }
 
@@ -32,14 +32,14 @@ Index part_begin(Index count, Index part, Index parts) {
 }  // namespace
 
 TileWorkspace::TileWorkspace(Index width, Index height, Border border, int threads)
-    : grid_(width, height, border), max_held_(static_cast<Index>(reach_of(grid_.view()))) {
+    : grid_(width, height, border), max_delay_(static_cast<Index>(reach_of(grid_.view()))) {
   const Index tiles = grid_.view().groups * kTileGroup;
   const Index shares = tiles < threads * kMinShare ? 1 : threads;
-  // A share has no more tiles than its part of the list. A single share, which may be all tiles,
-  // has the room of all shares.
-  room_ = std::min(max_held_, tiles / shares + 1);
-  pending_ =
-      make_aligned<PendingTile>(static_cast<std::size_t>(std::max(max_held_, room_ * 2 * shares)));
+  // A share never needs a larger ring buffer than it has tiles. A single share, which may have all
+  // tiles, uses the memory of all shares.
+  ring_size_ = std::min(max_delay_, tiles / shares + 1);
+  pending_ = make_aligned<PendingTile>(
+      static_cast<std::size_t>(std::max(max_delay_, ring_size_ * 2 * shares)));
   const auto list = static_cast<std::size_t>(tiles + shares * kTileGroup);
   lists_[0] = make_aligned<std::uint32_t>(list);
   if (threads > 1) lists_[1] = make_aligned<std::uint32_t>(list);
@@ -49,8 +49,8 @@ TileWorkspace::TileWorkspace(Index width, Index height, Border border, int threa
   }
 }
 
-/// The sub-iterations of one repetition, with two barriers each: one before tiles are written that
-/// other threads may have read, one before the next list is used.
+/// Runs sub-iterations. Each has two barriers: one before tiles are written that other threads may
+/// read, one before the next list is used.
 class TileIteration {
  public:
   TileIteration(const TileEngine& engine, TileWorkspace& workspace, const ThreadTeam& team)
@@ -63,24 +63,24 @@ class TileIteration {
         next_list_(team.threads() == 1 ? list_ : workspace.lists_[1].get()),
         visited_(workspace.visited_[0].get()),
         next_visited_(workspace.visited_[1].get()),
-        active_(workspace.grid().begin(list_, visited_)),
-        kept_(workspace.max_held_) {}
+        active_(workspace.grid().restart(list_, visited_)),
+        delay_(workspace.max_delay_) {}
 
   [[nodiscard]] bool any_active() const { return active_ != 0; }
 
   void run(int sub) {
     const Index shares = active_ < team_.threads() * kMinShare ? 1 : team_.threads();
     const Index lists = std::min(shares, words_);
-    const TileVisit visit = engine_.cycle[static_cast<std::size_t>(sub)];
-    kept_ =
-        engine_.kernels->find_held(list_, active_, reach_of(grid_), kept_, workspace_.max_held_);
+    const TilePass pass = engine_.sub_iterations[static_cast<std::size_t>(sub)];
+    delay_ =
+        engine_.kernels->find_delay(list_, active_, reach_of(grid_), delay_, workspace_.max_delay_);
     for_each_share(shares, [&](Index share) {
-      if (share != 0) visit(grid_, held(share, shares));
-      visit(grid_, rest(share, shares));
+      if (share != 0) pass(grid_, leading_tiles(share, shares));
+      pass(grid_, remaining_tiles(share, shares));
     });
     for_each_share(shares, [&](Index share) {
-      if (share != 0) commit(grid_, held(share, shares));
-      commit(grid_, rest(share, shares));
+      if (share != 0) commit(grid_, leading_tiles(share, shares));
+      commit(grid_, remaining_tiles(share, shares));
       if (share < lists) {
         workspace_.listed_[static_cast<std::size_t>(share)] = list_share(sub, share, lists);
       }
@@ -99,8 +99,8 @@ class TileIteration {
     });
   }
 
-  /// The beginning of a share's tiles that no thread of an earlier share may still read.
-  [[nodiscard]] Index rest_begin(Index share, Index shares) const {
+  /// The end of a share's leading tiles: those that the thread of an earlier share may read.
+  [[nodiscard]] Index leading_end(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
     if (share == 0) return first;
     const Index last = part_begin(active_, share + 1, shares);
@@ -108,36 +108,36 @@ class TileIteration {
     return std::lower_bound(list_ + first, list_ + last, beyond) - list_;
   }
 
-  /// The tiles before it: written after all threads have visited theirs.
-  [[nodiscard]] TileVisits held(Index share, Index shares) const {
+  /// All of them remain pending until every thread has visited its tiles.
+  [[nodiscard]] TileRange leading_tiles(Index share, Index shares) const {
     const Index first = part_begin(active_, share, shares);
-    return {list_ + first, rest_begin(share, shares) - first, pending_of(2 * share),
-            workspace_.max_held_};
+    return {list_ + first, leading_end(share, shares) - first, ring(2 * share),
+            workspace_.max_delay_};
   }
-  /// The others: written on the way, but for the last `kept`, which a thread of a later share may
-  /// read.
-  [[nodiscard]] TileVisits rest(Index share, Index shares) const {
-    const Index first = rest_begin(share, shares);
+  /// The last `delay` of them remain pending: the thread of a later share may read them.
+  [[nodiscard]] TileRange remaining_tiles(Index share, Index shares) const {
+    const Index first = leading_end(share, shares);
     const Index last = part_begin(active_, share + 1, shares);
-    return {list_ + first, last - first, pending_of(shares == 1 ? 0 : 2 * share + 1), kept_};
+    return {list_ + first, last - first, ring(shares == 1 ? 0 : 2 * share + 1), delay_};
   }
-  /// Memory for `room_` tiles; from the first place on, for all that a single share may hold.
-  [[nodiscard]] PendingTile* pending_of(Index place) const {
-    return workspace_.pending_.get() + place * workspace_.room_;
+  /// A ring buffer of `ring_size_` tiles. A single share uses the memory of all rings as one.
+  [[nodiscard]] PendingTile* ring(Index index) const {
+    return workspace_.pending_.get() + index * workspace_.ring_size_;
   }
 
-  /// Each share of the groups has room for all its tiles in the next list, and for entries written
-  /// behind the last.
+  /// Where a share begins to list the next tiles: with room for all tiles of its groups, and for
+  /// the entries that ListActive may overwrite.
   [[nodiscard]] std::uint32_t* list_of_share(Index share, Index shares) const {
     const Index tiles = part_begin(words_, share, shares) * kWordBits * kTileGroup;
     return next_list_ + tiles + share * kTileGroup;
   }
   [[nodiscard]] Index list_share(int sub, Index share, Index shares) const {
     return engine_.kernels->list_active(
-        grid_, {sub, static_cast<int>(engine_.cycle.size()), part_begin(words_, share, shares),
-                part_begin(words_, share + 1, shares), visited_, next_visited_,
-                list_of_share(share, shares)});
+        grid_, {sub, static_cast<int>(engine_.sub_iterations.size()),
+                part_begin(words_, share, shares), part_begin(words_, share + 1, shares), visited_,
+                next_visited_, list_of_share(share, shares)});
   }
+  /// Moves the lists of all shares together.
   void join_lists(Index shares) {
     active_ = workspace_.listed_[0];
     for (Index share = 1; share < shares; ++share) {
@@ -158,7 +158,7 @@ class TileIteration {
   std::uint64_t* visited_;
   std::uint64_t* next_visited_;
   Index active_;
-  Index kept_;
+  Index delay_;
 };
 
 int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
@@ -166,7 +166,9 @@ int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& w
   TileIteration iteration(engine, workspace, team);
   int iterations = 0;
   do {
-    for (int sub = 0; sub < static_cast<int>(engine.cycle.size()); ++sub) iteration.run(sub);
+    for (int sub = 0; sub < static_cast<int>(engine.sub_iterations.size()); ++sub) {
+      iteration.run(sub);
+    }
     ++iterations;
   } while (iteration.any_active() && iterations < max_iterations);
   return iterations;

@@ -1,4 +1,4 @@
-// Iterations over the tiles that may still change.
+// Iterates the tile engine over its lists of active tiles.
 #pragma once
 
 #include <array>
@@ -8,31 +8,31 @@
 
 namespace thinbench::detail {
 
-/// Memory of one repetition: the grid, the list of active tiles, and new pixels of tiles that are
-/// not written yet.
+/// The memory of iterate_tiles(): the grid, the lists of active tiles and the pending tiles. A
+/// share is one thread's part of a list.
 class TileWorkspace {
  public:
   TileWorkspace(Index width, Index height, Border border, int threads);
 
   [[nodiscard]] TileGrid& grid() { return grid_; }
-  [[nodiscard]] const TileGrid& grid() const { return grid_; }
 
  private:
   friend class TileIteration;
 
   TileGrid grid_;
-  Index max_held_;
-  Index room_ = 0;                     // for so many of them, or all that a share can have
-  AlignedArray<PendingTile> pending_;  // twice that room per share
-  AlignedArray<Index> listed_;         // by share
-  // For the current sub-iteration and the next; one thread uses a single list.
+  Index max_delay_;
+  Index ring_size_ = 0;                // tiles per ring buffer
+  AlignedArray<PendingTile> pending_;  // two ring buffers per share
+  AlignedArray<Index> listed_;         // number of tiles listed, by share
+  // For the current and the next sub-iteration; one thread uses a single list.
   std::array<AlignedArray<std::uint32_t>, 2> lists_;
   std::array<AlignedArray<std::uint64_t>, 2> visited_;
 };
 
-/// Repeats the engine's sub-iterations on the pixels that were loaded into the grid until an
-/// iteration changes nothing or the limit is reached; returns the number of iterations, the last
-/// included. The workspace was made for as many threads as the team has, or more. No allocation.
+/// Iterates the engine's sub-iterations on the pixels in the grid, in place, until an iteration
+/// changes nothing or `max_iterations` is reached; returns the number of iterations, including the
+/// last. The workspace must be constructed for at least the team's number of threads. Does not
+/// allocate.
 int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
                   const ThreadTeam& team);
 

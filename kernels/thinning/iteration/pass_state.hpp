@@ -1,4 +1,4 @@
-// States that iterate sub-iterations over planes of T.
+// States that iterate passes over planes of T.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace thinbench::detail {
 
-/// The parameters of a repetition, in memory of their own.
+/// Owns the parameters of iterate().
 template <class T>
 class RepetitionMemory {
  public:
@@ -17,14 +17,14 @@ class RepetitionMemory {
         repetition_{rule_.get(), setting.max_iterations,
                     changing_rows(setting.height, setting.border), nullptr},
         activity_(repetition_.rows, row_elements, sizeof(T) == 1 ? kWordBits : 1) {
-    if (setting.border == Border::keep && setting.width > 0) fix_outermost(setting.width);
+    if (setting.border == Border::keep && setting.width > 0) fix_border_columns(setting.width);
   }
 
   [[nodiscard]] const Repetition<T>& repetition() const { return repetition_; }
-  [[nodiscard]] TileActivity& activity() { return activity_; }
+  [[nodiscard]] BandActivity& activity() { return activity_; }
 
  private:
-  void fix_outermost(Index width) {
+  void fix_border_columns(Index width) {
     fixed_ = Plane<T>(width, 1);
     T* const row = fixed_.view().data;
     constexpr Index pixels = sizeof(T) == 1 ? 1 : kWordBits;
@@ -36,17 +36,17 @@ class RepetitionMemory {
 
   std::shared_ptr<const RuntimeRule> rule_;
   Repetition<T> repetition_;
-  TileActivity activity_;
+  BandActivity activity_;
   Plane<T> fixed_;
 };
 
-/// Sub-iterations that see the current image.
+/// Iterates the passes of a rule.
 template <class T>
 class PassState final : public PlaneState<T> {
  public:
   using PlaneState<T>::planes;
 
-  /// The functions of `passes` must live as long as the program.
+  /// `passes` must refer to static storage.
   PassState(std::span<const Pass<T>> passes, const ThinningSetting& setting)
       : PlaneState<T>(setting),
         passes_(passes),
@@ -64,7 +64,7 @@ class PassState final : public PlaneState<T> {
   Plane<T> scratch_;
 };
 
-/// One sub-iteration that also sees what the last one changed.
+/// Iterates a ChangePass.
 class ChangeState final : public PlaneState<std::uint64_t> {
  public:
   ChangeState(ChangePass pass, const ThinningSetting& setting)

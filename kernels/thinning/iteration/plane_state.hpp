@@ -1,4 +1,4 @@
-// States with the image in a plane: packing and unpacking by bands of rows.
+// States that hold the image in a plane. They pack and unpack it by bands of rows.
 #pragma once
 
 #include "image/packing.hpp"
@@ -8,7 +8,7 @@
 
 namespace thinbench::detail {
 
-/// Source and result planes with the conversions of one ISA.
+/// The source and result planes, and the conversions of one ISA.
 template <class T>
 struct Planes {
   Planes(Isa isa, Index width, Index height)
@@ -18,7 +18,7 @@ struct Planes {
   Plane<T> result;
 };
 
-/// Rows [first, last) of any view.
+/// Rows [first, last) of a view.
 template <class View>
 [[nodiscard]] View rows_of_view(View view, Index first, Index last) {
   view.data = view.row(first);
@@ -26,17 +26,16 @@ template <class View>
   return view;
 }
 
-/// Shares bands of rows of large images among threads.
+/// Divides the rows of large images among threads.
 class BandTeam {
  public:
   BandTeam(Index width, Index height, int threads)
       : team_(threads), is_large_(width * height >= kMinPixelsForThreads) {}
 
   [[nodiscard]] ThreadTeam& threads() { return team_; }
-  [[nodiscard]] const ThreadTeam& threads() const { return team_; }
 
-  /// Calls `body(first, last)` on ranges of [0, count): one per thread where the image is large,
-  /// else a single one.
+  /// Calls `body(first, last)` on ranges that partition [0, count): one per thread for large
+  /// images, else one.
   template <class Body>
   void for_bands(Index count, const Body& body) const {
     if (is_large_) {
@@ -59,10 +58,11 @@ void read_planes(const BandTeam& team, const ConstImageView& view, Planes<T>& pl
   });
 }
 
-/// The function that writes rows of an image of so many pixels.
+/// The function that writes rows of an image with `pixels` pixels. Large images use non-temporal
+/// stores.
 template <class T>
 [[nodiscard]] auto row_writer(const PlaneConversion<T>& conversion, Index pixels) {
-  return pixels >= kStreamedBytes ? conversion.write_streamed : conversion.write;
+  return pixels >= kNonTemporalBytes ? conversion.write_non_temporal : conversion.write;
 }
 
 template <class T>
@@ -73,7 +73,7 @@ void write_planes(const BandTeam& team, const Planes<T>& planes, const ImageView
   });
 }
 
-/// Converts large images on as many threads as the rest runs on.
+/// Implements load() and store(); derived classes implement thin() with the same threads.
 template <class T>
 struct PlaneState : ThinningState {
   explicit PlaneState(const ThinningSetting& setting)
@@ -84,7 +84,7 @@ struct PlaneState : ThinningState {
   void load(const ConstImageView& view) override { read_planes(bands, view, planes); }
   void store(const ImageView& view) const override { write_planes(bands, planes, view); }
 
-  /// The image as it was loaded.
+  /// The loaded image.
   [[nodiscard]] ConstPlaneView<T> source() const { return planes.source.view(); }
 
   Planes<T> planes;

@@ -13,17 +13,17 @@ class TileState final : public ThinningState {
  public:
   TileState(const TileEngine& engine, const ThinningSetting& setting);
 
-  /// Packs and lays out one row of tiles at a time, while it is in the first-level cache, and back.
+  /// Converts one row of tiles at a time, so that its packed rows stay in the L1 cache.
   int run(const ConstImageView& source, const ImageView& destination) override;
 
-  /// The steps by themselves need planes, which the first load() allocates. Without them run()
-  /// takes a third of the memory.
+  /// The separate steps need planes, which the first load() allocates. run() does not, and so takes
+  /// a third of the memory.
   void load(const ConstImageView& source) override;
   int thin() override;
   void store(const ImageView& destination) const override;
 
  private:
-  /// Calls `body(tile_row, rows)` for every row of tiles, with memory for its pixels.
+  /// Calls `body(tile_row, rows)` for every row of tiles. `rows` is a buffer for its pixels.
   template <class Body>
   void for_tile_rows(const Body& body);
 
@@ -32,7 +32,7 @@ class TileState final : public ThinningState {
   BandTeam team_;
   const PlaneConversion<std::uint64_t>& conversion_;
   TileWorkspace workspace_;
-  std::vector<BitPlane> rows_;  // of one row of tiles, by thread
+  std::vector<BitPlane> rows_;  // one row of tiles per thread
   std::optional<Planes<std::uint64_t>> planes_;
 };
 

@@ -1,4 +1,4 @@
-// Zhang and Suen's rule without its erosion of slanted lines.
+// Zhang and Suen's rule, modified to preserve slanted lines.
 #pragma once
 
 #include "thinning/rules/zhang_suen.hpp"
@@ -13,9 +13,9 @@ namespace thinbench::detail {
 struct LuWang {
   static constexpr int kSubIterations = 2;
 
-  /// Where Zhang and Suen remove a pixel, its foreground neighbours are consecutive, so three or
-  /// more of them include two at distance two around the pixel. Six three-input or nine two-input
-  /// gates more.
+  /// If Zhang and Suen remove a pixel, its foreground neighbours are consecutive. Hence it has
+  /// three or more if and only if two of them are two places apart: two adjacent sides or two
+  /// adjacent corners. Adds six three-input or nine two-input gates.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
     const Word two_sides = (n.n0 | n.n4) & (n.n2 | n.n6);

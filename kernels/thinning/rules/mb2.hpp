@@ -6,12 +6,14 @@
 namespace thinbench::detail {
 
 /// Bernard and Manzanera's MB2, "Improved low complexity fully parallel thinning algorithm", ICIAP
-/// 1999. The feature is I, the interior: a foreground pixel with four foreground 4-neighbours.
-/// Removed where (a1 or a2) and not b: a1 is I on one side and background opposite, a2 is I on a
-/// diagonal and background at the two opposite 4-neighbours, b is a foreground diagonal
-/// between two background 4-neighbours.
+/// 1999. The feature is I, the interior: foreground pixels with four foreground 4-neighbours. A
+/// foreground pixel is removed if (a1 or a2) and not b:
+///   a1  a 4-neighbour is interior and the opposite one is background
+///   a2  a diagonal neighbour is interior and the two opposite 4-neighbours are background
+///   b   a diagonal neighbour is foreground and the two 4-neighbours beside it are background
 ///
-/// Invariants: topology, idempotent, subset. NOT invariant: thinness; strokes of even width become
+/// Invariants: topology (8-connected objects, 4-connected background), idempotent, subset,
+/// symmetric under rotation by 90 degrees. NOT invariant: thinness; strokes of even width become
 /// two pixels wide.
 struct Mb2 {
   static constexpr int kSubIterations = 1;
@@ -24,7 +26,7 @@ struct Mb2 {
     return ternary(ternary(at.p, at.n0, at.n2, all), at.n4, at.n6, all);
   }
 
-  /// Fifteen gates, update included.
+  /// Fifteen gates, including the update of p.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n,
                                                     const Neighbourhood<Word>& interior) {

@@ -1,29 +1,29 @@
-// The rule of the paper.
+// The modified Naccache-Shinghal rule.
 #pragma once
 
 #include "thinning/rules/neighbourhood.hpp"
 
 namespace thinbench::detail {
 
-/// The modified Naccache-Shinghal rule of the paper (section 3.1): a foreground pixel is removed
-/// where one or two of B0, B2, B4, B6 are FALSE, and kept where none, three or four are.
+/// The rule of the paper, section 3.1: a foreground pixel is removed if one or two of B0, B2, B4,
+/// B6 are FALSE, and kept if none, three or four are.
 ///
-/// Invariants: background stays background; symmetric under rotation by 90 degrees and reflection;
-/// each single removal keeps topology. NOT invariant: topology. Removing all at once, as an
-/// iteration does, erases bars two pixels wide and breaks slanted lines, so skeletons fall into
-/// fragments: 13,908,139 of the 2^25 images of 5 x 5 pixels change topology.
+/// Invariants: subset; symmetric under rotation by 90 degrees and reflection; removing a single
+/// pixel preserves topology. NOT invariant: topology. Simultaneous removal, as in an iteration,
+/// erases bars two pixels wide and breaks slanted lines, so skeletons are fragmented: 13,908,139 of
+/// the 2^25 images of 5 x 5 pixels change topology.
 struct NaccacheShinghal {
   static constexpr int kSubIterations = 1;
 
-  /// Two circuits, because the best one of three-input gates has a longer dependency chain where
-  /// each gate takes several instructions: docs/experiments.md#one-circuit-for-every-isa.
+  /// Two circuits: on ISAs without three-input gates, the three-input circuit has a longer
+  /// dependency chain than the two-input one. See docs/experiments.md#one-circuit-for-every-isa.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
     return by_native_gates<NaccacheShinghal>(n);
   }
 
   /// removed = (n6 X | n2 Y) ~(n0 n2 n4 n6) with X = n4 ~n1 | n0 ~n3 and Y = n4 ~n7 | n0 ~n5: 14
-  /// gates, no inverter, update included.
+  /// gates, including the update of p; no inverters.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_two_input_gates(const Neighbourhood<Word>& n) {
     const Word x = (n.n4 & ~n.n1) | (n.n0 & ~n.n3);
@@ -33,9 +33,9 @@ struct NaccacheShinghal {
     return n.p & ~(edge & ~inner);
   }
 
-  /// Eight gates, update included. `north` is the part of n2 Y that the case n0 n6 leaves; each of
-  /// the next two gates takes one half of X. Searched for fewer:
-  /// docs/experiments.md#smaller-circuits.
+  /// Eight gates, including the update of p. `north` is n2 Y | n0 n2 n4 n6; each of
+  /// the next two gates adds one half of n6 X and excludes n0 n2 n4 n6. A search found no smaller
+  /// circuit: docs/experiments.md#smaller-circuits.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_three_input_gates(const Neighbourhood<Word>& n) {
     constexpr auto both = [](auto a, auto b, auto) { return a & b; };
@@ -55,8 +55,7 @@ struct NaccacheShinghal {
                    [](auto a, auto b, auto c) { return ~(a | b) & c; });
   }
 
-  /// As published: four expressions and a count of the FALSE ones, on lanes that hold 0 or 1.
-  /// Engines use it where compilers vectorise.
+  /// As published, on lanes that hold 0 or 1: counts the FALSE expressions.
   template <int sub, class Lane>
   [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n) {
     const Neighbourhood<Lane> c = complement(n);

@@ -1,10 +1,10 @@
-// The input of rules: a pixel and its neighbours, as words of any kind.
+// The input of rules: a pixel and its neighbours, as words of any type.
 //
 // Neighbours are numbered as in the paper (Fig. 6), anticlockwise from the east:
 //     n3 n2 n1
 //     n4  p n0
 //     n5 n6 n7
-// Foreground is 1. The descriptor of a neighbourhood is k = sum of n_i 2^i.
+// Foreground is 1, background 0. The descriptor of a neighbourhood is k = sum of n_i 2^i.
 #pragma once
 
 #include "simd/word.hpp"
@@ -21,7 +21,7 @@ struct Neighbourhood {
   Word p, n0, n1, n2, n3, n4, n5, n6, n7;
 };
 
-/// The neighbourhood rotated by `eighths` times 45 degrees: n_i becomes n_(i + eighths).
+/// The neighbourhood rotated by `eighths` times 45 degrees: n_i of the result is n_(i + eighths).
 template <int eighths, class Word>
 [[gnu::always_inline]] constexpr Neighbourhood<Word> rotated(const Neighbourhood<Word>& n) {
   static_assert(eighths % 2 == 0 && 0 <= eighths && eighths < 8);
@@ -31,8 +31,8 @@ template <int eighths, class Word>
   return n;
 }
 
-/// B4 of section 3.1, for left edge points: n0 (n1 + n2 + n6 + n7) (n2 + !n3) (!n5 + n6). The other
-/// three are B4 of a rotated neighbourhood: B0 by 4 eighths, B2 by 6, B6 by 2. `c` has the
+/// B4 of section 3.1, for left edge points: n0 (n1 + n2 + n6 + n7) (n2 + !n3) (!n5 + n6). The
+/// others are B4 of a rotated neighbourhood: B0 by 4 eighths, B2 by 6, B6 by 2. `c` has the
 /// complements of the neighbours.
 template <class Word>
 [[gnu::always_inline]] constexpr Word edge_expression(const Neighbourhood<Word>& n,
@@ -48,8 +48,8 @@ template <class Lane>
           flip(n.n4), flip(n.n5), flip(n.n6), flip(n.n7)};
 }
 
-/// The circuit of a rule for this word type: of three-input gates where each is one instruction,
-/// else of two-input gates.
+/// Evaluates the circuit of a rule that suits the word type: three-input gates if each is one
+/// instruction, else two-input gates.
 template <class Rule, class Word>
 [[gnu::always_inline]] constexpr Word by_native_gates(const Neighbourhood<Word>& n) {
   if constexpr (TernaryGate<Word>::kOneInstruction) {
@@ -65,12 +65,12 @@ struct Cross {
   Word p, n0, n2, n4, n6;
 };
 
-/// Rules with a support of 5 x 5 pixels in two stages: a feature of every pixel from its Cross,
-/// then the new pixel from the neighbourhoods of pixels and of features.
+/// A rule with a support of 5 x 5 pixels, computed in two stages: the feature of every pixel from
+/// its Cross, then the new pixel from the neighbourhoods of pixels and of features.
 ///
-/// Two laws: removing pixels never creates a feature, and losing a feature never removes a pixel
-/// that was kept. So a pixel is kept as long as nothing changes within one pixel of it, whatever
-/// changes two pixels away.
+/// Must be monotonic: removing pixels must not create features, and losing features must not cause
+/// the removal of a pixel that would be kept. Hence a pixel that was kept stays as long as nothing
+/// changes within one pixel of it, even if pixels two away change.
 template <class Rule>
 concept TwoStageRule = Rule::kTwoStages;
 

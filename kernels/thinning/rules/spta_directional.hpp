@@ -1,13 +1,13 @@
-// The safe-point thinning algorithm in parallel sub-iterations.
+// SPTA, the safe-point thinning algorithm, with parallel sub-iterations.
 #pragma once
 
 #include "thinning/rules/neighbourhood.hpp"
 
 namespace thinbench::detail {
 
-/// Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), one direction per sub-iteration: left,
-/// right, top, bottom. Removes edge points, which are foreground pixels with a background neighbour
-/// on that side, where the expression of the side (B4, B0, B2 or B6) is TRUE.
+/// Naccache and Shinghal's SPTA (IEEE SMC 14(3), 1984), one side per sub-iteration: left, right,
+/// top, bottom. A foreground pixel is removed if its neighbour on that side is background and the
+/// expression of that side (B4, B0, B2 or B6) is TRUE.
 ///
 /// Invariants: topology (8-connected objects, 4-connected background), idempotent, subset.
 struct SptaDirectional {
@@ -15,13 +15,13 @@ struct SptaDirectional {
   static constexpr int kRotations[kSubIterations] = {0, 4, 6, 2};
 
   template <int sub, class Word>
-  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    return from_the_left(rotated<kRotations[sub]>(as_seen));
+  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& unrotated) {
+    return without_left_edge(rotated<kRotations[sub]>(unrotated));
   }
 
-  /// Five gates, update included.
+  /// Five gates, including the update of p.
   template <class Word>
-  [[gnu::always_inline]] static constexpr Word from_the_left(const Neighbourhood<Word>& n) {
+  [[gnu::always_inline]] static constexpr Word without_left_edge(const Neighbourhood<Word>& n) {
     const Word u = ternary(n.n2, n.n3, n.n0, [](auto a, auto b, auto c) { return (a | ~b) & c; });
     const Word v = ternary(n.n6, n.n5, n.n4, [](auto a, auto b, auto c) { return (a | ~b) & ~c; });
     const Word w = ternary(n.n1, n.n2, n.n7, [](auto a, auto b, auto c) { return a | b | c; });
@@ -29,9 +29,10 @@ struct SptaDirectional {
     return ternary(x, v, n.p, [](auto a, auto b, auto c) { return ~(a & b) & c; });
   }
 
+  /// As published, on lanes that hold 0 or 1.
   template <int sub, class Lane>
-  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
-    const Neighbourhood<Lane> n = rotated<kRotations[sub]>(as_seen);
+  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& unrotated) {
+    const Neighbourhood<Lane> n = rotated<kRotations[sub]>(unrotated);
     const Neighbourhood<Lane> c = complement(n);
     return static_cast<Lane>(n.p & ((c.n4 & edge_expression(n, c)) ^ 1));
   }

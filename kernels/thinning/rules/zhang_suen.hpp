@@ -1,14 +1,15 @@
-// The rule that most libraries call thinning.
+// Zhang and Suen's rule: "thinning" in most libraries.
 #pragma once
 
 #include "thinning/rules/neighbourhood.hpp"
 
 namespace thinbench::detail {
 
-/// Zhang and Suen, "A fast parallel algorithm for thinning digital patterns", CACM 27(3), 1984: a
-/// foreground pixel is removed where it has 2 to 6 foreground neighbours, one transition from
-/// background to foreground around it, and a background one among n0, n2, n6 and among n0, n4, n6
-/// (second sub-iteration: rotated by 180 degrees).
+/// Zhang and Suen, "A fast parallel algorithm for thinning digital patterns", CACM 27(3), 1984. A
+/// foreground pixel is removed if
+///   2 <= B <= 6   B is the number of foreground neighbours
+///   A = 1         A is the number of transitions from background to foreground around the pixel
+///   n0 n2 n6 = 0 and n0 n4 n6 = 0   (second sub-iteration: rotated by 180 degrees)
 ///
 /// Invariants: idempotent, subset. NOT invariant: topology; squares of 2 x 2 pixels vanish, and
 /// with them components; 327,477 of the 2^25 images of 5 x 5 pixels change topology.
@@ -16,11 +17,11 @@ struct ZhangSuen {
   static constexpr int kSubIterations = 2;
 
   template <int sub, class Word>
-  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& as_seen) {
-    return by_native_gates<ZhangSuen>(rotated<4 * sub>(as_seen));
+  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& unrotated) {
+    return by_native_gates<ZhangSuen>(rotated<4 * sub>(unrotated));
   }
 
-  /// Eleven gates, update included.
+  /// Eleven gates, including the update of p.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_three_input_gates(const Neighbourhood<Word>& n) {
     constexpr auto same_or_other = [](auto a, auto b, auto c) { return ~((a ^ b) & ~(a ^ c)); };
@@ -42,7 +43,7 @@ struct ZhangSuen {
     return ternary(kept, g8, n.p, [](auto a, auto b, auto c) { return c & (a | b); });
   }
 
-  /// Twenty-nine gates, no inverter, update included.
+  /// Twenty-nine gates, including the update of p; no inverters.
   template <class Word>
   [[gnu::always_inline]] static constexpr Word by_two_input_gates(const Neighbourhood<Word>& n) {
     const Word g1 = n.n2 & ~n.n7;
@@ -78,8 +79,8 @@ struct ZhangSuen {
 
   /// As published, on lanes that hold 0 or 1.
   template <int sub, class Lane>
-  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& as_seen) {
-    const Neighbourhood<Lane> n = rotated<4 * sub>(as_seen);
+  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& unrotated) {
+    const Neighbourhood<Lane> n = rotated<4 * sub>(unrotated);
     const auto rises = [](Lane from, Lane to) { return static_cast<Lane>((from ^ 1) & to); };
     const Lane transitions = static_cast<Lane>(
         rises(n.n2, n.n1) + rises(n.n1, n.n0) + rises(n.n0, n.n7) + rises(n.n7, n.n6) +

@@ -1,4 +1,4 @@
-// Whether every variant of a two-layer net does what other weights than the paper's say.
+// Compares every variant of a two-layer net with the reference, given the same weights.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,7 +17,6 @@ inline Rule rule_with(Activation activation) {
                                           : Rule::net_two_layer_sigmoid;
 }
 
-/// What the reference makes of an image with these weights.
 inline Outcome reference_outcome(const TwoLayerWeights& weights, Activation activation,
                                  Border border, const ConstImageView& image) {
   Outcome outcome{ByteImage(image.width, image.height), {}};
@@ -26,8 +25,9 @@ inline Outcome reference_outcome(const TwoLayerWeights& weights, Activation acti
   return outcome;
 }
 
-/// Compares every variant that runs here, given these weights, with the reference given the same.
-inline void expect_every_variant_follows(const TwoLayerWeights& weights, Activation activation) {
+/// Compares every available variant with the reference.
+inline void expect_every_variant_equals_reference(const TwoLayerWeights& weights,
+                                                  Activation activation) {
   const detail::ThinningOperation& operation = detail::operation_of(rule_with(activation));
   const auto net = two_layer_net(weights, activation);
   const ByteImage image = noise_image(130, 50, 90, 1, 4);

@@ -1,12 +1,12 @@
-// Other people's thinning beside ours: compared as far as it can be.
-#include "peers/peers.hpp"
-
+// Thinning by other libraries: OpenCV must equal our references, Leptonica must keep topology.
 #include <gtest/gtest.h>
 
 #include "harness/verify.hpp"
 #include "harness/test_images.hpp"
-#include "support/flood_fill.hpp"
+#include "peers/peers.hpp"
 #include "scene/scene.hpp"
+#include "support/flood_fill.hpp"
+#include "support/property_images.hpp"
 
 namespace thinbench {
 namespace {
@@ -72,7 +72,7 @@ std::ostream& operator<<(std::ostream& out, const Counts& counts) {
   return out << counts.objects << " objects, " << counts.holes << " holes";
 }
 
-/// Background all round makes one part of all background that reaches the border.
+/// Adds a margin of one background pixel, which connects all background outside of objects.
 ByteImage padded(const ByteImage& image) {
   ByteImage result(image.width() + 2, image.height() + 2);
   for (Index y = 0; y < image.height(); ++y) {
@@ -82,12 +82,12 @@ ByteImage padded(const ByteImage& image) {
 }
 
 Counts counts_of(const ByteImage& image, int connectivity) {
-  const bool diagonals = connectivity == 8;
+  const bool is_eight = connectivity == 8;
   const ByteImage all = padded(image);
-  const auto parts = [&](int value, bool with_diagonals) {
-    return flood_fill::FloodFill(all.view(), value, with_diagonals).take().list.size();
+  const auto components = [&](int value, bool eight_connected) {
+    return flood_fill::FloodFill(all.view(), value, eight_connected).take().list.size();
   };
-  return {parts(255, diagonals), parts(0, !diagonals) - 1};
+  return {components(255, is_eight), components(0, !is_eight) - 1};
 }
 
 std::vector<ByteImage> leptonica_images() {
@@ -112,14 +112,14 @@ class Leptonica : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(Leptonica, gives_the_same_again_and_a_subset) {
+TEST_P(Leptonica, is_deterministic_and_gives_a_subset) {
   for (const ByteImage& image : leptonica_images()) {
     EXPECT_FALSE(difference("thin_guo_hall", technique(), image));
-    EXPECT_EQ(outside(thinned(image), image), 0);
+    EXPECT_EQ(pixels_outside(thinned(image), image), 0);
   }
 }
 
-TEST_P(Leptonica, keeps_objects_of_its_connectivity_and_holes_of_the_other) {
+TEST_P(Leptonica, keeps_objects_by_its_connectivity_and_holes_by_the_other) {
   for (const ByteImage& image : leptonica_images()) {
     EXPECT_EQ(counts_of(thinned(image), GetParam()), counts_of(image, GetParam()));
   }

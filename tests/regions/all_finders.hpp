@@ -1,4 +1,4 @@
-// Every way to find objects and holes.
+// Runs the reference and every variant that finds objects and holes.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace thinbench {
 
-/// Calls `check(regions, name)` with what the reference and each available variant finds.
+/// Calls `check(regions, name)` with the result of the reference and of each available variant.
 template <class Check>
-void for_every_way(const ConstImageView& image, const Check& check) {
-  const reference::Regions plain = reference::holes(image);
-  check(Regions{plain.objects, plain.holes}, std::string("reference"));
+void for_each_finder(const ConstImageView& image, const Check& check) {
+  const reference::Regions found = reference::holes(image);
+  check(Regions{found.objects, found.holes}, std::string("reference"));
   for (const auto& variant : detail::operation_of(detail::RegionsTask::holes).variants) {
     if (!unavailable_reason(variant, image.width).empty()) continue;
     const int threads = variant.threaded ? 3 : 1;

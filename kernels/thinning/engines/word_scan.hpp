@@ -1,8 +1,9 @@
-// The neighbourhood sweep: one engine for every word type (packed or byte lanes, scalar or SIMD).
+// The word scan: one engine for every word type (packed pixels or byte lanes, scalar or SIMD).
 //
-// It walks down columns of words and keeps three rows in registers, so a word is loaded once a
-// sweep (plus its two neighbours for the bits that cross): 3 loads, 1 store, 2 shifts with carry
-// and the rule's gates a word. A light pixel must stay light: the padding then needs no care.
+// It scans columns of words from the top down and keeps three rows in registers, so each word is
+// loaded once, with its west and east neighbours for the bits that cross words. Cost per word: 3
+// loads, 1 store, 2 shifts with carry and the rule's gates. Padding needs no special case because
+// rules never set background pixels.
 #pragma once
 
 #include <utility>
@@ -12,13 +13,14 @@
 
 namespace thinbench::detail {
 
+/// A word of a row, and the same pixels shifted by one: their west and east neighbours.
 template <class Word>
-struct RowOfThree {
+struct RowTriple {
   Word west, centre, east;
 };
 
 template <class Word>
-[[gnu::always_inline]] inline RowOfThree<Word> load_row(
+[[gnu::always_inline]] inline RowTriple<Word> load_row(
     const typename WordTraits<Word>::Element* from) {
   using Traits = WordTraits<Word>;
   const Word centre = Traits::load(from);
@@ -26,35 +28,34 @@ template <class Word>
 }
 
 template <class Word>
-[[gnu::always_inline]] inline Neighbourhood<Word> neighbourhood(const RowOfThree<Word>& above,
-                                                                const RowOfThree<Word>& here,
-                                                                const RowOfThree<Word>& below) {
+[[gnu::always_inline]] inline Neighbourhood<Word> neighbourhood(const RowTriple<Word>& above,
+                                                                const RowTriple<Word>& here,
+                                                                const RowTriple<Word>& below) {
   return {here.centre, here.east,  above.east,   above.centre, above.west,
           here.west,   below.west, below.centre, below.east};
 }
 
 template <class Word>
-[[gnu::always_inline]] inline Cross<Word> cross(Word above, const RowOfThree<Word>& here,
+[[gnu::always_inline]] inline Cross<Word> cross(Word above, const RowTriple<Word>& here,
                                                 Word below) {
   return {here.centre, here.east, above, here.west, below};
 }
 
-/// Features of a row and beside it. Those beside a word need the pixels two columns to either side,
-/// too.
+/// The features of a word and its neighbours. `west2` and `east2` are the pixels two columns away.
 template <class Rule, class Word>
-[[gnu::always_inline]] inline RowOfThree<Word> features_beside(const RowOfThree<Word>& above,
-                                                               const RowOfThree<Word>& here,
-                                                               const RowOfThree<Word>& below,
-                                                               Word west2, Word east2) {
-  const RowOfThree<Word> to_west = {west2, here.west, here.centre};
-  const RowOfThree<Word> to_east = {here.centre, here.east, east2};
+[[gnu::always_inline]] inline RowTriple<Word> feature_triple(const RowTriple<Word>& above,
+                                                             const RowTriple<Word>& here,
+                                                             const RowTriple<Word>& below,
+                                                             Word west2, Word east2) {
+  const RowTriple<Word> to_west = {west2, here.west, here.centre};
+  const RowTriple<Word> to_east = {here.centre, here.east, east2};
   return {Rule::feature(cross(above.west, to_west, below.west)),
           Rule::feature(cross(above.centre, here, below.centre)),
           Rule::feature(cross(above.east, to_east, below.east))};
 }
 
-/// What a rule sees while an engine walks down: the rows round row y. `Rows` knows the engine's
-/// memory: `row(y)` and, for rules of two stages, `features<Rule>(y, above, here, below)`.
+/// The sliding window of rows around row y in a scan from the top down. `Rows` accesses the
+/// engine's memory: `row(y)` and, for two-stage rules, `features<Rule>(y, above, here, below)`.
 template <class Rule, class Rows>
 class Window {
  public:
@@ -65,7 +66,7 @@ class Window {
 
   [[nodiscard, gnu::always_inline]] auto centre() const { return here_.centre; }
 
-  /// The new pixels of row y; rows come one after another.
+  /// The new pixels of row y. Call once per row, for consecutive rows, with move_down() between.
   template <int sub>
   [[gnu::always_inline]] auto next(const Rule& rule, const Rows& rows, Index y) {
     below_ = rows.row(y + 1);
@@ -81,7 +82,7 @@ class Window {
   Row above_, here_, below_;
 };
 
-/// The same with a second window over features, one row ahead.
+/// Two-stage rules: a second window holds the features, one row ahead.
 template <TwoStageRule Rule, class Rows>
 class Window<Rule, Rows> {
  public:
@@ -116,29 +117,29 @@ class Window<Rule, Rows> {
   Row feature_above_, feature_here_, feature_below_;
 };
 
-/// Rows of a plane, one word wide.
+/// A column of words of a plane.
 template <class Word>
 struct WordColumn {
   using Traits = WordTraits<Word>;
   const typename Traits::Element* data;
   Index stride;
 
-  [[gnu::always_inline]] RowOfThree<Word> row(Index y) const {
+  [[gnu::always_inline]] RowTriple<Word> row(Index y) const {
     return load_row<Word>(data + y * stride);
   }
 
   template <class Rule>
-  [[gnu::always_inline]] RowOfThree<Word> features(Index y, const RowOfThree<Word>& above,
-                                                   const RowOfThree<Word>& here,
-                                                   const RowOfThree<Word>& below) const {
+  [[gnu::always_inline]] RowTriple<Word> features(Index y, const RowTriple<Word>& above,
+                                                  const RowTriple<Word>& here,
+                                                  const RowTriple<Word>& below) const {
     const auto* from = data + y * stride;
-    return features_beside<Rule>(above, here, below, Traits::west2(here.centre, from),
-                                 Traits::east2(here.centre, from));
+    return feature_triple<Rule>(above, here, below, Traits::west2(here.centre, from),
+                                Traits::east2(here.centre, from));
   }
 };
 
-/// What of a word's new pixels must stay as it was: the pixels of a mask, or none.
-struct NothingFixed {
+/// Policies that restore fixed pixels, those that must not change: none, or the pixels of a mask.
+struct NoFixedPixels {
   template <class Word>
   [[gnu::always_inline]] static Word apply(Word next, Word) {
     return next;
@@ -147,15 +148,15 @@ struct NothingFixed {
 template <class Word>
 struct FixedPixels {
   Word mask;
-  /// Rules only remove pixels, so what must stay is put back.
+  /// Rules only remove pixels, so one OR restores the fixed ones.
   [[gnu::always_inline]] Word apply(Word next, Word before) const {
     return ternary(next, before, mask, [](auto a, auto b, auto c) { return a | (b & c); });
   }
 };
 
-/// Sub-iteration `sub` of `rule` on one column of words of a band; true where a pixel changed.
+/// Applies sub-iteration `sub` of `rule` to one column of words of a band. True if a pixel changed.
 template <class Rule, int sub, class Word, class Fixed>
-[[gnu::always_inline]] inline bool sweep_column(
+[[gnu::always_inline]] inline bool scan_column(
     const Rule& rule, const Fixed& fixed, const WordColumn<Word>& rows,
     const PlaneView<typename WordTraits<Word>::Element>& target, const Band& band, Index x) {
   using Traits = WordTraits<Word>;
@@ -171,10 +172,10 @@ template <class Rule, int sub, class Word, class Fixed>
   return Traits::any(changed);
 }
 
-/// Applies sub-iteration `sub` of `rule` to the tiles of `band`, see Pass. The views come by value
-/// because a store could otherwise be taken to change their fields.
+/// Applies sub-iteration `sub` of `rule` to the active columns of `band`, see Pass. Takes views by
+/// value: the compiler would otherwise assume that stores alias their fields.
 template <class Rule, int sub, class Word>
-[[gnu::always_inline]] inline std::uint64_t sweep_band(
+[[gnu::always_inline]] inline std::uint64_t scan_band(
     const Rule& rule, const typename WordTraits<Word>::Element* fixed,
     ConstPlaneView<typename WordTraits<Word>::Element> source,
     PlaneView<typename WordTraits<Word>::Element> target, Band band) {
@@ -185,13 +186,13 @@ template <class Rule, int sub, class Word>
       const std::uint64_t columns = band.columns & band.columns_of(x, x + Traits::kElements);
       if (columns == 0) continue;
       const WordColumn<Word> rows = {source.data + x, source.stride};
-      if (sweep_column<Rule, sub, Word>(rule, fixed_at(x), rows, target, band, x)) {
+      if (scan_column<Rule, sub, Word>(rule, fixed_at(x), rows, target, band, x)) {
         changed |= columns;
       }
     }
     return changed;
   };
-  if (fixed == nullptr) return all_columns([](Index) { return NothingFixed{}; });
+  if (fixed == nullptr) return all_columns([](Index) { return NoFixedPixels{}; });
   return all_columns([&](Index x) { return FixedPixels<Word>{Traits::load(fixed + x)}; });
 }
 

@@ -1,0 +1,22 @@
+// Thinning by the reference of a rule.
+#pragma once
+
+#include "reference.hpp"
+#include "support/filled_image.hpp"
+
+namespace thinbench {
+
+struct Thinned {
+  ByteImage image;
+  int iterations;
+};
+
+/// The destination is filled beforehand with a value that no reference writes.
+inline Thinned thinned_by_reference(Rule rule, const ByteImage& image,
+                                    const reference::Repetition& repetition = {}) {
+  Thinned result = {filled_image(image.width(), image.height(), 77), 0};
+  result.iterations = reference::thinning(rule)(repetition, image.view(), result.image.view());
+  return result;
+}
+
+}  // namespace thinbench
