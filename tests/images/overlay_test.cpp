@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "picture/mat_of.hpp"
+#include "images/mat_of.hpp"
 #include "support/filled_image.hpp"
 #include "support/temporary_directory.hpp"
 
