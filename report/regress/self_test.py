@@ -43,7 +43,7 @@ def run(programs: Path, quick: bool) -> tuple[str, int]:
         good &= found[Verdict.FAIL] == 0
         decided += found[Verdict.PASS]
     if decided == 0:  # then no FAIL shows nothing
-        lines.append("  no row was decided: the machine was never quiet; repeat this on an idle one")
+        lines.append("  no row was decided: repeat this on an idle machine")
         good = False
     lines.append("Two builds, one row slowed down (attempts):")
     for percent, share in NEEDED.items():
