@@ -1,12 +1,10 @@
 """Comparison of two builds: processes of both alternate, and the clock decides.
 
-Another process on the same physical core slows a call by up to 60 %, for seconds at a time. So two
-processes are compared that run within half a second: each measures one group, without references,
-in about 0.1 s, and each row gives ln(its time in one build / its time in the other). A time is the
-10 % quantile of a row's own epochs, so it rests on no other row, and any kernel may have changed,
-the anchor's too. Beside three busy processes on two cores, 27 pairs told 5 % in 9 of 9 attempts,
-9 pairs in 61 % of them, and 9 pairs of processes that measure all groups, references included, in
-every fifth; equal builds never failed (docs/regression.md has the figures).
+A busy neighbour on the same physical core slows calls for seconds at a time. So two processes are
+compared that run within half a second: each measures one group, without references, in about
+0.1 s, and each row gives ln(its time in one build / its time in the other). A time is the 10 %
+quantile of a row's own epochs, so it rests on no other row, and any kernel may have changed, the
+anchor's too. docs/regression.md has the figures that these choices rest on.
 """
 
 from __future__ import annotations

@@ -26,11 +26,13 @@ FILTER = ("^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|
           "localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_tiles|"
           "simd_bitpacked_row|simd_16bit|simd_runs)/[a-z0-9.]+/1/")
 
-EPILOG = """Two layers. Instructions are exact on the busiest machine: FAIL where a row takes over 1 % more, or
-another number of iterations. Times: without --against, speed-ups over the references are compared with
-the baseline of this processor, compiler and flags, in the same state of the machine; a row may lose
-10 % (20 % on images beyond the cache). With --against both builds are measured side by side, and a row
-may lose 2.5 %. What does not pass is measured once more, and is FAIL only if both runs say so.
+EPILOG = """Two layers.
+Instructions are exact on the busiest machine: FAIL where a row takes over 1 % more,
+or another number of iterations. Times: without --against, speed-ups over the references are
+compared with the baseline of this processor, compiler and flags, in the same state of the
+machine; a row may lose 10 % (20 % on images beyond the cache). With --against both builds are
+measured side by side, and a row may lose 2.5 %. What does not pass is measured once more, and is
+FAIL only if both runs say so.
 
 examples:
   ./study regress --against main

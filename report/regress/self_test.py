@@ -37,9 +37,14 @@ def run(programs: Path, quick: bool) -> tuple[str, int]:
     machine = machine_facts(programs / "thinbench", "self-test")
     plan = sampler.plan(["--no-peers", "--variants", "highest", "--filter", FILTER])
     lines, good = ["Same build, other load between baseline and check (rows):"], True
-    for text, right in _stored_lines(sampler, plan, machine, 4 if quick else 20):
+    decided = 0
+    for text, found in _stored_lines(sampler, plan, machine, 8 if quick else 20):
         lines.append(text)
-        good &= right
+        good &= found[Verdict.FAIL] == 0
+        decided += found[Verdict.PASS]
+    if decided == 0:  # then no FAIL shows nothing
+        lines.append("  no row was decided: repeat this on an idle machine")
+        good = False
     lines.append("Two builds, one row slowed down (attempts):")
     for percent, share in NEEDED.items():
         text, right = _slowdown_line(sampler, plan, percent, share, 3 if quick else 10)
@@ -50,11 +55,11 @@ def run(programs: Path, quick: bool) -> tuple[str, int]:
 
 
 def _stored_lines(sampler: Sampler, plan: Json, machine: Json,
-                  attempts: int) -> Iterator[tuple[str, bool]]:
+                  attempts: int) -> Iterator[tuple[str, Counter[Verdict]]]:
     """Every load follows every other one, and itself."""
     loads = list(LOADS)
     for attempt in range(attempts):
-        before, now = loads[attempt % 4], loads[(attempt + 1 + attempt // 4) % 4]
+        before, now = loads[attempt % 4], loads[(attempt + attempt // 4) % 4]
         with _load(LOADS[before]):
             first = stored.measured_from(times.measure(sampler, plan, 100 + attempt))
         baseline = stored.baseline_from(first, machine, FILTER, "self-test", None)
@@ -63,8 +68,7 @@ def _stored_lines(sampler: Sampler, plan: Json, machine: Json,
                                           False)
         found = Counter(row.verdict for row in rows)
         _say(f"baseline {attempt + 1} of {attempts}")
-        yield (f"  {before:9} -> {now:9}  {_counted(found)}{_why(rows)}",
-               found[Verdict.FAIL] == 0)
+        yield f"  {before:9} -> {now:9}  {_counted(found)}{_why(rows)}", found
 
 
 def _slowdown_line(sampler: Sampler, plan: Json, percent: int, share: float,

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "images/image_file.hpp"
 #include "program_run.hpp"
+#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
@@ -51,7 +53,7 @@ std::vector<Words> all_commands() {
 
 TEST(Program, every_help_has_examples) {
   const std::vector<Words> commands = all_commands();
-  EXPECT_EQ(commands.size(), 1 + 10 + 2 + 9U);
+  EXPECT_EQ(commands.size(), 1 + 11 + 2 + 7U);
   for (Words words : commands) {
     std::string command = "thinbench";
     for (const std::string& word : words) command += " " + word;
@@ -76,7 +78,7 @@ TEST(Program, unknown_command_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(
       failure_of({"frobnicate"}, 2),
       "no command is named 'frobnicate'; known: list, verify, run, edges, holes, scene, machine, "
-      "train, experiment and instructions");
+      "train, experiment, instructions and pictures");
 }
 
 TEST(Program, unknown_subcommand_is_rejected_with_the_nearest_name) {
@@ -84,7 +86,7 @@ TEST(Program, unknown_subcommand_is_rejected_with_the_nearest_name) {
             "no command is named 'two-layers'; did you mean 'two-layer'?");
   EXPECT_EQ(failure_of({"experiment", "nothing"}, 2),
             "no command is named 'nothing'; known: edge-quality, literal-holes, cluster-runs, "
-            "quantisation, hidden-neurons, quality, operation-counts, table-2 and batches");
+            "quantisation, hidden-neurons, quality and operation-counts");
   EXPECT_EQ(failure_of({"train"}, 2),
             "train needs one more word: two-layer or cluster; see 'thinbench train --help'");
 }
@@ -93,8 +95,8 @@ TEST(Program, unknown_option_of_a_subcommand_is_rejected_with_the_nearest_name) 
   EXPECT_EQ(failure_of({"train", "two-layer", "--sead", "2"}, 2),
             "there is no option '--sead'; did you mean '--seed'? See 'thinbench train two-layer "
             "--help'");
-  EXPECT_EQ(failure_of({"experiment", "table-2", "--quick"}, 2),
-            "there is no option '--quick'; see 'thinbench experiment table-2 --help'");
+  EXPECT_EQ(failure_of({"experiment", "quantisation", "--quick"}, 2),
+            "there is no option '--quick'; see 'thinbench experiment quantisation --help'");
   EXPECT_EQ(failure_of({"train", "--seed", "2", "two-layer"}, 2),
             "there is no option '--seed'; see 'thinbench train --help'");
   EXPECT_EQ(failure_of({"train", "cluster", "more"}, 2),
@@ -137,8 +139,8 @@ TEST(Program, empty_values_are_rejected) {
   }
   EXPECT_EQ(failure_of({"train", "cluster", "--out", ""}, 2),
             "--out: expected a value, got ''; see 'thinbench train cluster --help'");
-  EXPECT_EQ(failure_of({"experiment", "table-2", "--results", ""}, 2),
-            "--results: expected a value, got ''; see 'thinbench experiment table-2 --help'");
+  EXPECT_EQ(failure_of({"experiment", "quantisation", "--out", ""}, 2),
+            "--out: expected a value, got ''; see 'thinbench experiment quantisation --help'");
 }
 
 TEST(Program, numbers_out_of_range_are_rejected_with_the_range) {
@@ -220,6 +222,7 @@ TEST(Program, every_command_rejects_a_malformed_cap) {
   for (Words words : all_commands()) {
     if (words.empty() || !commands_below(words).empty()) continue;
     if (words.front() == "run") words.insert(words.end(), {kOperation, "in.png", "out.png"});
+    if (words.front() == "pictures") words.insert(words.end(), {"--out", "pictures"});
     if (words.front() == "holes") words.emplace_back("in.png");
     if (words.front() == "edges") words.insert(words.end(), {"in.png", "out.png"});
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
@@ -235,6 +238,18 @@ TEST(Program, fails_if_standard_output_cannot_be_written) {
   out.setstate(std::ios::badbit);
   EXPECT_EQ(run_program({"list"}, out, err), 1);
   EXPECT_EQ(err.str(), "thinbench: standard output cannot be written\n");
+}
+
+TEST(PicturesCommand, writes_inputs_and_results) {
+  const TemporaryDirectory directory;
+  const std::string out = directory.file("new/pictures");
+  EXPECT_EQ(run_with({"pictures", "--out", out, "--input", "square_64"}).status, 0);
+  for (const char* name : {"square_64", "square_64_grey", "square_64_thin_guo_hall_keep",
+                           "square_64_edges_sobel", "square_64_fill_holes"}) {
+    EXPECT_EQ(read_grey(out + "/" + name + ".png").width(), 64) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_net_two_layer_linear.png"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_holes.png"));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(TrainCommand, cluster_writes_weights_and_header_with_their_commands) {
   const ProgramRun ran =
       run_with({"train", "cluster", "--integer", "--out", json, "--header", header});
   EXPECT_EQ(ran.status, 0) << ran.err;
-  EXPECT_EQ(ran.out.find("12 nets, right on all 256 descriptors"), 0U);
+  EXPECT_EQ(ran.out.find("12 nets, correct on all 256 descriptors"), 0U);
   EXPECT_NE(ran.out.find("5 + 52 + 65 = 17 + 37 + 68"), std::string::npos);
   EXPECT_EQ(std::get<ClusterWeights>(read_weights(json)).count, 12);
   EXPECT_NE(bytes_of(header).find("thinbench train cluster --integer --header " + header + "\n"),
