@@ -15,7 +15,7 @@ namespace {
 
 class BorderOption : public testing::Test {
  protected:
-  void SetUp() override { write_grey(in, scene.view()); }
+  void SetUp() override { write_grey(in, image.view()); }
 
   [[nodiscard]] ByteImage thinned(const std::string& operation, const std::string& border) const {
     const ProgramRun ran = run_with({"run", operation, in, out, "--border", border});
@@ -23,20 +23,20 @@ class BorderOption : public testing::Test {
     return read_grey(out);
   }
   [[nodiscard]] ByteImage by_opencv(cv::ximgproc::ThinningTypes type) {
-    ByteImage result(scene.width(), scene.height());
+    ByteImage result(image.width(), image.height());
     cv::Mat skeleton;
-    cv::ximgproc::thinning(mat_of(scene.view()), skeleton, type);
+    cv::ximgproc::thinning(mat_of(image.view()), skeleton, type);
     skeleton.copyTo(mat_of(result.view()));
     return result;
   }
 
-  TemporaryDirectory folder;
-  ByteImage scene = std::move(render_scene({SceneKind::border_touching}).binary);
-  std::string in = folder.file("in.png");
-  std::string out = folder.file("out.png");
+  TemporaryDirectory directory;
+  ByteImage image = std::move(render_scene({SceneKind::border_touching}).binary);
+  std::string in = directory.file("in.png");
+  std::string out = directory.file("out.png");
 };
 
-TEST_F(Border, keep_equals_opencv_on_an_image_with_parts_on_its_border) {
+TEST_F(BorderOption, keep_equals_opencv_on_an_image_that_touches_its_border) {
   EXPECT_TRUE(equal(thinned("thin_zhang_suen", "keep").view(),
                     by_opencv(cv::ximgproc::THINNING_ZHANGSUEN).view()));
   EXPECT_TRUE(equal(thinned("thin_guo_hall", "keep").view(),

@@ -13,13 +13,13 @@ namespace {
 
 using Names = std::set<std::string>;
 
-ByteImage image() {
+ByteImage grey_image() {
   return grey_noise_image(90, 40, 0, 255, 4);
 }
 
 class EdgesCommand : public testing::Test {
  protected:
-  void SetUp() override { write_grey(in, image().view()); }
+  void SetUp() override { write_grey(in, grey_image().view()); }
 
   [[nodiscard]] ProgramRun run(std::vector<std::string> more = {}) const {
     more.insert(more.begin(), {"edges", in, out});
@@ -51,7 +51,7 @@ TEST_F(EdgesCommand, writes_the_edges_and_prints_one_line) {
   EXPECT_EQ(result.status, 0) << result.err;
   const std::regex line(R"(edges_prewitt/\w+/[\w.]+/1: 90 x 40, \d+ edge pixels, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
-  expect_output(image(), EdgeOperator::prewitt, {70, 200});
+  expect_output(grey_image(), EdgeOperator::prewitt, {70, 200});
 }
 
 TEST_F(EdgesCommand, thresholds_have_long_names) {
@@ -59,18 +59,18 @@ TEST_F(EdgesCommand, thresholds_have_long_names) {
       run({"--gradient-threshold", "70", "--brightness-threshold", "200", "--foreground", "dark"})
           .status,
       0);
-  expect_output(image(), EdgeOperator::sobel, {70, 200});
+  expect_output(grey_image(), EdgeOperator::sobel, {70, 200});
 }
 
 TEST_F(EdgesCommand, brightness_threshold_defaults_to_the_highest_level_of_dark_foreground) {
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "180"}).status, 0);
-  expect_output(image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 179});
+  expect_output(grey_image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 179});
   EXPECT_EQ(run({"--foreground", "dark", "--threshold", "0"}).status, 0);
-  expect_output(image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 0});
+  expect_output(grey_image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 0});
 }
 
 ByteImage inverted_image() {
-  ByteImage inverted = image();
+  ByteImage inverted = grey_image();
   for (Index y = 0; y < 40; ++y) {
     for (Index x = 0; x < 90; ++x) {
       inverted.at(x, y) = static_cast<std::uint8_t>(255 - inverted.at(x, y));
@@ -81,8 +81,7 @@ ByteImage inverted_image() {
 
 TEST_F(EdgesCommand, images_with_bright_foreground_are_inverted_first) {
   EXPECT_EQ(run({"--p2", "250", "--foreground", "bright"}).status, 0);
-  expect_output(inverted_image(), EdgeOperator::sobel,
-                {EdgeThresholds{}.gradient_threshold, 250});
+  expect_output(inverted_image(), EdgeOperator::sobel, {EdgeThresholds{}.gradient_threshold, 250});
   EXPECT_EQ(run({"--foreground", "bright", "--threshold", "180"}).status, 0);
   expect_output(inverted_image(), EdgeOperator::sobel,
                 {EdgeThresholds{}.gradient_threshold, 255 - 180});

@@ -10,7 +10,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// Two bright plates on a black background; the first has a hole of 4 x 3 pixels at (8, 7).
+/// Two bright plates on black; the first has a hole of 4 x 3 pixels at (8, 7).
 ByteImage plates() {
   ByteImage image(60, 30);
   for (Index y = 2; y < 20; ++y) {
@@ -26,9 +26,9 @@ class HolesCommand : public testing::Test {
  protected:
   void SetUp() override { write_grey(in, plates().view()); }
 
-  TemporaryDirectory directory;
-  std::string in = directory.file("in.png");
-  std::string overlay = directory.file("overlay.png");
+  TemporaryDirectory folder;
+  std::string in = folder.file("in.png");
+  std::string overlay = folder.file("overlay.png");
 };
 
 TEST_F(HolesCommand, prints_each_object_with_its_holes_as_json) {
@@ -52,7 +52,7 @@ TEST_F(HolesCommand, prints_each_object_with_its_holes_as_json) {
   EXPECT_EQ(objects[1].at("holes"), nlohmann::json::array());
 }
 
-TEST_F(HolesCommand, prints_readable_text_by_default) {
+TEST_F(HolesCommand, lists_the_same_for_people) {
   const ProgramRun run = run_with({"holes", in});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("2 objects, 1 hole\n"), std::string::npos) << run.out;
@@ -61,7 +61,7 @@ TEST_F(HolesCommand, prints_readable_text_by_default) {
       << run.out;
 }
 
-TEST_F(HolesCommand, threshold_and_foreground_select_the_objects) {
+TEST_F(HolesCommand, threshold_and_foreground_choose_the_objects) {
   EXPECT_NE(run_with({"holes", in, "--threshold", "10"}).out.find("2 objects, 0 holes"),
             std::string::npos);
   const ProgramRun dark = run_with({"holes", in, "--foreground", "dark", "--threshold", "100"});
@@ -77,7 +77,7 @@ TEST_F(HolesCommand, threshold_and_foreground_select_the_objects) {
   EXPECT_EQ(found.at("threshold_method"), "given");
 }
 
-TEST_F(HolesCommand, finds_the_same_dark_and_bright_objects_by_default) {
+TEST_F(HolesCommand, finds_parts_of_either_polarity_without_options) {
   const ProgramRun bright = run_with({"holes", in});
   EXPECT_EQ(bright.err, "note: " + in +
                             ": foreground is bright (grey level >= 21); --foreground dark and "
@@ -93,20 +93,19 @@ TEST_F(HolesCommand, finds_the_same_dark_and_bright_objects_by_default) {
   EXPECT_EQ(dark.status, 0);
 }
 
-TEST_F(HolesCommand, min_area_omits_small_objects_and_holes_from_all_outputs) {
+TEST_F(HolesCommand, min_area_leaves_out_small_objects_and_holes_everywhere) {
   ByteImage image = plates();
-  image.at(50, 1) = 200;  // becomes the first object
-  image.at(37, 5) = image.at(38, 5) = image.at(14, 15) =
-      20;  // small holes before and after the large one
+  image.at(50, 1) = 200;                                      // the first object
+  image.at(37, 5) = image.at(38, 5) = image.at(14, 15) = 20;  // holes before and after the large
   write_grey(in, image.view());
   EXPECT_NE(run_with({"holes", in}).out.find("3 objects, 3 holes\n"), std::string::npos);
   const ProgramRun list = run_with({"holes", in, "--min-area", "12", "--overlay", overlay});
   EXPECT_NE(list.out.find("2 objects, 1 hole\nobject 1: area 293"), std::string::npos) << list.out;
   EXPECT_NE(list.out.find("  hole 1: area 12, "), std::string::npos) << list.out;
   const ByteImage drawn = read_grey(overlay);
-  EXPECT_EQ(drawn.at(50, 1), 200) << "no outline of an omitted object";
+  EXPECT_EQ(drawn.at(50, 1), 200) << "no outline of what was left out";
   EXPECT_EQ(drawn.at(37, 4), 200);
-  EXPECT_NE(drawn.at(8, 6), 200) << "the outline of the large hole";
+  EXPECT_NE(drawn.at(8, 6), 200) << "the outline of the hole that is large enough";
   const ProgramRun json = run_with({"holes", in, "--min-area", "12", "--json"});
   const nlohmann::json found = nlohmann::json::parse(json.out);
   EXPECT_EQ(found.at("min_area"), 12);
@@ -117,7 +116,7 @@ TEST_F(HolesCommand, min_area_omits_small_objects_and_holes_from_all_outputs) {
   EXPECT_EQ(found.at("/objects/1/holes"_json_pointer).size(), 0U);
 }
 
-TEST_F(HolesCommand, output_does_not_depend_on_technique_and_threads) {
+TEST_F(HolesCommand, every_technique_and_threads_say_the_same) {
   const std::string expected = run_with({"holes", in, "--json"}).out;
   for (const char* technique : {"union_find", "bitpacked_runs", "simd_runs"}) {
     EXPECT_EQ(run_with({"holes", in, "--json", "--technique", technique}).out, expected);
@@ -136,7 +135,7 @@ TEST_F(HolesCommand, image_without_objects_gives_an_empty_list) {
   EXPECT_EQ(read_grey(overlay).width(), 20);
 }
 
-TEST_F(HolesCommand, overlay_draws_outlines_and_centres) {
+TEST_F(HolesCommand, overlay_changes_pixels_at_outlines_and_centres_only_round_objects) {
   ASSERT_EQ(run_with({"holes", in, "--overlay", overlay}).status, 0);
   const ByteImage before = plates();
   const ByteImage after = read_grey(overlay);
@@ -146,17 +145,16 @@ TEST_F(HolesCommand, overlay_draws_outlines_and_centres) {
   EXPECT_EQ(after.at(55, 25), before.at(55, 25));
 }
 
-TEST_F(HolesCommand, rejects_invalid_arguments_without_output) {
-  const std::string nowhere = directory.file("nothing.png");
+TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
+  const std::string nowhere = folder.file("nothing.png");
   EXPECT_NE(failure_of({"holes", nowhere, "--overlay", overlay}, 1).find("nothing.png"),
             std::string::npos);
-  EXPECT_NE(failure_of({"holes", in, "--overlay", directory.file("a.jpg")}, 1).find("JPEG"),
+  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("a.jpg")}, 1).find("JPEG"),
             std::string::npos);
-  EXPECT_NE(failure_of({"holes", in, "--overlay", directory.file("a.pgm")}, 1).find("no colours"),
+  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("a.pgm")}, 1).find("no colours"),
             std::string::npos);
-  EXPECT_NE(
-      failure_of({"holes", in, "--overlay", directory.file("no/a.png")}, 1).find("no directory"),
-      std::string::npos);
+  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("no/a.png")}, 1).find("no directory"),
+            std::string::npos);
   EXPECT_NE(failure_of({"holes", in, "--threshold", "300"}, 2).find("300"), std::string::npos);
   EXPECT_EQ(failure_of({"holes", in, "--min-area", "0"}, 2),
             "--min-area: expected an integer in [1, 2147483648], got '0'; see 'thinbench holes "
@@ -168,14 +166,14 @@ TEST_F(HolesCommand, rejects_invalid_arguments_without_output) {
   EXPECT_EQ(folder.names(), Names{"in.png"});
 }
 
-TEST_F(HolesCommand, empty_values_are_rejected) {
+TEST_F(HolesCommand, empty_values_are_refused) {
   for (const char* option : {"--overlay", "--technique", "--isa"}) {
     EXPECT_EQ(failure_of({"holes", in, option, ""}, 2),
               std::string(option) + ": expected a value, got ''; see 'thinbench holes --help'");
   }
 }
 
-TEST_F(HolesCommand, explains_why_a_variant_cannot_run) {
+TEST_F(HolesCommand, variants_that_cannot_run_are_explained_as_by_the_other_commands) {
   EXPECT_EQ(failure_of({"holes", in, "--technique", "union_find", "--threads", "2"}, 2),
             "union_find runs on one thread only, not on 2");
   write_grey(in, ByteImage(65535, 1).view());
@@ -183,7 +181,7 @@ TEST_F(HolesCommand, explains_why_a_variant_cannot_run) {
             "simd_runs takes images up to 65534 pixels wide; this one has 65535");
 }
 
-TEST_F(HolesCommand, explains_that_an_isa_is_above_the_cap) {
+TEST_F(HolesCommand, isas_above_the_cap_are_explained) {
   const IsaCap cap("baseline");
   if (!cpu_supports(Isa::avx2)) GTEST_SKIP() << "needs avx2";
   EXPECT_EQ(failure_of({"holes", in, "--isa", "avx2"}, 1),

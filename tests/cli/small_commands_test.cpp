@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// All operations, without the cases that differ in border or limit only.
-std::vector<Operation> plain_operations() {
+/// Borders and limits are no operations of their own.
+std::vector<Operation> listed() {
   std::vector<Operation> operations = operations_with_peers();
   std::erase_if(operations, [](const Operation& one) {
     return one.border == Border::keep || one.max_iterations.has_value();
@@ -23,13 +23,13 @@ std::vector<Operation> plain_operations() {
   return operations;
 }
 
-std::size_t number_of_variants() {
-  std::size_t count = 0;
-  for (const Operation& operation : plain_operations()) count += operation.variants.size();
-  return count;
+std::size_t catalogue_size() {
+  std::size_t rows = 0;
+  for (const Operation& operation : listed()) rows += operation.variants.size();
+  return rows;
 }
 
-/// The lines of `list` after the header.
+/// The lines of `list` after its head.
 std::vector<std::string> listed_operations() {
   std::istringstream lines(run_with({"list"}).out);
   std::vector<std::string> found;
@@ -40,7 +40,7 @@ std::vector<std::string> listed_operations() {
 
 TEST(ListCommand, prints_a_line_for_each_operation) {
   const std::vector<std::string> lines = listed_operations();
-  const std::vector<Operation> operations = plain_operations();
+  const std::vector<Operation> operations = listed();
   ASSERT_EQ(lines.size(), operations.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::regex pattern(operations[i].name + R"( +[1-9]\d* +\w+/[\w.]+ +\S.*)");
@@ -49,10 +49,10 @@ TEST(ListCommand, prints_a_line_for_each_operation) {
   }
 }
 
-TEST(ListCommand, counts_the_available_variants_without_peers_and_names_the_one_that_run_chooses) {
+TEST(ListCommand, counts_the_librarys_variants_that_run_here_and_names_what_run_takes) {
   const IsaCap cap("baseline");
-  const TemporaryDirectory directory;
-  const std::string file = directory.file("a.png");
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("a.png");
   write_grey(file, ByteImage(1024, 9).view());
   const std::string run = run_with({"run", "thin_guo_hall", file, file}).out;
   const std::string first_two = run.substr(0, run.find("/1: "));  // operation/technique/isa
@@ -64,7 +64,7 @@ TEST(ListCommand, counts_the_available_variants_without_peers_and_names_the_one_
     std::string fastest;
     words >> operation >> variants >> fastest;
     if (operation == "fill_holes") {
-      EXPECT_EQ(variants, "2") << "without its peer";
+      EXPECT_EQ(variants, "2") << "with its one peer 3";
     }
     if (operation != "thin_guo_hall") continue;
     EXPECT_EQ(operation + "/" + fastest, first_two);
@@ -73,7 +73,7 @@ TEST(ListCommand, counts_the_available_variants_without_peers_and_names_the_one_
   EXPECT_EQ(listed, 1);
 }
 
-TEST(ListCommand, variants_prints_an_aligned_line_for_every_variant) {
+TEST(ListCommand, variants_are_an_aligned_line_for_every_row) {
   const ProgramRun run = run_with({"list", "--variants"});
   EXPECT_EQ(run.status, 0);
   std::istringstream lines(run.out);
@@ -85,19 +85,19 @@ TEST(ListCommand, variants_prints_an_aligned_line_for_every_variant) {
     const std::string cell = line.substr(column);
     EXPECT_TRUE(cell == "yes" || cell.rfind("no: ", 0) == 0) << line;
   }
-  EXPECT_EQ(rows, number_of_variants());
+  EXPECT_EQ(rows, catalogue_size());
 }
 
-TEST(ListCommand, json_has_the_reason_why_a_variant_is_not_available) {
+TEST(ListCommand, json_says_why_a_row_is_not_available) {
   const IsaCap cap("baseline");
   const ProgramRun run = run_with({"list", "--json"});
   EXPECT_EQ(run.status, 0);
   const Json list = Json::parse(run.out);
-  EXPECT_EQ(list.size(), number_of_variants());
+  EXPECT_EQ(list.size(), catalogue_size());
   for (const Json& row : list) {
     EXPECT_EQ(row.size(), 10U);
     EXPECT_TRUE(!row["fastest"] || (row["available"] && !row["peer"] && row["threads"] == "1"));
-    EXPECT_LE(row["min_pixels"], row["threads"] == "n" ? detail::kMinPixelsForThreads : 0);
+    EXPECT_LE(row["least_pixels"], row["threads"] == "n" ? detail::kMinPixelsForThreads : 0);
     EXPECT_EQ(row["available"], row["isa"] == "baseline" || row["peer"]);
     EXPECT_EQ(row["available"], row["reason"] == "");
     EXPECT_TRUE(row["threads"] == "1" || row["threads"] == "n");
@@ -107,9 +107,9 @@ TEST(ListCommand, json_has_the_reason_why_a_variant_is_not_available) {
   }
 }
 
-TEST(SceneCommand, writes_the_scene_and_prints_its_contents) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.file("scene.png");
+TEST(SceneCommand, writes_the_scene_and_says_what_it_shows) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("scene.png");
   const ProgramRun run = run_with({"scene", file, "--scale", "2", "--noise", "0"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(std::regex_match(run.out.substr(file.size()),
@@ -130,20 +130,20 @@ TEST(SceneCommand, binary_image_holds_0_and_255_only) {
   EXPECT_EQ(levels, (std::set<int>{0, 255}));
 }
 
-TEST(SceneCommand, every_option_changes_the_image) {
-  const TemporaryDirectory directory;
-  std::set<std::string> images;
+TEST(SceneCommand, every_option_changes_the_picture) {
+  const TemporaryDirectory folder;
+  std::set<std::string> pictures;
   const std::vector<std::vector<std::string>> options = {
       {}, {"--noise", "0.5"}, {"--seed", "7"}, {"--no-illumination"}, {"--border-touching"}};
   for (std::vector<std::string> args : options) {
-    args.insert(args.begin(), {"scene", directory.file("a.pgm")});
+    args.insert(args.begin(), {"scene", folder.file("a.pgm")});
     ASSERT_EQ(run_with(args).status, 0);
-    images.insert(bytes_of(directory.file("a.pgm")));
+    pictures.insert(bytes_of(folder.file("a.pgm")));
   }
-  EXPECT_EQ(images.size(), options.size());
+  EXPECT_EQ(pictures.size(), options.size());
 }
 
-TEST(SceneCommand, truth_needs_no_output_file) {
+TEST(SceneCommand, truth_needs_no_picture) {
   const ProgramRun run = run_with({"scene", "--truth"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(Json::parse(run.out)["width"], 510);
@@ -153,10 +153,10 @@ TEST(SceneCommand, truth_and_image_come_together) {
   const TemporaryDirectory folder;
   const ProgramRun run = run_with({"scene", folder.file("a.png"), "--truth"});
   EXPECT_FALSE(Json::parse(run.out)["parts"].empty());
-  EXPECT_EQ(directory.names(), std::set<std::string>{"a.png"});
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a.png"});
 }
 
-TEST(SceneCommand, rejects_invalid_options) {
+TEST(SceneCommand, refuses_what_it_cannot_draw) {
   const std::string see = "; see 'thinbench scene --help'";
   EXPECT_EQ(failure_of({"scene"}, 2), "scene needs OUT, an image to write, or --truth");
   EXPECT_EQ(failure_of({"scene", "a.png", "--scale", "0"}, 2),
@@ -179,7 +179,7 @@ TEST(MachineCommand, prints_json_with_commit_and_options) {
             json["fingerprint"].get<std::string>() + "\n");
 }
 
-TEST(MachineCommand, rejects_options_that_are_not_a_json_object) {
+TEST(MachineCommand, refuses_options_that_are_no_object) {
   for (const std::string text : {"{", "[1]", "quick"}) {
     EXPECT_EQ(failure_of({"machine", "--options", text}, 2),
               "--options: '" + text + R"(' is not a JSON object such as {"quick": true})");

@@ -36,7 +36,7 @@ void expect_ramp(const ByteImage& image, int tolerance) {
   }
 }
 
-/// The error of reading a file; fails if the decoder writes to standard error.
+/// What reading the file says, and a failure where it writes to standard error on its own.
 std::string error_of(const std::string& file) {
   const CapturedStderr captured;
   std::string text = "no error";
@@ -56,44 +56,44 @@ void expect_error(const std::string& file, const std::string& reason) {
 
 constexpr const char* kDamaged = "it is damaged or has no pixels";
 
-class LosslessFile : public testing::TestWithParam<const char*> {};
+class GreyFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(LosslessFile, keeps_every_pixel) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.file(std::string("a.") + GetParam());
+TEST_P(GreyFile, keeps_every_pixel) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file(std::string("a.") + GetParam());
   ASSERT_TRUE(cv::imwrite(file, ramp()));
   expect_ramp(read_grey(file), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, LosslessFile, testing::Values("png", "pgm", "bmp", "tif"));
+INSTANTIATE_TEST_SUITE_P(Formats, GreyFile, testing::Values("png", "pgm", "bmp", "tif"));
 
-TEST(ReadGrey, jpeg_is_nearly_lossless_at_quality_100) {
-  const TemporaryDirectory directory;
-  ASSERT_TRUE(cv::imwrite(directory.file("a.jpg"), ramp(), {cv::IMWRITE_JPEG_QUALITY, 100}));
-  expect_ramp(read_grey(directory.file("a.jpg")), 3);
+TEST(ReadGrey, jpeg_comes_out_nearly_as_it_was) {
+  const TemporaryDirectory folder;
+  ASSERT_TRUE(cv::imwrite(folder.file("a.jpg"), ramp(), {cv::IMWRITE_JPEG_QUALITY, 100}));
+  expect_ramp(read_grey(folder.file("a.jpg")), 3);
 }
 
-TEST(ReadGrey, sixteen_bits_are_reduced_to_eight) {
-  const TemporaryDirectory directory;
+TEST(ReadGrey, sixteen_bits_become_eight) {
+  const TemporaryDirectory folder;
   cv::Mat deep;
   ramp().convertTo(deep, CV_16UC1, 257);
-  for (const char* extension : {"png", "pgm", "tif"}) {
-    const std::string file = directory.file(std::string("deep.") + extension);
+  for (const char* ending : {"png", "pgm", "tif"}) {
+    const std::string file = folder.file(std::string("deep.") + ending);
     ASSERT_TRUE(cv::imwrite(file, deep));
     expect_ramp(read_grey(file), 0);
   }
 }
 
-TEST(ReadGrey, colours_become_grey_and_transparency_is_ignored) {
-  const TemporaryDirectory directory;
+TEST(ReadGrey, colours_become_grey_and_transparency_is_left_out) {
+  const TemporaryDirectory folder;
   const cv::Mat transparent(2, 3, CV_8UC4, cv::Scalar(77, 77, 77, 0));
-  ASSERT_TRUE(cv::imwrite(directory.file("a.png"), transparent));
-  EXPECT_EQ(read_grey(directory.file("a.png")).at(2, 1), 77);
+  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), transparent));
+  EXPECT_EQ(read_grey(folder.file("a.png")).at(2, 1), 77);
 }
 
-TEST(ReadGrey, missing_file_is_rejected) {
-  const TemporaryDirectory directory;
-  expect_error(directory.file("absent.png"), "there is no such file");
+TEST(ReadGrey, missing_file_is_named) {
+  const TemporaryDirectory folder;
+  expect_error(folder.file("absent.png"), "there is no such file");
 }
 
 TEST(ReadGrey, folder_is_no_image) {
@@ -128,8 +128,8 @@ TEST(ReadGrey, image_without_pixels_is_rejected) {
   for (const char* header : {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n"}) {
     expect_error(folder.with("a.pgm", header), "it is damaged or has no pixels");
   }
-  ASSERT_TRUE(cv::imwrite(directory.file("a.png"), ramp()));
-  ASSERT_TRUE(cv::imwrite(directory.file("a.bmp"), ramp()));
+  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
+  ASSERT_TRUE(cv::imwrite(folder.file("a.bmp"), ramp()));
   for (const auto& [name, at] :
        {std::pair("a.png", 16U), {"a.png", 20U}, {"a.bmp", 18U}, {"a.bmp", 22U}}) {
     const std::string bytes = bytes_of(folder.file(name)).replace(at, 4, 4, '\0');
@@ -137,36 +137,35 @@ TEST(ReadGrey, image_without_pixels_is_rejected) {
   }
 }
 
-class TruncatedFile : public testing::TestWithParam<const char*> {};
+class CutFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(TruncatedFile, is_rejected_without_output_of_the_decoder) {
-  const TemporaryDirectory directory;
-  const std::string whole = directory.file(std::string("a.") + GetParam());
+TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
+  const TemporaryDirectory folder;
+  const std::string whole = folder.file(std::string("a.") + GetParam());
   cv::Mat large;
   cv::repeat(ramp(), 20, 5, large);
   ASSERT_TRUE(cv::imwrite(whole, large));
   const std::string bytes = bytes_of(whole);
-  const std::string truncated =
-      directory.with(std::string("truncated.") + GetParam(), bytes.substr(0, bytes.size() / 2));
+  const std::string cut =
+      folder.with(std::string("cut.") + GetParam(), bytes.substr(0, bytes.size() / 2));
   const bool is_jpeg = std::string(GetParam()) == "jpg";
-  expect_error(truncated, is_jpeg ? "the file is truncated" : kDamaged);
+  expect_error(cut, is_jpeg ? "the file is truncated" : kDamaged);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, TruncatedFile,
-                         testing::Values("png", "pgm", "bmp", "tif", "jpg"));
+INSTANTIATE_TEST_SUITE_P(Formats, CutFile, testing::Values("png", "pgm", "bmp", "tif", "jpg"));
 
 TEST(ReadGrey, damaged_png_is_rejected) {
   const TemporaryDirectory folder;
   ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
   std::string bytes = bytes_of(folder.file("a.png"));
   bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
-  expect_error(directory.with("b.png", bytes), kDamaged);
+  expect_error(folder.with("b.png", bytes), kDamaged);
 }
 
 TEST(ReadGrey, size_beyond_the_decoder_is_rejected_by_its_header) {
   if (std::getenv("OPENCV_IO_MAX_IMAGE_PIXELS") != nullptr) GTEST_SKIP() << "the limit is changed";
-  const TemporaryDirectory directory;
-  expect_error(directory.with("a.pgm", "P5 70000 70000 255\n"),
+  const TemporaryDirectory folder;
+  expect_error(folder.with("a.pgm", "P5 70000 70000 255\n"),
                "it has more than 2^30 pixels; set OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the "
                "environment to read up to 2^31");
 }

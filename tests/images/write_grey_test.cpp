@@ -1,6 +1,8 @@
+#include <csignal>
 #include <cstdint>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "images/image_file.hpp"
@@ -29,79 +31,101 @@ void expect_error(const std::string& file, const std::string& reason) {
   }
 }
 
+/// Files cannot grow beyond some bytes while it lives, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit small{bytes, old_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  FullDisk(FullDisk&&) = delete;
+  FullDisk& operator=(FullDisk&&) = delete;
+
+ private:
+  rlimit old_{};
+  void (*handler_)(int);
+};
+
 class WrittenFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(WrittenFile, reads_back_equal_and_is_the_only_file) {
-  const TemporaryDirectory directory;
+TEST_P(WrittenFile, reads_back_equal_and_lies_alone_in_its_folder) {
+  const TemporaryDirectory folder;
   const std::string name = std::string("a") + GetParam();
-  write_grey(directory.file(name), stripes().view());
-  EXPECT_TRUE(equal(read_grey(directory.file(name)).view(), stripes().view()));
-  EXPECT_EQ(directory.names(), Names{name});
+  write_grey(folder.file(name), stripes().view());
+  EXPECT_TRUE(equal(read_grey(folder.file(name)).view(), stripes().view()));
+  EXPECT_EQ(folder.names(), Names{name});
 }
 
-INSTANTIATE_TEST_SUITE_P(Extensions, WrittenFile,
+INSTANTIATE_TEST_SUITE_P(Endings, WrittenFile,
                          testing::Values(".png", ".pgm", ".bmp", ".tif", ".tiff", ".PNG"));
 
 TEST(WriteGrey, replaces_a_file) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.with("a.png", "old");
+  const TemporaryDirectory folder;
+  const std::string file = folder.with("a.png", "old");
   write_grey(file, stripes().view());
   EXPECT_TRUE(equal(read_grey(file).view(), stripes().view()));
 }
 
-TEST(WriteGrey, unknown_extension_is_rejected_with_the_known_ones) {
-  const TemporaryDirectory directory;
+TEST(WriteGrey, unknown_ending_names_the_known_ones) {
+  const TemporaryDirectory folder;
   const std::string known = "; known are .png, .pgm, .bmp, .tif and .tiff";
-  expect_error(directory.file("a.gif"), "unknown extension '.gif'" + known);
-  expect_error(directory.file("a"), "its name has no extension" + known);
-  expect_error(directory.file("a.jpg"), "JPEG would change pixels" + known);
-  EXPECT_EQ(directory.names(), Names{});
+  expect_error(folder.file("a.gif"), "unknown extension '.gif'" + known);
+  expect_error(folder.file("a"), "its name has no extension" + known);
+  expect_error(folder.file("a.jpg"), "JPEG would change pixels" + known);
+  EXPECT_EQ(folder.names(), Names{});
 }
 
-TEST(WriteGrey, missing_directory_is_rejected) {
-  const TemporaryDirectory directory;
-  const std::string absent = directory.file("absent");
+TEST(WriteGrey, absent_folder_is_named) {
+  const TemporaryDirectory folder;
+  const std::string absent = folder.file("absent");
   expect_error(absent + "/a.png", "there is no directory '" + absent + "'");
 }
 
-TEST(WriteGrey, path_of_a_directory_is_rejected) {
-  const TemporaryDirectory directory;
-  std::filesystem::create_directory(directory.file("a.png"));
-  expect_error(directory.file("a.png"), "it is a directory");
-  EXPECT_EQ(directory.names(), Names{"a.png"});
+TEST(WriteGrey, folder_in_the_way_is_refused) {
+  const TemporaryDirectory folder;
+  std::filesystem::create_directory(folder.file("a.png"));
+  expect_error(folder.file("a.png"), "it is a directory");
+  EXPECT_EQ(folder.names(), Names{"a.png"});
 }
 
-TEST(WriteGrey, protected_directory_is_rejected) {
-  const TemporaryDirectory directory;
+TEST(WriteGrey, protected_folder_is_refused) {
+  const TemporaryDirectory folder;
   std::filesystem::permissions(
-      directory.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  const bool may_write = access(directory.path().c_str(), W_OK) == 0;
-  if (!may_write) expect_error(directory.file("a.png"), "Permission denied");
-  std::filesystem::permissions(directory.path(), std::filesystem::perms::owner_all);
+      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  const bool may_write = access(folder.path().c_str(), W_OK) == 0;
+  if (!may_write) expect_error(folder.file("a.png"), "Permission denied");
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
   if (may_write) GTEST_SKIP() << "this user may write everywhere";
 }
 
-TEST(WriteGrey, directory_without_support_for_files_is_rejected_for_every_user) {
+TEST(WriteGrey, folder_that_takes_no_files_is_refused_for_every_user) {
   expect_error("/proc/a.png", "No such file or directory");
 }
 
-TEST(WriteGrey, protected_file_is_rejected) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.with("a.png", "old");
+TEST(WriteGrey, protected_file_is_refused) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.with("a.png", "old");
   std::filesystem::permissions(file, std::filesystem::perms::owner_read);
   if (access(file.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write everything";
   expect_error(file, "it is write-protected");
 }
 
-TEST(WriteGrey, full_disk_keeps_the_old_file_and_leaves_no_other) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.with("a.pgm", "old");
+TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.with("a.pgm", "old");
   {
-    const FileSizeLimit limit(100);
+    const FullDisk full(100);
     expect_error(file, "File too large");
   }
   EXPECT_EQ(bytes_of(file), "old");
-  EXPECT_EQ(directory.names(), Names{"a.pgm"});
+  EXPECT_EQ(folder.names(), Names{"a.pgm"});
 }
 
 TEST(WriteGrey, image_without_pixels_is_refused) {
@@ -110,7 +134,7 @@ TEST(WriteGrey, image_without_pixels_is_refused) {
   EXPECT_EQ(folder.names(), Names{});
 }
 
-TEST(WriteGrey, accepts_every_size_below_2_to_the_31) {
+TEST(WriteGrey, takes_every_size_below_two_to_the_31) {
   EXPECT_TRUE(is_writable_size(715827882, 3));  // 2^31 - 2 pixels
   EXPECT_FALSE(is_writable_size(715827883, 3));
   EXPECT_TRUE(is_writable_size(INT32_MAX, 1));
@@ -119,8 +143,8 @@ TEST(WriteGrey, accepts_every_size_below_2_to_the_31) {
   EXPECT_FALSE(is_writable_size(PTRDIFF_MAX, PTRDIFF_MAX));
 }
 
-TEST(WriteGrey, size_above_the_limit_is_rejected_before_pixels_are_read) {
-  const TemporaryDirectory directory;
+TEST(WriteGrey, size_beyond_the_limit_is_refused_before_a_pixel_is_touched) {
+  const TemporaryDirectory folder;
   const std::uint8_t pixel = 0;
   const ConstImageView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
   EXPECT_THROW(write_grey(folder.file("a.png"), huge), ImageError);

@@ -1,7 +1,7 @@
 // Nets with newly trained weights.
 #include <gtest/gtest.h>
 
-#include "nets/follow_weights.hpp"
+#include "nets/given_weights.hpp"
 #include "training/two_layer.hpp"
 
 namespace thinbench {

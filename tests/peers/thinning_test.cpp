@@ -43,24 +43,7 @@ TEST(ThinningPeers, opencv_equals_the_references_that_keep_the_border) {
   }
 }
 
-TEST(ThinningPeers, opencv_differs_from_the_plain_reference_at_the_border) {
-  const Scene scene = render_scene({SceneKind::border_touching});
-  const auto job = peer("thin_guo_hall:keep", "opencv").make_job(510, 412, 1);
-  const Outcome plain = expected_of("thin_guo_hall", scene.binary.view());
-  EXPECT_FALSE(equal(outcome_of(*job, scene.binary.view()).image.view(), plain.image.view()));
-}
-
-Index outside(const ByteImage& skeleton, const ByteImage& image) {
-  Index count = 0;
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      count += skeleton.at(x, y) != 0 && image.at(x, y) == 0 ? 1 : 0;
-    }
-  }
-  return count;
-}
-
-/// Objects by one connectivity, holes by the other.
+/// Objects by one connectivity, holes by the other one.
 struct Counts {
   std::size_t objects;
   std::size_t holes;

@@ -192,7 +192,7 @@ TEST(Scene, thickest_stroke_is_60_pixels_wide) {
   EXPECT_LE(erosions, 31);
 }
 
-TEST(Scene, border_touching_scene_meets_all_sides_and_a_corner) {
+TEST(Scene, border_touching_scene_touches_all_sides_and_a_corner) {
   const Scene scene = render_kind(SceneKind::border_touching);
   int left = 0;
   int right = 0;

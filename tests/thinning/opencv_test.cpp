@@ -5,7 +5,6 @@
 
 #include "harness/test_images.hpp"
 #include "images/mat_of.hpp"
-#include "reference.hpp"
 #include "scene/scene.hpp"
 #include "support/reference_thinning.hpp"
 #include "thinbench/thinning.hpp"
@@ -107,7 +106,7 @@ TEST_P(AgainstOpenCv, equal_on_all_four_by_four) {
   }
 }
 
-TEST_P(AgainstOpenCv, border_makes_a_difference_where_the_scene_touches_it) {
+TEST_P(AgainstOpenCv, keeping_the_border_changes_the_result_if_the_scene_touches_it) {
   const Scene scene = render_scene({SceneKind::border_touching});
   const Rule rule = GetParam().rule;
   EXPECT_FALSE(equal(by_library(rule, scene.binary, Border::background).view(),
