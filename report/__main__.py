@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import io
+import os
 import sys
 from collections.abc import Callable
 
@@ -53,6 +54,8 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="./study", description="Measurements and their report.")
     _commands(parser)
     options = parser.parse_args(arguments)
+    # OpenCV rejects more than 2^30 pixels unless this is set before it is loaded.
+    os.environ.setdefault("OPENCV_IO_MAX_IMAGE_PIXELS", "2147483648")
     try:
         found = options.run(options.parser, options)
         text, status = found if isinstance(found, tuple) else (found, 0)

@@ -43,7 +43,7 @@ def _make(preset: str, targets: Sequence[str], root: Path, log: object) -> bool:
             log.write(line)  # type: ignore[attr-defined]
             if step := STEP.match(line):
                 progress = progress or Progress("building", int(step[2]))
-                progress.set(int(step[1]))
+                progress.set(int(step[1]), int(step[2]))  # globs are checked first, as a build
     if progress:
         progress.close()
     return process.returncode == 0

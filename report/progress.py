@@ -19,9 +19,9 @@ class Progress:
         """Some work was done."""
         self.set(self.done + amount)
 
-    def set(self, done: float) -> None:
-        """So much work is done in all."""
-        self.done = done
+    def set(self, done: float, total: float | None = None) -> None:
+        """So much work is done in all; `total` replaces what was expected."""
+        self.done, self.total = done, total or self.total
         now = time.monotonic()
         if now - self.latest < (0.2 if self.terminal else 10):
             return

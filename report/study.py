@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import datetime
-import os
 import subprocess
 from pathlib import Path
 
@@ -70,6 +69,7 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
     write_run(directory, machine, _options_json(options, processes),
               [("", part) for part in samples])
     count_instructions(programs / "thinbench", directory, options)
+    measure_quality(programs / "thinbench", directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel
     return build_page(directory)
 
@@ -134,9 +134,17 @@ def count_instructions(program: Path, directory: Path, options: argparse.Namespa
     _run(program, "instructions", *words, "--out", str(directory / "limits.json"), allowed=(0, 2))
 
 
+def measure_quality(program: Path, directory: Path, options: argparse.Namespace) -> None:
+    """Skeletons of the user's images; those of the built-in images are in results/experiments."""
+    images = options.image + options.quality_image
+    if images:
+        words = [word for image in images for word in ("--image", str(image))]
+        (directory / "experiments").mkdir(exist_ok=True)
+        _run(program, "experiment", "quality", *words, *binarise_words(options),
+             "--out", str(directory / "experiments" / "quality.json"))
+
+
 def _run(program: Path, *words: str, allowed: tuple[int, ...] = (0,)) -> None:
-    environment = {"OPENCV_IO_MAX_IMAGE_PIXELS": "2147483648"} | os.environ
-    done = subprocess.run([program, *words], stdout=subprocess.DEVNULL, env=environment,
-                          check=False)
+    done = subprocess.run([program, *words], stdout=subprocess.DEVNULL, check=False)
     if done.returncode not in allowed:
         raise ReportError(f"thinbench {words[0]} failed; see the line above")

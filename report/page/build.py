@@ -27,7 +27,7 @@ def build_page(directory: Path) -> str:
     """Returns the summary to print."""
     rows = Rows(load_run(directory))
     lines = rows.headlines()
-    experiments = load_experiments()
+    experiments = load_experiments(directory)
     claims = judge(rows, experiments)
     svg, png = overview(rows, lines)
     write_files(directory, {
@@ -49,7 +49,7 @@ def origin(run: Run) -> str:
 def claims_text(directory: Path) -> str:
     """The judged claims of a run, as Markdown."""
     run = load_run(directory)
-    return claims_to_markdown(judge(Rows(run), load_experiments()), origin(run))
+    return claims_to_markdown(judge(Rows(run), load_experiments(directory)), origin(run))
 
 
 def summary(rows: Rows, lines: list[Headline], directory: Path) -> str:

@@ -21,14 +21,17 @@ Experiments = dict[str, Json]
 Column = tuple[str, Callable[[Json], Any]]
 
 
-def load_experiments(directory: Path = DIRECTORY) -> Experiments:
-    """By name; those that are there."""
+def load_experiments(run: Path | None = None) -> Experiments:
+    """By name; those of the run's directory, where it has some, else the project's."""
     found = {}
     for name in NAMES:
-        path = directory / f"{name}.json"
-        if path.exists():
-            found[name] = read_json(path)
-            check_schema("experiment", found[name], str(path))
+        paths = [directory / f"{name}.json"
+                 for directory in ((run / "experiments", DIRECTORY) if run else (DIRECTORY,))]
+        for path in paths:
+            if path.exists():
+                found[name] = read_json(path)
+                check_schema("experiment", found[name], str(path))
+                break
     return found
 
 
