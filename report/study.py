@@ -12,6 +12,7 @@ from report.errors import ReportError
 from report.git import commit_name
 from report.measure.run import machine_facts, write_run
 from report.measure.sampler import Json, Sampler, Samples, measure_interleaved, planned_seconds
+from report.measure.timings import disturbed_groups
 from report.progress import Progress
 from report.row_options import (add_row_options, binarise_words, check_binarise_options,
                                 input_words, positive)
@@ -75,11 +76,18 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
 
 
 def measure(sampler: Sampler, samples: list[Samples], processes: int) -> None:
-    """All plans, with progress."""
+    """All plans, with progress. Groups of which too few processes were quiet are measured again, by
+    at most as many processes."""
     seconds = processes * sum(planned_seconds(part.plan) for part in samples)
     progress = Progress("measuring", seconds)
     measure_interleaved([(sampler, part) for part in samples], processes, progress.advance)
     progress.close()
+    for seed in range(processes, 2 * processes):
+        for part in samples:
+            disturbed = disturbed_groups(part)
+            if disturbed:
+                part.processes.append(
+                    sampler.measure(part.plan, seed, lambda group: None, disturbed))
 
 
 def default_directory(machine: Json) -> Path:

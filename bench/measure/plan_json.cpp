@@ -112,7 +112,7 @@ Plan plan_from_json(const std::string& text) {
 json group_times_json(const GroupTimes& times) {
   json entries = json::array();
   for (const EntryTimes& entry : times.entries) {
-    entries.push_back({{"logs", entry.logs}, {"ns", entry.ns}});
+    entries.push_back({{"logs", entry.logs}, {"anchor", entry.anchor}, {"ns", entry.ns}});
   }
   return {{"group", times.group}, {"layout", times.layout}, {"entries", std::move(entries)}};
 }

@@ -18,6 +18,10 @@ double quantile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(place)];
 }
 
+int rounded(double log) {
+  return static_cast<int>(std::lround(1e4 * log));
+}
+
 Times operator/(const Times& times, double divisor) {
   return {times.thread_cpu / divisor, times.wall / divisor};
 }
@@ -29,7 +33,11 @@ Times logarithms(const Times& times) {
 class Rounds {
  public:
   Rounds(const Group& group, const Visit& visit)
-      : group_(group), visit_(visit), logs_(group.entries.size()), ns_(group.entries.size()) {
+      : group_(group),
+        visit_(visit),
+        logs_(group.entries.size()),
+        anchors_(logs_.size()),
+        ns_(logs_.size()) {
     for (std::size_t i = 0; i < group.entries.size(); ++i) {
       if (i != group.anchor) (group.entries[i].long_call ? long_calls_ : short_calls_).push_back(i);
     }
@@ -50,7 +58,7 @@ class Rounds {
 
   [[nodiscard]] EntryTimes of(std::size_t entry) {
     constexpr std::array kShares = {0.0, 0.1, 0.25, 0.5, 0.75, 1.0};
-    EntryTimes times{logs_[entry]};
+    EntryTimes times{logs_[entry], anchors_[entry]};
     for (std::size_t i = 0; i < kShares.size(); ++i) times.ns[i] = quantile(ns_[entry], kShares[i]);
     return times;
   }
@@ -93,7 +101,8 @@ class Rounds {
     const double ns = threaded ? times.wall : times.thread_cpu;
     const double anchor = threaded ? anchor_logs.wall : anchor_logs.thread_cpu;
     ns_[entry].push_back(ns);
-    logs_[entry].push_back(static_cast<int>(std::lround(1e4 * (std::log(ns) - anchor))));
+    logs_[entry].push_back(rounded(std::log(ns) - anchor));
+    anchors_[entry].push_back(rounded(anchor));
   }
 
   const Group& group_;
@@ -102,6 +111,7 @@ class Rounds {
   std::vector<std::size_t> long_calls_;
   std::uint64_t draws_ = 0;
   std::vector<std::vector<int>> logs_;
+  std::vector<std::vector<int>> anchors_;
   std::vector<std::vector<double>> ns_;
   std::vector<Times> anchor_logs_;  // of this round
 };

@@ -25,6 +25,8 @@ struct EntryTimes {
   /// 10^4 ln(time / the anchor's time on the same clock), one value for each epoch; empty for the
   /// anchor.
   std::vector<int> logs;
+  /// 10^4 ln(nanoseconds of a call of the anchor beside each of these epochs): how quiet it was.
+  std::vector<int> anchor;
   /// 0, 10, 25, 50, 75 and 100 % quantiles of the nanoseconds of a counted call.
   std::array<double, 6> ns = {};
 };

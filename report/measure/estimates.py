@@ -1,7 +1,9 @@
 """Statistics of samples: one place for every estimate and interval that is published.
 
-The unit of sampling is the process. For a row, a process gives the median over its epochs of
-ln(time / time of the anchor beside it). All figures of a group come from these numbers:
+The unit of sampling is the process. For a row, a process gives the median over its quiet epochs of
+ln(time / time of the anchor beside it). An epoch is quiet where the anchor beside it is at most 10 %
+slower than it can be: the rest was measured beside a busy neighbour, which slows scalar and vector
+code by different factors. All figures of a group come from these numbers:
 
     time of a row      = time of the anchor * exp(median over processes)
     speed-up of a row  = time of the reference / time of the row
@@ -12,14 +14,23 @@ order statistics, the 2nd and the 8th of nine processes, and assume nothing abou
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.stats import binom
 
 COVERAGE = 0.95
+QUIET_WITHIN, QUIET_QUANTILE = 0.10, 0.02
+"""Logarithms: how much slower than its 2 % quantile over all processes a quiet anchor may be. On a
+virtual machine whose neighbours came and went every few seconds this took the spread of speed-ups
+between three runs from 15 % (median over rows) to 1.5 %."""
+
+MIN_QUIET = 3
+"""Processes with quiet epochs that an estimate needs."""
 
 Floats = NDArray[np.float64]
 
@@ -57,18 +68,65 @@ def estimate_of_logs(logs: ArrayLike, value: float | None = None) -> Estimate:
 
 
 class GroupEstimates:
-    """Times and speed-ups of one group, `logs[process, entry]` and `anchor_ns[process]`."""
+    """Times and speed-ups of one group from `logs[process, entry]`, NaN where a process has no
+    quiet epoch, and `anchor_logs[process]`, ln(nanoseconds) of the anchor."""
 
-    def __init__(self, logs: Floats, anchor_ns: Floats) -> None:
+    def __init__(self, logs: Floats, anchor_logs: Floats) -> None:
         self.logs = logs
-        self.log_times = logs + np.log(anchor_ns)[:, None]
-        self.times = np.median(anchor_ns) * np.exp(np.median(logs, axis=0))
+        self.log_times = logs + anchor_logs[:, None]
+        self.times = np.exp(np.nanmedian(anchor_logs) + np.nanmedian(logs, axis=0))
 
     def time(self, entry: int) -> Estimate:
         """Nanoseconds of a call."""
-        return estimate_of_logs(self.log_times[:, entry], float(self.times[entry]))
+        return estimate_of_logs(_known(self.log_times[:, entry]), float(self.times[entry]))
 
     def speedup(self, entry: int, base: int) -> Estimate:
         """How many times as fast as entry `base`."""
         ratio = float(self.times[base] / self.times[entry])
-        return estimate_of_logs(self.logs[:, base] - self.logs[:, entry], ratio)
+        paired = _known(self.logs[:, base] - self.logs[:, entry])
+        if len(paired) >= MIN_QUIET or base == entry:
+            return estimate_of_logs(paired, ratio)
+        ends = [estimate_of_logs(_known(self.logs[:, one])) for one in (base, entry)]
+        return Estimate(ratio, min(ratio, ends[0].low / ends[1].high),
+                        max(ratio, ends[0].high / ends[1].low))
+
+
+@dataclass(frozen=True)
+class QuietLogs:
+    """What the processes of a run say of one group, after noise was taken away."""
+
+    logs: Floats
+    anchor_logs: Floats
+    disturbed: frozenset[int]
+    """Entries with too few quiet processes; all their epochs count."""
+
+
+def quiet_logs(groups: Sequence[Mapping[str, Any]], anchor: int) -> QuietLogs:
+    """`groups[process]` is what a process found, or empty."""
+    anchors = [_together([entry["anchor"] for entry in group.get("entries", ())])
+               for group in groups]
+    limit = float(np.quantile(np.concatenate(anchors), QUIET_QUANTILE)) + QUIET_WITHIN
+    count = max(len(group.get("entries", ())) for group in groups)
+    logs, every = (np.full((len(groups), count), np.nan) for _ in range(2))
+    for number, group in enumerate(groups):
+        for index, entry in enumerate(group.get("entries", ())):
+            found = np.array(entry["logs"] or [0]) / 1e4
+            quiet = found[np.array(entry["anchor"] or [0]) / 1e4 <= limit]
+            every[number, index] = np.median(found)
+            logs[number, index] = np.median(quiet) if len(quiet) else np.nan
+    few = np.sum(~np.isnan(logs), axis=0) < min(MIN_QUIET, len(groups))
+    logs[:, few] = every[:, few]
+    logs[:, anchor] = np.where(np.isnan(every[:, anchor]), np.nan, 0)
+    quiet_anchors = [values[values <= limit] for values in anchors]
+    centre = float(np.median(np.concatenate(quiet_anchors)))
+    return QuietLogs(
+        logs, np.array([np.median(values) if len(values) else centre for values in quiet_anchors]),
+        frozenset(np.flatnonzero(few).tolist()) - {anchor})
+
+
+def _together(anchors: Sequence[Sequence[int]]) -> Floats:
+    return np.array([value for values in anchors for value in values], float) / 1e4
+
+
+def _known(values: Floats) -> Floats:
+    return values[~np.isnan(values)]

@@ -13,9 +13,9 @@ import numpy as np
 
 from report.errors import ReportError
 from report.files import read_bytes, read_json, to_json, write_files
-from report.measure.estimates import Estimate, estimate_of_logs
+from report.measure.estimates import Estimate, Floats, estimate_of_logs
 from report.measure.sampler import Json, Samples
-from report.measure.timings import Origin, Row, group_estimates, read_csv, rows_of, to_csv
+from report.measure.timings import Origin, Row, quiet_group, read_csv, rows_of, to_csv
 from report.schemas import check_schema
 
 SCHEMA = 2
@@ -90,14 +90,14 @@ def write_run(directory: Path, machine: Json, options: Json,
 
 def controls_of(runs: list[Samples]) -> Json:
     """The A/A control and the injected slowdown: each process gives the median over all groups."""
-    found: dict[str, list[list[float]]] = {"same": [], "slowed": []}
+    found: dict[str, list[Floats]] = {"same": [], "slowed": []}
     for samples in runs:
         for role, logs in found.items():
             logs += _control_logs(samples, role)
     count = min((len(logs) for logs in found["same"]), default=0)
     if count == 0:
         return {"same": None, "slowed": None, "processes": 0, "passed": False}
-    same, slowed = (estimate_of_logs(np.median([logs[:count] for logs in found[role]], axis=0))
+    same, slowed = (estimate_of_logs(np.nanmedian([logs[:count] for logs in found[role]], axis=0))
                     for role in ("same", "slowed"))
     return {"same": vars(same), "slowed": vars(slowed), "processes": count,
             "passed": bool(controls_pass(same, slowed))}
@@ -109,7 +109,7 @@ def controls_pass(same: Estimate, slowed: Estimate) -> bool:
             and np.log(slowed.high) <= -SLOWED_BEYOND)
 
 
-def _control_logs(samples: Samples, role: str) -> list[list[float]]:
+def _control_logs(samples: Samples, role: str) -> list[Floats]:
     """For each group and process: ln(speed-up) of the control over the row that it repeats."""
     found = []
     for index, group in enumerate(samples.plan["groups"]):
@@ -117,8 +117,8 @@ def _control_logs(samples: Samples, role: str) -> list[list[float]]:
         control = next(number for number, entry in enumerate(entries) if entry["role"] == role)
         base = next(number for number, entry in enumerate(entries)
                     if entry["name"] == entries[control]["name"])
-        logs = group_estimates(samples, index).logs
-        found.append(list(logs[:, base] - logs[:, control]))
+        logs = quiet_group(samples, index).logs
+        found.append(logs[:, base] - logs[:, control])
     return found
 
 

@@ -22,7 +22,7 @@ class Process:
     """What one measuring process found."""
 
     seed: int
-    groups: list[Json]  # in the order of the plan
+    groups: list[Json]  # in the order of the plan; empty where it did not measure one
     states: list[Json]  # of the machine, before and after
     foreign_load: float  # processors that other processes kept busy meanwhile
 
@@ -68,9 +68,12 @@ class Sampler:
         plan: Json = json.loads(done.stdout)
         return plan
 
-    def measure(self, plan: Json, seed: int, on_group: Callable[[Json], None]) -> Process:
-        """One fresh process; `on_group` is called with each group of the plan when it is done."""
+    def measure(self, plan: Json, seed: int, on_group: Callable[[Json], None],
+                only: Sequence[int] | None = None) -> Process:
+        """One fresh process; `on_group` is called with each group of the plan when it is done.
+        `only` are the groups to measure; those of the others stay empty."""
         groups: list[Json] = [{} for _ in plan["groups"]]
+        chosen = range(len(groups)) if only is None else only
         states: list[Json] = []
         load = LoadMeter()
         with subprocess.Popen([self.program, "measure", "--seed", str(seed)], text=True,
@@ -78,14 +81,15 @@ class Sampler:
             assert process.stdin and process.stdout
             with suppress(BrokenPipeError):  # it has failed, as its exit status says
                 process.stdin.write(
-                    json.dumps({"sources": plan["sources"], "groups": plan["groups"]}))
+                    json.dumps({"sources": plan["sources"],
+                                "groups": [plan["groups"][index] for index in chosen]}))
                 process.stdin.close()
             for line in process.stdout:
                 result = json.loads(line)
                 if "group" not in result:
                     states.append(result)
                     continue
-                index = result.pop("group")
+                index = chosen[result.pop("group")]
                 groups[index] = result
                 on_group(plan["groups"][index])
         if process.returncode != 0:

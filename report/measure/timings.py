@@ -15,13 +15,10 @@ from typing import Any, get_args, get_type_hints
 import numpy as np
 
 from report.errors import ReportError
-from report.measure.estimates import Estimate, GroupEstimates
+from report.measure.estimates import Estimate, GroupEstimates, QuietLogs, quiet_logs
 from report.measure.sampler import Json, Samples
 
 REFERENCE, END_TO_END, KERNEL = "reference", "end_to_end", "kernel"
-ANCHOR_QUANTILE = 2
-"""Of the anchor's epochs, the lower quartile: interruptions only ever make it slower."""
-
 UNSTEADY_WIDTH = 0.25
 """Relative width of the interval from which a row is flagged."""
 
@@ -115,7 +112,9 @@ class _GroupRows:
                  load: float) -> None:
         self.samples, self.index, self.origin, self.sizes = samples, index, origin, sizes
         self.entries = samples.plan["groups"][index]["entries"]
-        self.estimates = group_estimates(samples, index)
+        quiet = quiet_group(samples, index)
+        self.disturbed = quiet.disturbed
+        self.estimates = GroupEstimates(quiet.logs, quiet.anchor_logs)
         self.load = load
         self.bases = [number for number, entry in enumerate(self.entries)
                       if self._facts(entry)["technique"] == REFERENCE]
@@ -136,7 +135,7 @@ class _GroupRows:
         time = self.estimates.time(number)
         speedup = self.estimates.speedup(number, self.bases[0]) if self.bases else None
         found = [process.groups[self.index]["entries"][number]
-                 for process in self.samples.processes]
+                 for process in self.samples.processes if process.groups[self.index]]
         return Row(
             **{key: facts[key] for key in ("operation", "technique", "isa", "threads", "scope",
                                            "input", "plan_bytes", "border", "max_iterations",
@@ -150,23 +149,26 @@ class _GroupRows:
             speedup_high=speedup.high if speedup else None, speedup_from="paired",
             run=self.origin.run, machine=self.origin.machine, commit=self.origin.commit,
             low=time.low, high=time.high, samples=sum(max(len(one["logs"]), 1) for one in found),
-            flags=self._flag(speedup or time), speedup_vs_peer=None, peer_name="",
+            flags=self._flag(number, speedup or time), speedup_vs_peer=None, peer_name="",
             sweep=self.origin.sweep)
 
-    def _flag(self, estimate: Estimate) -> str:
+    def _flag(self, number: int, estimate: Estimate) -> str:
         if self.load > BUSY_LOAD and estimate.width > BUSY_WIDTH:
             return "inconclusive"
-        return "unsteady" if estimate.width > UNSTEADY_WIDTH else ""
+        disturbed = number in self.disturbed or self.disturbed.intersection(self.bases)
+        return "unsteady" if disturbed or estimate.width > UNSTEADY_WIDTH else ""
 
 
-def group_estimates(samples: Samples, index: int) -> GroupEstimates:
+def quiet_group(samples: Samples, index: int) -> QuietLogs:
     """Of all entries of a group, the controls included."""
-    anchor = samples.plan["groups"][index]["anchor"]
-    found = [process.groups[index]["entries"] for process in samples.processes]
-    logs = np.array([[np.median(entry["logs"]) / 1e4 if entry["logs"] else 0.0
-                      for entry in entries] for entries in found])
-    return GroupEstimates(logs, np.array([entries[anchor]["ns"][ANCHOR_QUANTILE]
-                                          for entries in found]))
+    return quiet_logs([process.groups[index] for process in samples.processes],
+                      samples.plan["groups"][index]["anchor"])
+
+
+def disturbed_groups(samples: Samples) -> list[int]:
+    """Those with a row of which too few processes were quiet."""
+    return [index for index in range(len(samples.plan["groups"]))
+            if quiet_group(samples, index).disturbed]
 
 
 def _with_peer(rows: list[Row], equal_peers: set[str]) -> list[Row]:

@@ -90,7 +90,8 @@ def make_group(group: Json, dice: random.Random, spread: float, slowed: float = 
                 for _ in range(5)]
         if number == group["anchor"]:
             time, logs = TIMES["simd_bitpacked"], []
-        entries.append({"logs": logs, "ns": [state * time] * 6})
+        anchor = [round(1e4 * math.log(TIMES["simd_bitpacked"] * state))] * len(logs)
+        entries.append({"logs": logs, "anchor": anchor, "ns": [state * time] * 6})
     return {"layout": [0, 2048], "entries": entries}
 
 
