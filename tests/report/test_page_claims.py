@@ -38,7 +38,8 @@ def test_every_experiment_is_stored_and_has_a_table():
 
 
 def test_a_damaged_experiment_is_rejected(tmp_path):
-    (tmp_path / "quality.json").write_bytes(to_json({"schema": 1, "experiment": "quality"}))
+    (tmp_path / "experiments").mkdir()
+    (tmp_path / "experiments" / "quality.json").write_bytes(to_json({"schema": 1, "experiment": "quality"}))
     with pytest.raises(ReportError, match="quality.json"):
         load_experiments(tmp_path)
 
