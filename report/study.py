@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import datetime
 import subprocess
+import time
 from pathlib import Path
 
 from report.building import PROGRAMS, ROOT, build
@@ -51,7 +52,7 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", metavar="DIR", type=Path,
                         help="where results go; default results/<machine>/<date>-<commit>")
     parser.add_argument("--processes", metavar="N", type=positive,
-                        help="fresh processes, the unit of sampling; default 9, with --quick 5")
+                        help="fresh processes, the unit of sampling; default 9, with --quick 4")
     parser.add_argument("--no-peers", action="store_true",
                         help="do not time other projects' code and the copy")
 
@@ -64,7 +65,7 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
     directory = options.out or default_directory(machine)
     sampler = Sampler(programs / "thinbench_sampler")
     samples = [Samples(sampler.plan(words)) for words in _plans(options)]
-    processes = options.processes or (5 if options.quick else 9)
+    processes = options.processes or (4 if options.quick else 9)
     measure(sampler, samples, processes)
     write_pictures(programs / "thinbench", directory, options)
     write_run(directory, machine, _options_json(options, processes),
@@ -76,16 +77,18 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
 
 
 def measure(sampler: Sampler, samples: list[Samples], processes: int) -> None:
-    """All plans, with progress. Groups of which too few processes were quiet are measured again, by
-    at most as many processes."""
+    """All plans, with progress. Groups of which too few processes were quiet are measured again, in
+    at most a third of the time."""
     seconds = processes * sum(planned_seconds(part.plan) for part in samples)
     progress = Progress("measuring", seconds)
+    start = time.monotonic()
     measure_interleaved([(sampler, part) for part in samples], processes, progress.advance)
     progress.close()
+    end = time.monotonic() + (time.monotonic() - start) / 3
     for seed in range(processes, 2 * processes):
         for part in samples:
             disturbed = disturbed_groups(part)
-            if disturbed:
+            if disturbed and time.monotonic() < end:
                 part.processes.append(
                     sampler.measure(part.plan, seed, lambda group: None, disturbed))
 
