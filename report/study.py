@@ -137,7 +137,7 @@ def write_pictures(program: Path, directory: Path, options: argparse.Namespace) 
 
 def count_instructions(program: Path, directory: Path, options: argparse.Namespace) -> None:
     """Instructions and lower bounds of the rows on one thread."""
-    words = ["--limits", *(["--quick"] if options.quick else [])]
+    words = ["--limits", "--quick"]
     if options.image:
         words += ["--image", str(options.image[0]), *binarise_words(options)]
     if options.filter:
