@@ -99,7 +99,7 @@ int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
 }
 
 void report_skipped(const Results& results, const InstructionsOptions& options,
-                         const Console& console) {
+                    const Console& console) {
   if (!results.why_not_callgrind.empty()) {
     console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
   }
@@ -162,8 +162,8 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
 }  // namespace
 
 Command add_instructions_command(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("instructions", "Count the instructions of rows, and their lower bounds");
+  CLI::App* app = program.add_subcommand("instructions",
+                                         "Count the instructions of rows, and their lower bounds");
   const auto options = std::make_shared<InstructionsOptions>();
   add_options(*app, *options);
   app->footer(R"(Examples:

@@ -7,8 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
-#include "cli/usage.hpp"
 #include "cli/parse_errors.hpp"
+#include "cli/usage.hpp"
 #include "measure/row_options.hpp"
 #include "measure/timed_call.hpp"
 #include "peers/peers.hpp"

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/usage.hpp"
 #include "cli/parse_errors.hpp"
+#include "cli/usage.hpp"
 #include "measure/measuring.hpp"
 #include "measure/plan_json.hpp"
 #include "measure/progress.hpp"

@@ -6,7 +6,7 @@
 namespace thinbench {
 
 std::string image_name(const std::string& path, const std::vector<std::string>& taken,
-                         const std::regex& reserved) {
+                       const std::regex& reserved) {
   const auto is_reserved = [&](const std::string& name) {
     return std::regex_match(name, reserved);
   };

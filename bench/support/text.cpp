@@ -6,7 +6,9 @@ namespace thinbench {
 
 std::string markdown_table(const std::vector<std::string>& head,
                            const std::vector<std::vector<std::string>>& rows) {
-  const auto row = [](const auto& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); };
+  const auto row = [](const auto& cells) {
+    return fmt::format("| {} |\n", fmt::join(cells, " | "));
+  };
   std::string table = row(head) + row(std::vector<std::string>(head.size(), "---"));
   for (const std::vector<std::string>& cells : rows) table += row(cells);
   return table;

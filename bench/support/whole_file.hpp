@@ -12,8 +12,8 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Rejects what writing would fail at after all the work: a directory that does not exist, one of this
-/// name, a file that the user protected. Throws FileError.
+/// Rejects what writing would fail at after all the work: a directory that does not exist, one of
+/// this name, a file that the user protected. Throws FileError.
 void check_target(const std::string& path);
 
 /// Writes a hidden file beside `path`, then renames it; nothing is left of it after a failure.

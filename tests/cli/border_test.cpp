@@ -3,8 +3,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/ximgproc.hpp>
 
-#include "images/mat_of.hpp"
 #include "images/image_file.hpp"
+#include "images/mat_of.hpp"
 #include "program_run.hpp"
 #include "scene/scene.hpp"
 #include "support/temporary_directory.hpp"

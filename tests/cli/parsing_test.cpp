@@ -120,8 +120,7 @@ TEST(Program, missing_arguments_are_rejected) {
 }
 
 TEST(Program, excess_arguments_are_rejected) {
-  EXPECT_EQ(run_failure({"more.png"}),
-            "'more.png' was not expected; see 'thinbench run --help'");
+  EXPECT_EQ(run_failure({"more.png"}), "'more.png' was not expected; see 'thinbench run --help'");
   EXPECT_EQ(run_failure({"--isa", "avx2", "--isa", "avx2"}),
             "--isa may be given only once; see 'thinbench run --help'");
 }

@@ -179,9 +179,10 @@ TEST_F(RunCommand, unknown_technique_and_isa_are_rejected_with_the_nearest_name)
 TEST_F(RunCommand, explains_that_a_variant_does_not_exist) {
   EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
             "lut_sliding runs on one thread only, not on 2");
-  EXPECT_EQ(failure({"--technique", "simd_float_bits"}, 2)
-                .find("thin_naccache_shinghal is not implemented by simd_float_bits, only by lut, "),
-            0U);
+  EXPECT_EQ(
+      failure({"--technique", "simd_float_bits"}, 2)
+          .find("thin_naccache_shinghal is not implemented by simd_float_bits, only by lut, "),
+      0U);
   if (!isa_available(Isa::sse42)) GTEST_SKIP() << "needs sse4.2";
   EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
             "lut is not implemented for sse4.2, only for baseline");

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "image/thread_team.hpp"
-#include "peers/peers.hpp"
 #include "images/image_file.hpp"
+#include "peers/peers.hpp"
 #include "program_run.hpp"
 #include "support/temporary_directory.hpp"
 

@@ -16,9 +16,10 @@ TEST(TrainCommand, two_layer_prints_epochs_and_restarts_and_writes_both_files) {
   const ProgramRun ran =
       run_with({"train", "two-layer", "--seed", "2", "--out", json, "--markdown", markdown});
   EXPECT_EQ(ran.status, 0) << ran.err;
-  EXPECT_EQ(ran.out.find("Correct on 256 of 256 descriptors with the sigmoid and 256 with the linear "
-                         "threshold, after 289 epochs and 0 restarts"),
-            0U);
+  EXPECT_EQ(
+      ran.out.find("Correct on 256 of 256 descriptors with the sigmoid and 256 with the linear "
+                   "threshold, after 289 epochs and 0 restarts"),
+      0U);
   const auto weights = std::get<TwoLayerWeights>(read_weights(json));
   EXPECT_EQ(table_markdown(weights), bytes_of(markdown));
   EXPECT_NE(bytes_of(json).find("\"made_by\": \"thinbench train two-layer --seed 2\""),

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "harness/verify.hpp"
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
+#include "harness/verify.hpp"
 #include "reference.hpp"
 #include "support/margins.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
-#include "images/mat_of.hpp"
 #include "images/image_file.hpp"
+#include "images/mat_of.hpp"
 #include "scene/scene.hpp"
 #include "support/external_images.hpp"
 #include "thinbench/edges.hpp"

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "harness/test_images.hpp"
 #include "harness/families.hpp"
+#include "harness/test_images.hpp"
 
 namespace thinbench {
 namespace {

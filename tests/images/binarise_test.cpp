@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "harness/test_images.hpp"
-#include "images/mat_of.hpp"
 #include "images/image_file.hpp"
+#include "images/mat_of.hpp"
 #include "scene/scene.hpp"
 #include "support/temporary_directory.hpp"
 

@@ -1,9 +1,8 @@
-#include "images/regions.hpp"
-
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include "images/mat_of.hpp"
+#include "images/regions.hpp"
 #include "support/filled_image.hpp"
 #include "support/temporary_directory.hpp"
 

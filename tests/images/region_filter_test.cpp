@@ -1,8 +1,7 @@
-#include "images/regions.hpp"
-
 #include <gtest/gtest.h>
 
 #include "images/mat_of.hpp"
+#include "images/regions.hpp"
 #include "support/byte_image.hpp"
 
 namespace thinbench {

@@ -45,10 +45,10 @@ TEST(TimedInputs, image_files_give_their_names_and_each_its_own) {
 }
 
 TEST(TimedInputs, image_files_never_get_the_name_of_a_drawn_input) {
-  EXPECT_EQ(names_from({"scene.png", "square_64.png", "strokes_28_9.png", "square_root.png"},
-                       {"square_64"}),
-            (Names{"scene_image", "square_64_image", "strokes_28_9_image", "square_root",
-                   "square_64"}));
+  EXPECT_EQ(
+      names_from({"scene.png", "square_64.png", "strokes_28_9.png", "square_root.png"},
+                 {"square_64"}),
+      (Names{"scene_image", "square_64_image", "strokes_28_9_image", "square_root", "square_64"}));
 }
 
 TEST(TimedInputs, image_files_are_binarised_as_requested_and_keep_their_grey_levels) {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "harness/verify.hpp"
-#include "harness/test_images.hpp"
 #include "harness/families.hpp"
+#include "harness/test_images.hpp"
+#include "harness/verify.hpp"
 #include "nets/model.hpp"
 #include "reference.hpp"
 

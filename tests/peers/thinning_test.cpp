@@ -1,8 +1,8 @@
 // Thinning by other libraries: OpenCV must equal our references, Leptonica must keep topology.
 #include <gtest/gtest.h>
 
-#include "harness/verify.hpp"
 #include "harness/test_images.hpp"
+#include "harness/verify.hpp"
 #include "peers/peers.hpp"
 #include "scene/scene.hpp"
 #include "support/flood_fill.hpp"

@@ -1,5 +1,3 @@
-#include "training/cluster.hpp"
-
 #include <fstream>
 #include <iterator>
 #include <utility>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "nets/trained_cluster.hpp"
+#include "training/cluster.hpp"
 
 namespace thinbench {
 namespace {

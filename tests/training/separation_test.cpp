@@ -1,7 +1,6 @@
-#include "training/cluster.hpp"
-
 #include <gtest/gtest.h>
 
+#include "training/cluster.hpp"
 #include "training/portable_math.hpp"
 
 namespace thinbench {

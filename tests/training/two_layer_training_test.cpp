@@ -1,7 +1,6 @@
-#include "training/two_layer.hpp"
-
 #include <gtest/gtest.h>
 
+#include "training/two_layer.hpp"
 #include "training/weights_file.hpp"
 
 namespace thinbench {
