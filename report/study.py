@@ -42,7 +42,7 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
     """Its options."""
     parser.add_argument("--quick", action="store_true",
                         help="fewer processes and sizes, and of each technique only the highest "
-                             "ISA and AVX2: at most 90 seconds after the build")
+                             "ISA and AVX2: under two minutes after the build")
     add_row_options(parser)
     parser.add_argument("--quality-image", metavar="FILE", type=Path, action="append", default=[],
                         help="measure the quality of skeletons on this image as well, without "

@@ -6,6 +6,7 @@ import datetime
 
 from report.formatting import counted, duration, interval, three_digits, times, variant
 from report.measure.run import Run
+from report.measure.timings import BUSY_LOAD
 from report.page.operations import PRINTED_RULE, Headline, Rows, peer_title, title
 from report.page.table_two import PAPER_MACHINE, PAPER_RULE
 
@@ -28,9 +29,11 @@ def warnings(run: Run) -> list[str]:
         found.append("The controls of this run did not pass: differences between rows are "
                      "inconclusive.")
     if flagged > MAX_FLAGGED * len(run.rows):
-        found.append(f"{flagged} of {counted(len(run.rows), 'row')} have wide intervals: other "
-                     f"processes kept {three_digits(run.facts['state']['foreign_load'])} processors "
-                     "busy. Measure on an idle machine.")
+        load = run.facts["state"]["foreign_load"]
+        cause = (f"other processes kept {three_digits(load)} processors busy" if load > BUSY_LOAD
+                 else "something outside this system, such as its host, slowed it at times")
+        found.append(f"{flagged} of {counted(len(run.rows), 'row')} have wide intervals: {cause}. "
+                     "Measure on an idle machine.")
     return found
 
 
