@@ -45,7 +45,7 @@ void fill(int file, const std::string& text) {
 
 /// Options in the environment or the home folder would change counts, or where they go.
 [[noreturn]] void become_valgrind(const std::string& program, int input, int output) {
-  prctl(PR_SET_PDEATHSIG, SIGTERM);  // nobody listens when its parent has ended
+  prctl(PR_SET_PDEATHSIG, SIGTERM);  // ends with its parent
   dup2(input, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);

@@ -64,7 +64,7 @@ void add_overlong(const Json& now, const StoredCounts& before, Comparison& compa
     const StoredCount& old = found->second;
     if (old.method != method_name(Method::single_steps)) {
       ++comparison.otherwise_counted;
-    } else if (old.instructions <= now.at("most_steps")) {
+    } else if (old.instructions <= now.at("max_steps")) {
       ++comparison.compared;
       comparison.moved.push_back({found->first, old.instructions, 0});
     }

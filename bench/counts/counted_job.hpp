@@ -41,7 +41,7 @@ void write_job(std::ostream& stream, const TimedInput& input, const std::vector<
 using CountedCall = std::function<void()>;
 
 /// Makes the row ready, calls it once and hands the next call to `count`. All in a thread of its
-/// own, which gets memory that nobody used before, with copies of the input there, too: the C
+/// own, which gets unused memory, with copies of the input there, too: the C
 /// library's copies take another path where addresses differ, by a few instructions. For processes
 /// that end after it. Throws what the row throws.
 template <class Count>

@@ -93,10 +93,10 @@ Json build_json() {
           {"processor_level", processor_level()}};
 }
 
-Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t most_steps) {
+Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t max_steps) {
   Json document =
       document_of(kInstructionsKind, kCountsSchema, input, counts.callgrind, counts.skipped);
-  document["most_steps"] = most_steps;
+  document["max_steps"] = max_steps;
   for (const RowCount& count : counts.rows) document["rows"].push_back(row_json(count));
   return document;
 }

@@ -21,7 +21,7 @@ inline constexpr const char* kInstructionsKind = "instructions";
 
 /// Flat rows, so that any tool makes CSV of them.
 [[nodiscard]] nlohmann::ordered_json counts_json(const TimedInput& input, const RowCounts& counts,
-                                                 std::uint64_t most_steps);
+                                                 std::uint64_t max_steps);
 [[nodiscard]] nlohmann::ordered_json limits_json(const TimedInput& input, const Limits& limits,
                                                  double issue_width);
 

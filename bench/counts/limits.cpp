@@ -93,20 +93,20 @@ std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
   return fastest;
 }
 
-Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
+Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps) {
   const RowTimes times = times_of(rows);
   Limits limits;
   std::vector<const TimedRow*> countable;
   for (const TimedRow& row : rows) {
     const std::uint64_t factor = callgrind_knows(row) ? kUnderCallgrindPerStep : 1;
-    if (!is_too_long(times.at(&row), factor * most_steps)) {
+    if (!is_too_long(times.at(&row), factor * max_steps)) {
       countable.push_back(&row);
     } else {
       limits.skipped.push_back({row.name, kTooManySteps});
     }
   }
-  const RowCounts counts = counts_of(countable, most_steps, [&](const TimedRow& row) {
-    return is_too_long(times.at(&row), most_steps);
+  const RowCounts counts = counts_of(countable, max_steps, [&](const TimedRow& row) {
+    return is_too_long(times.at(&row), max_steps);
   });
   for (const RowCount& count : counts.rows) limits.rows.push_back({count, times.at(count.row)});
   limits.skipped.insert(limits.skipped.end(), counts.skipped.begin(), counts.skipped.end());

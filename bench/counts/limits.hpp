@@ -50,8 +50,8 @@ struct Limits {
 [[nodiscard]] std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows);
 
 /// Times and then counts rows, of one input, which outlive the limits. A row whose time makes more
-/// than `most_steps` instructions likely, or far more than that for callgrind, is skipped:
+/// than `max_steps` instructions likely, or far more than that for callgrind, is skipped:
 /// counting takes hundreds or thousands of times as long as running.
-[[nodiscard]] Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps);
+[[nodiscard]] Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps);
 
 }  // namespace thinbench

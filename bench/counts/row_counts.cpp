@@ -26,10 +26,10 @@ struct Answer {
   bool finished = false;  // within the steps it had
 };
 
-Answer answer_of(const TimedRow& row, std::uint64_t most_steps) {
+Answer answer_of(const TimedRow& row, std::uint64_t max_steps) {
   std::optional<std::uint64_t> instructions;
-  with_warm_call(
-      row, [&](const CountedCall& call) { instructions = instructions_of(call, most_steps); });
+  with_warm_call(row,
+                 [&](const CountedCall& call) { instructions = instructions_of(call, max_steps); });
   return {instructions.value_or(0), instructions.has_value()};
 }
 
@@ -38,9 +38,9 @@ Answer answer_of(const TimedRow& row, std::uint64_t most_steps) {
 }
 
 /// What went wrong shows in the status.
-int answer_into(int pipe_end, const TimedRow& row, std::uint64_t most_steps) {
+int answer_into(int pipe_end, const TimedRow& row, std::uint64_t max_steps) {
   try {
-    const Answer answer = answer_of(row, most_steps);
+    const Answer answer = answer_of(row, max_steps);
     return write(pipe_end, &answer, sizeof answer) == sizeof answer ? 0 : 1;
   } catch (...) {
     return 1;
@@ -48,8 +48,8 @@ int answer_into(int pipe_end, const TimedRow& row, std::uint64_t most_steps) {
 }
 
 /// Ends without the destructors and buffers of the parent, whose copies these are.
-[[noreturn]] void answer_and_exit(const TimedRow& row, std::uint64_t most_steps, int pipe_end) {
-  _exit(answer_into(pipe_end, row, most_steps));
+[[noreturn]] void answer_and_exit(const TimedRow& row, std::uint64_t max_steps, int pipe_end) {
+  _exit(answer_into(pipe_end, row, max_steps));
 }
 
 std::string end_of(int status) {
@@ -57,12 +57,12 @@ std::string end_of(int status) {
   return "status " + std::to_string(WEXITSTATUS(status));
 }
 
-Answer answer_of_child(const TimedRow& row, std::uint64_t most_steps) {
+Answer answer_of_child(const TimedRow& row, std::uint64_t max_steps) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw_errno("no pipe");
   const pid_t child = fork();
   if (child < 0) throw_errno("no process to count in");
-  if (child == 0) answer_and_exit(row, most_steps, ends[1]);
+  if (child == 0) answer_and_exit(row, max_steps, ends[1]);
   close(ends[1]);
   Answer answer;
   const bool whole = read(ends[0], &answer, sizeof answer) == sizeof answer;
@@ -77,22 +77,22 @@ Answer answer_of_child(const TimedRow& row, std::uint64_t most_steps) {
 
 /// Whether a call takes so many cycles that its steps need not be tried. The bound is far: a row
 /// that is counted in one run must not be skipped in the next because the core was busy.
-bool is_far_too_long(const TimedRow& row, double seconds_per_cycle, std::uint64_t most_steps) {
+bool is_far_too_long(const TimedRow& row, double seconds_per_cycle, std::uint64_t max_steps) {
   constexpr double kMinInstructionsPerCycle = 0.5;
   return kMinInstructionsPerCycle * calibrate(row).seconds / seconds_per_cycle >
-         static_cast<double>(most_steps);
+         static_cast<double>(max_steps);
 }
 
 using Rows = std::vector<const TimedRow*>;
 using Counted = std::map<const TimedRow*, RowCount>;
 
-void step_through(const Rows& rows, std::uint64_t most_steps, const IsTooLong& is_too_long,
+void step_through(const Rows& rows, std::uint64_t max_steps, const IsTooLong& is_too_long,
                   Counted& counted) {
   const Variant* too_long = nullptr;
   Progress progress("counting", static_cast<double>(rows.size()));
   for (const TimedRow* row : rows) {
     std::optional<std::uint64_t> instructions;
-    if (row->variant != too_long && !is_too_long(*row)) instructions = count_of(*row, most_steps);
+    if (row->variant != too_long && !is_too_long(*row)) instructions = count_of(*row, max_steps);
     if (instructions) {
       counted[row] = {row, *instructions, Method::single_steps};
     } else {
@@ -111,35 +111,35 @@ Rows those_that(const Rows& rows, const Is& is) {
 
 /// Callgrind runs beside the single steps of what it does not know; what it should have counted and
 /// did not is stepped through, too.
-Counted counted_in_two_ways(const Rows& rows, std::uint64_t most_steps,
-                            const IsTooLong& is_too_long, CallgrindUse& use) {
+Counted counted_in_two_ways(const Rows& rows, std::uint64_t max_steps, const IsTooLong& is_too_long,
+                            CallgrindUse& use) {
   const auto is_known = [](const TimedRow* row) { return callgrind_knows(*row); };
   const Rows known = those_that(rows, is_known);
   CallgrindRun callgrind(known);
   Counted counted;
-  step_through(those_that(rows, std::not_fn(is_known)), most_steps, is_too_long, counted);
+  step_through(those_that(rows, std::not_fn(is_known)), max_steps, is_too_long, counted);
   const CallgrindCounts counts = callgrind.counts();
   use = counts.use;
   for (const auto& [row, instructions] : counts.instructions) {
     counted[row] = {row, instructions, Method::callgrind};
   }
   const auto is_left = [&](const TimedRow* row) { return !counted.contains(row); };
-  step_through(those_that(known, is_left), most_steps, is_too_long, counted);
+  step_through(those_that(known, is_left), max_steps, is_too_long, counted);
   return counted;
 }
 
 }  // namespace
 
-std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_steps) {
-  const Answer answer = answer_of_child(row, most_steps);
+std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps) {
+  const Answer answer = answer_of_child(row, max_steps);
   if (!answer.finished) return std::nullopt;
   return answer.instructions;
 }
 
-RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t most_steps,
+RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t max_steps,
                     const IsTooLong& is_too_long) {
   RowCounts counts;
-  const Counted counted = counted_in_two_ways(rows, most_steps, is_too_long, counts.callgrind);
+  const Counted counted = counted_in_two_ways(rows, max_steps, is_too_long, counts.callgrind);
   for (const TimedRow* row : rows) {
     const auto found = counted.find(row);
     if (found != counted.end()) {
@@ -151,12 +151,12 @@ RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t most
   return counts;
 }
 
-RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps) {
+RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps) {
   Rows all;
   for (const TimedRow& row : rows) all.push_back(&row);
   const double cycle = machine_state().chain_ns * 1e-9;
-  return counts_of(all, most_steps,
-                   [&](const TimedRow& row) { return is_far_too_long(row, cycle, most_steps); });
+  return counts_of(all, max_steps,
+                   [&](const TimedRow& row) { return is_far_too_long(row, cycle, max_steps); });
 }
 
 }  // namespace thinbench

@@ -35,19 +35,19 @@ struct RowCounts {
 };
 
 /// Counts single steps in a child process, which has made the row ready and called it once before:
-/// memory lies alike whatever was counted earlier. None where a call takes more than `most_steps`.
+/// memory lies alike whatever was counted earlier. None where a call takes more than `max_steps`.
 /// Throws std::runtime_error where the child fails.
-[[nodiscard]] std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t most_steps);
+[[nodiscard]] std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps);
 
 /// Whether the single steps of a row need not be tried.
 using IsTooLong = std::function<bool(const TimedRow&)>;
 
 /// All these rows, of one input, which outlive the counts: by callgrind where it knows them, else
 /// by single steps. A variant whose kernel takes too many steps is not tried end to end.
-[[nodiscard]] RowCounts counts_of(const std::vector<const TimedRow*>& rows,
-                                  std::uint64_t most_steps, const IsTooLong& is_too_long);
+[[nodiscard]] RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t max_steps,
+                                  const IsTooLong& is_too_long);
 
 /// The same, and rows are too long whose time says so, by far.
-[[nodiscard]] RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t most_steps);
+[[nodiscard]] RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps);
 
 }  // namespace thinbench

@@ -62,10 +62,10 @@ class TrapHandler {
 }  // namespace
 
 std::optional<std::uint64_t> instructions_of(const std::function<void()>& call,
-                                             std::uint64_t most_steps) {
+                                             std::uint64_t max_steps) {
   const TrapHandler handler;
   const Steps none = steps_round([] {}, ~std::uint64_t{0});
-  const Steps all = steps_round(call, most_steps + none.taken);
+  const Steps all = steps_round(call, max_steps + none.taken);
   if (all.taken > all.most) return std::nullopt;
   return all.instructions - none.instructions;
 }

@@ -88,7 +88,7 @@ Json measure(Rule rule, const QualityInput& input, const Topology& before, const
           {"branches", shape.branches},
           {"mean_distance", from_axis.mean},
           {"largest_distance", from_axis.largest},
-          {"least_symmetry", min_overlap(rule, image, skeleton)},
+          {"min_symmetry", min_overlap(rule, image, skeleton)},
           {"iterations", result.iterations}};
 }
 

@@ -29,7 +29,7 @@ struct QualityInput {
 /// directory.
 void write_skeletons(const std::string& folder, const std::vector<QualityInput>& inputs);
 
-/// Every thinning rule that is no net, with zero padding, on every input. `least_symmetry` is the
+/// Every thinning rule that is no net, with zero padding, on every input. `min_symmetry` is the
 /// smallest overlap with the skeletons of the rotated input, rotated back.
 [[nodiscard]] ExperimentReport thinning_quality(const std::vector<QualityInput>& inputs,
                                                 const std::string& options = "");

@@ -220,12 +220,12 @@ TrainedTwoLayer train_two_layer(const KeepTable& table, const TwoLayerTraining& 
   TrainedTwoLayer result;
   for (int start = 0; start <= training.max_restarts && !good(best); ++start) {
     BackPropagation net(table, training.hidden, random);
-    int most_right = 0;
+    int max_right = 0;
     result.restarts = start;
     for (result.epochs = 0; result.epochs < training.max_epochs && !good(best); ++result.epochs) {
       const int right = net.epoch();
-      if (right < most_right || (right == most_right && right < kDescriptors)) continue;
-      most_right = right;
+      if (right < max_right || (right == max_right && right < kDescriptors)) continue;
+      max_right = right;
       Rated rated = rate(net.rounded_net(), table);
       if (better(rated, best)) best = std::move(rated);
     }

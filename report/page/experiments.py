@@ -70,7 +70,7 @@ def _quality(data: Json) -> Iterator[Table]:
                ("Pixels", _key("pixels")), ("2 × 2 blocks", _key("blocks")), ("Ends", _key("ends")),
                ("Branches", _key("branches")), ("Mean distance", _key("mean_distance", ".3f")),
                ("Largest", _key("largest_distance", ".2f")),
-               ("Least symmetry", _key("least_symmetry", ".3f")),
+               ("Minimum symmetry", _key("min_symmetry", ".3f")),
                ("Iterations", _key("iterations"))]
     for name in dict.fromkeys(row["input"] for row in data["rows"]):
         yield _table(f"Skeletons of {name}",

@@ -17,7 +17,7 @@ Json document(const std::string& row, std::uint64_t instructions) {
           {"valgrind", "3.19.0"},
           {"build", build_json()},
           {"input", {{"name", "scene_small"}}},
-          {"most_steps", 5000},
+          {"max_steps", 5000},
           {"rows", {{{"row", row}, {"instructions", instructions}, {"method", "single_steps"}}}},
           {"skipped", Json::array()}};
 }

@@ -124,7 +124,7 @@ double overlap_turned(const std::string& operation, const ConstImageView& image,
   return overlap(skeleton.view(), turned(other.view(), 4 - quarters).view());
 }
 
-TEST(ThinningQuality, least_symmetry_is_the_smallest_overlap_of_three_turns) {
+TEST(ThinningQuality, min_symmetry_is_the_smallest_overlap_of_three_turns) {
   std::vector<QualityInput> inputs;
   inputs.push_back({"noise", noise_image(40, 30, 80, 4, 3)});
   std::set<int> least_at;
@@ -134,7 +134,7 @@ TEST(ThinningQuality, least_symmetry_is_the_smallest_overlap_of_three_turns) {
       turns.emplace(overlap_turned(row.at("operation"), inputs[0].image.view(), quarters),
                     quarters);
     }
-    EXPECT_EQ(row.at("least_symmetry"), turns.begin()->first) << row;
+    EXPECT_EQ(row.at("min_symmetry"), turns.begin()->first) << row;
     least_at.insert(turns.begin()->second);
   }
   EXPECT_GT(least_at.size(), 1U) << "the same turn for every operation would prove little";
@@ -148,7 +148,7 @@ TEST(ThinningQuality, invariants_of_the_rules_show_on_scene_and_blobs) {
     const bool kept = row.at("objects_before") == row.at("objects_after") &&
                       row.at("holes_before") == row.at("holes_after");
     EXPECT_TRUE(kept || !keeps_topology.contains(row.at("operation"))) << row;
-    EXPECT_EQ(row.at("least_symmetry") == 1, symmetric.contains(row.at("operation"))) << row;
+    EXPECT_EQ(row.at("min_symmetry") == 1, symmetric.contains(row.at("operation"))) << row;
   }
 }
 
