@@ -1,7 +1,9 @@
 #include "thinbench/regions.hpp"
 
 #include "api/catalogue.hpp"
+#include "api/option_checks.hpp"
 #include "image/checks.hpp"
+#include "regions/label_image.hpp"
 
 namespace thinbench {
 namespace {
@@ -21,6 +23,17 @@ std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& s
   return state;
 }
 
+/// Rejects views that label images cannot be made of; returns whether there are pixels.
+bool check_labels(const ConstImageView& source, const LabelView& labels) {
+  constexpr Index max_pixels = Index{1} << 31;
+  detail::check_regions_size(source.width, source.height);
+  detail::require(source.width == 0 || source.height <= max_pixels / source.width,
+                  "image size " + detail::size_text(source.width, source.height) +
+                      " is larger than 2^31 pixels, the limit for labels");
+  detail::check_views(source, labels);
+  return source.width > 0 && source.height > 0;
+}
+
 }  // namespace
 
 Regions find_regions(ConstImageView source, const Options& options) {
@@ -33,6 +46,20 @@ std::vector<Region> find_components(ConstImageView source, const Options& option
   const auto state = computed(RegionsTask::components, source, options);
   const detail::RegionLists lists = state->regions();
   return {lists.objects.begin(), lists.objects.end()};
+}
+
+Regions label_regions(ConstImageView source, LabelView labels) {
+  return check_labels(source, labels) ? detail::paint_regions(source, labels) : Regions{};
+}
+
+std::vector<Region> label_components(ConstImageView source, LabelView labels,
+                                     Connectivity connectivity) {
+  detail::require(
+      connectivity == Connectivity::four || connectivity == Connectivity::eight,
+      "connectivity: expected 4 or 8, got " + std::to_string(static_cast<int>(connectivity)));
+  if (!check_labels(source, labels)) return {};
+  return connectivity == Connectivity::four ? detail::paint_four_connected(source, labels)
+                                            : detail::paint_eight_connected(source, labels);
 }
 
 std::int64_t euler_number(ConstImageView source, const Options& options) {

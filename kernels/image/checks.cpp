@@ -152,6 +152,26 @@ void check_views(const ConstImageView& source, const ConstImageView& destination
   }
 }
 
+void check_views(const ConstImageView& source, const LabelView& labels) {
+  constexpr Index bytes = sizeof(std::int32_t);
+  if (labels.stride > PTRDIFF_MAX / bytes || labels.width > PTRDIFF_MAX / bytes) {
+    reject("labels exceed the address space: " + size_text(labels.width, labels.height) +
+           ", stride " + std::to_string(labels.stride));
+  }
+  const ConstImageView as_bytes(reinterpret_cast<const std::uint8_t*>(labels.data),
+                                labels.width * bytes, labels.height, labels.stride * bytes);
+  check_view(source, "source");
+  check_view(as_bytes, "labels");
+  if (source.width != labels.width || source.height != labels.height) {
+    reject("source is " + text_of(source) + " and labels " +
+           size_text(labels.width, labels.height) + "; they must have the same size");
+  }
+  if (image_bytes(source) > 0 &&
+      ranges_overlap(source.data, image_bytes(source), as_bytes.data, image_bytes(as_bytes))) {
+    reject("source and labels overlap");
+  }
+}
+
 void check_stacks(const ConstStackView& source, const ConstStackView& destination) {
   check_stack(source, "source");
   check_stack(destination, "destination");

@@ -26,6 +26,9 @@ enum class InPlace : bool { rejected, allowed };
 /// image, sizes that differ, or an overlap. `in_place`: whether both may be the same image.
 void check_views(const ConstImageView& source, const ConstImageView& destination, InPlace in_place);
 
+/// The same for an image of labels; rejects any overlap.
+void check_views(const ConstImageView& source, const LabelView& labels);
+
 /// Rejects a negative count or size, a row or an image that does not fit its stride, a stack that
 /// exceeds the address space or has no data, counts or sizes that differ, or a partial overlap.
 /// Stacks with interleaved images in one buffer count as overlapping. Allocates nothing unless it

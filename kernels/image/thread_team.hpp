@@ -11,7 +11,8 @@ namespace thinbench::detail {
 /// Images below this are faster on one thread: docs/experiments.md#threads-on-small-images.
 inline constexpr Index kMinPixelsForThreads = Index{1} << 20;
 
-/// Runs loops by oneTBB; the calling thread takes part. Not thread-safe: one caller at a time.
+/// Runs loops by oneTBB or, without it, by std::thread; the calling thread takes part. Not
+/// thread-safe: one caller at a time.
 class ThreadTeam {
  public:
   /// Requires threads >= 1.
@@ -23,7 +24,7 @@ class ThreadTeam {
   [[nodiscard]] int threads() const { return threads_; }
 
   /// Splits [0, count) into one range per thread (at most `count`), calls `body(first, last)` on
-  /// each, and returns when all are done.
+  /// each, and returns when all are done. An exception of `body` is thrown again here.
   template <class Body>
   void for_ranges(Index count, const Body& body) const {
     run(count, &invoke<Body>, &body);
@@ -39,8 +40,8 @@ class ThreadTeam {
 
   void run(Index count, Invoke invoke_body, const void* body) const;
 
-  struct Arena;
-  std::unique_ptr<Arena> arena_;
+  struct Workers;
+  std::unique_ptr<Workers> workers_;
   int threads_;
 };
 

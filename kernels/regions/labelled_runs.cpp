@@ -38,10 +38,7 @@ void RunStore::grow(Index capacity) {
 }
 
 void LabelledRuns::label(const ConstBitPlaneView& image) {
-  labels_.clear();
-  rows_.clear();
-  for (Index y = 0; y < image.height; ++y) label_row(image, y);
-  join_border(labels_.tables(), rows_.row(image.height - 1));
+  label_rows<false>(image);
   for (int colour = 0; colour < 2; ++colour) {
     Label* const parents = table(colour).parents;
     for (Label label = 0; label < labels(colour); ++label) {
@@ -50,15 +47,27 @@ void LabelledRuns::label(const ConstBitPlaneView& image) {
   }
 }
 
-void LabelledRuns::label_row(const ConstBitPlaneView& image, Index y) {
-  labels_.make_room((image.width + 1) / 2);
+RegionLists LabelledRuns::label_and_number(const ConstBitPlaneView& image) {
+  label_rows<true>(image);
+  return labels_.number_regions();
+}
+
+template <bool with_sums>
+void LabelledRuns::label_rows(const ConstBitPlaneView& image) {
+  labels_.clear();
+  rows_.clear();
   Key outside_keys[] = {kFirstKey, kLastKey, kLastKey, kLastKey, kLastKey};
   Label outside = 0;
-  RunRow here = rows_.next_row(image.width);
-  const RunRow above = y > 0 ? rows_.row(y - 1) : RunRow{outside_keys + 1, &outside, 0};
-  here.count = find_keys(image.row(y), words_with_boundaries(image.width), here.keys);
-  label_runs<true>(labels_.tables(), above, 0, here.keys, here.labels, 0, here.count, y);
-  rows_.store(y, here.count);
+  for (Index y = 0; y < image.height; ++y) {
+    labels_.make_room((image.width + 1) / 2);
+    RunRow here = rows_.next_row(image.width);
+    const RunRow above = y > 0 ? rows_.row(y - 1) : RunRow{outside_keys + 1, &outside, 0};
+    here.count = find_keys(image.row(y), words_with_boundaries(image.width), here.keys);
+    label_runs<true>(labels_.tables(), above, 0, here.keys, here.labels, 0, here.count, y);
+    if (with_sums) add_runs(labels_.tables(), here, y);
+    rows_.store(y, here.count);
+  }
+  join_border(labels_.tables(), rows_.row(image.height - 1));
 }
 
 void set_run(std::uint64_t* row, const RunRow& runs, Index i) {

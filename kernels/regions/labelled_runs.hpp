@@ -1,6 +1,6 @@
 // All runs of a packed image with their labels, for operations that write images.
 //
-// Cost: that of bitpacked_runs without sums, plus 8 bytes stored per run.
+// Cost: that of bitpacked_runs, for label() without sums, plus 8 bytes stored per run.
 #pragma once
 
 #include <vector>
@@ -45,6 +45,9 @@ class LabelledRuns {
 
   /// Labels all runs of an image of at least one row.
   void label(const ConstBitPlaneView& image);
+  /// The same, and numbers the regions: afterwards the root of a foreground label is the index of
+  /// its object, and that of a background label is the index of its hole plus one (0: no hole).
+  RegionLists label_and_number(const ConstBitPlaneView& image);
 
   [[nodiscard]] RunRow row(Index y) { return rows_.row(y); }
   /// The root of each label of a colour; background connected to the border has root 0.
@@ -57,7 +60,8 @@ class LabelledRuns {
 
  private:
   [[nodiscard]] LabelTable& table(int colour) { return labels_.tables().of_colour[colour]; }
-  void label_row(const ConstBitPlaneView& image, Index y);
+  template <bool with_sums>
+  void label_rows(const ConstBitPlaneView& image);
 
   LabelStore labels_;
   RunStore rows_;

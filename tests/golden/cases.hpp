@@ -43,8 +43,10 @@ inline constexpr const char* kInput = "input";
 
 inline constexpr std::array kThinning = {"thin_naccache_shinghal",
                                          "thin_zhang_suen",
+                                         "thin_zhang_suen_skimage",
                                          "thin_lu_wang",
                                          "thin_guo_hall",
+                                         "thin_guo_hall_skimage",
                                          "thin_spta",
                                          "thin_spta_directional",
                                          "thin_mb2",

@@ -14,6 +14,7 @@ from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
 
 from report.page.build import build_page
 
@@ -59,6 +60,10 @@ class Page:
         """What the expression is worth."""
         return self.driver.execute_script(f"return {expression}")
 
+    def becomes(self, condition: str) -> bool:
+        """Whether the condition holds within ten seconds: the browser follows links when it can."""
+        return bool(WebDriverWait(self.driver, 10).until(lambda _: self.value(condition)))
+
     def errors(self) -> list[Any]:
         """Since the latest call."""
         return list(self.driver.get_log("browser"))
@@ -93,15 +98,15 @@ def test_nothing_overflows_and_the_console_is_empty(driver, address, width, dark
 def test_choosing_an_operation_changes_plot_and_table_and_the_address_keeps_it(driver, address):
     page = look(driver, address)
     before = page.value(f"{CHART}.data.datasets.map(one => one.data)")
-    assert page.value("document.querySelector('.is-chosen').id") == "thin_guo_hall"
+    assert page.becomes("document.querySelector('.is-chosen').id === 'thin_guo_hall'")
     page.click(".list a[href='#edges_sobel']")
     assert page.value("document.querySelectorAll('.is-chosen').length") == 1
-    assert page.value("document.querySelector('.is-chosen').id") == "edges_sobel"
+    assert page.becomes("document.querySelector('.is-chosen').id === 'edges_sobel'")
     assert page.value(f"{CHART}.data.datasets.map(one => one.data)") != before
     assert "opencv" in page.value(f"{VISIBLE}.map(row => row.dataset.technique)")
     assert page.driver.current_url.endswith("#edges_sobel")
     page.driver.refresh()
-    assert page.value("document.querySelector('.is-chosen').id") == "edges_sobel"
+    assert page.becomes("document.querySelector('.is-chosen').id === 'edges_sobel'")
     assert page.errors() == []
 
 
@@ -153,7 +158,7 @@ def test_switches_and_operations_are_reached_by_keyboard(driver, address):
     page.driver.find_element(By.ID, "thin_guo_hall-scope-end-to-end").send_keys(Keys.ARROW_RIGHT)
     assert page.value(f"{VISIBLE}.every(row => row.dataset.scope === 'kernel')")
     page.driver.find_element(By.CSS_SELECTOR, ".list a[href='#holes']").send_keys(Keys.ENTER)
-    assert page.value("document.querySelector('.is-chosen').id") == "holes"
+    assert page.becomes("document.querySelector('.is-chosen').id === 'holes'")
 
 
 def test_a_link_to_a_folded_part_opens_it_and_its_plots_are_drawn(driver, address):

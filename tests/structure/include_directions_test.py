@@ -67,7 +67,7 @@ def includes_of(root: Path, directory: str) -> list[Include]:
 def directory_of_target(target: str) -> str:
     """The directory of kernels/ that a quoted include refers to."""
     directory = target.split("/")[0] if "/" in target else target
-    return "include" if directory == "thinbench" else directory
+    return "include" if directory in {"thinbench", "thinbench.h"} else directory
 
 
 def violations_in_kernels(root: Path) -> list[str]:

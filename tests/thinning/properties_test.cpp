@@ -86,8 +86,8 @@ TEST_P(KeepsTopology, on_noise_and_scenes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, KeepsTopology,
-                         testing::Values(Rule::guo_hall, Rule::spta, Rule::spta_directional,
-                                         Rule::mb2),
+                         testing::Values(Rule::guo_hall, Rule::guo_hall_skimage, Rule::spta,
+                                         Rule::spta_directional, Rule::mb2),
                          rule_test_name);
 
 class EveryRule : public testing::TestWithParam<Rule> {};

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
 #include "thinbench/options.hpp"
 #include "thinbench/rule.hpp"
@@ -13,7 +14,7 @@ namespace thinbench {
 /// images at once, one per lane of a vector register; other rules and wider images are thinned one
 /// by one, with the same result. Not thread-safe, but threads may use different batches
 /// concurrently.
-class ThinningBatch {
+class THINBENCH_API ThinningBatch {
  public:
   /// `options` as in thin(), except that threads share the images of a stack. If a technique is
   /// set, images are thinned one by one. Throws as thin() does for sizes and options.
@@ -48,7 +49,7 @@ class ThinningBatch {
 };
 
 /// Thins one stack. Thread-safe for different destinations.
-int thin_batch(Rule rule, const ConstStackView& source, const StackView& destination,
-               const Options& options = {});
+THINBENCH_API int thin_batch(Rule rule, const ConstStackView& source, const StackView& destination,
+                             const Options& options = {});
 
 }  // namespace thinbench

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
 #include "thinbench/options.hpp"
 
@@ -91,7 +92,7 @@ inline constexpr int kMaxThreshold = 255;
 ///
 /// Not guaranteed: contours that are closed or one pixel wide. At a step edge they are at least two
 /// pixels wide, except with roberts4. Source: section 2.1 of the paper, steps a) to d).
-void detect_edges(EdgeOperator op, ConstImageView source, ImageView destination,
-                  const EdgeThresholds& thresholds = {}, const Options& options = {});
+THINBENCH_API void detect_edges(EdgeOperator op, ConstImageView source, ImageView destination,
+                                const EdgeThresholds& thresholds = {}, const Options& options = {});
 
 }  // namespace thinbench

@@ -48,6 +48,23 @@ struct ImageView {
   constexpr operator ConstImageView() const { return {data, width, height, stride}; }
 };
 
+/// Writable image of 32-bit labels: pixel (x, y) is `data[y * stride + x]`; the stride is in labels,
+/// not in bytes.
+struct LabelView {
+  std::int32_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+
+  constexpr LabelView() = default;
+  constexpr LabelView(std::int32_t* labels, Index columns, Index rows)
+      : LabelView(labels, columns, rows, columns) {}
+  constexpr LabelView(std::int32_t* labels, Index columns, Index rows, Index row_labels)
+      : data(labels), width(columns), height(rows), stride(row_labels) {}
+
+  [[nodiscard]] constexpr std::int32_t* row(Index y) const { return data + y * stride; }
+};
+
 /// Read-only stack of images of one size: pixel (x, y) of image i is
 /// `data[i * image_stride + y * stride + x]`. Strides are in bytes. There may be gaps between rows
 /// and between images; images share no byte.

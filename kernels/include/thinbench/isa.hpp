@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "thinbench/export.h"
+
 namespace thinbench {
 
 /// A named set of processor features. `avx512` is F, CD, DQ, BW and VL; `avx512icl` adds VBMI,
@@ -24,20 +26,20 @@ inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 
 /// "baseline", "sse4.2", "avx2", "avx512", "avx512icl". All functions that take an Isa throw
 /// std::invalid_argument for a value outside the enumeration.
-[[nodiscard]] std::string_view isa_name(Isa isa);
-[[nodiscard]] std::optional<Isa> isa_from_name(std::string_view name);
+[[nodiscard]] THINBENCH_API std::string_view isa_name(Isa isa);
+[[nodiscard]] THINBENCH_API std::optional<Isa> isa_from_name(std::string_view name);
 
 /// Whether processor and operating system support every feature of the set, regardless of the cap.
-[[nodiscard]] bool cpu_supports(Isa isa);
+[[nodiscard]] THINBENCH_API bool cpu_supports(Isa isa);
 
 /// The ISA in the environment variable, or nullopt if it is unset or empty. Throws
 /// std::invalid_argument for an unknown name.
-[[nodiscard]] std::optional<Isa> isa_cap();
+[[nodiscard]] THINBENCH_API std::optional<Isa> isa_cap();
 
 /// Whether the processor supports the set and the cap contains it. Throws as isa_cap does.
-[[nodiscard]] bool isa_available(Isa isa);
+[[nodiscard]] THINBENCH_API bool isa_available(Isa isa);
 
 /// The last of kAllIsas that is available. Throws as isa_cap does.
-[[nodiscard]] Isa best_isa();
+[[nodiscard]] THINBENCH_API Isa best_isa();
 
 }  // namespace thinbench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "thinbench/edges.hpp"
+#include "thinbench/export.h"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -20,7 +21,8 @@ namespace thinbench {
 ///
 /// Options, thread-safety and errors as in find_regions; also throws std::invalid_argument for a
 /// threshold outside [0, 255].
-[[nodiscard]] Regions localise_objects(ConstImageView grey, const EdgeThresholds& thresholds = {},
-                                       const Options& options = {});
+[[nodiscard]] THINBENCH_API Regions localise_objects(ConstImageView grey,
+                                                     const EdgeThresholds& thresholds = {},
+                                                     const Options& options = {});
 
 }  // namespace thinbench

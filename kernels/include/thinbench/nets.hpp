@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "thinbench/export.h"
 #include "thinbench/options.hpp"
 
 namespace thinbench {
@@ -81,11 +82,12 @@ inline constexpr TwoLayerWeights kRoundedTwoLayer = rounded_weights(kPaperTwoLay
 /// A net for Options::net. With Activation::sigmoid use it with the rules net_two_layer_sigmoid and
 /// net_two_layer_rounded, with Activation::linear with net_two_layer_linear. Thinners and threads
 /// may share it. Throws std::invalid_argument for a weight outside [-1e30, 1e30].
-[[nodiscard]] std::shared_ptr<const NetModel> two_layer_net(const TwoLayerWeights& weights,
-                                                            Activation activation);
+[[nodiscard]] THINBENCH_API std::shared_ptr<const NetModel> two_layer_net(
+    const TwoLayerWeights& weights, Activation activation);
 
 /// The same for the rule net_single_layer_cluster. Also throws if the nets do not cover the
 /// descriptors 0 to 255 in order.
-[[nodiscard]] std::shared_ptr<const NetModel> cluster_net(const ClusterWeights& weights);
+[[nodiscard]] THINBENCH_API std::shared_ptr<const NetModel> cluster_net(
+    const ClusterWeights& weights);
 
 }  // namespace thinbench

@@ -12,7 +12,9 @@ namespace thinbench {
 enum class Rule : std::uint8_t {
   naccache_shinghal,
   zhang_suen,
+  zhang_suen_skimage,
   guo_hall,
+  guo_hall_skimage,
   lu_wang,
   spta,
   spta_directional,
@@ -37,8 +39,13 @@ inline constexpr std::array kRules = {
              "modified Naccache-Shinghal rule, all removals of an iteration at once, as published"},
     RuleInfo{Rule::zhang_suen, "zhang_suen", "thin_zhang_suen",
              "Zhang and Suen 1984, two sub-iterations; loses 2 x 2 blocks"},
+    RuleInfo{Rule::zhang_suen_skimage, "zhang_suen_skimage", "thin_zhang_suen_skimage",
+             "scikit-image's skeletonize: zhang_suen with 31 decisions changed"},
     RuleInfo{Rule::guo_hall, "guo_hall", "thin_guo_hall",
              "Guo and Hall 1989, two sub-iterations; keeps topology"},
+    RuleInfo{Rule::guo_hall_skimage, "guo_hall_skimage", "thin_guo_hall_skimage",
+             "guo_hall with its sub-iterations exchanged: scikit-image's thin, bwmorph; keeps "
+             "topology"},
     RuleInfo{Rule::lu_wang, "lu_wang", "thin_lu_wang",
              "Lu and Wang 1986, as Zhang and Suen but slanted lines keep their length"},
     RuleInfo{Rule::spta, "spta", "thin_spta",

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
 #include "thinbench/options.hpp"
 #include "thinbench/rule.hpp"
@@ -26,11 +27,12 @@ class ThinningState;
 /// one line and name the value. Nothing is written if it throws.
 ///
 /// docs/thinning.md has the formulas, connectivity, invariants and sources of the rules.
-int thin(Rule rule, ConstImageView source, ImageView destination, const Options& options = {});
+THINBENCH_API int thin(Rule rule, ConstImageView source, ImageView destination,
+                       const Options& options = {});
 
 /// Thins images of one size with memory allocated once. Not thread-safe, but threads may use
 /// different thinners concurrently.
-class Thinner {
+class THINBENCH_API Thinner {
  public:
   /// Throws as thin() does for sizes and options.
   Thinner(Rule rule, Index width, Index height, const Options& options = {});

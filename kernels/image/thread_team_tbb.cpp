@@ -1,7 +1,7 @@
-#include "image/thread_team.hpp"
-
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "image/thread_team.hpp"
 
 #ifdef __SANITIZE_THREAD__
 #include <sanitizer/tsan_interface.h>
@@ -28,13 +28,13 @@ void receive(const void*) {}
 
 // oneTBB's global limit, which the program controls, may reduce the number of threads; by default
 // to the number of cores.
-struct ThreadTeam::Arena {
-  explicit Arena(int threads) : arena(threads) {}
+struct ThreadTeam::Workers {
+  explicit Workers(int threads) : arena(threads) {}
   tbb::task_arena arena;
 };
 
 ThreadTeam::ThreadTeam(int threads)
-    : arena_(threads > 1 ? std::make_unique<Arena>(threads) : nullptr), threads_(threads) {}
+    : workers_(threads > 1 ? std::make_unique<Workers>(threads) : nullptr), threads_(threads) {}
 
 ThreadTeam::~ThreadTeam() = default;
 
@@ -44,9 +44,9 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
     return;
   }
   const Index parts = count < threads_ ? count : threads_;
-  const void* finished = arena_.get();
+  const void* finished = workers_.get();
   publish(body);
-  arena_->arena.execute([=] {
+  workers_->arena.execute([=] {
     tbb::parallel_for(
         Index{0}, parts,
         [=](Index part) {

@@ -1,0 +1,176 @@
+/* thinbench for C: thinning, edges, objects and holes of images.
+ *
+ * Functions return a status. On failure nothing is written, and thinbench_last_error() has one line
+ * that names the invalid value. Names ("guo_hall", "sobel", "avx2") are those of the C++ interface
+ * and of the command-line program. No function throws. All functions are thread-safe for different
+ * destinations and handles.
+ *
+ * Structs begin with their size, so that later versions can add members at the end: initialise them
+ * with the macros below. */
+#ifndef THINBENCH_H
+#define THINBENCH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "thinbench/export.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum thinbench_status {
+  THINBENCH_OK = 0,
+  THINBENCH_INVALID_ARGUMENT = 1,
+  THINBENCH_OUT_OF_MEMORY = 2,
+  THINBENCH_INTERNAL_ERROR = 3
+} thinbench_status;
+
+/* The version of the library, for example "0.1.0". */
+THINBENCH_API const char* thinbench_version(void);
+
+/* The message of this thread's last failure; "" if there was none. Valid until its next failure. */
+THINBENCH_API const char* thinbench_last_error(void);
+
+/* `count` images of height x width pixels, one byte each: pixel (x, y) of image i is
+ * data[i * image_stride + y * stride + x]. Strides are in bytes. Binary images: 0 is background,
+ * anything else is foreground. An image is a stack of one. */
+typedef struct thinbench_stack {
+  const uint8_t* data;
+  ptrdiff_t count;
+  ptrdiff_t height;
+  ptrdiff_t width;
+  ptrdiff_t stride;
+  ptrdiff_t image_stride;
+} thinbench_stack;
+
+/* The same for results, of the source's size. */
+typedef struct thinbench_output {
+  uint8_t* data;
+  ptrdiff_t stride;
+  ptrdiff_t image_stride;
+  uint8_t foreground; /* what is written instead of 255; 0 stands for 255 */
+} thinbench_output;
+
+typedef struct thinbench_options {
+  size_t size;            /* of this struct */
+  int32_t keep_border;    /* thinning: nonzero if the outermost pixels never change */
+  int32_t max_iterations; /* thinning: at least 1; 0 is unlimited */
+  int32_t threads;        /* 1 to 1024 */
+  const char* isa;        /* NULL: the best that this machine has */
+  const char* technique;  /* NULL: the fastest */
+} thinbench_options;
+
+#define THINBENCH_OPTIONS_INIT \
+  { sizeof(thinbench_options), 0, 0, 1, NULL, NULL }
+
+/* Thins every image of a stack by a rule; destination may be the source. `options` may be NULL, and
+ * so may `iterations`, which gets the maximum over all images, including the last iteration, which
+ * changed nothing. */
+THINBENCH_API thinbench_status thinbench_thin(const char* rule, const thinbench_stack* source,
+                                              const thinbench_output* destination,
+                                              const thinbench_options* options,
+                                              int32_t* iterations);
+
+/* A thinner for images of one size, with memory allocated once. One call at a time. */
+typedef struct thinbench_thinner thinbench_thinner;
+
+/* *thinner must be destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_thinner_create(const char* rule, ptrdiff_t width,
+                                                        ptrdiff_t height,
+                                                        const thinbench_options* options,
+                                                        thinbench_thinner** thinner);
+/* Thins one image of this size. */
+THINBENCH_API thinbench_status thinbench_thinner_run(thinbench_thinner* thinner,
+                                                     const thinbench_stack* source,
+                                                     const thinbench_output* destination,
+                                                     int32_t* iterations);
+/* What was chosen; valid as long as the program. */
+THINBENCH_API const char* thinbench_thinner_technique(const thinbench_thinner* thinner);
+THINBENCH_API const char* thinbench_thinner_isa(const thinbench_thinner* thinner);
+/* NULL is allowed. */
+THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
+
+/* Edges of grey images by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
+ * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Of the options only threads,
+ * isa and technique may be set. Source and destination must not overlap. */
+THINBENCH_API thinbench_status thinbench_edges(
+    const char* edge_operator, const thinbench_stack* source, const thinbench_output* destination,
+    int32_t gradient_threshold, int32_t brightness_threshold, const thinbench_options* options);
+
+/* An object (8-connected) or a hole (4-connected background that does not touch the border). */
+typedef struct thinbench_region {
+  int64_t area;
+  int64_t sum_x; /* of the pixels' coordinates: the centre is (sum_x / area, sum_y / area) */
+  int64_t sum_y;
+  int32_t left;
+  int32_t top;
+  int32_t right; /* inclusive, as is `bottom` */
+  int32_t bottom;
+  uint32_t enclosing_object; /* of a hole: the object around it, counted from 1; else 0 */
+} thinbench_region;
+
+/* Objects and holes, in raster order of their first pixels. */
+typedef struct thinbench_regions thinbench_regions;
+
+/* Of one image; *regions must be destroyed; NULL on failure. With `labels`, int32_t values with
+ * `labels_stride` values from row to row, every pixel gets the number of its object from 1, or the
+ * number of objects plus that of its hole, or 0. Then the options must not name a technique. */
+THINBENCH_API thinbench_status thinbench_find_regions(const thinbench_stack* source,
+                                                      int32_t* labels, ptrdiff_t labels_stride,
+                                                      const thinbench_options* options,
+                                                      thinbench_regions** regions);
+/* Sobel's edges of a grey image, filled, and the regions of the result. */
+THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
+                                                  int32_t gradient_threshold,
+                                                  int32_t brightness_threshold,
+                                                  const thinbench_options* options,
+                                                  thinbench_regions** regions);
+/* `size` is sizeof(thinbench_region): thinbench_regions_objects(r, &count, sizeof(...)). The array
+ * lives as long as the handle; NULL if this library's struct has another size. */
+THINBENCH_API const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions,
+                                                                size_t* count, size_t size);
+THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions,
+                                                              size_t* count, size_t size);
+/* NULL is allowed. */
+THINBENCH_API void thinbench_regions_destroy(thinbench_regions* regions);
+
+/* Sets objects and what they enclose to 255; destination may be the source. */
+THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* source,
+                                                    const thinbench_output* destination,
+                                                    const thinbench_options* options);
+
+/* Objects minus holes of one image; connectivity 8 or 4 is that of the objects. */
+THINBENCH_API thinbench_status thinbench_euler_number(const thinbench_stack* source,
+                                                      int32_t connectivity,
+                                                      const thinbench_options* options,
+                                                      int64_t* number);
+
+/* Names, in the order of the catalogue; NULL past the end. Valid as long as the program. */
+THINBENCH_API const char* thinbench_rule_name(size_t index);
+THINBENCH_API const char* thinbench_rule_description(size_t index);
+THINBENCH_API const char* thinbench_edge_operator_name(size_t index);
+THINBENCH_API const char* thinbench_isa_name(size_t index);
+
+/* Whether the processor has this ISA and THINBENCH_MAX_ISA allows it: 1, 0, or -1 for an unknown
+ * name. */
+THINBENCH_API int32_t thinbench_isa_available(const char* isa);
+
+/* Variant number `index` of a rule: its technique and ISA, whether it takes several threads, and
+ * why it cannot run on this machine (NULL: it can). Valid until this thread's next call of this
+ * function. THINBENCH_INVALID_ARGUMENT past the last variant. */
+typedef struct thinbench_variant {
+  size_t size; /* of this struct */
+  const char* technique;
+  const char* isa;
+  int32_t threaded;
+  const char* unavailable_reason;
+} thinbench_variant;
+THINBENCH_API thinbench_status thinbench_rule_variant(const char* rule, size_t index,
+                                                      thinbench_variant* variant);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,16 @@
+"""Thinning, edges, objects and holes of images, exact to the pixel and fast.
+
+>>> import numpy as np
+>>> import thinbench
+>>> skeleton = thinbench.thin(np.ones((3, 9), bool))
+"""
+
+from thinbench import compat
+from thinbench._catalogue import Variant, cpu, rules, variants
+from thinbench._images import edges, euler_number, fill_holes, localise, regions
+from thinbench._library import version as _version
+from thinbench._thinning import thin
+
+__version__: str = _version().decode()
+__all__ = ["Variant", "compat", "cpu", "edges", "euler_number", "fill_holes", "localise",
+           "regions", "rules", "thin", "variants"]

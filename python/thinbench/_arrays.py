@@ -1,0 +1,102 @@
+"""Checks of arrays, and their addresses for the C interface."""
+
+from __future__ import annotations
+
+import ctypes
+import operator
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from thinbench import _library
+
+Array = npt.NDArray[Any]
+
+_BOOL = np.dtype(bool)
+_UINT8 = np.dtype(np.uint8)
+
+
+def binary(image: Any, max_dimensions: int = 2) -> Array:
+    """A bool or uint8 image, or with `max_dimensions` of 3 also a stack of images."""
+    image = np.asarray(image)
+    if image.dtype is not _BOOL and image.dtype != _UINT8:
+        raise TypeError(f"image: expected dtype bool or uint8, got {image.dtype}; "
+                        "`image != 0` or `image > threshold` makes one")
+    return _with_dimensions(image, max_dimensions)
+
+
+def grey(image: Any) -> Array:
+    """A uint8 image of grey levels."""
+    image = np.asarray(image)
+    if image.dtype != _UINT8:
+        raise TypeError(f"image: expected dtype uint8 of grey levels, got {image.dtype}")
+    return _with_dimensions(image, 2)
+
+
+def _with_dimensions(image: Array, max_dimensions: int) -> Array:
+    if not 2 <= image.ndim <= max_dimensions:
+        expected = "(H, W)" if max_dimensions == 2 else "(H, W) or (N, H, W)"
+        raise ValueError(f"image: expected shape {expected}, got {image.shape}")
+    return image
+
+
+def result_for(image: Array, out: Array | None) -> Array:
+    """An array like the image, or `out` if that fits."""
+    if out is None:
+        return np.empty(image.shape, image.dtype)
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"out: expected an array, got {type(out).__name__}")
+    if out.dtype != image.dtype or out.shape != image.shape:
+        raise ValueError(f"out: expected {image.dtype} of shape {image.shape}, "
+                         f"got {out.dtype} of shape {out.shape}")
+    if not out.flags.c_contiguous:
+        raise ValueError(f"out: expected a C-contiguous array, got strides {out.strides}")
+    if not out.flags.writeable:
+        raise ValueError("out: expected a writable array, got a read-only one")
+    return out
+
+
+def source(image: Array) -> tuple[bytes, Array]:
+    """A thinbench_stack struct, and the array that it points to."""
+    height, width = image.shape[-2:]
+    count = 1 if image.ndim == 2 else image.shape[0]
+    strides = image.strides
+    stride = strides[-2]
+    image_stride = height * stride if image.ndim == 2 else strides[0]
+    if strides[-1] != 1 or stride < width or image_stride < height * stride:
+        image = np.ascontiguousarray(image)
+        stride, image_stride = width, height * width
+    address = image.__array_interface__["data"][0]
+    return _library.STACK.pack(address, count, height, width, stride, image_stride), image
+
+
+def destination(out: Array) -> bytes:
+    """A thinbench_output struct for a contiguous array; foreground is 1 in an array of bool."""
+    height, width = out.shape[-2:]
+    # Faster than __array_interface__, but for arrays that have elements.
+    address = ctypes.addressof(ctypes.c_char.from_buffer(out.data)) if out.size else 0
+    return _library.OUTPUT.pack(address, width, height * width, out.dtype == _BOOL)
+
+
+def integer(name: str, value: Any) -> int:
+    """An integer in the range of the C interface."""
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name}: expected an integer, got {value}")
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: expected an integer, got {value!r}") from None
+    if not -(2**31) <= number < 2**31:
+        raise ValueError(f"{name}: expected less than 2**31 in magnitude, got {number}")
+    return number
+
+
+def one_of(name: str, value: Any, allowed: dict[str, bytes]) -> bytes:
+    """The name as the C interface takes it."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a string, got {value!r}")
+    found = allowed.get(value)
+    if found is None:
+        raise ValueError(f"{name}: expected one of {', '.join(allowed)}; got {value!r}")
+    return found

@@ -1,0 +1,291 @@
+"""Edges, objects and holes."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Literal, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from thinbench import _arrays, _library
+
+EDGE_OPERATORS = {name: name.encode()
+                  for name in _library.all_names(_library.edge_operator_name)}
+_REGION = np.dtype([("area", "i8"), ("sum_x", "i8"), ("sum_y", "i8"), ("left", "i4"),
+                    ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("parent", "u4")],
+                   align=True)
+
+Columns = dict[str, npt.NDArray[Any]]
+
+
+def edges(image: npt.ArrayLike, operator: str = "sobel", gradient_threshold: int = 40,
+          brightness_threshold: int = 128, *, threads: int = 1,
+          out: npt.NDArray[np.uint8] | None = None) -> npt.NDArray[np.uint8]:
+    """Find the edges of dark objects on a bright background.
+
+    Parameters
+    ----------
+    image : array of uint8, shape (H, W)
+        Grey levels, 0 is black. Never modified.
+    operator : {"sobel", "prewitt", "roberts4", "roberts9", "mero_vassy", "mero_vassy_5x5"}
+        The gradient operator; docs/edges.md has the masks.
+    gradient_threshold, brightness_threshold : int
+        An edge has a scaled gradient above the first and a pixel above the second in its 3 x 3
+        neighbourhood. 0 to 255.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
+    out : array of uint8, optional
+        Receives the result; C-contiguous, sharing no memory with the image.
+
+    Returns
+    -------
+    array of uint8, shape (H, W)
+        255 on edges, else 0. The border is no edge, as its pixels are repeated outside.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is written.
+
+    References
+    ----------
+    Lazea, Mureşan and Lupu, "Image processing algorithms used in robotics applications", 1999,
+    section 2.1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> step = np.repeat(np.array([[0, 0, 0, 200, 200, 200]], np.uint8), 3, axis=0)
+    >>> print(thinbench.edges(step)[1])
+    [  0   0 255 255   0   0]
+    """
+    image = _arrays.grey(image)
+    name = _arrays.one_of("operator", operator, EDGE_OPERATORS)
+    result = _arrays.result_for(image, out)
+    stack, kept_alive = _arrays.source(image)
+    status = _library.edges(name, stack, _arrays.destination(result),
+                            _arrays.integer("gradient_threshold", gradient_threshold),
+                            _arrays.integer("brightness_threshold", brightness_threshold),
+                            _library.options(threads=_arrays.integer("threads", threads)))
+    if status:
+        raise _library.error(status)
+    del kept_alive
+    return result
+
+
+def fill_holes(image: npt.ArrayLike, *, out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
+    """Fill the holes of objects.
+
+    Parameters
+    ----------
+    image : array of bool or uint8, shape (H, W)
+        Nonzero is foreground. Never modified.
+    out : array, optional
+        Receives the result: same shape and dtype as the image, C-contiguous. May be the image.
+
+    Returns
+    -------
+    array of the shape and dtype of the image
+        True or 255 on objects and everything they enclose: background stays background if it is
+        4-connected to the border. As scipy's `binary_fill_holes` with its default structure.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is written.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> ring = np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], bool)
+    >>> print(thinbench.fill_holes(ring)[1])
+    [ True  True  True]
+    """
+    image = _arrays.binary(image)
+    result = _arrays.result_for(image, out)
+    stack, kept_alive = _arrays.source(image)
+    status = _library.fill_holes(stack, _arrays.destination(result), None)
+    if status:
+        raise _library.error(status)
+    del kept_alive
+    return result
+
+
+def euler_number(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8) -> int:
+    """Count objects minus holes.
+
+    Parameters
+    ----------
+    image : array of bool or uint8, shape (H, W)
+        Nonzero is foreground.
+    connectivity : {8, 4}
+        Of objects; holes have the other one.
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> thinbench.euler_number(np.array([[1, 1, 1], [1, 0, 1], [1, 1, 1]], bool))
+    0
+    """
+    stack, kept_alive = _arrays.source(_arrays.binary(image))
+    number = ctypes.c_int64()
+    status = _library.euler_number(stack, _arrays.integer("connectivity", connectivity), None,
+                                   ctypes.byref(number))
+    if status:
+        raise _library.error(status)
+    del kept_alive
+    return number.value
+
+
+@overload
+def regions(image: npt.ArrayLike, return_labels: Literal[False] = ...) -> Columns: ...
+
+
+@overload
+def regions(image: npt.ArrayLike,
+            return_labels: Literal[True]) -> tuple[Columns, npt.NDArray[np.int32]]: ...
+
+
+def regions(image: npt.ArrayLike, return_labels: bool = False,
+            ) -> Columns | tuple[Columns, npt.NDArray[np.int32]]:
+    """Find objects and holes.
+
+    An object is an 8-connected component of the foreground. A hole is a 4-connected component of
+    the background that does not touch the border. Everything outside the image is background.
+
+    Parameters
+    ----------
+    image : array of bool or uint8, shape (H, W)
+        Nonzero is foreground. At most 2**29 pixels on a side.
+    return_labels : bool
+        Also return an image of labels.
+
+    Returns
+    -------
+    dict of arrays, or a tuple of that and an array of int32, shape (H, W)
+        One element per region, objects first, each list in raster order of first pixels:
+        "label" from 1; "parent", of a hole the label of the object around it, else 0; "area";
+        "centroid-0" and "centroid-1" (row, column); "bbox-0" to "bbox-3" (first row, first column,
+        last row + 1, last column + 1); "is_hole". The image has the label of each pixel's region,
+        or 0.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> ring = np.array([[1, 1, 1, 0], [1, 0, 1, 0], [1, 1, 1, 0]], bool)
+    >>> table, labels = thinbench.regions(ring, return_labels=True)
+    >>> print(table["area"], table["is_hole"], table["parent"])
+    [8 1] [False  True] [0 1]
+    >>> print(labels)
+    [[1 1 1 0]
+     [1 2 1 0]
+     [1 1 1 0]]
+    """
+    image = _arrays.binary(image)
+    stack, kept_alive = _arrays.source(image)
+    labels = np.empty(image.shape, np.int32) if return_labels else None
+    handle = ctypes.c_void_p()
+    status = _library.find_regions(stack, None if labels is None else labels.ctypes.data,
+                                   image.shape[1], None, ctypes.byref(handle))
+    del kept_alive
+    columns = _columns(status, handle)
+    return columns if labels is None else (columns, labels)
+
+
+def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_threshold: int = 128,
+             *, threads: int = 1) -> Columns:
+    """Find dark objects and their holes in a grey image, by their edges.
+
+    Finds edges by Sobel's operator, fills their contours, and returns the regions of the result.
+    Areas include the width of the edges; centres are unbiased.
+
+    Parameters
+    ----------
+    image : array of uint8, shape (H, W)
+        Grey levels of dark objects on a bright background.
+    gradient_threshold, brightness_threshold : int
+        As in `edges`.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
+
+    Returns
+    -------
+    dict of arrays
+        As `regions`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    References
+    ----------
+    Lazea, Mureşan and Lupu, "Image processing algorithms used in robotics applications", 1999,
+    section 2.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> picture = np.full((20, 20), 255, np.uint8)
+    >>> picture[5:15, 5:15] = 0
+    >>> found = thinbench.localise(picture)
+    >>> print(found["centroid-0"], found["is_hole"])
+    [9.5] [False]
+    """
+    stack, kept_alive = _arrays.source(_arrays.grey(image))
+    handle = ctypes.c_void_p()
+    status = _library.localise(stack, _arrays.integer("gradient_threshold", gradient_threshold),
+                               _arrays.integer("brightness_threshold", brightness_threshold),
+                               _library.options(threads=_arrays.integer("threads", threads)),
+                               ctypes.byref(handle))
+    del kept_alive
+    return _columns(status, handle)
+
+
+def _columns(status: int, handle: ctypes.c_void_p) -> Columns:
+    """The regions of a handle, which is destroyed."""
+    if status:
+        raise _library.error(status)
+    counts = ctypes.c_size_t(), ctypes.c_size_t()
+    lists = [list_of(handle, ctypes.byref(count), _REGION.itemsize) for list_of, count in zip(
+        (_library.regions_objects, _library.regions_holes), counts)]
+    objects, holes = (count.value for count in counts)
+    found = np.empty(objects + holes, _REGION)
+    address = found.ctypes.data
+    ctypes.memmove(address, lists[0], objects * _REGION.itemsize)
+    ctypes.memmove(address + objects * _REGION.itemsize, lists[1], holes * _REGION.itemsize)
+    _library.regions_destroy(handle)
+    area = found["area"]
+    return {
+        "label": np.arange(1, len(found) + 1, dtype=np.int32),
+        "parent": found["parent"].astype(np.int32),
+        "area": area.copy(),
+        "centroid-0": found["sum_y"] / area,
+        "centroid-1": found["sum_x"] / area,
+        "bbox-0": found["top"].copy(),
+        "bbox-1": found["left"].copy(),
+        "bbox-2": found["bottom"] + 1,
+        "bbox-3": found["right"] + 1,
+        "is_hole": np.arange(len(found)) >= objects,
+    }
+

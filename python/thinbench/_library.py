@@ -1,0 +1,86 @@
+"""The shared library and its C interface, by ctypes. Calls release the GIL."""
+
+from __future__ import annotations
+
+import ctypes
+import struct
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+_library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench.so")))
+
+# Structs are passed as packed bytes, which is faster than ctypes.Structure.
+STACK = struct.Struct("Pnnnnn")  # data, count, height, width, stride, image_stride
+OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
+_OPTIONS = struct.Struct("NiiiPP")  # size, keep_border, max_iterations, threads, isa, technique
+_VARIANT = struct.Struct("NPPiP")
+
+_BYTES = ctypes.c_char_p
+_POINTER = ctypes.c_void_p
+_INT = ctypes.c_int32
+
+
+def _function(name: str, *arguments: type, result: type | None = _INT) -> Callable[..., Any]:
+    function: Callable[..., Any] = getattr(_library, "thinbench_" + name)
+    function.argtypes = arguments  # type: ignore[attr-defined]
+    function.restype = result  # type: ignore[attr-defined]
+    return function
+
+
+_last_error = _function("last_error", result=_BYTES)
+version = _function("version", result=_BYTES)
+thin = _function("thin", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
+edges = _function("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
+find_regions = _function(
+    "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
+localise = _function("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
+fill_holes = _function("fill_holes", _BYTES, _BYTES, _BYTES)
+euler_number = _function("euler_number", _BYTES, _INT, _BYTES, _POINTER)
+regions_objects = _function(
+    "regions_objects", _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
+regions_holes = _function(
+    "regions_holes", _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
+regions_destroy = _function("regions_destroy", _POINTER, result=None)
+rule_name = _function("rule_name", ctypes.c_size_t, result=_BYTES)
+rule_description = _function("rule_description", ctypes.c_size_t, result=_BYTES)
+edge_operator_name = _function("edge_operator_name", ctypes.c_size_t, result=_BYTES)
+isa_name = _function("isa_name", ctypes.c_size_t, result=_BYTES)
+isa_available = _function("isa_available", _BYTES)
+_rule_variant = _function("rule_variant", _BYTES, ctypes.c_size_t, _POINTER)
+
+_EXCEPTIONS = {1: ValueError, 2: MemoryError}
+
+
+def error(status: int) -> Exception:
+    """The exception for a status other than 0."""
+    return _EXCEPTIONS.get(status, RuntimeError)(_last_error().decode())
+
+
+@lru_cache(maxsize=256)
+def options(keep_border: bool = False, max_iterations: int = 0, threads: int = 1) -> bytes:
+    """A thinbench_options struct."""
+    return _OPTIONS.pack(_OPTIONS.size, keep_border, max_iterations, threads, 0, 0)
+
+
+def _text(pointer: int | None) -> str | None:
+    return ctypes.string_at(pointer).decode() if pointer else None
+
+
+def rule_variants(rule: bytes) -> list[tuple[str | None, str | None, bool, str | None]]:
+    """Technique, ISA, whether threaded, and the reason why it cannot run, of all variants."""
+    found: list[tuple[str | None, str | None, bool, str | None]] = []
+    buffer = ctypes.create_string_buffer(_VARIANT.pack(_VARIANT.size, 0, 0, 0, 0), _VARIANT.size)
+    while _rule_variant(rule, len(found), buffer) == 0:
+        _, technique, isa, threaded, reason = _VARIANT.unpack(buffer.raw)
+        found.append((_text(technique), _text(isa), bool(threaded), _text(reason)))
+    return found
+
+
+def all_names(name_at: Callable[..., Any]) -> list[str]:
+    """The names that a function of the catalogue lists."""
+    found: list[str] = []
+    while (name := name_at(len(found))) is not None:
+        found.append(name.decode())
+    return found

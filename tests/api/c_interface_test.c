@@ -1,0 +1,214 @@
+/* The C interface from C99; compiled as C++ as well. Prints what failed; the status is the number
+ * of failures. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "thinbench.h"
+
+static int failures = 0;
+
+#define CHECK(condition)                                                          \
+  do {                                                                            \
+    if (!(condition)) {                                                           \
+      printf("line %d: %s [%s]\n", __LINE__, #condition, thinbench_last_error()); \
+      ++failures;                                                                 \
+    }                                                                             \
+  } while (0)
+
+enum { WIDTH = 20, HEIGHT = 12, COUNT = 3 };
+
+static uint8_t pixels[COUNT][HEIGHT][WIDTH];
+static uint8_t results[COUNT][HEIGHT][WIDTH];
+
+/* A block with a hole in each image, the hole at another place. */
+static void draw(void) {
+  int i, x, y;
+  for (i = 0; i < COUNT; ++i) {
+    for (y = 2; y < HEIGHT - 2; ++y) {
+      for (x = 2; x < WIDTH - 2; ++x) pixels[i][y][x] = !(y == 5 && x == 7 + i);
+    }
+  }
+  memset(results, 77, sizeof(results));
+}
+
+static thinbench_stack source(ptrdiff_t count) {
+  thinbench_stack stack = {NULL, 0, HEIGHT, WIDTH, WIDTH, HEIGHT * WIDTH};
+  stack.data = &pixels[0][0][0];
+  stack.count = count;
+  return stack;
+}
+
+static thinbench_output destination(void) {
+  thinbench_output output = {NULL, WIDTH, HEIGHT * WIDTH, 0};
+  output.data = &results[0][0][0];
+  return output;
+}
+
+static int unwritten(void) {
+  size_t i;
+  for (i = 0; i < sizeof(results); ++i) {
+    if ((&results[0][0][0])[i] != 77) return 0;
+  }
+  return 1;
+}
+
+static void thins_images_and_stacks(void) {
+  const thinbench_stack one = source(1);
+  const thinbench_stack all = source(COUNT);
+  const thinbench_output output = destination();
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  uint8_t first[HEIGHT][WIDTH];
+  int32_t iterations = 0;
+  draw();
+  CHECK(thinbench_thin("guo_hall", &one, &output, NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations > 1);
+  memcpy(first, results[0], sizeof(first));
+  CHECK(thinbench_thin("guo_hall", &all, &output, &options, NULL) == THINBENCH_OK);
+  CHECK(memcmp(first, results[0], sizeof(first)) == 0);
+  CHECK(memcmp(results[0], results[1], sizeof(first)) != 0);
+  options.max_iterations = 1;
+  options.isa = "baseline";
+  options.technique = "lut";
+  CHECK(thinbench_thin("guo_hall", &one, &output, &options, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 1);
+}
+
+static void thinner_equals_thin(void) {
+  const thinbench_stack one = source(1);
+  const thinbench_output output = destination();
+  thinbench_thinner* thinner = NULL;
+  uint8_t expected[HEIGHT][WIDTH];
+  draw();
+  CHECK(thinbench_thin("zhang_suen", &one, &output, NULL, NULL) == THINBENCH_OK);
+  memcpy(expected, results[0], sizeof(expected));
+  memset(results, 77, sizeof(results));
+  CHECK(thinbench_thinner_create("zhang_suen", WIDTH, HEIGHT, NULL, &thinner) == THINBENCH_OK);
+  CHECK(thinbench_thinner_run(thinner, &one, &output, NULL) == THINBENCH_OK);
+  CHECK(memcmp(expected, results[0], sizeof(expected)) == 0);
+  CHECK(strlen(thinbench_thinner_technique(thinner)) > 0);
+  CHECK(thinbench_isa_available(thinbench_thinner_isa(thinner)) == 1);
+  thinbench_thinner_destroy(thinner);
+  thinbench_thinner_destroy(NULL);
+  CHECK(thinbench_thinner_create("zhang_suen", -1, 5, NULL, &thinner) ==
+        THINBENCH_INVALID_ARGUMENT);
+  CHECK(thinner == NULL);
+}
+
+static void finds_regions_and_labels(void) {
+  const thinbench_stack one = source(1);
+  int32_t labels[HEIGHT][WIDTH];
+  thinbench_regions* regions = NULL;
+  const thinbench_region* hole;
+  size_t count = 0;
+  int64_t number = 9;
+  draw();
+  CHECK(thinbench_find_regions(&one, &labels[0][0], WIDTH, NULL, &regions) == THINBENCH_OK);
+  CHECK(thinbench_regions_objects(regions, &count, sizeof(thinbench_region))->area ==
+        (HEIGHT - 4) * (WIDTH - 4) - 1);
+  CHECK(count == 1);
+  hole = thinbench_regions_holes(regions, &count, sizeof(thinbench_region));
+  CHECK(count == 1 && hole->area == 1 && hole->left == 7 && hole->bottom == 5);
+  CHECK(hole->enclosing_object == 1);
+  CHECK(thinbench_regions_holes(regions, &count, sizeof(thinbench_region) + 8) == NULL);
+  CHECK(labels[0][0] == 0 && labels[2][2] == 1 && labels[5][7] == 2);
+  thinbench_regions_destroy(regions);
+  CHECK(thinbench_localise(&one, 0, 0, NULL, &regions) == THINBENCH_OK);
+  thinbench_regions_destroy(regions);
+  thinbench_regions_destroy(NULL);
+  CHECK(thinbench_euler_number(&one, 8, NULL, &number) == THINBENCH_OK && number == 0);
+}
+
+static void fills_holes_and_finds_edges(void) {
+  const thinbench_stack all = source(COUNT);
+  thinbench_output output = destination();
+  draw();
+  CHECK(thinbench_fill_holes(&all, &output, NULL) == THINBENCH_OK);
+  CHECK(results[2][5][9] == 255 && results[2][0][0] == 0);
+  CHECK(thinbench_edges("sobel", &all, &output, 0, 0, NULL) == THINBENCH_OK);
+  CHECK(results[1][2][3] == 255 && results[1][0][0] == 0);
+  output.foreground = 1;
+  CHECK(thinbench_fill_holes(&all, &output, NULL) == THINBENCH_OK);
+  CHECK(results[2][5][9] == 1 && results[2][0][0] == 0);
+  CHECK(thinbench_thin("guo_hall", &all, &output, NULL, NULL) == THINBENCH_OK);
+  CHECK(results[0][0][0] == 0 && memchr(results, 1, sizeof(results)) != NULL &&
+        memchr(results, 255, sizeof(results)) == NULL);
+}
+
+/* Each call must fail with a message that contains `value`, and write nothing. */
+static void rejects(thinbench_status status, const char* value) {
+  if (status != THINBENCH_INVALID_ARGUMENT || strstr(thinbench_last_error(), value) == NULL ||
+      strchr(thinbench_last_error(), '\n') != NULL || !unwritten()) {
+    printf("status %d, expected an error with %s: %s\n", (int)status, value,
+           thinbench_last_error());
+    ++failures;
+  }
+}
+
+static void rejects_invalid_arguments(void) {
+  const thinbench_stack one = source(1);
+  const thinbench_stack all = source(COUNT);
+  thinbench_stack bad = one;
+  const thinbench_output output = destination();
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  thinbench_regions* regions = NULL;
+  thinbench_variant variant = {0, NULL, NULL, 0, NULL};
+  int64_t number = 0;
+  draw();
+  rejects(thinbench_thin("guo-hall", &one, &output, NULL, NULL), "'guo-hall'");
+  rejects(thinbench_thin(NULL, &one, &output, NULL, NULL), "NULL");
+  rejects(thinbench_thin("guo_hall", NULL, &output, NULL, NULL), "source");
+  rejects(thinbench_thin("guo_hall", &one, NULL, NULL, NULL), "destination");
+  bad.data = NULL;
+  rejects(thinbench_thin("guo_hall", &bad, &output, NULL, NULL), "no data");
+  bad = one;
+  bad.width = -3;
+  rejects(thinbench_thin("guo_hall", &bad, &output, NULL, NULL), "-3");
+  options.threads = 0;
+  rejects(thinbench_thin("guo_hall", &one, &output, &options, NULL), "got 0");
+  options.threads = 1;
+  options.isa = "mmx";
+  rejects(thinbench_thin("guo_hall", &one, &output, &options, NULL), "'mmx'");
+  options.isa = NULL;
+  options.technique = "magic";
+  rejects(thinbench_thin("guo_hall", &one, &output, &options, NULL), "'magic'");
+  options.technique = NULL;
+  options.max_iterations = -1;
+  rejects(thinbench_thin("guo_hall", &one, &output, &options, NULL), "-1");
+  options.size = 4;
+  rejects(thinbench_thin("guo_hall", &one, &output, &options, NULL), "got 4");
+  rejects(thinbench_edges("canny", &one, &output, 0, 0, NULL), "'canny'");
+  rejects(thinbench_edges("sobel", &all, &output, 256, 0, NULL), "256");
+  rejects(thinbench_find_regions(&all, NULL, 0, NULL, &regions), "3");
+  rejects(thinbench_find_regions(&one, NULL, 0, NULL, NULL), "regions");
+  rejects(thinbench_euler_number(&one, 6, NULL, &number), "6");
+  rejects(thinbench_rule_variant("guo_hall", 0, &variant), "variant.size");
+  CHECK(thinbench_isa_available("mmx") == -1);
+}
+
+static void lists_what_there_is(void) {
+  thinbench_variant variant = {sizeof(thinbench_variant), NULL, NULL, 0, NULL};
+  size_t count = 0;
+  while (thinbench_rule_name(count) != NULL) {
+    CHECK(strlen(thinbench_rule_description(count)) > 0);
+    CHECK(thinbench_rule_variant(thinbench_rule_name(count), 0, &variant) == THINBENCH_OK);
+    ++count;
+  }
+  CHECK(count >= 14);
+  CHECK(thinbench_rule_variant("guo_hall", 1000, &variant) == THINBENCH_INVALID_ARGUMENT);
+  CHECK(thinbench_edge_operator_name(0) != NULL && thinbench_edge_operator_name(99) == NULL);
+  CHECK(thinbench_isa_name(0) != NULL && thinbench_isa_name(99) == NULL);
+  CHECK(strchr(thinbench_version(), '.') != NULL);
+}
+
+int main(void) {
+  CHECK(strcmp(thinbench_last_error(), "") == 0);
+  thins_images_and_stacks();
+  thinner_equals_thin();
+  finds_regions_and_labels();
+  fills_holes_and_finds_edges();
+  rejects_invalid_arguments();
+  lists_what_there_is();
+  if (failures == 0) printf("all passed\n");
+  return failures;
+}

@@ -1,0 +1,118 @@
+"""README's example builds against an installation, by pkg-config and as part of another project."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from conftest import ROOT, code_block, readme_block, reuse, run
+
+OUTPUT = readme_block("text", "iterations").strip()
+
+
+@pytest.fixture(scope="module")
+def prefix(build: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    directory = tmp_path_factory.mktemp("prefix")
+    run("cmake", "--install", build, "--prefix", directory)
+    return directory
+
+
+def write_example(directory: Path, cmake: str) -> None:
+    (directory / "example.cpp").write_text(readme_block("cpp", "int main"))
+    (directory / "CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.25)\nproject(example CXX)\n{cmake}")
+
+
+def build_and_run(directory: Path, *options: object, **variables: str) -> str:
+    run("cmake", "-G", "Ninja", "-B", "build", *options, cwd=directory, **variables)
+    run("cmake", "--build", "build", cwd=directory, **variables)
+    return run("build/example", cwd=directory).strip()
+
+
+def test_readme_example_has_at_most_15_lines():
+    lines = readme_block("cpp", "int main").splitlines()
+    assert len([line for line in lines if line.strip()]) <= 15
+
+
+@pytest.mark.parametrize("library", ["thinbench", "thinbench_shared"])
+def test_find_package(prefix, library, tmp_path):
+    cmake = readme_block("cmake", "find_package")
+    write_example(tmp_path, cmake.replace("thinbench::thinbench", f"thinbench::{library}"))
+    assert build_and_run(tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}") == OUTPUT
+
+
+def test_find_package_rejects_another_minor_version(prefix, tmp_path):
+    write_example(tmp_path, "find_package(thinbench 9.9 QUIET)\n"
+                            "message(STATUS \"found: ${thinbench_FOUND}\")\n")
+    text = run("cmake", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", cwd=tmp_path)
+    assert "found: 0" in text
+
+
+def test_pkg_config(prefix, tmp_path):
+    write_example(tmp_path, "")
+    (directory,) = prefix.rglob("pkgconfig")
+    flags = run("pkg-config", "--cflags", "--libs", "thinbench",
+                PKG_CONFIG_PATH=str(directory)).split()
+    run("g++", "-std=c++20", "example.cpp", "-o", "example", *flags, cwd=tmp_path)
+    assert run(tmp_path / "example", LD_LIBRARY_PATH=str(directory.parent)).strip() == OUTPUT
+
+
+def test_pkg_config_static(prefix, tmp_path):
+    write_example(tmp_path, "")
+    (directory,) = prefix.rglob("pkgconfig")
+    flags = run("pkg-config", "--static", "--cflags", "--libs", "thinbench",
+                PKG_CONFIG_PATH=str(directory)).split()
+    flags[flags.index("-lthinbench")] = "-l:libthinbench.a"
+    run("g++", "-std=c++20", "example.cpp", "-o", "example", *flags, cwd=tmp_path)
+    assert run(tmp_path / "example").strip() == OUTPUT
+
+
+def test_c_example_of_the_documentation(prefix, tmp_path):
+    (tmp_path / "example.c").write_text(code_block("docs/library.md", "c", "int main"))
+    (directory,) = prefix.rglob("pkgconfig")
+    flags = run("pkg-config", "--cflags", "--libs", "thinbench",
+                PKG_CONFIG_PATH=str(directory)).split()
+    run("gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "example.c", "-o",
+        "example", *flags, cwd=tmp_path)
+    skeleton = run(tmp_path / "example", LD_LIBRARY_PATH=str(directory.parent))
+    assert 5 <= skeleton.count("#") <= 14
+    assert len(skeleton.splitlines()) == 12
+
+
+def test_opencv_example_of_the_documentation(prefix, tmp_path):
+    (tmp_path / "example.cpp").write_text(code_block("docs/library.md", "cpp", "opencv.hpp"))
+    flags = run("pkg-config", "--cflags", "opencv4").split()
+    run("g++", "-std=c++20", "-fsyntax-only", f"-I{prefix}/include", *flags, "example.cpp",
+        cwd=tmp_path)
+
+
+def test_add_subdirectory(build, tmp_path):
+    """Without options: a subproject builds the library alone and forces nothing on its parent."""
+    (tmp_path / "thinbench").symlink_to(ROOT)
+    write_example(tmp_path, readme_block("cmake", "add_subdirectory") +
+                  "\nget_property(tests DIRECTORY thinbench PROPERTY BUILDSYSTEM_TARGETS)\n"
+                  "message(STATUS \"type '${CMAKE_BUILD_TYPE}' standard '${CMAKE_CXX_STANDARD}' "
+                  "targets '${tests}'\")\n")
+    assert build_and_run(tmp_path, **reuse(build)) == OUTPUT
+    assert "type '' standard '' targets 'thinbench_flags'" in run("cmake", "build", cwd=tmp_path)
+
+
+def test_installed_headers_are_the_public_ones(prefix):
+    found = {path.relative_to(prefix / "include").as_posix()
+             for path in (prefix / "include").rglob("*") if path.is_file()}
+    public = ROOT / "kernels" / "include"
+    assert found == {path.relative_to(public).as_posix() for path in public.rglob("*.h*")}
+
+
+def test_exported_symbols_are_the_recorded_ones(prefix):
+    """THINBENCH_RECORD_SYMBOLS=1 records them anew."""
+    (library,) = [path for path in prefix.rglob("libthinbench.so.*") if not path.is_symlink()]
+    text = run("nm", "-DC", "--defined-only", library)
+    symbols = sorted({line.split(" ", 2)[2] for line in text.splitlines()})
+    golden = Path(__file__).with_name("exported_symbols.txt")
+    if "THINBENCH_RECORD_SYMBOLS" in os.environ:
+        golden.write_text("\n".join(symbols) + "\n")
+    assert symbols == golden.read_text().splitlines()
+    assert not [name for name in symbols if not name.startswith(("thinbench", "THINBENCH"))]

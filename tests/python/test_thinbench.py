@@ -1,0 +1,215 @@
+"""The Python interface: results, arrays of all shapes and strides, errors, threads, memory."""
+
+from __future__ import annotations
+
+import doctest
+import gc
+import importlib
+import resource
+import threading
+import tracemalloc
+
+import numpy as np
+import pytest
+
+import thinbench
+from images import random_image
+from thinbench._thinning import RULES
+
+MODULES = ["thinbench", "thinbench._thinning", "thinbench._images", "thinbench._catalogue",
+           "thinbench.compat", "thinbench.compat.cv2", "thinbench.compat.skimage"]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_in_docstrings_hold(name):
+    result = doctest.testmod(importlib.import_module(name))
+    assert result.failed == 0 and result.attempted > 0
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_views_of_any_strides_equal_their_copies_and_are_not_modified(rule):
+    base = np.random.RandomState(1).rand(40, 50, 3) < 0.6
+    for view in (base[:, :, 1], base[::-1, ::-1, 0], base[:, :, 2].T, base[3:3, :, 0],
+                 base[5:20, 7:30].view(np.uint8)[:, :, 0]):
+        before = view.copy()
+        np.testing.assert_array_equal(thinbench.thin(view, rule),
+                                      thinbench.thin(np.ascontiguousarray(view), rule))
+        np.testing.assert_array_equal(view, before)
+
+
+def test_bool_and_uint8_give_the_same_skeleton_in_their_own_type():
+    image = random_image(11)
+    as_bool = thinbench.thin(image)
+    as_bytes = thinbench.thin(image * np.uint8(7))
+    assert as_bool.dtype == bool and as_bytes.dtype == np.uint8
+    assert set(np.unique(as_bool.view(np.uint8))) <= {0, 1}
+    np.testing.assert_array_equal(as_bytes, as_bool * np.uint8(255))
+
+
+@pytest.mark.parametrize("rule", ["guo_hall", "spta", "zhang_suen_skimage"])
+@pytest.mark.parametrize("options", [{}, {"border": "keep"}, {"max_iterations": 2},
+                                     {"threads": 2}])
+def test_stack_equals_its_images(rule, options):
+    stack = np.random.RandomState(2).rand(33, 20, 31) < 0.7
+    result, iterations = thinbench.thin(stack, rule, return_iterations=True, **options)
+    single = [thinbench.thin(image, rule, return_iterations=True, **options) for image in stack]
+    np.testing.assert_array_equal(result, [image for image, _ in single])
+    assert iterations == max(count for _, count in single)
+    np.testing.assert_array_equal(thinbench.thin(stack[::2, :, ::-1], rule, **options),
+                                  thinbench.thin(stack[::2, :, ::-1].copy(), rule, **options))
+
+
+def test_out_receives_the_result_and_may_be_the_image():
+    image = random_image(3)
+    expected = thinbench.thin(image)
+    out = np.empty_like(image)
+    assert thinbench.thin(image, out=out) is out
+    np.testing.assert_array_equal(out, expected)
+    thinbench.thin(image, out=image)
+    np.testing.assert_array_equal(image, expected)
+
+
+@pytest.mark.parametrize("shape", [(0, 0), (0, 5), (5, 0), (1, 1), (0, 3, 4), (2, 0, 4)])
+def test_small_and_empty_images_are_accepted(shape):
+    assert thinbench.thin(np.ones(shape, bool)).shape == shape
+    if len(shape) == 2:
+        assert thinbench.fill_holes(np.ones(shape, bool)).shape == shape
+        assert thinbench.regions(np.ones(shape, bool), return_labels=True)[1].shape == shape
+
+
+def read_only() -> np.ndarray:
+    array = np.zeros((4, 4), bool)
+    array.flags.writeable = False
+    return array
+
+
+IMAGE = np.ones((4, 4), bool)
+
+
+@pytest.mark.parametrize(("call", "error", "message"), [
+    (lambda out: thinbench.thin(np.ones((4, 4))), TypeError, "float64"),
+    (lambda out: thinbench.thin(np.full((4, 4), np.nan)), TypeError, "float64"),
+    (lambda out: thinbench.thin(np.ones((4, 4), object)), TypeError, "object"),
+    (lambda out: thinbench.thin(np.ones((4, 4), np.int8)), TypeError, "int8"),
+    (lambda out: thinbench.thin([[1, 0]]), TypeError, "int64"),
+    (lambda out: thinbench.thin(np.ones(4, bool)), ValueError, r"\(4,\)"),
+    (lambda out: thinbench.thin(np.ones((1, 2, 3, 4), bool)), ValueError, r"\(1, 2, 3, 4\)"),
+    (lambda out: thinbench.fill_holes(np.ones((2, 3, 4), bool)), ValueError, r"\(2, 3, 4\)"),
+    (lambda out: thinbench.regions(np.ones((2, 3, 4), bool)), ValueError, r"\(2, 3, 4\)"),
+    (lambda out: thinbench.thin(IMAGE, "zhang", out=out), ValueError, "'zhang'"),
+    (lambda out: thinbench.thin(IMAGE, 3, out=out), TypeError, "3"),
+    (lambda out: thinbench.thin(IMAGE, border="wrap", out=out), ValueError, "'wrap'"),
+    (lambda out: thinbench.thin(IMAGE, max_iterations=0, out=out), ValueError, "got 0"),
+    (lambda out: thinbench.thin(IMAGE, max_iterations=-5, out=out), ValueError, "got -5"),
+    (lambda out: thinbench.thin(IMAGE, max_iterations=1.5, out=out), TypeError, "1.5"),
+    (lambda out: thinbench.thin(IMAGE, max_iterations=2**40, out=out), ValueError, str(2**40)),
+    (lambda out: thinbench.thin(IMAGE, threads=0, out=out), ValueError, "got 0"),
+    (lambda out: thinbench.thin(IMAGE, threads=True, out=out), TypeError, "True"),
+    (lambda out: thinbench.thin(IMAGE, out=out[:, ::2]), ValueError, r"\(4, 2\)"),
+    (lambda out: thinbench.thin(IMAGE, out=out.T[::-1]), ValueError, "strides"),
+    (lambda out: thinbench.thin(IMAGE, out=read_only()), ValueError, "read-only"),
+    (lambda out: thinbench.thin(IMAGE, out=[[0]]), TypeError, "list"),
+    (lambda out: thinbench.thin(IMAGE, out=out.view(np.uint8)), ValueError, "uint8"),
+    (lambda out: thinbench.edges(IMAGE), TypeError, "bool"),
+    (lambda out: thinbench.edges(np.ones((4, 4), np.uint8), "canny"), ValueError, "'canny'"),
+    (lambda out: thinbench.edges(np.ones((4, 4), np.uint8), gradient_threshold=256), ValueError,
+     "256"),
+    (lambda out: thinbench.euler_number(IMAGE, 6), ValueError, "6"),
+    (lambda out: thinbench.localise(np.ones((4, 4), np.uint8), brightness_threshold=-1),
+     ValueError, "-1"),
+    (lambda out: thinbench.variants("none"), ValueError, "'none'"),
+])
+def test_invalid_arguments_are_rejected_in_one_line_and_nothing_is_written(call, error, message):
+    out = np.full((4, 4), True)
+    with pytest.raises(error, match=message) as caught:
+        call(out)
+    assert "\n" not in str(caught.value)
+    assert out.all()
+
+
+def test_partial_overlap_is_rejected():
+    memory = np.zeros(100, bool)
+    with pytest.raises(ValueError, match="overlap"):
+        thinbench.thin(memory[:64].reshape(8, 8), out=memory[8:72].reshape(8, 8))
+
+
+def test_regions_agree_with_scipy():
+    ndimage = pytest.importorskip("scipy.ndimage")
+    for seed in range(200):
+        image = random_image(seed)
+        table, labels = thinbench.regions(image, return_labels=True)
+        expected, count = ndimage.label(image, np.ones((3, 3)))
+        objects = np.flatnonzero(~table["is_hole"])
+        assert len(objects) == count
+        np.testing.assert_array_equal(np.where(image, labels, 0), expected)
+        filled = ndimage.binary_fill_holes(image)
+        np.testing.assert_array_equal(thinbench.fill_holes(image), filled)
+        np.testing.assert_array_equal(labels > count, filled & ~image)
+        for index, label in enumerate(table["label"]):
+            ys, xs = np.nonzero(labels == label)
+            row = [table[name][index] for name in (
+                "area", "centroid-0", "centroid-1", "bbox-0", "bbox-1", "bbox-2", "bbox-3")]
+            np.testing.assert_allclose(row, [len(ys), ys.mean(), xs.mean(), ys.min(), xs.min(),
+                                             ys.max() + 1, xs.max() + 1])
+        assert thinbench.euler_number(image) == count - table["is_hole"].sum()
+
+
+def test_localise_finds_an_object_and_its_hole():
+    picture = np.full((60, 60), 255, np.uint8)
+    picture[10:50, 10:50] = 0
+    picture[25:35, 25:35] = 255
+    found = thinbench.localise(picture)
+    np.testing.assert_array_equal(found["is_hole"], [False, True])
+    np.testing.assert_array_equal(found["parent"], [0, 1])
+    np.testing.assert_allclose(found["centroid-0"], 29.5)
+
+
+def test_eight_threads_at_once_give_equal_results():
+    image = random_image(7, 300)
+    expected = thinbench.thin(image)
+    wrong: list[int] = []
+
+    def work() -> None:
+        for _ in range(1000 // 8):
+            if not np.array_equal(thinbench.thin(image), expected):
+                wrong.append(1)
+
+    threads = [threading.Thread(target=work) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+
+
+def test_calls_leak_no_memory():
+    image = random_image(7, 300)
+
+    def work(calls: int) -> None:
+        for _ in range(calls):
+            thinbench.thin(image)
+            thinbench.regions(image, return_labels=True)
+            with pytest.raises(ValueError):
+                thinbench.thin(image, "none")
+
+    work(100)
+    gc.collect()
+    tracemalloc.start()
+    work(10)
+    before = tracemalloc.get_traced_memory()[0]
+    resident = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    work(1000)
+    gc.collect()
+    assert tracemalloc.get_traced_memory()[0] - before < 100_000
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - resident < 4096  # KiB
+    tracemalloc.stop()
+
+
+def test_catalogue_names_what_can_run():
+    assert "guo_hall" in thinbench.rules()
+    assert thinbench.cpu()["baseline"]
+    found = thinbench.variants("zhang_suen")
+    assert {"lut", "simd_bitpacked"} <= {variant.technique for variant in found}
+    for variant in found:
+        assert (variant.unavailable is None) or not thinbench.cpu()[variant.isa] or (
+            variant.unavailable)

@@ -1,0 +1,43 @@
+"""mypy finds nothing in the package, and its annotations serve a typed caller."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+CALLER = """
+import numpy as np
+import numpy.typing as npt
+import thinbench
+
+image: npt.NDArray[np.uint8] = np.ones((4, 4), np.uint8)
+skeleton = thinbench.thin(image)
+pair: tuple[npt.NDArray[np.uint8], int] = thinbench.thin(image, return_iterations=True)
+columns, labels = thinbench.regions(image, return_labels=True)
+thinbench.thin(image, threads="2")  # expected error
+"""
+
+
+def mypy(*arguments: object, cwd: Path) -> str:
+    if shutil.which("mypy") is None:
+        pytest.skip("mypy is not installed")
+    run = subprocess.run(["mypy", "--no-error-summary", "--cache-dir", "/dev/null",
+                          *map(str, arguments)], cwd=cwd, text=True, capture_output=True,
+                         check=False)
+    return run.stdout + run.stderr
+
+
+def test_package_is_typed():
+    assert mypy("--strict", "python/thinbench", cwd=ROOT) == ""
+
+
+def test_annotations_serve_a_typed_caller(tmp_path, monkeypatch):
+    monkeypatch.setenv("MYPYPATH", str(ROOT / "python"))
+    (tmp_path / "caller.py").write_text(CALLER)
+    errors = [line for line in mypy("caller.py", cwd=tmp_path).splitlines() if "error:" in line]
+    assert len(errors) == 1 and errors[0].startswith("caller.py:10") and '"thin"' in errors[0]
