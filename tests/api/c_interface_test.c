@@ -160,6 +160,7 @@ static void packed_equals_bytes(void) {
   int32_t iterations = 0, expected = 0;
   const thinbench_stack source = {&bytes[0][0], 1, kHeight, kWidth, kWidth, kWidth * kHeight};
   const thinbench_output output = {&bytes[0][0], kWidth, kWidth * kHeight, 0};
+  draw();
   for (int lsb_first = 0; lsb_first < 2; ++lsb_first) {
     const thinbench_packed image = {&packed[0][0], kHeight, kWidth, kRow, lsb_first};
     for (int y = 0; y < kHeight; ++y) {
