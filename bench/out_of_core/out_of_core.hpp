@@ -14,10 +14,10 @@ namespace thinbench {
 
 struct OutOfCoreRun {
   Rule rule;
-  std::string in;
-  std::string out;  // may be the same file
-  PackedFormat format;
-  Tiling tiling;
+  std::string in = {};
+  std::string out = {};  // may be the same file
+  PackedFormat format = {};
+  Tiling tiling = {};
   Border border = Border::background;
   int max_iterations = kUnlimited;
   int threads = 1;

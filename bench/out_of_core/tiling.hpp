@@ -19,12 +19,12 @@ namespace thinbench {
 /// times the rule's reach and at most a tile's side: what is wrong at the edge of the halo does not
 /// reach the tile, and what a tile of the next pass depends on is in its eight neighbours.
 struct Tiling {
-  Index width;  // of the image
-  Index height;
-  Index tile_width;  // a multiple of 8
-  Index tile_height;
-  Index halo;
-  int iterations;
+  Index width = 0;  // of the image
+  Index height = 0;
+  Index tile_width = 0;  // a multiple of 8
+  Index tile_height = 0;
+  Index halo = 0;
+  int iterations = 0;
 
   [[nodiscard]] Index columns() const { return (width + tile_width - 1) / tile_width; }
   [[nodiscard]] Index rows() const { return (height + tile_height - 1) / tile_height; }

@@ -35,8 +35,8 @@ WorkFiles::WorkFiles(const std::string& in, const std::string& out, const Packed
                      int files, std::string identity)
     : in_(in), out_(out), format_(format), identity_(std::move(identity)) {
   check_target(out);
-  const std::string hidden = "." + std::filesystem::path(out).filename().string() + ".thinbench-";
-  const std::string base = (std::filesystem::path(directory_of(out)) / hidden).string();
+  const std::string base = fmt::format("{}/.{}.thinbench-", directory_of(out),
+                                       std::filesystem::path(out).filename().string());
   names_ = {base + "a", base + "b"};
   state_name_ = base + "state";
   check_space(files);

@@ -46,11 +46,11 @@ void expect_equal_to_thin(const ByteImage& image, OutOfCoreRun options, int iter
 TEST_P(OutOfCore, equals_thin_on_noise_of_odd_widths) {
   const auto [rule, border] = GetParam();
   std::uint64_t seed = 0;
-  for (const Index width : {1, 64, 127, 193, 300}) {
-    for (const Index granularity : {1, 4, 20}) {
+  for (const Index width : {1, 127, 300}) {
+    for (const Index granularity : {2, 20}) {
       const ByteImage image = noise_image(width, 150, 75, granularity, ++seed);
       const BitOrder order = seed % 2 == 0 ? BitOrder::msb_first : BitOrder::lsb_first;
-      for (const int iterations : {1, 2, 5}) {
+      for (const int iterations : {1, 4}) {
         expect_equal_to_thin(image, {.rule = rule, .border = border}, iterations, order);
       }
     }

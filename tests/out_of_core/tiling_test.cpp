@@ -75,7 +75,7 @@ TEST(WithNeighbours, marks_the_eight_neighbours) {
   std::vector<bool> tiles(16);
   tiles[5] = true;
   std::vector<bool> expected(16);
-  for (const std::size_t tile : {0, 1, 2, 4, 5, 6, 8, 9, 10}) expected[tile] = true;
+  for (const std::size_t tile : {0U, 1U, 2U, 4U, 5U, 6U, 8U, 9U, 10U}) expected[tile] = true;
   EXPECT_EQ(with_neighbours(tiling, tiles), expected);
 }
 
