@@ -5,11 +5,11 @@
 #include <sstream>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
+#include "cli/packed_run.hpp"
+#include "cli/summary.hpp"
 #include "cli/variant_choice.hpp"
 #include "harness/operation.hpp"
 #include "images/binarise.hpp"
@@ -27,6 +27,7 @@ struct RunOptions {
   std::string directions;
   Options how;
   BinariseOptions binarise;
+  PackedOptions packed;
 };
 
 /// The directions named in a list such as "rows,columns"; all where the list is empty.
@@ -86,12 +87,18 @@ Thinned thinned(const detail::ThinningOperation& operation, const detail::Thinni
   return result;
 }
 
-/// "90 x 40, 7 iterations, 1200 foreground pixels before, 130 after, 0.042 ms".
 std::string summary(const ByteImage& objects, const Thinned& result) {
-  return fmt::format("{} x {}, {} iteration{}, {} foreground pixels before, {} after, {:.3f} ms",
-                     objects.width(), objects.height(), result.iterations,
-                     result.iterations == 1 ? "" : "s", foreground_pixels(objects.view()),
-                     foreground_pixels(result.skeleton.view()), result.milliseconds);
+  return text_of(RunSummary{objects.width(), objects.height(), result.iterations,
+                            foreground_pixels(objects.view()),
+                            foreground_pixels(result.skeleton.view()), result.milliseconds});
+}
+
+/// Options that choose the foreground among grey levels.
+void reject_binarise_options(const BinariseOptions& options) {
+  const std::string words = binarise_words(options);
+  if (words.empty()) return;
+  throw UsageError(words.substr(1, words.find(' ', 1) - 1) +
+                   " does not apply to packed files, whose foreground is 1");
 }
 
 int run(const RunOptions& options, const Console& console) {
@@ -99,6 +106,10 @@ int run(const RunOptions& options, const Console& console) {
   Options how = options.how;
   how.net = net_from_file(operation, options.weights);
   how.directions = directions_named(operation, options.directions);
+  if (is_packed_run(options.packed, options.out)) {
+    reject_binarise_options(options.binarise);
+    return run_packed(options.packed, operation, options.in, options.out, how, console);
+  }
   check_extension(options.out);
   std::ostringstream remarks;  // failures are one line, without them
   const ByteImage objects = read_binary(options.in, options.binarise, &remarks);
@@ -124,7 +135,8 @@ Command add_run_command(CLI::App& program) {
       ->required()
       ->type_name("");
   app->add_option("IN", options->in, "Image to read")->required()->type_name("");
-  app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")
+  app->add_option("OUT", options->out,
+                  "Image to write: .png, .pgm, .bmp, .tif or, from PBM (P4), .pbm")
       ->required()
       ->type_name("");
   add_variant_options(*app, options->how);
@@ -148,6 +160,7 @@ Command add_run_command(CLI::App& program) {
       ->check(whole_number(1, INT_MAX))
       ->type_name("N");
   add_binarise_options(*app, options->binarise);
+  add_packed_options(*app, options->packed);
   app->footer(R"(Examples:
   thinbench run thin_naccache_shinghal drawing.png skeleton.png
   thinbench run thin_naccache_shinghal parts.jpg skeleton.png --foreground dark --threshold 100
@@ -155,10 +168,13 @@ Command add_run_command(CLI::App& program) {
   thinbench run thin_zhang_suen parts.png skeleton.png --border keep --max-iterations 3
   thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
   thinbench run skeleton_scan parts.png marks.png --directions rows,columns
+  thinbench run thin_guo_hall page.pbm skeleton.pbm
+  thinbench run thin_guo_hall map.pbm skeleton.pbm --out-of-core --memory 256M
 
 OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
 you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
-need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)");
+need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment. In packed files (.pbm, --raw) 1 is
+foreground; they may have up to 2^40 pixels.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

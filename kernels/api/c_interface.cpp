@@ -12,6 +12,7 @@
 #include "thinbench/batch.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 #include "thinbench/version.hpp"
@@ -261,6 +262,21 @@ thinbench_status thinbench_thin(const char* rule, const thinbench_stack* source,
     } else {
       count = thin_stack(rule_of(rule), from, to, options_of(options), destination);
     }
+    if (iterations != nullptr) *iterations = count;
+  });
+}
+
+thinbench_status thinbench_thin_packed(const char* rule, const thinbench_packed* source,
+                                       uint8_t* destination, ptrdiff_t destination_stride,
+                                       const thinbench_options* options, int32_t* iterations) {
+  return guarded([&] {
+    require_pointer(source, "source");
+    const BitOrder order = source->lsb_first != 0 ? BitOrder::lsb_first : BitOrder::msb_first;
+    const int count =
+        thin(rule_of(rule),
+             ConstPackedView(source->data, source->width, source->height, source->stride, order),
+             PackedView(destination, source->width, source->height, destination_stride, order),
+             options_of(options));
     if (iterations != nullptr) *iterations = count;
   });
 }

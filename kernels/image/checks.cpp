@@ -12,7 +12,8 @@ namespace {
   throw std::invalid_argument(reason);
 }
 
-std::string text_of(const ConstImageView& view) {
+template <class View>
+std::string text_of(const View& view) {
   return size_text(view.width, view.height);
 }
 
@@ -43,6 +44,30 @@ void check_view(const ConstImageView& view, const char* name) {
   if (view.data == nullptr && view.width > 0 && view.height > 0) {
     reject(name + std::string(" has no data"));
   }
+}
+
+template <class View>
+void check_same_size(const View& source, const View& destination) {
+  if (source.width == destination.width && source.height == destination.height) return;
+  reject("source is " + text_of(source) + " and destination " + text_of(destination) +
+         "; they must have the same size");
+}
+
+/// Checks a packed image and returns its bytes as an image.
+ConstImageView check_packed(const ConstPackedView& view, const char* name) {
+  if (view.width < 0 || view.height < 0) reject(name + (" has the size " + text_of(view)));
+  const Index row_bytes = packed_row_bytes(view.width);
+  if (view.stride < row_bytes) {
+    reject(name + (" has a stride of " + std::to_string(view.stride)) + " bytes; its rows of " +
+           std::to_string(view.width) + " pixels take " + std::to_string(row_bytes));
+  }
+  if (view.order != BitOrder::msb_first && view.order != BitOrder::lsb_first) {
+    reject(name + (" has the bit order " + std::to_string(static_cast<int>(view.order))) +
+           "; expected msb_first or lsb_first");
+  }
+  const ConstImageView bytes(view.data, row_bytes, view.height, view.stride);
+  check_view(bytes, name);
+  return bytes;
 }
 
 bool same_image(const ConstImageView& a, const ConstImageView& b) {
@@ -141,13 +166,21 @@ void check_views(const ConstImageView& source, const ConstImageView& destination
                  InPlace in_place) {
   check_view(source, "source");
   check_view(destination, "destination");
-  if (source.width != destination.width || source.height != destination.height) {
-    reject("source is " + text_of(source) + " and destination " + text_of(destination) +
-           "; they must have the same size");
-  }
+  check_same_size(source, destination);
   if (!overlap(source, destination)) return;
   if (in_place == InPlace::rejected) reject("source and destination overlap");
   if (!same_image(source, destination)) {
+    reject("source and destination overlap without being the same image");
+  }
+}
+
+void check_views(const ConstPackedView& source, const ConstPackedView& destination) {
+  const ConstImageView from = check_packed(source, "source");
+  const ConstImageView to = check_packed(destination, "destination");
+  check_same_size(source, destination);
+  const bool share_bytes = image_bytes(from) > 0 &&
+                           ranges_overlap(from.data, image_bytes(from), to.data, image_bytes(to));
+  if (share_bytes && !same_image(from, to)) {
     reject("source and destination overlap without being the same image");
   }
 }

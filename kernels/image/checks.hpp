@@ -5,6 +5,7 @@
 #include <string>
 
 #include "thinbench/image_view.hpp"
+#include "thinbench/packed.hpp"
 
 namespace thinbench::detail {
 
@@ -25,6 +26,10 @@ enum class InPlace : bool { rejected, allowed };
 /// Rejects a negative size, a stride below the width, a view that exceeds the address space, a null
 /// image, sizes that differ, or an overlap. `in_place`: whether both may be the same image.
 void check_views(const ConstImageView& source, const ConstImageView& destination, InPlace in_place);
+
+/// The same for packed images, which may be the same image; views side by side count as
+/// overlapping.
+void check_views(const ConstPackedView& source, const ConstPackedView& destination);
 
 /// The same for an image of labels; rejects any overlap.
 void check_views(const ConstImageView& source, const LabelView& labels);

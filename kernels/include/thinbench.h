@@ -73,6 +73,23 @@ THINBENCH_API thinbench_status thinbench_thin(const char* rule, const thinbench_
                                               const thinbench_options* options,
                                               int32_t* iterations);
 
+/* A binary image of 8 pixels per byte; every row starts with a new byte, and the stride is in
+ * bytes. 1 is foreground. Unused bits of a row's last byte have no meaning. */
+typedef struct thinbench_packed {
+  const uint8_t* data;
+  ptrdiff_t height;
+  ptrdiff_t width;
+  ptrdiff_t stride;
+  int32_t lsb_first; /* nonzero: the first pixel is the lowest bit; 0: the highest, as in PBM */
+} thinbench_packed;
+
+/* The same as thinbench_thin for one packed image. The destination has the source's size and bit
+ * order; its unused bits are set to 0. It is the source, with the same stride, or shares no byte
+ * with it. */
+THINBENCH_API thinbench_status thinbench_thin_packed(
+    const char* rule, const thinbench_packed* source, uint8_t* destination,
+    ptrdiff_t destination_stride, const thinbench_options* options, int32_t* iterations);
+
 /* A thinner for images of one size, with memory allocated once. One call at a time. */
 typedef struct thinbench_thinner thinbench_thinner;
 

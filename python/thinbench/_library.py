@@ -14,6 +14,7 @@ _library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench.so")))
 # Structs are passed as packed bytes, which is faster than ctypes.Structure.
 STACK = struct.Struct("Pnnnnn")  # data, count, height, width, stride, image_stride
 OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
+PACKED = struct.Struct("Pnnni4x")  # data, height, width, stride, lsb_first
 _OPTIONS = struct.Struct("NiiiPP")  # size, keep_border, max_iterations, threads, isa, technique
 _VARIANT = struct.Struct("NPPiP")
 
@@ -32,6 +33,8 @@ def _function(name: str, *arguments: type, result: type | None = _INT) -> Callab
 _last_error = _function("last_error", result=_BYTES)
 version = _function("version", result=_BYTES)
 thin = _function("thin", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
+thin_packed = _function(
+    "thin_packed", _BYTES, _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
 edges = _function("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 find_regions = _function(
     "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)

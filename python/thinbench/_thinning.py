@@ -14,6 +14,17 @@ RULES = {name: name.encode() for name in _library.all_names(_library.rule_name)}
 _BORDERS = {"background": b"background", "keep": b"keep"}
 
 
+def options_for(border: str, max_iterations: int | None, threads: int) -> bytes:
+    """A thinbench_options struct."""
+    keep = _arrays.one_of("border", border, _BORDERS) == b"keep"
+    limit = 0
+    if max_iterations is not None:
+        limit = _arrays.integer("max_iterations", max_iterations)
+        if limit < 1:
+            raise ValueError(f"max_iterations: expected at least 1, got {limit}")
+    return _library.options(keep, limit, _arrays.integer("threads", threads))
+
+
 @overload
 def thin(image: npt.ArrayLike, rule: str = ..., *, border: str = ...,
          max_iterations: int | None = ..., threads: int = ...,
@@ -90,13 +101,7 @@ def thin(image: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "backgro
     """
     image = _arrays.binary(image, 3)
     name = _arrays.one_of("rule", rule, RULES)
-    keep = _arrays.one_of("border", border, _BORDERS) == b"keep"
-    limit = 0
-    if max_iterations is not None:
-        limit = _arrays.integer("max_iterations", max_iterations)
-        if limit < 1:
-            raise ValueError(f"max_iterations: expected at least 1, got {limit}")
-    options = _library.options(keep, limit, _arrays.integer("threads", threads))
+    options = options_for(border, max_iterations, threads)
     result = _arrays.result_for(image, out)
     stack, kept_alive = _arrays.source(image)
     iterations = ctypes.c_int32() if return_iterations else None

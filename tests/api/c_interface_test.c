@@ -145,6 +145,42 @@ static void rejects(thinbench_status status, const char* value) {
   }
 }
 
+/* Row y of the packed image: bits of the pixels 8 x to 8 x + 7. */
+static uint8_t packed_byte(const uint8_t* row, int x, int width, int lsb_first) {
+  uint8_t byte = 0;
+  for (int i = 0; i < 8 && 8 * x + i < width; ++i) {
+    if (row[8 * x + i] != 0) byte |= (uint8_t)(lsb_first ? 1 << i : 128 >> i);
+  }
+  return byte;
+}
+
+static void packed_equals_bytes(void) {
+  enum { kWidth = 21, kHeight = 9, kRow = 3 };
+  uint8_t bytes[kHeight][kWidth], packed[kHeight][kRow], result[kHeight][kRow];
+  int32_t iterations = 0, expected = 0;
+  const thinbench_stack source = {&bytes[0][0], 1, kHeight, kWidth, kWidth, kWidth * kHeight};
+  const thinbench_output output = {&bytes[0][0], kWidth, kWidth * kHeight, 0};
+  draw();
+  for (int lsb_first = 0; lsb_first < 2; ++lsb_first) {
+    const thinbench_packed image = {&packed[0][0], kHeight, kWidth, kRow, lsb_first};
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) bytes[y][x] = x > 1 && y > 1 && x < 18 && y < 8 ? 1 : 0;
+      for (int x = 0; x < kRow; ++x) packed[y][x] = packed_byte(bytes[y], x, kWidth, lsb_first);
+    }
+    CHECK(thinbench_thin("guo_hall", &source, &output, NULL, &expected) == THINBENCH_OK);
+    CHECK(thinbench_thin_packed("guo_hall", &image, &result[0][0], kRow, NULL, &iterations) ==
+          THINBENCH_OK);
+    CHECK(iterations == expected && iterations > 1);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kRow; ++x) {
+        CHECK(result[y][x] == packed_byte(bytes[y], x, kWidth, lsb_first));
+      }
+    }
+    rejects(thinbench_thin_packed("guo_hall", &image, &result[0][0], 2, NULL, NULL), "stride of 2");
+    rejects(thinbench_thin_packed("guo_hall", NULL, &result[0][0], kRow, NULL, NULL), "source");
+  }
+}
+
 static void rejects_invalid_arguments(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
@@ -207,6 +243,7 @@ int main(void) {
   thinner_equals_thin();
   finds_regions_and_labels();
   fills_holes_and_finds_edges();
+  packed_equals_bytes();
   rejects_invalid_arguments();
   lists_what_there_is();
   if (failures == 0) printf("all passed\n");

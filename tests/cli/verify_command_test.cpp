@@ -105,7 +105,9 @@ TEST(VerifyCommand, rejects_invalid_arguments_before_it_starts) {
 class IdleState final : public detail::ThinningState {
  public:
   void load(const ConstImageView& source) override { image_ = copy_of(source); }
+  void load(const ConstPackedView&) override {}
   int thin() override { return 1; }
+  void store(const PackedView&) const override {}
   void store(const ImageView& destination) const override {
     for (Index y = 0; y < destination.height; ++y) {
       std::copy_n(image_.view().row(y), destination.width, destination.row(y));

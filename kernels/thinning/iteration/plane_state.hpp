@@ -1,6 +1,7 @@
 // States that hold the image in a plane. They pack and unpack it by bands of rows.
 #pragma once
 
+#include "image/packed_rows.hpp"
 #include "image/packing.hpp"
 #include "image/planes.hpp"
 #include "image/thread_team.hpp"
@@ -58,6 +59,13 @@ void read_planes(const BandTeam& team, const ConstImageView& view, Planes<T>& pl
   });
 }
 
+template <class T>
+void read_planes(const BandTeam& team, const ConstPackedView& view, Planes<T>& planes) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    read_packed(rows_of_view(view, first, last), rows_of_view(planes.source.view(), first, last));
+  });
+}
+
 /// The function that writes rows of an image with `pixels` pixels. Large images use non-temporal
 /// stores.
 template <class T>
@@ -73,6 +81,13 @@ void write_planes(const BandTeam& team, const Planes<T>& planes, const ImageView
   });
 }
 
+template <class T>
+void write_planes(const BandTeam& team, const Planes<T>& planes, const PackedView& view) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    write_packed(rows_of_view(planes.result.view(), first, last), rows_of_view(view, first, last));
+  });
+}
+
 /// Implements load() and store(); derived classes implement thin() with the same threads.
 template <class T>
 struct PlaneState : ThinningState {
@@ -82,7 +97,9 @@ struct PlaneState : ThinningState {
         team(bands.threads()) {}
 
   void load(const ConstImageView& view) override { read_planes(bands, view, planes); }
+  void load(const ConstPackedView& view) override { read_planes(bands, view, planes); }
   void store(const ImageView& view) const override { write_planes(bands, planes, view); }
+  void store(const PackedView& view) const override { write_planes(bands, planes, view); }
 
   /// The loaded image.
   [[nodiscard]] ConstPlaneView<T> source() const { return planes.source.view(); }

@@ -27,12 +27,25 @@ TileState::TileState(const TileEngine& engine, const ThinningSetting& setting)
   while (rows_.size() < bands) rows_.emplace_back(setting.width, kTileRows);
 }
 
-void TileState::load(const ConstImageView& source) {
+template <class View>
+void TileState::load_planes(const View& source) {
   if (!planes_) planes_.emplace(setting_.isa, setting_.width, setting_.height);
   read_planes(team_, source, *planes_);
 }
 
+void TileState::load(const ConstImageView& source) {
+  load_planes(source);
+}
+
+void TileState::load(const ConstPackedView& source) {
+  load_planes(source);
+}
+
 void TileState::store(const ImageView& destination) const {
+  write_planes(team_, planes_.value(), destination);
+}
+
+void TileState::store(const PackedView& destination) const {
   write_planes(team_, planes_.value(), destination);
 }
 
@@ -68,20 +81,35 @@ void TileState::for_tile_rows(const Body& body) {
   });
 }
 
-int TileState::run(const ConstImageView& source, const ImageView& destination) {
+template <class Read, class Write>
+int TileState::run_by_tile_rows(const Read& read, const Write& write) {
   const TileGridView& grid = workspace_.grid().view();
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
-    conversion_.read(rows_of_tiles(source, row), rows);
+    read(row, rows);
     engine_.layout->load_rows(grid, rows, row);
   });
   const int iterations =
       iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
-  const auto write = row_writer(conversion_, setting_.width * setting_.height);
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     engine_.layout->store_rows(grid, rows, row);
-    write(rows, rows_of_tiles(destination, row));
+    write(row, rows);
   });
   return iterations;
+}
+
+int TileState::run(const ConstImageView& source, const ImageView& destination) {
+  const auto write = row_writer(conversion_, setting_.width * setting_.height);
+  return run_by_tile_rows(
+      [&](Index row, const BitPlaneView& to) { conversion_.read(rows_of_tiles(source, row), to); },
+      [&](Index row, const BitPlaneView& from) { write(from, rows_of_tiles(destination, row)); });
+}
+
+int TileState::run(const ConstPackedView& source, const PackedView& destination) {
+  return run_by_tile_rows(
+      [&](Index row, const BitPlaneView& to) { read_packed(rows_of_tiles(source, row), to); },
+      [&](Index row, const BitPlaneView& from) {
+        write_packed(from, rows_of_tiles(destination, row));
+      });
 }
 
 }  // namespace thinbench::detail

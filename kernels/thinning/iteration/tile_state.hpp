@@ -15,14 +15,22 @@ class TileState final : public ThinningState {
 
   /// Converts one row of tiles at a time, so that its packed rows stay in the L1 cache.
   int run(const ConstImageView& source, const ImageView& destination) override;
+  int run(const ConstPackedView& source, const PackedView& destination) override;
 
   /// The separate steps need planes, which the first load() allocates. run() does not, and so takes
   /// a third of the memory.
   void load(const ConstImageView& source) override;
+  void load(const ConstPackedView& source) override;
   int thin() override;
   void store(const ImageView& destination) const override;
+  void store(const PackedView& destination) const override;
 
  private:
+  template <class View>
+  void load_planes(const View& source);
+  /// Thins rows of tiles that `read(tile_row, rows)` fills and `write(tile_row, rows)` takes.
+  template <class Read, class Write>
+  int run_by_tile_rows(const Read& read, const Write& write);
   /// Calls `body(tile_row, rows)` for every row of tiles. `rows` is a buffer for its pixels.
   template <class Body>
   void for_tile_rows(const Body& body);

@@ -1,0 +1,239 @@
+#include "images/packed_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace thinbench {
+namespace {
+
+[[noreturn]] void cannot(const char* what, const std::string& path, const std::string& why) {
+  throw FileError(fmt::format("cannot {} '{}': {}", what, path, why));
+}
+
+[[noreturn]] void cannot_by_errno(const char* what, const std::string& path) {
+  const int number = errno;
+  cannot(what, path,
+         number == ENOENT ? "there is no such file" : std::generic_category().message(number));
+}
+
+/// Reads the fields of a PBM header.
+class PbmHeader {
+ public:
+  explicit PbmHeader(std::string_view text) : text_(text) {}
+
+  /// The next number; nothing if there is none.
+  std::optional<Index> number() {
+    skip_spaces_and_comments();
+    Index value = 0;
+    const char* const end = text_.data() + text_.size();
+    const auto result = std::from_chars(text_.data() + position_, end, value);
+    if (result.ec != std::errc() || result.ptr == end) return std::nullopt;
+    position_ = static_cast<std::size_t>(result.ptr - text_.data());
+    return value;
+  }
+
+  /// The header with the one space that ends it; nothing if another character follows.
+  [[nodiscard]] std::optional<std::string> whole() const {
+    if (position_ >= text_.size() || !is_space(text_[position_])) return std::nullopt;
+    return std::string(text_.substr(0, position_ + 1));
+  }
+
+ private:
+  static bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+  void skip_spaces_and_comments() {
+    while (position_ < text_.size() && (is_space(text_[position_]) || text_[position_] == '#')) {
+      if (text_[position_] == '#') position_ = std::min(text_.find('\n', position_), text_.size());
+      if (position_ < text_.size()) ++position_;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t position_ = 2;  // after "P4"
+};
+
+/// The beginning of a file: more than any usual header.
+std::string beginning_of(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) cannot_by_errno("read", path);
+  std::array<char, 4096> bytes;
+  const ssize_t count = ::read(descriptor, bytes.data(), bytes.size());
+  close(descriptor);
+  if (count < 0) cannot_by_errno("read", path);
+  return {bytes.data(), static_cast<std::size_t>(count)};
+}
+
+/// The number of set bits, by operations that compilers vectorise on any processor.
+Index bits_of(std::uint64_t word) {
+  word -= word >> 1 & 0x5555555555555555;
+  word = (word & 0x3333333333333333) + (word >> 2 & 0x3333333333333333);
+  word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0F;
+  word += word >> 8;
+  word += word >> 16;
+  word += word >> 32;
+  return static_cast<Index>(word & 0x7F);
+}
+
+}  // namespace
+
+PackedFormat pbm_format(const std::string& path) {
+  const std::string text = beginning_of(path);
+  if (text.rfind("P4", 0) != 0) cannot("read", path, "it is not a binary PBM file (P4)");
+  PbmHeader header(text);
+  const std::optional<Index> width = header.number();
+  const std::optional<Index> height = header.number();
+  const std::optional<std::string> whole = header.whole();
+  if (!width || !height || !whole) cannot("read", path, "its PBM header is damaged");
+  constexpr Index max_side = Index{1} << 40;
+  if (*width < 1 || *height < 1 || *width > max_side || *height > max_side / *width) {
+    cannot("read", path,
+           fmt::format("its size is {} x {}; expected 1 to 2^40 pixels", *width, *height));
+  }
+  return {*width, *height, BitOrder::msb_first, *whole};
+}
+
+PackedFile::PackedFile(const std::string& path, const PackedFormat& format, int flags)
+    : path_(path), format_(format), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) cannot_by_errno(flags == O_RDONLY ? "read" : "write", path);
+}
+
+PackedFile PackedFile::open(const std::string& path, const PackedFormat& format) {
+  PackedFile file(path, format, O_RDONLY);
+  file.check_length();
+  return file;
+}
+
+PackedFile PackedFile::create(const std::string& path, const PackedFormat& format) {
+  PackedFile file(path, format, O_RDWR | O_CREAT | O_TRUNC);
+  file.write_bytes(reinterpret_cast<const std::uint8_t*>(format.header.data()),
+                   format.header_bytes(), 0);
+  if (ftruncate(file.descriptor_, format.file_bytes()) != 0) cannot_by_errno("write", path);
+  return file;
+}
+
+PackedFile PackedFile::reopen(const std::string& path, const PackedFormat& format) {
+  PackedFile file(path, format, O_RDWR);
+  file.check_length();
+  return file;
+}
+
+PackedFile::PackedFile(PackedFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      format_(std::move(other.format_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+PackedFile& PackedFile::operator=(PackedFile&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(format_, other.format_);
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+PackedFile::~PackedFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+void PackedFile::check_length() const {
+  struct stat facts {};
+  if (fstat(descriptor_, &facts) != 0) cannot_by_errno("read", path_);
+  if (!S_ISREG(facts.st_mode)) cannot("read", path_, "it is not a regular file");
+  if (facts.st_size == format_.file_bytes()) return;
+  cannot("read", path_,
+         fmt::format("it has {} bytes; {} x {} pixels take {}", facts.st_size, format_.width,
+                     format_.height, format_.file_bytes()));
+}
+
+void PackedFile::read_bytes(std::uint8_t* to, Index count, Index offset) const {
+  while (count > 0) {
+    const ssize_t got = pread(descriptor_, to, static_cast<std::size_t>(count), offset);
+    if (got == 0) cannot("read", path_, "the file is truncated");
+    if (got < 0 && errno != EINTR) cannot_by_errno("read", path_);
+    const Index done = std::max<Index>(got, 0);
+    to += done;
+    count -= done;
+    offset += done;
+  }
+}
+
+void PackedFile::write_bytes(const std::uint8_t* from, Index count, Index offset) const {
+  while (count > 0) {
+    const ssize_t put = pwrite(descriptor_, from, static_cast<std::size_t>(count), offset);
+    if (put < 0 && errno != EINTR) cannot_by_errno("write", path_);
+    const Index done = std::max<Index>(put, 0);
+    from += done;
+    count -= done;
+    offset += done;
+  }
+}
+
+Index PackedFile::offset_of(const Block& block) const {
+  return format_.header_bytes() + block.y * format_.row_bytes() + block.x / 8;
+}
+
+bool PackedFile::has_whole_rows(const Block& block) const {
+  return block.row_bytes() == format_.row_bytes();
+}
+
+void PackedFile::read(const Block& block, std::uint8_t* to) const {
+  const Index bytes = block.row_bytes();
+  if (has_whole_rows(block)) {
+    read_bytes(to, bytes * block.height, offset_of(block));
+  } else {
+    for (Index y = 0; y < block.height; ++y) {
+      read_bytes(to + y * bytes, bytes, offset_of(block) + y * format_.row_bytes());
+    }
+  }
+  const int unused = static_cast<int>(bytes * 8 - block.width);
+  if (unused == 0) return;
+  const int used = format_.order == BitOrder::msb_first ? 0xFF << unused : 0xFF >> unused;
+  for (Index y = 0; y < block.height; ++y) {
+    std::uint8_t& last = to[y * bytes + bytes - 1];
+    last = static_cast<std::uint8_t>(last & used);
+  }
+}
+
+void PackedFile::write(const Block& block, const std::uint8_t* from, Index stride) const {
+  const Index bytes = block.row_bytes();
+  if (has_whole_rows(block) && stride == bytes) {
+    write_bytes(from, bytes * block.height, offset_of(block));
+    return;
+  }
+  for (Index y = 0; y < block.height; ++y) {
+    write_bytes(from + y * stride, bytes, offset_of(block) + y * format_.row_bytes());
+  }
+}
+
+void PackedFile::synchronise() const {
+  if (fdatasync(descriptor_) != 0) cannot_by_errno("write", path_);
+}
+
+Index packed_foreground(const ConstPackedView& image) {
+  const Index bytes = packed_row_bytes(image.width);
+  Index count = 0;
+  for (Index y = 0; y < image.height; ++y) {
+    const std::uint8_t* row = image.row(y);
+    Index i = 0;
+    for (; i + 8 <= bytes; i += 8) {
+      std::uint64_t word;
+      std::memcpy(&word, row + i, sizeof(word));
+      count += bits_of(word);
+    }
+    for (; i < bytes; ++i) count += bits_of(row[i]);
+  }
+  return count;
+}
+
+}  // namespace thinbench

@@ -1,0 +1,176 @@
+#include "out_of_core/out_of_core.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "api/catalogue.hpp"
+#include "image/checks.hpp"
+#include "out_of_core/tile_worker.hpp"
+#include "out_of_core/work_files.hpp"
+
+namespace thinbench {
+namespace {
+
+const detail::ThinningOperation& checked_operation(const OutOfCoreRun& run) {
+  const detail::ThinningOperation& operation = detail::operation_of(run.rule);
+  detail::require(reach_of_iteration(run.rule).has_value(),
+                  std::string(operation.name) +
+                      " cannot run on tiles; only rules that compute all pixels of a "
+                      "sub-iteration from the same image can");
+  detail::require_threads(run.threads);
+  detail::require(run.max_iterations >= 1,
+                  "max_iterations: expected an integer of at least 1, got " +
+                      std::to_string(run.max_iterations));
+  return operation;
+}
+
+/// What must be equal for a run to be resumed.
+std::string identity_of(const OutOfCoreRun& run) {
+  std::error_code ignored;
+  const auto written = std::filesystem::last_write_time(run.in, ignored).time_since_epoch();
+  return fmt::format(
+      "{} of {} x {} pixels, border {}, {} iterations at most, tiles of {} x {} and {}, input of "
+      "{}",
+      rule_info(run.rule).operation, run.format.width, run.format.height, border_name(run.border),
+      run.max_iterations, run.tiling.tile_width, run.tiling.tile_height, run.tiling.iterations,
+      written.count());
+}
+
+class OutOfCore {
+ public:
+  explicit OutOfCore(const OutOfCoreRun& run)
+      : run_(run),
+        operation_(checked_operation(run)),
+        options_{.border = run.border,
+                 .isa = run.isa,
+                 .technique = Technique::simd_bitpacked_tiles},  // takes the least memory
+        files_(run.in, run.out, run.format, run.tiling.count() > 1 ? 2 : 1, identity_of(run)) {
+    const Index workers = std::min<Index>(run.threads, run.tiling.count());
+    for (Index i = 0; i < workers; ++i) {
+      workers_.push_back(
+          std::make_unique<TileWorker>(operation_, options_, run_.tiling, run_.format.order));
+    }
+  }
+
+  OutOfCoreResult thin() {
+    begin();
+    while (true) {
+      files_.open(state_.passes);
+      const int iterations =
+          std::min(run_.tiling.iterations, run_.max_iterations - state_.iterations);
+      run_pass(iterations);
+      add_outcomes(iterations);
+      const bool at_rest = std::ranges::none_of(state_.tiles, &TileState::unsettled);
+      if (at_rest || state_.iterations >= run_.max_iterations) {
+        const OutOfCoreResult result = {at_rest ? last_iteration(iterations) : run_.max_iterations,
+                                        state_.passes, state_.foreground_before,
+                                        state_.foreground_after};
+        files_.finish();
+        return result;
+      }
+      files_.save(state_);
+    }
+  }
+
+ private:
+  void begin() {
+    const auto checkpoint = run_.resume ? files_.load(run_.tiling.count()) : std::nullopt;
+    if (checkpoint) {
+      state_ = *checkpoint;
+    } else {
+      files_.drop_checkpoint();
+      state_.tiles.assign(static_cast<std::size_t>(run_.tiling.count()), {true, true});
+    }
+  }
+
+  /// Tiles that can change in the next pass: what did not come to rest, and its neighbours.
+  [[nodiscard]] std::vector<bool> active_tiles() const {
+    std::vector<bool> unsettled;
+    for (const TileState& tile : state_.tiles) unsettled.push_back(tile.unsettled);
+    return with_neighbours(run_.tiling, unsettled);
+  }
+
+  void run_pass(int iterations) {
+    active_ = active_tiles();
+    outcomes_.assign(state_.tiles.size(), {});
+    std::atomic<Index> next = 0;
+    tbb::parallel_for(std::size_t{0}, workers_.size(), [&](std::size_t worker) {
+      for (Index tile = next++; tile < run_.tiling.count(); tile = next++) {
+        if (run_.on_tile) run_.on_tile(state_.passes, tile);
+        run_tile(*workers_[worker], tile, iterations);
+      }
+    });
+  }
+
+  /// Before a pass, its target holds the image before the last pass; new targets hold nothing.
+  void run_tile(TileWorker& worker, Index tile, int iterations) {
+    const auto i = static_cast<std::size_t>(tile);
+    const bool target_is_old = state_.passes < 2 || state_.tiles[i].changed;
+    if (!active_[i]) {
+      if (!target_is_old) return;
+      worker.read(files_.source(), tile);
+      worker.write(files_.target());
+      return;
+    }
+    outcomes_[i] = worker.advance(files_.source(), tile, iterations);
+    if (target_is_old || outcomes_[i].state.changed) worker.write(files_.target());
+  }
+
+  void add_outcomes(int iterations) {
+    for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+      state_.tiles[i] = outcomes_[i].state;
+      if (state_.passes == 0) state_.foreground_before += outcomes_[i].before;
+      state_.foreground_after += outcomes_[i].after - outcomes_[i].before;
+    }
+    if (state_.passes == 0) state_.foreground_after += state_.foreground_before;
+    ++state_.passes;
+    state_.iterations += iterations;
+  }
+
+  /// The number of iterations of thin(), after the pass in which all tiles came to rest.
+  [[nodiscard]] int last_iteration(int iterations) {
+    std::vector<Index> tiles(outcomes_.size());
+    std::iota(tiles.begin(), tiles.end(), Index{0});
+    std::ranges::sort(tiles, std::greater{}, [&](Index tile) { return bound(tile); });
+    int last = 0;
+    for (const Index tile : tiles) {
+      if (bound(tile) <= last) break;
+      last = workers_.front()->last_change(files_.source(), tile,
+                                           outcomes_[static_cast<std::size_t>(tile)], last);
+    }
+    const Index total = Index{state_.iterations} - iterations + last + 1;
+    return static_cast<int>(std::min<Index>(total, run_.max_iterations));
+  }
+  [[nodiscard]] int bound(Index tile) const {
+    return outcomes_[static_cast<std::size_t>(tile)].last_change;
+  }
+
+  const OutOfCoreRun& run_;
+  const detail::ThinningOperation& operation_;
+  Options options_;
+  WorkFiles files_;
+  Checkpoint state_;
+  std::vector<bool> active_;
+  std::vector<TileOutcome> outcomes_;
+  std::vector<std::unique_ptr<TileWorker>> workers_;
+};
+
+}  // namespace
+
+Index block_bytes_for(Index memory, int threads) {
+  return memory / threads / kMemoryPerBlockByte;
+}
+
+OutOfCoreResult thin_out_of_core(const OutOfCoreRun& run) {
+  return OutOfCore(run).thin();
+}
+
+}  // namespace thinbench

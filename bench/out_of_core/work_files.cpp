@@ -1,0 +1,97 @@
+#include "out_of_core/work_files.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+namespace thinbench {
+namespace {
+
+/// The bytes on disk that a file takes already; 0 if there is none.
+Index allocated_bytes(const std::string& path) {
+  struct stat facts {};
+  return stat(path.c_str(), &facts) == 0 ? static_cast<Index>(facts.st_blocks) * 512 : 0;
+}
+
+std::string directory_of(const std::string& path) {
+  const std::string directory = std::filesystem::path(path).parent_path().string();
+  return directory.empty() ? "." : directory;
+}
+
+std::string megabytes(Index bytes) {
+  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
+
+}  // namespace
+
+WorkFiles::WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
+                     int files, std::string identity)
+    : in_(in), out_(out), format_(format), identity_(std::move(identity)) {
+  check_target(out);
+  const std::string base = fmt::format("{}/.{}.thinbench-", directory_of(out),
+                                       std::filesystem::path(out).filename().string());
+  names_ = {base + "a", base + "b"};
+  state_name_ = base + "state";
+  check_space(files);
+}
+
+WorkFiles::~WorkFiles() {
+  if (!is_resumable_) remove_files();
+}
+
+void WorkFiles::check_space(int files) const {
+  struct statvfs facts {};
+  const std::string directory = directory_of(out_);
+  if (statvfs(directory.c_str(), &facts) != 0) return;  // writing will fail or not
+  const Index free = static_cast<Index>(facts.f_bavail) * static_cast<Index>(facts.f_frsize) +
+                     allocated_bytes(names_[0]) + allocated_bytes(names_[1]);
+  const Index needed = files * format_.file_bytes();
+  if (needed <= free) return;
+  throw FileError(fmt::format("cannot write '{}': the work files need {}, '{}' has {} free", out_,
+                              megabytes(needed), directory, megabytes(free)));
+}
+
+void WorkFiles::remove_files() const {
+  for (const std::string& name : names_) unlink(name.c_str());
+}
+
+std::optional<Checkpoint> WorkFiles::load(Index tiles) const {
+  return load_checkpoint(state_name_, identity_, tiles);
+}
+
+void WorkFiles::drop_checkpoint() {
+  unlink(state_name_.c_str());
+  is_resumable_ = false;
+}
+
+void WorkFiles::open(int pass) {
+  source_ = pass == 0
+                ? PackedFile::open(in_, format_)
+                : PackedFile::reopen(names_[static_cast<std::size_t>((pass - 1) % 2)], format_);
+  const std::string& name = names_[static_cast<std::size_t>(pass % 2)];
+  target_ = pass < 2 ? PackedFile::create(name, format_) : PackedFile::reopen(name, format_);
+}
+
+void WorkFiles::save(const Checkpoint& checkpoint) {
+  target_.synchronise();
+  save_checkpoint(state_name_, identity_, checkpoint);
+  is_resumable_ = true;
+}
+
+// The checkpoint is removed first: a run killed in between begins again, from an unchanged input.
+void WorkFiles::finish() {
+  drop_checkpoint();
+  if (std::rename(target_.path().c_str(), out_.c_str()) != 0) {
+    throw FileError("cannot write '" + out_ + "': " + std::generic_category().message(errno));
+  }
+  remove_files();
+}
+
+}  // namespace thinbench

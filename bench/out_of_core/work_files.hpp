@@ -1,0 +1,57 @@
+// The files beside the output of a run on an image larger than memory.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "images/packed_file.hpp"
+#include "out_of_core/checkpoint.hpp"
+
+namespace thinbench {
+
+/// Pass p reads what pass p - 1 wrote, the first one the input, and writes file p % 2. Both have
+/// the format of the output, so that the last one written becomes the output.
+class WorkFiles {
+ public:
+  /// Checks that the directory of `out` has room for `files` work files. `identity` as in
+  /// Checkpoint.
+  WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format, int files,
+            std::string identity);
+  /// Removes the files if the checkpoint was removed.
+  ~WorkFiles();
+  WorkFiles(const WorkFiles&) = delete;
+  WorkFiles& operator=(const WorkFiles&) = delete;
+  WorkFiles(WorkFiles&&) = delete;
+  WorkFiles& operator=(WorkFiles&&) = delete;
+
+  /// The checkpoint of an interrupted run, if there is one.
+  [[nodiscard]] std::optional<Checkpoint> load(Index tiles) const;
+  /// Removes the checkpoint: the run begins again, or has ended.
+  void drop_checkpoint();
+
+  /// Opens the files of a pass.
+  void open(int pass);
+  [[nodiscard]] const PackedFile& source() const { return source_; }
+  [[nodiscard]] const PackedFile& target() const { return target_; }
+  /// Saves the state after a pass, with all that the pass wrote.
+  void save(const Checkpoint& checkpoint);
+  /// Makes the target the output and removes the rest.
+  void finish();
+
+ private:
+  void check_space(int files) const;
+  void remove_files() const;
+
+  std::string in_;
+  std::string out_;
+  PackedFormat format_;
+  std::string identity_;
+  std::array<std::string, 2> names_;
+  std::string state_name_;
+  PackedFile source_;
+  PackedFile target_;
+  bool is_resumable_ = true;
+};
+
+}  // namespace thinbench

@@ -1,0 +1,174 @@
+// Images in files, thinned by tiles: equal to thin() in memory.
+#include "out_of_core/out_of_core.hpp"
+
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "harness/test_images.hpp"
+#include "out_of_core/packed_files.hpp"
+#include "scene/scene.hpp"
+#include "support/file_size_limit.hpp"
+#include "support/rejection.hpp"
+#include "support/rule_parameters.hpp"
+
+namespace thinbench {
+namespace {
+
+using Names = std::set<std::string>;
+
+class OutOfCore : public testing::TestWithParam<RuleAndBorder> {
+ protected:
+  void SetUp() override {
+    if (!reach_of_iteration(std::get<0>(GetParam()))) GTEST_SKIP() << "not for tiles";
+  }
+};
+
+/// Thins by tiles and in memory, and compares pixels, iterations and counts.
+void expect_equal_to_thin(const ByteImage& image, OutOfCoreRun options, int iterations,
+                          BitOrder order = BitOrder::msb_first) {
+  const PackedImage source(image.view(), order);
+  PackedImage expected(image.width(), image.height(), order);
+  const int expected_iterations =
+      thin(options.rule, source.view(), expected.view(),
+           {.border = options.border, .max_iterations = options.max_iterations});
+  options.tiling = small_tiles(options.rule, source.view(), iterations);
+  const PreparedRun prepared(source, options);
+  const OutOfCoreResult result = thin_out_of_core(prepared.run);
+  EXPECT_EQ(result.iterations, expected_iterations) << iterations << " per pass";
+  EXPECT_EQ(result.foreground_before, packed_foreground(source.view()));
+  EXPECT_EQ(result.foreground_after, packed_foreground(expected.view()));
+  EXPECT_TRUE(prepared.result() == raw_bytes(expected)) << iterations << " per pass";
+  EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
+}
+
+TEST_P(OutOfCore, equals_thin_on_noise_of_odd_widths) {
+  const auto [rule, border] = GetParam();
+  std::uint64_t seed = 0;
+  for (const Index width : {1, 127, 300}) {
+    for (const Index granularity : {2, 20}) {
+      const ByteImage image = noise_image(width, 150, 75, granularity, ++seed);
+      const BitOrder order = seed % 2 == 0 ? BitOrder::msb_first : BitOrder::lsb_first;
+      for (const int iterations : {1, 4}) {
+        expect_equal_to_thin(image, {.rule = rule, .border = border}, iterations, order);
+      }
+    }
+  }
+}
+
+TEST_P(OutOfCore, equals_thin_on_scenes) {
+  const auto [rule, border] = GetParam();
+  for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
+    expect_equal_to_thin(render_scene({kind}).binary, {.rule = rule, .border = border}, 4);
+  }
+}
+
+TEST_P(OutOfCore, stops_after_the_maximum_number_of_iterations) {
+  const auto [rule, border] = GetParam();
+  const ByteImage image = noise_image(200, 100, 85, 12, 5);
+  for (int max_iterations = 1; max_iterations <= 12; ++max_iterations) {
+    expect_equal_to_thin(image, {.rule = rule, .border = border, .max_iterations = max_iterations},
+                         3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, OutOfCore, all_rules_and_borders(), rule_and_border_test_name);
+
+TEST(OutOfCore, counts_the_iterations_of_a_long_last_pass) {
+  // One thick bar among thin ones: its tile changes long after all others.
+  ByteImage image(500, 100);
+  for (Index y = 0; y < 100; ++y) {
+    for (Index x = 0; x < 500; ++x) {
+      image.at(x, y) = y % 8 < 3 || (x > 220 && x < 258 && y > 20 && y < 90) ? 255 : 0;
+    }
+  }
+  for (const int iterations : {2, 7, 15, 16, 30}) {
+    expect_equal_to_thin(image, {.rule = Rule::guo_hall}, iterations);
+  }
+}
+
+TEST(OutOfCore, single_tile_and_several_threads_give_the_same) {
+  const PackedImage source(noise_image(700, 500, 80, 9, 8).view(), BitOrder::msb_first);
+  PackedImage expected(700, 500, BitOrder::msb_first);
+  const int iterations = thin(Rule::mb2, source.view(), expected.view());
+  for (const int threads : {1, 3}) {
+    for (const Index bytes : {1 << 11, 1 << 20}) {
+      OutOfCoreRun options{.rule = Rule::mb2, .threads = threads};
+      options.tiling = tiling_for(700, 500, 2, bytes);
+      const PreparedRun prepared(source, options);
+      EXPECT_EQ(thin_out_of_core(prepared.run).iterations, iterations) << bytes;
+      EXPECT_TRUE(prepared.result() == raw_bytes(expected)) << bytes;
+    }
+  }
+}
+
+TEST(OutOfCore, keeps_the_header_of_pbm_files_and_may_overwrite_its_input) {
+  const PackedImage source(noise_image(150, 90, 80, 9, 8).view(), BitOrder::msb_first);
+  PackedImage expected(150, 90, BitOrder::msb_first);
+  thin(Rule::guo_hall, source.view(), expected.view());
+  const TemporaryDirectory directory;
+  const std::string header = "P4\n# by hand\n150 90\n";
+  const std::string file = directory.with("image.pbm", header + raw_bytes(source));
+  OutOfCoreRun run{.rule = Rule::guo_hall, .in = file, .out = file, .format = pbm_format(file)};
+  run.tiling = small_tiles(Rule::guo_hall, source.view(), 2);
+  thin_out_of_core(run);
+  EXPECT_EQ(bytes_of(file), header + raw_bytes(expected));
+  EXPECT_EQ(directory.names(), Names{"image.pbm"});
+}
+
+PreparedRun prepared_noise(const OutOfCoreRun& options) {
+  const PackedImage source(noise_image(150, 90, 80, 9, 8).view(), BitOrder::msb_first);
+  OutOfCoreRun run = options;
+  run.tiling = {150, 90, 64, 32, 8, 2};
+  return {source, run};
+}
+
+TEST(OutOfCore, rules_without_a_bounded_reach_are_rejected) {
+  for (const Rule rule : {Rule::spta, Rule::midpoint_scan, Rule::net_two_layer_linear}) {
+    const PreparedRun prepared = prepared_noise({.rule = rule});
+    EXPECT_EQ(rejection_of([&] { thin_out_of_core(prepared.run); }),
+              std::string(rule_info(rule).operation) +
+                  " cannot run on tiles; only rules that compute all pixels of a sub-iteration "
+                  "from the same image can");
+    EXPECT_EQ(prepared.directory.names(), Names{"in"});
+  }
+}
+
+TEST(OutOfCore, input_of_another_length_is_rejected) {
+  PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
+  prepared.run.format.height = 91;
+  EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
+            "cannot read '" + prepared.run.in + "': it has 1710 bytes; 150 x 91 pixels take 1729");
+  EXPECT_EQ(prepared.directory.names(), Names{"in"});
+}
+
+TEST(OutOfCore, missing_directory_is_reported_before_the_work) {
+  PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
+  prepared.run.out = prepared.directory.file("none/out");
+  EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
+            "cannot write '" + prepared.run.out + "': there is no directory '" +
+                prepared.directory.file("none") + "'");
+}
+
+TEST(OutOfCore, too_little_space_is_reported_before_the_work) {
+  PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
+  prepared.run.format = {Index{1} << 30, Index{1} << 30};
+  const std::string error = rejection_of<FileError>([&] { thin_out_of_core(prepared.run); });
+  EXPECT_NE(error.find("the work files need 288230376151.7 MB"), std::string::npos) << error;
+  EXPECT_TRUE(is_one_sentence(error)) << error;
+}
+
+TEST(OutOfCore, failed_write_leaves_nothing_behind) {
+  const PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
+  std::string error;
+  {
+    const FileSizeLimit limit(1000);
+    error = rejection_of<FileError>([&] { thin_out_of_core(prepared.run); });
+  }
+  EXPECT_NE(error.find("cannot write '"), std::string::npos) << error;
+  EXPECT_EQ(prepared.directory.names(), Names{"in"});
+}
+
+}  // namespace
+}  // namespace thinbench

@@ -1,0 +1,117 @@
+// Runs that are killed at every tile and resumed.
+#include <csignal>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "harness/test_images.hpp"
+#include "out_of_core/packed_files.hpp"
+#include "support/rejection.hpp"
+
+namespace thinbench {
+namespace {
+
+using Names = std::set<std::string>;
+
+/// A run of several passes.
+PreparedRun thick_strokes() {
+  const PackedImage source(noise_image(260, 130, 75, 24, 3).view(), BitOrder::msb_first);
+  return {source,
+          {.rule = Rule::guo_hall, .tiling = small_tiles(Rule::guo_hall, source.view(), 3)}};
+}
+
+struct Expected {
+  std::string bytes;
+  int iterations;
+  int passes;
+};
+
+Expected undisturbed() {
+  const PreparedRun prepared = thick_strokes();
+  const OutOfCoreResult result = thin_out_of_core(prepared.run);
+  return {prepared.result(), result.iterations, result.passes};
+}
+
+/// Runs in another process, which dies by SIGKILL before its tile number `tiles`. False if the run
+/// ended before.
+bool run_and_kill(OutOfCoreRun run, int tiles) {
+  const pid_t child = fork();
+  if (child == 0) {
+    run.on_tile = [&](int, Index) {
+      if (tiles-- == 0) kill(getpid(), SIGKILL);
+    };
+    thin_out_of_core(run);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status);
+}
+
+TEST(Resume, gives_the_same_result_after_a_kill_at_any_tile) {
+  const Expected expected = undisturbed();
+  ASSERT_GT(expected.passes, 2);
+  int kills = 0;
+  for (int tiles = 0;; ++tiles) {
+    PreparedRun prepared = thick_strokes();
+    if (!run_and_kill(prepared.run, tiles)) break;
+    ++kills;
+    EXPECT_FALSE(prepared.directory.names().contains("out"));
+    prepared.run.resume = true;
+    const OutOfCoreResult result = thin_out_of_core(prepared.run);
+    EXPECT_TRUE(prepared.result() == expected.bytes) << "killed at tile " << tiles;
+    EXPECT_EQ(result.iterations, expected.iterations);
+    EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
+  }
+  EXPECT_EQ(kills, expected.passes * 25);
+}
+
+TEST(Resume, continues_at_the_interrupted_pass_even_if_killed_again_and_again) {
+  const Expected expected = undisturbed();
+  PreparedRun prepared = thick_strokes();
+  prepared.run.resume = true;
+  int kills = 0;
+  while (run_and_kill(prepared.run, 30)) ++kills;  // one pass and a part of the next
+  EXPECT_EQ(kills, expected.passes - 1);
+  EXPECT_TRUE(prepared.result() == expected.bytes);
+}
+
+TEST(Resume, without_it_a_run_begins_again) {
+  PreparedRun prepared = thick_strokes();
+  ASSERT_TRUE(run_and_kill(prepared.run, 40));
+  int first_pass = -1;
+  prepared.run.on_tile = [&](int pass, Index) { first_pass = first_pass < 0 ? pass : first_pass; };
+  thin_out_of_core(prepared.run);
+  EXPECT_EQ(first_pass, 0);
+  EXPECT_TRUE(prepared.result() == undisturbed().bytes);
+}
+
+TEST(Resume, run_with_other_options_is_rejected_and_keeps_the_files) {
+  PreparedRun prepared = thick_strokes();
+  ASSERT_TRUE(run_and_kill(prepared.run, 40));
+  const Names names = prepared.directory.names();
+  OutOfCoreRun other = prepared.run;
+  other.resume = true;
+  other.border = Border::keep;
+  const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
+  EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+  EXPECT_TRUE(is_one_sentence(error)) << error;
+  EXPECT_EQ(prepared.directory.names(), names);
+  prepared.run.resume = true;
+  thin_out_of_core(prepared.run);
+  EXPECT_TRUE(prepared.result() == undisturbed().bytes);
+}
+
+TEST(Resume, damaged_state_is_reported) {
+  PreparedRun prepared = thick_strokes();
+  ASSERT_TRUE(run_and_kill(prepared.run, 40));
+  const std::string state = prepared.directory.with(".out.thinbench-state", "{\"run\": 3");
+  prepared.run.resume = true;
+  EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
+            "cannot resume from '" + state + "': the file is damaged");
+}
+
+}  // namespace
+}  // namespace thinbench
