@@ -32,6 +32,8 @@ def _function(name: str, *arguments: type, result: type | None = _INT) -> Callab
 _last_error = _function("last_error", result=_BYTES)
 version = _function("version", result=_BYTES)
 thin = _function("thin", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
+thin_labels = _function("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t,
+                        ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
 edges = _function("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 find_regions = _function(
     "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
