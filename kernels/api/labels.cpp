@@ -145,7 +145,7 @@ void choose_canvases(std::vector<Label>& labels, const ConstLabelView& source, b
     label.columns = canvas_side(label.left, label.right, source.width, keep_border, canvas_width);
     label.rows = canvas_side(label.top, label.bottom, source.height, keep_border, canvas_height);
   }
-  std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
+  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
     if (a.columns.size != b.columns.size) return a.columns.size > b.columns.size;
     return a.rows.size > b.rows.size;
   });
