@@ -15,7 +15,8 @@ RULES = {name: name.encode() for name in _library.all_names(_library.rule_name)}
 _KEEPS_BORDER = {"background": b"", "keep": b"1"}
 
 
-def _options(border: str, max_iterations: int | None, threads: int) -> bytes:
+def check_options(border: str, max_iterations: int | None, threads: int) -> bytes:
+    """The options as the C interface takes them."""
     keep = _arrays.one_of("border", border, _KEEPS_BORDER) == b"1"
     limit = 0
     if max_iterations is not None:
@@ -94,7 +95,7 @@ def thin(image: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "backgro
     """
     image = _arrays.binary(image, 3)
     name = _arrays.one_of("rule", rule, RULES)
-    options = _options(border, max_iterations, threads)
+    options = check_options(border, max_iterations, threads)
     result = _arrays.result_for(image, out)
     stack, kept_alive = _arrays.source(image)
     iterations = ctypes.c_int32() if return_iterations else None
@@ -142,7 +143,7 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str = "guo_hall", *,
     """
     arrays = [_arrays.binary(image) for image in images]
     _arrays.one_of("rule", rule, RULES)
-    _options(border, max_iterations, threads)
+    check_options(border, max_iterations, threads)
     groups: dict[tuple[Any, ...], list[int]] = {}
     for index, array in enumerate(arrays):
         groups.setdefault((array.shape, array.dtype), []).append(index)
@@ -212,7 +213,7 @@ def thin_labels(labels: npt.ArrayLike, rule: str = "guo_hall", *, border: str = 
     """
     image = _arrays.labels(labels)
     name = _arrays.one_of("rule", rule, RULES)
-    options = _options(border, max_iterations, threads)
+    options = check_options(border, max_iterations, threads)
     result = _arrays.result_for(image, out)
     source = _arrays.label_rows(image)
     target = result if result.dtype == np.int32 else source
