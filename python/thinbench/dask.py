@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import uuid
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from thinbench._thinning import RULES, check_options
 try:
     import dask
     import dask.array as da
+    from dask.delayed import Delayed
     from dask.highlevelgraph import HighLevelGraph
 except ImportError as error:
     raise ImportError("thinbench.dask needs dask: install python3-dask (Debian) or dask[array] "
@@ -44,6 +46,9 @@ SPREAD = {
     "net_single_layer_cluster": 1,
 }
 """Rules that `thin` supports: how many pixels the effect of a pixel advances in an iteration."""
+
+
+_DIRECTIONS = [(y, x) for y in (-1, 0, 1) for x in (-1, 0, 1) if (y, x) != (0, 0)]
 
 
 def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
@@ -218,17 +223,34 @@ def _until_at_rest(array: Any, rule: str, border: str, depth: int, iterations: i
 def _run_round(blocks: npt.NDArray[Any], active: npt.NDArray[np.bool_], depth: int, rule: str,
                border: str, iterations: int) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
     """Replaces the active blocks; returns which have changed and which were at rest at the end."""
+    name = "thinbench-round-" + uuid.uuid4().hex
     indices = [(int(i), int(j)) for i, j in np.argwhere(active)]
-    advance = dask.delayed(_advance, nout=2, pure=False)
-    results = [advance(_with_halo(blocks, i, j, depth), i > 0, j > 0, depth, rule, border,
-                       iterations) for i, j in indices]
-    persisted = dask.persist(*[block for block, _ in results], *[state for _, state in results])
+    used = _with_neighbours(active)
+    graph = _graph_of(blocks[used])
+    for i, j in np.argwhere(used):
+        graph["edges-" + name, int(i), int(j)] = (_edges, blocks[i, j].key, depth)
+    for i, j in indices:
+        neighbours = _neighbours(i, j, blocks.shape)
+        edges = [("edges-" + name, i + y, j + x) for y, x in neighbours]
+        graph[name, i, j] = (_advance, blocks[i, j].key, neighbours, edges, depth, rule, border,
+                             iterations)
+        graph["block-" + name, i, j] = (itemgetter(0), (name, i, j))
+        graph["state-" + name, i, j] = (itemgetter(1), (name, i, j))
+    layer = HighLevelGraph.from_collections(name, graph)
+    persisted = dask.persist(*[Delayed((part + name, *index), layer, layer=name)
+                               for part in ("block-", "state-") for index in indices])
     states = dask.compute(*persisted[len(indices):])
     changed, at_rest = np.zeros(active.shape, bool), np.ones(active.shape, bool)
     for index, block, state in zip(indices, persisted, states):
         blocks[index] = block
         changed[index], at_rest[index] = state
     return changed, at_rest
+
+
+def _graph_of(blocks: npt.NDArray[Any]) -> dict[Any, Any]:
+    """One graph for all, whose layers would take longer to combine than to compute."""
+    graphs = {id(graph): graph for graph in (block.__dask_graph__() for block in blocks)}
+    return {key: task for graph in graphs.values() for key, task in graph.items()}
 
 
 def _with_neighbours(chunks: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
@@ -242,31 +264,34 @@ def _with_neighbours(chunks: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
     return result
 
 
-def _with_halo(blocks: npt.NDArray[Any], i: int, j: int, depth: int) -> list[list[Any]]:
-    """A block between the strips of its neighbours; those at the image border have fewer."""
-    strips = {-1: slice(-depth, None), 0: slice(None), 1: slice(depth)}
-    part = dask.delayed(_part, pure=False)
-    rows, columns = blocks.shape
-    return [[blocks[y, x] if (y, x) == (i, j) else part(blocks[y, x], strips[y - i], strips[x - j])
-             for x in range(max(j - 1, 0), min(j + 2, columns))]
-            for y in range(max(i - 1, 0), min(i + 2, rows))]
+def _neighbours(i: int, j: int, shape: tuple[int, ...]) -> list[tuple[int, int]]:
+    """The directions in which a block has neighbours."""
+    return [(y, x) for y, x in _DIRECTIONS if 0 <= i + y < shape[0] and 0 <= j + x < shape[1]]
 
 
-def _part(block: npt.NDArray[Any], rows: slice, columns: slice) -> npt.NDArray[Any]:
-    return block[rows, columns].copy()  # a view would keep the whole block in memory
+def _edges(block: npt.NDArray[Any], depth: int) -> dict[tuple[int, int], npt.NDArray[Any]]:
+    """What the neighbour of a block in each direction reads of it.
+
+    One task for all is faster than eight; copies, as views would keep the block in memory.
+    """
+    ends = {-1: slice(depth), 0: slice(None), 1: slice(-depth, None)}
+    return {(y, x): block[ends[y], ends[x]].copy() for y, x in _DIRECTIONS}
 
 
-def _advance(pieces: list[list[npt.NDArray[Any]]], above: bool, left: bool, depth: int, rule: str,
+def _advance(block: npt.NDArray[Any], neighbours: list[tuple[int, int]],
+             edges: list[dict[tuple[int, int], npt.NDArray[Any]]], depth: int, rule: str,
              border: str, iterations: int) -> tuple[npt.NDArray[Any], tuple[bool, bool]]:
     """Thins a block with its halo; also returns whether it has changed and whether it was at rest.
 
     At rest: the last iteration changed nothing in the block, as an iteration before had changed
     nothing anywhere, or as no iteration changed the block: rules only remove pixels.
     """
-    image = np.block(pieces)
-    block = pieces[above][left]
-    inside = tuple(slice(depth * has_halo, depth * has_halo + size)
-                   for has_halo, size in zip((above, left), block.shape))
+    pieces = {(y, x): edge[-y, -x] for (y, x), edge in zip(neighbours, edges)}
+    pieces[0, 0] = block
+    image = np.block([[pieces[y, x] for x in (-1, 0, 1) if (y, x) in pieces]
+                      for y in (-1, 0, 1) if (y, 0) in pieces])
+    inside = tuple(slice(depth * (before in pieces), depth * (before in pieces) + size)
+                   for before, size in zip(((-1, 0), (0, -1)), block.shape))
     thinned, used = thinbench.thin(image, rule, border=border, max_iterations=iterations,
                                    return_iterations=True)
     result = thinned[inside].copy()
