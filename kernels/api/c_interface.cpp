@@ -11,6 +11,7 @@
 #include "thinbench.h"
 #include "thinbench/batch.hpp"
 #include "thinbench/edges.hpp"
+#include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
@@ -277,6 +278,19 @@ thinbench_status thinbench_thin_packed(const char* rule, const thinbench_packed*
              ConstPackedView(source->data, source->width, source->height, source->stride, order),
              PackedView(destination, source->width, source->height, destination_stride, order),
              options_of(options));
+    if (iterations != nullptr) *iterations = count;
+  });
+}
+
+thinbench_status thinbench_thin_labels(const char* rule, const int32_t* source,
+                                       ptrdiff_t source_stride, int32_t* destination,
+                                       ptrdiff_t destination_stride, ptrdiff_t height,
+                                       ptrdiff_t width, const thinbench_options* options,
+                                       int32_t* iterations) {
+  return guarded([&] {
+    const int count =
+        thin_labels(rule_of(rule), {source, width, height, source_stride},
+                    {destination, width, height, destination_stride}, options_of(options));
     if (iterations != nullptr) *iterations = count;
   });
 }

@@ -38,6 +38,14 @@ void check_regions_size(Index width, Index height) {
           "image size " + size_text(width, height) + " is larger than 2^32 pixels");
 }
 
+void check_label_size(Index width, Index height) {
+  constexpr Index max_pixels = Index{1} << 31;
+  check_regions_size(width, height);
+  require(width == 0 || height <= max_pixels / width,
+          "image size " + size_text(width, height) +
+              " is larger than 2^31 pixels, the limit for labels");
+}
+
 void check_thinning_options(const ThinningOperation& operation, const Options& options) {
   const std::string name(operation.name);
   require(options.border == Border::background || options.border == Border::keep,

@@ -25,11 +25,7 @@ std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& s
 
 /// Rejects views that label images cannot be made of; returns whether there are pixels.
 bool check_labels(const ConstImageView& source, const LabelView& labels) {
-  constexpr Index max_pixels = Index{1} << 31;
-  detail::check_regions_size(source.width, source.height);
-  detail::require(source.width == 0 || source.height <= max_pixels / source.width,
-                  "image size " + detail::size_text(source.width, source.height) +
-                      " is larger than 2^31 pixels, the limit for labels");
+  detail::check_label_size(source.width, source.height);
   detail::check_views(source, labels);
   return source.width > 0 && source.height > 0;
 }

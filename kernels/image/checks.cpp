@@ -98,6 +98,17 @@ Index image_bytes(const View& view) {
   return (view.height - 1) * view.stride + view.width;
 }
 
+/// A view of the bytes of labels. `exceed` begins the message if it leaves the address space.
+ConstImageView bytes_of(const ConstLabelView& labels, const char* exceed) {
+  constexpr Index bytes = sizeof(std::int32_t);
+  if (labels.stride > PTRDIFF_MAX / bytes || labels.width > PTRDIFF_MAX / bytes) {
+    reject(exceed + (" the address space: " + size_text(labels.width, labels.height)) +
+           ", stride " + std::to_string(labels.stride));
+  }
+  return {reinterpret_cast<const std::uint8_t*>(labels.data), labels.width * bytes, labels.height,
+          labels.stride * bytes};
+}
+
 bool overlap(const ConstImageView& a, const ConstImageView& b) {
   if (image_bytes(a) == 0) return false;
   return ranges_overlap(a.data, image_bytes(a), b.data, image_bytes(b)) && !side_by_side(a, b);
@@ -186,13 +197,7 @@ void check_views(const ConstPackedView& source, const ConstPackedView& destinati
 }
 
 void check_views(const ConstImageView& source, const LabelView& labels) {
-  constexpr Index bytes = sizeof(std::int32_t);
-  if (labels.stride > PTRDIFF_MAX / bytes || labels.width > PTRDIFF_MAX / bytes) {
-    reject("labels exceed the address space: " + size_text(labels.width, labels.height) +
-           ", stride " + std::to_string(labels.stride));
-  }
-  const ConstImageView as_bytes(reinterpret_cast<const std::uint8_t*>(labels.data),
-                                labels.width * bytes, labels.height, labels.stride * bytes);
+  const ConstImageView as_bytes = bytes_of(labels, "labels exceed");
   check_view(source, "source");
   check_view(as_bytes, "labels");
   if (source.width != labels.width || source.height != labels.height) {
@@ -203,6 +208,15 @@ void check_views(const ConstImageView& source, const LabelView& labels) {
       ranges_overlap(source.data, image_bytes(source), as_bytes.data, image_bytes(as_bytes))) {
     reject("source and labels overlap");
   }
+}
+
+void check_views(const ConstLabelView& source, const LabelView& destination) {
+  if (source.width != destination.width || source.height != destination.height) {
+    reject("source is " + size_text(source.width, source.height) + " and destination " +
+           size_text(destination.width, destination.height) + "; they must have the same size");
+  }
+  check_views(bytes_of(source, "source exceeds"), bytes_of(destination, "destination exceeds"),
+              InPlace::allowed);
 }
 
 void check_stacks(const ConstStackView& source, const ConstStackView& destination) {

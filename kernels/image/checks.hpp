@@ -5,6 +5,7 @@
 #include <string>
 
 #include "thinbench/image_view.hpp"
+#include "thinbench/labels.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench::detail {
@@ -33,6 +34,9 @@ void check_views(const ConstPackedView& source, const ConstPackedView& destinati
 
 /// The same for an image of labels; rejects any overlap.
 void check_views(const ConstImageView& source, const LabelView& labels);
+
+/// The same for two images of labels, which may be the same image.
+void check_views(const ConstLabelView& source, const LabelView& destination);
 
 /// Rejects a negative count or size, a row or an image that does not fit its stride, a stack that
 /// exceeds the address space or has no data, counts or sizes that differ, or a partial overlap.

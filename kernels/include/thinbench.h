@@ -90,6 +90,17 @@ THINBENCH_API thinbench_status thinbench_thin_packed(
     const char* rule, const thinbench_packed* source, uint8_t* destination,
     ptrdiff_t destination_stride, const thinbench_options* options, int32_t* iterations);
 
+/* Thins every label of a height x width image of labels as if it were alone in the image: a pixel
+ * keeps its label where the label's skeleton has it, else it becomes 0. 0 is background; negative
+ * labels are rejected. Strides are in labels; destination may be the source. `options` and
+ * `iterations` as above. */
+THINBENCH_API thinbench_status thinbench_thin_labels(const char* rule, const int32_t* source,
+                                                     ptrdiff_t source_stride, int32_t* destination,
+                                                     ptrdiff_t destination_stride, ptrdiff_t height,
+                                                     ptrdiff_t width,
+                                                     const thinbench_options* options,
+                                                     int32_t* iterations);
+
 /* A thinner for images of one size, with memory allocated once. One call at a time. */
 typedef struct thinbench_thinner thinbench_thinner;
 

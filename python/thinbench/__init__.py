@@ -10,8 +10,8 @@ from thinbench._catalogue import Variant, cpu, rules, variants
 from thinbench._images import edges, euler_number, fill_holes, localise, regions
 from thinbench._library import version as _version
 from thinbench._packed import thin_packed
-from thinbench._thinning import thin
+from thinbench._thinning import thin, thin_labels, thin_many
 
 __version__: str = _version().decode()
 __all__ = ["Variant", "compat", "cpu", "edges", "euler_number", "fill_holes", "localise",
-           "regions", "rules", "thin", "thin_packed", "variants"]
+           "regions", "rules", "thin", "thin_labels", "thin_many", "thin_packed", "variants"]

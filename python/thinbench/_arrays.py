@@ -26,6 +26,17 @@ def binary(image: Any, max_dimensions: int = 2) -> Array:
     return _with_dimensions(image, max_dimensions)
 
 
+def labels(image: Any) -> Array:
+    """A uint16 or int32 image of labels."""
+    image = np.asarray(image)
+    if image.dtype not in (np.dtype(np.uint16), np.dtype(np.int32)):
+        raise TypeError(f"labels: expected dtype uint16 or int32, got {image.dtype}; "
+                        "`labels.astype(np.int32)` makes one")
+    if image.ndim != 2:
+        raise ValueError(f"labels: expected shape (H, W), got {image.shape}")
+    return image
+
+
 def grey(image: Any, name: str = "image") -> Array:
     """A uint8 image of grey levels."""
     image = np.asarray(image)
@@ -69,6 +80,20 @@ def source(image: Array) -> tuple[bytes, Array]:
         stride, image_stride = width, height * width
     address = image.__array_interface__["data"][0]
     return _library.STACK.pack(address, count, height, width, stride, image_stride), image
+
+
+def label_rows(image: Array) -> Array:
+    """The labels as int32 in contiguous rows."""
+    image = image.astype(np.int32, copy=False)
+    stride, step = image.strides
+    if step != 4 or stride % 4 or stride < 4 * image.shape[1]:
+        image = np.ascontiguousarray(image)
+    return image
+
+
+def label_stride(image: Array) -> int:
+    """The distance between rows in labels, which NumPy gives as 0 without elements."""
+    return max(image.strides[0] // 4, image.shape[1])
 
 
 def destination(out: Array) -> bytes:

@@ -12,7 +12,7 @@ from thinbench import _arrays, _library
 
 EDGE_OPERATORS = {name: name.encode()
                   for name in _library.all_names(_library.edge_operator_name)}
-_REGION = np.dtype([("area", "i8"), ("sum_x", "i8"), ("sum_y", "i8"), ("left", "i4"),
+REGION = np.dtype([("area", "i8"), ("sum_x", "i8"), ("sum_y", "i8"), ("left", "i4"),
                     ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("parent", "u4")],
                    align=True)
 
@@ -220,14 +220,20 @@ def regions(image: npt.ArrayLike, return_labels: bool = False,
      [1 1 1 0]]
     """
     image = _arrays.binary(image)
-    stack, kept_alive = _arrays.source(image)
     labels = np.empty(image.shape, np.int32) if return_labels else None
+    table = columns(*find_regions(image, labels))
+    return table if labels is None else (table, labels)
+
+
+def find_regions(image: _arrays.Array, labels: npt.NDArray[np.int32] | None,
+                 ) -> tuple[_arrays.Array, int]:
+    """Objects, then holes, as an array of REGION, and the number of objects; fills `labels`."""
+    stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
     status = _library.find_regions(stack, None if labels is None else labels.ctypes.data,
                                    image.shape[1], None, ctypes.byref(handle))
     del kept_alive
-    columns = _columns(status, handle)
-    return columns if labels is None else (columns, labels)
+    return _taken(status, handle)
 
 
 def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_threshold: int = 128,
@@ -278,17 +284,21 @@ def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_thre
                                _library.options(threads=_arrays.integer("threads", threads)),
                                ctypes.byref(handle))
     del kept_alive
-    return _columns(status, handle)
+    return columns(*_taken(status, handle))
 
 
-def _columns(status: int, handle: ctypes.c_void_p) -> Columns:
-    """The regions of a handle, which is destroyed."""
+def _taken(status: int, handle: ctypes.c_void_p) -> tuple[_arrays.Array, int]:
+    """The regions of a handle, which is destroyed, and the number of objects."""
     if status:
         raise _library.error(status)
     try:
-        found, objects = _copied_lists(handle)
+        return _copied_lists(handle)
     finally:
         _library.regions_destroy(handle)
+
+
+def columns(found: _arrays.Array, objects: int) -> Columns:
+    """An array of REGION as a dict of columns."""
     area = found["area"]
     return {
         "label": np.arange(1, len(found) + 1, dtype=np.int32),
@@ -307,11 +317,11 @@ def _columns(status: int, handle: ctypes.c_void_p) -> Columns:
 def _copied_lists(handle: ctypes.c_void_p) -> tuple[npt.NDArray[Any], int]:
     """Objects, then holes, and the number of objects."""
     counts = ctypes.c_size_t(), ctypes.c_size_t()
-    lists = [list_of(handle, ctypes.byref(count), _REGION.itemsize) for list_of, count in zip(
+    lists = [list_of(handle, ctypes.byref(count), REGION.itemsize) for list_of, count in zip(
         (_library.regions_objects, _library.regions_holes), counts)]
     objects, holes = (count.value for count in counts)
-    found = np.empty(objects + holes, _REGION)
+    found = np.empty(objects + holes, REGION)
     address = found.ctypes.data
-    ctypes.memmove(address, lists[0], objects * _REGION.itemsize)
-    ctypes.memmove(address + objects * _REGION.itemsize, lists[1], holes * _REGION.itemsize)
+    ctypes.memmove(address, lists[0], objects * REGION.itemsize)
+    ctypes.memmove(address + objects * REGION.itemsize, lists[1], holes * REGION.itemsize)
     return found, objects

@@ -35,6 +35,8 @@ version = _function("version", result=_BYTES)
 thin = _function("thin", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 thin_packed = _function(
     "thin_packed", _BYTES, _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
+thin_labels = _function("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t,
+                        ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
 edges = _function("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 find_regions = _function(
     "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)

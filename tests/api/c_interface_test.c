@@ -74,6 +74,26 @@ static void thins_images_and_stacks(void) {
   CHECK(iterations == 1);
 }
 
+static void thins_labels_each_alone(void) {
+  int32_t labels[HEIGHT][WIDTH];
+  int32_t iterations = 0;
+  int x, y;
+  for (y = 0; y < HEIGHT; ++y) {
+    for (x = 0; x < WIDTH; ++x) labels[y][x] = x < WIDTH / 2 ? 300000 : 4;
+  }
+  CHECK(thinbench_thin_labels("guo_hall", &labels[0][0], WIDTH, &labels[0][0], WIDTH, HEIGHT, WIDTH,
+                              NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations > 1 && labels[0][0] == 0);
+  for (x = 0, y = 0; x < WIDTH; ++x) {
+    if (labels[HEIGHT / 2][x] == (x < WIDTH / 2 ? 300000 : 4)) ++y;
+  }
+  CHECK(y == 2);
+  labels[1][1] = -1;
+  CHECK(thinbench_thin_labels("guo_hall", &labels[0][0], WIDTH, &labels[0][0], WIDTH, HEIGHT, WIDTH,
+                              NULL, NULL) == THINBENCH_INVALID_ARGUMENT);
+  CHECK(strstr(thinbench_last_error(), "-1 in row 1") != NULL);
+}
+
 static void thinner_equals_thin(void) {
   const thinbench_stack one = source(1);
   const thinbench_output output = destination();
@@ -240,6 +260,7 @@ static void lists_what_there_is(void) {
 int main(void) {
   CHECK(strcmp(thinbench_last_error(), "") == 0);
   thins_images_and_stacks();
+  thins_labels_each_alone();
   thinner_equals_thin();
   finds_regions_and_labels();
   fills_holes_and_finds_edges();

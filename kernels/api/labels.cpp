@@ -1,0 +1,290 @@
+// Each label is drawn into a small image of its own, its canvas, and thinned there. Canvases have
+// few sizes, so that labels are thinned as stacks: up to 128 pixels wide in lanes, others on one
+// state after another. A label is a chain of runs, so memory does not grow with its box, and a
+// pixel is written by the thread that thins its label alone.
+#include "thinbench/labels.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+#include <vector>
+
+#include "api/option_checks.hpp"
+#include "image/checks.hpp"
+#include "image/thread_team.hpp"
+#include "thinbench/batch.hpp"
+
+namespace thinbench {
+namespace {
+
+using detail::ThreadTeam;
+
+constexpr std::uint32_t kNoRun = ~std::uint32_t{0};
+
+/// Pixels [first, last) of a row, all with one label.
+struct Run {
+  std::int32_t y;
+  std::int32_t first;
+  std::int32_t last;
+  std::uint32_t previous;  // run with this label, or kNoRun
+};
+
+/// One axis of a canvas, and where the label's box begins on it.
+struct CanvasSide {
+  Index size;
+  Index offset;
+};
+
+struct Label {
+  std::int32_t value;
+  std::uint32_t last_run;
+  Index left, top, right, bottom;  // the box; right and bottom are exclusive
+  CanvasSide columns, rows;
+};
+
+/// The end of the run of equal labels that begins at x.
+Index end_of_run(const std::int32_t* row, Index x, Index width) {
+  constexpr Index step = 8;
+  const std::int32_t value = row[x];
+  for (; x + step <= width; x += step) {
+    std::int32_t differs = 0;
+    for (Index i = 0; i < step; ++i) differs |= row[x + i] ^ value;
+    if (differs != 0) break;
+  }
+  while (x < width && row[x] == value) ++x;
+  return x;
+}
+
+[[noreturn]] void reject_label(std::int32_t label, Index x, Index y) {
+  throw std::invalid_argument("labels: expected 0 or more, got " + std::to_string(label) +
+                              " in row " + std::to_string(y) + ", column " + std::to_string(x));
+}
+
+void append_runs(const ConstLabelView& source, Index y, std::vector<Run>& runs) {
+  const std::int32_t* row = source.row(y);
+  for (Index x = 0, last = 0; x < source.width; x = last) {
+    last = end_of_run(row, x, source.width);
+    if (row[x] < 0) reject_label(row[x], x, y);
+    if (row[x] == 0) continue;
+    runs.push_back({static_cast<std::int32_t>(y), static_cast<std::int32_t>(x),
+                    static_cast<std::int32_t>(last), kNoRun});
+  }
+}
+
+/// All runs, in raster order.
+std::vector<Run> find_runs(const ConstLabelView& source, const ThreadTeam& team) {
+  const Index count = team.threads();
+  std::vector<std::vector<Run>> parts(static_cast<std::size_t>(count));
+  team.for_ranges(count, [&](Index first, Index last) {
+    for (Index i = first; i < last; ++i) {
+      for (Index y = source.height * i / count; y < source.height * (i + 1) / count; ++y) {
+        append_runs(source, y, parts[static_cast<std::size_t>(i)]);
+      }
+    }
+  });
+  std::vector<Run> runs = std::move(parts.front());
+  for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
+    runs.insert(runs.end(), part->begin(), part->end());
+  }
+  return runs;
+}
+
+void add_run(Label& label, Run& run, std::uint32_t index) {
+  run.previous = label.last_run;
+  label.last_run = index;
+  label.left = std::min<Index>(label.left, run.first);
+  label.right = std::max<Index>(label.right, run.last);
+  label.bottom = run.y + 1;
+}
+
+/// Links the runs of each label; returns the labels in raster order of their first pixels.
+std::vector<Label> find_labels(const ConstLabelView& source, std::vector<Run>& runs) {
+  std::vector<Label> labels;
+  std::unordered_map<std::int32_t, std::size_t> index_of;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Run& run = runs[i];
+    const std::int32_t value = source.row(run.y)[run.first];
+    const auto [found, is_new] = index_of.try_emplace(value, labels.size());
+    if (is_new) labels.push_back({value, kNoRun, run.first, run.y, run.last, run.y + 1, {}, {}});
+    add_run(labels[found->second], run, static_cast<std::uint32_t>(i));
+  }
+  return labels;
+}
+
+/// Few sizes, which suit the lanes: 32, 64 and 128, then multiples of 64.
+Index canvas_width(Index width) {
+  if (width <= 32) return 32;
+  return width <= 64 ? 64 : (width + 63) / 64 * 64;
+}
+
+Index canvas_height(Index height) {
+  const Index step = height <= 128 ? 8 : 64;
+  return (height + step - 1) / step * step;
+}
+
+/// The canvas for pixels [first, last) of a side of the image. Its ends are those of the image
+/// where the border is kept and the label touches it; elsewhere background follows, which
+/// Border::keep does not change.
+CanvasSide canvas_side(Index first, Index last, Index image, bool keep_border,
+                       Index (*rounded)(Index)) {
+  const bool at_start = keep_border && first == 0;
+  const bool at_end = keep_border && last == image;
+  const Index length = last - first;
+  const Index margin = keep_border ? 1 : 0;
+  if (at_start && at_end) return {length, 0};
+  const Index size = rounded(length + 2 * margin);
+  if (at_start) return {size, 0};
+  return {size, at_end ? size - length : margin};
+}
+
+/// Sets the canvases and sorts by them, largest first.
+void choose_canvases(std::vector<Label>& labels, const ConstLabelView& source, bool keep_border) {
+  for (Label& label : labels) {
+    label.columns = canvas_side(label.left, label.right, source.width, keep_border, canvas_width);
+    label.rows = canvas_side(label.top, label.bottom, source.height, keep_border, canvas_height);
+  }
+  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
+    if (a.columns.size != b.columns.size) return a.columns.size > b.columns.size;
+    return a.rows.size > b.rows.size;
+  });
+}
+
+/// Labels [first, last), with canvases of one size.
+struct Stack {
+  std::size_t first;
+  std::size_t last;
+};
+
+/// Stacks that fit into the L2 cache.
+std::vector<Stack> stacks_of(const std::vector<Label>& labels) {
+  constexpr Index bytes = Index{1} << 18;
+  std::vector<Stack> stacks;
+  Index room = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const CanvasSide& columns = labels[i].columns;
+    const CanvasSide& rows = labels[i].rows;
+    const bool same_size =
+        i > 0 && labels[i - 1].columns.size == columns.size && labels[i - 1].rows.size == rows.size;
+    if (!same_size || room == 0) {
+      stacks.push_back({i, i});
+      room = std::max<Index>(1, bytes / (columns.size * rows.size));
+    }
+    stacks.back().last = i + 1;
+    --room;
+  }
+  return stacks;
+}
+
+/// What all threads read.
+struct Job {
+  Rule rule;
+  Options options;  // for one thread
+  std::vector<Run> runs;
+  std::vector<Label> labels;
+  std::vector<Stack> stacks;
+  LabelView destination;
+};
+
+/// Thins stacks of labels in its own memory.
+class StackThinner {
+ public:
+  explicit StackThinner(const Job& job) : job_(job) {}
+
+  /// Returns the maximum number of iterations.
+  int operator()(const Stack& stack) {
+    const Label* labels = &job_.labels[stack.first];
+    const auto count = static_cast<Index>(stack.last - stack.first);
+    prepare(labels->columns.size, labels->rows.size, count);
+    for (Index i = 0; i < count; ++i) draw(labels[i], canvases_.image(i));
+    const int iterations = (*batch_)(canvases_, canvases_);
+    for (Index i = 0; i < count; ++i) write(labels[i], canvases_.image(i));
+    return iterations;
+  }
+
+ private:
+  /// Makes empty canvases.
+  void prepare(Index width, Index height, Index count) {
+    if (!batch_ || width != canvases_.width || height != canvases_.height) {
+      batch_.reset();
+      batch_.emplace(job_.rule, width, height, job_.options);
+    }
+    pixels_.assign(static_cast<std::size_t>(width * height * count), 0);
+    canvases_ = {pixels_.data(), count, width, height};
+  }
+
+  /// Calls `body(y, x, run)` for each run, which begins at (x, y) of the canvas.
+  template <class Body>
+  void for_runs(const Label& label, const Body& body) const {
+    for (std::uint32_t i = label.last_run; i != kNoRun; i = job_.runs[i].previous) {
+      const Run& run = job_.runs[i];
+      body(run.y - label.top + label.rows.offset, run.first - label.left + label.columns.offset,
+           run);
+    }
+  }
+
+  void draw(const Label& label, const ImageView& canvas) const {
+    for_runs(label, [&](Index y, Index x, const Run& run) {
+      std::fill_n(canvas.row(y) + x, run.last - run.first, std::uint8_t{1});
+    });
+  }
+
+  void write(const Label& label, const ImageView& canvas) const {
+    for_runs(label, [&](Index y, Index x, const Run& run) {
+      const std::uint8_t* from = canvas.row(y) + x;
+      std::int32_t* to = job_.destination.row(run.y) + run.first;
+      for (Index i = 0; i < run.last - run.first; ++i) to[i] = from[i] != 0 ? label.value : 0;
+    });
+  }
+
+  const Job& job_;
+  std::optional<ThinningBatch> batch_;
+  std::vector<std::uint8_t> pixels_;
+  StackView canvases_;
+};
+
+/// Rejects options before anything is written: the widest label has the fewest techniques.
+void check_options(const Job& job) {
+  const Index widest = job.labels.empty() ? 0 : job.labels.front().columns.size;
+  const ThinningBatch checked(job.rule, widest, 1, job.options);
+}
+
+void clear(const LabelView& labels, const ThreadTeam& team) {
+  team.for_ranges(labels.height, [&](Index first, Index last) {
+    for (Index y = first; y < last; ++y) std::fill_n(labels.row(y), labels.width, 0);
+  });
+}
+
+/// Thins all stacks, each by the thread that is free, and returns the maximum number of iterations.
+int thin_stacks(const Job& job, const ThreadTeam& team) {
+  std::atomic<std::size_t> next = 0;
+  std::vector<int> iterations(static_cast<std::size_t>(team.threads()));
+  team.for_ranges(team.threads(), [&](Index first, Index) {
+    StackThinner thin_stack(job);
+    int& maximum = iterations[static_cast<std::size_t>(first)];
+    for (std::size_t i = next++; i < job.stacks.size(); i = next++) {
+      maximum = std::max(maximum, thin_stack(job.stacks[i]));
+    }
+  });
+  return *std::max_element(iterations.begin(), iterations.end());
+}
+
+}  // namespace
+
+int thin_labels(Rule rule, ConstLabelView source, LabelView destination, const Options& options) {
+  detail::check_label_size(source.width, source.height);
+  detail::check_views(source, destination);
+  detail::require_threads(options.threads);
+  const ThreadTeam team(options.threads);
+  Job job = {rule, options, find_runs(source, team), {}, {}, destination};
+  job.options.threads = 1;
+  job.labels = find_labels(source, job.runs);
+  choose_canvases(job.labels, source, options.border == Border::keep);
+  job.stacks = stacks_of(job.labels);
+  check_options(job);
+  if (source.data != destination.data) clear(destination, team);
+  return thin_stacks(job, team);
+}
+
+}  // namespace thinbench

@@ -1,0 +1,48 @@
+// Thinning of label images.
+#pragma once
+
+#include <cstdint>
+
+#include "thinbench/export.h"
+#include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
+#include "thinbench/rule.hpp"
+
+namespace thinbench {
+
+/// Read-only image of 32-bit labels; see LabelView.
+struct ConstLabelView {
+  const std::int32_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+
+  constexpr ConstLabelView() = default;
+  constexpr ConstLabelView(const std::int32_t* labels, Index columns, Index rows)
+      : ConstLabelView(labels, columns, rows, columns) {}
+  constexpr ConstLabelView(const std::int32_t* labels, Index columns, Index rows, Index row_labels)
+      : data(labels), width(columns), height(rows), stride(row_labels) {}
+  constexpr ConstLabelView(const LabelView& labels)
+      : ConstLabelView(labels.data, labels.width, labels.height, labels.stride) {}
+
+  [[nodiscard]] constexpr const std::int32_t* row(Index y) const { return data + y * stride; }
+};
+
+/// Thins every label of `source` as if it were alone in the image: a pixel keeps its label where
+/// the skeleton of the pixels with this label has it, else it becomes 0. 0 is background, and so is
+/// everything outside the image; labels may be any positive numbers, in any order, and a label may
+/// have several components. Border::keep refers to the image border.
+///
+/// Returns the maximum number of iterations over all labels, including the last iteration, which
+/// changed nothing; 0 without labels. `options` as in thin(), except that threads share the labels.
+/// Takes 16 bytes of memory per run of equal labels in a row, and per thread an image of the size
+/// of the largest label.
+///
+/// Both views must have the same size and be the same image or share no pixel. Thread-safe for
+/// different destinations. Throws as thin() does, and std::invalid_argument for a negative label, a
+/// side above 2^29 and more than 2^31 pixels; then nothing is written. If it throws std::bad_alloc,
+/// the destination may be written in part.
+THINBENCH_API int thin_labels(Rule rule, ConstLabelView source, LabelView destination,
+                              const Options& options = {});
+
+}  // namespace thinbench
