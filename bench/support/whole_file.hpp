@@ -17,7 +17,11 @@ struct FileError : std::runtime_error {
 void check_target(const std::string& path);
 
 /// Writes a hidden file beside `path`, then renames it; nothing is left of it after a failure.
-/// Throws FileError.
+/// Thread-safe. Throws FileError.
 void write_whole_file(const std::string& path, std::string_view bytes);
+
+/// Removes the hidden files that killed programs left in a directory; those that another program is
+/// writing remain.
+void remove_abandoned_files(const std::string& directory);
 
 }  // namespace thinbench
