@@ -14,6 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_hidden(const fs::path& path) {
+  return path.filename().string().starts_with('.');
+}
+
 bool has_image_extension(const fs::path& path) {
   constexpr std::array<std::string_view, 9> kKnown = {".png", ".jpg", ".jpeg", ".tif", ".tiff",
                                                       ".pgm", ".pbm", ".pnm",  ".bmp"};
@@ -86,7 +90,7 @@ class Search {
                                !fs::equivalent(entry.path(), request_.out, ignored);
       if (is_searched) return add_directory(entry.path(), inside / entry.path().filename());
       ++found_.skipped_directories;
-    } else if (has_image_extension(entry.path())) {
+    } else if (has_image_extension(entry.path()) && !is_hidden(entry.path())) {
       add_file(entry.path(), inside);
     } else {
       ++found_.skipped_files;

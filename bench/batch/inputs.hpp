@@ -32,8 +32,8 @@ struct FoundInputs {
 };
 
 /// Files that are named need not exist: reading them gives the reason. In directories, files with
-/// the extension of an image format are inputs. Throws std::runtime_error for a pattern that no
-/// file matches.
+/// the extension of an image format are inputs unless they are hidden. Throws std::runtime_error
+/// for a pattern that no file matches.
 [[nodiscard]] FoundInputs find_inputs(const InputRequest& request, std::istream& list);
 
 }  // namespace thinbench

@@ -73,11 +73,11 @@ std::string number_of(std::size_t count, const std::string& what, const std::str
 void print_skipped(const FoundInputs& found, std::ostream& log) {
   if (found.skipped_files > 0) {
     log << "note: skipped " << number_of(found.skipped_files, "file", "files")
-        << " without the extension of an image format\n";
+        << ", hidden or without the extension of an image format\n";
   }
   if (found.skipped_directories > 0) {
     log << "note: skipped " << number_of(found.skipped_directories, "directory", "directories")
-        << " in the directories named; --recursive includes those that are not --out\n";
+        << "; --recursive searches all but links and --out\n";
   }
 }
 

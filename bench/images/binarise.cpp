@@ -17,11 +17,17 @@ using Histogram = std::array<double, kLevels>;  // exact: counts are far below 2
 /// Neighbours, which often have one level, are counted in four tables: an addition need not wait
 /// for the one before.
 Histogram histogram_of(const ConstImageView& grey) {
-  constexpr Index kTables = 4;
-  std::array<std::array<std::uint32_t, kLevels>, kTables> tables{};
+  std::array<std::array<std::uint32_t, kLevels>, 4> tables{};
   for (Index y = 0; y < grey.height; ++y) {
     const std::uint8_t* row = grey.row(y);
-    for (Index x = 0; x < grey.width; ++x) ++tables[static_cast<std::size_t>(x % kTables)][row[x]];
+    Index x = 0;
+    for (; x + 4 <= grey.width; x += 4) {
+      ++tables[0][row[x]];
+      ++tables[1][row[x + 1]];
+      ++tables[2][row[x + 2]];
+      ++tables[3][row[x + 3]];
+    }
+    for (; x < grey.width; ++x) ++tables[0][row[x]];
   }
   Histogram counts{};
   for (const auto& table : tables) {
@@ -193,9 +199,11 @@ ByteImage read_binary(const std::string& path, const BinariseOptions& options, s
 }
 
 Index foreground_pixels(ConstImageView image) {
+  constexpr Index kRows = 64;  // at a time: OpenCV counts up to 2^31 - 1
   Index count = 0;
-  for (Index y = 0; y < image.height; ++y) {
-    count += image.width - std::count(image.row(y), image.row(y) + image.width, std::uint8_t{0});
+  for (Index y = 0; y < image.height && image.width > 0; y += kRows) {
+    const Index rows = std::min(kRows, image.height - y);
+    count += cv::countNonZero(mat_of({image.row(y), image.width, rows, image.stride}));
   }
   return count;
 }

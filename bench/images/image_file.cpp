@@ -156,8 +156,7 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-/// `image` is one or a list of them.
-std::vector<std::uint8_t> encoded(const std::string& path, cv::InputArray image) {
+std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
   const CapturedStderr captured;
   std::vector<std::uint8_t> bytes;
   if (!cv::imencode(extension_of(path), image, bytes)) {
@@ -185,10 +184,11 @@ void check_colour_extension(const std::string& path) {
 
 namespace {
 
-void write_encoded(const std::string& path, cv::InputArray image) {
+/// Does what writes a file, with its failures as ImageError.
+template <class Write>
+void write_by(const std::string& path, const Write& write) {
   try {
-    const std::vector<std::uint8_t> bytes = encoded(path, image);
-    write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write();
   } catch (const FileError& error) {
     throw ImageError(error.what());
   } catch (const ImageError&) {
@@ -213,19 +213,23 @@ void check_writable(const std::string& path, const ConstImageView& image) {
 }  // namespace
 
 void write_mat(const std::string& path, const cv::Mat& image) {
-  write_encoded(path, image);
+  write_by(path, [&] {
+    const std::vector<std::uint8_t> bytes = encoded(path, image);
+    write_whole_file(path,
+                     std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  });
 }
 
 void write_grey(const std::string& path, const ConstImageView& image) {
   check_extension(path);
   check_writable(path, image);
-  write_encoded(path, mat_of(image));
+  write_mat(path, mat_of(image));
 }
 
 void write_binary(const std::string& path, const ConstImageView& image) {
   if (extension_of(path) != ".pbm") check_extension(path);
   check_writable(path, image);
-  write_encoded(path, mat_of(image));
+  write_mat(path, mat_of(image));
 }
 
 void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages) {
@@ -234,7 +238,16 @@ void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pag
     check_writable(path, page.view());
     mats.push_back(mat_of(page.view()));
   }
-  write_encoded(path, mats);
+  write_by(path, [&] {
+    write_whole_file(path, [&](const std::string& name) {
+      const CapturedStderr captured;
+      const bool is_written = cv::imwritemulti(name, mats);
+      // A full disk is no failure to the encoder.
+      if (!is_written || page_count(name) != static_cast<int>(mats.size())) {
+        cannot_write(path, "the pages cannot be encoded, or the disk is full");
+      }
+    });
+  });
 }
 
 OneThreadPerImage::OneThreadPerImage() : threads_(cv::getNumThreads()) {

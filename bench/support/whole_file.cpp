@@ -41,9 +41,11 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& target) {
     const std::filesystem::path directory = std::filesystem::path(target).parent_path();
+    const std::string extension = std::filesystem::path(target).extension();
     do {  // again if another program took it for an abandoned file before it was locked
       if (descriptor_ >= 0) close(descriptor_);
-      name_ = directory / (std::string(kHiddenPrefix) + std::to_string(std::random_device()()));
+      const std::string number = std::to_string(std::random_device()());
+      name_ = directory / (std::string(kHiddenPrefix) + number + extension);
       descriptor_ = create_new(name_);
       if (descriptor_ < 0 && errno != EEXIST) fail_by_errno(target);
       flock(descriptor_, LOCK_EX);
@@ -81,12 +83,20 @@ void check_target(const std::string& path) {
 }
 
 void write_whole_file(const std::string& path, std::string_view bytes) {
+  write_whole_file(path, [&](const std::string& name) {
+    std::ofstream stream(name, std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (!stream) fail_by_errno(path);
+  });
+}
+
+void write_whole_file(const std::string& path,
+                      const std::function<void(const std::string& name)>& write) {
   check_target(path);
   const TemporaryFile file(path);
-  std::ofstream stream(file.name(), std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream || std::rename(file.name().c_str(), path.c_str()) != 0) fail_by_errno(path);
+  write(file.name());
+  if (std::rename(file.name().c_str(), path.c_str()) != 0) fail_by_errno(path);
 }
 
 void remove_abandoned_files(const std::string& directory) {
