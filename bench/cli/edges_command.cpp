@@ -1,7 +1,5 @@
 // thinbench edges: marks the edges of one image file in another.
-#include <algorithm>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <string>
 
@@ -9,6 +7,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/edge_request.hpp"
 #include "cli/names.hpp"
 #include "cli/variant_choice.hpp"
 #include "harness/operation.hpp"
@@ -23,8 +22,7 @@ struct EdgesOptions {
   std::string out;
   std::string op = "sobel";
   Options how;
-  int gradient_threshold = EdgeThresholds{}.gradient_threshold;
-  std::optional<int> brightness_threshold;
+  EdgeRequest edges;
   BinariseOptions binarise;
 };
 
@@ -34,43 +32,20 @@ const detail::EdgeOperation& operator_named(const std::string& name) {
   return detail::operation_of(named("operator", name, kEdgeOperators, name_of).op);
 }
 
-void invert(ByteImage& grey) {
-  for (Index y = 0; y < grey.height(); ++y) {
-    std::uint8_t* row = grey.view().row(y);
-    for (Index x = 0; x < grey.width(); ++x) row[x] = static_cast<std::uint8_t>(255 - row[x]);
-  }
-}
-
-/// The image with its background on the bright side, and P2.
-struct Prepared {
-  ByteImage grey;
-  int brightness_threshold;
-};
-
-/// Without --brightness-threshold, P2 is the highest grey level of the foreground.
-Prepared prepared(const EdgesOptions& options, std::ostream& log) {
-  ByteImage grey = read_grey(options.in);
-  const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
-  print_remarks(options.in, binary, options.binarise, log);
-  const bool is_bright = binary.foreground == Foreground::bright;
-  if (is_bright) invert(grey);
-  const int highest = is_bright ? 255 - binary.threshold : std::max(binary.threshold - 1, 0);
-  return {std::move(grey), options.brightness_threshold.value_or(highest)};
-}
-
 int run(const EdgesOptions& options, const Console& console) {
   const detail::EdgeOperation& operation = operator_named(options.op);
   check_extension(options.out);
   std::ostringstream remarks;  // failures are one line, without them
-  const auto [grey, brightness_threshold] = prepared(options, remarks);
-  const EdgeThresholds thresholds = {options.gradient_threshold, brightness_threshold};
+  ByteImage grey = read_grey(options.in);
+  const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
+  print_remarks(options.in, binary, options.binarise, remarks);
+  const EdgeThresholds thresholds = prepare_for_edges(grey, binary, options.edges);
   const detail::EdgeVariant& variant = variant_for(operation, grey.width(), options.how);
   const auto state =
       make_state(operation, variant, grey.width(), grey.height(), thresholds, options.how);
   ByteImage edges(grey.width(), grey.height());
-  const double milliseconds = milliseconds_of(options.how.threads, [&grey = grey, &edges, &state] {
-    state->run(grey.view(), edges.view());
-  });
+  const double milliseconds =
+      milliseconds_of(options.how.threads, [&] { state->run(grey.view(), edges.view()); });
   write_grey(options.out, edges.view());
   console.err << remarks.str();
   console.out << fmt::format("{}: {} x {}, {} edge pixels, {:.3f} ms\n",
@@ -79,19 +54,6 @@ int run(const EdgesOptions& options, const Console& console) {
                              grey.width(), grey.height(), foreground_pixels(edges.view()),
                              milliseconds);
   return kSuccess;
-}
-
-void add_thresholds(CLI::App& app, EdgesOptions& options) {
-  app.add_option("--gradient-threshold,--p1", options.gradient_threshold,
-                 "P1 of the paper: an edge has a greater gradient, 0 to 255")
-      ->check(whole_number(0, kMaxThreshold))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--brightness-threshold,--p2", options.brightness_threshold,
-                 "P2 of the paper: beside an edge the background is brighter, 0 to 255 (default: "
-                 "from --threshold)")
-      ->check(whole_number(0, kMaxThreshold))
-      ->type_name("N");
 }
 
 }  // namespace
@@ -107,7 +69,7 @@ Command add_edges_command(CLI::App& program) {
                   "roberts4, roberts9, mero_vassy, mero_vassy_5x5, sobel or prewitt")
       ->type_name("NAME")
       ->capture_default_str();
-  add_thresholds(*app, *options);
+  add_edge_thresholds(*app, options->edges);
   add_binarise_options(*app, options->binarise);
   add_variant_options(*app, options->how);
   app->footer(R"(Examples:

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
+#include "cli/regions_json.hpp"
 #include "cli/variant_choice.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
@@ -26,40 +26,6 @@ struct HolesCommandOptions {
   BinariseOptions binarise;
   bool json = false;
 };
-
-using Json = nlohmann::ordered_json;
-
-Json region_json(const Region& region, std::size_t id) {
-  return {
-      {"id", id},
-      {"area", region.area},
-      {"centre", {region.centre_x(), region.centre_y()}},
-      {"box",
-       {region.left, region.top, region.right - region.left + 1, region.bottom - region.top + 1}}};
-}
-
-Json objects_json(const Regions& found) {
-  Json objects = Json::array();
-  for (std::size_t i = 0; i < found.objects.size(); ++i) {
-    objects.push_back(region_json(found.objects[i], i + 1));
-    objects.back()["holes"] = Json::array();
-  }
-  for (std::size_t i = 0; i < found.holes.size(); ++i) {
-    const Region& hole = found.holes[i];
-    objects[hole.enclosing_object - 1]["holes"].push_back(region_json(hole, i + 1));
-  }
-  return objects;
-}
-
-void print_json(const Regions& found, const BinaryImage& binary, const HolesCommandOptions& options,
-                std::ostream& out) {
-  const Json json = {{"foreground", foreground_name(binary.foreground)},
-                     {"threshold", binary.threshold},
-                     {"threshold_method", options.binarise.threshold ? "given" : "otsu"},
-                     {"min_area", options.min_area},
-                     {"objects", objects_json(found)}};
-  out << json.dump(2) << '\n';
-}
 
 std::string line_of(const char* kind, std::size_t id, const Region& region) {
   return fmt::format("{} {}: area {}, centre ({:.2f}, {:.2f}), box {} {} {} {}\n", kind, id,
@@ -108,7 +74,7 @@ int run(const HolesCommandOptions& options, const Console& console) {
   print_remarks(options.in, binary, options.binarise, console.err);
   const Regions found = selected(all, kept_regions(all, options.min_area));
   if (options.json) {
-    print_json(found, binary, options, console.out);
+    console.out << regions_json(found, binary, options.binarise, options.min_area);
   } else {
     print_list(found, console.out);
   }

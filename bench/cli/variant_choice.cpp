@@ -92,7 +92,7 @@ Variants wanted_variants(const std::string& subject, const Variants& candidates,
 
 }  // namespace
 
-void add_variant_options(CLI::App& app, Options& options) {
+void add_technique_options(CLI::App& app, Options& options) {
   const auto add = [&app](const char* option, const auto& set, const char* what) {
     app.add_option_function<std::string>(option, set, what)->check(not_empty())->type_name("NAME");
   };
@@ -103,6 +103,10 @@ void add_variant_options(CLI::App& app, Options& options) {
   add(
       "--isa", [&options](const std::string& name) { options.isa = isa_named(name); },
       "Instruction set (default: the highest)");
+}
+
+void add_variant_options(CLI::App& app, Options& options) {
+  add_technique_options(app, options);
   add_threads_option(app, options.threads);
 }
 

@@ -12,7 +12,10 @@
 
 namespace thinbench {
 
-/// --technique, --isa and --threads.
+/// --technique and --isa.
+void add_technique_options(CLI::App& app, Options& options);
+
+/// These and --threads.
 void add_variant_options(CLI::App& app, Options& options);
 
 /// The milliseconds that `work` takes with at most so many threads of TBB.

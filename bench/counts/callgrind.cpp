@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "counts/counted_job.hpp"
-#include "measure/progress.hpp"
+#include "support/progress.hpp"
 
 namespace thinbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "measure/measuring.hpp"
-#include "measure/progress.hpp"
+#include "support/progress.hpp"
 
 namespace thinbench {
 namespace {

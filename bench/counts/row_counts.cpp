@@ -15,7 +15,7 @@
 #include "counts/counted_job.hpp"
 #include "counts/single_steps.hpp"
 #include "measure/measuring.hpp"
-#include "measure/progress.hpp"
+#include "support/progress.hpp"
 
 namespace thinbench {
 namespace {

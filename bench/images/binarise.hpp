@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "support/byte_image.hpp"
 
@@ -52,10 +53,14 @@ inline constexpr double kMinSeparation = 0.8;
 /// The image, which has pixels, in two classes.
 [[nodiscard]] BinaryImage binarise(ByteImage grey, const BinariseOptions& options = {});
 
+/// What is doubtful about it, a line each: one grey level only, a threshold found in a histogram
+/// without two classes, more than half of the image as foreground.
+[[nodiscard]] std::vector<std::string> warnings(const BinaryImage& binary,
+                                                const BinariseOptions& options);
+
 /// Writes to `log` what there is to say of the binary image made from the image `name`, one line
 /// each: "note: ..." with what was chosen, unless the image was binary and bright is foreground;
-/// "warning: ..." where more than half of it is foreground, where it has one grey level only and
-/// where a threshold had to be found in a histogram without two classes.
+/// "warning: ..." with each of its warnings.
 void print_remarks(const std::string& name, const BinaryImage& binary,
                    const BinariseOptions& options, std::ostream& log);
 

@@ -1,12 +1,12 @@
-// What a library writes to the process's standard error, caught instead of shown.
+// What a library writes to standard error, caught instead of shown.
 #pragma once
 
 #include <string>
 
 namespace thinbench {
 
-/// Catches everything that is written to file descriptor 2 while it lives: image decoders print
-/// there on their own. It acts on the whole process, so keep it short.
+/// Catches what its thread writes to C's `stderr` and to std::cerr while it lives: image decoders
+/// print there on their own. Other threads are not affected.
 class CapturedStderr {
  public:
   CapturedStderr();
@@ -16,12 +16,12 @@ class CapturedStderr {
   CapturedStderr(CapturedStderr&&) = delete;
   CapturedStderr& operator=(CapturedStderr&&) = delete;
 
-  /// What was written so far, up to 64 KiB; empty where nothing could be caught.
-  [[nodiscard]] std::string text() const;
+  /// What was written so far, about 64 KiB at most.
+  [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  int original_;
-  int caught_;
+  std::string text_;
+  std::string* outer_;  // of the capture around this one, if any
 };
 
 }  // namespace thinbench

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -74,20 +75,30 @@ void check_warnings(const std::string& path, const std::string& warnings) {
     cannot_read(path, "the file is truncated");
 }
 
-cv::Mat decoded(const std::string& path) {
+cv::Mat first_page(const std::string& path) {
+  return cv::imread(path, cv::IMREAD_GRAYSCALE);
+}
+
+cv::Mat one_page(const std::string& path, int page) {
+  std::vector<cv::Mat> pages;
+  cv::imreadmulti(path, pages, page, 1, cv::IMREAD_GRAYSCALE);
+  return pages.empty() ? cv::Mat() : pages.front();
+}
+
+template <class Decode>
+cv::Mat decoded(const std::string& path, const Decode& decode) {
   const CapturedStderr captured;
-  cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
+  cv::Mat image = decode();
   if (image.empty()) cannot_decode(path);
   check_warnings(path, captured.text());
   return image;
 }
 
-}  // namespace
-
-ByteImage read_grey(const std::string& path) {
+template <class Decode>
+ByteImage read_by(const std::string& path, const Decode& decode) {
   check_file(path);
   try {
-    const cv::Mat image = decoded(path);
+    const cv::Mat image = decoded(path, decode);
     if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
       cannot_read(path, "it has more than 2^31 pixels");
     }
@@ -97,6 +108,36 @@ ByteImage read_grey(const std::string& path) {
   } catch (const std::bad_alloc&) {
     cannot_read(path, "there is not enough memory for it");
   }
+}
+
+bool is_tiff(const std::string& path) {
+  std::array<char, 4> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  const std::string_view bytes(start.data(), start.size());
+  using namespace std::string_view_literals;  // the last two are those of BigTIFF
+  const std::array marks = {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv};
+  return std::find(marks.begin(), marks.end(), bytes) != marks.end();
+}
+
+}  // namespace
+
+ByteImage read_grey(const std::string& path) {
+  return read_by(path, [&] { return first_page(path); });
+}
+
+int page_count(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored) || !is_tiff(path)) return 1;
+  const CapturedStderr captured;
+  try {
+    return std::max(1, static_cast<int>(cv::imcount(path, cv::IMREAD_GRAYSCALE)));
+  } catch (const cv::Exception&) {
+    return 1;  // reading it gives the reason
+  }
+}
+
+ByteImage read_grey_page(const std::string& path, int page) {
+  return read_by(path, [&] { return one_page(path, page); });
 }
 
 namespace {
@@ -141,10 +182,13 @@ void check_colour_extension(const std::string& path) {
   if (extension_of(path) == ".pgm") cannot_write(path, "PGM holds no colours");
 }
 
-void write_mat(const std::string& path, const cv::Mat& image) {
+namespace {
+
+/// Does what writes a file, with its failures as ImageError.
+template <class Write>
+void write_by(const std::string& path, const Write& write) {
   try {
-    const std::vector<std::uint8_t> bytes = encoded(path, image);
-    write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write();
   } catch (const FileError& error) {
     throw ImageError(error.what());
   } catch (const ImageError&) {
@@ -154,8 +198,7 @@ void write_mat(const std::string& path, const cv::Mat& image) {
   }
 }
 
-void write_grey(const std::string& path, const ConstImageView& image) {
-  check_extension(path);
+void check_writable(const std::string& path, const ConstImageView& image) {
   try {
     check_target(path);
   } catch (const FileError& error) {
@@ -165,7 +208,54 @@ void write_grey(const std::string& path, const ConstImageView& image) {
   if (!is_writable_size(image.width, image.height)) {
     cannot_write(path, "the image has 2^31 pixels or more");
   }
+}
+
+}  // namespace
+
+void write_mat(const std::string& path, const cv::Mat& image) {
+  write_by(path, [&] {
+    const std::vector<std::uint8_t> bytes = encoded(path, image);
+    write_whole_file(path,
+                     std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  });
+}
+
+void write_grey(const std::string& path, const ConstImageView& image) {
+  check_extension(path);
+  check_writable(path, image);
   write_mat(path, mat_of(image));
+}
+
+void write_binary(const std::string& path, const ConstImageView& image) {
+  if (extension_of(path) != ".pbm") check_extension(path);
+  check_writable(path, image);
+  write_mat(path, mat_of(image));
+}
+
+void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages) {
+  std::vector<cv::Mat> mats;
+  for (const ByteImage& page : pages) {
+    check_writable(path, page.view());
+    mats.push_back(mat_of(page.view()));
+  }
+  write_by(path, [&] {
+    write_whole_file(path, [&](const std::string& name) {
+      const CapturedStderr captured;
+      const bool is_written = cv::imwritemulti(name, mats);
+      // A full disk is no failure to the encoder.
+      if (!is_written || page_count(name) != static_cast<int>(mats.size())) {
+        cannot_write(path, "the pages cannot be encoded, or the disk is full");
+      }
+    });
+  });
+}
+
+OneThreadPerImage::OneThreadPerImage() : threads_(cv::getNumThreads()) {
+  cv::setNumThreads(1);
+}
+
+OneThreadPerImage::~OneThreadPerImage() {
+  cv::setNumThreads(threads_);
 }
 
 }  // namespace thinbench

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "support/byte_image.hpp"
 
@@ -21,10 +22,22 @@ inline constexpr Index kMaxImagePixels = Index{1} << 31;
 /// when it is loaded, so that only the user can raise it. Throws ImageError.
 [[nodiscard]] ByteImage read_grey(const std::string& path);
 
+/// The number of images in a TIFF file; 1 for all other files, unreadable ones included.
+[[nodiscard]] int page_count(const std::string& path);
+
+/// As read_grey, for one image of a TIFF file, counted from 0.
+[[nodiscard]] ByteImage read_grey_page(const std::string& path, int page);
+
 /// Writes an 8-bit grey image in the format that the extension names; only formats that keep
 /// every pixel are known. The file appears, or is replaced, as a whole or not at all. Throws
 /// ImageError.
 void write_grey(const std::string& path, const ConstImageView& image);
+
+/// The same for an image of 0 and 255 alone; .pbm is known, too.
+void write_binary(const std::string& path, const ConstImageView& image);
+
+/// As write_grey, with several images in one TIFF file.
+void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages);
 
 /// Whether write_grey takes images of this size, which has pixels: below 2^31 of them.
 [[nodiscard]] constexpr bool is_writable_size(Index width, Index height) {
@@ -36,5 +49,17 @@ void check_extension(const std::string& path);
 
 /// The same for images with colours.
 void check_colour_extension(const std::string& path);
+
+/// While it lives, OpenCV uses no threads of its own: for programs whose threads share images.
+class OneThreadPerImage {
+ public:
+  OneThreadPerImage();
+  ~OneThreadPerImage();
+  OneThreadPerImage(const OneThreadPerImage&) = delete;
+  OneThreadPerImage& operator=(const OneThreadPerImage&) = delete;
+
+ private:
+  int threads_;  // before
+};
 
 }  // namespace thinbench

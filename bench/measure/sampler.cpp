@@ -10,7 +10,7 @@
 #include "cli/usage.hpp"
 #include "measure/measuring.hpp"
 #include "measure/plan_json.hpp"
-#include "measure/progress.hpp"
+#include "support/progress.hpp"
 #include "measure/row_options.hpp"
 #include "peers/peers.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "cli/usage.hpp"
 #include "harness/verify.hpp"
-#include "measure/progress.hpp"
+#include "support/progress.hpp"
 #include "support/heap.hpp"
 
 namespace thinbench {

@@ -2,11 +2,13 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,19 +23,38 @@ namespace {
   fail(path, std::generic_category().message(errno));
 }
 
-/// A new hidden file beside the target, removed unless it was renamed.
+constexpr std::string_view kHiddenPrefix = ".thinbench-";
+
+/// The umask applies, as it does not to files of mkstemp.
+int create_new(const std::string& path) {
+  return open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+bool has_name(int descriptor) {
+  struct stat facts {};
+  return fstat(descriptor, &facts) == 0 && facts.st_nlink > 0;
+}
+
+/// A new hidden file beside the target, removed unless it was renamed. It is locked while this
+/// program works on it.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& target)
-      : name_(std::filesystem::path(target).parent_path() / ".thinbench-XXXXXX") {
-    const int descriptor = mkstemp(name_.data());
-    if (descriptor < 0) fail_by_errno(target);
-    const mode_t mask = umask(0);
-    umask(mask);
-    fchmod(descriptor, 0666 & ~mask);  // mkstemp creates private files
-    close(descriptor);
+  explicit TemporaryFile(const std::string& target) {
+    const std::filesystem::path directory = std::filesystem::path(target).parent_path();
+    const std::string extension = std::filesystem::path(target).extension();
+    do {  // again if another program took it for an abandoned file before it was locked
+      if (descriptor_ >= 0) close(descriptor_);
+      const std::string number = std::to_string(std::random_device()());
+      name_ = directory / (std::string(kHiddenPrefix) + number + extension);
+      descriptor_ = create_new(name_);
+      if (descriptor_ < 0 && errno != EEXIST) fail_by_errno(target);
+      flock(descriptor_, LOCK_EX);
+    } while (descriptor_ < 0 || !has_name(descriptor_));
   }
-  ~TemporaryFile() { unlink(name_.c_str()); }
+  ~TemporaryFile() {
+    unlink(name_.c_str());
+    close(descriptor_);
+  }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   TemporaryFile(TemporaryFile&&) = delete;
@@ -43,6 +64,7 @@ class TemporaryFile {
 
  private:
   std::string name_;
+  int descriptor_ = -1;
 };
 
 }  // namespace
@@ -61,12 +83,32 @@ void check_target(const std::string& path) {
 }
 
 void write_whole_file(const std::string& path, std::string_view bytes) {
+  write_whole_file(path, [&](const std::string& name) {
+    std::ofstream stream(name, std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (!stream) fail_by_errno(path);
+  });
+}
+
+void write_whole_file(const std::string& path,
+                      const std::function<void(const std::string& name)>& write) {
   check_target(path);
   const TemporaryFile file(path);
-  std::ofstream stream(file.name(), std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream || std::rename(file.name().c_str(), path.c_str()) != 0) fail_by_errno(path);
+  write(file.name());
+  if (std::rename(file.name().c_str(), path.c_str()) != 0) fail_by_errno(path);
+}
+
+void remove_abandoned_files(const std::string& directory) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(kHiddenPrefix, 0) != 0) continue;
+    const int descriptor = open(entry.path().c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(entry.path().c_str());
+    close(descriptor);
+  }
 }
 
 }  // namespace thinbench

@@ -1,6 +1,7 @@
 // Files that appear whole or not at all.
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,7 +18,15 @@ struct FileError : std::runtime_error {
 void check_target(const std::string& path);
 
 /// Writes a hidden file beside `path`, then renames it; nothing is left of it after a failure.
-/// Throws FileError.
+/// Thread-safe. Throws FileError.
 void write_whole_file(const std::string& path, std::string_view bytes);
+
+/// The same with a function that writes the hidden file, whose extension is that of `path`.
+void write_whole_file(const std::string& path,
+                      const std::function<void(const std::string& name)>& write);
+
+/// Removes the hidden files that killed programs left in a directory; those that another program is
+/// writing remain.
+void remove_abandoned_files(const std::string& directory);
 
 }  // namespace thinbench

@@ -1,4 +1,4 @@
-#include "measure/progress.hpp"
+#include "support/progress.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,15 +9,18 @@
 
 namespace thinbench {
 
-Progress::Progress(std::string what, double expected_seconds)
-    : what_(std::move(what)), total_(expected_seconds), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::string what, double total, std::string units)
+    : what_(std::move(what)),
+      total_(total),
+      units_(std::move(units)),
+      terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   if (terminal_) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::advance(double expected_seconds) {
-  done_ += expected_seconds;
+void Progress::advance(double done) {
+  done_ += done;
   const auto now = Clock::now();
   const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(10);
   if (now - latest_ < pause) return;
@@ -33,7 +36,9 @@ std::string Progress::line() const {
   const double left = spent * (1 - share) / share;
   std::array<char, 64> figures{};
   std::snprintf(figures.data(), figures.size(), ": %3.0f %%, about %.0f s left", 100 * share, left);
-  return what_ + figures.data();
+  std::array<char, 32> rate{};
+  if (!units_.empty()) std::snprintf(rate.data(), rate.size(), ", %.0f ", done_ / spent);
+  return what_ + figures.data() + rate.data() + (units_.empty() ? "" : units_ + "/s");
 }
 
 }  // namespace thinbench

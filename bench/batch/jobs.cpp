@@ -1,0 +1,100 @@
+#include "batch/jobs.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <unordered_map>
+#include <utility>
+
+#include <sys/stat.h>
+
+#include "images/image_file.hpp"
+#include "support/whole_file.hpp"
+
+namespace thinbench {
+namespace {
+
+/// What two names of one file have in common.
+using FileId = std::pair<dev_t, ino_t>;
+
+std::optional<FileId> id_of(const std::string& path) {
+  struct stat facts {};
+  if (stat(path.c_str(), &facts) != 0) return std::nullopt;
+  return FileId(facts.st_dev, facts.st_ino);
+}
+
+std::vector<BatchJob> jobs_of_one(const BatchInput& input, const std::string& extension,
+                                  bool joins_pages) {
+  const int pages = page_count(input.path);
+  if (pages == 1 || joins_pages) {
+    return {{input.path, input.name + extension, 0, pages, pages > 1}};
+  }
+  std::vector<BatchJob> jobs;
+  for (int page = 0; page < pages; ++page) {
+    const std::string name = input.name + "_page" + std::to_string(page + 1);
+    jobs.push_back({input.path, name + extension, page, 1, true});
+  }
+  return jobs;
+}
+
+}  // namespace
+
+std::vector<std::vector<BatchJob>> jobs_of(const std::vector<BatchInput>& inputs,
+                                           const std::string& extension, bool joins_pages) {
+  std::vector<std::vector<BatchJob>> jobs;
+  jobs.reserve(inputs.size());
+  for (const BatchInput& input : inputs) {
+    jobs.push_back(jobs_of_one(input, extension, joins_pages));
+  }
+  return jobs;
+}
+
+void check_outputs(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out) {
+  std::map<FileId, std::string> inputs;
+  for (const auto& of_input : jobs) {
+    const std::string& path = of_input.front().path;
+    if (const auto id = id_of(path)) inputs.emplace(*id, path);
+  }
+  std::unordered_map<std::string, std::string> input_of;
+  for (const auto& of_input : jobs) {
+    for (const BatchJob& job : of_input) {
+      const auto [other, is_new] = input_of.emplace(job.output, job.path);
+      if (!is_new) {
+        throw std::runtime_error("'" + other->second + "' and '" + job.path +
+                                 "' would both become '" + job.output +
+                                 "'; process them in two runs with different --out");
+      }
+      const auto id = id_of(std::filesystem::path(out) / job.output);
+      if (!id || !inputs.contains(*id)) continue;
+      throw std::runtime_error("the result of '" + job.path + "' would replace the input '" +
+                               inputs.at(*id) + "'; choose another --out");
+    }
+  }
+}
+
+std::vector<BatchJob> jobs_in(const std::vector<std::vector<BatchJob>>& jobs, const Shard& shard) {
+  std::vector<BatchJob> chosen;
+  for (std::size_t i = shard.number - 1; i < jobs.size(); i += shard.count) {
+    chosen.insert(chosen.end(), jobs[i].begin(), jobs[i].end());
+  }
+  return chosen;
+}
+
+void make_directories(const std::vector<BatchJob>& jobs, const std::string& out) {
+  std::set<std::filesystem::path> directories;
+  for (const BatchJob& job : jobs) {
+    directories.insert((std::filesystem::path(out) / job.output).parent_path());
+  }
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error) throw FileError("cannot create the directory '" + out + "': " + error.message());
+  for (const std::filesystem::path& directory : directories) {
+    std::filesystem::create_directories(directory, error);  // a failure shows again in writing
+    remove_abandoned_files(directory);
+  }
+}
+
+}  // namespace thinbench

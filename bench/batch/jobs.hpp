@@ -1,0 +1,43 @@
+// What a batch has to do: for each result the input and the name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "batch/inputs.hpp"
+
+namespace thinbench {
+
+/// One result. Pages count from 0.
+struct BatchJob {
+  std::string path;
+  std::string output;  // relative to the output directory
+  int first_page = 0;
+  int pages = 1;
+  bool one_of_several = false;  // the file has more than one page
+};
+
+struct Shard {
+  std::size_t number = 1;  // from 1
+  std::size_t count = 1;
+};
+
+/// The results of all inputs, with this extension. A file of several pages has one result per page,
+/// NAME_page1 and so on, or one for all where `joins_pages`.
+[[nodiscard]] std::vector<std::vector<BatchJob>> jobs_of(const std::vector<BatchInput>& inputs,
+                                                         const std::string& extension,
+                                                         bool joins_pages);
+
+/// Throws std::runtime_error for two inputs that have results of one name and for a result that
+/// would replace an input; the message names both.
+void check_outputs(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out);
+
+/// Those of every count-th input, from the shard's number on.
+[[nodiscard]] std::vector<BatchJob> jobs_in(const std::vector<std::vector<BatchJob>>& jobs,
+                                            const Shard& shard);
+
+/// Makes the directories of all results and removes what killed runs left in them. Throws FileError
+/// where `out` cannot be made.
+void make_directories(const std::vector<BatchJob>& jobs, const std::string& out);
+
+}  // namespace thinbench

@@ -1,0 +1,181 @@
+#include "batch/manifest_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/usage.hpp"
+
+namespace thinbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Cells = std::vector<std::string>;
+
+template <class Value>
+Json json_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+double to_microseconds(double seconds) {
+  return std::round(seconds * 1e6) / 1e6;
+}
+
+Json json_of(const BatchRecord& record) {
+  const bool was_read = record.width > 0;
+  return {{"file", record.file},
+          {"page", record.page},
+          {"output", record.output},
+          {"operation", record.operation},
+          {"width", was_read ? Json(record.width) : Json()},
+          {"height", was_read ? Json(record.height) : Json()},
+          {"foreground", json_or_null(record.foreground)},
+          {"threshold", json_or_null(record.threshold)},
+          {"iterations", json_or_null(record.iterations)},
+          {"foreground_before", json_or_null(record.foreground_before)},
+          {"foreground_after", json_or_null(record.foreground_after)},
+          {"components", json_or_null(record.components)},
+          {"holes", json_or_null(record.holes)},
+          {"decode_seconds", to_microseconds(record.decode_seconds)},
+          {"compute_seconds", to_microseconds(record.compute_seconds)},
+          {"encode_seconds", to_microseconds(record.encode_seconds)},
+          {"warning", text_or_null(record.warning)},
+          {"error", text_or_null(record.error)}};
+}
+
+std::string csv_cell(const Json& value) {
+  if (value.is_null()) return {};
+  if (!value.is_string()) return value.dump();
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
+}
+
+/// Reads records one after another.
+class CsvReader {
+ public:
+  explicit CsvReader(std::string_view text) : text_(text) {}
+
+  /// Nothing where no complete record is left.
+  std::optional<Cells> next() {
+    Cells cells(1);
+    bool is_quoted = false;
+    for (std::size_t i = end_; i < text_.size(); ++i) {
+      const char c = text_[i];
+      const bool is_doubled = is_quoted && text_.substr(i, 2) == "\"\"";
+      if (is_doubled) cells.back() += text_[i++];
+      if (c == '"' && !is_doubled) is_quoted = !is_quoted;
+      if (c == '"') continue;
+      if (c == '\n' && !is_quoted) {
+        end_ = i + 1;
+        return cells;
+      }
+      if (c == ',' && !is_quoted) {
+        cells.emplace_back();
+      } else {
+        cells.back() += c;
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::size_t end() const { return end_; }
+
+ private:
+  std::string_view text_;
+  std::size_t end_ = 0;  // of the last record that was read
+};
+
+Cells column_names() {
+  const Json json = json_of({});
+  Cells names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  return names;
+}
+
+[[noreturn]] void fail(const std::string& why) {
+  throw std::runtime_error("it is no manifest of this program: " + why);
+}
+
+std::size_t column(const Cells& names, std::string_view name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+ManifestText parse_csv(std::string_view text) {
+  const Cells names = column_names();
+  CsvReader reader(text);
+  ManifestText result;
+  const auto head = reader.next();
+  if (!head && manifest_head(ManifestFormat::csv).starts_with(text)) return result;
+  if (head != names) fail("its first line does not name the columns");
+  for (std::size_t start = reader.end(); const auto cells = reader.next(); start = reader.end()) {
+    if (cells->size() != names.size()) fail("a line has the wrong number of columns");
+    const auto at = [&](std::string_view name) { return (*cells)[column(names, name)]; };
+    result.lines.push_back({std::string(text.substr(start, reader.end() - start)), at("output"),
+                            std::atoi(at("page").c_str()), at("operation"), !at("error").empty()});
+  }
+  result.size = reader.end();
+  return result;
+}
+
+ManifestText parse_json_lines(std::string_view text) {
+  constexpr std::string_view kStart = R"({"file":)";
+  ManifestText result;
+  if (!text.starts_with(kStart.substr(0, text.size()))) fail("its first line is no record");
+  std::size_t end = 0;
+  while ((end = text.find('\n', result.size)) != std::string_view::npos) {
+    const std::string line(text.substr(result.size, end + 1 - result.size));
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || !json.contains("error")) fail("a line is no record");
+    result.lines.push_back({line, json.value("output", ""), json.value("page", 1),
+                            json.value("operation", ""), !json["error"].is_null()});
+    result.size = end + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+ManifestFormat manifest_format(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".csv") return ManifestFormat::csv;
+  if (extension == ".jsonl") return ManifestFormat::json_lines;
+  throw UsageError("--manifest: expected a name that ends in .csv or .jsonl, got '" + path + "'");
+}
+
+void check_name(const std::string& name, ManifestFormat format) {
+  try {
+    if (format == ManifestFormat::json_lines) static_cast<void>(Json(name).dump());
+  } catch (const Json::exception&) {
+    throw std::runtime_error("a manifest in JSON cannot hold the name '" + name +
+                             "', which is not UTF-8; use one in CSV");
+  }
+}
+
+std::string manifest_head(ManifestFormat format) {
+  return format == ManifestFormat::csv ? fmt::format("{}\n", fmt::join(column_names(), ",")) : "";
+}
+
+std::string manifest_line(const BatchRecord& record, ManifestFormat format) {
+  const Json json = json_of(record);
+  if (format == ManifestFormat::json_lines) return json.dump() + '\n';
+  Cells cells;
+  for (const Json& value : json) cells.push_back(csv_cell(value));
+  return fmt::format("{}\n", fmt::join(cells, ","));
+}
+
+ManifestText parse_manifest(std::string_view text, ManifestFormat format) {
+  return format == ManifestFormat::csv ? parse_csv(text) : parse_json_lines(text);
+}
+
+}  // namespace thinbench
