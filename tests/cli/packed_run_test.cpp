@@ -85,7 +85,7 @@ TEST_F(PackedRun, files_of_other_formats_are_rejected) {
   EXPECT_EQ(failure("P5 2 2 255 abcd"), "it is not a binary PBM file (P4)");
   EXPECT_EQ(failure(""), "it is not a binary PBM file (P4)");
   EXPECT_EQ(failure("P4 12"), "its PBM header is damaged");
-  EXPECT_EQ(failure("P4 12 -3\n"), "its PBM header is damaged");
+  EXPECT_EQ(failure("P4 12 -3\n"), "its size is 12 x -3; expected 1 to 2^40 pixels");
   EXPECT_EQ(failure("P4 12 3x"), "its PBM header is damaged");
   EXPECT_EQ(failure("P4 0 3\n"), "its size is 0 x 3; expected 1 to 2^40 pixels");
   EXPECT_EQ(failure("P4 9999999999 9999999999\n"),
