@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parent
 
 
 def version() -> str:
-    return re.search(r"VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+    return re.search(r"project\(thinbench VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 
 
 class BuildWithLibrary(build_py):
@@ -31,7 +31,8 @@ class BuildWithLibrary(build_py):
                   *(f"-DTHINBENCH_BUILD_{option}=OFF" for option in options))
         self.call("cmake", "--build", str(build), "--target", "thinbench_shared")
         library = (build / "kernels" / "libthinbench.so").resolve()
-        self.copy_file(str(library), str(Path(self.build_lib) / "thinbench" / "libthinbench.so"))
+        package = ROOT / "python" if self.editable_mode else Path(self.build_lib)
+        self.copy_file(str(library), str(package / "thinbench" / "libthinbench.so"))
 
     def call(self, *command: str) -> None:
         try:

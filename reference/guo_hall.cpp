@@ -4,12 +4,11 @@
 #include "repeat.hpp"
 
 namespace thinbench::reference {
-namespace {
 
-/// `first`: which of the article's sub-iterations, 0 or 1, comes first.
-int thin_guo_hall(int first, const Repetition& repetition, ConstImageView source,
-                  ImageView destination) {
-  const auto removed = [first](const Matrix& image, Index x, Index y, int sub) {
+template <>
+int thin<Rule::guo_hall>(const Repetition& repetition, ConstImageView source,
+                         ImageView destination) {
+  const auto removed = [](const Matrix& image, Index x, Index y, int sub) {
     const bool p2 = image.at(x, y - 1);
     const bool p3 = image.at(x + 1, y - 1);
     const bool p4 = image.at(x + 1, y);
@@ -23,24 +22,10 @@ int thin_guo_hall(int first, const Repetition& repetition, ConstImageView source
     const int n1 = (p9 || p2) + (p3 || p4) + (p5 || p6) + (p7 || p8);
     const int n2 = (p2 || p3) + (p4 || p5) + (p6 || p7) + (p8 || p9);
     const int n = std::min(n1, n2);
-    const bool m = sub == first ? (p6 || p7 || !p9) && p8 : (p2 || p3 || !p5) && p4;
+    const bool m = sub == 0 ? (p6 || p7 || !p9) && p8 : (p2 || p3 || !p5) && p4;
     return c == 1 && 2 <= n && n <= 3 && !m;
   };
   return repeat(2, repetition, source, destination, removed);
-}
-
-}  // namespace
-
-template <>
-int thin<Rule::guo_hall>(const Repetition& repetition, ConstImageView source,
-                         ImageView destination) {
-  return thin_guo_hall(0, repetition, source, destination);
-}
-
-template <>
-int thin<Rule::guo_hall_skimage>(const Repetition& repetition, ConstImageView source,
-                                 ImageView destination) {
-  return thin_guo_hall(1, repetition, source, destination);
 }
 
 }  // namespace thinbench::reference

@@ -43,7 +43,7 @@ void fill(int file, const std::string& text) {
   if (lseek(file, 0, SEEK_SET) != 0) throw_errno("valgrind cannot be told");
 }
 
-/// Options in the environment or the home folder would change counts, or where they go.
+/// Options in the environment or the home directory would change counts, or where they go.
 [[noreturn]] void become_valgrind(const std::string& program, int input, int output) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);  // ends with its parent
   dup2(input, STDIN_FILENO);
@@ -179,9 +179,9 @@ std::filesystem::path program_beside() {
 
 bool is_installed(const std::string& program) {
   const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+  std::istringstream directories(path != nullptr ? path : "");
+  for (std::string directory; std::getline(directories, directory, ':');) {
+    if (access((std::filesystem::path(directory) / program).c_str(), X_OK) == 0) return true;
   }
   return false;
 }

@@ -53,21 +53,21 @@ class Tried {
     }
     ++tried_;
     right_ += counted == true_holes ? 1 : 0;
-    refused_ += counted ? 0 : 1;
+    rejected_ += counted ? 0 : 1;
   }
 
   [[nodiscard]] Json row(const std::string& images) const {
     return {{"pictures", images},        {"tried", tried_},
-            {"right", right_},           {"refused", refused_},
+            {"right", right_},           {"rejected", rejected_},
             {"true_holes", true_holes_}, {"counted", counted_ ? Json(*counted_) : Json()}};
   }
 
  private:
   int tried_ = 0;
   int right_ = 0;
-  int refused_ = 0;  // more than 254 grey levels needed at once
+  int rejected_ = 0;  // more than 254 grey levels needed at once
   int true_holes_ = 0;
-  std::optional<int> counted_;  // none where refused
+  std::optional<int> counted_;  // none where rejected
 };
 
 Json row_of_plates(int wall) {

@@ -131,9 +131,9 @@ std::vector<QualityInput> quality_inputs(const std::vector<std::string>& images,
   return inputs;
 }
 
-void write_skeletons(const std::string& folder, const std::vector<QualityInput>& inputs) {
+void write_skeletons(const std::string& directory, const std::vector<QualityInput>& inputs) {
   for (const QualityInput& input : inputs) {
-    const std::string stem = folder + "/quality_" + input.name;
+    const std::string stem = directory + "/quality_" + input.name;
     write_grey(stem + ".png", input.image.view());
     for (const Rule rule : measured_rules()) {
       write_grey(stem + "_" + name_of(rule) + ".png",

@@ -27,7 +27,7 @@ struct QualityInput {
 
 /// The inputs and their skeletons as image files `quality_<input>[_<operation>].png` in a
 /// directory.
-void write_skeletons(const std::string& folder, const std::vector<QualityInput>& inputs);
+void write_skeletons(const std::string& directory, const std::vector<QualityInput>& inputs);
 
 /// Every thinning rule that is no net, with zero padding, on every input. `min_symmetry` is the
 /// smallest overlap with the skeletons of the rotated input, rotated back.

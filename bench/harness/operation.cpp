@@ -8,22 +8,22 @@
 namespace thinbench {
 namespace {
 
-[[noreturn]] void refuse_step() {
+[[noreturn]] void reject_step() {
   throw std::logic_error("this job works on bytes: it has no steps of its own");
 }
 
 }  // namespace
 
 void Job::load(const ConstImageView&) {
-  refuse_step();
+  reject_step();
 }
 
 void Job::kernel() {
-  refuse_step();
+  reject_step();
 }
 
 void Job::store(const ImageView&) const {
-  refuse_step();
+  reject_step();
 }
 
 std::string Job::name_of_number(std::size_t index) const {

@@ -1,6 +1,7 @@
 // The C interface: arguments to C++ types, exceptions to statuses.
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -76,11 +77,13 @@ std::string names_of(const Infos& infos) {
   return names;
 }
 
-/// The value with this name, of type T.
-template <class T>
-T named(const char* what, const char* name, std::optional<T> value, const std::string& names) {
-  require(value.has_value(),
-          std::string(what) + ": expected one of " + names + "; got " + text_of(name));
+/// The value with this name, if there is one; `names` lists all for the message.
+template <class T, class Names>
+T named(const char* what, const char* name, std::optional<T> value, const Names& names) {
+  if (!value) {
+    throw std::invalid_argument(std::string(what) + ": expected one of " + names() + "; got " +
+                                text_of(name));
+  }
   return *value;
 }
 
@@ -89,49 +92,65 @@ std::string_view view_of(const char* name) {
 }
 
 Rule rule_of(const char* name) {
-  const auto rule = rule_from_name(view_of(name));
-  return rule ? *rule : named("rule", name, rule, names_of(kRules));
+  return named("rule", name, rule_from_name(view_of(name)), [] { return names_of(kRules); });
 }
 
 Isa isa_of(const char* name) {
-  std::string names;
-  for (const Isa isa : kAllIsas) names.append(names.empty() ? "" : ", ").append(isa_name(isa));
-  return named("isa", name, isa_from_name(view_of(name)), names);
+  return named("isa", name, isa_from_name(view_of(name)), [] {
+    std::string names;
+    for (const Isa isa : kAllIsas) names.append(names.empty() ? "" : ", ").append(isa_name(isa));
+    return names;
+  });
 }
 
-/// Checks the size of a versioned struct.
-void check_struct(size_t size, size_t known, const char* name) {
-  require(size == known, std::string(name) + ".size: expected " + std::to_string(known) + ", got " +
-                             std::to_string(size));
+/// A struct whose caller may know fewer members than this library, but at least those up to
+/// `first_version`; the others keep their defaults.
+template <class Struct>
+Struct versioned(const Struct* given, size_t first_version, Struct defaults, const char* name) {
+  require(first_version <= given->size && given->size <= sizeof(Struct),
+          std::string(name) + ".size: expected " + std::to_string(sizeof(Struct)) + ", got " +
+              std::to_string(given->size));
+  std::memcpy(&defaults, given, given->size);
+  return defaults;
 }
+
+constexpr size_t kFirstOptions = offsetof(thinbench_options, technique) + sizeof(const char*);
+constexpr size_t kFirstVariant =
+    offsetof(thinbench_variant, unavailable_reason) + sizeof(const char*);
 
 Options options_of(const thinbench_options* given) {
   Options options;
   if (given == nullptr) return options;
-  check_struct(given->size, sizeof(thinbench_options), "options");
-  require(given->max_iterations >= 0, "max_iterations: expected 0 (unlimited) or more, got " +
-                                          std::to_string(given->max_iterations));
-  options.border = given->keep_border != 0 ? Border::keep : Border::background;
-  if (given->max_iterations > 0) options.max_iterations = given->max_iterations;
-  options.threads = given->threads;
-  if (given->isa != nullptr) options.isa = isa_of(given->isa);
-  if (given->technique != nullptr) {
-    options.technique = named("technique", given->technique, technique_from_name(given->technique),
-                              names_of(kTechniques));
+  const thinbench_options defaults = THINBENCH_OPTIONS_INIT;
+  const auto from = versioned(given, kFirstOptions, defaults, "options");
+  require(from.max_iterations >= 0, "max_iterations: expected 0 (unlimited) or more, got " +
+                                        std::to_string(from.max_iterations));
+  options.border = from.keep_border != 0 ? Border::keep : Border::background;
+  if (from.max_iterations > 0) options.max_iterations = from.max_iterations;
+  options.threads = from.threads;
+  if (from.isa != nullptr) options.isa = isa_of(from.isa);
+  if (from.technique != nullptr) {
+    options.technique = named("technique", from.technique, technique_from_name(from.technique),
+                              [] { return names_of(kTechniques); });
   }
   return options;
+}
+
+/// Where there is no next image, the distance to it says nothing and passes every check.
+Index image_stride_of(Index given, Index count) {
+  return count == 1 ? PTRDIFF_MAX : given;
 }
 
 ConstStackView source_of(const thinbench_stack* stack) {
   require_pointer(stack, "source");
   return {stack->data,   stack->count,  stack->width,
-          stack->height, stack->stride, stack->image_stride};
+          stack->height, stack->stride, image_stride_of(stack->image_stride, stack->count)};
 }
 
 StackView destination_of(const thinbench_output* output, const ConstStackView& source) {
   require_pointer(output, "destination");
   return {output->data,  source.count,   source.width,
-          source.height, output->stride, output->image_stride};
+          source.height, output->stride, image_stride_of(output->image_stride, source.count)};
 }
 
 ConstImageView image_of(const thinbench_stack* stack) {
@@ -148,10 +167,11 @@ void and_with(std::uint8_t* pixels, Index count, std::uint8_t value) {
 void set_foreground(const thinbench_output* output, const StackView& written) {
   const std::uint8_t value = output->foreground;
   if (value == 0 || value == 255) return;
-  const bool has_gaps =
-      written.stride != written.width || written.image_stride != written.width * written.height;
-  if (!has_gaps) {
-    and_with(written.data, written.count * written.image_stride, value);
+  const Index pixels = written.width * written.height;
+  const bool contiguous =
+      written.stride == written.width && (written.count == 1 || written.image_stride == pixels);
+  if (contiguous) {
+    and_with(written.data, written.count * pixels, value);
     return;
   }
   for (Index i = 0; i < written.count; ++i) {
@@ -184,7 +204,12 @@ int thin_stack(Rule rule, const ConstStackView& source, const StackView& destina
                const Options& options, const thinbench_output* output) {
   constexpr Index part_bytes = Index{1} << 18;
   detail::check_stacks(source, destination);
-  ThinningBatch batch(rule, source.width, source.height, options);
+  detail::require_threads(options.threads);
+  constexpr Index images_per_thread = 16;
+  Options useful = options;
+  useful.threads = static_cast<int>(std::clamp<Index>(
+      (source.count + images_per_thread - 1) / images_per_thread, 1, options.threads));
+  ThinningBatch batch(rule, source.width, source.height, useful);
   const Index image_bytes = std::max<Index>(1, source.height * source.stride);
   const Index part = std::max<Index>(16, part_bytes / image_bytes * options.threads);
   int iterations = 0;
@@ -197,18 +222,15 @@ int thin_stack(Rule rule, const ConstStackView& source, const StackView& destina
   return iterations;
 }
 
-EdgeThresholds thresholds_of(int32_t gradient, int32_t brightness) {
-  return {gradient, brightness};
-}
-
 template <class Infos>
 const char* name_at(const Infos& infos, size_t index) {
   return index < infos.size() ? infos[index].name.data() : nullptr;
 }
 
 const thinbench_region* regions_of(const std::vector<Region>& list, size_t* count, size_t size) {
-  if (count != nullptr) *count = list.size();
-  if (size != sizeof(thinbench_region)) return nullptr;
+  const bool same_struct = size == sizeof(thinbench_region);
+  if (count != nullptr) *count = same_struct ? list.size() : 0;
+  if (!same_struct) return nullptr;
   return reinterpret_cast<const thinbench_region*>(list.data());
 }
 
@@ -298,8 +320,8 @@ thinbench_status thinbench_edges(const char* edge_operator, const thinbench_stac
   return guarded([&] {
     const EdgeOperator op =
         named("edge operator", edge_operator, edge_operator_from_name(view_of(edge_operator)),
-              names_of(kEdgeOperators));
-    const EdgeThresholds thresholds = thresholds_of(gradient_threshold, brightness_threshold);
+              [] { return names_of(kEdgeOperators); });
+    const EdgeThresholds thresholds = {gradient_threshold, brightness_threshold};
     const Options given = options_of(options);
     for_images(source, destination, [&](const ConstImageView& from, const ImageView& to) {
       detect_edges(op, from, to, thresholds, given);
@@ -314,12 +336,14 @@ thinbench_status thinbench_find_regions(const thinbench_stack* source, int32_t* 
     require_pointer(regions, "regions");
     *regions = nullptr;
     const ConstImageView image = image_of(source);
+    const Options given = options_of(options);
     if (labels == nullptr) {
-      hand_over(find_regions(image, options_of(options)), regions);
+      hand_over(find_regions(image, given), regions);
       return;
     }
-    require(options == nullptr || options->technique == nullptr,
-            "technique: labels have only one, so none can be named");
+    require(given.border == Border::background && given.max_iterations == kUnlimited &&
+                given.threads == 1 && !given.isa && !given.technique,
+            "options: with labels none may be set");
     hand_over(label_regions(image, {labels, image.width, image.height, labels_stride}), regions);
   });
 }
@@ -330,19 +354,21 @@ thinbench_status thinbench_localise(const thinbench_stack* grey, int32_t gradien
   return guarded([&] {
     require_pointer(regions, "regions");
     *regions = nullptr;
-    const EdgeThresholds thresholds = thresholds_of(gradient_threshold, brightness_threshold);
+    const EdgeThresholds thresholds = {gradient_threshold, brightness_threshold};
     hand_over(localise_objects(image_of(grey), thresholds, options_of(options)), regions);
   });
 }
 
 const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions, size_t* count,
                                                   size_t size) {
-  return regions == nullptr ? nullptr : regions_of(regions->found.objects, count, size);
+  static const std::vector<Region> none;
+  return regions_of(regions == nullptr ? none : regions->found.objects, count, size);
 }
 
 const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions, size_t* count,
                                                 size_t size) {
-  return regions == nullptr ? nullptr : regions_of(regions->found.holes, count, size);
+  static const std::vector<Region> none;
+  return regions_of(regions == nullptr ? none : regions->found.holes, count, size);
 }
 
 void thinbench_regions_destroy(thinbench_regions* regions) {
@@ -400,15 +426,16 @@ thinbench_status thinbench_rule_variant(const char* rule, size_t index,
   return guarded([&] {
     static thread_local std::string reason;
     require_pointer(variant, "variant");
-    check_struct(variant->size, sizeof(thinbench_variant), "variant");
+    const size_t size = versioned(variant, kFirstVariant, thinbench_variant{}, "variant").size;
     const auto& variants = detail::operation_of(rule_of(rule)).variants;
     require(index < variants.size(), "index: expected less than " +
                                          std::to_string(variants.size()) + ", got " +
                                          std::to_string(index));
     const detail::VariantInfo& info = variants[index];
     reason = detail::unavailable_reason(info, 0);
-    *variant = {sizeof(thinbench_variant), technique_name(info.technique).data(),
-                isa_name(info.isa).data(), info.threaded ? 1 : 0,
-                reason.empty() ? nullptr : reason.c_str()};
+    const thinbench_variant found = {size, technique_name(info.technique).data(),
+                                     isa_name(info.isa).data(), info.threaded ? 1 : 0,
+                                     reason.empty() ? nullptr : reason.c_str()};
+    std::memcpy(variant, &found, size);
   });
 }

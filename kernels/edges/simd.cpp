@@ -9,10 +9,7 @@
 // operations per batch including brightness, without interleaving.
 // to_bits: the faster of the two, but stores bits: 1/8 of the bytes written.
 //
-// Measured, not adopted: Sobel in 8 bits. Averages of averages are within one unit of the block
-// sums; batches with a pixel within one unit of the threshold were recomputed in 16 bits. On the
-// test image this took 1.28 times the time of 16 bits on avx512, 0.97 on avx2 and 0.85 on sse4.2,
-// and its time depends on the image.
+// Measured, not adopted: docs/experiments.md#sobel-in-8-bits.
 #include "dispatch/exported.hpp"
 #include "edges/gradients.hpp"
 

@@ -1,8 +1,7 @@
-// Without oneTBB: a team starts its threads when it first needs them and keeps them.
+// Without oneTBB: a team starts its threads and keeps them.
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -17,8 +16,8 @@ struct ThreadTeam::Workers {
     threads.reserve(static_cast<std::size_t>(count));
     try {
       for (int i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
-    } catch (const std::system_error&) {
-      // The system's limit; the calling thread and those that started do all parts.
+    } catch (...) {
+      // No more threads or memory: the calling thread and those that started do all parts.
     }
   }
 

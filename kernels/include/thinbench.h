@@ -1,12 +1,12 @@
 /* thinbench for C: thinning, edges, objects and holes of images.
  *
- * Functions return a status. On failure nothing is written, and thinbench_last_error() has one line
- * that names the invalid value. Names ("guo_hall", "sobel", "avx2") are those of the C++ interface
- * and of the command-line program. No function throws. All functions are thread-safe for different
- * destinations and handles.
+ * Functions return a status. After THINBENCH_INVALID_ARGUMENT nothing is written, and
+ * thinbench_last_error() has one line that names the invalid value. Names ("guo_hall", "sobel",
+ * "avx2") are those of the C++ interface and of the command-line program. No function throws. All
+ * functions are thread-safe for different destinations and handles.
  *
- * Structs begin with their size, so that later versions can add members at the end: initialise them
- * with the macros below. */
+ * thinbench_options and thinbench_variant begin with their size, so that later versions can add
+ * members at the end and still serve programs compiled before. The other structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -33,8 +33,9 @@ THINBENCH_API const char* thinbench_version(void);
 THINBENCH_API const char* thinbench_last_error(void);
 
 /* `count` images of height x width pixels, one byte each: pixel (x, y) of image i is
- * data[i * image_stride + y * stride + x]. Strides are in bytes. Binary images: 0 is background,
- * anything else is foreground. An image is a stack of one. */
+ * data[i * image_stride + y * stride + x]. Strides are in bytes; the image_stride of a single image
+ * is not used. Binary images: 0 is background, anything else is foreground. An image is a stack of
+ * one. */
 typedef struct thinbench_stack {
   const uint8_t* data;
   ptrdiff_t count;
@@ -132,7 +133,7 @@ typedef struct thinbench_regions thinbench_regions;
 
 /* Of one image; *regions must be destroyed; NULL on failure. With `labels`, int32_t values with
  * `labels_stride` values from row to row, every pixel gets the number of its object from 1, or the
- * number of objects plus that of its hole, or 0. Then the options must not name a technique. */
+ * number of objects plus that of its hole, or 0. Then no option may be set. */
 THINBENCH_API thinbench_status thinbench_find_regions(const thinbench_stack* source,
                                                       int32_t* labels, ptrdiff_t labels_stride,
                                                       const thinbench_options* options,
@@ -144,7 +145,8 @@ THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
                                                   const thinbench_options* options,
                                                   thinbench_regions** regions);
 /* `size` is sizeof(thinbench_region): thinbench_regions_objects(r, &count, sizeof(...)). The array
- * lives as long as the handle; NULL if this library's struct has another size. */
+ * lives as long as the handle. NULL, and a count of 0, without regions, for a NULL handle, and if
+ * this library's struct has another size. */
 THINBENCH_API const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions,
                                                                 size_t* count, size_t size);
 THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions,

@@ -20,40 +20,40 @@ _UINT8 = np.dtype(np.uint8)
 def binary(image: Any, max_dimensions: int = 2) -> Array:
     """A bool or uint8 image, or with `max_dimensions` of 3 also a stack of images."""
     image = np.asarray(image)
-    if image.dtype is not _BOOL and image.dtype != _UINT8:
+    if image.dtype not in (_BOOL, _UINT8):
         raise TypeError(f"image: expected dtype bool or uint8, got {image.dtype}; "
                         "`image != 0` or `image > threshold` makes one")
     return _with_dimensions(image, max_dimensions)
 
 
-def grey(image: Any) -> Array:
+def grey(image: Any, name: str = "image") -> Array:
     """A uint8 image of grey levels."""
     image = np.asarray(image)
     if image.dtype != _UINT8:
-        raise TypeError(f"image: expected dtype uint8 of grey levels, got {image.dtype}")
-    return _with_dimensions(image, 2)
+        raise TypeError(f"{name}: expected dtype uint8 of grey levels, got {image.dtype}")
+    return _with_dimensions(image, 2, name)
 
 
-def _with_dimensions(image: Array, max_dimensions: int) -> Array:
+def _with_dimensions(image: Array, max_dimensions: int, name: str = "image") -> Array:
     if not 2 <= image.ndim <= max_dimensions:
         expected = "(H, W)" if max_dimensions == 2 else "(H, W) or (N, H, W)"
-        raise ValueError(f"image: expected shape {expected}, got {image.shape}")
+        raise ValueError(f"{name}: expected shape {expected}, got {image.shape}")
     return image
 
 
-def result_for(image: Array, out: Array | None) -> Array:
+def result_for(image: Array, out: Array | None, name: str = "out") -> Array:
     """An array like the image, or `out` if that fits."""
     if out is None:
         return np.empty(image.shape, image.dtype)
     if not isinstance(out, np.ndarray):
-        raise TypeError(f"out: expected an array, got {type(out).__name__}")
+        raise TypeError(f"{name}: expected an array, got {type(out).__name__}")
     if out.dtype != image.dtype or out.shape != image.shape:
-        raise ValueError(f"out: expected {image.dtype} of shape {image.shape}, "
+        raise ValueError(f"{name}: expected {image.dtype} of shape {image.shape}, "
                          f"got {out.dtype} of shape {out.shape}")
     if not out.flags.c_contiguous:
-        raise ValueError(f"out: expected a C-contiguous array, got strides {out.strides}")
+        raise ValueError(f"{name}: expected a C-contiguous array, got strides {out.strides}")
     if not out.flags.writeable:
-        raise ValueError("out: expected a writable array, got a read-only one")
+        raise ValueError(f"{name}: expected a writable array, got a read-only one")
     return out
 
 

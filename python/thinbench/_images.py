@@ -96,6 +96,10 @@ def fill_holes(image: npt.ArrayLike, *, out: npt.NDArray[Any] | None = None) -> 
     TypeError, ValueError
         If an argument does not fit; then nothing is written.
 
+    References
+    ----------
+    docs/regions.md: labelled runs, joined by union-find.
+
     Examples
     --------
     >>> import numpy as np
@@ -127,11 +131,17 @@ def euler_number(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8) -> int:
     Returns
     -------
     int
+        Everything outside the image is background.
 
     Raises
     ------
     TypeError, ValueError
         If an argument does not fit.
+
+    References
+    ----------
+    S. B. Gray, "Local properties of binary images in two dimensions", IEEE Transactions on
+    Computers C-20(5), 1971.
 
     Examples
     --------
@@ -157,6 +167,11 @@ def regions(image: npt.ArrayLike, return_labels: Literal[False] = ...) -> Column
 @overload
 def regions(image: npt.ArrayLike,
             return_labels: Literal[True]) -> tuple[Columns, npt.NDArray[np.int32]]: ...
+
+
+@overload
+def regions(image: npt.ArrayLike, return_labels: bool,
+            ) -> Columns | tuple[Columns, npt.NDArray[np.int32]]: ...
 
 
 def regions(image: npt.ArrayLike, return_labels: bool = False,
@@ -186,6 +201,10 @@ def regions(image: npt.ArrayLike, return_labels: bool = False,
     ------
     TypeError, ValueError
         If an argument does not fit.
+
+    References
+    ----------
+    docs/regions.md: labelled runs, joined by union-find.
 
     Examples
     --------
@@ -230,7 +249,7 @@ def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_thre
     Returns
     -------
     dict of arrays
-        As `regions`.
+        As `regions`. Beyond the image border its pixels are repeated.
 
     Raises
     ------
@@ -266,15 +285,10 @@ def _columns(status: int, handle: ctypes.c_void_p) -> Columns:
     """The regions of a handle, which is destroyed."""
     if status:
         raise _library.error(status)
-    counts = ctypes.c_size_t(), ctypes.c_size_t()
-    lists = [list_of(handle, ctypes.byref(count), _REGION.itemsize) for list_of, count in zip(
-        (_library.regions_objects, _library.regions_holes), counts)]
-    objects, holes = (count.value for count in counts)
-    found = np.empty(objects + holes, _REGION)
-    address = found.ctypes.data
-    ctypes.memmove(address, lists[0], objects * _REGION.itemsize)
-    ctypes.memmove(address + objects * _REGION.itemsize, lists[1], holes * _REGION.itemsize)
-    _library.regions_destroy(handle)
+    try:
+        found, objects = _copied_lists(handle)
+    finally:
+        _library.regions_destroy(handle)
     area = found["area"]
     return {
         "label": np.arange(1, len(found) + 1, dtype=np.int32),
@@ -289,3 +303,15 @@ def _columns(status: int, handle: ctypes.c_void_p) -> Columns:
         "is_hole": np.arange(len(found)) >= objects,
     }
 
+
+def _copied_lists(handle: ctypes.c_void_p) -> tuple[npt.NDArray[Any], int]:
+    """Objects, then holes, and the number of objects."""
+    counts = ctypes.c_size_t(), ctypes.c_size_t()
+    lists = [list_of(handle, ctypes.byref(count), _REGION.itemsize) for list_of, count in zip(
+        (_library.regions_objects, _library.regions_holes), counts)]
+    objects, holes = (count.value for count in counts)
+    found = np.empty(objects + holes, _REGION)
+    address = found.ctypes.data
+    ctypes.memmove(address, lists[0], objects * _REGION.itemsize)
+    ctypes.memmove(address + objects * _REGION.itemsize, lists[1], holes * _REGION.itemsize)
+    return found, objects

@@ -52,6 +52,11 @@ edge_operator_name = _function("edge_operator_name", ctypes.c_size_t, result=_BY
 isa_name = _function("isa_name", ctypes.c_size_t, result=_BYTES)
 isa_available = _function("isa_available", _BYTES)
 _rule_variant = _function("rule_variant", _BYTES, ctypes.c_size_t, _POINTER)
+_thinner_create = _function(
+    "thinner_create", _BYTES, ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
+_thinner_technique = _function("thinner_technique", _POINTER, result=_BYTES)
+_thinner_isa = _function("thinner_isa", _POINTER, result=_BYTES)
+_thinner_destroy = _function("thinner_destroy", _POINTER, result=None)
 
 _EXCEPTIONS = {1: ValueError, 2: MemoryError}
 
@@ -78,6 +83,17 @@ def rule_variants(rule: bytes) -> list[tuple[str | None, str | None, bool, str |
     while _rule_variant(rule, len(found), buffer) == 0:
         _, technique, isa, threaded, reason = _VARIANT.unpack(buffer.raw)
         found.append((_text(technique), _text(isa), bool(threaded), _text(reason)))
+    return found
+
+
+def chosen_variant(rule: bytes, height: int, width: int) -> tuple[str, str]:
+    """The technique and ISA for images of this size."""
+    thinner = ctypes.c_void_p()
+    status = _thinner_create(rule, width, height, None, ctypes.byref(thinner))
+    if status:
+        raise error(status)
+    found = _thinner_technique(thinner).decode(), _thinner_isa(thinner).decode()
+    _thinner_destroy(thinner)
     return found
 
 

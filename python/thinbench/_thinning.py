@@ -11,12 +11,12 @@ import numpy.typing as npt
 from thinbench import _arrays, _library
 
 RULES = {name: name.encode() for name in _library.all_names(_library.rule_name)}
-_KEEPS_BORDER = {"background": b"", "keep": b"1"}
+_BORDERS = {"background": b"background", "keep": b"keep"}
 
 
 def options_for(border: str, max_iterations: int | None, threads: int) -> bytes:
     """A thinbench_options struct."""
-    keep = _arrays.one_of("border", border, _KEEPS_BORDER) == b"1"
+    keep = _arrays.one_of("border", border, _BORDERS) == b"keep"
     limit = 0
     if max_iterations is not None:
         limit = _arrays.integer("max_iterations", max_iterations)
@@ -37,6 +37,13 @@ def thin(image: npt.ArrayLike, rule: str = ..., *, border: str = ...,
          max_iterations: int | None = ..., threads: int = ...,
          return_iterations: Literal[True], out: npt.NDArray[Any] | None = ...,
          ) -> tuple[npt.NDArray[Any], int]: ...
+
+
+@overload
+def thin(image: npt.ArrayLike, rule: str = ..., *, border: str = ...,
+         max_iterations: int | None = ..., threads: int = ..., return_iterations: bool,
+         out: npt.NDArray[Any] | None = ...,
+         ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]: ...
 
 
 def thin(image: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "background",

@@ -96,7 +96,7 @@ def _edge_quality(data: Json) -> Iterator[Table]:
 
 def _literal_holes(data: Json) -> Iterator[Table]:
     columns = [("Images", _key("pictures")), ("Tried", _key("tried")), ("Right", _key("right")),
-               ("Rejected", _key("refused")), ("Holes", _key("true_holes")),
+               ("Rejected", _key("rejected")), ("Holes", _key("true_holes")),
                ("Counted", _key("counted"))]
     yield _table("Holes by the scan as published",
                  "The relabelling scan counts every contour but one as a hole, so each object "

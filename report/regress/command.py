@@ -31,8 +31,8 @@ Instructions are exact on the busiest machine: FAIL where a row takes over 1 % m
 or another number of iterations. Times: without --against, speed-ups over the references are
 compared with the baseline of this processor, compiler and flags, in the same state of the
 machine; a row may lose 10 % (20 % on images beyond the cache). With --against both builds are
-measured side by side, and a row may lose 2.5 %. What does not pass is measured once more, and is
-FAIL only if both runs say so.
+measured side by side, and a row may lose 2.5 %. What is not clear is measured again, up to four
+times, and is FAIL only if two of them say so.
 
 examples:
   ./study regress --against main

@@ -20,8 +20,6 @@ class Verdict(StrEnum):
 
 EXIT_STATUS = {Verdict.PASS: 0, Verdict.FAIL: 1, Verdict.INCONCLUSIVE: 3, Verdict.SKIPPED: 4}
 WRONG_USAGE = 2
-OPEN = (Verdict.FAIL, Verdict.INCONCLUSIVE)
-"""What is measured once more."""
 
 
 @dataclass(frozen=True)
@@ -66,21 +64,39 @@ Measure = Callable[[int, set[str] | None], list[RowVerdict]]
 """Measures and judges: the number of the attempt, and the rows, or None for all."""
 
 
+MAX_ATTEMPTS = 4
+
+
 def decide(measure: Measure) -> list[RowVerdict]:
-    """Measures; what does not pass is measured once more by other processes."""
-    first = measure(0, None)
-    open_rows = {row.name for row in first if row.verdict in OPEN}
-    if not open_rows:
-        return first
-    again = {row.name: row for row in measure(1, open_rows)}
-    return [confirmed(row, again[row.name]) if row.name in open_rows else row for row in first]
+    """Measures; what is not settled is measured again by other processes, up to MAX_ATTEMPTS."""
+    found = {row.name: [row] for row in measure(0, None)}
+    for attempt in range(1, MAX_ATTEMPTS):
+        open_rows = {name for name, rows in found.items() if settled(rows) is None}
+        if not open_rows:
+            break
+        for row in measure(attempt, open_rows):
+            if row.name in open_rows:
+                found[row.name].append(row)
+    return [settled(rows) or unsettled(rows) for rows in found.values()]
 
 
-def confirmed(first: RowVerdict, again: RowVerdict) -> RowVerdict:
-    """FAIL if both say so; a row that passes at the second attempt passes unless it was FAIL."""
-    if Verdict.FAIL in (first.verdict, again.verdict) and first.verdict != again.verdict:
-        return again.doubted(again.reason or f"first {first.verdict}, then {again.verdict}")
-    return again
+def settled(rows: list[RowVerdict]) -> RowVerdict | None:
+    """FAIL is what two attempts say, PASS what one says and none calls FAIL."""
+    by_verdict = {verdict: [row for row in rows if row.verdict == verdict] for verdict in Verdict}
+    if by_verdict[Verdict.SKIPPED]:
+        return rows[-1]
+    if len(by_verdict[Verdict.FAIL]) >= 2:
+        return by_verdict[Verdict.FAIL][-1]
+    if by_verdict[Verdict.PASS] and not by_verdict[Verdict.FAIL]:
+        return by_verdict[Verdict.PASS][-1]
+    return None
+
+
+def unsettled(rows: list[RowVerdict]) -> RowVerdict:
+    """INCONCLUSIVE, for the last reason given or because attempts disagree."""
+    reasons = [row.reason for row in rows if row.reason]
+    said = ", ".join(row.verdict for row in rows)
+    return rows[-1].doubted(reasons[-1] if reasons else f"{len(rows)} attempts: {said}")
 
 
 def overall(verdicts: Iterable[Verdict]) -> Verdict:

@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(ExperimentCommand, prints_a_table_and_writes_the_data) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("quantisation.json");
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("quantisation.json");
   const ProgramRun ran = run_with({"experiment", "quantisation", "--out", file});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("| rounded | 0 | 251 | 252 | 20 |"), std::string::npos);
@@ -30,18 +30,18 @@ TEST(ExperimentCommand, every_experiment_prints_a_table) {
 }
 
 TEST(ExperimentCommand, quality_takes_pictures_and_leaves_skeletons) {
-  const TemporaryDirectory folder;
-  const std::string picture = folder.file("spot.png");
+  const TemporaryDirectory directory;
+  const std::string picture = directory.file("spot.png");
   ByteImage spot(20, 10);
   for (Index x = 4; x < 15; ++x) spot.at(x, 5) = spot.at(x, 6) = spot.at(x, 7) = 255;
   write_grey(picture, spot.view());
-  const std::string file = folder.file("quality.json");
+  const std::string file = directory.file("quality.json");
   const ProgramRun ran = run_with({"experiment", "quality", "--image", picture, "--pictures-out",
-                                   folder.path().string(), "--out", file});
+                                   directory.path().string(), "--out", file});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("| thin_guo_hall | background | spot | 1 | 1 | 0 | 0 |"),
             std::string::npos);
-  EXPECT_EQ(read_grey(folder.file("quality_spot_thin_guo_hall.png")).width(), 20);
+  EXPECT_EQ(read_grey(directory.file("quality_spot_thin_guo_hall.png")).width(), 20);
   EXPECT_EQ(Json::parse(bytes_of(file)).at("command"),
             "thinbench experiment quality --image spot.png");
   const ProgramRun dark = run_with({"experiment", "quality", "--image", picture, "--foreground",
@@ -55,9 +55,9 @@ TEST(ExperimentCommand, quality_takes_pictures_and_leaves_skeletons) {
             "cannot read 'absent.png': there is no such file");
 }
 
-TEST(ExperimentCommand, files_that_cannot_be_written_are_refused_before_the_work) {
-  EXPECT_EQ(failure_of({"experiment", "hidden-neurons", "--out", "no_such_folder/x.json"}, 1),
-            "cannot write 'no_such_folder/x.json': there is no directory 'no_such_folder'");
+TEST(ExperimentCommand, files_that_cannot_be_written_are_rejected_before_the_work) {
+  EXPECT_EQ(failure_of({"experiment", "hidden-neurons", "--out", "no_such_directory/x.json"}, 1),
+            "cannot write 'no_such_directory/x.json': there is no directory 'no_such_directory'");
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ class HolesCommand : public testing::Test {
  protected:
   void SetUp() override { write_grey(in, plates().view()); }
 
-  TemporaryDirectory folder;
-  std::string in = folder.file("in.png");
-  std::string overlay = folder.file("overlay.png");
+  TemporaryDirectory directory;
+  std::string in = directory.file("in.png");
+  std::string overlay = directory.file("overlay.png");
 };
 
 TEST_F(HolesCommand, prints_each_object_with_its_holes_as_json) {
@@ -146,15 +146,16 @@ TEST_F(HolesCommand, overlay_changes_pixels_at_outlines_and_centres_only_round_o
 }
 
 TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
-  const std::string nowhere = folder.file("nothing.png");
+  const std::string nowhere = directory.file("nothing.png");
   EXPECT_NE(failure_of({"holes", nowhere, "--overlay", overlay}, 1).find("nothing.png"),
             std::string::npos);
-  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("a.jpg")}, 1).find("JPEG"),
+  EXPECT_NE(failure_of({"holes", in, "--overlay", directory.file("a.jpg")}, 1).find("JPEG"),
             std::string::npos);
-  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("a.pgm")}, 1).find("no colours"),
+  EXPECT_NE(failure_of({"holes", in, "--overlay", directory.file("a.pgm")}, 1).find("no colours"),
             std::string::npos);
-  EXPECT_NE(failure_of({"holes", in, "--overlay", folder.file("no/a.png")}, 1).find("no directory"),
-            std::string::npos);
+  EXPECT_NE(
+      failure_of({"holes", in, "--overlay", directory.file("no/a.png")}, 1).find("no directory"),
+      std::string::npos);
   EXPECT_NE(failure_of({"holes", in, "--threshold", "300"}, 2).find("300"), std::string::npos);
   EXPECT_EQ(failure_of({"holes", in, "--min-area", "0"}, 2),
             "--min-area: expected an integer in [1, 2147483648], got '0'; see 'thinbench holes "
@@ -163,10 +164,10 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
             std::string::npos);
   EXPECT_EQ(failure_of({"holes", in, "--technique", "lut"}, 2),
             "holes is not implemented by lut, only by union_find, bitpacked_runs and simd_runs");
-  EXPECT_EQ(folder.names(), Names{"in.png"});
+  EXPECT_EQ(directory.names(), Names{"in.png"});
 }
 
-TEST_F(HolesCommand, empty_values_are_refused) {
+TEST_F(HolesCommand, empty_values_are_rejected) {
   for (const char* option : {"--overlay", "--technique", "--isa"}) {
     EXPECT_EQ(failure_of({"holes", in, option, ""}, 2),
               std::string(option) + ": expected a value, got ''; see 'thinbench holes --help'");

@@ -207,7 +207,7 @@ TEST_F(RunCommand, technique_that_needs_more_than_the_cap_is_rejected) {
   EXPECT_NE(text.find("avx512"), std::string::npos) << text;
 }
 
-TEST_F(RunCommand, image_wider_than_the_limit_is_refused) {
+TEST_F(RunCommand, image_wider_than_the_limit_is_rejected) {
   if (!isa_available(Isa::avx512)) GTEST_SKIP() << "needs avx512";
   write_grey(in, bars(600).view());
   EXPECT_EQ(failure({"--technique", "simd_bitpacked_row"}, 1),

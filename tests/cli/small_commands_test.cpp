@@ -51,8 +51,8 @@ TEST(ListCommand, prints_a_line_for_each_operation) {
 
 TEST(ListCommand, counts_the_librarys_variants_that_run_here_and_names_what_run_takes) {
   const IsaCap cap("baseline");
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("a.png");
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.png");
   write_grey(file, ByteImage(1024, 9).view());
   const std::string run = run_with({"run", "thin_guo_hall", file, file}).out;
   const std::string first_two = run.substr(0, run.find("/1: "));  // operation/technique/isa
@@ -108,8 +108,8 @@ TEST(ListCommand, json_says_why_a_row_is_not_available) {
 }
 
 TEST(SceneCommand, writes_the_scene_and_says_what_it_shows) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("scene.png");
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("scene.png");
   const ProgramRun run = run_with({"scene", file, "--scale", "2", "--noise", "0"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(std::regex_match(run.out.substr(file.size()),
@@ -119,8 +119,8 @@ TEST(SceneCommand, writes_the_scene_and_says_what_it_shows) {
 }
 
 TEST(SceneCommand, binary_image_holds_0_and_255_only) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.file("scene.pgm");
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("scene.pgm");
   ASSERT_EQ(run_with({"scene", file, "--binary", "--border-touching"}).status, 0);
   const ByteImage image = read_grey(file);
   std::set<int> levels;
@@ -131,14 +131,14 @@ TEST(SceneCommand, binary_image_holds_0_and_255_only) {
 }
 
 TEST(SceneCommand, every_option_changes_the_picture) {
-  const TemporaryDirectory folder;
+  const TemporaryDirectory directory;
   std::set<std::string> pictures;
   const std::vector<std::vector<std::string>> options = {
       {}, {"--noise", "0.5"}, {"--seed", "7"}, {"--no-illumination"}, {"--border-touching"}};
   for (std::vector<std::string> args : options) {
-    args.insert(args.begin(), {"scene", folder.file("a.pgm")});
+    args.insert(args.begin(), {"scene", directory.file("a.pgm")});
     ASSERT_EQ(run_with(args).status, 0);
-    pictures.insert(bytes_of(folder.file("a.pgm")));
+    pictures.insert(bytes_of(directory.file("a.pgm")));
   }
   EXPECT_EQ(pictures.size(), options.size());
 }
@@ -150,13 +150,13 @@ TEST(SceneCommand, truth_needs_no_picture) {
 }
 
 TEST(SceneCommand, truth_and_image_come_together) {
-  const TemporaryDirectory folder;
-  const ProgramRun run = run_with({"scene", folder.file("a.png"), "--truth"});
+  const TemporaryDirectory directory;
+  const ProgramRun run = run_with({"scene", directory.file("a.png"), "--truth"});
   EXPECT_FALSE(Json::parse(run.out)["parts"].empty());
-  EXPECT_EQ(folder.names(), std::set<std::string>{"a.png"});
+  EXPECT_EQ(directory.names(), std::set<std::string>{"a.png"});
 }
 
-TEST(SceneCommand, refuses_what_it_cannot_draw) {
+TEST(SceneCommand, rejects_what_it_cannot_draw) {
   const std::string see = "; see 'thinbench scene --help'";
   EXPECT_EQ(failure_of({"scene"}, 2), "scene needs OUT, an image to write, or --truth");
   EXPECT_EQ(failure_of({"scene", "a.png", "--scale", "0"}, 2),
@@ -179,7 +179,7 @@ TEST(MachineCommand, prints_json_with_commit_and_options) {
             json["fingerprint"].get<std::string>() + "\n");
 }
 
-TEST(MachineCommand, refuses_options_that_are_no_object) {
+TEST(MachineCommand, rejects_options_that_are_no_object) {
   for (const std::string text : {"{", "[1]", "quick"}) {
     EXPECT_EQ(failure_of({"machine", "--options", text}, 2),
               "--options: '" + text + R"(' is not a JSON object such as {"quick": true})");

@@ -73,17 +73,17 @@ TEST(TrainCommand, weights_files_for_other_sizes_are_rejected) {
 }
 
 TEST(TrainCommand, unwritable_files_are_rejected_before_the_training) {
-  const std::string reason = "': there is no directory 'no_such_folder'";
+  const std::string reason = "': there is no directory 'no_such_directory'";
   for (const std::string option : {"--out", "--header"}) {
-    EXPECT_EQ(failure_of({"train", "cluster", option, "no_such_folder/a"}, 1),
-              "cannot write 'no_such_folder/a" + reason);
+    EXPECT_EQ(failure_of({"train", "cluster", option, "no_such_directory/a"}, 1),
+              "cannot write 'no_such_directory/a" + reason);
   }
   // With these options the training itself would fail with another error.
   for (const std::string option : {"--out", "--markdown"}) {
     EXPECT_EQ(failure_of({"train", "two-layer", "--seed", "5", "--max-restarts", "0", option,
-                          "no_such_folder/a"},
+                          "no_such_directory/a"},
                          1),
-              "cannot write 'no_such_folder/a" + reason);
+              "cannot write 'no_such_directory/a" + reason);
   }
 }
 

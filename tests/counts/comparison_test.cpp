@@ -108,15 +108,15 @@ std::string rejection_of(const std::string& file) {
 }
 
 TEST(Comparison, files_that_hold_no_counts_are_rejected_by_name) {
-  const TemporaryDirectory folder;
+  const TemporaryDirectory directory;
   EXPECT_EQ(rejection_of("absent.json"), "'absent.json' cannot be read");
-  const std::string cut = folder.with("cut.json", R"({"schema": 1,)");
+  const std::string cut = directory.with("cut.json", R"({"schema": 1,)");
   EXPECT_EQ(rejection_of(cut), "'" + cut + "' is not complete JSON");
   for (const char* text : {"[]", "{}", R"({"schema": 3})", R"({"schema": 1, "rows": [7]})"}) {
-    const std::string file = folder.with("x.json", text);
+    const std::string file = directory.with("x.json", text);
     EXPECT_EQ(rejection_of(file), "'" + file + "' holds no counts that this version knows") << text;
   }
-  const std::string good = folder.with("good.json", document("a", 1).dump());
+  const std::string good = directory.with("good.json", document("a", 1).dump());
   EXPECT_EQ(read_counts(good).at("rows").size(), 1U);
 }
 

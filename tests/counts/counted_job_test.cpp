@@ -25,7 +25,7 @@ TEST(CountedJob, what_is_read_is_what_was_written) {
   EXPECT_TRUE(equal(job.input.grey.view(), input.grey.view()));
 }
 
-TEST(CountedJob, a_job_that_was_cut_off_is_refused) {
+TEST(CountedJob, a_job_that_was_cut_off_is_rejected) {
   std::stringstream stream;
   write_job(stream, small_scene(), {"a/b"});
   const std::string whole = stream.str();
@@ -35,7 +35,7 @@ TEST(CountedJob, a_job_that_was_cut_off_is_refused) {
   }
 }
 
-TEST(CountedJob, rows_are_found_by_name_and_unknown_ones_refused) {
+TEST(CountedJob, rows_are_found_by_name_and_unknown_ones_rejected) {
   const TimedInput input = small_scene();
   for (const char* name : {"thin_guo_hall/bitpacked/baseline/1/kernel/scene_small",
                            "thin_guo_hall/lut/baseline/1/end_to_end/scene_small"}) {

@@ -189,11 +189,11 @@ TEST(LiteralHoles, are_right_on_one_object_with_walls_of_three_pixels_or_more) {
     EXPECT_EQ(row.at("tried"), 41) << wall;
     EXPECT_EQ(row.at("right"), wall < 3 ? 1 : 41)
         << "behind thin walls no holes are seen: " << wall;
-    EXPECT_EQ(row.at("refused"), 0) << wall;
+    EXPECT_EQ(row.at("rejected"), 0) << wall;
   }
 }
 
-TEST(LiteralHoles, take_other_objects_for_holes_and_refuse_too_many_contours) {
+TEST(LiteralHoles, take_other_objects_for_holes_and_reject_too_many_contours) {
   const Json rows = data_of(literal_holes()).at("rows");
   const Json& several = rows[5];
   EXPECT_EQ(several.at("tried"), 5 * 41);
@@ -206,7 +206,7 @@ TEST(LiteralHoles, take_other_objects_for_holes_and_refuse_too_many_contours) {
   const Json& many = rows[7];
   EXPECT_EQ(many.at("true_holes"), 254);
   EXPECT_TRUE(many.at("counted").is_null());
-  EXPECT_EQ(many.at("refused"), 1);
+  EXPECT_EQ(many.at("rejected"), 1);
 }
 
 TEST(ExperimentReport, tables_hold_the_fields_of_the_rows_that_have_values) {

@@ -84,10 +84,10 @@ nlohmann::json rows_of(const std::vector<QualityInput>& inputs) {
 }
 
 std::vector<std::string> names_from(const std::vector<std::string>& files) {
-  const TemporaryDirectory folder;
+  const TemporaryDirectory directory;
   std::vector<std::string> images;
   for (const std::string& file : files) {
-    images.push_back(folder.file(file));
+    images.push_back(directory.file(file));
     std::filesystem::create_directories(std::filesystem::path(images.back()).parent_path());
     write_grey(images.back(), noise_image(9, 9, 50, 1, 1).view());
   }

@@ -59,8 +59,8 @@ constexpr const char* kDamaged = "it is damaged or has no pixels";
 class GreyFile : public testing::TestWithParam<const char*> {};
 
 TEST_P(GreyFile, keeps_every_pixel) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.file(std::string("a.") + GetParam());
+  const TemporaryDirectory directory;
+  const std::string file = directory.file(std::string("a.") + GetParam());
   ASSERT_TRUE(cv::imwrite(file, ramp()));
   expect_ramp(read_grey(file), 0);
 }
@@ -68,37 +68,37 @@ TEST_P(GreyFile, keeps_every_pixel) {
 INSTANTIATE_TEST_SUITE_P(Formats, GreyFile, testing::Values("png", "pgm", "bmp", "tif"));
 
 TEST(ReadGrey, jpeg_comes_out_nearly_as_it_was) {
-  const TemporaryDirectory folder;
-  ASSERT_TRUE(cv::imwrite(folder.file("a.jpg"), ramp(), {cv::IMWRITE_JPEG_QUALITY, 100}));
-  expect_ramp(read_grey(folder.file("a.jpg")), 3);
+  const TemporaryDirectory directory;
+  ASSERT_TRUE(cv::imwrite(directory.file("a.jpg"), ramp(), {cv::IMWRITE_JPEG_QUALITY, 100}));
+  expect_ramp(read_grey(directory.file("a.jpg")), 3);
 }
 
 TEST(ReadGrey, sixteen_bits_become_eight) {
-  const TemporaryDirectory folder;
+  const TemporaryDirectory directory;
   cv::Mat deep;
   ramp().convertTo(deep, CV_16UC1, 257);
   for (const char* ending : {"png", "pgm", "tif"}) {
-    const std::string file = folder.file(std::string("deep.") + ending);
+    const std::string file = directory.file(std::string("deep.") + ending);
     ASSERT_TRUE(cv::imwrite(file, deep));
     expect_ramp(read_grey(file), 0);
   }
 }
 
 TEST(ReadGrey, colours_become_grey_and_transparency_is_left_out) {
-  const TemporaryDirectory folder;
+  const TemporaryDirectory directory;
   const cv::Mat transparent(2, 3, CV_8UC4, cv::Scalar(77, 77, 77, 0));
-  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), transparent));
-  EXPECT_EQ(read_grey(folder.file("a.png")).at(2, 1), 77);
+  ASSERT_TRUE(cv::imwrite(directory.file("a.png"), transparent));
+  EXPECT_EQ(read_grey(directory.file("a.png")).at(2, 1), 77);
 }
 
 TEST(ReadGrey, missing_file_is_named) {
-  const TemporaryDirectory folder;
-  expect_error(folder.file("absent.png"), "there is no such file");
+  const TemporaryDirectory directory;
+  expect_error(directory.file("absent.png"), "there is no such file");
 }
 
-TEST(ReadGrey, folder_is_no_image) {
-  const TemporaryDirectory folder;
-  expect_error(folder.path().string(), "it is a directory");
+TEST(ReadGrey, directory_is_no_image) {
+  const TemporaryDirectory directory;
+  expect_error(directory.path().string(), "it is a directory");
 }
 
 TEST(ReadGrey, device_is_no_image) {
@@ -106,48 +106,48 @@ TEST(ReadGrey, device_is_no_image) {
 }
 
 TEST(ReadGrey, protected_file_is_rejected) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.with("a.pgm", "P5 1 1 255\nx");
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.pgm", "P5 1 1 255\nx");
   std::filesystem::permissions(file, std::filesystem::perms::none);
   if (std::ifstream(file).good()) GTEST_SKIP() << "this user may read everything";
   expect_error(file, "Permission denied");
 }
 
 TEST(ReadGrey, empty_file_is_rejected) {
-  const TemporaryDirectory folder;
-  expect_error(folder.with("a.png", ""), "the file is empty");
+  const TemporaryDirectory directory;
+  expect_error(directory.with("a.png", ""), "the file is empty");
 }
 
 TEST(ReadGrey, text_is_no_image) {
-  const TemporaryDirectory folder;
-  expect_error(folder.with("a.png", "this is text"), "it is not an image of a known format");
+  const TemporaryDirectory directory;
+  expect_error(directory.with("a.png", "this is text"), "it is not an image of a known format");
 }
 
 TEST(ReadGrey, image_without_pixels_is_rejected) {
-  const TemporaryDirectory folder;
+  const TemporaryDirectory directory;
   for (const char* header : {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n"}) {
-    expect_error(folder.with("a.pgm", header), "it is damaged or has no pixels");
+    expect_error(directory.with("a.pgm", header), "it is damaged or has no pixels");
   }
-  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
-  ASSERT_TRUE(cv::imwrite(folder.file("a.bmp"), ramp()));
+  ASSERT_TRUE(cv::imwrite(directory.file("a.png"), ramp()));
+  ASSERT_TRUE(cv::imwrite(directory.file("a.bmp"), ramp()));
   for (const auto& [name, at] :
        {std::pair("a.png", 16U), {"a.png", 20U}, {"a.bmp", 18U}, {"a.bmp", 22U}}) {
-    const std::string bytes = bytes_of(folder.file(name)).replace(at, 4, 4, '\0');
-    expect_error(folder.with(std::string("b.") + name, bytes), "it is damaged or has no pixels");
+    const std::string bytes = bytes_of(directory.file(name)).replace(at, 4, 4, '\0');
+    expect_error(directory.with(std::string("b.") + name, bytes), "it is damaged or has no pixels");
   }
 }
 
 class CutFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
-  const TemporaryDirectory folder;
-  const std::string whole = folder.file(std::string("a.") + GetParam());
+TEST_P(CutFile, is_rejected_without_a_word_from_the_decoder) {
+  const TemporaryDirectory directory;
+  const std::string whole = directory.file(std::string("a.") + GetParam());
   cv::Mat large;
   cv::repeat(ramp(), 20, 5, large);
   ASSERT_TRUE(cv::imwrite(whole, large));
   const std::string bytes = bytes_of(whole);
   const std::string cut =
-      folder.with(std::string("cut.") + GetParam(), bytes.substr(0, bytes.size() / 2));
+      directory.with(std::string("cut.") + GetParam(), bytes.substr(0, bytes.size() / 2));
   const bool is_jpeg = std::string(GetParam()) == "jpg";
   expect_error(cut, is_jpeg ? "the file is truncated" : kDamaged);
 }
@@ -155,24 +155,24 @@ TEST_P(CutFile, is_refused_without_a_word_from_the_decoder) {
 INSTANTIATE_TEST_SUITE_P(Formats, CutFile, testing::Values("png", "pgm", "bmp", "tif", "jpg"));
 
 TEST(ReadGrey, damaged_png_is_rejected) {
-  const TemporaryDirectory folder;
-  ASSERT_TRUE(cv::imwrite(folder.file("a.png"), ramp()));
-  std::string bytes = bytes_of(folder.file("a.png"));
+  const TemporaryDirectory directory;
+  ASSERT_TRUE(cv::imwrite(directory.file("a.png"), ramp()));
+  std::string bytes = bytes_of(directory.file("a.png"));
   bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
-  expect_error(folder.with("b.png", bytes), kDamaged);
+  expect_error(directory.with("b.png", bytes), kDamaged);
 }
 
 TEST(ReadGrey, size_beyond_the_decoder_is_rejected_by_its_header) {
   if (std::getenv("OPENCV_IO_MAX_IMAGE_PIXELS") != nullptr) GTEST_SKIP() << "the limit is changed";
-  const TemporaryDirectory folder;
-  expect_error(folder.with("a.pgm", "P5 70000 70000 255\n"),
+  const TemporaryDirectory directory;
+  expect_error(directory.with("a.pgm", "P5 70000 70000 255\n"),
                "it has more than 2^30 pixels; set OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the "
                "environment to read up to 2^31");
 }
 
 TEST(ReadGrey, width_beyond_the_decoder_is_rejected) {
-  const TemporaryDirectory folder;
-  expect_error(folder.with("a.pgm", "P5 2000000 1 255\n"),
+  const TemporaryDirectory directory;
+  expect_error(directory.with("a.pgm", "P5 2000000 1 255\n"),
                "it is wider or higher than 2^20 pixels");
 }
 

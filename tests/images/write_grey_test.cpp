@@ -55,83 +55,83 @@ class FullDisk {
 
 class WrittenFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(WrittenFile, reads_back_equal_and_lies_alone_in_its_folder) {
-  const TemporaryDirectory folder;
+TEST_P(WrittenFile, reads_back_equal_and_lies_alone_in_its_directory) {
+  const TemporaryDirectory directory;
   const std::string name = std::string("a") + GetParam();
-  write_grey(folder.file(name), stripes().view());
-  EXPECT_TRUE(equal(read_grey(folder.file(name)).view(), stripes().view()));
-  EXPECT_EQ(folder.names(), Names{name});
+  write_grey(directory.file(name), stripes().view());
+  EXPECT_TRUE(equal(read_grey(directory.file(name)).view(), stripes().view()));
+  EXPECT_EQ(directory.names(), Names{name});
 }
 
 INSTANTIATE_TEST_SUITE_P(Endings, WrittenFile,
                          testing::Values(".png", ".pgm", ".bmp", ".tif", ".tiff", ".PNG"));
 
 TEST(WriteGrey, replaces_a_file) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.with("a.png", "old");
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.png", "old");
   write_grey(file, stripes().view());
   EXPECT_TRUE(equal(read_grey(file).view(), stripes().view()));
 }
 
 TEST(WriteGrey, unknown_ending_names_the_known_ones) {
-  const TemporaryDirectory folder;
+  const TemporaryDirectory directory;
   const std::string known = "; known are .png, .pgm, .bmp, .tif and .tiff";
-  expect_error(folder.file("a.gif"), "unknown extension '.gif'" + known);
-  expect_error(folder.file("a"), "its name has no extension" + known);
-  expect_error(folder.file("a.jpg"), "JPEG would change pixels" + known);
-  EXPECT_EQ(folder.names(), Names{});
+  expect_error(directory.file("a.gif"), "unknown extension '.gif'" + known);
+  expect_error(directory.file("a"), "its name has no extension" + known);
+  expect_error(directory.file("a.jpg"), "JPEG would change pixels" + known);
+  EXPECT_EQ(directory.names(), Names{});
 }
 
-TEST(WriteGrey, absent_folder_is_named) {
-  const TemporaryDirectory folder;
-  const std::string absent = folder.file("absent");
+TEST(WriteGrey, absent_directory_is_named) {
+  const TemporaryDirectory directory;
+  const std::string absent = directory.file("absent");
   expect_error(absent + "/a.png", "there is no directory '" + absent + "'");
 }
 
-TEST(WriteGrey, folder_in_the_way_is_refused) {
-  const TemporaryDirectory folder;
-  std::filesystem::create_directory(folder.file("a.png"));
-  expect_error(folder.file("a.png"), "it is a directory");
-  EXPECT_EQ(folder.names(), Names{"a.png"});
+TEST(WriteGrey, directory_in_the_way_is_rejected) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.file("a.png"));
+  expect_error(directory.file("a.png"), "it is a directory");
+  EXPECT_EQ(directory.names(), Names{"a.png"});
 }
 
-TEST(WriteGrey, protected_folder_is_refused) {
-  const TemporaryDirectory folder;
+TEST(WriteGrey, protected_directory_is_rejected) {
+  const TemporaryDirectory directory;
   std::filesystem::permissions(
-      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  const bool may_write = access(folder.path().c_str(), W_OK) == 0;
-  if (!may_write) expect_error(folder.file("a.png"), "Permission denied");
-  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+      directory.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  const bool may_write = access(directory.path().c_str(), W_OK) == 0;
+  if (!may_write) expect_error(directory.file("a.png"), "Permission denied");
+  std::filesystem::permissions(directory.path(), std::filesystem::perms::owner_all);
   if (may_write) GTEST_SKIP() << "this user may write everywhere";
 }
 
-TEST(WriteGrey, folder_that_takes_no_files_is_refused_for_every_user) {
+TEST(WriteGrey, directory_that_takes_no_files_is_rejected_for_every_user) {
   expect_error("/proc/a.png", "No such file or directory");
 }
 
-TEST(WriteGrey, protected_file_is_refused) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.with("a.png", "old");
+TEST(WriteGrey, protected_file_is_rejected) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.png", "old");
   std::filesystem::permissions(file, std::filesystem::perms::owner_read);
   if (access(file.c_str(), W_OK) == 0) GTEST_SKIP() << "this user may write everything";
   expect_error(file, "it is write-protected");
 }
 
 TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
-  const TemporaryDirectory folder;
-  const std::string file = folder.with("a.pgm", "old");
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.pgm", "old");
   {
     const FullDisk full(100);
     expect_error(file, "File too large");
   }
   EXPECT_EQ(bytes_of(file), "old");
-  EXPECT_EQ(folder.names(), Names{"a.pgm"});
+  EXPECT_EQ(directory.names(), Names{"a.pgm"});
 }
 
-TEST(WriteGrey, image_without_pixels_is_refused) {
-  const TemporaryDirectory folder;
-  EXPECT_THROW(write_grey(folder.file("a.png"), ByteImage(0, 4).view()), ImageError);
-  EXPECT_EQ(folder.names(), Names{});
+TEST(WriteGrey, image_without_pixels_is_rejected) {
+  const TemporaryDirectory directory;
+  EXPECT_THROW(write_grey(directory.file("a.png"), ByteImage(0, 4).view()), ImageError);
+  EXPECT_EQ(directory.names(), Names{});
 }
 
 TEST(WriteGrey, takes_every_size_below_two_to_the_31) {
@@ -143,12 +143,12 @@ TEST(WriteGrey, takes_every_size_below_two_to_the_31) {
   EXPECT_FALSE(is_writable_size(PTRDIFF_MAX, PTRDIFF_MAX));
 }
 
-TEST(WriteGrey, size_beyond_the_limit_is_refused_before_a_pixel_is_touched) {
-  const TemporaryDirectory folder;
+TEST(WriteGrey, size_beyond_the_limit_is_rejected_before_a_pixel_is_touched) {
+  const TemporaryDirectory directory;
   const std::uint8_t pixel = 0;
   const ConstImageView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
-  EXPECT_THROW(write_grey(folder.file("a.png"), huge), ImageError);
-  EXPECT_EQ(folder.names(), Names{});
+  EXPECT_THROW(write_grey(directory.file("a.png"), huge), ImageError);
+  EXPECT_EQ(directory.names(), Names{});
 }
 
 }  // namespace

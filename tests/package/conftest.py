@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import json
 import os
 import re
 import subprocess
@@ -40,7 +42,18 @@ def readme_block(language: str, containing: str) -> str:
     return code_block("README.md", language, containing)
 
 
+@functools.cache
 def reuse(build: Path) -> dict[str, str]:
     """Environment in which CMake takes the kernels' objects from this build."""
-    launcher = Path(__file__).with_name("reuse_objects.py")
-    return {"CMAKE_CXX_COMPILER_LAUNCHER": str(launcher), "THINBENCH_REUSED_BUILD": str(build)}
+    lines = []
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        source = re.search(r" -c \S*?kernels/(\S+)", entry["command"])
+        output = re.search(r" -o (\S+)", entry["command"])
+        if source and output and not output.group(1).endswith(".gch"):
+            isa = re.search(r"-DTHINBENCH_ISA=(\w+)", entry["command"])
+            lines.append("\t".join([source.group(1), isa.group(1) if isa else "",
+                                    str(Path(entry["directory"]) / output.group(1))]))
+    file = build / "objects.tsv"
+    file.write_text("\n".join(lines) + "\n")
+    launcher = Path(__file__).with_name("reuse_objects.sh")
+    return {"CMAKE_CXX_COMPILER_LAUNCHER": str(launcher), "THINBENCH_OBJECTS": str(file)}

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -97,6 +99,31 @@ def test_add_subdirectory(build, tmp_path):
                   "targets '${tests}'\")\n")
     assert build_and_run(tmp_path, **reuse(build)) == OUTPUT
     assert "type '' standard '' targets 'thinbench_flags'" in run("cmake", "build", cwd=tmp_path)
+
+
+def test_library_without_tbb_is_found_with_headers_in_another_directory(build, tmp_path):
+    options = [f"-DTHINBENCH_BUILD_{part}=OFF" for part in ("PROGRAMS", "TESTS", "PYTHON")]
+    run("cmake", "-G", "Ninja", "-S", ROOT, "-B", tmp_path / "library", *options,
+        "-DTHINBENCH_WITH_TBB=OFF", "-DCMAKE_INSTALL_INCLUDEDIR=include/other", **reuse(build))
+    run("cmake", "--build", tmp_path / "library", **reuse(build))
+    run("cmake", "--install", tmp_path / "library", "--prefix", tmp_path / "prefix")
+    example = tmp_path / "example"
+    example.mkdir()
+    write_example(example, readme_block("cmake", "find_package"))
+    assert build_and_run(example, f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}") == OUTPUT
+
+
+def test_programs_without_tbb_are_rejected_in_one_line(tmp_path):
+    done = subprocess.run(["cmake", "-S", ROOT, "-B", tmp_path, "-DTHINBENCH_WITH_TBB=OFF"],
+                          capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    assert "THINBENCH_WITH_TBB" in done.stderr and "oneTBB" in done.stderr
+
+
+def test_version_is_the_same_everywhere():
+    version = (ROOT / "kernels/include/thinbench/version.hpp").read_text()
+    project = re.search(r"project\(thinbench VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
+    assert project and f'kVersion = "{project.group(1)}"' in version
 
 
 def test_installed_headers_are_the_public_ones(prefix):

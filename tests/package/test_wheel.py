@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import tarfile
 import zipfile
@@ -11,7 +12,10 @@ import pytest
 
 from conftest import ROOT, reuse, run
 
-FIRST_CALL = "import numpy, thinbench; print(thinbench.thin(numpy.ones((3, 9), bool)).sum())"
+FIRST_CALL = ("import numpy, thinbench; "
+              "print(thinbench.thin(numpy.ones((3, 9), bool)).sum(), thinbench.__version__)")
+VERSION = re.search(r'kVersion = "(.*)"', (
+    ROOT / "kernels/include/thinbench/version.hpp").read_text()).group(1)
 
 
 @pytest.fixture(scope="module")
@@ -45,20 +49,25 @@ def install_and_call(wheel: Path, directory: Path) -> str:
 
 def test_wheel_is_for_any_python_3_and_needs_only_system_libraries(distributions, tmp_path):
     (wheel,) = distributions.glob("*.whl")
-    assert wheel.name.endswith("-py3-none-linux_x86_64.whl")
+    assert wheel.name == f"thinbench-{VERSION}-py3-none-linux_x86_64.whl"
     with zipfile.ZipFile(wheel) as archive:
         names = archive.namelist()
         library = archive.extract("thinbench/libthinbench.so", tmp_path)
     assert {"thinbench/py.typed", "thinbench/compat/cv2.py"} <= set(names)
     needed = [line for line in run("readelf", "-d", library).splitlines() if "NEEDED" in line]
     assert not [line for line in needed if "tbb" in line]
-    assert install_and_call(wheel, tmp_path) == "7"
+    assert install_and_call(wheel, tmp_path) == f"7 {VERSION}"
 
 
 def test_source_archive_holds_only_what_the_build_needs(distributions):
     (archive,) = distributions.glob("*.tar.gz")
     with tarfile.open(archive) as files:
-        directories = {name.split("/")[1] for name in files.getnames() if name.count("/") > 1}
+        names = {member.name.split("/", 1)[1] for member in files if member.isfile()}
+    directories = {name.split("/")[0] for name in names if "/" in name}
+    tracked = run("git", "-C", ROOT, "ls-files", "--cached", "--others", "--exclude-standard",
+                  "kernels", "cmake", "CMakeLists.txt", "LICENSE")
+    # The objects are not compiled from the archive here, so their sources are compared instead.
+    assert {name for name in tracked.splitlines() if (ROOT / name).is_file()} <= names
     assert directories == {"cmake", "docs", "kernels", "python", "thinbench.egg-info"}
 
 
@@ -68,4 +77,4 @@ def test_pip_wheel_without_index_or_isolation(build, tmp_path):
     run(sys.executable, "-m", "pip", "wheel", ".", "--no-deps", "--no-index",
         "--no-build-isolation", "--wheel-dir", tmp_path, cwd=source, **reuse(build))
     (wheel,) = tmp_path.glob("*.whl")
-    assert install_and_call(wheel, tmp_path) == "7"
+    assert install_and_call(wheel, tmp_path) == f"7 {VERSION}"

@@ -11,7 +11,7 @@ import numpy as np
 def random_image(seed: int, max_side: int = 64) -> np.ndarray:
     """A bool image: noise, blobs, bars or rectangles at the border. RandomState never changes."""
     random = np.random.RandomState(seed)
-    height, width = random.randint(1, max_side, 2)
+    height, width = random.randint(1, max_side + 1, 2)
     image = random.rand(height, width) < random.rand()
     kind = random.randint(4)
     if kind == 1:
@@ -34,8 +34,8 @@ def iteration_limit(seed: int) -> int | None:
 
 
 def pictures() -> list[Path]:
-    """PNG and JPEG files in THINBENCH_TEST_IMAGES; none if it is not set."""
+    """PNG and JPEG files in THINBENCH_TEST_IMAGES; none if there is no such directory."""
     directory = os.environ.get("THINBENCH_TEST_IMAGES")
-    if not directory:
+    if not directory or not Path(directory).is_dir():
         return []
     return sorted(path for path in Path(directory).iterdir() if path.suffix in {".png", ".jpg"})

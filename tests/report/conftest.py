@@ -126,8 +126,8 @@ def _built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Built:
     return build(write_run(tmp_path / "run", all_rows()), capsys)
 
 
-@pytest.fixture(name="refusal")
-def _refusal(capsys: pytest.CaptureFixture[str]) -> Iterator[Callable[..., str]]:
+@pytest.fixture(name="rejection")
+def _rejection(capsys: pytest.CaptureFixture[str]) -> Iterator[Callable[..., str]]:
     """Runs a command that must fail and leave nothing behind; gives the one line that says why."""
     def run(*words: str | Path) -> str:
         before = set(Path(words[1]).rglob("*"))

@@ -18,8 +18,8 @@ from report.measure.estimates import Estimate
 from report.measure.sampler import Json, Process, Samples
 from report.regress import builds, command, output, stored
 from report.regress.counts import layer_from
-from report.regress.verdicts import (Layer, RowVerdict, Verdict, confirmed, decide, exit_status,
-                                     judge, layer_of, skipped)
+from report.regress.verdicts import (Layer, RowVerdict, Verdict, decide, exit_status, judge,
+                                     layer_of, skipped)
 from report.schemas import check_schema
 
 PASS, FAIL, INCONCLUSIVE, SKIPPED = Verdict
@@ -69,15 +69,20 @@ def test_a_row_fails_only_where_its_whole_interval_is_beyond_the_limit(value: fl
     assert judge(change(value), 0.10) == verdict
 
 
-@pytest.mark.parametrize("first, again, verdict", [
-    (FAIL, FAIL, FAIL), (FAIL, PASS, INCONCLUSIVE), (FAIL, INCONCLUSIVE, INCONCLUSIVE),
-    (INCONCLUSIVE, FAIL, INCONCLUSIVE), (INCONCLUSIVE, PASS, PASS)])
-def test_only_a_confirmed_fail_is_a_fail(first: Verdict, again: Verdict,
-                                         verdict: Verdict) -> None:
-    assert confirmed(RowVerdict("a", first), RowVerdict("a", again)).verdict == verdict
+@pytest.mark.parametrize("attempts, verdict", [
+    ([PASS], PASS), ([FAIL, FAIL], FAIL), ([INCONCLUSIVE, PASS], PASS),
+    ([INCONCLUSIVE, FAIL, FAIL], FAIL), ([FAIL, PASS, FAIL], FAIL),
+    ([FAIL, PASS, PASS, PASS], INCONCLUSIVE), ([INCONCLUSIVE] * 4, INCONCLUSIVE),
+    ([FAIL, INCONCLUSIVE, PASS, INCONCLUSIVE], INCONCLUSIVE)])
+def test_fail_needs_two_attempts_and_pass_one_without_fail(attempts: list[Verdict],
+                                                           verdict: Verdict) -> None:
+    left = list(attempts)
+    rows = decide(lambda number, names: [RowVerdict("a", left.pop(0))])
+    assert [row.verdict for row in rows] == [verdict]
+    assert left == []
 
 
-def test_what_passes_is_not_measured_again() -> None:
+def test_only_open_rows_are_measured_again() -> None:
     asked = []
 
     def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:

@@ -11,7 +11,7 @@ std::string named(const std::string& path, const Names& taken = {}) {
   return image_name(path, taken, std::regex("scene|square_[0-9]+"));
 }
 
-TEST(ImageName, is_the_files_without_folder_and_ending) {
+TEST(ImageName, is_the_files_without_directory_and_ending) {
   EXPECT_EQ(named("a/b/horse.png"), "horse");
   EXPECT_EQ(named("horse.old.png"), "horse.old");
   EXPECT_EQ(named("horse"), "horse");

@@ -68,7 +68,7 @@ TEST(ClusterTraining, small_integers_are_no_larger_than_three) {
   }
 }
 
-TEST(ClusterTraining, fewer_nets_than_needed_are_refused_with_the_number) {
+TEST(ClusterTraining, fewer_nets_than_needed_are_rejected_with_the_number) {
   EXPECT_NO_THROW((void)train_cluster(keep_table_of_rule(), {12, false}));
   try {
     (void)train_cluster(keep_table_of_rule(), {11, false});

@@ -134,7 +134,8 @@ TEST(WeightsFile, what_is_not_json_is_rejected_with_the_place) {
 TEST(WeightsFile, missing_files_are_named) {
   EXPECT_THROW((void)read_weights(testing::TempDir() + "no_such_weights.json"), std::runtime_error);
   EXPECT_THROW((void)read_weights(testing::TempDir()), std::runtime_error);
-  EXPECT_THROW(write_whole_file(testing::TempDir() + "no_such_folder/x", ""), std::runtime_error);
+  EXPECT_THROW(write_whole_file(testing::TempDir() + "no_such_directory/x", ""),
+               std::runtime_error);
 }
 
 TEST(WeightsFile, table_has_the_layout_of_table_1) {

@@ -95,7 +95,9 @@ namespace ximgproc {
 enum ThinningTypes { THINNING_ZHANGSUEN = 0, THINNING_GUOHALL = 1 };
 
 /// As cv::ximgproc::thinning, pixel for pixel: values of 128 and more are foreground, results are 0
-/// and 255, and the outermost pixels are never removed. The destination may be the source.
+/// and 255, and the outermost pixels are never removed. The destination may be the source or a part
+/// of an image, and is written where it has the right size and type, even if it shares pixels with
+/// the source, where OpenCV allocates another one.
 /// `options.border` has no effect.
 ///
 /// Throws cv::Exception for an empty source, another type than CV_8UC1, and a thinning type that is
@@ -131,6 +133,7 @@ inline int connectedComponentsWithStats(cv::InputArray source, cv::OutputArray l
                                         int connectivity = 8, int label_type = CV_32S) {
   const cv::Mat image = opencv_detail::byte_image(source);
   CV_CheckTypeEQ(label_type, CV_32S, "expected labels of 32 bits");
+  CV_Check(connectivity, connectivity == 8 || connectivity == 4, "expected 8 or 4");
   cv::Mat_<int> painted(image.size());
   const std::vector<Region> objects = opencv_detail::with_opencv_errors([&] {
     const LabelView view(painted.ptr<std::int32_t>(), painted.cols, painted.rows,

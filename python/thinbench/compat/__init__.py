@@ -21,7 +21,8 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
         Nonzero is foreground.
     operation : {"thin"}
     n : int or inf
-        The number of iterations; inf: until nothing changes.
+        The number of iterations; inf: until nothing changes. Everything outside the image is
+        background.
 
     Returns
     -------
@@ -31,8 +32,12 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     ------
     NotImplementedError
         For other operations.
-    ValueError
+    TypeError, ValueError
         If n is negative or not whole, or the image has not two dimensions.
+
+    References
+    ----------
+    docs/thinning.md: the rule "guo_hall_skimage".
 
     Examples
     --------
@@ -43,9 +48,17 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     """
     if operation != "thin":
         raise NotImplementedError(f"operation: expected 'thin', got {operation!r}")
-    if n != math.inf and (n < 0 or n != int(n)):
-        raise ValueError(f"n: expected a whole number of at least 0 or inf, got {n}")
+    limit = None if n == math.inf else _whole(n)
     picture = skimage.as_bool(image)
-    if n == 0 or picture.size == 0:
+    if limit == 0 or picture.size == 0:
         return picture
-    return skimage.thin(picture, None if n == math.inf else int(n))
+    return skimage.thin(picture, limit)
+
+
+def _whole(n: float) -> int:
+    """A number of iterations; MATLAB's numbers are floating-point."""
+    if not isinstance(n, (int, float, np.number)):
+        raise TypeError(f"n: expected a number, got {n!r}")
+    if not (0 <= n < 2**31 and n == int(n)):
+        raise ValueError(f"n: expected a whole number from 0 to 2**31 - 1 or inf, got {n}")
+    return int(n)

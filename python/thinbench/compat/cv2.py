@@ -23,7 +23,8 @@ def thinning(src: npt.ArrayLike, dst: npt.NDArray[np.uint8] | None = None,
     src : array of uint8, shape (H, W)
         Values of 128 and more are foreground.
     dst : array of uint8, optional
-        Receives the result. May be `src`.
+        Receives the result: same shape, C-contiguous. May be `src`. (OpenCV returns a new array if
+        the shape differs.)
     thinningType : {THINNING_ZHANGSUEN, THINNING_GUOHALL}
 
     Returns
@@ -37,6 +38,10 @@ def thinning(src: npt.ArrayLike, dst: npt.NDArray[np.uint8] | None = None,
         If an argument does not fit, also for an empty image and for an unknown type, which OpenCV
         4.6 accepts.
 
+    References
+    ----------
+    docs/thinning.md: the rules "zhang_suen" and "guo_hall", with border "keep".
+
     Examples
     --------
     >>> import numpy as np
@@ -45,12 +50,14 @@ def thinning(src: npt.ArrayLike, dst: npt.NDArray[np.uint8] | None = None,
     >>> print(cv2.thinning(block)[2])
     [  0   0 255 255   0   0   0]
     """
-    image = _arrays.grey(src)
+    image = _arrays.grey(src, "src")
     if image.size == 0:
         raise ValueError(f"src: expected an image with pixels, got shape {image.shape}")
-    if thinningType not in _RULES:
+    rule = _RULES.get(_arrays.integer("thinningType", thinningType))
+    if rule is None:
         raise ValueError(f"thinningType: expected 0 (Zhang-Suen) or 1 (Guo-Hall), "
-                         f"got {thinningType!r}")
-    foreground = image & _HIGH_BIT
-    return thin(foreground, _RULES[thinningType], border="keep",
-                out=foreground if dst is None else dst)
+                         f"got {thinningType}")
+    foreground = np.bitwise_and(image, _HIGH_BIT, order="C")
+    if dst is not None:
+        _arrays.result_for(image, dst, "dst")
+    return thin(foreground, rule, border="keep", out=foreground if dst is None else dst)

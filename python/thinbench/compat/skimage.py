@@ -16,8 +16,8 @@ def as_bool(image: npt.ArrayLike) -> npt.NDArray[np.bool_]:
     picture = np.asarray(image)
     if picture.ndim != 2:
         raise ValueError(f"image: expected shape (H, W), got {picture.shape}")
-    if picture.dtype == object:
-        raise TypeError("image: expected numbers, got dtype object")
+    if picture.dtype.kind not in "biufc":
+        raise TypeError(f"image: expected numbers, got dtype {picture.dtype}")
     return picture.astype(bool, order="C")
 
 
@@ -39,6 +39,10 @@ def thin(image: npt.ArrayLike, max_num_iter: int | None = None) -> npt.NDArray[n
     ------
     TypeError, ValueError
         If an argument does not fit, also for an empty image, as in scikit-image.
+
+    References
+    ----------
+    docs/thinning.md: the rule "guo_hall_skimage". Everything outside the image is background.
 
     Examples
     --------
@@ -75,6 +79,10 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
         For the method "lee", which is in scikit-image.
     ValueError
         For another method, or if the image has not two dimensions.
+
+    References
+    ----------
+    docs/thinning.md: the rule "zhang_suen_skimage". Everything outside the image is background.
 
     Examples
     --------
