@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "cli/arguments.hpp"
 #include "cli/summary.hpp"
@@ -122,6 +123,8 @@ int run_out_of_core(const PackedOptions& options, const detail::ThinningOperatio
                     const PackedFormat& format, const std::string& in, const std::string& out,
                     const Options& how, const Console& console) {
   reject_for_out_of_core(how);
+  // By default glibc keeps up to 64 MiB of what was freed.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
   const Index memory = memory_of(options.memory.empty() ? kDefaultMemory : options.memory);
   const Index reach = reach_of_iteration(operation.rule).value_or(1);  // checked by the run
   const Tiling tiling =

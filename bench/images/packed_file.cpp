@@ -227,7 +227,7 @@ Index packed_foreground(const ConstPackedView& image) {
     const std::uint8_t* row = image.row(y);
     Index i = 0;
     for (; i + 8 <= bytes; i += 8) {
-      std::uint64_t word;
+      std::uint64_t word = 0;
       std::memcpy(&word, row + i, sizeof(word));
       count += bits_of(word);
     }

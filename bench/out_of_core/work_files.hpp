@@ -10,12 +10,27 @@
 
 namespace thinbench {
 
+/// A file that no other process has locked; it is created if there is none.
+class LockedFile {
+ public:
+  /// `purpose` is the file that the lock protects, for the error message.
+  LockedFile(const std::string& path, const std::string& purpose);
+  ~LockedFile();
+  LockedFile(const LockedFile&) = delete;
+  LockedFile& operator=(const LockedFile&) = delete;
+  LockedFile(LockedFile&&) = delete;
+  LockedFile& operator=(LockedFile&&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// Pass p reads what pass p - 1 wrote, the first one the input, and writes file p % 2. Both have
 /// the format of the output, so that the last one written becomes the output.
 class WorkFiles {
  public:
-  /// Checks that the directory of `out` has room for `files` work files. `identity` as in
-  /// Checkpoint.
+  /// Checks that the directory of `out` has room for `files` work files and that no other run
+  /// writes them. `identity` as in Checkpoint.
   WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format, int files,
             std::string identity);
   /// Removes the files if the checkpoint was removed.
@@ -49,6 +64,7 @@ class WorkFiles {
   std::string identity_;
   std::array<std::string, 2> names_;
   std::string state_name_;
+  std::optional<LockedFile> lock_;
   PackedFile source_;
   PackedFile target_;
   bool is_resumable_ = true;

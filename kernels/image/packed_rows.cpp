@@ -30,7 +30,7 @@ void read_row(const std::uint8_t* bytes, Index width, std::uint64_t* row) {
   const Index words = width / kWordBits;
   const Index tail = width % kWordBits;
   for (Index i = 0; i < words; ++i) {
-    std::uint64_t word;
+    std::uint64_t word = 0;
     std::memcpy(&word, bytes + i * kWordBytes, sizeof(word));
     row[i] = reordered<order>(word);
   }

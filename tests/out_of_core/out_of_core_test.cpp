@@ -159,6 +159,17 @@ TEST(OutOfCore, too_little_space_is_reported_before_the_work) {
   EXPECT_TRUE(is_one_sentence(error)) << error;
 }
 
+TEST(OutOfCore, second_run_for_the_same_output_is_rejected) {
+  PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
+  const OutOfCoreRun second = prepared.run;
+  std::set<std::string> errors;
+  prepared.run.on_tile = [&](int, Index) {
+    errors.insert(rejection_of<FileError>([&] { thin_out_of_core(second); }));
+  };
+  thin_out_of_core(prepared.run);
+  EXPECT_EQ(errors, Names{"cannot write '" + prepared.run.out + "': another run is writing it"});
+}
+
 TEST(OutOfCore, failed_write_leaves_nothing_behind) {
   const PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
   std::string error;

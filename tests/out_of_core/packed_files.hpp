@@ -11,10 +11,6 @@
 
 namespace thinbench {
 
-inline std::string raw_bytes(const PackedImage& image) {
-  return {image.bytes().begin(), image.bytes().end()};
-}
-
 /// A run from `in` to `out` in a directory of its own. Its image has no gaps.
 struct PreparedRun {
   PreparedRun(const PackedImage& image, const OutOfCoreRun& options) : run(options) {

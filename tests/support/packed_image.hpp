@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "support/byte_image.hpp"
@@ -51,5 +52,9 @@ class PackedImage {
   BitOrder order_;
   std::vector<std::uint8_t> bytes_;
 };
+
+inline std::string raw_bytes(const PackedImage& image) {
+  return {image.bytes().begin(), image.bytes().end()};
+}
 
 }  // namespace thinbench
