@@ -188,16 +188,23 @@ def _with_chunks_of_at_least(array: Any, minimum: int) -> Any:
     return array.rechunk(tuple(merged(sizes, minimum) for sizes in array.chunks))
 
 
-def assembled(blocks: npt.NDArray[Any], chunks: Any, dtype: Any) -> Any:
-    """The array of a matrix of delayed blocks."""
+def array_of(tasks: dict[tuple[int, ...], Any], blocks: npt.NDArray[Any], chunks: Any,
+             dtype: Any) -> Any:
+    """The array whose chunks are given by tasks that read delayed blocks."""
     name = "thinbench-" + uuid.uuid4().hex
-    graph = {(name, *index): block.key for index, block in np.ndenumerate(blocks)}
-    graph = HighLevelGraph.from_collections(name, graph, dependencies=list(blocks.flat))
-    return da.Array(graph, name, chunks, dtype=dtype)
+    graph = {(name, *index): task for index, task in tasks.items()} | _graph_of(blocks.ravel())
+    return da.Array(HighLevelGraph.from_collections(name, graph), name, chunks, dtype=dtype)
+
+
+def _graph_of(blocks: npt.NDArray[Any]) -> dict[Any, Any]:
+    """One graph for all, whose layers would take longer to combine than to compute."""
+    graphs = {id(graph): graph for graph in (block.__dask_graph__() for block in blocks)}
+    return {key: task for graph in graphs.values() for key, task in graph.items()}
 
 
 def _thin_block(block: npt.NDArray[Any], **options: Any) -> npt.NDArray[Any]:
-    return thinbench.thin(block, **options)
+    result: npt.NDArray[Any] = thinbench.thin(block, **options)
+    return result
 
 
 def _limited(array: Any, rule: str, border: str, max_iterations: int, depth: int) -> Any:
@@ -217,7 +224,8 @@ def _until_at_rest(array: Any, rule: str, border: str, depth: int, iterations: i
     while active.any():
         changed, at_rest = _run_round(blocks, active, depth, rule, border, iterations)
         active = _with_neighbours(changed & ~at_rest.all())
-    return assembled(blocks, array.chunks, array.dtype)
+    keys = {index: block.key for index, block in np.ndenumerate(blocks)}
+    return array_of(keys, blocks, array.chunks, array.dtype)
 
 
 def _run_round(blocks: npt.NDArray[Any], active: npt.NDArray[np.bool_], depth: int, rule: str,
@@ -245,12 +253,6 @@ def _run_round(blocks: npt.NDArray[Any], active: npt.NDArray[np.bool_], depth: i
         blocks[index] = block
         changed[index], at_rest[index] = state
     return changed, at_rest
-
-
-def _graph_of(blocks: npt.NDArray[Any]) -> dict[Any, Any]:
-    """One graph for all, whose layers would take longer to combine than to compute."""
-    graphs = {id(graph): graph for graph in (block.__dask_graph__() for block in blocks)}
-    return {key: task for graph in graphs.values() for key, task in graph.items()}
 
 
 def _with_neighbours(chunks: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
