@@ -9,16 +9,16 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+import dask
 import numpy as np
 import numpy.typing as npt
 
-import dask
-import thinbench.dask as tb_dask
 from thinbench import _images
+from thinbench._dask_thinning import array_of, with_chunks_of_at_least
 
 Array = npt.NDArray[Any]
 
-_REDUCTIONS: dict[str, np.ufunc] = {
+_REDUCTIONS: dict[str, Any] = {
     "area": np.add, "sum_x": np.add, "sum_y": np.add, "left": np.minimum, "top": np.minimum,
     "right": np.maximum, "bottom": np.maximum}
 
@@ -48,7 +48,7 @@ def regions(array: Any, return_labels: bool) -> Any:
     if array.size == 0:
         table = _images.columns(np.empty(0, _images.REGION), 0)
         return (table, array.astype(np.int32)) if return_labels else table
-    chunked = array.rechunk(tuple(tb_dask.merged(sizes, 1) for sizes in array.chunks))
+    chunked = with_chunks_of_at_least(array, 1)
     blocks = chunked.to_delayed()
     parts = _computed_parts(blocks, chunked.chunks, array.shape[1])
     table, labels = _joined(parts, array.shape)
@@ -56,7 +56,7 @@ def regions(array: Any, return_labels: bool) -> Any:
         return table
     tasks = {index: (_relabelled, block.key, labels[index])
              for index, block in np.ndenumerate(blocks)}
-    return table, tb_dask.array_of(tasks, blocks, chunked.chunks, np.int32).rechunk(array.chunks)
+    return table, array_of(tasks, blocks, chunked.chunks, np.int32).rechunk(array.chunks)
 
 
 def _computed_parts(blocks: Array, chunks: Any, width: int) -> Array:

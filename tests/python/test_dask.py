@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import importlib
 import os
 import signal
 import subprocess
@@ -18,6 +19,7 @@ dask = pytest.importorskip("dask")
 da = pytest.importorskip("dask.array")
 zarr = pytest.importorskip("zarr")
 tb_dask = pytest.importorskip("thinbench.dask")
+dask_thinning = importlib.import_module("thinbench._dask_thinning")
 
 
 @pytest.fixture(autouse=True)
@@ -92,13 +94,13 @@ def test_limited_iterations_are_lazy_and_exact(rule, border):
 def count_chunks(monkeypatch) -> list[int]:
     """The number of chunks that each round computes, filled by later calls."""
     rounds: list[int] = []
-    run_round = tb_dask._run_round
+    run_round = dask_thinning._run_round
 
     def counted(blocks, active, *arguments):
         rounds.append(int(active.sum()))
         return run_round(blocks, active, *arguments)
 
-    monkeypatch.setattr(tb_dask, "_run_round", counted)
+    monkeypatch.setattr(dask_thinning, "_run_round", counted)
     return rounds
 
 
@@ -212,7 +214,7 @@ def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_pat
         assert len(rounds) > 1
         table = tb_dask.regions(result)
         np.testing.assert_array_equal(table["area"], thinbench.regions(expected)["area"])
-        run_round = tb_dask._run_round
+        run_round = dask_thinning._run_round
 
         def killed_before_the_second(*arguments):
             if len(rounds) == 1:
@@ -220,5 +222,5 @@ def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_pat
             return run_round(*arguments)
 
         rounds.clear()
-        monkeypatch.setattr(tb_dask, "_run_round", killed_before_the_second)
+        monkeypatch.setattr(dask_thinning, "_run_round", killed_before_the_second)
         np.testing.assert_array_equal(tb_dask.thin(array).compute(), expected)
