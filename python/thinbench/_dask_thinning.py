@@ -118,24 +118,26 @@ def _neighbours(i: int, j: int, shape: tuple[int, ...]) -> list[tuple[int, int]]
     return [(y, x) for y, x in _DIRECTIONS if 0 <= i + y < shape[0] and 0 <= j + x < shape[1]]
 
 
-def _edges(block: npt.NDArray[Any], depth: int) -> dict[tuple[int, int], npt.NDArray[Any]]:
-    """What the neighbour of a block in each direction reads of it.
+def _edges(block: npt.NDArray[Any], depth: int) -> dict[tuple[int, int], npt.NDArray[np.uint8]]:
+    """What the neighbour of a block in each direction reads of it, in packed bits.
 
-    One task for all is faster than eight; copies, as views would keep the block in memory.
+    One task for all is faster than eight, and bits are quicker to send to another worker.
     """
     ends = {-1: slice(depth), 0: slice(None), 1: slice(-depth, None)}
-    return {(y, x): block[ends[y], ends[x]].copy() for y, x in _DIRECTIONS}
+    return {(y, x): np.packbits(block[ends[y], ends[x]], axis=1) for y, x in _DIRECTIONS}
 
 
 def _advance(block: npt.NDArray[Any], neighbours: list[tuple[int, int]],
-             edges: list[dict[tuple[int, int], npt.NDArray[Any]]], depth: int, rule: str,
+             edges: list[dict[tuple[int, int], npt.NDArray[np.uint8]]], depth: int, rule: str,
              border: str, iterations: int) -> tuple[npt.NDArray[Any], tuple[bool, bool]]:
     """Thins a block with its halo; also returns whether it has changed and whether it was at rest.
 
     At rest: the last iteration changed nothing in the block, as an iteration before had changed
     nothing anywhere, or as no iteration changed the block: rules only remove pixels.
     """
-    pieces = {(y, x): edge[-y, -x] for (y, x), edge in zip(neighbours, edges)}
+    width = {-1: depth, 0: block.shape[1], 1: depth}
+    pieces = {(y, x): np.unpackbits(edge[-y, -x], axis=1, count=width[x]).view(block.dtype)
+              for (y, x), edge in zip(neighbours, edges)}
     pieces[0, 0] = block
     image = np.block([[pieces[y, x] for x in (-1, 0, 1) if (y, x) in pieces]
                       for y in (-1, 0, 1) if (y, 0) in pieces])
