@@ -5,7 +5,7 @@ packages=(g++ cmake ninja-build git libbenchmark-dev libtbb-dev libxsimd-dev lib
   chromium chromium-driver parallel pkg-config mypy python3 python3-numpy python3-scipy
   python3-matplotlib python3-jinja2 python3-jsonschema python3-junitparser python3-pytest
   python3-selenium python3-build python3-pip python3-setuptools python3-venv python3-wheel
-  python3-hypothesis python3-opencv python3-skimage)
+  python3-hypothesis python3-opencv python3-skimage python3-dask python3-distributed python3-zarr)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
@@ -21,14 +22,12 @@ namespace {
 
 using detail::ThreadTeam;
 
-constexpr std::uint32_t kNoRun = ~std::uint32_t{0};
-
 /// Pixels [first, last) of a row, all with one label.
 struct Run {
+  std::int32_t label;  // its value, later its index in the list of labels
   std::int32_t y;
   std::int32_t first;
   std::int32_t last;
-  std::uint32_t previous;  // run with this label, or kNoRun
 };
 
 /// One axis of a canvas, and where the label's box begins on it.
@@ -39,8 +38,8 @@ struct CanvasSide {
 
 struct Label {
   std::int32_t value;
-  std::uint32_t last_run;
   Index left, top, right, bottom;  // the box; right and bottom are exclusive
+  Index first_run, run_count;      // first_run: among runs that are grouped by label
   CanvasSide columns, rows;
 };
 
@@ -68,8 +67,8 @@ void append_runs(const ConstLabelView& source, Index y, std::vector<Run>& runs) 
     last = end_of_run(row, x, source.width);
     if (row[x] < 0) reject_label(row[x], x, y);
     if (row[x] == 0) continue;
-    runs.push_back({static_cast<std::int32_t>(y), static_cast<std::int32_t>(x),
-                    static_cast<std::int32_t>(last), kNoRun});
+    runs.push_back({row[x], static_cast<std::int32_t>(y), static_cast<std::int32_t>(x),
+                    static_cast<std::int32_t>(last)});
   }
 }
 
@@ -91,26 +90,38 @@ std::vector<Run> find_runs(const ConstLabelView& source, const ThreadTeam& team)
   return runs;
 }
 
-void add_run(Label& label, Run& run, std::uint32_t index) {
-  run.previous = label.last_run;
-  label.last_run = index;
-  label.left = std::min<Index>(label.left, run.first);
-  label.right = std::max<Index>(label.right, run.last);
-  label.bottom = run.y + 1;
-}
-
-/// Links the runs of each label; returns the labels in raster order of their first pixels.
-std::vector<Label> find_labels(const ConstLabelView& source, std::vector<Run>& runs) {
+/// The labels in raster order of their first pixels; in the runs, their indices replace values.
+std::vector<Label> find_labels(std::vector<Run>& runs) {
   std::vector<Label> labels;
-  std::unordered_map<std::int32_t, std::size_t> index_of;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    Run& run = runs[i];
-    const std::int32_t value = source.row(run.y)[run.first];
-    const auto [found, is_new] = index_of.try_emplace(value, labels.size());
-    if (is_new) labels.push_back({value, kNoRun, run.first, run.y, run.last, run.y + 1, {}, {}});
-    add_run(labels[found->second], run, static_cast<std::uint32_t>(i));
+  std::unordered_map<std::int32_t, std::int32_t> index_of;
+  for (Run& run : runs) {
+    const auto next = static_cast<std::int32_t>(labels.size());
+    const auto [found, is_new] = index_of.try_emplace(run.label, next);
+    if (is_new) labels.push_back({run.label, run.first, run.y, 0, 0, 0, 0, {}, {}});
+    run.label = found->second;
+    Label& label = labels[static_cast<std::size_t>(run.label)];
+    label.left = std::min<Index>(label.left, run.first);
+    label.right = std::max<Index>(label.right, run.last);
+    label.bottom = run.y + 1;
+    ++label.run_count;
   }
   return labels;
+}
+
+/// The runs grouped by label, so that those of a label lie side by side in memory.
+std::vector<Run> grouped_runs(const std::vector<Run>& runs, std::vector<Label>& labels) {
+  std::vector<Index> next;
+  Index count = 0;
+  for (Label& label : labels) {
+    label.first_run = count;
+    next.push_back(count);
+    count += label.run_count;
+  }
+  std::vector<Run> grouped(runs.size());
+  for (const Run& run : runs) {
+    grouped[static_cast<std::size_t>(next[static_cast<std::size_t>(run.label)]++)] = run;
+  }
+  return grouped;
 }
 
 /// Few sizes, which suit the lanes: 32, 64 and 128, then multiples of 64.
@@ -177,6 +188,21 @@ std::vector<Stack> stacks_of(const std::vector<Label>& labels) {
   return stacks;
 }
 
+/// Writes the label where `skeleton` is foreground, which is in few places.
+void write_skeleton(const std::uint8_t* skeleton, Index count, std::int32_t label,
+                    std::int32_t* to) {
+  constexpr Index step = sizeof(std::uint64_t);
+  for (Index x = 0; x < count; x += step) {
+    const Index size = std::min(step, count - x);
+    std::uint64_t pixels = 0;
+    std::memcpy(&pixels, skeleton + x, static_cast<std::size_t>(size));
+    if (pixels == 0) continue;
+    for (Index i = x; i < x + size; ++i) {
+      if (skeleton[i] != 0) to[i] = label;
+    }
+  }
+}
+
 /// What all threads read.
 struct Job {
   Rule rule;
@@ -185,6 +211,7 @@ struct Job {
   std::vector<Label> labels;
   std::vector<Stack> stacks;
   LabelView destination;
+  bool in_place;  // else the destination is zero
 };
 
 /// Thins stacks of labels in its own memory.
@@ -217,10 +244,10 @@ class StackThinner {
   /// Calls `body(y, x, run)` for each run, which begins at (x, y) of the canvas.
   template <class Body>
   void for_runs(const Label& label, const Body& body) const {
-    for (std::uint32_t i = label.last_run; i != kNoRun; i = job_.runs[i].previous) {
-      const Run& run = job_.runs[i];
-      body(run.y - label.top + label.rows.offset, run.first - label.left + label.columns.offset,
-           run);
+    const Run* runs = &job_.runs[static_cast<std::size_t>(label.first_run)];
+    for (Index i = 0; i < label.run_count; ++i) {
+      body(runs[i].y - label.top + label.rows.offset,
+           runs[i].first - label.left + label.columns.offset, runs[i]);
     }
   }
 
@@ -232,9 +259,9 @@ class StackThinner {
 
   void write(const Label& label, const ImageView& canvas) const {
     for_runs(label, [&](Index y, Index x, const Run& run) {
-      const std::uint8_t* from = canvas.row(y) + x;
       std::int32_t* to = job_.destination.row(run.y) + run.first;
-      for (Index i = 0; i < run.last - run.first; ++i) to[i] = from[i] != 0 ? label.value : 0;
+      if (job_.in_place) std::fill_n(to, run.last - run.first, 0);
+      write_skeleton(canvas.row(y) + x, run.last - run.first, label.value, to);
     });
   }
 
@@ -277,13 +304,15 @@ int thin_labels(Rule rule, ConstLabelView source, LabelView destination, const O
   detail::check_views(source, destination);
   detail::require_threads(options.threads);
   const ThreadTeam team(options.threads);
-  Job job = {rule, options, find_runs(source, team), {}, {}, destination};
+  std::vector<Run> runs = find_runs(source, team);
+  Job job = {
+      rule, options, {}, find_labels(runs), {}, destination, source.data == destination.data};
   job.options.threads = 1;
-  job.labels = find_labels(source, job.runs);
+  job.runs = grouped_runs(runs, job.labels);
   choose_canvases(job.labels, source, options.border == Border::keep);
   job.stacks = stacks_of(job.labels);
   check_options(job);
-  if (source.data != destination.data) clear(destination, team);
+  if (!job.in_place) clear(destination, team);
   return thin_stacks(job, team);
 }
 

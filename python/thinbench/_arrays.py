@@ -28,13 +28,13 @@ def binary(image: Any, max_dimensions: int = 2) -> Array:
 
 def labels(image: Any) -> Array:
     """A uint16 or int32 image of labels."""
-    image = np.asarray(image)
-    if image.dtype not in (np.dtype(np.uint16), np.dtype(np.int32)):
-        raise TypeError(f"labels: expected dtype uint16 or int32, got {image.dtype}; "
+    array: Array = np.asarray(image)
+    if array.dtype not in (np.dtype(np.uint16), np.dtype(np.int32)):
+        raise TypeError(f"labels: expected dtype uint16 or int32, got {array.dtype}; "
                         "`labels.astype(np.int32)` makes one")
-    if image.ndim != 2:
-        raise ValueError(f"labels: expected shape (H, W), got {image.shape}")
-    return image
+    if array.ndim != 2:
+        raise ValueError(f"labels: expected shape (H, W), got {array.shape}")
+    return array
 
 
 def grey(image: Any, name: str = "image") -> Array:
@@ -84,11 +84,11 @@ def source(image: Array) -> tuple[bytes, Array]:
 
 def label_rows(image: Array) -> Array:
     """The labels as int32 in contiguous rows."""
-    image = image.astype(np.int32, copy=False)
-    stride, step = image.strides
-    if step != 4 or stride % 4 or stride < 4 * image.shape[1]:
-        image = np.ascontiguousarray(image)
-    return image
+    rows: Array = image.astype(np.int32, copy=False)
+    stride, step = rows.strides
+    if step != 4 or stride % 4 or stride < 4 * rows.shape[1]:
+        rows = np.ascontiguousarray(rows)
+    return rows
 
 
 def label_stride(image: Array) -> int:

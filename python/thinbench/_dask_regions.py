@@ -9,14 +9,18 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+import dask
 import numpy as np
 import numpy.typing as npt
 
-import dask
-import thinbench.dask as tb_dask
 from thinbench import _images
+from thinbench._dask_thinning import array_of, with_chunks_of_at_least
 
 Array = npt.NDArray[Any]
+
+_REDUCTIONS: dict[str, Any] = {
+    "area": np.add, "sum_x": np.add, "sum_y": np.add, "left": np.minimum, "top": np.minimum,
+    "right": np.maximum, "bottom": np.maximum}
 
 
 class Part(NamedTuple):
@@ -44,16 +48,15 @@ def regions(array: Any, return_labels: bool) -> Any:
     if array.size == 0:
         table = _images.columns(np.empty(0, _images.REGION), 0)
         return (table, array.astype(np.int32)) if return_labels else table
-    chunked = array.rechunk(tuple(tb_dask.merged(sizes, 1) for sizes in array.chunks))
+    chunked = with_chunks_of_at_least(array, 1)
     blocks = chunked.to_delayed()
     parts = _computed_parts(blocks, chunked.chunks, array.shape[1])
     table, labels = _joined(parts, array.shape)
     if not return_labels:
         return table
-    images = np.empty(blocks.shape, object)
-    for index, block in np.ndenumerate(blocks):
-        images[index] = dask.delayed(_relabelled, pure=False)(block, labels[index])
-    return table, tb_dask.assembled(images, chunked.chunks, np.int32).rechunk(array.chunks)
+    tasks = {index: (_relabelled, block.key, labels[index])
+             for index, block in np.ndenumerate(blocks)}
+    return table, array_of(tasks, blocks, chunked.chunks, np.int32).rechunk(array.chunks)
 
 
 def _computed_parts(blocks: Array, chunks: Any, width: int) -> Array:
@@ -215,10 +218,8 @@ def _merged(components: Array, roots: Array, first: Array, is_object: Array,
     group = np.empty(len(roots), np.int64)
     group[order] = np.cumsum(is_start) - 1
     found = np.empty(len(starts), _images.REGION)
-    for names, reduce in ((("area", "sum_x", "sum_y"), np.add), (("left", "top"), np.minimum),
-                          (("right", "bottom"), np.maximum)):
-        for name in names:
-            found[name] = reduce.reduceat(components[name][order], starts)
+    for name, reduce in _REDUCTIONS.items():
+        found[name] = reduce.reduceat(components[name][order], starts)
     leader = order[starts]
     outside = ~is_object[leader] & np.logical_or.reduceat(touches_border[order], starts)
     rank = np.lexsort((first[leader], ~is_object[leader], outside))

@@ -8,26 +8,21 @@ deep enough is exact in its interior.
 from __future__ import annotations
 
 import os
-import uuid
-from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-import thinbench
 from thinbench import _arrays
 from thinbench._thinning import RULES, options_for
 
 try:
-    import dask
     import dask.array as da
-    from dask.delayed import Delayed
-    from dask.highlevelgraph import HighLevelGraph
 except ImportError as error:
     raise ImportError("thinbench.dask needs dask: install python3-dask (Debian) or dask[array] "
                       "(pip)") from error
+
+from thinbench import _dask_regions, _dask_thinning
 
 __all__ = ["SPREAD", "regions", "thin"]
 
@@ -46,9 +41,6 @@ SPREAD = {
     "net_single_layer_cluster": 1,
 }
 """Rules that `thin` supports: how many pixels the effect of a pixel advances in an iteration."""
-
-
-_DIRECTIONS = [(y, x) for y in (-1, 0, 1) for x in (-1, 0, 1) if (y, x) != (0, 0)]
 
 
 def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
@@ -98,7 +90,7 @@ def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
     >>> skeleton.chunks, int(skeleton.sum().compute())
     (((9,), (100, 100, 100)), 292)
     """
-    check_image(array)
+    _check_image(array)
     spread = _spread(rule)
     options_for(border, max_iterations, 1)
     if _arrays.integer("depth", depth) < spread:
@@ -106,9 +98,9 @@ def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
                          f"an iteration, got {depth}")
     _check_out(out, array)
     if max_iterations is None:
-        result = _until_at_rest(array, rule, border, depth, depth // spread)
+        result = _dask_thinning.until_at_rest(array, rule, border, depth, depth // spread)
     else:
-        result = _limited(array, rule, border, max_iterations, max_iterations * spread)
+        result = _dask_thinning.limited(array, rule, border, max_iterations, max_iterations * spread)
     result = result.rechunk(array.chunks)
     return result if out is None else _stored(result, out)
 
@@ -146,13 +138,11 @@ def regions(array: Any, return_labels: bool = False) -> Any:
     >>> print(table["area"], table["is_hole"], table["parent"])
     [20 16] [False  True] [0 1]
     """
-    from thinbench import _dask_regions  # imports this module
-
-    check_image(array)
+    _check_image(array)
     return _dask_regions.regions(array, return_labels)
 
 
-def check_image(array: Any) -> None:
+def _check_image(array: Any) -> None:
     """Rejects what is not a dask array of a binary image with known chunks."""
     if not isinstance(array, da.Array):
         raise TypeError(f"array: expected a dask array, got {type(array).__name__}")
@@ -169,134 +159,6 @@ def _spread(rule: str) -> int:
         raise ValueError(f"rule: {rule!r} has no bound for the effect of a pixel, so chunks cannot "
                          f"be exact; expected one of {', '.join(SPREAD)}")
     return spread
-
-
-def merged(sizes: tuple[int, ...], minimum: int) -> tuple[int, ...]:
-    """Chunk sizes of at least `minimum`, or one for all."""
-    found = [0]
-    for size in sizes:
-        if found[-1] >= minimum:
-            found.append(0)
-        found[-1] += size
-    if found[-1] < minimum and len(found) > 1:
-        last = found.pop()
-        found[-1] += last
-    return tuple(found)
-
-
-def _with_chunks_of_at_least(array: Any, minimum: int) -> Any:
-    return array.rechunk(tuple(merged(sizes, minimum) for sizes in array.chunks))
-
-
-def assembled(blocks: npt.NDArray[Any], chunks: Any, dtype: Any) -> Any:
-    """The array of a matrix of delayed blocks."""
-    name = "thinbench-" + uuid.uuid4().hex
-    graph = {(name, *index): block.key for index, block in np.ndenumerate(blocks)}
-    graph = HighLevelGraph.from_collections(name, graph, dependencies=list(blocks.flat))
-    return da.Array(graph, name, chunks, dtype=dtype)
-
-
-def _thin_block(block: npt.NDArray[Any], **options: Any) -> npt.NDArray[Any]:
-    return thinbench.thin(block, **options)
-
-
-def _limited(array: Any, rule: str, border: str, max_iterations: int, depth: int) -> Any:
-    array = _with_chunks_of_at_least(array, depth)
-    halo = {axis: depth if count > 1 else 0 for axis, count in enumerate(array.numblocks)}
-    return da.map_overlap(_thin_block, array, depth=halo, boundary="none", dtype=array.dtype,
-                          meta=np.empty((0, 0), array.dtype), rule=rule, border=border,
-                          max_iterations=max_iterations)
-
-
-def _until_at_rest(array: Any, rule: str, border: str, depth: int, iterations: int) -> Any:
-    array = _with_chunks_of_at_least(array, depth)
-    if array.npartitions == 1:
-        return array.map_blocks(_thin_block, dtype=array.dtype, rule=rule, border=border)
-    blocks = array.to_delayed()
-    active = np.ones(blocks.shape, bool)
-    while active.any():
-        changed, at_rest = _run_round(blocks, active, depth, rule, border, iterations)
-        active = _with_neighbours(changed & ~at_rest.all())
-    return assembled(blocks, array.chunks, array.dtype)
-
-
-def _run_round(blocks: npt.NDArray[Any], active: npt.NDArray[np.bool_], depth: int, rule: str,
-               border: str, iterations: int) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
-    """Replaces the active blocks; returns which have changed and which were at rest at the end."""
-    name = "thinbench-round-" + uuid.uuid4().hex
-    indices = [(int(i), int(j)) for i, j in np.argwhere(active)]
-    used = _with_neighbours(active)
-    graph = _graph_of(blocks[used])
-    for i, j in np.argwhere(used):
-        graph["edges-" + name, int(i), int(j)] = (_edges, blocks[i, j].key, depth)
-    for i, j in indices:
-        neighbours = _neighbours(i, j, blocks.shape)
-        edges = [("edges-" + name, i + y, j + x) for y, x in neighbours]
-        graph[name, i, j] = (_advance, blocks[i, j].key, neighbours, edges, depth, rule, border,
-                             iterations)
-        graph["block-" + name, i, j] = (itemgetter(0), (name, i, j))
-        graph["state-" + name, i, j] = (itemgetter(1), (name, i, j))
-    layer = HighLevelGraph.from_collections(name, graph)
-    persisted = dask.persist(*[Delayed((part + name, *index), layer, layer=name)
-                               for part in ("block-", "state-") for index in indices])
-    states = dask.compute(*persisted[len(indices):])
-    changed, at_rest = np.zeros(active.shape, bool), np.ones(active.shape, bool)
-    for index, block, state in zip(indices, persisted, states):
-        blocks[index] = block
-        changed[index], at_rest[index] = state
-    return changed, at_rest
-
-
-def _graph_of(blocks: npt.NDArray[Any]) -> dict[Any, Any]:
-    """One graph for all, whose layers would take longer to combine than to compute."""
-    graphs = {id(graph): graph for graph in (block.__dask_graph__() for block in blocks)}
-    return {key: task for graph in graphs.values() for key, task in graph.items()}
-
-
-def _with_neighbours(chunks: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
-    """Also the eight neighbours of each chunk: what reads a chunk that has changed."""
-    rows = chunks.copy()
-    rows[1:] |= chunks[:-1]
-    rows[:-1] |= chunks[1:]
-    result = rows.copy()
-    result[:, 1:] |= rows[:, :-1]
-    result[:, :-1] |= rows[:, 1:]
-    return result
-
-
-def _neighbours(i: int, j: int, shape: tuple[int, ...]) -> list[tuple[int, int]]:
-    """The directions in which a block has neighbours."""
-    return [(y, x) for y, x in _DIRECTIONS if 0 <= i + y < shape[0] and 0 <= j + x < shape[1]]
-
-
-def _edges(block: npt.NDArray[Any], depth: int) -> dict[tuple[int, int], npt.NDArray[Any]]:
-    """What the neighbour of a block in each direction reads of it.
-
-    One task for all is faster than eight; copies, as views would keep the block in memory.
-    """
-    ends = {-1: slice(depth), 0: slice(None), 1: slice(-depth, None)}
-    return {(y, x): block[ends[y], ends[x]].copy() for y, x in _DIRECTIONS}
-
-
-def _advance(block: npt.NDArray[Any], neighbours: list[tuple[int, int]],
-             edges: list[dict[tuple[int, int], npt.NDArray[Any]]], depth: int, rule: str,
-             border: str, iterations: int) -> tuple[npt.NDArray[Any], tuple[bool, bool]]:
-    """Thins a block with its halo; also returns whether it has changed and whether it was at rest.
-
-    At rest: the last iteration changed nothing in the block, as an iteration before had changed
-    nothing anywhere, or as no iteration changed the block: rules only remove pixels.
-    """
-    pieces = {(y, x): edge[-y, -x] for (y, x), edge in zip(neighbours, edges)}
-    pieces[0, 0] = block
-    image = np.block([[pieces[y, x] for x in (-1, 0, 1) if (y, x) in pieces]
-                      for y in (-1, 0, 1) if (y, 0) in pieces])
-    inside = tuple(slice(depth * (before in pieces), depth * (before in pieces) + size)
-                   for before, size in zip(((-1, 0), (0, -1)), block.shape))
-    thinned, used = thinbench.thin(image, rule, border=border, max_iterations=iterations,
-                                   return_iterations=True)
-    result = thinned[inside].copy()
-    changed = np.count_nonzero(result) != np.count_nonzero(block)
-    return result, (changed, used < iterations or not changed)
 
 
 def _check_out(out: Any, array: Any) -> None:

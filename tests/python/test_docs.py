@@ -22,6 +22,7 @@ def blocks() -> list[tuple[str, str]]:
 def test_page_runs_and_prints_what_it_says(tmp_path, monkeypatch):
     matplotlib = pytest.importorskip("matplotlib")
     pytest.importorskip("skimage.data")
+    pytest.importorskip("dask.array")
     matplotlib.use("Agg")
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}

@@ -35,7 +35,7 @@ struct ConstLabelView {
 ///
 /// Returns the maximum number of iterations over all labels, including the last iteration, which
 /// changed nothing; 0 without labels. `options` as in thin(), except that threads share the labels.
-/// Takes 16 bytes of memory per run of equal labels in a row, and per thread an image of the size
+/// Takes 32 bytes of memory per run of equal labels in a row, and per thread an image of the size
 /// of the largest label.
 ///
 /// Both views must have the same size and be the same image or share no pixel. Thread-safe for

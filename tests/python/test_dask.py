@@ -1,0 +1,226 @@
+"""thinbench.dask: equal to the result in memory, whatever the chunks, and after a worker's death."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import os
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import thinbench
+from images import random_image
+
+dask = pytest.importorskip("dask")
+da = pytest.importorskip("dask.array")
+zarr = pytest.importorskip("zarr")
+tb_dask = pytest.importorskip("thinbench.dask")
+dask_thinning = importlib.import_module("thinbench._dask_thinning")
+
+
+@pytest.fixture(autouse=True)
+def synchronous():
+    """Without threads, unless a cluster is in use: tasks are tiny."""
+    with dask.config.set(scheduler="synchronous"):
+        yield
+
+
+def random_chunks(size: int, random: np.random.RandomState, max_size: int) -> tuple[int, ...]:
+    sizes: list[int] = []
+    while sum(sizes) < size:
+        sizes.append(min(random.randint(1, max_size), size - sum(sizes)))
+    return tuple(sizes)
+
+
+def random_array(seed: int, max_chunk: int = 40) -> tuple[np.ndarray, object]:
+    """An image of bool or uint8, and a dask array of it with uneven chunks."""
+    random = np.random.RandomState(seed)
+    image = random_image(seed, 90)
+    image = image * np.uint8(7) if seed % 3 == 0 else image
+    chunks = tuple(random_chunks(size, random, max_chunk) for size in image.shape)
+    return image, da.from_array(image, chunks=chunks)
+
+
+def test_examples_in_docstrings_hold():
+    result = doctest.testmod(tb_dask)
+    assert result.failed == 0 and result.attempted > 0
+
+
+@pytest.mark.parametrize("rule", thinbench.rules())
+def test_spread_is_what_one_changed_pixel_changes_in_an_iteration(rule):
+    random, side, middle = np.random.RandomState(3), 25, 12
+    images = random.rand(4000, side, side) < random.choice([0.75, 0.85, 0.93], (4000, 1, 1))
+    changed = images.copy()
+    changed[:, middle, middle] ^= True
+    differs = (thinbench.thin(images, rule, max_iterations=1)
+               != thinbench.thin(changed, rule, max_iterations=1)).any(axis=0)
+    spread = int(np.abs(np.argwhere(differs) - middle).max())
+    if rule in ("spta", "midpoint_scan"):
+        assert rule not in tb_dask.SPREAD and spread > 3
+    else:
+        assert spread == tb_dask.SPREAD[rule]
+
+
+@pytest.mark.parametrize("border", ["background", "keep"])
+@pytest.mark.parametrize("rule", tb_dask.SPREAD)
+def test_result_equals_that_in_memory_for_any_chunks(rule, border):
+    for seed in range(7):
+        image, array = random_array(seed)
+        depth = tb_dask.SPREAD[rule] * (1 + seed % 4)
+        result = tb_dask.thin(array, rule, border=border, depth=depth)
+        assert result.chunks == array.chunks and result.dtype == array.dtype
+        np.testing.assert_array_equal(result.compute(), thinbench.thin(image, rule, border=border))
+
+
+@pytest.mark.parametrize("border", ["background", "keep"])
+@pytest.mark.parametrize("rule", tb_dask.SPREAD)
+def test_limited_iterations_are_lazy_and_exact(rule, border):
+    computed = []
+    for seed, limit in enumerate([1, 2, 3, 50]):
+        image, array = random_array(seed)
+        counted = array.map_blocks(lambda block: computed.append(1) or block, meta=array._meta)
+        result = tb_dask.thin(counted, rule, border=border, max_iterations=limit)
+        assert not computed and result.chunks == array.chunks
+        expected = thinbench.thin(image, rule, border=border, max_iterations=limit)
+        np.testing.assert_array_equal(result.compute(), expected)
+        assert computed
+        computed.clear()
+
+
+def count_chunks(monkeypatch) -> list[int]:
+    """The number of chunks that each round computes, filled by later calls."""
+    rounds: list[int] = []
+    run_round = dask_thinning._run_round
+
+    def counted(blocks, active, *arguments):
+        rounds.append(int(active.sum()))
+        return run_round(blocks, active, *arguments)
+
+    monkeypatch.setattr(dask_thinning, "_run_round", counted)
+    return rounds
+
+
+def test_one_round_suffices_where_all_chunks_come_to_rest_and_quiet_chunks_are_skipped(monkeypatch):
+    rounds = count_chunks(monkeypatch)
+    image = np.zeros((200, 400), bool)
+    image[50:60, 10:390] = True
+    tb_dask.thin(da.from_array(image, chunks=40), depth=20)
+    assert rounds == [50]
+    rounds.clear()
+    image[20:180, 20:180] = True
+    result = tb_dask.thin(da.from_array(image, chunks=40), depth=20)
+    np.testing.assert_array_equal(result.compute(), thinbench.thin(image))
+    assert rounds[0] == 50 and len(rounds) > 3 and rounds[-1] < 36
+
+
+@pytest.mark.parametrize("shape", [(0, 0), (0, 5), (5, 0), (1, 1), (1, 50), (50, 1)])
+def test_small_and_empty_arrays_are_accepted(shape):
+    image = np.ones(shape, bool)
+    array = da.from_array(image, chunks=7)
+    for limit in (None, 1):
+        np.testing.assert_array_equal(tb_dask.thin(array, max_iterations=limit, depth=4).compute(),
+                                      thinbench.thin(image, max_iterations=limit))
+    table, labels = tb_dask.regions(array, return_labels=True)
+    assert len(table["area"]) == len(thinbench.regions(image)["area"])
+    assert labels.compute().shape == shape
+
+
+def test_regions_equal_those_in_memory():
+    for seed in range(40):
+        image, array = random_array(seed, 30)
+        expected, expected_labels = thinbench.regions(image, return_labels=True)
+        table, labels = tb_dask.regions(array, return_labels=True)
+        assert list(table) == list(expected)
+        for name, column in table.items():
+            np.testing.assert_array_equal(column, expected[name], err_msg=name)
+            assert column.dtype == expected[name].dtype
+        np.testing.assert_array_equal(labels.compute(), expected_labels)
+        assert labels.chunks == array.chunks and labels.dtype == np.int32
+
+
+ARRAY = da.ones((9, 9), dtype=bool, chunks=3)
+
+
+@pytest.mark.parametrize(("call", "error", "message"), [
+    (lambda: tb_dask.thin(np.ones((4, 4), bool)), TypeError, "ndarray"),
+    (lambda: tb_dask.thin(da.ones((4, 4))), TypeError, "float64"),
+    (lambda: tb_dask.thin(da.ones((4, 4, 4), dtype=bool)), ValueError, r"expected shape \(H, W\)"),
+    (lambda: tb_dask.thin(ARRAY[ARRAY.any(axis=1)]), ValueError, "chunks of known size"),
+    (lambda: tb_dask.thin(ARRAY, "spta"), ValueError, "'spta' has no bound"),
+    (lambda: tb_dask.thin(ARRAY, "midpoint_scan"), ValueError, "'midpoint_scan' has no bound"),
+    (lambda: tb_dask.thin(ARRAY, "zhang"), ValueError, "'zhang'"),
+    (lambda: tb_dask.thin(ARRAY, border="wrap"), ValueError, "'wrap'"),
+    (lambda: tb_dask.thin(ARRAY, max_iterations=0), ValueError, "got 0"),
+    (lambda: tb_dask.thin(ARRAY, depth=1), ValueError, "got 1"),
+    (lambda: tb_dask.thin(ARRAY, depth=2.5), TypeError, "2.5"),
+    (lambda: tb_dask.thin(ARRAY, out="."), ValueError, "'.' exists"),
+    (lambda: tb_dask.thin(ARRAY, out=np.ones((9, 9), bool)), TypeError, "ndarray"),
+    (lambda: tb_dask.thin(ARRAY, out=zarr.zeros((9, 8), dtype=bool)), ValueError, r"\(9, 8\)"),
+    (lambda: tb_dask.regions(np.ones((4, 4), bool)), TypeError, "ndarray"),
+])
+def test_invalid_arguments_are_rejected_in_one_line(call, error, message):
+    with pytest.raises(error, match=message) as caught:
+        call()
+    assert "\n" not in str(caught.value)
+
+
+def test_missing_dask_is_named_with_its_package():
+    code = "import sys; sys.modules['dask'] = None; import thinbench.dask"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert "ImportError: thinbench.dask needs dask: install python3-dask" in run.stderr
+
+
+def test_out_is_written_when_complete(tmp_path):
+    image, array = random_array(8)
+    expected = thinbench.thin(image)
+    path = tmp_path / "skeleton.zarr"
+    np.testing.assert_array_equal(tb_dask.thin(array, out=path).compute(), expected)
+    assert os.listdir(tmp_path) == ["skeleton.zarr"]
+    existing = zarr.open(tmp_path / "existing.zarr", mode="w", shape=image.shape, chunks=(5, 11),
+                         dtype=image.dtype)
+    tb_dask.thin(array, out=existing, max_iterations=99)
+    np.testing.assert_array_equal(existing[:], expected)
+
+
+def discs(side: int) -> np.ndarray:
+    """Discs across chunks, which take many iterations, on noise."""
+    random = np.random.RandomState(1)
+    image = np.kron(random.rand(side // 10, side // 10) < 0.3, np.ones((10, 10), bool))
+    y, x = np.ogrid[:side, :side]
+    for _ in range(5):
+        centre_y, centre_x, radius = *random.randint(0, side, 2), random.randint(50, 90)
+        image |= (y - centre_y)**2 + (x - centre_x)**2 < radius**2
+    return image
+
+
+def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_path, monkeypatch):
+    distributed = pytest.importorskip("distributed")
+    image = discs(1000)
+    source = zarr.open(tmp_path / "image.zarr", mode="w", shape=image.shape, chunks=(190, 230),
+                       dtype=bool)
+    source[:] = image
+    array = da.from_zarr(source)
+    expected = thinbench.thin(image)
+    rounds = count_chunks(monkeypatch)
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True,
+                                       dashboard_address=None, silence_logs=60)
+    with dask.config.set(scheduler=None), cluster, distributed.Client(cluster) as client:
+        result = tb_dask.thin(array, out=tmp_path / "skeleton.zarr")
+        np.testing.assert_array_equal(zarr.open(tmp_path / "skeleton.zarr", "r")[:], expected)
+        assert len(rounds) > 1
+        table = tb_dask.regions(result)
+        np.testing.assert_array_equal(table["area"], thinbench.regions(expected)["area"])
+        run_round = dask_thinning._run_round
+
+        def killed_before_the_second(*arguments):
+            if len(rounds) == 1:
+                os.kill(next(iter(client.run(os.getpid).values())), signal.SIGKILL)
+            return run_round(*arguments)
+
+        rounds.clear()
+        monkeypatch.setattr(dask_thinning, "_run_round", killed_before_the_second)
+        np.testing.assert_array_equal(tb_dask.thin(array).compute(), expected)
