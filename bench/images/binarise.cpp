@@ -1,6 +1,7 @@
 #include "images/binarise.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -78,16 +79,40 @@ bool is_binary(const Histogram& counts) {
   return std::all_of(counts.begin() + 1, counts.end() - 1, [](double count) { return count == 0; });
 }
 
-/// Makes bright pixels 255 and all others 0; returns the grey level from which pixels are bright.
-int split(ByteImage& grey, const BinariseOptions& options) {
-  cv::Mat mat = mat_of(grey.view());
-  // OpenCV takes as bright what is above its threshold.
-  if (!options.threshold) {
-    return static_cast<int>(cv::threshold(mat, mat, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU)) +
-           1;
+/// The grey level from which pixels are bright by Otsu's method: the greatest variance between the
+/// classes. The same operations in the same order as in OpenCV, so that ties and rounding agree.
+int otsu_threshold(const Histogram& counts, double pixels) {
+  const double scale = 1 / pixels;
+  double mean = 0;
+  for (int level = 0; level < kLevels; ++level) {
+    mean += level * counts[static_cast<std::size_t>(level)];
   }
-  cv::threshold(mat, mat, *options.threshold - 1, 255, cv::THRESH_BINARY);
-  return *options.threshold;
+  mean *= scale;
+  double mean_below = 0, share_below = 0, best = 0;
+  int threshold = 0;
+  for (int level = 0; level < kLevels; ++level) {
+    const double share = counts[static_cast<std::size_t>(level)] * scale;
+    mean_below *= share_below;
+    share_below += share;
+    const double share_above = 1 - share_below;
+    constexpr double kTiny = std::numeric_limits<float>::epsilon();
+    if (std::min(share_below, share_above) < kTiny) continue;
+    if (std::max(share_below, share_above) > 1 - kTiny) continue;
+    mean_below = (mean_below + level * share) / share_below;
+    const double mean_above = (mean - share_below * mean_below) / share_above;
+    const double distance = mean_below - mean_above;
+    const double variance = share_below * share_above * distance * distance;
+    if (variance <= best) continue;
+    best = variance;
+    threshold = level;
+  }
+  return threshold + 1;  // OpenCV takes as bright what is above its threshold
+}
+
+/// Makes pixels from this grey level on 255 and all others 0.
+void split(ByteImage& grey, int threshold) {
+  cv::Mat mat = mat_of(grey.view());
+  cv::threshold(mat, mat, threshold - 1, 255, cv::THRESH_BINARY);
 }
 
 /// How many pixels of the outermost rows and columns there are, and how many of them are not 0.
@@ -167,14 +192,15 @@ void print_line(const char* kind, const std::string& name, const std::string& te
 
 BinaryImage binarise(ByteImage grey, const BinariseOptions& options) {
   const Histogram counts = histogram_of(grey.view());
-  const int threshold = split(grey, options);
+  const auto pixels = static_cast<double>(grey.width() * grey.height());
+  const int threshold = options.threshold.value_or(otsu_threshold(counts, pixels));
+  split(grey, threshold);
   const Foreground foreground = options.foreground == Foreground::automatic
                                     ? likely_foreground(grey.view())
                                     : options.foreground;
   cv::Mat mat = mat_of(grey.view());
   if (foreground == Foreground::dark) cv::bitwise_not(mat, mat);
-  const double share = static_cast<double>(foreground_pixels(grey.view())) /
-                       static_cast<double>(grey.width() * grey.height());
+  const double share = static_cast<double>(foreground_pixels(grey.view())) / pixels;
   return {std::move(grey),    foreground,       threshold, share, separation(counts, threshold),
           only_level(counts), is_binary(counts)};
 }
