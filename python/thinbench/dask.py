@@ -164,6 +164,10 @@ def _spread(rule: str) -> int:
 def _check_out(out: Any, array: Any) -> None:
     if out is None:
         return
+    try:
+        import zarr  # noqa: F401
+    except ImportError as error:
+        raise ImportError("out: needs zarr: install python3-zarr (Debian) or zarr (pip)") from error
     if isinstance(out, (str, os.PathLike)):
         if os.path.exists(out):
             raise ValueError(f"out: expected a new path or a zarr array, but {os.fspath(out)!r} "

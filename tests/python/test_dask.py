@@ -62,7 +62,7 @@ def test_spread_is_what_one_changed_pixel_changes_in_an_iteration(rule):
     if rule in ("spta", "midpoint_scan"):
         assert rule not in tb_dask.SPREAD and spread > 3
     else:
-        assert spread == tb_dask.SPREAD[rule]
+        assert spread == tb_dask.SPREAD.get(rule)
 
 
 @pytest.mark.parametrize("border", ["background", "keep"])
@@ -168,10 +168,13 @@ def test_invalid_arguments_are_rejected_in_one_line(call, error, message):
     assert "\n" not in str(caught.value)
 
 
-def test_missing_dask_is_named_with_its_package():
+def test_missing_packages_are_named(monkeypatch):
     code = "import sys; sys.modules['dask'] = None; import thinbench.dask"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert "ImportError: thinbench.dask needs dask: install python3-dask" in run.stderr
+    monkeypatch.setitem(sys.modules, "zarr", None)
+    with pytest.raises(ImportError, match="out: needs zarr: install python3-zarr"):
+        tb_dask.thin(ARRAY, out="new")
 
 
 def test_out_is_written_when_complete(tmp_path):
