@@ -130,6 +130,9 @@ TEST_F(BatchCommand, two_inputs_with_one_output_are_rejected_by_name) {
   EXPECT_EQ(failure({in}, 1), "'" + in + "/40.pgm' and '" + in +
                                   "/40.png' would both become '40.png'; process them in two runs "
                                   "with different --out");
+  fs::rename(in + "/40.pgm", in + "/a\n.pgm");
+  fs::rename(in + "/40.png", in + "/a\n.png");
+  EXPECT_EQ(failure({in}, 1).find("'" + in + "/a\\x0a.pgm' and '"), 0U);
 }
 
 TEST_F(BatchCommand, result_that_would_replace_an_input_is_rejected) {
