@@ -20,6 +20,7 @@
 #include "cli/names.hpp"
 #include "cli/variant_choice.hpp"
 #include "images/image_file.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -56,16 +57,6 @@ std::string manifest_path(const BatchOptions& options, const Shard& shard) {
   return std::filesystem::path(options.settings.out) / name;
 }
 
-/// In one line, whatever is in the names of files.
-std::string one_line(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    line += code < 0x20 || code == 0x7F ? fmt::format("\\x{:02x}", code) : std::string(1, c);
-  }
-  return line;
-}
-
 std::string number_of(std::size_t count, const std::string& what, const std::string& plural) {
   return fmt::format("{} {}", count, count == 1 ? what : plural);
 }
@@ -98,7 +89,6 @@ void print_failures(const std::vector<std::string>& failures, std::ostream& log)
 }
 
 struct BatchOutcome {
-  std::size_t jobs;
   std::size_t skipped;  // were done before
   double seconds;
   BatchTotals totals;
@@ -132,7 +122,7 @@ BatchOutcome run_open_jobs(const std::vector<BatchJob>& jobs, const BatchOperati
   BatchTotals totals = run_jobs(open, operation, options.settings, manifest);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   manifest.put_in_order(jobs);
-  return {jobs.size(), jobs.size() - open.size(), spent.count(), std::move(totals)};
+  return {jobs.size() - open.size(), spent.count(), std::move(totals)};
 }
 
 int run(const BatchOptions& options, const Console& console) {

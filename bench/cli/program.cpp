@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
+#include "support/text.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {
@@ -132,12 +133,12 @@ int run_program(const std::vector<std::string>& args, std::ostream& out, std::os
   try {
     return run_and_flush(args, {out, err, err_is_terminal});
   } catch (const UsageError& error) {
-    err << kProgramLeadIn << error.what() << '\n';
+    err << kProgramLeadIn << one_line(error.what()) << '\n';
     return kUsage;
   } catch (const std::bad_alloc&) {
     err << kProgramLeadIn << "there is not enough memory\n";
   } catch (const std::exception& error) {
-    err << kProgramLeadIn << error.what() << '\n';
+    err << kProgramLeadIn << one_line(error.what()) << '\n';
   }
   return kFailure;
 }

@@ -1,4 +1,4 @@
-// Tables as Markdown.
+// Texts for people: tables as Markdown, one line of what may hold more.
 #pragma once
 
 #include <string>
@@ -9,5 +9,8 @@ namespace thinbench {
 /// A Markdown table; all rows have as many cells as the head.
 [[nodiscard]] std::string markdown_table(const std::vector<std::string>& head,
                                          const std::vector<std::vector<std::string>>& rows);
+
+/// With \x0a and so on for newlines and other control characters, as names of files may hold.
+[[nodiscard]] std::string one_line(const std::string& text);
 
 }  // namespace thinbench

@@ -9,6 +9,7 @@
 #include "images/image_file.hpp"
 #include "images/mat_of.hpp"
 #include "scene/scene.hpp"
+#include "support/splitmix64.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace thinbench {
@@ -75,6 +76,22 @@ TEST(Binarise, default_threshold_equals_opencvs_otsu_threshold) {
     EXPECT_EQ(cv::norm(mat_of(bright.image.view()), expected, cv::NORM_INF), 0);
     const ByteImage again = binarised(grey, bright_from(bright.threshold)).image;
     EXPECT_TRUE(equal(again.view(), bright.image.view())) << "with the reported threshold";
+  }
+}
+
+TEST(Binarise, default_threshold_equals_opencvs_on_random_levels) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    ByteImage grey(static_cast<Index>(1 + seed % 23), static_cast<Index>(1 + seed % 17));
+    const std::uint64_t levels = 1 + seed % 255;
+    for (Index y = 0; y < grey.height(); ++y) {
+      for (Index x = 0; x < grey.width(); ++x) {
+        const auto index = static_cast<std::uint64_t>(y * grey.width() + x);
+        grey.at(x, y) = static_cast<std::uint8_t>(splitmix64(seed, index) % levels);
+      }
+    }
+    cv::Mat ignored;
+    const double level = cv::threshold(mat_of(grey.view()), ignored, 0, 255, cv::THRESH_OTSU);
+    EXPECT_EQ(binarised(grey).threshold, static_cast<int>(level) + 1) << seed;
   }
 }
 

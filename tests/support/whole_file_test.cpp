@@ -59,5 +59,16 @@ TEST(WholeFile, failed_write_keeps_the_old_file_and_leaves_no_other) {
   EXPECT_EQ(directory.names(), Names{"a.json"});
 }
 
+TEST(WholeFile, abandoned_files_are_removed_but_not_those_being_written) {
+  const TemporaryDirectory directory;
+  static_cast<void>(directory.with(".thinbench-1", "part"));
+  static_cast<void>(directory.with("a.json", "whole"));
+  write_whole_file(directory.file("b.json"), [&](const std::string& name) {
+    remove_abandoned_files(directory.path().string());
+    std::ofstream(name) << "new";
+  });
+  EXPECT_EQ(directory.names(), (Names{"a.json", "b.json"}));
+}
+
 }  // namespace
 }  // namespace thinbench
