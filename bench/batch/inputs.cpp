@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <tuple>
 
 #include <glob.h>
 
@@ -61,7 +62,9 @@ class Search {
 
   FoundInputs take() {
     std::vector<BatchInput>& inputs = found_.inputs;
-    std::sort(inputs.begin(), inputs.end());
+    std::sort(inputs.begin(), inputs.end(), [](const BatchInput& a, const BatchInput& b) {
+      return std::tie(a.path, a.name) < std::tie(b.path, b.name);
+    });
     inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
     return std::move(found_);
   }

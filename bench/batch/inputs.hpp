@@ -12,7 +12,7 @@ struct BatchInput {
   std::string path;
   std::string name;  // of its results: relative to the output directory, without an extension
 
-  friend auto operator<=>(const BatchInput&, const BatchInput&) = default;
+  friend bool operator==(const BatchInput&, const BatchInput&) = default;
 };
 
 struct InputRequest {
