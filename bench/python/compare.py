@@ -1,6 +1,6 @@
 """Times the Python package beside OpenCV, scikit-image and SciPy, in one process and one thread.
 
-Outputs are compared first. Calls alternate; a ratio is that of the least times.
+Outputs are compared first. Calls alternate; a ratio is that of the minimum times.
 
 Usage: PYTHONPATH=build/release/python python3 bench/python/compare.py [IMAGE]
 IMAGE is results/pictures/scene.jpg unless given; pixels below 128 are foreground.
@@ -33,8 +33,8 @@ class Pair(NamedTuple):
     equal: Callable[[Any, Any], bool] = np.array_equal
 
 
-def least_times(pair: Pair) -> tuple[float, float]:
-    """The least time of each, over alternating calls; ours is called 20 times as often."""
+def min_times(pair: Pair) -> tuple[float, float]:
+    """The minimum time of each, over alternating calls; ours is called 20 times as often."""
     best = [float("inf"), float("inf")]
     end = time.perf_counter() + SECONDS
     while time.perf_counter() < end:
@@ -85,7 +85,7 @@ def pairs(image: np.ndarray) -> list[Pair]:
         Pair("a loop of skimage.morphology.thin over the same",
              lambda: thinbench.thin(stack, "guo_hall_skimage"),
              lambda: np.array([morphology.thin(one) for one in stack])),
-        Pair("numpy copy of 28 x 28 (the least call)", lambda: thinbench.thin(blank),
+        Pair("numpy copy of 28 x 28 (the cheapest call)", lambda: thinbench.thin(blank),
              lambda: np.copy(blank)),
     ]
 
@@ -101,7 +101,7 @@ def main() -> None:
     for pair in pairs(grey < 128):
         if not pair.equal(pair.ours(), pair.theirs()):
             sys.exit(f"compare.py: outputs differ: {pair.name}")
-        ours, theirs = least_times(pair)
+        ours, theirs = min_times(pair)
         print(f"{pair.name:55} {theirs * 1e6:12.1f} us {ours * 1e6:10.1f} us {theirs / ours:9.1f}x",
               flush=True)
 

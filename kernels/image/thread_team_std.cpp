@@ -9,8 +9,8 @@
 
 namespace thinbench::detail {
 
-/// The threads of a team. Whoever is free takes the next part of a loop, so that fewer threads than
-/// wanted, where the system has no more, only take longer.
+/// The threads of a team. An idle thread takes the next part of a loop, so if the system starts
+/// fewer threads, loops only take longer.
 struct ThreadTeam::Workers {
   explicit Workers(int count) {
     threads.reserve(static_cast<std::size_t>(count));

@@ -134,7 +134,7 @@ def test_installed_headers_are_the_public_ones(prefix):
 
 
 def test_exported_symbols_are_the_recorded_ones(prefix):
-    """THINBENCH_RECORD_SYMBOLS=1 records them anew."""
+    """THINBENCH_RECORD_SYMBOLS=1 records them again."""
     (library,) = [path for path in prefix.rglob("libthinbench.so.*") if not path.is_symlink()]
     text = run("nm", "-DC", "--defined-only", library)
     symbols = sorted({line.split(" ", 2)[2] for line in text.splitlines()})
