@@ -65,12 +65,10 @@ def edges(image: npt.ArrayLike, operator: str = "sobel", gradient_threshold: int
     name = _arrays.one_of("operator", operator, EDGE_OPERATORS)
     result = _arrays.result_for(image, out)
     stack, kept_alive = _arrays.source(image)
-    status = _library.edges(name, stack, _arrays.destination(result),
-                            _arrays.integer("gradient_threshold", gradient_threshold),
-                            _arrays.integer("brightness_threshold", brightness_threshold),
-                            _library.options(threads=_arrays.integer("threads", threads)))
-    if status:
-        raise _library.error(status)
+    _library.edges(name, stack, _arrays.destination(result),
+                   _arrays.integer("gradient_threshold", gradient_threshold),
+                   _arrays.integer("brightness_threshold", brightness_threshold),
+                   _library.options(threads=_arrays.integer("threads", threads)))
     del kept_alive
     return result
 
@@ -111,9 +109,7 @@ def fill_holes(image: npt.ArrayLike, *, out: npt.NDArray[Any] | None = None) -> 
     image = _arrays.binary(image)
     result = _arrays.result_for(image, out)
     stack, kept_alive = _arrays.source(image)
-    status = _library.fill_holes(stack, _arrays.destination(result), None)
-    if status:
-        raise _library.error(status)
+    _library.fill_holes(stack, _arrays.destination(result), None)
     del kept_alive
     return result
 
@@ -152,10 +148,8 @@ def euler_number(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8) -> int:
     """
     stack, kept_alive = _arrays.source(_arrays.binary(image))
     number = ctypes.c_int64()
-    status = _library.euler_number(stack, _arrays.integer("connectivity", connectivity), None,
-                                   ctypes.byref(number))
-    if status:
-        raise _library.error(status)
+    _library.euler_number(stack, _arrays.integer("connectivity", connectivity), None,
+                          ctypes.byref(number))
     del kept_alive
     return number.value
 
@@ -230,10 +224,10 @@ def find_regions(image: _arrays.Array, labels: npt.NDArray[np.int32] | None,
     """Objects, then holes, as an array of REGION, and the number of objects; fills `labels`."""
     stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
-    status = _library.find_regions(stack, None if labels is None else labels.ctypes.data,
-                                   image.shape[1], None, ctypes.byref(handle))
+    _library.find_regions(stack, None if labels is None else labels.ctypes.data,
+                          image.shape[1], None, ctypes.byref(handle))
     del kept_alive
-    return _taken(status, handle)
+    return _taken(handle)
 
 
 def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_threshold: int = 128,
@@ -279,18 +273,16 @@ def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_thre
     """
     stack, kept_alive = _arrays.source(_arrays.grey(image))
     handle = ctypes.c_void_p()
-    status = _library.localise(stack, _arrays.integer("gradient_threshold", gradient_threshold),
-                               _arrays.integer("brightness_threshold", brightness_threshold),
-                               _library.options(threads=_arrays.integer("threads", threads)),
-                               ctypes.byref(handle))
+    _library.localise(stack, _arrays.integer("gradient_threshold", gradient_threshold),
+                      _arrays.integer("brightness_threshold", brightness_threshold),
+                      _library.options(threads=_arrays.integer("threads", threads)),
+                      ctypes.byref(handle))
     del kept_alive
-    return columns(*_taken(status, handle))
+    return columns(*_taken(handle))
 
 
-def _taken(status: int, handle: ctypes.c_void_p) -> tuple[_arrays.Array, int]:
+def _taken(handle: ctypes.c_void_p) -> tuple[_arrays.Array, int]:
     """The regions of a handle, which is destroyed, and the number of objects."""
-    if status:
-        raise _library.error(status)
     try:
         return _copied_lists(handle)
     finally:

@@ -31,18 +31,33 @@ def _function(name: str, *arguments: type, result: type | None = _INT) -> Callab
 
 
 _last_error = _function("last_error", result=_BYTES)
+_EXCEPTIONS = {1: ValueError, 2: MemoryError}
+
+
+def _raise_error(status: int, function: Any, arguments: Any) -> None:
+    if status:
+        raise _EXCEPTIONS.get(status, RuntimeError)(_last_error().decode())
+
+
+def _checked(name: str, *arguments: type) -> Callable[..., None]:
+    """A function that raises an exception instead of returning a status."""
+    function = _function(name, *arguments)
+    function.errcheck = _raise_error  # type: ignore[attr-defined]
+    return function
+
+
 version = _function("version", result=_BYTES)
-thin = _function("thin", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
-thin_packed = _function(
+thin = _checked("thin", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
+thin_packed = _checked(
     "thin_packed", _BYTES, _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
-thin_labels = _function("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t,
-                        ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
-edges = _function("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
-find_regions = _function(
+thin_labels = _checked("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t,
+                       ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
+edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
+find_regions = _checked(
     "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
-localise = _function("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
-fill_holes = _function("fill_holes", _BYTES, _BYTES, _BYTES)
-euler_number = _function("euler_number", _BYTES, _INT, _BYTES, _POINTER)
+localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
+fill_holes = _checked("fill_holes", _BYTES, _BYTES, _BYTES)
+euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
 regions_objects = _function(
     "regions_objects", _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
 regions_holes = _function(
@@ -54,19 +69,11 @@ edge_operator_name = _function("edge_operator_name", ctypes.c_size_t, result=_BY
 isa_name = _function("isa_name", ctypes.c_size_t, result=_BYTES)
 isa_available = _function("isa_available", _BYTES)
 _rule_variant = _function("rule_variant", _BYTES, ctypes.c_size_t, _POINTER)
-_thinner_create = _function(
+_thinner_create = _checked(
     "thinner_create", _BYTES, ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
 _thinner_technique = _function("thinner_technique", _POINTER, result=_BYTES)
 _thinner_isa = _function("thinner_isa", _POINTER, result=_BYTES)
 _thinner_destroy = _function("thinner_destroy", _POINTER, result=None)
-
-_EXCEPTIONS = {1: ValueError, 2: MemoryError}
-
-
-def error(status: int) -> Exception:
-    """The exception for a status other than 0."""
-    return _EXCEPTIONS.get(status, RuntimeError)(_last_error().decode())
-
 
 @lru_cache(maxsize=256)
 def options(keep_border: bool = False, max_iterations: int = 0, threads: int = 1) -> bytes:
@@ -91,9 +98,7 @@ def rule_variants(rule: bytes) -> list[tuple[str | None, str | None, bool, str |
 def chosen_variant(rule: bytes, height: int, width: int) -> tuple[str, str]:
     """The technique and ISA for images of this size."""
     thinner = ctypes.c_void_p()
-    status = _thinner_create(rule, width, height, None, ctypes.byref(thinner))
-    if status:
-        raise error(status)
+    _thinner_create(rule, width, height, None, ctypes.byref(thinner))
     found = _thinner_technique(thinner).decode(), _thinner_isa(thinner).decode()
     _thinner_destroy(thinner)
     return found

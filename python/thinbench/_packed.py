@@ -13,7 +13,7 @@ from thinbench._thinning import RULES, options_for
 
 Packed = npt.NDArray[np.uint8]
 
-_LSB_FIRST = {"big": b"", "little": b"1"}
+_BIT_ORDERS = {"big": b"big", "little": b"little"}
 
 
 @overload
@@ -74,7 +74,7 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str = "guo_hall", *,
     """
     image = _checked(packed, _arrays.integer("width", width))
     name = _arrays.one_of("rule", rule, RULES)
-    lsb_first = _arrays.one_of("bit_order", bit_order, _LSB_FIRST) == b"1"
+    lsb_first = _arrays.one_of("bit_order", bit_order, _BIT_ORDERS) == b"little"
     options = options_for(border, max_iterations, threads)
     result = _arrays.result_for(image, out)
     if image.strides[1] != 1 or image.strides[0] < image.shape[1]:
@@ -82,10 +82,8 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str = "guo_hall", *,
     stride = max(image.strides[0], image.shape[1])  # of an array without rows it may be 0
     source = _library.PACKED.pack(image.ctypes.data, image.shape[0], width, stride, lsb_first)
     iterations = ctypes.c_int32()
-    status = _library.thin_packed(name, source, result.ctypes.data, result.shape[1], options,
-                                  ctypes.byref(iterations))
-    if status:
-        raise _library.error(status)
+    _library.thin_packed(name, source, result.ctypes.data, result.shape[1], options,
+                         ctypes.byref(iterations))
     return (result, iterations.value) if return_iterations else result
 
 

@@ -106,10 +106,8 @@ def thin(image: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "backgro
     result = _arrays.result_for(image, out)
     stack, kept_alive = _arrays.source(image)
     iterations = ctypes.c_int32() if return_iterations else None
-    status = _library.thin(name, stack, _arrays.destination(result), options,
-                           ctypes.byref(iterations) if iterations is not None else None)
-    if status:
-        raise _library.error(status)
+    _library.thin(name, stack, _arrays.destination(result), options,
+                  ctypes.byref(iterations) if iterations is not None else None)
     del kept_alive
     return (result, iterations.value) if iterations is not None else result
 
@@ -225,11 +223,9 @@ def thin_labels(labels: npt.ArrayLike, rule: str = "guo_hall", *, border: str = 
     source = _arrays.label_rows(image)
     target = result if result.dtype == np.int32 else source
     iterations = ctypes.c_int32()
-    status = _library.thin_labels(name, source.ctypes.data, _arrays.label_stride(source),
-                                  target.ctypes.data, _arrays.label_stride(target),
-                                  *image.shape, options, ctypes.byref(iterations))
-    if status:
-        raise _library.error(status)
+    _library.thin_labels(name, source.ctypes.data, _arrays.label_stride(source),
+                         target.ctypes.data, _arrays.label_stride(target),
+                         *image.shape, options, ctypes.byref(iterations))
     if target is not result:
         result[...] = target
     return (result, iterations.value) if return_iterations else result
