@@ -13,13 +13,16 @@
 
 namespace thinbench {
 
-/// How thinning treats the image border. Everything outside the image is background.
+/// How an operation treats the image border. Everything outside the image is background unless it
+/// says otherwise.
 enum class Border : std::uint8_t {
   background,  // the outermost pixels are thinned like all others
   keep,        // the outermost rows and columns never change, as in OpenCV
+  foreground,  // custom rules only: everything outside the image is foreground
 };
 
-inline constexpr std::array<std::string_view, 2> kBorderNames = {"background", "keep"};
+inline constexpr std::array<std::string_view, 3> kBorderNames = {"background", "keep",
+                                                                   "foreground"};
 
 [[nodiscard]] constexpr std::string_view border_name(Border border) {
   return kBorderNames[static_cast<std::size_t>(border)];
