@@ -1,6 +1,8 @@
 #include "custom/two_input.hpp"
 
 #include <map>
+#include <tuple>
+#include <utility>
 
 namespace thinbench::detail {
 namespace {
@@ -76,7 +78,7 @@ struct Literal {
 
 class Converter {
  public:
-  StepNetwork convert(const GateNetwork& network) {
+  Program convert(const GateNetwork& network) {
     std::vector<Literal> values;
     for (std::uint16_t i = 0; i < kWindowPixels; ++i) values.push_back({i, false});
     for (const Gate& gate : network.gates) {
@@ -84,8 +86,10 @@ class Converter {
                                 values[gate.inputs[2]]};
       values.push_back(literal_of(gate.function, inputs));
     }
-    const Literal output = values[static_cast<std::size_t>(network.output)];
-    return {std::move(steps_), output.value, output.inverted};
+    Literal output = values[static_cast<std::size_t>(network.output)];
+    if (output.inverted) output.value = add(Operation::complement, output, output);
+    program_.output = output.value;
+    return std::move(program_);
   }
 
  private:
@@ -114,18 +118,20 @@ class Converter {
   }
 
   std::uint16_t add(Operation operation, Literal left, Literal right) {
-    Step step = {operation, left.value, right.value};
-    if (operation != Operation::difference && step.left > step.right) {
-      std::swap(step.left, step.right);
+    std::uint16_t first = left.value;
+    std::uint16_t second = right.value;
+    if (operation != Operation::difference && first > second) std::swap(first, second);
+    const auto number = static_cast<std::uint16_t>(kWindowPixels + program_.instructions.size());
+    const auto [found, is_new] = numbers_.emplace(std::tuple(operation, first, second), number);
+    if (is_new) {
+      const auto code = static_cast<std::uint8_t>(operation);
+      program_.instructions.push_back({code, {first, second, second}});
     }
-    const auto number = static_cast<std::uint16_t>(kWindowPixels + steps_.size());
-    const auto [found, is_new] = numbers_.emplace(step, number);
-    if (is_new) steps_.push_back(step);
     return found->second;
   }
 
-  std::vector<Step> steps_;
-  std::map<Step, std::uint16_t> numbers_;
+  Program program_{.ternary = false, .instructions = {}, .output = 0};
+  std::map<std::tuple<Operation, std::uint16_t, std::uint16_t>, std::uint16_t> numbers_;
 };
 
 }  // namespace
@@ -134,7 +140,7 @@ std::uint8_t two_input_steps(std::uint8_t function) {
   return combinations()[function].steps;
 }
 
-StepNetwork two_input_network(const GateNetwork& network) {
+Program two_input_program(const GateNetwork& network) {
   return Converter().convert(network);
 }
 
