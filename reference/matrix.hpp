@@ -7,12 +7,13 @@
 
 namespace thinbench::reference {
 
-/// Foreground (1) and background (0) pixels, one byte each, with a background margin one pixel
-/// wide.
+/// Foreground (1) and background (0) pixels, one byte each, with a margin one pixel wide, which is
+/// background unless `outside` is true. Every pixel begins as the margin.
 class Matrix {
  public:
-  Matrix(Index width, Index height)
-      : stride_(width + 2), pixels_(static_cast<std::size_t>(stride_ * (height + 2))) {}
+  Matrix(Index width, Index height, bool outside = false)
+      : stride_(width + 2),
+        pixels_(static_cast<std::size_t>(stride_ * (height + 2)), outside ? 1 : 0) {}
 
   [[nodiscard]] bool at(Index x, Index y) const { return pixels_[index(x, y)] != 0; }
   void set(Index x, Index y, bool foreground) { pixels_[index(x, y)] = foreground ? 1 : 0; }
@@ -26,8 +27,8 @@ class Matrix {
   std::vector<std::uint8_t> pixels_;
 };
 
-inline Matrix matrix_of(const ConstImageView& source) {
-  Matrix image(source.width, source.height);
+inline Matrix matrix_of(const ConstImageView& source, bool outside = false) {
+  Matrix image(source.width, source.height, outside);
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) image.set(x, y, source.row(y)[x] != 0);
   }

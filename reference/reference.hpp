@@ -2,8 +2,10 @@
 // data types with the kernels (image views, options, weights of nets), but no computation.
 #pragma once
 
+#include <span>
 #include <string_view>
 
+#include "thinbench/custom_rule.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/image_view.hpp"
 #include "thinbench/nets.hpp"
@@ -66,6 +68,13 @@ using Thinning = int (*)(const Repetition& repetition, ConstImageView source,
 
 /// The reference of a rule chosen at run time.
 [[nodiscard]] Thinning thinning(Rule rule);
+
+/// A rule given as tables, one per sub-iteration: the new value of every pixel is the table's bit
+/// for the pixel's 3 x 3 window, which may add pixels. An iteration changes nothing if none of its
+/// sub-iterations changed a pixel. With Border::foreground everything outside the image is
+/// foreground, otherwise background; limit, views and result as above.
+int apply_tables(std::span<const WindowTable> sub_iterations, const Repetition& repetition,
+                 ConstImageView source, ImageView destination);
 
 /// The paper's own method, end of section 3.1: scans the image along each of `directions` and marks
 /// the midpoint of every run of foreground pixels, p[first ... last]:

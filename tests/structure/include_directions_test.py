@@ -19,6 +19,7 @@ ALLOWED = {
     "thinning": BASE | {"image"},
     "nets": BASE | {"image", "thinning"},
     "midpoints": BASE | {"image", "thinning"},
+    "custom": BASE,
     "edges": BASE | {"image"},
     "regions": BASE | {"image"},
     "localise": BASE | {"image", "edges", "regions"},
