@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "api/catalogue.hpp"
+#include "custom/compiled_rule.hpp"
 #include "dispatch/exported.hpp"
 #include "image/byte_image.hpp"
 #include "image/checks.hpp"
@@ -21,13 +22,17 @@ namespace {
 using Worker = std::function<int(const ConstStackView& source, const StackView& destination,
                                  Index first, Index last)>;
 
-Worker lane_worker(detail::LaneKernel kernel, Index height, const Options& options) {
+/// `job` has everything but the stacks. `rule` keeps what the job refers to alive.
+Worker lane_worker(detail::LaneKernel kernel, Index height, detail::LaneJob job,
+                   std::shared_ptr<const void> rule = nullptr) {
   const auto words = static_cast<std::size_t>(detail::lane_scratch_words(height));
   const std::shared_ptr<std::uint64_t[]> scratch = detail::make_aligned<std::uint64_t>(words);
-  const int max_iterations = options.max_iterations;
-  const bool keep_border = options.border == Border::keep;
-  return [=](const ConstStackView& source, const StackView& destination, Index first, Index last) {
-    return kernel({source, destination, max_iterations, keep_border}, first, last, scratch.get());
+  return [kernel, scratch, job, rule = std::move(rule)](
+             const ConstStackView& source, const StackView& destination, Index first,
+             Index last) mutable {
+    job.source = source;
+    job.target = destination;
+    return kernel(job, first, last, scratch.get());
   };
 }
 
@@ -81,25 +86,69 @@ class ThinningBatch::Engine {
 
 ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options& options)
     : width_(width), height_(height) {
+  const detail::LaneKernel kernel =
+      detail::kernels_of<detail::LaneKernels>(options.isa.value_or(best_isa())).by_rule[rule];
+  const detail::ThinningOperation& operation = detail::operation_of(rule);
+  make_engine(
+      options, kernel != nullptr,
+      [&](const Options& single) {
+        detail::require_size(width, height);
+        const auto& variant = detail::choose(operation, width, height, single);
+        return detail::make_state(operation, variant, width, height, single);
+      },
+      [&] {
+        return lane_worker(kernel, height,
+                           {.source = {},
+                            .target = {},
+                            .max_iterations = options.max_iterations,
+                            .keep_border = options.border == Border::keep});
+      });
+}
+
+ThinningBatch::ThinningBatch(const CustomRule& rule, Index width, Index height,
+                             const Options& options)
+    : width_(width), height_(height) {
+  const Isa isa = options.isa.value_or(best_isa());
+  const bool in_lanes = rule.options().border != Border::foreground;
+  make_engine(
+      options, in_lanes,
+      [&](const Options& single) {
+        const auto& variant = detail::choose_custom(rule, width, height, single);
+        return detail::make_custom_state(rule, variant, width, height, single);
+      },
+      [&] {
+        struct Owner {
+          CustomRule rule;
+          detail::BoundRule bound;
+        };
+        const auto owner = std::make_shared<const Owner>(
+            Owner{rule, rule.compiled()->bind(isa, detail::lane_layout(width), true)});
+        return lane_worker(detail::kernels_of<detail::LaneKernels>(isa).custom, height,
+                           {.source = {},
+                            .target = {},
+                            .max_iterations = rule.options().max_iterations,
+                            .keep_border = rule.options().border == Border::keep,
+                            .rule = &owner->bound},
+                           owner);
+      });
+}
+
+/// One worker per thread: in lanes where the kernels can, else image by image. `make_state(options)`
+/// checks the options, too.
+template <class MakeState, class MakeLanes>
+void ThinningBatch::make_engine(const Options& options, bool has_lanes,
+                                const MakeState& make_state, const MakeLanes& make_lanes) {
   detail::require_threads(options.threads);
   Options single = options;
   single.threads = 1;
-  const detail::ThinningOperation& operation = detail::operation_of(rule);
-  const auto make_state = [&] {
-    detail::require_size(width, height);
-    const auto& variant = detail::choose(operation, width, height, single);
-    return detail::make_state(operation, variant, width, height, single);
-  };
-  auto state = make_state();  // with lanes, only for its checks
-  const Isa isa = options.isa.value_or(best_isa());
-  const detail::LaneKernel kernel = detail::kernels_of<detail::LaneKernels>(isa).by_rule[rule];
-  const bool in_lanes = kernel != nullptr && !options.technique && width <= detail::kMaxLaneWidth;
+  auto state = make_state(single);  // with lanes, only for its checks
+  const bool in_lanes = has_lanes && !options.technique && width_ <= detail::kMaxLaneWidth;
   std::vector<Worker> workers;
   for (int i = 0; i < options.threads; ++i) {
     if (in_lanes) {
-      workers.push_back(lane_worker(kernel, height, options));
+      workers.push_back(make_lanes());
     } else {
-      workers.push_back(single_worker(i == 0 ? std::move(state) : make_state()));
+      workers.push_back(single_worker(i == 0 ? std::move(state) : make_state(single)));
     }
   }
   engine_ = std::make_unique<Engine>(std::move(workers), !in_lanes);
@@ -126,6 +175,12 @@ bool ThinningBatch::one_by_one() const {
 
 int thin_batch(Rule rule, const ConstStackView& source, const StackView& destination,
                const Options& options) {
+  detail::check_stacks(source, destination);
+  return ThinningBatch(rule, source.width, source.height, options)(source, destination);
+}
+
+int apply(const CustomRule& rule, const ConstStackView& source, const StackView& destination,
+          const Options& options) {
   detail::check_stacks(source, destination);
   return ThinningBatch(rule, source.width, source.height, options)(source, destination);
 }

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "api/option_checks.hpp"
+#include "custom/complement_state.hpp"
+#include "custom/variants.hpp"
 #include "image/checks.hpp"
 #include "midpoints/variants.hpp"
 #include "nets/variants.hpp"
@@ -120,6 +122,58 @@ std::unique_ptr<ThinningState> make_state(const ThinningOperation& operation,
                        variant.threaded ? options.threads : 1, options.border,
                        options.max_iterations, options.directions,
                        options.net ? options.net : default_net(operation.rule)});
+}
+
+namespace {
+
+struct CustomOperation {
+  std::string_view name = "apply";
+  std::vector<ThinningVariant> variants = custom_variants();
+};
+
+const CustomOperation& custom_operation() {
+  static const CustomOperation operation;
+  return operation;
+}
+
+/// The rule's own border, or background if its tables were complemented instead.
+Border border_of(const CustomRule& rule) {
+  return rule.options().border == Border::keep ? Border::keep : Border::background;
+}
+
+}  // namespace
+
+std::span<const ThinningVariant> custom_rule_variants() {
+  return custom_operation().variants;
+}
+
+const ThinningVariant& choose_custom(const CustomRule& rule, Index width, Index height,
+                                     const Options& options) {
+  require_size(width, height);
+  check_no_thinning_options("a custom rule has its own options and", options);
+  Options all = options;
+  all.border = border_of(rule);
+  return choose(custom_operation(), width, height, all);
+}
+
+std::unique_ptr<ThinningState> make_custom_state(const CustomRule& rule,
+                                                 const ThinningVariant& variant, Index width,
+                                                 Index height, const Options& options) {
+  require_size(width, height);
+  require_max_pixels(width, height);
+  check_variant(variant, width, options);
+  ThinningSetting setting = {.rule = {},
+                             .isa = variant.isa,
+                             .width = width,
+                             .height = height,
+                             .threads = variant.threaded ? options.threads : 1,
+                             .border = border_of(rule),
+                             .max_iterations = rule.options().max_iterations,
+                             .directions = {},
+                             .custom_rule = rule.compiled()};
+  auto state = variant.make(setting);
+  if (rule.options().border != Border::foreground) return state;
+  return std::make_unique<ComplementState>(std::move(state), width, height);
 }
 
 std::unique_ptr<EdgeState> make_state(const EdgeOperation& operation, const EdgeVariant& variant,

@@ -9,6 +9,7 @@
 #include "edges/state.hpp"
 #include "localise/state.hpp"
 #include "regions/state.hpp"
+#include "thinbench/custom_rule.hpp"
 #include "thinning/state.hpp"
 
 namespace thinbench::detail {
@@ -52,11 +53,20 @@ struct LocaliseOperation {
 [[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
 [[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
+/// The variants of custom rules, not one of thinning_operations().
+[[nodiscard]] std::span<const ThinningVariant> custom_rule_variants();
+
 // Make the state of a variant, which must belong to the operation. Throw std::invalid_argument as
 // the public functions do, and std::bad_alloc.
 [[nodiscard]] std::unique_ptr<ThinningState> make_state(const ThinningOperation& operation,
                                                         const ThinningVariant& variant, Index width,
                                                         Index height, const Options& options);
+/// For a custom rule. Checks that the options have neither border nor limit nor anything else that
+/// belongs to a rule.
+[[nodiscard]] std::unique_ptr<ThinningState> make_custom_state(const CustomRule& rule,
+                                                               const ThinningVariant& variant,
+                                                               Index width, Index height,
+                                                               const Options& options);
 [[nodiscard]] std::unique_ptr<EdgeState> make_state(const EdgeOperation& operation,
                                                     const EdgeVariant& variant, Index width,
                                                     Index height, const EdgeThresholds& thresholds,
@@ -85,5 +95,9 @@ template <class Operation>
   return choose_variant(operation.name, operation.variants, width,
                         with_useful_threads(options, can_share, width, height));
 }
+
+/// The same for a custom rule.
+[[nodiscard]] const ThinningVariant& choose_custom(const CustomRule& rule, Index width,
+                                                   Index height, const Options& options);
 
 }  // namespace thinbench::detail

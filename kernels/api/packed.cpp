@@ -14,4 +14,13 @@ int thin(Rule rule, ConstPackedView source, PackedView destination, const Option
       ->run(source, destination);
 }
 
+int apply(const CustomRule& rule, ConstPackedView source, PackedView destination,
+          const Options& options) {
+  detail::check_views(source, destination);
+  const detail::ThinningVariant& variant =
+      detail::choose_custom(rule, source.width, source.height, options);
+  return detail::make_custom_state(rule, variant, source.width, source.height, options)
+      ->run(source, destination);
+}
+
 }  // namespace thinbench

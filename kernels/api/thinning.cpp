@@ -15,6 +15,14 @@ Thinner::Thinner(Rule rule, Index width, Index height, const Options& options)
   isa_ = variant.isa;
 }
 
+Thinner::Thinner(const CustomRule& rule, Index width, Index height, const Options& options)
+    : width_(width), height_(height) {
+  const detail::ThinningVariant& variant = detail::choose_custom(rule, width, height, options);
+  state_ = detail::make_custom_state(rule, variant, width, height, options);
+  technique_ = variant.technique;
+  isa_ = variant.isa;
+}
+
 Thinner::~Thinner() = default;
 Thinner::Thinner(Thinner&&) noexcept = default;
 Thinner& Thinner::operator=(Thinner&&) noexcept = default;

@@ -132,7 +132,6 @@ template <class Keeps>
 void derive_tables(NetModel& model, const Keeps& keeps) {
   for (int k = 0; k < 256; ++k) model.new_pixel[256 + k] = keeps(k) ? 1 : 0;
   fill_pair_table(model.new_pixel, model.pixel_pairs);
-  model.program = make_mux_program(model.new_pixel + 256);
 }
 
 }  // namespace

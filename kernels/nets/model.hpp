@@ -24,7 +24,7 @@ struct FixedPointNet {
 namespace thinbench {
 
 /// A net and the tables derived from it.
-struct NetModel : detail::RuntimeRule {
+struct NetModel : detail::TableRule {
   Activation activation;
   TwoLayerWeights two_layer;
   ClusterWeights cluster;

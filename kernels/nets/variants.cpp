@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "custom/compiled_rule.hpp"
+#include "custom/variants.hpp"
 #include "dispatch/exported.hpp"
 #include "image/checks.hpp"
 #include "nets/make_model.hpp"
@@ -34,7 +36,8 @@ State make_net_lut_sliding(const ThinningSetting& setting) {
 /// circuit.
 bool matches_naccache_shinghal(const ThinningSetting& setting) {
   static constexpr RuleTable kTable = make_rule_table<NaccacheShinghal, 0>();
-  return std::equal(kTable.begin(), kTable.end(), setting.runtime_rule->new_pixel);
+  return std::equal(kTable.begin(), kTable.end(),
+                    net_of(setting.runtime_rule.get()).new_pixel);
 }
 
 ThinningSetting as_naccache_shinghal(ThinningSetting setting) {
@@ -42,19 +45,28 @@ ThinningSetting as_naccache_shinghal(ThinningSetting setting) {
   return setting;
 }
 
+/// The net's decisions as a custom rule.
+ThinningSetting as_custom_rule(ThinningSetting setting) {
+  const std::uint8_t* const new_pixel = net_of(setting.runtime_rule.get()).new_pixel;
+  const WindowTable table =
+      make_window_table([&](std::size_t window) { return new_pixel[descriptor_of(window)] != 0; });
+  setting.custom_rule = compile(std::span(&table, 1), false);
+  return setting;
+}
+
 State make_net_bitpacked(const ThinningSetting& setting) {
   if (matches_naccache_shinghal(setting)) return make_bitpacked(as_naccache_shinghal(setting));
-  return make_pass(ScalarPasses::kRuntimeBitpacked, setting);
+  return make_custom_bitpacked(as_custom_rule(setting));
 }
 
 State make_net_simd_bitpacked(const ThinningSetting& setting) {
   if (matches_naccache_shinghal(setting)) return make_simd_bitpacked(as_naccache_shinghal(setting));
-  return make_pass(kernels_of<SimdPasses>(setting.isa).runtime_bitpacked, setting);
+  return make_custom_simd_bitpacked(as_custom_rule(setting));
 }
 
 State make_net_row(const ThinningSetting& setting) {
   if (matches_naccache_shinghal(setting)) return make_row(as_naccache_shinghal(setting));
-  return std::make_unique<RowState>(kernels_of<RowKernels>(setting.isa).runtime, setting);
+  return make_custom_row(as_custom_rule(setting));
 }
 
 template <class AnyPass>
@@ -99,7 +111,7 @@ std::vector<ThinningVariant> net_variants(Rule rule) {
   for (const Isa isa : kAllIsas) {
     add_arithmetic(list, rule, isa);
     list.add_with_threads(simd_bitpacked, isa, &make_net_simd_bitpacked, {kSimdBitpackedPriority});
-    if (kernels_of<RowKernels>(isa).runtime != nullptr) {
+    if (kernels_of<RowKernels>(isa).custom != nullptr) {
       list.add(simd_bitpacked_row, isa, &make_net_row, {kRowPriority, kRowKernelWidth});
     }
   }

@@ -6,26 +6,10 @@
 
 namespace thinbench::detail {
 
-inline constexpr int kNeighbours = 8;
-
-/// A node of a decision diagram: value `high` if neighbour n_variable is foreground, else value
-/// `low`. Values 0 and 1 are background and foreground; value i + 2 is the result of node i.
-struct MuxNode {
-  std::uint8_t variable;
-  std::uint8_t high;
-  std::uint8_t low;
+/// The data of a rule known only at run time. Engines know the derived type.
+struct RuntimeRule {
+  bool adds_pixels = false;  // else background remains background
 };
-
-/// A truth table over the eight neighbours as a reduced ordered decision diagram. The last node is
-/// the result. With eight variables, 79 nodes suffice for every function and order.
-struct MuxProgram {
-  static constexpr int kMaxNodes = 79;
-  int count;
-  MuxNode nodes[kMaxNodes];
-};
-
-/// The diagram of `table`, which has the new pixel by descriptor. Nodes read earlier nodes only.
-[[nodiscard]] MuxProgram make_mux_program(const std::uint8_t* table);
 
 inline constexpr std::size_t kPairTableSize = 4096;
 
@@ -45,11 +29,10 @@ constexpr void fill_pair_table(const std::uint8_t* new_pixel, std::uint16_t* pai
   }
 }
 
-/// A rule of eight neighbours with one sub-iteration.
-struct RuntimeRule {
+/// A rule of one sub-iteration that only removes pixels, for the techniques with look-up tables.
+struct TableRule : RuntimeRule {
   std::uint8_t new_pixel[512];  // by k + 256 p, with the descriptor k; 0 or 1
   std::uint16_t pixel_pairs[kPairTableSize];
-  MuxProgram program;  // of new_pixel[256 ... 511]
 };
 
 }  // namespace thinbench::detail

@@ -10,6 +10,8 @@
 
 namespace thinbench::detail {
 
+class CompiledRule;
+
 /// The parameters of a state, already validated.
 struct ThinningSetting {
   Rule rule;
@@ -20,7 +22,8 @@ struct ThinningSetting {
   Border border;
   int max_iterations;
   Directions directions;                            // midpoint scan only
-  std::shared_ptr<const RuntimeRule> runtime_rule;  // nets only, else nullptr
+  std::shared_ptr<const RuntimeRule> runtime_rule = nullptr;   // nets: their model
+  std::shared_ptr<const CompiledRule> custom_rule = nullptr;  // custom rules only
 };
 
 /// Owns all memory for thinning images of one size. Its three steps can be timed separately: load()

@@ -10,6 +10,8 @@
 
 namespace thinbench {
 
+class CustomRule;
+
 /// Thins stacks of images of one size. Parallel rules on images up to 128 pixels wide thin many
 /// images at once, one per lane of a vector register; other rules and wider images are thinned one
 /// by one, with the same result. Not thread-safe, but threads may use different batches
@@ -19,6 +21,8 @@ class THINBENCH_API ThinningBatch {
   /// `options` as in thin(), except that threads share the images of a stack. If a technique is
   /// set, images are thinned one by one. Throws as thin() does for sizes and options.
   ThinningBatch(Rule rule, Index width, Index height, const Options& options = {});
+  /// The same for a custom rule; `options` as in apply().
+  ThinningBatch(const CustomRule& rule, Index width, Index height, const Options& options = {});
   ~ThinningBatch();
   ThinningBatch(ThinningBatch&&) noexcept;
   ThinningBatch& operator=(ThinningBatch&&) noexcept;
@@ -43,6 +47,10 @@ class THINBENCH_API ThinningBatch {
  private:
   class Engine;
 
+  template <class MakeState, class MakeLanes>
+  void make_engine(const Options& options, bool has_lanes, const MakeState& make_state,
+                   const MakeLanes& make_lanes);
+
   Index width_;
   Index height_;
   std::unique_ptr<Engine> engine_;
@@ -51,5 +59,8 @@ class THINBENCH_API ThinningBatch {
 /// Thins one stack. Thread-safe for different destinations.
 THINBENCH_API int thin_batch(Rule rule, const ConstStackView& source, const StackView& destination,
                              const Options& options = {});
+/// The same for a custom rule.
+THINBENCH_API int apply(const CustomRule& rule, const ConstStackView& source,
+                        const StackView& destination, const Options& options = {});
 
 }  // namespace thinbench

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
@@ -74,7 +75,7 @@ class THINBENCH_API CustomRule {
   explicit CustomRule(const WindowTable& table, const CustomRuleOptions& options = {})
       : CustomRule(std::span(&table, 1), options) {}
 
-  [[nodiscard]] std::span<const WindowTable> sub_iterations() const;
+  [[nodiscard]] std::span<const WindowTable> sub_iterations() const { return tables_; }
   [[nodiscard]] const CustomRuleOptions& options() const { return options_; }
   /// The number of three-input gates of a sub-iteration's circuit.
   [[nodiscard]] int gates(std::size_t sub_iteration) const;
@@ -85,6 +86,7 @@ class THINBENCH_API CustomRule {
   }
 
  private:
+  std::vector<WindowTable> tables_;
   CustomRuleOptions options_;
   std::shared_ptr<const detail::CompiledRule> compiled_;
 };

@@ -10,6 +10,8 @@
 
 namespace thinbench {
 
+class CustomRule;
+
 /// Which bit of a byte is its first pixel, the one in the west.
 enum class BitOrder : std::uint8_t {
   msb_first,  // the highest bit: PBM (P4), TIFF's usual order, NumPy's "big"
@@ -72,5 +74,9 @@ struct PackedView {
 /// and an order outside the enumeration are rejected, too. Nothing is written if it throws.
 THINBENCH_API int thin(Rule rule, ConstPackedView source, PackedView destination,
                        const Options& options = {});
+
+/// The same for a custom rule, see apply() of thinbench/custom_rule.hpp.
+THINBENCH_API int apply(const CustomRule& rule, ConstPackedView source, PackedView destination,
+                        const Options& options = {});
 
 }  // namespace thinbench

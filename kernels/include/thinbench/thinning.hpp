@@ -10,6 +10,8 @@
 
 namespace thinbench {
 
+class CustomRule;
+
 namespace detail {
 class ThinningState;
 }  // namespace detail
@@ -36,6 +38,8 @@ class THINBENCH_API Thinner {
  public:
   /// Throws as thin() does for sizes and options.
   Thinner(Rule rule, Index width, Index height, const Options& options = {});
+  /// For apply(): `options` as there.
+  Thinner(const CustomRule& rule, Index width, Index height, const Options& options = {});
   ~Thinner();
   Thinner(Thinner&&) noexcept;
   Thinner& operator=(Thinner&&) noexcept;

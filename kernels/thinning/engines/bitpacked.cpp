@@ -3,7 +3,6 @@
 //
 // Cost per word, see word_scan.hpp: 3 loads, 1 store, 6 shifts and ORs for neighbours, the rule in
 // two-input operations (14 for Naccache-Shinghal) and its inversions.
-#include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/word_scan.hpp"
 
@@ -20,15 +19,8 @@ struct Bitpacked {
   }
 };
 
-std::uint64_t runtime_pass(const RuntimeRule* rule, const std::uint64_t* fixed,
-                           const ConstBitPlaneView& source, const BitPlaneView& target,
-                           const Band& band) {
-  return scan_band<MuxRule, 0, std::uint64_t>(MuxRule{rule->program}, fixed, source, target, band);
-}
-
 }  // namespace
 
 constinit const PassesByRule<std::uint64_t> ScalarPasses::kBitpacked = passes_by_rule<Bitpacked>();
-constinit const Pass<std::uint64_t> ScalarPasses::kRuntimeBitpacked = &runtime_pass;
 
 }  // namespace thinbench::detail

@@ -12,37 +12,12 @@
 
 #include "dispatch/exported.hpp"
 #include "thinning/engines/lane_packing.hpp"
+#include "thinning/engines/layouts.hpp"
 #include "thinning/engines/word_scan.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
-
-/// Images up to 32 or 64 pixels wide, in lanes of T.
-template <class T>
-struct PlainLanes {
-  using Word = xsimd::batch<T, Architecture>;
-  using Element = T;
-  static constexpr Index kImages = static_cast<Index>(Word::size);
-  static constexpr Index kElements = 1;  // per image
-
-  [[gnu::always_inline]] static RowTriple<Word> with_neighbours(Word row) {
-    return {row << 1, row, row >> 1};
-  }
-};
-
-/// Images up to 128 pixels wide, each in two adjacent lanes.
-struct PairedLanes {
-  using Word = WordBatch;
-  using Element = std::uint64_t;
-  static constexpr Index kImages = static_cast<Index>(Word::size) / 2;
-  static constexpr Index kElements = 2;
-
-  [[gnu::always_inline]] static RowTriple<Word> with_neighbours(Word row) {
-    return {west_neighbour<1>(row, previous_in_pair(row)), row,
-            east_neighbour<1>(row, next_in_pair(row))};
-  }
-};
 
 /// A group of images: rows of one register each, with margin rows above and below.
 template <class Lanes>
@@ -116,22 +91,19 @@ void write_group(const LaneRows<Lanes>& rows, Index first, Index images, const S
       });
 }
 
-/// The mask of pixels of a row that may change: all, or all but the first and last of each image.
+/// The mask of pixels of a row that may change: those of `images` images, without the first and last
+/// column if the border is kept.
 template <class Lanes>
-typename Lanes::Word free_pixels(Index width, bool keep_border) {
+typename Lanes::Word free_pixels(Index images, Index width, bool keep_border) {
   using Element = typename Lanes::Element;
-  constexpr Index bits = 8 * static_cast<Index>(sizeof(Element));
-  alignas(64) Element pattern[LaneRows<Lanes>::kRow];
-  for (Index i = 0; i < LaneRows<Lanes>::kRow; ++i) {
-    const Index x = i % Lanes::kElements * bits;
-    pattern[i] = static_cast<Element>(~Element{0});
-    if (!keep_border) continue;
-    if (x == 0) pattern[i] = static_cast<Element>(pattern[i] & ~Element{1});
-    const Index end = width - 1 - x;
-    if (0 <= end && end < bits) {
-      pattern[i] = static_cast<Element>(pattern[i] & ~(Element{1} << end));
+  alignas(64) Element pattern[LaneRows<Lanes>::kRow] = {};
+  const Index margin = keep_border ? 1 : 0;
+  for_parts<Lanes>(images, width, [&](Index, Index element, Index x, Index part_width) {
+    for (Index i = 0; i < part_width; ++i) {
+      if (x + i < margin || x + i >= width - margin) continue;
+      pattern[element] = static_cast<Element>(pattern[element] | Element{1} << i);
     }
-  }
+  });
   return Lanes::Word::load_aligned(pattern);
 }
 
@@ -144,10 +116,10 @@ struct FreeArea {
 };
 
 template <class Lanes>
-FreeArea<Lanes> free_area(const LaneJob& job) {
+FreeArea<Lanes> free_area(const LaneJob& job, Index images) {
   const Index margin = job.keep_border ? 1 : 0;
   return {margin, job.source.height - margin,
-          free_pixels<Lanes>(job.source.width, job.keep_border)};
+          free_pixels<Lanes>(images, job.source.width, job.keep_border)};
 }
 
 /// Prefetches the memory that the next group will read and write, one cache line at a time.
@@ -200,52 +172,104 @@ template <class Rule, int sub, class Lanes>
   return any_bit(changed);
 }
 
-template <class Rule, class Lanes, int... subs>
-int thin_group(const LaneRows<Lanes>& rows, const FreeArea<Lanes>& area, int max_iterations,
-               Prefetcher prefetcher, std::integer_sequence<int, subs...>) {
+/// Runs iterations of a built-in rule on a group.
+template <class Rule>
+struct BuiltInIteration {
+  template <class Lanes>
+  bool operator()(const LaneRows<Lanes>& rows, const FreeArea<Lanes>& area,
+                  Prefetcher& prefetcher) const {
+    return [&]<int... subs>(std::integer_sequence<int, subs...>) {
+      bool changed = false;
+      ((changed = run_sub_iteration<Rule, subs>(rows, area, prefetcher) || changed), ...);
+      return changed;
+    }
+    (std::make_integer_sequence<int, Rule::kSubIterations>{});
+  }
+};
+
+/// The same for a custom rule.
+struct CustomIteration {
+  const BoundRule& rule;
+
+  template <class Lanes>
+  bool operator()(const LaneRows<Lanes>& rows, const FreeArea<Lanes>& area, Prefetcher&) const {
+    using Element = typename Lanes::Element;
+    if (area.first >= area.last) return false;
+    alignas(64) Element fixed[LaneRows<Lanes>::kRow];
+    (~area.pixels).store_aligned(fixed);
+    constexpr Index stride = LaneRows<Lanes>::kRow * static_cast<Index>(sizeof(Element));
+    Element* const first = rows.at(area.first);
+    const Index count = area.last - area.first;
+    bool changed = false;
+    for (int sub = 0; sub < rule.sub_iterations; ++sub) {
+      const BoundScan& scan = rule.scans[static_cast<std::size_t>(sub)];
+      changed = scan({first, stride, first, stride, count, count, fixed}) != 0 || changed;
+    }
+    return changed;
+  }
+};
+
+template <class Iteration, class Lanes>
+int thin_group(const Iteration& iterate_once, const LaneRows<Lanes>& rows,
+               const FreeArea<Lanes>& area, int max_iterations, Prefetcher prefetcher) {
   int iterations = 0;
   bool changed = true;
   while (changed && iterations < max_iterations) {
-    changed = false;
-    ((changed = run_sub_iteration<Rule, subs>(rows, area, prefetcher) || changed), ...);
+    changed = iterate_once(rows, area, prefetcher);
     ++iterations;
   }
   return iterations;
 }
 
-template <class Rule, class Lanes>
-int thin_lanes(const LaneJob& job, Index first, Index last, void* scratch) {
+template <class Lanes, class Iteration>
+int thin_lanes(const Iteration& iterate_once, const LaneJob& job, Index first, Index last,
+               void* scratch) {
   using Element = typename Lanes::Element;
-  constexpr auto subs = std::make_integer_sequence<int, Rule::kSubIterations>{};
   const LaneRows<Lanes> rows = {static_cast<Element*>(scratch) +
                                 kMarginRows * LaneRows<Lanes>::kRow};
-  const FreeArea<Lanes> area = free_area<Lanes>(job);
+  FreeArea<Lanes> area = free_area<Lanes>(job, Lanes::kImages);
   clear(rows, -kMarginRows, 0);
   clear(rows, job.source.height, job.source.height + kMarginRows);
   int max_taken = 0;
   for (Index image = first; image < last; image += Lanes::kImages) {
     const Index images = last - image < Lanes::kImages ? last - image : Lanes::kImages;
+    if (images < Lanes::kImages) area = free_area<Lanes>(job, images);
     read_group(job.source, image, images, rows);
-    const int iterations = thin_group<Rule>(rows, area, job.max_iterations,
-                                            prefetcher_of<Lanes>(job, image + images, last), subs);
+    const int iterations = thin_group(iterate_once, rows, area, job.max_iterations,
+                                      prefetcher_of<Lanes>(job, image + images, last));
     write_group(rows, image, images, job.target);
     if (iterations > max_taken) max_taken = iterations;
   }
   return max_taken;
 }
 
+template <class Iteration>
+int thin_images(const Iteration& iterate_once, const LaneJob& job, Index first, Index last,
+                void* scratch) {
+  switch (lane_layout(job.source.width)) {
+    case Layout::lanes_32:
+      return thin_lanes<PlainLanes<std::uint32_t>>(iterate_once, job, first, last, scratch);
+    case Layout::lanes_64:
+      return thin_lanes<PlainLanes<std::uint64_t>>(iterate_once, job, first, last, scratch);
+    default:
+      return thin_lanes<PairedLanes>(iterate_once, job, first, last, scratch);
+  }
+}
+
 template <class Rule>
-int thin_images(const LaneJob& job, Index first, Index last, void* scratch) {
-  const Index width = job.source.width;
-  if (width <= 32) return thin_lanes<Rule, PlainLanes<std::uint32_t>>(job, first, last, scratch);
-  if (width <= 64) return thin_lanes<Rule, PlainLanes<std::uint64_t>>(job, first, last, scratch);
-  return thin_lanes<Rule, PairedLanes>(job, first, last, scratch);
+int thin_built_in(const LaneJob& job, Index first, Index last, void* scratch) {
+  return thin_images(BuiltInIteration<Rule>{}, job, first, last, scratch);
+}
+
+int thin_custom(const LaneJob& job, Index first, Index last, void* scratch) {
+  return thin_images(CustomIteration{*job.rule}, job, first, last, scratch);
 }
 
 consteval LaneKernels make_kernels() {
   LaneKernels kernels{};
+  kernels.custom = &thin_custom;
   for_each_parallel_rule(
-      [&]<class Type>(Rule rule) { kernels.by_rule[rule] = &thin_images<Type>; });
+      [&]<class Type>(Rule rule) { kernels.by_rule[rule] = &thin_built_in<Type>; });
   return kernels;
 }
 

@@ -1,6 +1,7 @@
 // Kernels for many small images: one image per lane of a register.
 #pragma once
 
+#include "custom/bound_rule.hpp"
 #include "image/plane_view.hpp"
 #include "thinbench/image_view.hpp"
 #include "thinning/engines/passes.hpp"
@@ -22,7 +23,14 @@ struct LaneJob {
   StackView target;
   int max_iterations;
   bool keep_border;
+  const BoundRule* rule = nullptr;  // custom rules only, bound to lane_layout() with fixed pixels
 };
+
+/// The layout of images of this width, which is at most kMaxLaneWidth.
+constexpr Layout lane_layout(Index width) {
+  if (width <= 32) return Layout::lanes_32;
+  return width <= 64 ? Layout::lanes_64 : Layout::lanes_128;
+}
 
 /// Thins images [first, last). Returns the maximum number of iterations of an image, including the
 /// last; 0 for an empty range. `scratch` has lane_scratch_words() words, aligned to a cache line,
@@ -31,6 +39,7 @@ using LaneKernel = int (*)(const LaneJob& job, Index first, Index last, void* sc
 
 struct LaneKernels {
   ByRule<LaneKernel> by_rule;
+  LaneKernel custom;
 };
 
 }  // namespace thinbench::detail

@@ -66,7 +66,7 @@ template <class Row>
   return changed;
 }
 
-inline constexpr int kMaxSubIterations = 4;
+inline constexpr int kMaxSubIterations = 8;
 
 /// The functions of a rule's sub-iterations. Empty if an engine does not support the rule.
 template <class Function>
@@ -117,21 +117,19 @@ consteval PassesByRule<typename Engine::Element> passes_by_rule() {
   return sub_iterations_by_rule<Pass<typename Engine::Element>, Engine>();
 }
 
-/// Compiled once, for the baseline. The last three require a RuntimeRule.
+/// Compiled once, for the baseline. The last two require a TableRule.
 struct ScalarPasses {
   static const PassesByRule<std::uint8_t> kLut;
   static const PassesByRule<std::uint8_t> kLutSliding;
   static const PassesByRule<std::uint64_t> kBitpacked;
   static const Pass<std::uint8_t> kRuntimeLut;
   static const Pass<std::uint8_t> kRuntimeLutSliding;
-  static const Pass<std::uint64_t> kRuntimeBitpacked;
 };
 
 /// Compiled for every ISA, see simd.cpp and autovec.cpp.
 struct SimdPasses {
   PassesByRule<std::uint8_t> bytes;
   PassesByRule<std::uint64_t> bitpacked;
-  Pass<std::uint64_t> runtime_bitpacked;  // requires a RuntimeRule
 };
 struct AutovecPasses {
   PassesByRule<std::uint8_t> bytes;

@@ -26,7 +26,7 @@ constexpr Index row_kernel_scratch_words(Index height) {
 }
 
 struct RowKernelOptions {
-  const RuntimeRule* rule;  // nullptr for compile-time rules
+  const RuntimeRule* rule;  // nullptr for built-in rules
   Border border;
   int max_iterations;
 };
@@ -41,7 +41,7 @@ using RowKernel = int (*)(const RowKernelOptions& options, const ConstBitPlaneVi
 /// All nullptr if the ISA has no 512-bit registers.
 struct RowKernels {
   ByRule<RowKernel> by_rule;
-  RowKernel runtime;  // requires a RuntimeRule
+  RowKernel custom;  // requires a BoundRule
 };
 
 }  // namespace thinbench::detail

@@ -19,6 +19,14 @@ constexpr std::uint64_t counting_pattern(int variable, int word) {
 /// New pixels by k + 256 p, with the descriptor k.
 using RuleTable = std::array<std::uint8_t, 512>;
 
+/// k + 256 p of a window of WindowTable.
+constexpr std::size_t descriptor_of(std::size_t window) {
+  constexpr int pixel_of[9] = {5, 2, 1, 0, 3, 6, 7, 8, 4};  // n0 ... n7, p
+  std::size_t descriptor = 0;
+  for (std::size_t i = 0; i < 9; ++i) descriptor |= (window >> pixel_of[i] & 1) << i;
+  return descriptor;
+}
+
 template <class Rule, int sub>
 constexpr RuleTable make_rule_table() {
   RuleTable table{};

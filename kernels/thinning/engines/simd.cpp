@@ -8,7 +8,6 @@
 // neighbours), 1 store, the rule's gates.
 #include "dispatch/exported.hpp"
 #include "simd/vector.hpp"
-#include "thinning/engines/mux_rule.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/word_scan.hpp"
 
@@ -27,18 +26,11 @@ struct SimdWordScan {
   }
 };
 
-std::uint64_t runtime_pass(const RuntimeRule* rule, const std::uint64_t* fixed,
-                           const ConstBitPlaneView& source, const BitPlaneView& target,
-                           const Band& band) {
-  return scan_band<MuxRule, 0, WordBatch>(MuxRule{rule->program}, fixed, source, target, band);
-}
-
 }  // namespace
 }  // namespace THINBENCH_ISA
 
 template <>
 constinit const SimdPasses Exported<SimdPasses, kThisIsa>::kKernels = {
-    passes_by_rule<SimdWordScan<ByteBatch>>(), passes_by_rule<SimdWordScan<WordBatch>>(),
-    &runtime_pass};
+    passes_by_rule<SimdWordScan<ByteBatch>>(), passes_by_rule<SimdWordScan<WordBatch>>()};
 
 }  // namespace thinbench::detail

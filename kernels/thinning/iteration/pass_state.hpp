@@ -17,20 +17,28 @@ class RepetitionMemory {
         repetition_{rule_.get(), setting.max_iterations,
                     changing_rows(setting.height, setting.border), nullptr},
         activity_(repetition_.rows, row_elements, sizeof(T) == 1 ? kWordBits : 1) {
-    if (setting.border == Border::keep && setting.width > 0) fix_border_columns(setting.width);
+    const bool adds_pixels = rule_ != nullptr && rule_->adds_pixels;
+    if ((setting.border == Border::keep || adds_pixels) && setting.width > 0) {
+      make_fixed(setting.width, setting.border == Border::keep, adds_pixels);
+    }
   }
 
   [[nodiscard]] const Repetition<T>& repetition() const { return repetition_; }
   [[nodiscard]] BandActivity& activity() { return activity_; }
 
  private:
-  void fix_border_columns(Index width) {
+  /// Fixes the first and the last column, and the padding, which rules that add pixels would change.
+  void make_fixed(Index width, bool border, bool padding) {
     fixed_ = Plane<T>(width, 1);
     T* const row = fixed_.view().data;
     constexpr Index pixels = sizeof(T) == 1 ? 1 : kWordBits;
-    for (const Index x : {Index{0}, width - 1}) {
+    const auto fix = [&](Index x) {
       row[x / pixels] = static_cast<T>(row[x / pixels] | T{1} << (x % pixels));
-    }
+    };
+    if (border) fix(0);
+    if (border) fix(width - 1);
+    const Index end = fixed_.view().row_elements * pixels;
+    for (Index x = width; padding && x < end; ++x) fix(x);
     repetition_.fixed = row;
   }
 

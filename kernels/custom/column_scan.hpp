@@ -1,0 +1,52 @@
+// Scans: one sub-iteration of a custom rule on a column of registers. Plain data, safe to include
+// in files of every ISA.
+#pragma once
+
+#include <cstdint>
+
+#include "image/plane_view.hpp"
+
+namespace thinbench::detail {
+
+/// What a register holds, and where the west and east neighbours of its pixels are.
+enum class Layout : std::uint8_t {
+  words,      // part of a row of a plane; neighbours across words are in memory
+  row,        // a whole row of up to 512 pixels
+  lanes_32,   // a row of an image per lane
+  lanes_64,   //
+  lanes_128,  // a row of an image per pair of 64-bit lanes
+};
+inline constexpr int kLayouts = 5;
+
+/// Rows of registers, one below the other. Row -1 and the row after the last are readable. The
+/// target is the source, or does not overlap with it.
+struct ColumnScan {
+  const void* source;   // row 0
+  Index source_stride;  // bytes
+  void* target;
+  Index target_stride;
+  Index rows;
+  Index band_rows;    // of these, in at most 64 bands; the last band may have fewer
+  const void* fixed;  // a register with a 1 for every pixel that must not change, or nullptr
+};
+
+/// Returns the bit set of bands in which a pixel changed.
+using ScanFunction = std::uint64_t (*)(const void* program, const ColumnScan& scan);
+
+/// A scan function with the program that it executes.
+struct BoundScan {
+  ScanFunction function = nullptr;
+  const void* program = nullptr;
+
+  std::uint64_t operator()(const ColumnScan& scan) const { return function(program, scan); }
+};
+
+/// Interpreters of one ISA; a program is a SlotProgram. Ternary where gates with three inputs are
+/// one instruction. The entry of a layout that an ISA has not is nullptr.
+struct Interpreters {
+  bool ternary;
+  Index register_words;
+  ScanFunction by_layout[kLayouts];
+};
+
+}  // namespace thinbench::detail

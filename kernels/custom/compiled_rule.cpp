@@ -1,0 +1,161 @@
+#include "custom/compiled_rule.hpp"
+
+#include <algorithm>
+#include <list>
+
+#include "custom/gate_search.hpp"
+#include "custom/scalar_interpreter.hpp"
+#include "custom/two_input.hpp"
+#include "dispatch/exported.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+/// The window after one of the eight symmetries of the square: bit `i` of the result is bit
+/// `pixels[i]` of the window.
+using Symmetry = std::array<int, kWindowPixels>;
+
+Symmetry symmetry_of(int number) {
+  Symmetry symmetry{};
+  for (int i = 0; i < kWindowPixels; ++i) {
+    int x = i % 3;
+    int y = i / 3;
+    if ((number & 1) != 0) x = 2 - x;
+    if ((number & 2) != 0) y = 2 - y;
+    if ((number & 4) != 0) std::swap(x, y);
+    symmetry[static_cast<std::size_t>(i)] = 3 * y + x;
+  }
+  return symmetry;
+}
+
+WindowTable transformed(const WindowTable& table, const Symmetry& symmetry) {
+  return make_window_table([&](std::size_t window) {
+    std::size_t image = 0;
+    for (std::size_t i = 0; i < symmetry.size(); ++i) image |= (window >> symmetry[i] & 1) << i;
+    return table[image];
+  });
+}
+
+/// The network on transformed windows.
+GateNetwork transformed(GateNetwork network, const Symmetry& symmetry) {
+  const auto moved = [&](int value) {
+    return value < kWindowPixels ? symmetry[static_cast<std::size_t>(value)] : value;
+  };
+  for (Gate& gate : network.gates) {
+    for (std::uint8_t& input : gate.inputs) input = static_cast<std::uint8_t>(moved(input));
+  }
+  network.output = moved(network.output);
+  return network;
+}
+
+/// Whether a table gives `value` where the pixel itself has the other value.
+bool changes_to(const WindowTable& table, bool value) {
+  for (std::size_t window = 0; window < WindowTable::kWindows; ++window) {
+    const bool before = (window >> WindowTable::kCentre & 1) != 0;
+    if (before != value && table[window] == value) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+CompiledRule::CompiledRule(std::vector<WindowTable> tables, bool optimise)
+    : tables_(std::move(tables)), optimise_(optimise) {
+  const auto any = [this](bool value) {
+    return std::any_of(tables_.begin(), tables_.end(),
+                       [=](const WindowTable& table) { return changes_to(table, value); });
+  };
+  adds_pixels_ = any(true);
+  removes_pixels_ = any(false);
+}
+
+/// Sub-iterations are often the same table turned: then they share one search.
+GateNetwork CompiledRule::network_for(std::size_t sub_iteration,
+                                      const std::vector<GateNetwork>& earlier,
+                                      const GateCosts& costs) const {
+  const WindowTable& table = tables_[sub_iteration];
+  for (std::size_t i = 0; i < earlier.size(); ++i) {
+    for (int number = 0; number < 8; ++number) {
+      const Symmetry symmetry = symmetry_of(number);
+      if (transformed(tables_[i], symmetry) == table) return transformed(earlier[i], symmetry);
+    }
+  }
+  return minimised_network(table, costs, optimise_ ? kThoroughSearch : kFastSearch);
+}
+
+CompiledRule::Circuits CompiledRule::make_circuits(bool ternary) const {
+  const GateCosts& costs = ternary ? ternary_costs() : two_input_costs();
+  Circuits circuits;
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const GateNetwork network = network_for(i, circuits.networks, costs);
+    circuits.networks.push_back(network);
+    circuits.programs.push_back(ternary ? ternary_program(network) : two_input_program(network));
+    circuits.slot_programs.push_back(with_slots(circuits.programs.back()));
+  }
+  return circuits;
+}
+
+const CompiledRule::Circuits& CompiledRule::circuits(bool ternary) const {
+  const std::lock_guard lock(mutex_);
+  auto& circuits = circuits_[ternary ? 1 : 0];
+  if (!circuits) circuits = std::make_unique<const Circuits>(make_circuits(ternary));
+  return *circuits;
+}
+
+const GateNetwork& CompiledRule::circuit(std::size_t sub_iteration) const {
+  return circuits(true).networks.at(sub_iteration);
+}
+
+BoundRule CompiledRule::bind_with(ScanFunction function, bool ternary, Index register_words) const {
+  const Circuits& all = circuits(ternary);
+  BoundRule rule;
+  rule.register_words = register_words;
+  rule.adds_pixels = adds_pixels_;
+  rule.sub_iterations = static_cast<int>(tables_.size());
+  for (std::size_t i = 0; i < tables_.size(); ++i) rule.scans[i] = {function, &all.slot_programs[i]};
+  return rule;
+}
+
+BoundRule CompiledRule::bind(Isa isa, Layout layout, bool fixed) const {
+  const Interpreters& interpreters = kernels_of<Interpreters>(isa);
+  BoundRule rule = bind_with(interpreters.by_layout[static_cast<std::size_t>(layout)],
+                             interpreters.ternary, interpreters.register_words);
+  const Circuits& all = circuits(interpreters.ternary);
+  const std::lock_guard lock(mutex_);
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    const auto [found, is_new] = code_.emplace(CodeKey{i, isa, layout, fixed}, nullptr);
+    if (is_new) found->second = MachineCode::make(all.programs[i], isa, layout, fixed);
+    if (found->second) rule.scans[i].function = found->second->function();
+  }
+  return rule;
+}
+
+BoundRule CompiledRule::bind_scalar() const {
+  return bind_with(kScalarInterpreter, false, 1);
+}
+
+std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables, bool optimise) {
+  struct Entry {
+    std::vector<WindowTable> tables;
+    bool optimise;
+    std::shared_ptr<const CompiledRule> rule;
+  };
+  constexpr std::size_t kMaxEntries = 64;
+  static std::mutex mutex;
+  static std::list<Entry> entries;  // the last used first
+  const std::lock_guard lock(mutex);
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
+    return entry.optimise == optimise && std::ranges::equal(entry.tables, tables);
+  });
+  if (found != entries.end()) {
+    entries.splice(entries.begin(), entries, found);
+    return entries.front().rule;
+  }
+  std::vector<WindowTable> copy(tables.begin(), tables.end());
+  auto rule = std::make_shared<const CompiledRule>(copy, optimise);
+  entries.push_front({std::move(copy), optimise, rule});
+  if (entries.size() > kMaxEntries) entries.pop_back();
+  return rule;
+}
+
+}  // namespace thinbench::detail

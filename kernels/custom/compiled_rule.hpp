@@ -1,0 +1,69 @@
+// Compiled custom rules, shared by all that use them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "custom/bound_rule.hpp"
+#include "custom/gate_network.hpp"
+#include "custom/machine_code.hpp"
+#include "custom/program.hpp"
+
+namespace thinbench::detail {
+
+/// The tables of a rule with circuits, programs and machine code, each made when first needed.
+/// Thread-safe.
+class CompiledRule {
+ public:
+  CompiledRule(std::vector<WindowTable> tables, bool optimise);
+
+  [[nodiscard]] std::span<const WindowTable> tables() const { return tables_; }
+  [[nodiscard]] bool adds_pixels() const { return adds_pixels_; }
+  [[nodiscard]] bool removes_pixels() const { return removes_pixels_; }
+
+  /// The circuit of a sub-iteration with the fewest gates of three inputs.
+  [[nodiscard]] const GateNetwork& circuit(std::size_t sub_iteration) const;
+
+  /// With `fixed` every scan must have fixed pixels, else none. Machine code where there is some,
+  /// else the interpreter. Valid as long as this object.
+  [[nodiscard]] BoundRule bind(Isa isa, Layout layout, bool fixed) const;
+  /// For 64-bit words in general registers.
+  [[nodiscard]] BoundRule bind_scalar() const;
+
+ private:
+  /// The circuits for one kind of processor.
+  struct Circuits {
+    std::vector<GateNetwork> networks;
+    std::vector<Program> programs;
+    std::vector<SlotProgram> slot_programs;
+  };
+
+  const Circuits& circuits(bool ternary) const;
+  [[nodiscard]] Circuits make_circuits(bool ternary) const;
+  [[nodiscard]] GateNetwork network_for(std::size_t sub_iteration,
+                                        const std::vector<GateNetwork>& earlier,
+                                        const GateCosts& costs) const;
+  [[nodiscard]] BoundRule bind_with(ScanFunction function, bool ternary,
+                                    Index register_words) const;
+
+  std::vector<WindowTable> tables_;
+  bool optimise_;
+  bool adds_pixels_;
+  bool removes_pixels_;
+
+  mutable std::mutex mutex_;
+  mutable std::unique_ptr<const Circuits> circuits_[2];  // two-input, ternary
+  using CodeKey = std::tuple<std::size_t, Isa, Layout, bool>;
+  mutable std::map<CodeKey, std::shared_ptr<const MachineCode>> code_;
+};
+
+/// The compiled rule of these tables, the same object for equal tables while it is among the last
+/// ones used or in use.
+[[nodiscard]] std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables,
+                                                          bool optimise);
+
+}  // namespace thinbench::detail

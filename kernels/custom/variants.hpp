@@ -1,0 +1,21 @@
+// The variants of custom rules.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "thinning/state.hpp"
+
+namespace thinbench::detail {
+
+/// The variants for rules with any tables. Settings must have a custom rule; the border is
+/// background or keep.
+[[nodiscard]] std::vector<ThinningVariant> custom_variants();
+
+/// Factories that nets share.
+[[nodiscard]] std::unique_ptr<ThinningState> make_custom_bitpacked(const ThinningSetting& setting);
+[[nodiscard]] std::unique_ptr<ThinningState> make_custom_simd_bitpacked(
+    const ThinningSetting& setting);
+[[nodiscard]] std::unique_ptr<ThinningState> make_custom_row(const ThinningSetting& setting);
+
+}  // namespace thinbench::detail
