@@ -1,6 +1,7 @@
 // The families of operations as the harness sees them: images and numbers.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,14 @@ struct ThinningCase {
                                            const ThinningCase& options = {});
 
 [[nodiscard]] std::unique_ptr<Job> thinning_job(std::unique_ptr<detail::ThinningState> state);
+
+/// A job of a function that returns its number of iterations.
+[[nodiscard]] std::unique_ptr<Job> counting_job(
+    std::function<int(const ConstImageView& input, const ImageView& output)> function);
+
+/// Custom rules, optimised: built-in ones given as tables, Life and a random table. Not timed
+/// unless a filter names them.
+[[nodiscard]] std::vector<Operation> custom_family();
 
 /// With the default thresholds.
 [[nodiscard]] std::vector<Operation> edges_family();

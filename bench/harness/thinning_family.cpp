@@ -34,18 +34,18 @@ class StateJob final : public CountingJob {
   std::unique_ptr<ThinningState> state_;
 };
 
-class ReferenceJob final : public CountingJob {
+class FunctionJob final : public CountingJob {
  public:
-  ReferenceJob(Rule rule, const ThinningCase& options)
-      : function_(reference::thinning(rule)), repetition_{options.border, options.max_iterations} {}
+  using Function = std::function<int(const ConstImageView& input, const ImageView& output)>;
+
+  explicit FunctionJob(Function function) : function_(std::move(function)) {}
 
   void run(const ConstImageView& input, const ImageView& output) override {
-    iterations_ = function_(repetition_, input, output);
+    iterations_ = function_(input, output);
   }
 
  private:
-  reference::Thinning function_;
-  reference::Repetition repetition_;
+  Function function_;
 };
 
 std::string case_name(std::string_view operation, const ThinningCase& options) {
@@ -81,6 +81,11 @@ std::unique_ptr<Job> thinning_job(std::unique_ptr<ThinningState> state) {
   return std::make_unique<StateJob>(std::move(state));
 }
 
+std::unique_ptr<Job> counting_job(
+    std::function<int(const ConstImageView& input, const ImageView& output)> function) {
+  return std::make_unique<FunctionJob>(std::move(function));
+}
+
 Operation thinning_operation(const detail::ThinningOperation& operation,
                              const ThinningCase& options) {
   Operation result = {
@@ -100,7 +105,11 @@ Operation thinning_operation(const detail::ThinningOperation& operation,
     result.variants.push_back(std::move(one));
   }
   result.reference = [rule = operation.rule, options](Index, Index, int) {
-    return std::make_unique<ReferenceJob>(rule, options);
+    const reference::Repetition repetition = {options.border, options.max_iterations};
+    return counting_job([repetition, function = reference::thinning(rule)](
+                            const ConstImageView& input, const ImageView& output) {
+      return function(repetition, input, output);
+    });
   };
   result.counter = "iterations";
   result.is_net = operation.is_net;

@@ -132,10 +132,10 @@ struct CustomOperation {
   std::vector<ThinningVariant> variants;
 };
 
-const CustomOperation& custom_operation(const CustomRule& rule) {
+const CustomOperation& custom_operation(bool adds_pixels) {
   static const CustomOperation adds = {"apply", custom_variants(true)};
   static const CustomOperation only_removes = {"apply", custom_variants(false)};
-  return rule.compiled()->adds_pixels() ? adds : only_removes;
+  return adds_pixels ? adds : only_removes;
 }
 
 /// The rule's own border, or background if its tables were complemented instead.
@@ -145,8 +145,8 @@ Border border_of(const CustomRule& rule) {
 
 }  // namespace
 
-std::span<const ThinningVariant> custom_rule_variants(const CustomRule& rule) {
-  return custom_operation(rule).variants;
+std::span<const ThinningVariant> custom_rule_variants(bool adds_pixels) {
+  return custom_operation(adds_pixels).variants;
 }
 
 const ThinningVariant& choose_custom(const CustomRule& rule, Index width, Index height,
@@ -155,7 +155,7 @@ const ThinningVariant& choose_custom(const CustomRule& rule, Index width, Index 
   check_no_thinning_options("a custom rule has its own options and", options);
   Options all = options;
   all.border = border_of(rule);
-  return choose(custom_operation(rule), width, height, all);
+  return choose(custom_operation(rule.compiled()->adds_pixels()), width, height, all);
 }
 
 std::unique_ptr<ThinningState> make_custom_state(const CustomRule& rule,

@@ -48,7 +48,7 @@ int CustomRule::gates(std::size_t sub_iteration) const {
   detail::require(sub_iteration < tables_.size(), "sub-iteration " + std::to_string(sub_iteration) +
                                                       " of a rule with " +
                                                       std::to_string(tables_.size()));
-  return static_cast<int>(compiled_->circuit(sub_iteration).gates.size());
+  return detail::cost_of(compiled_->circuit(sub_iteration), detail::ternary_costs());
 }
 
 int apply(const CustomRule& rule, ConstImageView source, ImageView destination,

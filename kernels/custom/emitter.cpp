@@ -37,7 +37,9 @@ Emitter::Emitter(const Program& program, Isa isa, Layout layout, bool fixed, std
       funnel_(isa == Isa::avx512icl),
       uses_(static_cast<std::size_t>(kWindowPixels) + program.instructions.size()),
       places_(uses_.size()) {
+  find_features();
   for (std::size_t i = 0; i < program.instructions.size(); ++i) {
+    if (features_by_instruction_[i].feature != kNowhere) continue;
     for (const std::uint16_t operand : program.instructions[i].operands) {
       if (uses_[operand].empty() || uses_[operand].back() != i) uses_[operand].push_back(i);
     }
@@ -49,6 +51,59 @@ Emitter::Emitter(const Program& program, Isa isa, Layout layout, bool fixed, std
   emit_function();
 }
 
+/// Finds instructions that read pixels of one row alone, directly or through others, and numbers
+/// them as functions of a row. Those needed in one row only are no features.
+void Emitter::find_features() {
+  const std::size_t count = program_.instructions.size();
+  std::vector<Feature> functions;
+  std::vector<unsigned> rows_with;  // by function: a bit per row
+  std::vector<Use> uses(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Instruction& instruction = program_.instructions[i];
+    Feature function = {instruction.code, {}};
+    std::array<std::size_t, 3> rows{};
+    bool is_pure = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t value = instruction.operands[k];
+      const bool is_pixel = value < kWindowPixels;
+      const Use use = is_pixel ? Use{} : uses[value - kWindowPixels];
+      is_pure = is_pure && (is_pixel || use.feature != kNowhere);
+      rows[k] = is_pixel ? value / 3 : use.row;
+      function.operands[k] = static_cast<std::uint16_t>(
+          is_pixel ? value % 3 : static_cast<std::size_t>(use.feature) + 3);
+    }
+    if (!is_pure || rows[1] != rows[0] || rows[2] != rows[0]) continue;
+    const auto found = std::find(functions.begin(), functions.end(), function);
+    uses[i] = {static_cast<int>(found - functions.begin()), rows[0]};
+    if (found == functions.end()) {
+      functions.push_back(function);
+      rows_with.push_back(0);
+    }
+    rows_with[static_cast<std::size_t>(uses[i].feature)] |= 1U << rows[0];
+  }
+  // Features of wide registers take three registers each.
+  const std::size_t max_features = wide_ ? 4 : 8;
+  std::vector<int> number(functions.size(), kNowhere);
+  for (std::size_t f = 0; f < functions.size() && features_.size() < max_features; ++f) {
+    if ((rows_with[f] & (rows_with[f] - 1)) == 0) continue;
+    Feature feature = functions[f];
+    bool has_operands = true;
+    for (std::uint16_t& operand : feature.operands) {
+      if (operand < 3) continue;
+      const int moved = number[static_cast<std::size_t>(operand - 3)];
+      has_operands = has_operands && moved != kNowhere;
+      operand = static_cast<std::uint16_t>(moved + 3);
+    }
+    if (!has_operands) continue;
+    number[f] = static_cast<int>(features_.size());
+    features_.push_back(feature);
+  }
+  for (Use& use : uses) {
+    if (use.feature != kNowhere) use.feature = number[static_cast<std::size_t>(use.feature)];
+  }
+  features_by_instruction_ = std::move(uses);
+}
+
 void Emitter::divide_registers() {
   int next = 0;
   changed_ = next++;
@@ -56,6 +111,7 @@ void Emitter::divide_registers() {
   if (has_fixed_) fixed_ = next++;
   if (layout_ == Layout::row) zero_ = next++;
   for (RowPlaces& row : rows_) {
+    row.resize(3 + features_.size());
     for (Place& place : row) {
       if (wide_) {
         place.reg = next++;
@@ -64,6 +120,7 @@ void Emitter::divide_registers() {
       }
     }
   }
+  home_places_ = spills_;
   while (next < (wide_ ? 32 : 16)) pool_.push_back(next++);
 }
 
@@ -115,9 +172,15 @@ void Emitter::begin_row(std::size_t turn) {
   for (std::size_t y = 0; y < 3; ++y) {
     for (std::size_t x = 0; x < 3; ++x) places_[3 * y + x] = rows_[(turn + y + 2) % 3][x];
   }
+  for (std::size_t i = 0; i < features_by_instruction_.size(); ++i) {
+    const Use& use = features_by_instruction_[i];
+    if (use.feature == kNowhere) continue;
+    places_[kWindowPixels + i] =
+        rows_[(turn + use.row + 2) % 3][3 + static_cast<std::size_t>(use.feature)];
+  }
   // What the row before left on the stack is no longer needed.
   free_spills_.clear();
-  for (int place = spills_ - 1; place >= (wide_ ? 0 : kWindowPixels); --place) {
+  for (int place = spills_ - 1; place >= home_places_; --place) {
     free_spills_.push_back(place);
   }
 }
@@ -174,7 +237,7 @@ void Emitter::finish_instruction(std::size_t index, int reg) {
       holds_[static_cast<std::size_t>(place.reg)] = kNowhere;
       place.reg = kNowhere;
     }
-    if (value >= kWindowPixels && place.stack != kNowhere) {
+    if (place.stack >= home_places_) {
       free_spills_.push_back(std::exchange(place.stack, kNowhere));
     }
   }
@@ -219,25 +282,31 @@ void Emitter::emit_binary(std::size_t index) {
   const Place& place = place_of(b);
   if (place.reg == kNowhere) load(vector(scratch_), stack(place.stack));
   const Vector second = vector(place.reg == kNowhere ? scratch_ : place.reg);
+  apply(operation, vector(to), vector(first), second);
+  finish_instruction(index, to);
+}
+
+/// The complement is of `first`; then `to` is another register.
+void Emitter::apply(Operation operation, const Vector& to, const Vector& first,
+                    const Vector& second) {
   switch (operation) {
     case Operation::conjunction:
-      vpand(vector(to), vector(first), second);
+      vpand(to, first, second);
       break;
     case Operation::disjunction:
-      vpor(vector(to), vector(first), second);
+      vpor(to, first, second);
       break;
     case Operation::difference:
-      vpandn(vector(to), vector(first), second);
+      vpandn(to, first, second);
       break;
     case Operation::exclusive:
-      vpxor(vector(to), vector(first), second);
+      vpxor(to, first, second);
       break;
     case Operation::complement:
-      vpcmpeqd(vector(to), vector(to), vector(to));
-      vpxor(vector(to), vector(to), vector(first));
+      vpcmpeqd(to, to, to);
+      vpxor(to, to, first);
       break;
   }
-  finish_instruction(index, to);
 }
 
 /// Restores fixed pixels, stores the row and records changes.
@@ -328,12 +397,28 @@ void Emitter::combine_neighbours(const Vector& west, const Vector& centre, const
 
 /// Into the places of a row; without registers of their own, through those of the pool.
 void Emitter::load_row(RowPlaces& row, const Xbyak::RegExp& at) {
-  std::array<Vector, 3> parts;
-  for (std::size_t i = 0; i < 3; ++i) parts[i] = vector(wide_ ? row[i].reg : pool_[i]);
-  load(parts[1], ptr[at]);
-  emit_neighbours(parts[0], parts[1], parts[2], at);
+  std::vector<int> registers;
+  for (std::size_t i = 0; i < row.size(); ++i) registers.push_back(wide_ ? row[i].reg : pool_[i]);
+  load(vector(registers[1]), ptr[at]);
+  emit_neighbours(vector(registers[0]), vector(registers[1]), vector(registers[2]), at);
+  emit_features(registers);
   if (wide_) return;
-  for (std::size_t i = 0; i < 3; ++i) store(stack(row[i].stack), parts[i]);
+  for (std::size_t i = 0; i < row.size(); ++i) store(stack(row[i].stack), vector(registers[i]));
+}
+
+/// `registers`: those of the pixels, then those of the features.
+void Emitter::emit_features(const std::vector<int>& registers) {
+  for (std::size_t f = 0; f < features_.size(); ++f) {
+    const auto& [a, b, c] = features_[f].operands;
+    const Vector to = vector(registers[3 + f]);
+    if (program_.ternary) {
+      copy(registers[3 + f], {registers[a], kNowhere});
+      vpternlogq(to, vector(registers[b]), vector(registers[c]), features_[f].code);
+    } else {
+      apply(static_cast<Operation>(features_[f].code), to, vector(registers[a]),
+            vector(registers[b]));
+    }
+  }
 }
 
 void Emitter::emit_row(std::size_t turn) {
@@ -355,6 +440,7 @@ void Emitter::emit_row(std::size_t turn) {
     }
   }
   for (now_ = 0; now_ < program_.instructions.size(); ++now_) {
+    if (features_by_instruction_[now_].feature != kNowhere) continue;
     program_.ternary ? emit_ternary(now_) : emit_binary(now_);
   }
   emit_output();

@@ -30,6 +30,8 @@ class Emitter : private Xbyak::CodeGenerator {
   [[nodiscard]] std::size_t bytes() const { return getSize(); }
 
  private:
+  static constexpr int kNowhere = -1;
+
   using Vector = Xbyak::Xmm;  // of any width
 
   /// Where a value is: in a register, on the stack, or both.
@@ -37,12 +39,24 @@ class Emitter : private Xbyak::CodeGenerator {
     int reg = kNowhere;
     int stack = kNowhere;
   };
-  /// West, centre and east.
-  using RowPlaces = std::array<Place, 3>;
+  /// West, centre and east pixels, then features.
+  using RowPlaces = std::vector<Place>;
+  /// A function of one row that the program computes for several rows. It is computed once per row.
+  /// Operands 0 to 2 are pixels, 3 + i is feature i.
+  struct Feature {
+    std::uint8_t code;
+    std::array<std::uint16_t, 3> operands;
+    friend auto operator<=>(const Feature&, const Feature&) = default;
+  };
+  /// An instruction that a feature replaces.
+  struct Use {
+    int feature = kNowhere;
+    std::size_t row = 0;
+  };
 
-  static constexpr int kNowhere = -1;
-
+  void find_features();
   void divide_registers();
+  void emit_features(const std::vector<int>& registers);
   void emit_function();
   void emit_row(std::size_t turn);
   void emit_band_end(std::size_t turn);
@@ -54,6 +68,7 @@ class Emitter : private Xbyak::CodeGenerator {
   void emit_return();
   void emit_ternary(std::size_t index);
   void emit_binary(std::size_t index);
+  void apply(Operation operation, const Vector& to, const Vector& first, const Vector& second);
   void emit_output();
 
   // Registers during a row.
@@ -86,6 +101,9 @@ class Emitter : private Xbyak::CodeGenerator {
   int zero_ = kNowhere;
   int scratch_ = kNowhere;
   std::vector<int> pool_;
+  std::vector<Feature> features_;
+  std::vector<Use> features_by_instruction_;
+  int home_places_ = 0;  // of rows, on the stack
   std::array<RowPlaces, 3> rows_;
   std::vector<std::vector<std::size_t>> uses_;  // of each value: instructions, in order
   std::array<Xbyak::Label, 3> row_labels_;

@@ -68,9 +68,26 @@ const GateCosts& two_input_costs() {
   return costs;
 }
 
+int row_function(const Gate& gate) {
+  const int row = gate.inputs[0] / 3;
+  for (const std::uint8_t input : gate.inputs) {
+    if (input >= kWindowPixels || input / 3 != row) return -1;
+  }
+  int function = 0;
+  for (int pixels = 0; pixels < 8; ++pixels) {
+    int index = 0;
+    for (const std::uint8_t input : gate.inputs) {
+      index = 2 * index + (pixels >> (2 - input % 3) & 1);
+    }
+    function |= (gate.function >> index & 1) << pixels;
+  }
+  return function;
+}
+
 int cost_of(const GateNetwork& network, const GateCosts& costs) {
+  CostCounter counter(costs);
   int cost = 0;
-  for (const Gate& gate : network.gates) cost += costs[gate.function];
+  for (const Gate& gate : network.gates) cost += counter.add(gate);
   return cost;
 }
 

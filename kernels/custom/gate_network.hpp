@@ -55,6 +55,35 @@ using GateCosts = std::array<std::uint8_t, 256>;
 /// The number of two-input operations (and, or, xor, and-not) of a gate.
 [[nodiscard]] const GateCosts& two_input_costs();
 
+/// For a gate of pixels of one row: its value for the west, centre and east pixel, as a truth table
+/// with these as inputs a, b, c; else -1. Engines compute equal functions of different rows once
+/// per row.
+[[nodiscard]] int row_function(const Gate& gate);
+
+/// Counts the gates of a network, equal functions of rows once.
+class CostCounter {
+ public:
+  explicit CostCounter(const GateCosts& costs) : costs_(&costs) {}
+
+  // Each returns what the gate adds to or takes from the cost.
+  int add(const Gate& gate) { return counted(gate, 0, 1); }
+  int remove(const Gate& gate) { return counted(gate, 1, -1); }
+
+ private:
+  int counted(const Gate& gate, int alone, int step) {
+    const int cost = (*costs_)[gate.function];
+    const int function = row_function(gate);
+    if (function < 0) return cost;
+    int& count = rows_with_[static_cast<std::size_t>(function)];
+    const bool is_alone = count == alone;
+    count += step;
+    return is_alone ? cost : 0;
+  }
+
+  const GateCosts* costs_;
+  std::array<int, 256> rows_with_{};
+};
+
 [[nodiscard]] int cost_of(const GateNetwork& network, const GateCosts& costs);
 
 /// Removes gates that nothing reads and orders the others.

@@ -149,7 +149,7 @@ void Pairs::learn(int on, int off, std::uint64_t used) {
 class Circuit {
  public:
   Circuit(GateNetwork network, const GateCosts& costs)
-      : network_(std::move(network)), costs_(&costs) {
+      : network_(std::move(network)), costs_(&costs), counter_(costs) {
     tidy();
   }
 
@@ -184,6 +184,7 @@ class Circuit {
 
   GateNetwork network_;
   const GateCosts* costs_;
+  CostCounter counter_;
   int cost_ = 0;
   std::vector<WindowTable> tables_;
   std::vector<int> references_;  // how many gates, or the output, read each value
@@ -195,7 +196,9 @@ class Circuit {
 void Circuit::tidy() {
   sort_gates(network_);
   tables_ = tables_of(network_);
-  cost_ = cost_of(network_, *costs_);
+  counter_ = CostCounter(*costs_);
+  cost_ = 0;
+  for (const Gate& gate : network_.gates) cost_ += counter_.add(gate);
   references_.assign(tables_.size(), 0);
   for (const Gate& gate : network_.gates) {
     for (const std::uint8_t input : gate.inputs) ++references_[input];
@@ -236,14 +239,14 @@ Requirement Circuit::requirement_of(int value) {
 void Circuit::add_reference(int value, int& cost) {
   if (references_[static_cast<std::size_t>(value)]++ > 0 || value < kWindowPixels) return;
   const Gate& gate = network_.gates[static_cast<std::size_t>(value - kWindowPixels)];
-  cost += (*costs_)[gate.function];
+  cost += counter_.add(gate);
   for (const std::uint8_t input : gate.inputs) add_reference(input, cost);
 }
 
 void Circuit::drop_reference(int value, int& cost) {
   if (--references_[static_cast<std::size_t>(value)] > 0 || value < kWindowPixels) return;
   const Gate& gate = network_.gates[static_cast<std::size_t>(value - kWindowPixels)];
-  cost += (*costs_)[gate.function];
+  cost += counter_.remove(gate);
   for (const std::uint8_t input : gate.inputs) drop_reference(input, cost);
 }
 
@@ -279,10 +282,11 @@ bool Circuit::test(const Requirement& requirement, const std::array<int, 3>& can
 
 /// `freed`: the cost of the gate and of what only it needs.
 void Circuit::offer(const Gate& gate, int freed, Choice& best, Random& random) {
-  int added = (*costs_)[gate.function];
+  int added = counter_.add(gate);
   int dropped = 0;
   for (const std::uint8_t input : gate.inputs) add_reference(input, added);
   for (const std::uint8_t input : gate.inputs) drop_reference(input, dropped);
+  static_cast<void>(counter_.remove(gate));
   const int gain = freed - added;
   if (gain < 0 || gain < best.gain) return;
   if (gain > best.gain) best.ties = 0;
@@ -376,11 +380,11 @@ std::int64_t Circuit::improve(int index, Pairs& pairs, Random& random) {
     return work;
   }
   pairs.reset(tables_, candidates_, requirement, random);
-  int freed = (*costs_)[gate.function];
-  int restored = 0;
+  int freed = counter_.remove(gate);
   for (const std::uint8_t input : gate.inputs) drop_reference(input, freed);
   Choice best;
   work += search_triples(requirement, freed, pairs, best, random);
+  int restored = counter_.add(gate);
   for (const std::uint8_t input : gate.inputs) add_reference(input, restored);
   if (best.ties == 0) return work;
   gate = best.gate;
@@ -431,10 +435,57 @@ GateNetwork expansion(const WindowTable& table, const PixelOrder& order) {
   return network;
 }
 
+/// For rules that depend on the sums of rows and on the pixel itself, as Life does: the table by
+/// seven inputs, bits 2 r and 2 r + 1 of the sum of row r, and the pixel.
+std::optional<WindowTable> table_by_row_sums(const WindowTable& table) {
+  WindowTable by_sums;
+  WindowTable is_set;
+  for (std::size_t window = 0; window < WindowTable::kWindows; ++window) {
+    std::size_t index = (window >> WindowTable::kCentre & 1) << 6;
+    for (int row = 0; row < 3; ++row) {
+      const auto sum = static_cast<std::size_t>(std::popcount(window >> (3 * row) & 7));
+      index |= sum << (2 * row);
+    }
+    if (is_set[index] && by_sums[index] != table[window]) return std::nullopt;
+    is_set.set(index, true);
+    // Inputs 7 and 8 do not matter.
+    for (std::size_t rest = 0; rest < 4; ++rest) by_sums.set(index | rest << 7, table[window]);
+  }
+  return by_sums;
+}
+
+/// The network of a table_by_row_sums as one of pixels.
+GateNetwork with_row_sums(const GateNetwork& by_sums) {
+  constexpr std::uint8_t kSumBits[] = {0x96, 0xE8};  // parity and majority
+  constexpr int kInputs = 6;
+  GateNetwork network;
+  for (int input = 0; input < kInputs; ++input) {
+    const auto first = static_cast<std::uint8_t>(input / 2 * 3);
+    network.gates.push_back(
+        {kSumBits[input % 2],
+         {first, static_cast<std::uint8_t>(first + 1), static_cast<std::uint8_t>(first + 2)}});
+  }
+  const auto moved = [](int value) {
+    if (value < kInputs) return value + kWindowPixels;
+    if (value == kInputs) return static_cast<int>(WindowTable::kCentre);
+    return value < kWindowPixels ? 0 : value + kInputs;  // no table depends on inputs 7 and 8
+  };
+  for (Gate gate : by_sums.gates) {
+    for (std::uint8_t& input : gate.inputs) input = static_cast<std::uint8_t>(moved(input));
+    network.gates.push_back(gate);
+  }
+  network.output = moved(by_sums.output);
+  return network;
+}
+
 class Search {
  public:
   Search(const WindowTable& table, const GateCosts& costs, SearchEffort effort)
-      : table_(table), costs_(costs), work_left_(effort.work), best_(start()) {}
+      : table_(table),
+        by_sums_(table_by_row_sums(table)),
+        costs_(costs),
+        work_left_(effort.work),
+        best_(start()) {}
 
   GateNetwork run() {
     while (work_left_ > 0) descend();
@@ -442,13 +493,19 @@ class Search {
   }
 
  private:
+  Circuit random_expansion() {
+    const PixelOrder order = random_order(random_);
+    if (by_sums_) return {with_row_sums(expansion(*by_sums_, order)), costs_};
+    return {expansion(table_, order), costs_};
+  }
+
   /// The smallest of a few expansions.
   Circuit start() {
     constexpr int kStarts = 5;
     constexpr int kGateWork = 10'000;
-    Circuit smallest(expansion(table_, random_order(random_)), costs_);
+    Circuit smallest = random_expansion();
     for (int i = 1; i < kStarts; ++i) {
-      Circuit circuit(expansion(table_, random_order(random_)), costs_);
+      Circuit circuit = random_expansion();
       work_left_ -= kGateWork * circuit.gates();
       if (circuit.cost() < smallest.cost()) smallest = std::move(circuit);
     }
@@ -492,6 +549,7 @@ class Search {
   }
 
   const WindowTable& table_;
+  const std::optional<WindowTable> by_sums_;
   const GateCosts& costs_;
   Random random_;
   Pairs pairs_;

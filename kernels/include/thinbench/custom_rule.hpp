@@ -77,7 +77,8 @@ class THINBENCH_API CustomRule {
 
   [[nodiscard]] std::span<const WindowTable> sub_iterations() const { return tables_; }
   [[nodiscard]] const CustomRuleOptions& options() const { return options_; }
-  /// The number of three-input gates of a sub-iteration's circuit.
+  /// The number of three-input gates of a sub-iteration's circuit. Equal functions of different rows
+  /// count once.
   [[nodiscard]] int gates(std::size_t sub_iteration) const;
 
   /// For internal use.
