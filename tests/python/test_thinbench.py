@@ -18,7 +18,7 @@ import thinbench
 from images import random_image
 from thinbench._thinning import RULES
 
-MODULES = ["thinbench", "thinbench._thinning", "thinbench._images", "thinbench._catalogue",
+MODULES = ["thinbench", "thinbench._thinning", "thinbench._custom_rules", "thinbench._images", "thinbench._catalogue",
            "thinbench.compat", "thinbench.compat.cv2", "thinbench.compat.skimage"]
 
 
