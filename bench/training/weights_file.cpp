@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "support/json_field.hpp"
 #include "support/text.hpp"
 
 namespace thinbench {
@@ -18,88 +19,40 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A value in the file and the way to it, such as hidden[3].bias.
-class Field {
- public:
-  Field(const Json& json, const std::string& file, std::string name)
-      : json_(json), file_(file), name_(std::move(name)) {}
-
-  [[nodiscard]] Field member(const std::string& key) const {
-    if (!json_.is_object()) fail("must be an object");
-    Field found(json_.contains(key) ? json_.at(key) : json_, file_,
-                name_.empty() ? key : name_ + "." + key);
-    if (!json_.contains(key)) found.fail("is missing");
-    return found;
+float number(const JsonField& field) {
+  if (!field.json().is_number()) field.fail("must be a number");
+  const auto value = field.json().get<double>();
+  if (std::abs(value) > kLargestWeight) {
+    field.fail("is " + field.json().dump() + "; the largest is 1e30");
   }
+  return static_cast<float>(value);
+}
 
-  [[nodiscard]] Field element(std::size_t i) const {
-    return {json_.at(i), file_, name_ + "[" + std::to_string(i) + "]"};
-  }
-
-  /// The number of elements, which must lie between the two.
-  [[nodiscard]] std::size_t count(std::size_t least, std::size_t most, const char* what) const {
-    if (!json_.is_array()) fail("must be a list");
-    const std::size_t size = json_.size();
-    if (size >= least && size <= most) return size;
-    const std::string range = least == most ? std::to_string(most)
-                                            : std::to_string(least) + " to " + std::to_string(most);
-    fail("has " + std::to_string(size) + " " + what + "; it must have " + range);
-  }
-
-  [[nodiscard]] float number() const {
-    if (!json_.is_number()) fail("must be a number");
-    const auto value = json_.get<double>();
-    if (std::abs(value) > kLargestWeight) fail("is " + json_.dump() + "; the largest is 1e30");
-    return static_cast<float>(value);
-  }
-
-  [[nodiscard]] std::int64_t integer() const {
-    if (!json_.is_number_integer()) fail("must be an integer");
-    if (json_.is_number_unsigned() && json_.get<std::uint64_t>() > INT64_MAX) fail("is too large");
-    return json_.get<std::int64_t>();
-  }
-
-  [[nodiscard]] std::string text() const {
-    if (!json_.is_string()) fail("must be a text");
-    return json_.get<std::string>();
-  }
-
-  [[noreturn]] void fail(const std::string& problem) const {
-    const std::string field = name_.empty() ? "the outermost value" : name_;
-    throw std::runtime_error(file_ + ": " + field + " " + problem);
-  }
-
- private:
-  const Json& json_;
-  const std::string& file_;
-  std::string name_;
-};
-
-Neuron read_neuron(const Field& field) {
+Neuron read_neuron(const JsonField& field) {
   Neuron neuron{};
-  const Field weights = field.member("weights");
+  const JsonField weights = field.member("weights");
   const std::size_t count = weights.count(kNetInputs, kNetInputs, "numbers");
-  for (std::size_t i = 0; i < count; ++i) neuron.weight[i] = weights.element(i).number();
-  neuron.bias = field.member("bias").number();
+  for (std::size_t i = 0; i < count; ++i) neuron.weight[i] = number(weights.element(i));
+  neuron.bias = number(field.member("bias"));
   return neuron;
 }
 
-TwoLayerWeights read_two_layer(const Field& root) {
+TwoLayerWeights read_two_layer(const JsonField& root) {
   TwoLayerWeights weights{};
-  const Field hidden = root.member("hidden");
+  const JsonField hidden = root.member("hidden");
   const std::size_t count = hidden.count(kHiddenNeurons, kHiddenNeurons, "neurons");
   for (std::size_t j = 0; j < count; ++j) weights.hidden[j] = read_neuron(hidden.element(j));
   weights.output = read_neuron(root.member("output"));
   return weights;
 }
 
-ClusterNet read_net(const Field& field, int first, bool is_last) {
+ClusterNet read_net(const JsonField& field, int first, bool is_last) {
   constexpr int kEnd = kDescriptors - 1;
   if (field.member("first").integer() != first) {
     field.member("first").fail("must be " + std::to_string(first) +
                                ": the runs cover 0 to 255 in order");
   }
-  const Field last_field = field.member("last");
+  const JsonField last_field = field.member("last");
   const std::int64_t last = last_field.integer();
   if (is_last && last != kEnd) last_field.fail("must be 255: the last run ends there");
   if (last < first || last > kEnd) {
@@ -108,9 +61,9 @@ ClusterNet read_net(const Field& field, int first, bool is_last) {
   return {static_cast<int>(last), read_neuron(field)};
 }
 
-ClusterWeights read_cluster(const Field& root) {
+ClusterWeights read_cluster(const JsonField& root) {
   ClusterWeights weights{};
-  const Field nets = root.member("nets");
+  const JsonField nets = root.member("nets");
   const std::size_t count = nets.count(1, kMaxClusterNets, "nets");
   int first = 0;
   for (std::size_t n = 0; n < count; ++n) {
@@ -121,25 +74,14 @@ ClusterWeights read_cluster(const Field& root) {
   return weights;
 }
 
-Json parse(const std::string& text, const std::string& name) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw std::runtime_error(name + ": not JSON, or truncated, at byte " +
-                             std::to_string(error.byte) + " of " + std::to_string(text.size()));
-  } catch (const Json::out_of_range&) {
-    throw std::runtime_error(name + ": a number is too large to read");
-  }
-}
-
 }  // namespace
 
 AnyWeights parse_weights(const std::string& text, const std::string& name) {
-  const Json json = parse(text, name);
-  const Field root(json, name, "");
-  const Field schema = root.member("schema");
+  const Json json = parse_json(text, name);
+  const JsonField root(json, name, "");
+  const JsonField schema = root.member("schema");
   if (schema.integer() != 1) schema.fail("must be 1, the only version there is");
-  const Field kind = root.member("kind");
+  const JsonField kind = root.member("kind");
   if (kind.text() == "two_layer") return read_two_layer(root);
   if (kind.text() == "cluster") return read_cluster(root);
   kind.fail("must be \"two_layer\" or \"cluster\"");

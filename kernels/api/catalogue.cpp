@@ -4,6 +4,7 @@
 #include <string>
 
 #include "api/option_checks.hpp"
+#include "custom/compiled_rule.hpp"
 #include "custom/complement_state.hpp"
 #include "custom/variants.hpp"
 #include "image/checks.hpp"
@@ -127,13 +128,14 @@ std::unique_ptr<ThinningState> make_state(const ThinningOperation& operation,
 namespace {
 
 struct CustomOperation {
-  std::string_view name = "apply";
-  std::vector<ThinningVariant> variants = custom_variants();
+  std::string_view name;
+  std::vector<ThinningVariant> variants;
 };
 
-const CustomOperation& custom_operation() {
-  static const CustomOperation operation;
-  return operation;
+const CustomOperation& custom_operation(const CustomRule& rule) {
+  static const CustomOperation adds = {"apply", custom_variants(true)};
+  static const CustomOperation only_removes = {"apply", custom_variants(false)};
+  return rule.compiled()->adds_pixels() ? adds : only_removes;
 }
 
 /// The rule's own border, or background if its tables were complemented instead.
@@ -143,8 +145,8 @@ Border border_of(const CustomRule& rule) {
 
 }  // namespace
 
-std::span<const ThinningVariant> custom_rule_variants() {
-  return custom_operation().variants;
+std::span<const ThinningVariant> custom_rule_variants(const CustomRule& rule) {
+  return custom_operation(rule).variants;
 }
 
 const ThinningVariant& choose_custom(const CustomRule& rule, Index width, Index height,
@@ -153,7 +155,7 @@ const ThinningVariant& choose_custom(const CustomRule& rule, Index width, Index 
   check_no_thinning_options("a custom rule has its own options and", options);
   Options all = options;
   all.border = border_of(rule);
-  return choose(custom_operation(), width, height, all);
+  return choose(custom_operation(rule), width, height, all);
 }
 
 std::unique_ptr<ThinningState> make_custom_state(const CustomRule& rule,

@@ -53,8 +53,8 @@ struct LocaliseOperation {
 [[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
 [[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
-/// The variants of custom rules, not one of thinning_operations().
-[[nodiscard]] std::span<const ThinningVariant> custom_rule_variants();
+/// The variants of a custom rule, which is none of thinning_operations().
+[[nodiscard]] std::span<const ThinningVariant> custom_rule_variants(const CustomRule& rule);
 
 // Make the state of a variant, which must belong to the operation. Throw std::invalid_argument as
 // the public functions do, and std::bad_alloc.

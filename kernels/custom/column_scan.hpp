@@ -15,11 +15,12 @@ enum class Layout : std::uint8_t {
   lanes_32,   // a row of an image per lane
   lanes_64,   //
   lanes_128,  // a row of an image per pair of 64-bit lanes
+  tiles,      // a row of a tile per 32-bit lane; all neighbours are in memory
 };
-inline constexpr int kLayouts = 5;
+inline constexpr int kLayouts = 6;
 
 /// Rows of registers, one below the other. Row -1 and the row after the last are readable. The
-/// target is the source, or does not overlap with it.
+/// target is the source, or does not overlap with it. Of tiles, each register has several rows.
 struct ColumnScan {
   const void* source;   // row 0
   Index source_stride;  // bytes
@@ -28,6 +29,7 @@ struct ColumnScan {
   Index rows;
   Index band_rows;    // of these, in at most 64 bands; the last band may have fewer
   const void* fixed;  // a register with a 1 for every pixel that must not change, or nullptr
+  Index side_stride = 0;  // tiles: bytes from a tile to its eastern neighbour
 };
 
 /// Returns the bit set of bands in which a pixel changed.
@@ -42,7 +44,8 @@ struct BoundScan {
 };
 
 /// Interpreters of one ISA; a program is a SlotProgram. Ternary where gates with three inputs are
-/// one instruction. The entry of a layout that an ISA has not is nullptr.
+/// one instruction. The entry of a layout that an ISA has not is nullptr, and that of tiles: they need machine
+/// code.
 struct Interpreters {
   bool ternary;
   Index register_words;

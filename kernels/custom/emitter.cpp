@@ -280,6 +280,12 @@ void Emitter::emit_neighbours(const Vector& west, const Vector& centre, const Ve
     narrow ? vpsrld(east, centre, 1) : vpsrlq(east, centre, 1);
     return;
   }
+  if (layout_ == Layout::tiles) {
+    load(west, ptr[at + rsi]);
+    load(east, ptr[at + rdi]);
+    combine_neighbours<32>(west, centre, east);
+    return;
+  }
   if (layout_ == Layout::words) {
     load(west, ptr[at - 8]);
     load(east, ptr[at + 8]);
@@ -290,20 +296,33 @@ void Emitter::emit_neighbours(const Vector& west, const Vector& centre, const Ve
     vpslldq(west, centre, 8);
     vpsrldq(east, centre, 8);
   }
+  combine_neighbours<64>(west, centre, east);
+}
+
+/// From the registers to the west and to the east of `centre`, in lanes of 32 or 64 bits.
+template <int bits>
+void Emitter::combine_neighbours(const Vector& west, const Vector& centre, const Vector& east) {
+  constexpr bool narrow = bits == 32;
   if (funnel_) {
-    vpshldq(west, centre, west, 1);
-    vpshrdq(east, centre, east, 1);
+    narrow ? vpshldd(west, centre, west, 1) : vpshldq(west, centre, west, 1);
+    narrow ? vpshrdd(east, centre, east, 1) : vpshrdq(east, centre, east, 1);
     return;
   }
   const Vector shifted = vector(scratch_);
+  const auto left = [&](const Vector& to, const Vector& from, std::uint8_t count) {
+    narrow ? vpslld(to, from, count) : vpsllq(to, from, count);
+  };
+  const auto right = [&](const Vector& to, const Vector& from, std::uint8_t count) {
+    narrow ? vpsrld(to, from, count) : vpsrlq(to, from, count);
+  };
   const auto combine = [&](const Vector& to) {
     wide_ ? vporq(to, to, shifted) : vpor(to, to, shifted);
   };
-  vpsrlq(west, west, 63);
-  vpsllq(shifted, centre, 1);
+  right(west, west, bits - 1);
+  left(shifted, centre, 1);
   combine(west);
-  vpsllq(east, east, 63);
-  vpsrlq(shifted, centre, 1);
+  left(east, east, bits - 1);
+  right(shifted, centre, 1);
   combine(east);
 }
 
@@ -319,7 +338,14 @@ void Emitter::load_row(RowPlaces& row, const Xbyak::RegExp& at) {
 
 void Emitter::emit_row(std::size_t turn) {
   L(row_labels_[turn]);
-  load_row(rows_[(turn + 1) % 3], r8 + r9);
+  if (layout_ == Layout::tiles) {
+    constexpr int kRowBytes = 4;
+    load_row(rows_[2], r8 - kRowBytes);
+    load_row(rows_[0], r8);
+    load_row(rows_[1], r8 + kRowBytes);
+  } else {
+    load_row(rows_[(turn + 1) % 3], r8 + r9);
+  }
   begin_row(turn);
   if (!wide_) {
     for (std::size_t i = 0; i < 3; ++i) {  // still in the registers through which they came
@@ -335,6 +361,11 @@ void Emitter::emit_row(std::size_t turn) {
   add(r8, r9);
   add(r10, r11);
   dec(rcx);
+  if (layout_ == Layout::tiles) {
+    jnz(row_labels_[0], T_NEAR);
+    emit_return();
+    return;
+  }
   Xbyak::Label same_band;
   jnz(turn == 2 ? row_labels_[0] : same_band, T_NEAR);
   emit_band_end(turn);
@@ -359,9 +390,7 @@ void Emitter::emit_band_end(std::size_t turn) {
   add(rdi, rdi);
   test(rdx, rdx);
   jnz(more);
-  vzeroupper();
-  leave();
-  ret();
+  emit_return();
   L(more);
   mov(rcx, ptr[rsi + offsetof(ColumnScan, band_rows)]);
   cmp(rcx, rdx);
@@ -370,8 +399,15 @@ void Emitter::emit_band_end(std::size_t turn) {
   jmp(row_labels_[(turn + 1) % 3], T_NEAR);
 }
 
+void Emitter::emit_return() {
+  vzeroupper();
+  leave();
+  ret();
+}
+
 /// rdi is the program, unused, then the bit of the band; rsi the scan; r8, r9 address and stride of
-/// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it.
+/// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it. For tiles, rdi and
+/// rsi become the distances to the tiles in the east and in the west.
 void Emitter::emit_function() {
   constexpr int kStackPlaces = kMaxProgramSlots + kWindowPixels;
   push(rbp);
@@ -394,12 +430,19 @@ void Emitter::emit_function() {
   if (zero_ != kNowhere) clear(vector(zero_));
   clear(vector(changed_));
   xor_(eax, eax);
-  mov(edi, 1);
-  sub(r8, r9);
-  load_row(rows_[2], r8);
-  add(r8, r9);
-  load_row(rows_[0], r8);
-  for (std::size_t turn = 0; turn < 3; ++turn) emit_row(turn);
+  if (layout_ == Layout::tiles) {
+    mov(rdi, ptr[rsi + offsetof(ColumnScan, side_stride)]);
+    mov(rsi, rdi);
+    neg(rsi);
+    emit_row(0);
+  } else {
+    mov(edi, 1);
+    sub(r8, r9);
+    load_row(rows_[2], r8);
+    add(r8, r9);
+    load_row(rows_[0], r8);
+    for (std::size_t turn = 0; turn < 3; ++turn) emit_row(turn);
+  }
   ready();
 }
 

@@ -49,6 +49,9 @@ class Emitter : private Xbyak::CodeGenerator {
   void load_row(RowPlaces& row, const Xbyak::RegExp& at);
   void emit_neighbours(const Vector& west, const Vector& centre, const Vector& east,
                        const Xbyak::RegExp& at);
+  template <int bits>
+  void combine_neighbours(const Vector& west, const Vector& centre, const Vector& east);
+  void emit_return();
   void emit_ternary(std::size_t index);
   void emit_binary(std::size_t index);
   void emit_output();

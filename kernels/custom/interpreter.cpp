@@ -55,6 +55,6 @@ constinit const Interpreters Exported<Interpreters, kThisIsa>::kKernels = {
     static_cast<Index>(WordBatch::size),
     {&interpret<PlaneRows>, whole_row_function<kRegisterHoldsRow>(),
      &interpret<LaneRows<PlainLanes<std::uint32_t>>>,
-     &interpret<LaneRows<PlainLanes<std::uint64_t>>>, &interpret<LaneRows<PairedLanes>>}};
+     &interpret<LaneRows<PlainLanes<std::uint64_t>>>, &interpret<LaneRows<PairedLanes>>, nullptr}};
 
 }  // namespace thinbench::detail

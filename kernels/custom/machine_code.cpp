@@ -39,6 +39,14 @@ std::shared_ptr<const MachineCode> MachineCode::make(const Program& program, Isa
   return code;
 }
 
+bool MachineCode::is_available(Isa isa) {
+  static const bool available = [] {
+    const Program identity = {.ternary = false, .instructions = {}, .output = 4};
+    return make(identity, Isa::avx2, Layout::words, false) != nullptr;
+  }();
+  return available && isa >= Isa::avx2;
+}
+
 MachineCode::~MachineCode() {
   munmap(memory_, bytes_);
 }
@@ -55,6 +63,9 @@ namespace thinbench::detail {
 
 std::shared_ptr<const MachineCode> MachineCode::make(const Program&, Isa, Layout, bool) {
   return nullptr;
+}
+bool MachineCode::is_available(Isa) {
+  return false;
 }
 MachineCode::~MachineCode() = default;
 ScanFunction MachineCode::function() const {

@@ -21,6 +21,8 @@ class MachineCode {
   /// none, or the system denies executable memory.
   [[nodiscard]] static std::shared_ptr<const MachineCode> make(const Program& program, Isa isa,
                                                                Layout layout, bool fixed);
+  /// Whether there is machine code for this ISA here, tried once.
+  [[nodiscard]] static bool is_available(Isa isa);
   ~MachineCode();
   MachineCode(const MachineCode&) = delete;
   MachineCode& operator=(const MachineCode&) = delete;

@@ -205,7 +205,7 @@ constexpr NamedRule kNamedRules[] = {
     {"erode", "foreground where all nine pixels are", kBwmorph, kErode, Border::foreground},
     {"fill", "fills holes of one pixel", kBwmorph, kFill},
     {"golay_l", "thinning by the elements L of Golay's alphabet on the square grid",
-     "Serra, Image Analysis and Mathematical Morphology, 1982, chapter 11", kGolayL,
+     "Sonka, Hlavac and Boyle, Image Processing, Analysis, and Machine Vision", kGolayL,
      Border::background, kUnlimited},
     {"gonzalez_woods", "thinning by one element in eight rotations", kGonzalez, kGonzalezWoods,
      Border::background, kUnlimited},

@@ -7,6 +7,7 @@
 #include "dispatch/exported.hpp"
 #include "thinning/iteration/pass_state.hpp"
 #include "thinning/iteration/row_state.hpp"
+#include "thinning/iteration/tile_state.hpp"
 #include "thinning/variants.hpp"
 
 namespace thinbench::detail {
@@ -83,12 +84,31 @@ State make_custom_row(const ThinningSetting& setting) {
                                     bound(setting, rule));
 }
 
-std::vector<ThinningVariant> custom_variants() {
+namespace {
+
+/// Tiles, for rules that add no pixels; needs machine code.
+State make_custom_tiles(const ThinningSetting& setting) {
+  const BoundRule rule = setting.custom_rule->bind(setting.isa, Layout::tiles, false);
+  const ThinningSetting with_rule = bound(setting, rule);
+  const TileKernels& kernels = kernels_of<TileKernels>(setting.isa);
+  const auto count = static_cast<std::size_t>(rule.sub_iterations);
+  return std::make_unique<TileState>(
+      TileEngine{std::span(kernels.custom).first(count), &kernels,
+                 &kernels_of<TileLayout>(setting.isa), with_rule.runtime_rule.get()},
+      with_rule);
+}
+
+}  // namespace
+
+std::vector<ThinningVariant> custom_variants(bool adds_pixels) {
   ThinningVariants list;
   list.add_with_threads(bitpacked, Isa::baseline, &make_custom_bitpacked, {kBitpackedPriority});
   for (const Isa isa : kAllIsas) {
     list.add_with_threads(simd_bitpacked, isa, &make_custom_simd_bitpacked,
                           {kSimdBitpackedPriority});
+    if (!adds_pixels && MachineCode::is_available(isa)) {
+      list.add_with_threads(simd_bitpacked_tiles, isa, &make_custom_tiles, {kTilesPriority});
+    }
     if (kernels_of<RowKernels>(isa).custom != nullptr) {
       list.add(simd_bitpacked_row, isa, &make_custom_row, {kRowPriority, kRowKernelWidth});
     }

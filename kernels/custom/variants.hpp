@@ -8,9 +8,9 @@
 
 namespace thinbench::detail {
 
-/// The variants for rules with any tables. Settings must have a custom rule; the border is
-/// background or keep.
-[[nodiscard]] std::vector<ThinningVariant> custom_variants();
+/// The variants of rules that add pixels, or of those that do not. Settings must have a custom rule;
+/// the border is background or keep.
+[[nodiscard]] std::vector<ThinningVariant> custom_variants(bool adds_pixels);
 
 /// Factories that nets share.
 [[nodiscard]] std::unique_ptr<ThinningState> make_custom_bitpacked(const ThinningSetting& setting);

@@ -53,7 +53,8 @@ using NeighbourOrder = std::array<std::uint8_t, 8>;
 
 /// East, then anticlockwise: this library's descriptors, and the tables of scikit-image's thin.
 inline constexpr NeighbourOrder kDescriptorOrder = {5, 2, 1, 0, 3, 6, 7, 8};
-/// North-west, then clockwise: the table of scikit-image's skeletonize, method zhang.
+/// North-west, then clockwise: the table of scikit-image's skeletonize, method zhang, in which 1
+/// and 3 mean removal by the first sub-iteration, 2 and 3 by the second.
 inline constexpr NeighbourOrder kClockwiseOrder = {0, 1, 2, 5, 8, 7, 6, 3};
 /// North-west, then in raster order.
 inline constexpr NeighbourOrder kRasterOrder = {0, 1, 2, 3, 5, 6, 7, 8};

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 
+#include "custom/bound_rule.hpp"
 #include "dispatch/exported.hpp"
 #include "simd/vector.hpp"
 #include "thinning/engines/word_scan.hpp"
@@ -80,14 +81,15 @@ template <class Rule, int sub>
   }
 }
 
-template <class Rule, int sub>
-[[gnu::always_inline]] inline ChangedRows visit_tile(const std::uint32_t* tile, Index strip,
-                                                     PendingTile& pending) {
+/// Computes a tile's new pixels, as visitors do.
+template <class NextRows>
+[[gnu::always_inline]] inline ChangedRows compute_tile(const std::uint32_t* tile,
+                                                       PendingTile& pending,
+                                                       const NextRows& next_rows_from) {
   ChangedRows all{};
   for (Index row = 0; row < kTileRows; row += kRowLanes) {
-    const RowsOfTile rows = {tile + row, strip};
-    const Rows before = Rows::load_unaligned(rows.words);
-    const Rows next = next_rows<Rule, sub>(rows);
+    const Rows before = Rows::load_unaligned(tile + row);
+    const Rows next = next_rows_from(row);
     next.store_aligned(pending.words + row);
     const ChangedRows some = changed_rows(before, next);
     all.anywhere |= some.anywhere << row;
@@ -96,6 +98,39 @@ template <class Rule, int sub>
   }
   return all;
 }
+
+/// Visits a tile: writes its new pixels to `pending` and returns what changed.
+template <class Rule, int sub>
+struct BuiltInVisitor {
+  [[gnu::always_inline]] ChangedRows operator()(const std::uint32_t* tile, Index strip,
+                                                PendingTile& pending) const {
+    return compute_tile(tile, pending, [&](Index row) __attribute__((always_inline)) {
+      return next_rows<Rule, sub>(RowsOfTile{tile + row, strip});
+    });
+  }
+};
+
+/// The same for a custom rule.
+struct CustomVisitor {
+  const BoundScan& scan;
+
+  [[gnu::always_inline]] ChangedRows operator()(const std::uint32_t* tile, Index strip,
+                                                PendingTile& pending) const {
+    constexpr auto bytes = static_cast<Index>(sizeof(Rows));
+    constexpr Index steps = kTileRows / kRowLanes;
+    scan({.source = tile,
+          .source_stride = bytes,
+          .target = pending.words,
+          .target_stride = bytes,
+          .rows = steps,
+          .band_rows = steps,
+          .fixed = nullptr,
+          .side_stride = strip * static_cast<Index>(sizeof(std::uint32_t))});
+    return compute_tile(tile, pending, [&](Index row) __attribute__((always_inline)) {
+      return Rows::load_aligned(pending.words + row);
+    });
+  }
+};
 
 /// The border pixels of the image within a tile.
 struct BorderOfTile {
@@ -113,13 +148,12 @@ inline BorderOfTile border_of(const TileGridView& grid, Index tile) {
           bit(-y, kTileRows) | bit(grid.height - 1 - y, kTileRows)};
 }
 
-/// As visit_tile, for a tile with border pixels, which it restores. Out of line because such tiles
-/// are few.
-template <class Rule, int sub>
-[[gnu::noinline]] ChangedRows visit_border_tile(const TileGridView& grid, Index tile,
-                                                PendingTile& pending) {
+/// Visits a tile with border pixels, which it restores. Out of line because such tiles are few.
+template <class Visitor>
+[[gnu::noinline]] ChangedRows visit_border_tile(const Visitor& visitor, const TileGridView& grid,
+                                                Index tile, PendingTile& pending) {
   const std::uint32_t* before = grid.words + tile * kTileRows;
-  static_cast<void>(visit_tile<Rule, sub>(before, grid.strip_tiles * kTileRows, pending));
+  static_cast<void>(visitor(before, grid.strip_tiles * kTileRows, pending));
   const BorderOfTile border = border_of(grid, tile);
   ChangedRows all{};
   for (Index row = 0; row < kTileRows; ++row) {
@@ -134,8 +168,9 @@ template <class Rule, int sub>
   return all;
 }
 
-template <class Rule, int sub, bool has_border>
-[[gnu::always_inline]] inline void visit_tiles(const TileGridView& shared, const TileRange& range) {
+template <bool has_border, class Visitor>
+[[gnu::always_inline]] inline void visit_tiles(const Visitor& visitor, const TileGridView& shared,
+                                               const TileRange& range) {
   const TileGridView grid = shared;  // a local copy, which stores cannot alias
   const Index strip = grid.strip_tiles * kTileRows;
   PendingTile* pending = range.pending;
@@ -143,10 +178,10 @@ template <class Rule, int sub, bool has_border>
   const auto next_pixels = [&](Index tile) __attribute__((always_inline)) {
     if constexpr (has_border) {
       if ((grid.border_tiles[tile / kTileGroup] >> (tile % kTileGroup) & 1) != 0) {
-        return visit_border_tile<Rule, sub>(grid, tile, *pending);
+        return visit_border_tile(visitor, grid, tile, *pending);
       }
     }
-    return visit_tile<Rule, sub>(grid.words + tile * kTileRows, strip, *pending);
+    return visitor(grid.words + tile * kTileRows, strip, *pending);
   };
   const auto visit = [&](Index tile) __attribute__((always_inline)) {
     const ChangedRows changed = next_pixels(tile);
@@ -286,22 +321,38 @@ Index find_delay(const std::uint32_t* tiles, Index count, std::uint32_t reach, I
   return delay;
 }
 
+template <class Visitor>
+[[gnu::always_inline]] inline void visit_tiles(const Visitor& visitor, const TileGridView& grid,
+                                               const TileRange& range) {
+  if (grid.border_tiles == nullptr) {
+    visit_tiles<false>(visitor, grid, range);
+  } else {
+    visit_tiles<true>(visitor, grid, range);
+  }
+}
+
 struct Tiles {
   template <class Rule, int sub>
-  static void pass(const TileGridView& grid, const TileRange& range) {
-    if (grid.border_tiles == nullptr) {
-      visit_tiles<Rule, sub, false>(grid, range);
-    } else {
-      visit_tiles<Rule, sub, true>(grid, range);
-    }
+  static void pass(const RuntimeRule*, const TileGridView& grid, const TileRange& range) {
+    visit_tiles(BuiltInVisitor<Rule, sub>{}, grid, range);
   }
 };
+
+template <std::size_t sub>
+void custom_pass(const RuntimeRule* rule, const TileGridView& grid, const TileRange& range) {
+  visit_tiles(CustomVisitor{static_cast<const BoundRule*>(rule)->scans[sub]}, grid, range);
+}
+
+constexpr auto kCustomPasses = []<std::size_t... subs>(std::index_sequence<subs...>) {
+  return std::array<TilePass, sizeof...(subs)>{&custom_pass<subs>...};
+}
+(std::make_index_sequence<kMaxSubIterations>{});
 
 }  // namespace
 }  // namespace THINBENCH_ISA
 
 template <>
 constinit const TileKernels Exported<TileKernels, kThisIsa>::kKernels = {
-    sub_iterations_by_rule<TilePass, Tiles>(), &list_active, &find_delay};
+    sub_iterations_by_rule<TilePass, Tiles>(), kCustomPasses, &list_active, &find_delay};
 
 }  // namespace thinbench::detail

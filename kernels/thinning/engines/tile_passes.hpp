@@ -1,6 +1,7 @@
 // The interface of the tile engine, see tile_grid.hpp: passes over lists of tiles.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "thinning/engines/passes.hpp"
@@ -23,8 +24,9 @@ struct TileRange {
 };
 
 /// Applies one sub-iteration to the tiles of a range and records which rows changed. The last
-/// `delay` tiles remain pending.
-using TilePass = void (*)(const TileGridView& grid, const TileRange& range);
+/// `delay` tiles remain pending. `rule` is nullptr for built-in rules.
+using TilePass = void (*)(const RuntimeRule* rule, const TileGridView& grid,
+                          const TileRange& range);
 
 /// The input and output of ListActive, which can process parts of the grid in parallel.
 struct TileListing {
@@ -59,6 +61,7 @@ struct TileLayout {
 /// The tile engine for one ISA.
 struct TileKernels {
   ByRule<SubIterations<TilePass>> by_rule;
+  std::array<TilePass, kMaxSubIterations> custom;  // require a BoundRule that adds no pixels
   ListActive list_active;
   FindDelay find_delay;
 };
@@ -68,6 +71,7 @@ struct TileEngine {
   std::span<const TilePass> sub_iterations;
   const TileKernels* kernels;
   const TileLayout* layout;
+  const RuntimeRule* rule = nullptr;
 };
 
 }  // namespace thinbench::detail

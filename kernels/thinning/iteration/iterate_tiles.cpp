@@ -75,8 +75,8 @@ class TileIteration {
     delay_ =
         engine_.kernels->find_delay(list_, active_, reach_of(grid_), delay_, workspace_.max_delay_);
     for_each_share(shares, [&](Index share) {
-      if (share != 0) pass(grid_, leading_tiles(share, shares));
-      pass(grid_, remaining_tiles(share, shares));
+      if (share != 0) pass(engine_.rule, grid_, leading_tiles(share, shares));
+      pass(engine_.rule, grid_, remaining_tiles(share, shares));
     });
     for_each_share(shares, [&](Index share) {
       if (share != 0) commit(grid_, leading_tiles(share, shares));
