@@ -27,9 +27,9 @@ Worker lane_worker(detail::LaneKernel kernel, Index height, detail::LaneJob job,
                    std::shared_ptr<const void> rule = nullptr) {
   const auto words = static_cast<std::size_t>(detail::lane_scratch_words(height));
   const std::shared_ptr<std::uint64_t[]> scratch = detail::make_aligned<std::uint64_t>(words);
-  return [kernel, scratch, job, rule = std::move(rule)](
-             const ConstStackView& source, const StackView& destination, Index first,
-             Index last) mutable {
+  return [kernel, scratch, job, rule = std::move(rule)](const ConstStackView& source,
+                                                        const StackView& destination, Index first,
+                                                        Index last) mutable {
     job.source = source;
     job.target = destination;
     return kernel(job, first, last, scratch.get());
@@ -133,11 +133,11 @@ ThinningBatch::ThinningBatch(const CustomRule& rule, Index width, Index height,
       });
 }
 
-/// One worker per thread: in lanes where the kernels can, else image by image. `make_state(options)`
-/// checks the options, too.
+/// One worker per thread: in lanes where the kernels can, else image by image.
+/// `make_state(options)` checks the options, too.
 template <class MakeState, class MakeLanes>
-void ThinningBatch::make_engine(const Options& options, bool has_lanes,
-                                const MakeState& make_state, const MakeLanes& make_lanes) {
+void ThinningBatch::make_engine(const Options& options, bool has_lanes, const MakeState& make_state,
+                                const MakeLanes& make_lanes) {
   detail::require_threads(options.threads);
   Options single = options;
   single.threads = 1;

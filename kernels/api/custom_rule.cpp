@@ -16,9 +16,8 @@ namespace {
 std::vector<WindowTable> complemented(std::span<const WindowTable> tables) {
   std::vector<WindowTable> result;
   for (const WindowTable& table : tables) {
-    result.push_back(make_window_table([&](std::size_t window) {
-      return !table[WindowTable::kWindows - 1 - window];
-    }));
+    result.push_back(make_window_table(
+        [&](std::size_t window) { return !table[WindowTable::kWindows - 1 - window]; }));
   }
   return result;
 }
@@ -38,16 +37,17 @@ CustomRule::CustomRule(std::span<const WindowTable> sub_iterations,
   require(options.max_iterations >= 1, "max_iterations: expected an integer of at least 1, got " +
                                            std::to_string(options.max_iterations));
   const bool outside = options.border == Border::foreground;
-  compiled_ = detail::compile(outside ? complemented(tables_) : tables_, options.optimise);
+  compiled_ = detail::compile(outside ? complemented(tables_) : tables_,
+                              options.optimise ? detail::kThoroughSearch : detail::kFastSearch);
   require(options.max_iterations != kUnlimited ||
               !(compiled_->adds_pixels() && compiled_->removes_pixels()),
           "this rule adds and removes pixels, so it may never end; it needs max_iterations");
 }
 
 int CustomRule::gates(std::size_t sub_iteration) const {
-  detail::require(sub_iteration < tables_.size(),
-                  "sub-iteration " + std::to_string(sub_iteration) + " of a rule with " +
-                      std::to_string(tables_.size()));
+  detail::require(sub_iteration < tables_.size(), "sub-iteration " + std::to_string(sub_iteration) +
+                                                      " of a rule with " +
+                                                      std::to_string(tables_.size()));
   return static_cast<int>(compiled_->circuit(sub_iteration).gates.size());
 }
 

@@ -4,6 +4,7 @@
 #include <list>
 
 #include "custom/gate_search.hpp"
+#include "custom/interpreters.hpp"
 #include "custom/scalar_interpreter.hpp"
 #include "custom/two_input.hpp"
 #include "dispatch/exported.hpp"
@@ -59,8 +60,8 @@ bool changes_to(const WindowTable& table, bool value) {
 
 }  // namespace
 
-CompiledRule::CompiledRule(std::vector<WindowTable> tables, bool optimise)
-    : tables_(std::move(tables)), optimise_(optimise) {
+CompiledRule::CompiledRule(std::vector<WindowTable> tables, SearchEffort effort)
+    : tables_(std::move(tables)), effort_(effort) {
   const auto any = [this](bool value) {
     return std::any_of(tables_.begin(), tables_.end(),
                        [=](const WindowTable& table) { return changes_to(table, value); });
@@ -80,7 +81,7 @@ GateNetwork CompiledRule::network_for(std::size_t sub_iteration,
       if (transformed(tables_[i], symmetry) == table) return transformed(earlier[i], symmetry);
     }
   }
-  return minimised_network(table, costs, optimise_ ? kThoroughSearch : kFastSearch);
+  return minimised_network(table, costs, effort_);
 }
 
 CompiledRule::Circuits CompiledRule::make_circuits(bool ternary) const {
@@ -112,7 +113,8 @@ BoundRule CompiledRule::bind_with(ScanFunction function, bool ternary, Index reg
   rule.register_words = register_words;
   rule.adds_pixels = adds_pixels_;
   rule.sub_iterations = static_cast<int>(tables_.size());
-  for (std::size_t i = 0; i < tables_.size(); ++i) rule.scans[i] = {function, &all.slot_programs[i]};
+  for (std::size_t i = 0; i < tables_.size(); ++i)
+    rule.scans[i] = {function, &all.slot_programs[i]};
   return rule;
 }
 
@@ -134,10 +136,11 @@ BoundRule CompiledRule::bind_scalar() const {
   return bind_with(kScalarInterpreter, false, 1);
 }
 
-std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables, bool optimise) {
+std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables,
+                                            SearchEffort effort) {
   struct Entry {
     std::vector<WindowTable> tables;
-    bool optimise;
+    SearchEffort effort;
     std::shared_ptr<const CompiledRule> rule;
   };
   constexpr std::size_t kMaxEntries = 64;
@@ -145,15 +148,15 @@ std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables,
   static std::list<Entry> entries;  // the last used first
   const std::lock_guard lock(mutex);
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
-    return entry.optimise == optimise && std::ranges::equal(entry.tables, tables);
+    return entry.effort == effort && std::ranges::equal(entry.tables, tables);
   });
   if (found != entries.end()) {
     entries.splice(entries.begin(), entries, found);
     return entries.front().rule;
   }
   std::vector<WindowTable> copy(tables.begin(), tables.end());
-  auto rule = std::make_shared<const CompiledRule>(copy, optimise);
-  entries.push_front({std::move(copy), optimise, rule});
+  auto rule = std::make_shared<const CompiledRule>(copy, effort);
+  entries.push_front({std::move(copy), effort, rule});
   if (entries.size() > kMaxEntries) entries.pop_back();
   return rule;
 }

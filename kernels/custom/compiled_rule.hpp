@@ -8,10 +8,10 @@
 #include <tuple>
 #include <vector>
 
-#include "custom/bound_rule.hpp"
-#include "custom/gate_network.hpp"
+#include "custom/gate_search.hpp"
 #include "custom/machine_code.hpp"
 #include "custom/program.hpp"
+#include "thinning/engines/custom_scan.hpp"
 
 namespace thinbench::detail {
 
@@ -19,7 +19,7 @@ namespace thinbench::detail {
 /// Thread-safe.
 class CompiledRule {
  public:
-  CompiledRule(std::vector<WindowTable> tables, bool optimise);
+  CompiledRule(std::vector<WindowTable> tables, SearchEffort effort);
 
   [[nodiscard]] std::span<const WindowTable> tables() const { return tables_; }
   [[nodiscard]] bool adds_pixels() const { return adds_pixels_; }
@@ -51,7 +51,7 @@ class CompiledRule {
                                     Index register_words) const;
 
   std::vector<WindowTable> tables_;
-  bool optimise_;
+  SearchEffort effort_;
   bool adds_pixels_;
   bool removes_pixels_;
 
@@ -64,6 +64,6 @@ class CompiledRule {
 /// The compiled rule of these tables, the same object for equal tables while it is among the last
 /// ones used or in use.
 [[nodiscard]] std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables,
-                                                          bool optimise);
+                                                          SearchEffort effort);
 
 }  // namespace thinbench::detail

@@ -406,8 +406,8 @@ void Emitter::emit_return() {
 }
 
 /// rdi is the program, unused, then the bit of the band; rsi the scan; r8, r9 address and stride of
-/// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it. For tiles, rdi and
-/// rsi become the distances to the tiles in the east and in the west.
+/// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it. For
+/// tiles, rdi and rsi become the distances to the tiles in the east and in the west.
 void Emitter::emit_function() {
   constexpr int kStackPlaces = kMaxProgramSlots + kWindowPixels;
   push(rbp);

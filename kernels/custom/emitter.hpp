@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "custom/column_scan.hpp"
+#include <xbyak/xbyak.h>
+
 #include "custom/program.hpp"
 #include "thinbench/isa.hpp"
-
-#include <xbyak/xbyak.h>
+#include "thinning/engines/custom_scan.hpp"
 
 namespace thinbench::detail {
 

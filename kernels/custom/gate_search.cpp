@@ -179,8 +179,8 @@ class Circuit {
             std::uint64_t used, Pairs& pairs, Gate& gate);
   void offer(const Gate& gate, int freed, Choice& best, Random& random);
   void replace(int value, SignedValue by);
-  std::int64_t search_triples(const Requirement& requirement, int freed, Pairs& pairs,
-                              Choice& best, Random& random);
+  std::int64_t search_triples(const Requirement& requirement, int freed, Pairs& pairs, Choice& best,
+                              Random& random);
 
   GateNetwork network_;
   const GateCosts* costs_;
@@ -262,8 +262,8 @@ bool Circuit::test(const Requirement& requirement, const std::array<int, 3>& can
     Words on;
     Words off;
     for (std::size_t w = 0; w < on.size(); ++w) {
-      const std::uint64_t here = ((*tables[0])[w] ^ mask(2)) & ((*tables[1])[w] ^ mask(1)) &
-                                 ((*tables[2])[w] ^ mask(0));
+      const std::uint64_t here =
+          ((*tables[0])[w] ^ mask(2)) & ((*tables[1])[w] ^ mask(1)) & ((*tables[2])[w] ^ mask(0));
       on[w] = here & requirement.on[w];
       off[w] = here & requirement.off[w];
     }

@@ -11,6 +11,8 @@ namespace thinbench::detail {
 /// work, not of time, so that equal tables always get equal circuits.
 struct SearchEffort {
   std::int64_t work;
+
+  friend bool operator==(SearchEffort, SearchEffort) = default;
 };
 inline constexpr SearchEffort kFastSearch = {16'000'000};
 inline constexpr SearchEffort kThoroughSearch = {1'200'000'000};

@@ -1,6 +1,7 @@
 // Interpreters of custom rules on vectors, compiled once for every ISA.
 #include "custom/interpreter.hpp"
 
+#include "custom/interpreters.hpp"
 #include "dispatch/exported.hpp"
 #include "simd/vector.hpp"
 #include "thinning/engines/layouts.hpp"

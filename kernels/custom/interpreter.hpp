@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
-#include "custom/column_scan.hpp"
 #include "custom/program.hpp"
 #include "simd/word.hpp"
+#include "thinning/engines/custom_scan.hpp"
 #include "thinning/engines/word_scan.hpp"
 
 namespace thinbench::detail {
@@ -98,10 +98,9 @@ template <class Word>
 const Word* execute(const SlotProgram& program, BlockMemory<Word>& memory) {
   static constexpr auto operations = block_operations<Word>();
   const auto& window = memory.window;
-  const Word* const pixels[kWindowPixels] = {
-      window.west,       window.centre,     window.east,
-      window.west + 1,   window.centre + 1, window.east + 1,
-      window.west + 2,   window.centre + 2, window.east + 2};
+  const Word* const pixels[kWindowPixels] = {window.west,     window.centre,     window.east,
+                                             window.west + 1, window.centre + 1, window.east + 1,
+                                             window.west + 2, window.centre + 2, window.east + 2};
   const auto at = [&](std::uint16_t operand) {
     return operand < kWindowPixels ? pixels[operand] : memory.slots[operand - kWindowPixels];
   };

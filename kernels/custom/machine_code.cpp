@@ -4,12 +4,12 @@
 
 #ifdef THINBENCH_WITH_XBYAK
 
-#include <sys/mman.h>
-
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
 #include <vector>
+
+#include <sys/mman.h>
 
 namespace thinbench::detail {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <memory>
 
-#include "custom/column_scan.hpp"
 #include "custom/program.hpp"
 #include "thinbench/isa.hpp"
+#include "thinning/engines/custom_scan.hpp"
 
 namespace thinbench::detail {
 

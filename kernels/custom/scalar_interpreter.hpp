@@ -1,7 +1,7 @@
 // The interpreter on words of 64 pixels in general registers.
 #pragma once
 
-#include "custom/column_scan.hpp"
+#include "thinning/engines/custom_scan.hpp"
 
 namespace thinbench::detail {
 

@@ -44,7 +44,8 @@ class Combinations {
       for (int right = 0; right < left; ++right) {
         const auto g = static_cast<std::uint8_t>(left);
         const auto h = static_cast<std::uint8_t>(right);
-        if (of_[g].steps == Combination::kUnknown || of_[h].steps == Combination::kUnknown) continue;
+        if (of_[g].steps == Combination::kUnknown || of_[h].steps == Combination::kUnknown)
+          continue;
         if (of_[g].steps + of_[h].steps + 1 != steps) continue;
         offer(g & h, {steps, false, false, g, h});
         offer(g ^ h, {steps, true, false, g, h});

@@ -8,8 +8,8 @@
 
 namespace thinbench::detail {
 
-/// The variants of rules that add pixels, or of those that do not. Settings must have a custom rule;
-/// the border is background or keep.
+/// The variants of rules that add pixels, or of those that do not. Settings must have a custom
+/// rule; the border is background or keep.
 [[nodiscard]] std::vector<ThinningVariant> custom_variants(bool adds_pixels);
 
 /// Factories that nets share.

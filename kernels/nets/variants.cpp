@@ -36,8 +36,7 @@ State make_net_lut_sliding(const ThinningSetting& setting) {
 /// circuit.
 bool matches_naccache_shinghal(const ThinningSetting& setting) {
   static constexpr RuleTable kTable = make_rule_table<NaccacheShinghal, 0>();
-  return std::equal(kTable.begin(), kTable.end(),
-                    net_of(setting.runtime_rule.get()).new_pixel);
+  return std::equal(kTable.begin(), kTable.end(), net_of(setting.runtime_rule.get()).new_pixel);
 }
 
 ThinningSetting as_naccache_shinghal(ThinningSetting setting) {
@@ -50,7 +49,7 @@ ThinningSetting as_custom_rule(ThinningSetting setting) {
   const std::uint8_t* const new_pixel = net_of(setting.runtime_rule.get()).new_pixel;
   const WindowTable table =
       make_window_table([&](std::size_t window) { return new_pixel[descriptor_of(window)] != 0; });
-  setting.custom_rule = compile(std::span(&table, 1), false);
+  setting.custom_rule = compile(std::span(&table, 1), kFastSearch);
   return setting;
 }
 

@@ -21,8 +21,8 @@ struct ThinningSetting {
   int threads;
   Border border;
   int max_iterations;
-  Directions directions;                            // midpoint scan only
-  std::shared_ptr<const RuntimeRule> runtime_rule = nullptr;   // nets: their model
+  Directions directions;                                      // midpoint scan only
+  std::shared_ptr<const RuntimeRule> runtime_rule = nullptr;  // nets: their model
   std::shared_ptr<const CompiledRule> custom_rule = nullptr;  // custom rules only
 };
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "custom/rejected.hpp"
+#include "support/rejection.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "custom/recorded_tables.hpp"
-#include "custom/rejected.hpp"
+#include "support/rejection.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "custom/recorded_tables.hpp"
-#include "custom/rejected.hpp"
 #include "harness/test_images.hpp"
 #include "support/reference_thinning.hpp"
+#include "support/rejection.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
 

@@ -48,8 +48,8 @@ struct ImageView {
   constexpr operator ConstImageView() const { return {data, width, height, stride}; }
 };
 
-/// Writable image of 32-bit labels: pixel (x, y) is `data[y * stride + x]`; the stride is in labels,
-/// not in bytes.
+/// Writable image of 32-bit labels: pixel (x, y) is `data[y * stride + x]`; the stride is in
+/// labels, not in bytes.
 struct LabelView {
   std::int32_t* data = nullptr;
   Index width = 0;

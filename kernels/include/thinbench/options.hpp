@@ -22,7 +22,7 @@ enum class Border : std::uint8_t {
 };
 
 inline constexpr std::array<std::string_view, 3> kBorderNames = {"background", "keep",
-                                                                   "foreground"};
+                                                                 "foreground"};
 
 [[nodiscard]] constexpr std::string_view border_name(Border border) {
   return kBorderNames[static_cast<std::size_t>(border)];

@@ -35,10 +35,10 @@ struct Regions {
 [[nodiscard]] THINBENCH_API std::vector<Region> find_components(ConstImageView source,
                                                                 const Options& options = {});
 
-/// Finds objects and holes and writes the label of each pixel's region: the id of its object, or the
-/// number of objects plus the id of its hole, or 0 outside. Takes 8 bytes of memory per run of equal
-/// pixels besides the result. Both views must have the same size, at most 2^31 pixels, and share no
-/// byte. Nothing is written if it throws.
+/// Finds objects and holes and writes the label of each pixel's region: the id of its object, or
+/// the number of objects plus the id of its hole, or 0 outside. Takes 8 bytes of memory per run of
+/// equal pixels besides the result. Both views must have the same size, at most 2^31 pixels, and
+/// share no byte. Nothing is written if it throws.
 THINBENCH_API Regions label_regions(ConstImageView source, LabelView labels);
 
 enum class Connectivity : std::uint8_t { four = 4, eight = 8 };

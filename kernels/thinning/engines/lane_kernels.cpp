@@ -91,8 +91,8 @@ void write_group(const LaneRows<Lanes>& rows, Index first, Index images, const S
       });
 }
 
-/// The mask of pixels of a row that may change: those of `images` images, without the first and last
-/// column if the border is kept.
+/// The mask of pixels of a row that may change: those of `images` images, without the first and
+/// last column if the border is kept.
 template <class Lanes>
 typename Lanes::Word free_pixels(Index images, Index width, bool keep_border) {
   using Element = typename Lanes::Element;

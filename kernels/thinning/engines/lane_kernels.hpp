@@ -1,9 +1,9 @@
 // Kernels for many small images: one image per lane of a register.
 #pragma once
 
-#include "custom/bound_rule.hpp"
 #include "image/plane_view.hpp"
 #include "thinbench/image_view.hpp"
+#include "thinning/engines/custom_scan.hpp"
 #include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {

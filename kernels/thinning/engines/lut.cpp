@@ -147,13 +147,15 @@ struct LutSliding {
 std::uint64_t runtime_lut(const RuntimeRule* rule, const std::uint8_t* fixed,
                           const ConstBytePlaneView& source, const BytePlaneView& target,
                           const Band& band) {
-  return lut_rows(static_cast<const TableRule*>(rule)->new_pixel + 256, fixed, source, target, band);
+  return lut_rows(static_cast<const TableRule*>(rule)->new_pixel + 256, fixed, source, target,
+                  band);
 }
 
 std::uint64_t runtime_lut_sliding(const RuntimeRule* rule, const std::uint8_t* fixed,
                                   const ConstBytePlaneView& source, const BytePlaneView& target,
                                   const Band& band) {
-  return sliding_rows(static_cast<const TableRule*>(rule)->pixel_pairs, fixed, source, target, band);
+  return sliding_rows(static_cast<const TableRule*>(rule)->pixel_pairs, fixed, source, target,
+                      band);
 }
 
 }  // namespace

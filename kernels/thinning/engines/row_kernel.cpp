@@ -12,9 +12,9 @@
 #include <array>
 #include <utility>
 
-#include "custom/bound_rule.hpp"
 #include "dispatch/exported.hpp"
 #include "simd/vector.hpp"
+#include "thinning/engines/custom_scan.hpp"
 #include "thinning/engines/layouts.hpp"
 #include "thinning/engines/word_scan.hpp"
 
@@ -117,14 +117,14 @@ struct CustomScan {
     const Index last_rows = last == bands.count ? bands.last_band_rows : bands.band_rows;
     std::uint64_t* const row = bands.row(first * bands.band_rows);
     constexpr Index stride = kBlockWords * static_cast<Index>(sizeof(std::uint64_t));
-    return rule.scans[static_cast<std::size_t>(sub)]({.source = row,
-                                                      .source_stride = stride,
-                                                      .target = row,
-                                                      .target_stride = stride,
-                                                      .rows = (last - first - 1) * bands.band_rows +
-                                                              last_rows,
-                                                      .band_rows = bands.band_rows,
-                                                      .fixed = fixed})
+    return rule.scans[static_cast<std::size_t>(sub)](
+               {.source = row,
+                .source_stride = stride,
+                .target = row,
+                .target_stride = stride,
+                .rows = (last - first - 1) * bands.band_rows + last_rows,
+                .band_rows = bands.band_rows,
+                .fixed = fixed})
            << first;
   }
 };
@@ -206,8 +206,7 @@ int repeat_built_in(std::uint64_t* rows, const RowKernelOptions& options, Index 
                 options.max_iterations);
 }
 
-int repeat_custom(std::uint64_t* rows, const RowKernelOptions& options, Index width,
-                  Index height) {
+int repeat_custom(std::uint64_t* rows, const RowKernelOptions& options, Index width, Index height) {
   const auto& rule = *static_cast<const BoundRule*>(options.rule);
   const bool keep = options.border == Border::keep;
   alignas(64) std::uint64_t fixed[kBlockWords] = {};
@@ -224,8 +223,7 @@ void copy_row(const std::uint64_t* from, std::uint64_t* to) {
 
 template <class Repeat>
 int thin_rows(const Repeat& repeat_rows, const RowKernelOptions& options,
-              const ConstBitPlaneView& source, const BitPlaneView& target,
-              std::uint64_t* scratch) {
+              const ConstBitPlaneView& source, const BitPlaneView& target, std::uint64_t* scratch) {
   std::uint64_t* rows = scratch + kMarginRows * kBlockWords;
   for (Index y = 0; y < source.height; ++y) copy_row(source.row(y), rows + y * kBlockWords);
   const int iterations = repeat_rows(rows, options, source.width, source.height);

@@ -21,9 +21,9 @@
 
 #include <algorithm>
 
-#include "custom/bound_rule.hpp"
 #include "dispatch/exported.hpp"
 #include "simd/vector.hpp"
+#include "thinning/engines/custom_scan.hpp"
 #include "thinning/engines/word_scan.hpp"
 
 namespace thinbench::detail {
@@ -104,9 +104,10 @@ template <class Rule, int sub>
 struct BuiltInVisitor {
   [[gnu::always_inline]] ChangedRows operator()(const std::uint32_t* tile, Index strip,
                                                 PendingTile& pending) const {
-    return compute_tile(tile, pending, [&](Index row) __attribute__((always_inline)) {
-      return next_rows<Rule, sub>(RowsOfTile{tile + row, strip});
-    });
+    return compute_tile(
+        tile, pending, [&](Index row) __attribute__((always_inline)) {
+          return next_rows<Rule, sub>(RowsOfTile{tile + row, strip});
+        });
   }
 };
 
@@ -126,9 +127,10 @@ struct CustomVisitor {
           .band_rows = steps,
           .fixed = nullptr,
           .side_stride = strip * static_cast<Index>(sizeof(std::uint32_t))});
-    return compute_tile(tile, pending, [&](Index row) __attribute__((always_inline)) {
-      return Rows::load_aligned(pending.words + row);
-    });
+    return compute_tile(
+        tile, pending, [&](Index row) __attribute__((always_inline)) {
+          return Rows::load_aligned(pending.words + row);
+        });
   }
 };
 

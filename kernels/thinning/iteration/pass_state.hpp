@@ -27,7 +27,8 @@ class RepetitionMemory {
   [[nodiscard]] BandActivity& activity() { return activity_; }
 
  private:
-  /// Fixes the first and the last column, and the padding, which rules that add pixels would change.
+  /// Fixes the first and the last column, and the padding, which rules that add pixels would
+  /// change.
   void make_fixed(Index width, bool border, bool padding) {
     fixed_ = Plane<T>(width, 1);
     T* const row = fixed_.view().data;

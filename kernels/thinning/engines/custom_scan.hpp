@@ -1,10 +1,12 @@
-// Scans: one sub-iteration of a custom rule on a column of registers. Plain data, safe to include
-// in files of every ISA.
+// How engines run custom rules: by scan functions, each one sub-iteration on a column of registers.
+// Plain data, safe to include in files of every ISA.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "image/plane_view.hpp"
+#include "thinning/engines/passes.hpp"
 
 namespace thinbench::detail {
 
@@ -27,8 +29,8 @@ struct ColumnScan {
   void* target;
   Index target_stride;
   Index rows;
-  Index band_rows;    // of these, in at most 64 bands; the last band may have fewer
-  const void* fixed;  // a register with a 1 for every pixel that must not change, or nullptr
+  Index band_rows;        // of these, in at most 64 bands; the last band may have fewer
+  const void* fixed;      // a register with a 1 for every pixel that must not change, or nullptr
   Index side_stride = 0;  // tiles: bytes from a tile to its eastern neighbour
 };
 
@@ -43,13 +45,11 @@ struct BoundScan {
   std::uint64_t operator()(const ColumnScan& scan) const { return function(program, scan); }
 };
 
-/// Interpreters of one ISA; a program is a SlotProgram. Ternary where gates with three inputs are
-/// one instruction. The entry of a layout that an ISA has not is nullptr, and that of tiles: they need machine
-/// code.
-struct Interpreters {
-  bool ternary;
-  Index register_words;
-  ScanFunction by_layout[kLayouts];
+/// A custom rule, ready to run on one ISA and layout.
+struct BoundRule : RuntimeRule {
+  std::array<BoundScan, kMaxSubIterations> scans = {};
+  int sub_iterations = 0;
+  Index register_words = 1;
 };
 
 }  // namespace thinbench::detail

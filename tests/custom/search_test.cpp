@@ -1,0 +1,156 @@
+// Circuits that the search finds: right, small, and always the same.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "custom/gate_search.hpp"
+#include "custom/program.hpp"
+#include "custom/two_input.hpp"
+#include "support/splitmix64.hpp"
+#include "thinbench/named_rules.hpp"
+#include "thinning/engines/rule_table.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+constexpr SearchEffort kShort = {1'000'000};
+
+template <class Rule, int sub>
+WindowTable built_in() {
+  static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
+  return make_window_table([](std::size_t window) { return kTable[descriptor_of(window)] != 0; });
+}
+
+WindowTable random_table(std::uint64_t seed) {
+  WindowTable table;
+  for (std::size_t w = 0; w < table.words.size(); ++w) table.words[w] = splitmix64(seed, w);
+  return table;
+}
+
+/// The table that a program computes.
+WindowTable executed(const Program& program) {
+  std::vector<WindowTable> values;
+  for (int i = 0; i < kWindowPixels; ++i) values.push_back(pixel_table(i));
+  for (const Instruction& instruction : program.instructions) {
+    const auto& [a, b, c] = instruction.operands;
+    if (program.ternary) {
+      values.push_back(gate_table(instruction.code, values[a], values[b], values[c]));
+      continue;
+    }
+    constexpr std::uint8_t functions[kOperations] = {0xC0, 0xFC, 0x0C, 0x3C, 0x0F};
+    values.push_back(gate_table(functions[instruction.code], values[a], values[b], values[b]));
+  }
+  return values[static_cast<std::size_t>(program.output)];
+}
+
+int gates_of(const WindowTable& table) {
+  const GateNetwork network = minimised_network(table, ternary_costs(), kThoroughSearch);
+  EXPECT_EQ(tables_of(network)[static_cast<std::size_t>(network.output)], table);
+  return static_cast<int>(network.gates.size());
+}
+
+TEST(GateTable, has_the_gates_function_of_its_inputs) {
+  for (int function = 0; function < 256; ++function) {
+    const auto code = static_cast<std::uint8_t>(function);
+    const WindowTable table = gate_table(code, pixel_table(2), pixel_table(7), pixel_table(8));
+    for (std::size_t window = 0; window < WindowTable::kWindows; ++window) {
+      const std::size_t row = (window >> 2 & 1) << 2 | (window >> 7 & 1) << 1 | window >> 8;
+      ASSERT_EQ(table[window], (code >> row & 1) != 0) << function << " at window " << window;
+    }
+  }
+}
+
+TEST(TwoInputSteps, compute_every_gate_in_at_most_five_steps) {
+  for (int function = 0; function < 256; ++function) {
+    const auto code = static_cast<std::uint8_t>(function);
+    const GateNetwork network = {{{code, {1, 3, 5}}}, kWindowPixels};
+    EXPECT_EQ(executed(two_input_program(network)),
+              gate_table(code, pixel_table(1), pixel_table(3), pixel_table(5)))
+        << function;
+    EXPECT_LE(two_input_steps(code), 5) << function;
+  }
+}
+
+TEST(GateSearch, circuits_compute_their_tables) {
+  for (int i = 0; i < 40; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    WindowTable table = random_table(seed);
+    // Sparse, dense, only removing and only adding tables, too.
+    const WindowTable other = random_table(seed + 1000);
+    for (std::size_t w = 0; w < table.words.size(); ++w) {
+      const std::uint64_t centre = pixel_table(4).words[w];
+      const std::uint64_t choices[] = {table.words[w], table.words[w] & other.words[w],
+                                       table.words[w] | other.words[w], table.words[w] & centre,
+                                       table.words[w] | centre};
+      table.words[w] = choices[i % 5];
+    }
+    for (const GateCosts* costs : {&ternary_costs(), &two_input_costs()}) {
+      const GateNetwork network = minimised_network(table, *costs, kShort);
+      EXPECT_EQ(executed(ternary_program(network)), table) << i;
+      EXPECT_EQ(executed(two_input_program(network)), table) << i;
+    }
+  }
+}
+
+TEST(GateSearch, needs_no_gate_for_pixels_and_one_for_constants) {
+  EXPECT_EQ(minimised_network(pixel_table(4), ternary_costs(), kShort).gates.size(), 0U);
+  EXPECT_EQ(minimised_network(WindowTable{}, ternary_costs(), kShort).gates.size(), 1U);
+}
+
+TEST(GateSearch, finds_equal_circuits_for_equal_tables) {
+  const WindowTable table = random_table(7);
+  const GateNetwork first = minimised_network(table, ternary_costs(), kShort);
+  const GateNetwork second = minimised_network(table, ternary_costs(), kShort);
+  ASSERT_EQ(first.gates.size(), second.gates.size());
+  for (std::size_t i = 0; i < first.gates.size(); ++i) {
+    EXPECT_EQ(first.gates[i].function, second.gates[i].function);
+    EXPECT_EQ(first.gates[i].inputs, second.gates[i].inputs);
+  }
+}
+
+/// The limits are those of a library that competes with circuits found in hours.
+TEST(ThoroughSearch, finds_small_circuits) {
+  EXPECT_LE(gates_of(built_in<ZhangSuen, 0>()), 13);
+  EXPECT_LE(gates_of(built_in<GuoHall, 0>()), 11);
+  EXPECT_LE(gates_of(built_in<ZhangSuenSkimage, 0>()), 23);
+  EXPECT_LE(gates_of(built_in<ZhangSuenSkimage, 1>()), 23);
+  EXPECT_LE(gates_of(random_table(7)), 75);
+}
+
+/// The number of three-input gates that berkeley-abc finds for the table.
+int gates_of_abc(const WindowTable& table) {
+  const auto directory = std::filesystem::temp_directory_path();
+  const auto truth = directory / "thinbench_abc.truth";
+  const auto log = directory / "thinbench_abc.log";
+  std::ofstream file(truth);
+  for (std::size_t window = WindowTable::kWindows; window-- > 0;) file << (table[window] ? 1 : 0);
+  file.close();
+  const std::string command = "berkeley-abc -c 'read_truth -x -f " + truth.string() +
+                              "; strash; dch; if -K 3 -a; lutpack; print_stats' > " + log.string() +
+                              " 2>&1";
+  if (std::system(command.c_str()) != 0) return 0;
+  std::ifstream output(log);
+  const std::string text((std::istreambuf_iterator<char>(output)), {});
+  const std::size_t at = text.rfind("nd =");
+  return at == std::string::npos ? 0 : std::stoi(text.substr(at + 4));
+}
+
+TEST(ThoroughSearch, beats_a_short_script_of_abc) {
+  if (std::system("command -v berkeley-abc > /dev/null") != 0) {
+    GTEST_SKIP() << "berkeley-abc is not installed";
+  }
+  const WindowTable tables[] = {built_in<ZhangSuen, 0>(), built_in<ZhangSuenSkimage, 1>(),
+                                find_named_rule("life")->sub_iterations[0], random_table(7)};
+  for (const WindowTable& table : tables) {
+    const int by_abc = gates_of_abc(table);
+    if (by_abc == 0) GTEST_SKIP() << "this berkeley-abc does not know the commands";
+    EXPECT_LE(gates_of(table), by_abc);
+  }
+}
+
+}  // namespace
+}  // namespace thinbench::detail
