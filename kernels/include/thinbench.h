@@ -5,8 +5,9 @@
  * "avx2") are those of the C++ interface and of the command-line program. No function throws. All
  * functions are thread-safe for different destinations and handles.
  *
- * thinbench_options and thinbench_variant begin with their size, so that later versions can add
- * members at the end and still serve programs compiled before. The other structs never change. */
+ * thinbench_options, thinbench_variant and thinbench_named_rule begin with their size, so that
+ * later versions can add members at the end and still serve programs compiled before. The other
+ * structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -119,6 +120,76 @@ THINBENCH_API const char* thinbench_thinner_technique(const thinbench_thinner* t
 THINBENCH_API const char* thinbench_thinner_isa(const thinbench_thinner* thinner);
 /* NULL is allowed. */
 THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
+
+/* A table of a custom rule: 512 bits, the new value of a pixel for each of the 512 values of its
+ * 3 x 3 window. Bit k of a window is its pixel k in raster order, so bit 0 is the north-west
+ * neighbour, bit 4 the pixel itself and bit 8 the south-east neighbour; 1 is foreground. The bit of
+ * window w is bit w % 64 of word w / 64. */
+#define THINBENCH_TABLE_WORDS 8
+
+/* Tables from notations; `table` gets THINBENCH_TABLE_WORDS words. Meaning and orders are those of
+ * thinbench/rule_notation.hpp. */
+/* Hensel's notation, such as "B3/S23" or "B2-a/S12". */
+THINBENCH_API thinbench_status thinbench_table_from_hensel(const char* notation, uint64_t* table);
+/* `count` patterns of Pillow's ImageMorph.LutBuilder, such as "4:(... .1. 111)->1". */
+THINBENCH_API thinbench_status thinbench_table_from_patterns(const char* const* patterns,
+                                                             size_t count, uint64_t* table);
+/* 512 values, 0 or 1, by windows whose bits are in the order "raster" (as above), "matlab" or
+ * "octave" (makelut of either). */
+THINBENCH_API thinbench_status thinbench_table_from_values(const uint8_t* values, const char* order,
+                                                           uint64_t* table);
+/* 256 values, 1 where a foreground pixel with these neighbours becomes background, else 0. Bits of
+ * the index are in the order "descriptor" (east, then anticlockwise: scikit-image's thin),
+ * "clockwise" (from north-west: scikit-image's skeletonize) or "raster". */
+THINBENCH_API thinbench_status thinbench_table_from_removals(const uint8_t* removed,
+                                                             const char* order, uint64_t* table);
+
+/* A rule with a name, listed in thinbench/named_rules.hpp. Its strings and tables are valid as long
+ * as the program. */
+typedef struct thinbench_named_rule {
+  size_t size; /* of this struct */
+  const char* name;
+  const char* description;
+  const char* source;
+  const uint64_t* tables; /* one after the other */
+  size_t sub_iterations;
+  const char* border;
+  int32_t max_iterations; /* 0: unlimited */
+} thinbench_named_rule;
+
+/* Names, sorted; NULL past the end. Valid as long as the program. */
+THINBENCH_API const char* thinbench_named_rule_name(size_t index);
+THINBENCH_API thinbench_status thinbench_find_named_rule(const char* name,
+                                                         thinbench_named_rule* rule);
+
+/* A rule of 1 to 8 sub-iterations, each a table. All pixels of a sub-iteration are computed from
+ * the same image. Immutable: threads may use it at the same time. */
+typedef struct thinbench_custom_rule thinbench_custom_rule;
+
+/* `tables` has sub_iterations * THINBENCH_TABLE_WORDS words, which are copied. Border: "background"
+ * or "foreground" outside the image, or "keep": background, and the outermost pixels never change.
+ * max_iterations: at least 1, or 0: until nothing changes, which is only for rules whose tables all
+ * add no pixels or all remove none. `optimise` nonzero: search for fewer gates, up to 2 s per
+ * table. *rule must be destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_custom_rule_create(
+    const uint64_t* tables, size_t sub_iterations, const char* border, int32_t max_iterations,
+    int32_t optimise, thinbench_custom_rule** rule);
+/* The number of three-input gates of a sub-iteration's circuit. */
+THINBENCH_API thinbench_status thinbench_custom_rule_gates(const thinbench_custom_rule* rule,
+                                                           size_t sub_iteration, int32_t* gates);
+/* NULL is allowed. */
+THINBENCH_API void thinbench_custom_rule_destroy(thinbench_custom_rule* rule);
+
+/* As thinbench_thin and thinbench_thin_packed. Border and limit are those of the rule; of the
+ * options only threads, isa and technique may be set. */
+THINBENCH_API thinbench_status thinbench_apply(const thinbench_custom_rule* rule,
+                                               const thinbench_stack* source,
+                                               const thinbench_output* destination,
+                                               const thinbench_options* options,
+                                               int32_t* iterations);
+THINBENCH_API thinbench_status thinbench_apply_packed(
+    const thinbench_custom_rule* rule, const thinbench_packed* source, uint8_t* destination,
+    ptrdiff_t destination_stride, const thinbench_options* options, int32_t* iterations);
 
 /* Edges of grey images by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
  * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Of the options only threads,

@@ -7,7 +7,10 @@ import struct
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
 
 _library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench.so")))
 
@@ -17,6 +20,7 @@ OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
 PACKED = struct.Struct("Pnnni4x")  # data, height, width, stride, lsb_first
 _OPTIONS = struct.Struct("NiiiPP")  # size, keep_border, max_iterations, threads, isa, technique
 _VARIANT = struct.Struct("NPPiP")
+_NAMED_RULE = struct.Struct("NPPPPNPi4x")  # size, name, description, source, tables, and below
 
 _BYTES = ctypes.c_char_p
 _POINTER = ctypes.c_void_p
@@ -36,7 +40,7 @@ _EXCEPTIONS = {1: ValueError, 2: MemoryError}
 
 def _raise_error(status: int, function: Any, arguments: Any) -> None:
     if status:
-        raise _EXCEPTIONS.get(status, RuntimeError)(_last_error().decode())
+        raise _EXCEPTIONS.get(status, RuntimeError)(_last_error().decode(errors="replace"))
 
 
 def _checked(name: str, *arguments: type) -> Callable[..., None]:
@@ -69,6 +73,17 @@ edge_operator_name = _function("edge_operator_name", ctypes.c_size_t, result=_BY
 isa_name = _function("isa_name", ctypes.c_size_t, result=_BYTES)
 isa_available = _function("isa_available", _BYTES)
 _rule_variant = _function("rule_variant", _BYTES, ctypes.c_size_t, _POINTER)
+table_from_hensel = _checked("table_from_hensel", _BYTES, _POINTER)
+table_from_patterns = _checked("table_from_patterns", _POINTER, ctypes.c_size_t, _POINTER)
+table_from_values = _checked("table_from_values", _BYTES, _BYTES, _POINTER)
+table_from_removals = _checked("table_from_removals", _BYTES, _BYTES, _POINTER)
+named_rule_name = _function("named_rule_name", ctypes.c_size_t, result=_BYTES)
+_find_named_rule = _checked("find_named_rule", _BYTES, _POINTER)
+_custom_rule_create = _checked(
+    "custom_rule_create", _POINTER, ctypes.c_size_t, _BYTES, _INT, _INT, _POINTER)
+_custom_rule_gates = _checked("custom_rule_gates", _POINTER, ctypes.c_size_t, _POINTER)
+custom_rule_destroy = _function("custom_rule_destroy", _POINTER, result=None)
+apply = _checked("apply", _POINTER, _BYTES, _BYTES, _BYTES, _POINTER)
 _thinner_create = _checked(
     "thinner_create", _BYTES, ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
 _thinner_technique = _function("thinner_technique", _POINTER, result=_BYTES)
@@ -102,6 +117,45 @@ def chosen_variant(rule: bytes, height: int, width: int) -> tuple[str, str]:
     found = _thinner_technique(thinner).decode(), _thinner_isa(thinner).decode()
     _thinner_destroy(thinner)
     return found
+
+
+class NamedRule(NamedTuple):
+    """A thinbench_named_rule struct."""
+
+    description: str
+    source: str
+    words: npt.NDArray[np.uint64]  # 8 per sub-iteration
+    sub_iterations: int
+    border: str
+    max_iterations: int  # 0: unlimited
+
+
+def find_named_rule(name: bytes) -> NamedRule:
+    """The rule of this name."""
+    size = _NAMED_RULE.size
+    buffer = ctypes.create_string_buffer(_NAMED_RULE.pack(size, *[0] * 7), size)
+    _find_named_rule(name, buffer)
+    _, _, description, source, tables, sub_iterations, border, limit = _NAMED_RULE.unpack(
+        buffer.raw)
+    words = np.frombuffer(ctypes.string_at(tables, 64 * sub_iterations), np.uint64)
+    return NamedRule(_text(description) or "", _text(source) or "", words, sub_iterations,
+                     _text(border) or "", limit)
+
+
+def custom_rule(words: npt.NDArray[np.uint64], border: bytes, max_iterations: int,
+                optimise: bool) -> int | None:
+    """The address of a new rule."""
+    handle = ctypes.c_void_p()
+    _custom_rule_create(words.ctypes.data, len(words), border, max_iterations, optimise,
+                        ctypes.byref(handle))
+    return handle.value
+
+
+def custom_rule_gates(handle: int | None, sub_iteration: int) -> int:
+    """The number of gates of a sub-iteration."""
+    gates = ctypes.c_int32()
+    _custom_rule_gates(handle, sub_iteration, ctypes.byref(gates))
+    return gates.value
 
 
 def all_names(name_at: Callable[..., Any]) -> list[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -18,12 +18,32 @@ _BORDERS = {"background": b"background", "keep": b"keep"}
 def options_for(border: str, max_iterations: int | None, threads: int) -> bytes:
     """A thinbench_options struct."""
     keep = _arrays.one_of("border", border, _BORDERS) == b"keep"
-    limit = 0
-    if max_iterations is not None:
-        limit = _arrays.integer("max_iterations", max_iterations)
-        if limit < 1:
-            raise ValueError(f"max_iterations: expected at least 1, got {limit}")
+    limit = limit_of(max_iterations)
     return _library.options(keep, limit, _arrays.integer("threads", threads))
+
+
+def limit_of(max_iterations: int | None) -> int:
+    """The limit as the C interface takes it; 0 for None."""
+    if max_iterations is None:
+        return 0
+    limit = _arrays.integer("max_iterations", max_iterations)
+    if limit < 1:
+        raise ValueError(f"max_iterations: expected at least 1, got {limit}")
+    return limit
+
+
+def run(function: Callable[..., None], rule: bytes | int | None, image: npt.ArrayLike, options: bytes,
+        return_iterations: bool, out: npt.NDArray[Any] | None,
+        ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]:
+    """Calls `thin` or `apply` of the library for an image or a stack."""
+    image = _arrays.binary(image, 3)
+    result = _arrays.result_for(image, out)
+    stack, kept_alive = _arrays.source(image)
+    iterations = ctypes.c_int32() if return_iterations else None
+    function(rule, stack, _arrays.destination(result), options,
+             ctypes.byref(iterations) if iterations is not None else None)
+    del kept_alive
+    return (result, iterations.value) if iterations is not None else result
 
 
 @overload
@@ -100,16 +120,9 @@ def thin(image: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "backgro
      [  0   0   0   0   0   0   0   0   0]
      [  0   0   0   0   0   0   0   0   0]]
     """
-    image = _arrays.binary(image, 3)
     name = _arrays.one_of("rule", rule, RULES)
     options = options_for(border, max_iterations, threads)
-    result = _arrays.result_for(image, out)
-    stack, kept_alive = _arrays.source(image)
-    iterations = ctypes.c_int32() if return_iterations else None
-    _library.thin(name, stack, _arrays.destination(result), options,
-                  ctypes.byref(iterations) if iterations is not None else None)
-    del kept_alive
-    return (result, iterations.value) if iterations is not None else result
+    return run(_library.thin, name, image, options, return_iterations, out)
 
 
 def thin_many(images: Iterable[npt.ArrayLike], rule: str = "guo_hall", *,

@@ -201,6 +201,141 @@ static void packed_equals_bytes(void) {
   }
 }
 
+/* Conway's blinker, and the same by a rule given as a table of values. */
+static void custom_rules_apply_tables(void) {
+  const thinbench_stack all = source(COUNT);
+  const thinbench_output output = destination();
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  uint64_t life[THINBENCH_TABLE_WORDS], same[THINBENCH_TABLE_WORDS];
+  uint8_t values[512];
+  thinbench_custom_rule* rule = NULL;
+  int32_t iterations = 0, gates = 0;
+  int i, x;
+  CHECK(thinbench_table_from_hensel("B3/S23", life) == THINBENCH_OK);
+  for (i = 0; i < 512; ++i) values[i] = (uint8_t)(life[i / 64] >> (i % 64) & 1);
+  CHECK(thinbench_table_from_values(values, "raster", same) == THINBENCH_OK);
+  CHECK(memcmp(life, same, sizeof(life)) == 0);
+  CHECK(thinbench_custom_rule_create(life, 1, "background", 3, 0, &rule) == THINBENCH_OK);
+  CHECK(thinbench_custom_rule_gates(rule, 0, &gates) == THINBENCH_OK && gates > 3 && gates < 30);
+  memset(pixels, 0, sizeof(pixels));
+  for (x = 5; x < 8; ++x) pixels[1][4][x] = 1;
+  options.isa = "baseline";
+  CHECK(thinbench_apply(rule, &all, &output, &options, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 3 && results[1][3][6] == 255 && results[1][5][6] == 255);
+  CHECK(results[1][4][6] == 255 && results[1][4][5] == 0 && results[0][4][6] == 0);
+  thinbench_custom_rule_destroy(rule);
+  thinbench_custom_rule_destroy(NULL);
+}
+
+static void custom_rules_have_sub_iterations_and_borders(void) {
+  const thinbench_stack one = source(1);
+  const thinbench_output output = destination();
+  const char* const patterns[] = {"1:(... .1. ...)->0"};
+  uint8_t removed[256] = {0};
+  uint64_t tables[2 * THINBENCH_TABLE_WORDS];
+  thinbench_custom_rule* rule = NULL;
+  int32_t iterations = 0;
+  removed[255] = 1;
+  draw();
+  CHECK(thinbench_table_from_removals(removed, "descriptor", tables) == THINBENCH_OK);
+  CHECK(thinbench_table_from_patterns(patterns, 1, tables + THINBENCH_TABLE_WORDS) == THINBENCH_OK);
+  CHECK(thinbench_custom_rule_create(tables, 1, "background", 0, 1, &rule) == THINBENCH_OK);
+  CHECK(thinbench_apply(rule, &one, &output, NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 2 && results[0][2][2] == 255 && results[0][3][3] == 0);
+  thinbench_custom_rule_destroy(rule);
+  CHECK(thinbench_custom_rule_create(tables, 2, "keep", 0, 0, &rule) == THINBENCH_OK);
+  pixels[0][0][3] = 1;
+  CHECK(thinbench_apply(rule, &one, &output, NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 2 && results[0][2][2] == 0 && results[0][0][3] == 255);
+  thinbench_custom_rule_destroy(rule);
+}
+
+static void custom_rules_apply_to_packed_images(void) {
+  const uint8_t image[3] = {0, 0x38, 0};
+  const thinbench_packed packed = {image, 3, 7, 1, 0};
+  uint8_t result[3] = {1, 1, 1};
+  thinbench_named_rule life = {sizeof(thinbench_named_rule), NULL, NULL, NULL, NULL, 0, NULL, 0};
+  thinbench_custom_rule* rule = NULL;
+  CHECK(thinbench_find_named_rule("life", &life) == THINBENCH_OK);
+  CHECK(thinbench_custom_rule_create(life.tables, life.sub_iterations, life.border,
+                                     life.max_iterations, 0, &rule) == THINBENCH_OK);
+  CHECK(thinbench_apply_packed(rule, &packed, result, 1, NULL, NULL) == THINBENCH_OK);
+  CHECK(result[0] == 0x10 && result[1] == 0x10 && result[2] == 0x10);
+  thinbench_custom_rule_destroy(rule);
+}
+
+static void lists_named_rules(void) {
+  thinbench_named_rule rule = {sizeof(thinbench_named_rule), NULL, NULL, NULL, NULL, 0, NULL, 0};
+  size_t count = 0;
+  while (thinbench_named_rule_name(count) != NULL) {
+    CHECK(thinbench_find_named_rule(thinbench_named_rule_name(count), &rule) == THINBENCH_OK);
+    CHECK(strcmp(rule.name, thinbench_named_rule_name(count)) == 0);
+    CHECK(strlen(rule.description) > 0 && strlen(rule.source) > 0);
+    ++count;
+  }
+  CHECK(count >= 16);
+  CHECK(thinbench_find_named_rule("thin", &rule) == THINBENCH_OK);
+  CHECK(rule.sub_iterations == 2 && rule.max_iterations == 0);
+  CHECK(strcmp(rule.border, "background") == 0);
+}
+
+static void rejects_invalid_tables(void) {
+  uint64_t tables[9 * THINBENCH_TABLE_WORDS] = {0};
+  uint8_t values[512] = {0};
+  const char* const patterns[] = {"4:(...)->1", NULL};
+  thinbench_named_rule named = {sizeof(thinbench_named_rule), NULL, NULL, NULL, NULL, 0, NULL, 0};
+  thinbench_custom_rule* rule = NULL;
+  int32_t gates = 0;
+  draw();
+  values[7] = 2;
+  rejects(thinbench_table_from_hensel("B3/S29", tables), "'9'");
+  rejects(thinbench_table_from_hensel(NULL, tables), "notation is NULL");
+  rejects(thinbench_table_from_hensel("B3/S23", NULL), "table is NULL");
+  rejects(thinbench_table_from_patterns(patterns, 1, tables), "column 7");
+  rejects(thinbench_table_from_patterns(patterns + 1, 1, tables), "a pattern is NULL");
+  rejects(thinbench_table_from_patterns(NULL, 1, tables), "patterns is NULL");
+  rejects(thinbench_table_from_values(values, "raster", tables), "value 8 of 512");
+  rejects(thinbench_table_from_values(values, "columns", tables), "'columns'");
+  rejects(thinbench_table_from_removals(values, "raster", tables), "value 8 of 256");
+  rejects(thinbench_table_from_removals(values, "matlab", tables), "'matlab'");
+  rejects(thinbench_find_named_rule("Life", &named), "'Life'");
+  named.size = 8;
+  rejects(thinbench_find_named_rule("life", &named), "rule.size");
+  rejects(thinbench_custom_rule_create(tables, 0, "keep", 1, 0, &rule), "got 0");
+  rejects(thinbench_custom_rule_create(tables, 9, "keep", 1, 0, &rule), "got 9");
+  rejects(thinbench_custom_rule_create(NULL, 1, "keep", 1, 0, &rule), "tables is NULL");
+  rejects(thinbench_custom_rule_create(tables, 1, "wrap", 1, 0, &rule), "'wrap'");
+  rejects(thinbench_custom_rule_create(tables, 1, NULL, 1, 0, &rule), "NULL");
+  rejects(thinbench_custom_rule_create(tables, 1, "keep", -1, 0, &rule), "-1");
+  rejects(thinbench_custom_rule_create(tables, 1, "keep", 1, 0, NULL), "rule is NULL");
+  tables[0] = 1; /* adds pixels where there are none, and removes those inside */
+  rejects(thinbench_custom_rule_create(tables, 1, "keep", 0, 0, &rule), "max_iterations");
+  rejects(thinbench_custom_rule_gates(NULL, 0, &gates), "rule is NULL");
+  CHECK(rule == NULL);
+}
+
+/* What belongs to the rule is no option of a call. */
+static void rejects_invalid_applications(void) {
+  const thinbench_stack one = source(1);
+  const thinbench_output output = destination();
+  const uint64_t table[THINBENCH_TABLE_WORDS] = {0};
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  thinbench_custom_rule* rule = NULL;
+  int32_t gates = 0;
+  draw();
+  CHECK(thinbench_custom_rule_create(table, 1, "keep", 0, 0, &rule) == THINBENCH_OK);
+  rejects(thinbench_apply(NULL, &one, &output, NULL, NULL), "rule is NULL");
+  rejects(thinbench_apply(rule, NULL, &output, NULL, NULL), "source is NULL");
+  rejects(thinbench_apply_packed(rule, NULL, &results[0][0][0], 3, NULL, NULL), "source is NULL");
+  options.keep_border = 1;
+  rejects(thinbench_apply(rule, &one, &output, &options, NULL), "no border");
+  options.keep_border = 0;
+  options.max_iterations = 5;
+  rejects(thinbench_apply(rule, &one, &output, &options, NULL), "no max_iterations");
+  rejects(thinbench_custom_rule_gates(rule, 1, &gates), "sub-iteration 1");
+  thinbench_custom_rule_destroy(rule);
+}
+
 static void rejects_invalid_arguments(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
@@ -265,7 +400,13 @@ int main(void) {
   finds_regions_and_labels();
   fills_holes_and_finds_edges();
   packed_equals_bytes();
+  custom_rules_apply_tables();
+  custom_rules_have_sub_iterations_and_borders();
+  custom_rules_apply_to_packed_images();
+  lists_named_rules();
   rejects_invalid_arguments();
+  rejects_invalid_tables();
+  rejects_invalid_applications();
   lists_what_there_is();
   if (failures == 0) printf("all passed\n");
   return failures;

@@ -71,16 +71,41 @@ def test_pkg_config_static(prefix, tmp_path):
     assert run(tmp_path / "example").strip() == OUTPUT
 
 
+def library_flags(prefix) -> tuple[list[str], str]:
+    """Flags of the installed shared library, and its directory."""
+    (directory,) = prefix.rglob("pkgconfig")
+    flags = run("pkg-config", "--cflags", "--libs", "thinbench", PKG_CONFIG_PATH=str(directory))
+    return flags.split(), str(directory.parent)
+
+
+C_FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+
+
 def test_c_example_of_the_documentation(prefix, tmp_path):
     (tmp_path / "example.c").write_text(code_block("docs/library.md", "c", "int main"))
-    (directory,) = prefix.rglob("pkgconfig")
-    flags = run("pkg-config", "--cflags", "--libs", "thinbench",
-                PKG_CONFIG_PATH=str(directory)).split()
-    run("gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "example.c", "-o",
-        "example", *flags, cwd=tmp_path)
-    skeleton = run(tmp_path / "example", LD_LIBRARY_PATH=str(directory.parent))
+    flags, directory = library_flags(prefix)
+    run("gcc", *C_FLAGS, "example.c", "-o", "example", *flags, cwd=tmp_path)
+    skeleton = run(tmp_path / "example", LD_LIBRARY_PATH=directory)
     assert 5 <= skeleton.count("#") <= 14
     assert len(skeleton.splitlines()) == 12
+
+
+def test_custom_rule_examples_of_the_documentation(prefix, tmp_path):
+    flags, directory = library_flags(prefix)
+    (tmp_path / "example.cpp").write_text(code_block("docs/library.md", "cpp", "CustomRule"))
+    run("g++", "-std=c++20", *C_FLAGS[1:], "example.cpp", "-o", "example", *flags, cwd=tmp_path)
+    assert (run(tmp_path / "example", LD_LIBRARY_PATH=directory)
+            == code_block("docs/library.md", "text", "..#.."))
+    main = """
+int main(void) {
+  uint8_t image[5][7] = {{0}};
+  image[1][2] = 9;
+  return dilate(&image[0][0], 5, 7, 2) != THINBENCH_OK || image[3][4] != 255 || image[4][2] != 0;
+}
+"""
+    (tmp_path / "dilate.c").write_text(code_block("docs/library.md", "c", "dilate") + main)
+    run("gcc", *C_FLAGS, "dilate.c", "-o", "dilate", *flags, cwd=tmp_path)
+    run(tmp_path / "dilate", LD_LIBRARY_PATH=directory)
 
 
 def test_opencv_example_of_the_documentation(prefix, tmp_path):

@@ -1,4 +1,5 @@
-"""Records Octave's bwmorph(image, 'thin', n) in bwmorph.json; needs octave and octave-image.
+"""Records Octave's bwmorph in bwmorph.json: "thin" with several n on all images, the other
+operations on some. Needs octave and octave-image.
 
 Usage: python3 tests/python/record_bwmorph.py
 """
@@ -16,6 +17,9 @@ import numpy as np
 from images import iteration_limit, random_image
 
 CASES = 2000
+OPERATIONS = ["bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak",
+              "majority", "remove", "spur"]
+OPERATION_CASES = 300
 FILE = Path(__file__).with_name("bwmorph.json")
 
 
@@ -25,13 +29,25 @@ def digest(image: np.ndarray) -> str:
     return hashlib.sha256(content).hexdigest()[:12]
 
 
+def repetitions(seed: int) -> int:
+    """n of the operations other than thin."""
+    return 1 + 2 * (seed % 2)
+
+
 def script(directory: str) -> str:
-    """Octave: every image of the directory, thinned."""
+    """Octave: every image of the directory, thinned; the first ones by the other operations, too."""
+    operations = ", ".join(f'"{operation}"' for operation in OPERATIONS)
     return f"""pkg load image
+operations = {{{operations}}};
 for i = 0:{CASES - 1}
   n = [0 1 2 3 4 5 Inf](mod(i, 7) + 1);
   image = dlmread(sprintf("{directory}/%d.txt", i)) != 0;
   dlmwrite(sprintf("{directory}/%d.out", i), bwmorph(image, "thin", n), " ");
+  if i >= {OPERATION_CASES}, continue; end
+  for o = 1:numel(operations)
+    result = bwmorph(image, operations{{o}}, 1 + 2 * mod(i, 2));
+    dlmwrite(sprintf("{directory}/%d.%s", i, operations{{o}}), result, " ");
+  end
 end
 printf("%s %s", OCTAVE_VERSION, pkg("list", "image"){{1}}.version);
 """
@@ -44,12 +60,15 @@ def main() -> None:
         run = subprocess.run(["octave-cli", "--eval", script(directory)], check=True,
                              capture_output=True, text=True)
         octave, package = run.stdout.split()[-2:]
-        hashes = []
-        for seed in range(CASES):
-            thinned = np.loadtxt(f"{directory}/{seed}.out", ndmin=2)
-            hashes.append(digest(thinned.reshape(random_image(seed).shape)))
-    FILE.write_text(json.dumps({"octave": octave, "octave-image": package, "hashes": hashes},
-                               indent=0) + "\n")
+
+        def hashes(kind: str, cases: int) -> list[str]:
+            results = [np.loadtxt(f"{directory}/{seed}.{kind}", ndmin=2) for seed in range(cases)]
+            return [digest(result.reshape(random_image(seed).shape))
+                    for seed, result in enumerate(results)]
+
+        recorded = {"octave": octave, "octave-image": package, "hashes": hashes("out", CASES),
+                    "operations": {name: hashes(name, OPERATION_CASES) for name in OPERATIONS}}
+    FILE.write_text(json.dumps(recorded, indent=0) + "\n")
 
 
 if __name__ == "__main__":

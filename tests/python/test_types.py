@@ -22,6 +22,8 @@ flag: bool = len(image) > 3
 either = thinbench.thin(image, return_iterations=flag)
 table_or_both = thinbench.regions(image, flag)
 columns, labels = thinbench.regions(image, return_labels=True)
+rule = thinbench.CustomRule.from_hensel("B3/S23", max_iterations=1)
+cells: tuple[npt.NDArray[np.uint8], int] = thinbench.apply(image, rule, return_iterations=True)
 thinbench.thin(image, threads="2")  # expected error
 """
 
@@ -43,4 +45,4 @@ def test_annotations_serve_a_typed_caller(tmp_path, monkeypatch):
     monkeypatch.setenv("MYPYPATH", str(ROOT / "python"))
     (tmp_path / "caller.py").write_text(CALLER)
     errors = [line for line in mypy("caller.py", cwd=tmp_path).splitlines() if "error:" in line]
-    assert len(errors) == 1 and errors[0].startswith("caller.py:13") and '"thin"' in errors[0]
+    assert len(errors) == 1 and errors[0].startswith("caller.py:15") and '"thin"' in errors[0]

@@ -27,7 +27,7 @@ struct NamedRule {
 /// Operations of bwmorph, equal to those of Octave's image package 2.14 pixel for pixel: bridge,
 /// clean, diag, dilate, endpoints, erode, fill, hbreak, majority, remove, spur, thin. One
 /// iteration, the default of bwmorph, but thin repeats until nothing changes. With n > 1 bwmorph
-/// still runs bridge, clean, diag, fill, hbreak and remove once only.
+/// still runs bridge, clean, fill, hbreak and remove once only.
 ///
 /// Sequential thinning by hit-or-miss structuring elements, one per sub-iteration, until nothing
 /// changes: gonzalez_woods and golay_l. Pruning likewise, but one iteration, in which every end

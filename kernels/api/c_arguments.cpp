@@ -1,0 +1,123 @@
+#include "api/c_arguments.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace thinbench::detail {
+namespace {
+
+thread_local std::string last_message;
+
+/// Where there is no next image, the distance to it says nothing and passes every check.
+Index image_stride_of(Index given, Index count) {
+  return count == 1 ? PTRDIFF_MAX : given;
+}
+
+void and_with(std::uint8_t* pixels, Index count, std::uint8_t value) {
+  for (Index i = 0; i < count; ++i) pixels[i] &= value;
+}
+
+}  // namespace
+
+thinbench_status fail(thinbench_status status, const char* message) noexcept {
+  try {
+    last_message = message;
+  } catch (...) {
+    last_message.clear();
+  }
+  return status;
+}
+
+const char* last_error() {
+  return last_message.c_str();
+}
+
+void require_pointer(const void* pointer, const char* name) {
+  require(pointer != nullptr, name + std::string(" is NULL"));
+}
+
+std::string_view view_of(const char* name) {
+  return name == nullptr ? std::string_view() : name;
+}
+
+std::string text_of(const char* name) {
+  return name == nullptr ? "NULL" : std::string("'").append(name).append("'");
+}
+
+Isa isa_of(const char* name) {
+  return named("isa", name, isa_from_name(view_of(name)), [] {
+    std::string names;
+    for (const Isa isa : kAllIsas) names.append(names.empty() ? "" : ", ").append(isa_name(isa));
+    return names;
+  });
+}
+
+Options options_of(const thinbench_options* given) {
+  constexpr size_t first_version = offsetof(thinbench_options, technique) + sizeof(const char*);
+  Options options;
+  if (given == nullptr) return options;
+  const thinbench_options defaults = THINBENCH_OPTIONS_INIT;
+  const auto from = versioned(given, first_version, defaults, "options");
+  require(from.max_iterations >= 0, "max_iterations: expected 0 (unlimited) or more, got " +
+                                        std::to_string(from.max_iterations));
+  options.border = from.keep_border != 0 ? Border::keep : Border::background;
+  if (from.max_iterations > 0) options.max_iterations = from.max_iterations;
+  options.threads = from.threads;
+  if (from.isa != nullptr) options.isa = isa_of(from.isa);
+  if (from.technique != nullptr) {
+    options.technique = named("technique", from.technique, technique_from_name(from.technique),
+                              [] { return names_of(kTechniques); });
+  }
+  return options;
+}
+
+ConstStackView source_of(const thinbench_stack* stack) {
+  require_pointer(stack, "source");
+  return {stack->data,   stack->count,  stack->width,
+          stack->height, stack->stride, image_stride_of(stack->image_stride, stack->count)};
+}
+
+StackView destination_of(const thinbench_output* output, const ConstStackView& source) {
+  require_pointer(output, "destination");
+  return {output->data,  source.count,   source.width,
+          source.height, output->stride, image_stride_of(output->image_stride, source.count)};
+}
+
+ConstImageView image_of(const thinbench_stack* stack) {
+  const ConstStackView source = source_of(stack);
+  require(source.count == 1, "expected one image, got " + std::to_string(source.count));
+  return source.image(0);
+}
+
+PackedViews packed_views(const thinbench_packed* source, uint8_t* destination,
+                         ptrdiff_t destination_stride) {
+  require_pointer(source, "source");
+  const BitOrder order = source->lsb_first != 0 ? BitOrder::lsb_first : BitOrder::msb_first;
+  return {{source->data, source->width, source->height, source->stride, order},
+          {destination, source->width, source->height, destination_stride, order}};
+}
+
+void set_foreground(const thinbench_output* output, const StackView& written) {
+  const std::uint8_t value = output->foreground;
+  if (value == 0 || value == 255) return;
+  const Index pixels = written.width * written.height;
+  const bool contiguous =
+      written.stride == written.width && (written.count == 1 || written.image_stride == pixels);
+  if (contiguous) {
+    and_with(written.data, written.count * pixels, value);
+    return;
+  }
+  for (Index i = 0; i < written.count; ++i) {
+    for (Index y = 0; y < written.height; ++y) {
+      and_with(written.image(i).row(y), written.width, value);
+    }
+  }
+}
+
+int useful_threads(Index images, int threads) {
+  constexpr Index images_per_thread = 16;
+  return static_cast<int>(
+      std::clamp<Index>((images + images_per_thread - 1) / images_per_thread, 1, threads));
+}
+
+}  // namespace thinbench::detail
