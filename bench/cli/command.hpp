@@ -29,6 +29,7 @@ struct Command {
 [[nodiscard]] Command add_list_command(CLI::App& program);
 [[nodiscard]] Command add_verify_command(CLI::App& program);
 [[nodiscard]] Command add_run_command(CLI::App& program);
+[[nodiscard]] Command add_rule_command(CLI::App& program);
 [[nodiscard]] Command add_batch_command(CLI::App& program);
 [[nodiscard]] Command add_edges_command(CLI::App& program);
 [[nodiscard]] Command add_holes_command(CLI::App& program);

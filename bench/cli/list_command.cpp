@@ -1,20 +1,18 @@
 // thinbench list: the operations, and every way to compute them.
 #include <algorithm>
-#include <iomanip>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "cli/aligned.hpp"
 #include "cli/command.hpp"
 #include "image/thread_team.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {
 namespace {
-
-using Cells = std::vector<std::string>;
 
 /// Some variants are for narrow images only.
 constexpr Index kListedWidth = 1024;
@@ -77,19 +75,6 @@ void print_json(std::ostream& out) {
                     {"description", row.variant.description}});
   }
   out << list.dump(2) << '\n';
-}
-
-void print_aligned(const std::vector<Cells>& lines, std::ostream& out) {
-  std::vector<std::size_t> widths(lines.front().size());
-  for (const Cells& cells : lines) {
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
-  }
-  for (const Cells& cells : lines) {
-    for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
-      out << std::left << std::setw(static_cast<int>(widths[i]) + 2) << cells[i];
-    }
-    out << cells.back() << '\n';
-  }
 }
 
 /// Of the library's own.

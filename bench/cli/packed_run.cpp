@@ -1,6 +1,5 @@
 #include "cli/packed_run.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <functional>
 #include <memory>
@@ -16,8 +15,6 @@
 #include "cli/arguments.hpp"
 #include "cli/summary.hpp"
 #include "cli/variant_choice.hpp"
-#include "harness/operation.hpp"
-#include "images/packed_file.hpp"
 #include "out_of_core/out_of_core.hpp"
 
 namespace thinbench {
@@ -71,35 +68,6 @@ PackedFormat format_of(const PackedOptions& options, const std::string& in) {
   return options.raw.empty() ? pbm_format(in) : raw_format(options);
 }
 
-void print(const Console& console, const std::string& name, const RunSummary& summary) {
-  console.out << name << ": " << text_of(summary) << '\n';
-}
-
-int run_in_memory(const detail::ThinningOperation& operation, const PackedFormat& format,
-                  const std::string& in, const std::string& out, const Options& given,
-                  const Console& console) {
-  const Options how = detail::with_useful_threads(
-      given, std::ranges::any_of(operation.variants, &detail::ThinningVariant::threaded),
-      format.width, format.height);
-  const detail::ThinningVariant& variant = variant_for(operation, format.width, how);
-  std::string bytes = format.header;
-  bytes.resize(static_cast<std::size_t>(format.file_bytes()));
-  auto* const data = reinterpret_cast<std::uint8_t*>(bytes.data() + format.header_bytes());
-  PackedFile::open(in, format).read({0, 0, format.width, format.height}, data);
-  const PackedView image(data, format.width, format.height, format.order);
-  RunSummary summary{format.width, format.height, 0, packed_foreground(image), 0, 0};
-  const auto state = make_state(operation, variant, format.width, format.height, how);
-  summary.milliseconds =
-      milliseconds_of(how.threads, [&] { summary.iterations = state->run(image, image); });
-  summary.foreground_after = packed_foreground(image);
-  write_whole_file(out, bytes);
-  print(console,
-        row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
-                 how.threads),
-        summary);
-  return kSuccess;
-}
-
 /// Shows the number of the pass and of the tile on a terminal.
 std::function<void(int, Index)> progress_on(const Console& console, Index tiles) {
   if (!console.err_is_terminal) return {};
@@ -120,8 +88,8 @@ void reject_for_out_of_core(const Options& how) {
 }
 
 int run_out_of_core(const PackedOptions& options, const detail::ThinningOperation& operation,
-                    const PackedFormat& format, const std::string& in, const std::string& out,
-                    const Options& how, const Console& console) {
+                    const PackedFormat& format, const ThinningFiles& files, const Options& how,
+                    const Console& console) {
   reject_for_out_of_core(how);
   // By default glibc keeps up to 64 MiB of what was freed.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
@@ -129,16 +97,21 @@ int run_out_of_core(const PackedOptions& options, const detail::ThinningOperatio
   const Index reach = reach_of_iteration(operation.rule).value_or(1);  // checked by the run
   const Tiling tiling =
       tiling_for(format.width, format.height, reach, block_bytes_for(memory, how.threads));
-  OutOfCoreRun run{operation.rule,     in,          out,     format,         tiling, how.border,
-                   how.max_iterations, how.threads, how.isa, options.resume, {}};
+  OutOfCoreRun run{operation.rule,     files.in,    files.out, format,         tiling, how.border,
+                   how.max_iterations, how.threads, how.isa,   options.resume, {}};
   run.on_tile = progress_on(console, tiling.count());
   OutOfCoreResult result{};
   const double milliseconds = milliseconds_of(how.threads, [&] { result = thin_out_of_core(run); });
   if (run.on_tile) console.err << '\n';
-  print(console, fmt::format("{}/out-of-core/{}", operation.name, how.threads),
-        {format.width, format.height, result.iterations, result.foreground_before,
-         result.foreground_after, milliseconds});
-  console.out << fmt::format("{} tile{} of {} x {} in {} pass{}\n", tiling.count(),
+  const RunSummary summary = {format.width,
+                              format.height,
+                              result.iterations,
+                              result.foreground_before,
+                              result.foreground_after,
+                              milliseconds};
+  console.out << fmt::format("{}/out-of-core/{}: {}\n", operation.name, how.threads,
+                             text_of(summary))
+              << fmt::format("{} tile{} of {} x {} in {} pass{}\n", tiling.count(),
                              tiling.count() == 1 ? "" : "s", tiling.tile_width, tiling.tile_height,
                              result.passes, result.passes == 1 ? "" : "es");
   return kSuccess;
@@ -175,12 +148,12 @@ bool is_packed_run(const PackedOptions& options, const std::string& out) {
 }
 
 int run_packed(const PackedOptions& options, const detail::ThinningOperation& operation,
-               const std::string& in, const std::string& out, Options how, const Console& console) {
-  check_target(out);
-  const PackedFormat format = format_of(options, in);
-  if (options.out_of_core)
-    return run_out_of_core(options, operation, format, in, out, how, console);
-  return run_in_memory(operation, format, in, out, how, console);
+               const ThinningFiles& files, const Options& how, const Console& console) {
+  check_target(files.out);
+  const PackedFormat format = format_of(options, files.in);
+  if (options.out_of_core) return run_out_of_core(options, operation, format, files, how, console);
+  console.out << thin_packed_file(thinning_of(operation), files, format, how) << '\n';
+  return kSuccess;
 }
 
 }  // namespace thinbench

@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "api/catalogue.hpp"
 #include "cli/command.hpp"
+#include "cli/thinning_run.hpp"
 
 namespace thinbench {
 
@@ -23,8 +23,8 @@ void add_packed_options(CLI::App& app, PackedOptions& options);
 /// Whether IN and OUT are packed files.
 [[nodiscard]] bool is_packed_run(const PackedOptions& options, const std::string& out);
 
-/// Thins `in` into `out` and prints the summary.
+/// Thins and prints the summary.
 int run_packed(const PackedOptions& options, const detail::ThinningOperation& operation,
-               const std::string& in, const std::string& out, Options how, const Console& console);
+               const ThinningFiles& files, const Options& how, const Console& console);
 
 }  // namespace thinbench

@@ -1,80 +1,34 @@
 // thinbench run: thins one image file into another.
-#include <algorithm>
 #include <memory>
-#include <sstream>
-#include <string>
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/packed_run.hpp"
-#include "cli/summary.hpp"
 #include "cli/thinning_request.hpp"
+#include "cli/thinning_run.hpp"
 #include "cli/variant_choice.hpp"
-#include "harness/operation.hpp"
-#include "images/binarise.hpp"
-#include "images/image_file.hpp"
 
 namespace thinbench {
 namespace {
 
 struct RunOptions {
   ThinningRequest thinning;
-  std::string in;
-  std::string out;
+  ThinningFiles files;
   BinariseOptions binarise;
   PackedOptions packed;
 };
 
-struct Thinned {
-  ByteImage skeleton;
-  int iterations;
-  double milliseconds;
-};
-
-Thinned thinned(const detail::ThinningOperation& operation, const detail::ThinningVariant& variant,
-                const ByteImage& objects, const Options& how) {
-  const auto state = make_state(operation, variant, objects.width(), objects.height(), how);
-  Thinned result{ByteImage(objects.width(), objects.height()), 0, 0};
-  result.milliseconds = milliseconds_of(
-      how.threads, [&] { result.iterations = state->run(objects.view(), result.skeleton.view()); });
-  return result;
-}
-
-std::string summary(const ByteImage& objects, const Thinned& result) {
-  return text_of(RunSummary{objects.width(), objects.height(), result.iterations,
-                            foreground_pixels(objects.view()),
-                            foreground_pixels(result.skeleton.view()), result.milliseconds});
-}
-
-/// Options that choose the foreground among grey levels.
-void reject_binarise_options(const BinariseOptions& options) {
-  const std::string words = binarise_words(options);
-  if (words.empty()) return;
-  throw UsageError(words.substr(1, words.find(' ', 1) - 1) +
-                   " does not apply to packed files, whose foreground is 1");
-}
-
 int run(const RunOptions& options, const Console& console) {
   const detail::ThinningOperation& operation = operation_named(options.thinning.operation);
-  Options how = options_for(operation, options.thinning);
-  if (is_packed_run(options.packed, options.out)) {
-    reject_binarise_options(options.binarise);
-    return run_packed(options.packed, operation, options.in, options.out, how, console);
+  const Options how = options_for(operation, options.thinning);
+  if (is_packed_run(options.packed, options.files.out)) {
+    reject_for_packed_files(options.binarise);
+    return run_packed(options.packed, operation, options.files, how, console);
   }
-  check_extension(options.out);
-  std::ostringstream remarks;  // failures are one line, without them
-  const ByteImage objects = read_binary(options.in, options.binarise, &remarks);
-  const bool can_share =
-      std::ranges::any_of(operation.variants, &detail::ThinningVariant::threaded);
-  how = detail::with_useful_threads(how, can_share, objects.width(), objects.height());
-  const detail::ThinningVariant& variant = variant_for(operation, objects.width(), how);
-  const Thinned result = thinned(operation, variant, objects, how);
-  write_grey(options.out, result.skeleton.view());
-  console.err << remarks.str();
-  console.out << row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
-                          how.threads)
-              << ": " << summary(objects, result) << '\n';
+  console.out << thin_image_file(thinning_of(operation), options.files, options.binarise, how,
+                                 console)
+              << '\n';
   return kSuccess;
 }
 
@@ -87,8 +41,8 @@ Command add_run_command(CLI::App& program) {
                   "Name of an operation, see 'thinbench list'")
       ->required()
       ->type_name("");
-  app->add_option("IN", options->in, "Image to read")->required()->type_name("");
-  app->add_option("OUT", options->out,
+  app->add_option("IN", options->files.in, "Image to read")->required()->type_name("");
+  app->add_option("OUT", options->files.out,
                   "Image to write: .png, .pgm, .bmp, .tif or, from PBM (P4), .pbm")
       ->required()
       ->type_name("");

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "support/json_field.hpp"
+#include "support/whole_file.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {
@@ -25,7 +26,6 @@ using Values = std::vector<std::uint8_t>;
 
 constexpr std::size_t kMaxBytes = 1'000'000;
 constexpr int kMaxDepth = 4;  // the rule, its list, a table, the table's list
-constexpr std::size_t kMaxNameLength = 100;
 
 /// The table that `make` returns; its errors name the field.
 template <class Make>
@@ -144,7 +144,7 @@ std::string read_name(const JsonField& field) {
   const bool printable = std::none_of(name.begin(), name.end(), [](char symbol) {
     return static_cast<unsigned char>(symbol) < ' ' || symbol == 127;
   });
-  if (name.empty() || name.size() > kMaxNameLength || !printable) {
+  if (name.empty() || name.size() > kMaxRuleNameLength || !printable) {
     field.fail("must have 1 to 100 bytes without control characters");
   }
   return name;
@@ -231,6 +231,16 @@ std::string text_of_file(const std::string& path) {
   return text;
 }
 
+std::string hexadecimal(const WindowTable& table) {
+  std::string digits;
+  for (std::size_t window = 0; window < WindowTable::kWindows; window += 4) {
+    const int value = table[window] << 3 | table[window + 1] << 2 | table[window + 2] << 1 |
+                      static_cast<int>(table[window + 3]);
+    digits += "0123456789abcdef"[value];
+  }
+  return digits;
+}
+
 }  // namespace
 
 RuleDescription parse_rule(const std::string& text, const std::string& name) {
@@ -253,6 +263,17 @@ RuleDescription parse_rule(const std::string& text, const std::string& name) {
 
 RuleDescription read_rule_file(const std::string& path) {
   return parse_rule(text_of_file(path), path);
+}
+
+void write_rule_file(const std::string& path, const RuleDescription& rule) {
+  auto tables = nlohmann::ordered_json::array();
+  for (const WindowTable& table : rule.sub_iterations) {
+    tables.push_back({{"raster", hexadecimal(table)}});
+  }
+  nlohmann::ordered_json json = {
+      {"name", rule.name}, {"sub_iterations", tables}, {"border", border_name(rule.border)}};
+  if (rule.max_iterations != kUnlimited) json["max_iterations"] = rule.max_iterations;
+  write_whole_file(path, json.dump(1) + "\n");
 }
 
 }  // namespace thinbench

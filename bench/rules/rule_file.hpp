@@ -14,12 +14,15 @@
 // and true.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "thinbench/custom_rule.hpp"
 
 namespace thinbench {
+
+inline constexpr std::size_t kMaxRuleNameLength = 100;
 
 struct RuleDescription {
   std::string name;
@@ -36,5 +39,9 @@ struct RuleDescription {
 
 /// The same for text that is at hand; `name` stands for the file in errors.
 [[nodiscard]] RuleDescription parse_rule(const std::string& text, const std::string& name);
+
+/// Writes a rule with its tables as 128 hexadecimal digits each. The file appears as a whole or not
+/// at all. Throws FileError.
+void write_rule_file(const std::string& path, const RuleDescription& rule);
 
 }  // namespace thinbench

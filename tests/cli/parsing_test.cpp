@@ -53,7 +53,7 @@ std::vector<Words> all_commands() {
 
 TEST(Program, every_help_has_examples) {
   const std::vector<Words> commands = all_commands();
-  EXPECT_EQ(commands.size(), 1 + 12 + 2 + 7U);
+  EXPECT_EQ(commands.size(), 1 + 13 + 2 + 7U);
   for (Words words : commands) {
     std::string command = "thinbench";
     for (const std::string& word : words) command += " " + word;
@@ -77,8 +77,8 @@ TEST(Program, unknown_command_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"lst"}, 2), "no command is named 'lst'; did you mean 'list'?");
   EXPECT_EQ(
       failure_of({"frobnicate"}, 2),
-      "no command is named 'frobnicate'; known: list, verify, run, batch, edges, holes, scene, "
-      "machine, train, experiment, instructions and pictures");
+      "no command is named 'frobnicate'; known: list, verify, run, rule, batch, edges, holes, "
+      "scene, machine, train, experiment, instructions and pictures");
 }
 
 TEST(Program, unknown_subcommand_is_rejected_with_the_nearest_name) {
@@ -228,7 +228,7 @@ TEST(Program, every_command_rejects_a_malformed_cap) {
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
     ++tested;
   }
-  EXPECT_EQ(tested, 10 + 2 + 7);
+  EXPECT_EQ(tested, 11 + 2 + 7);
   EXPECT_EQ(run_with({"--help"}).status, 0);
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
+#include "support/temporary_directory.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
@@ -225,6 +226,23 @@ TEST(RuleFile, only_regular_files_of_limited_size_are_read) {
   mkfifo(fifo.c_str(), 0600);
   EXPECT_EQ(error_of_file(fifo), "cannot read '" + fifo + "': it is not a regular file");
   std::filesystem::remove_all(directory);
+}
+
+TEST(RuleFile, what_is_written_reads_back) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("rule.json");
+  for (const NamedRule& named : named_rules()) {
+    const RuleDescription rule = {std::string(named.name),
+                                  {named.sub_iterations.begin(), named.sub_iterations.end()},
+                                  named.border,
+                                  named.max_iterations};
+    write_rule_file(file, rule);
+    const RuleDescription again = read_rule_file(file);
+    EXPECT_EQ(again.name, rule.name);
+    EXPECT_EQ(again.sub_iterations, rule.sub_iterations) << rule.name;
+    EXPECT_EQ(again.border, rule.border) << rule.name;
+    EXPECT_EQ(again.max_iterations, rule.max_iterations) << rule.name;
+  }
 }
 
 }  // namespace
