@@ -5,7 +5,6 @@
 #include <string>
 
 #include "thinbench/image_view.hpp"
-#include "thinbench/labels.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench::detail {
