@@ -126,7 +126,7 @@ int run_out_of_core(const PackedOptions& options, const detail::ThinningOperatio
   // By default glibc keeps up to 64 MiB of what was freed.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   const Index memory = memory_of(options.memory.empty() ? kDefaultMemory : options.memory);
-  const Index reach = reach_of_iteration(operation.rule).value_or(1);  // checked by the run
+  const Index reach = std::max(1, rule_info(operation.rule).reach);  // checked by the run
   const Tiling tiling =
       tiling_for(format.width, format.height, reach, block_bytes_for(memory, how.threads));
   OutOfCoreRun run{operation.rule,     in,          out,     format,         tiling, how.border,

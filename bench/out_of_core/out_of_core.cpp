@@ -15,13 +15,14 @@
 #include "image/checks.hpp"
 #include "out_of_core/tile_worker.hpp"
 #include "out_of_core/work_files.hpp"
+#include "thinning/variants.hpp"
 
 namespace thinbench {
 namespace {
 
 const detail::ThinningOperation& checked_operation(const OutOfCoreRun& run) {
   const detail::ThinningOperation& operation = detail::operation_of(run.rule);
-  detail::require(reach_of_iteration(run.rule).has_value(),
+  detail::require(detail::is_parallel_rule(run.rule),
                   std::string(operation.name) +
                       " cannot run on tiles; only rules that compute all pixels of a "
                       "sub-iteration from the same image can");

@@ -420,6 +420,10 @@ const char* thinbench_rule_description(size_t index) {
   return index < kRules.size() ? kRules[index].description.data() : nullptr;
 }
 
+int32_t thinbench_rule_reach(size_t index) {
+  return index < kRules.size() ? kRules[index].reach : -1;
+}
+
 const char* thinbench_edge_operator_name(size_t index) {
   return name_at(kEdgeOperators, index);
 }

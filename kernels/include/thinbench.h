@@ -182,6 +182,11 @@ THINBENCH_API const char* thinbench_rule_description(size_t index);
 THINBENCH_API const char* thinbench_edge_operator_name(size_t index);
 THINBENCH_API const char* thinbench_isa_name(size_t index);
 
+/* How far the effect of a pixel advances in an iteration of a rule, in pixels along rows and
+ * columns; 0 without a bound. What is farther than iterations * reach from a pixel does not change
+ * it. -1 past the end of the catalogue. */
+THINBENCH_API int32_t thinbench_rule_reach(size_t index);
+
 /* Whether the processor has this ISA and THINBENCH_MAX_ISA allows it: 1, 0, or -1 for an unknown
  * name. */
 THINBENCH_API int32_t thinbench_isa_available(const char* isa);

@@ -247,10 +247,15 @@ static void lists_what_there_is(void) {
   size_t count = 0;
   while (thinbench_rule_name(count) != NULL) {
     CHECK(strlen(thinbench_rule_description(count)) > 0);
+    CHECK(thinbench_rule_reach(count) >= 0);
+    if (strcmp(thinbench_rule_name(count), "guo_hall") == 0)
+      CHECK(thinbench_rule_reach(count) == 2);
+    if (strcmp(thinbench_rule_name(count), "spta") == 0) CHECK(thinbench_rule_reach(count) == 0);
     CHECK(thinbench_rule_variant(thinbench_rule_name(count), 0, &variant) == THINBENCH_OK);
     ++count;
   }
   CHECK(count >= 14);
+  CHECK(thinbench_rule_reach(count) == -1);
   CHECK(thinbench_rule_variant("guo_hall", 1000, &variant) == THINBENCH_INVALID_ARGUMENT);
   CHECK(thinbench_edge_operator_name(0) != NULL && thinbench_edge_operator_name(99) == NULL);
   CHECK(thinbench_isa_name(0) != NULL && thinbench_isa_name(99) == NULL);
