@@ -182,12 +182,14 @@ void set_foreground(const thinbench_output* output, const StackView& written) {
   }
 }
 
-/// Calls `body(source, destination)` for every image, after a check of the whole stack.
+/// Calls `body(source, destination)` for every image, after a check of the whole stack. Without
+/// images it does so once for an image without rows, so that `body` checks the other arguments.
 template <class Body>
 void for_images(const thinbench_stack* stack, const thinbench_output* output, const Body& body) {
   const ConstStackView source = source_of(stack);
   const StackView destination = destination_of(output, source);
   detail::check_stacks(source, destination);
+  if (source.count == 0) body({nullptr, source.width, 0}, {nullptr, source.width, 0});
   for (Index i = 0; i < source.count; ++i) body(source.image(i), destination.image(i));
   set_foreground(output, destination);
 }

@@ -201,6 +201,31 @@ static void packed_equals_bytes(void) {
   }
 }
 
+/* Without images the other arguments are checked all the same. */
+static void rejects_invalid_arguments_without_images(void) {
+  const thinbench_stack none = source(0);
+  thinbench_stack bad = none;
+  const thinbench_output output = destination();
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  int32_t iterations = 9;
+  draw();
+  CHECK(thinbench_thin("guo_hall", &none, &output, NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 0);
+  CHECK(thinbench_edges("sobel", &none, &output, 0, 0, NULL) == THINBENCH_OK);
+  CHECK(thinbench_fill_holes(&none, &output, NULL) == THINBENCH_OK);
+  rejects(thinbench_edges("sobel", &none, &output, 256, 0, NULL), "256");
+  rejects(thinbench_edges("sobel", &none, &output, 0, -1, NULL), "-1");
+  bad.stride = 3;
+  rejects(thinbench_fill_holes(&bad, &output, NULL), "stride of 3");
+  options.keep_border = 1;
+  rejects(thinbench_fill_holes(&none, &output, &options), "border");
+  rejects(thinbench_edges("sobel", &none, &output, 0, 0, &options), "border");
+  options.keep_border = 0;
+  options.technique = "simd_runs";
+  rejects(thinbench_thin("guo_hall", &none, &output, &options, NULL), "simd_runs");
+  rejects(thinbench_edges("sobel", &none, &output, 0, 0, &options), "simd_runs");
+}
+
 static void rejects_invalid_arguments(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
@@ -271,6 +296,7 @@ int main(void) {
   fills_holes_and_finds_edges();
   packed_equals_bytes();
   rejects_invalid_arguments();
+  rejects_invalid_arguments_without_images();
   lists_what_there_is();
   if (failures == 0) printf("all passed\n");
   return failures;
