@@ -7,6 +7,7 @@
 #include <string>
 
 #include "api/catalogue.hpp"
+#include "api/many.hpp"
 #include "image/checks.hpp"
 #include "thinbench.h"
 #include "thinbench/batch.hpp"
@@ -164,10 +165,14 @@ void and_with(std::uint8_t* pixels, Index count, std::uint8_t value) {
   for (Index i = 0; i < count; ++i) pixels[i] &= value;
 }
 
+std::uint8_t foreground_of(const thinbench_output& output) {
+  return output.foreground == 0 ? 255 : output.foreground;
+}
+
 /// Replaces 255 by the value that the caller wants for foreground.
 void set_foreground(const thinbench_output* output, const StackView& written) {
-  const std::uint8_t value = output->foreground;
-  if (value == 0 || value == 255) return;
+  const std::uint8_t value = foreground_of(*output);
+  if (value == 255) return;
   const Index pixels = written.width * written.height;
   const bool contiguous =
       written.stride == written.width && (written.count == 1 || written.image_stride == pixels);
@@ -266,6 +271,26 @@ thinbench_status thinbench_thin(const char* rule, const thinbench_stack* source,
       count = thin_stack(rule_of(rule), from, to, options_of(options), destination);
     }
     if (iterations != nullptr) *iterations = count;
+  });
+}
+
+thinbench_status thinbench_thin_many(const char* rule, const thinbench_stack* sources,
+                                     const thinbench_output* destinations, size_t count,
+                                     const thinbench_options* options, int32_t* iterations) {
+  return guarded([&] {
+    require(sources != nullptr || count == 0, "sources is NULL");
+    require(destinations != nullptr || count == 0, "destinations is NULL");
+    std::vector<ConstImageView> from;
+    std::vector<ImageView> to;
+    std::vector<std::uint8_t> foregrounds;
+    for (size_t i = 0; i < count; ++i) {
+      from.push_back(image_of(&sources[i]));
+      to.emplace_back(destinations[i].data, from[i].width, from[i].height, destinations[i].stride);
+      foregrounds.push_back(foreground_of(destinations[i]));
+    }
+    const int maximum =
+        detail::thin_list(rule_of(rule), {from, to, foregrounds}, options_of(options));
+    if (iterations != nullptr) *iterations = maximum;
   });
 }
 

@@ -73,6 +73,15 @@ THINBENCH_API thinbench_status thinbench_thin(const char* rule, const thinbench_
                                               const thinbench_options* options,
                                               int32_t* iterations);
 
+/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes to
+ * destinations[i]. The same result as thinbench_thin for each, but faster for many small images. A
+ * destination is its source or shares no byte with any image of the lists. `options` and
+ * `iterations` as above. */
+THINBENCH_API thinbench_status thinbench_thin_many(const char* rule, const thinbench_stack* sources,
+                                                   const thinbench_output* destinations,
+                                                   size_t count, const thinbench_options* options,
+                                                   int32_t* iterations);
+
 /* A binary image of 8 pixels per byte; every row starts with a new byte, and the stride is in
  * bytes. 1 is foreground. Unused bits of a row's last byte have no meaning. */
 typedef struct thinbench_packed {
