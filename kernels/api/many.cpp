@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -101,26 +102,25 @@ struct Plan {
   std::vector<std::size_t> large;
 };
 
+Canvas next_larger(const Canvas& canvas) {
+  return {canvas_width(canvas.width), canvas_height(canvas.height), canvas.item};
+}
+
 /// Canvases of images sorted by size: of their own size where that recurs, else of one of few
 /// sizes. Where the border is kept, canvas and image must have the same border, so that other
 /// images become single.
 void choose_canvases(Plan& plan, bool keep_border) {
   constexpr Index enough = 16;  // images of one size
-  std::vector<Canvas> images = std::move(plan.canvases);
-  plan.canvases.clear();
+  const std::vector<Canvas> images = std::exchange(plan.canvases, {});
   const Canvas* const end = images.data() + images.size();
-  for (const Canvas* first = images.data(); first != end;) {
-    const Canvas* const last = end_of_size(first, end);
-    const bool few = last - first < enough;
-    for (; first != last; ++first) {
-      if (!few) {
-        plan.canvases.push_back(*first);
-      } else if (keep_border) {
-        plan.singles.push_back(*first);
-      } else {
-        plan.canvases.push_back(
-            {canvas_width(first->width), canvas_height(first->height), first->item});
-      }
+  for (const Canvas *first = images.data(), *last = first; first != end; first = last) {
+    last = end_of_size(first, end);
+    if (last - first >= enough) {
+      plan.canvases.insert(plan.canvases.end(), first, last);
+    } else if (keep_border) {
+      plan.singles.insert(plan.singles.end(), first, last);
+    } else {
+      std::transform(first, last, std::back_inserter(plan.canvases), next_larger);
     }
   }
 }

@@ -92,6 +92,7 @@ static void thins_lists_of_images(void) {
   const thinbench_output output = destination();
   const thinbench_stack small_source = {&small[0][0], 1, 5, 9, 9, 0};
   const thinbench_output small_expected = {&expected_small[0][0], 9, 0, 7};
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
   int32_t iterations = 0, expected_iterations = 0;
   int i;
   draw();
@@ -115,6 +116,11 @@ static void thins_lists_of_images(void) {
   CHECK(memcmp(results, expected, sizeof(expected)) == 0);
   CHECK(memcmp(small, expected_small, sizeof(small)) == 0 && memchr(small, 7, sizeof(small)));
   CHECK(iterations == expected_iterations);
+  options.technique = "lut";
+  CHECK(thinbench_thin_many("guo_hall", sources, destinations, COUNT + 1, &options, &iterations) ==
+        THINBENCH_OK);
+  CHECK(memcmp(results, expected, sizeof(expected)) == 0 && iterations == expected_iterations);
+  CHECK(memcmp(small, expected_small, sizeof(small)) == 0);
   CHECK(thinbench_thin_many("guo_hall", NULL, NULL, 0, NULL, &iterations) == THINBENCH_OK);
   CHECK(iterations == 0);
   draw();
