@@ -278,8 +278,10 @@ thinbench_status thinbench_thin_many(const char* rule, const thinbench_stack* so
                                      const thinbench_output* destinations, size_t count,
                                      const thinbench_options* options, int32_t* iterations) {
   return guarded([&] {
-    require(sources != nullptr || count == 0, "sources is NULL");
-    require(destinations != nullptr || count == 0, "destinations is NULL");
+    if (count > 0) {
+      require_pointer(sources, "sources");
+      require_pointer(destinations, "destinations");
+    }
     std::vector<ConstImageView> from;
     std::vector<ImageView> to;
     std::vector<std::uint8_t> foregrounds;

@@ -113,8 +113,8 @@ void choose_canvases(Plan& plan, bool keep_border) {
   constexpr Index enough = 16;  // images of one size
   const std::vector<Canvas> images = std::exchange(plan.canvases, {});
   const Canvas* const end = images.data() + images.size();
-  for (const Canvas *first = images.data(), *last = first; first != end; first = last) {
-    last = end_of_size(first, end);
+  for (const Canvas* first = images.data(); first != end;) {
+    const Canvas* const last = end_of_size(first, end);
     if (last - first >= enough) {
       plan.canvases.insert(plan.canvases.end(), first, last);
     } else if (keep_border) {
@@ -122,6 +122,7 @@ void choose_canvases(Plan& plan, bool keep_border) {
     } else {
       std::transform(first, last, std::back_inserter(plan.canvases), next_larger);
     }
+    first = last;
   }
 }
 

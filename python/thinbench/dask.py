@@ -26,7 +26,9 @@ from thinbench import _dask_regions, _dask_thinning
 
 __all__ = ["REACH", "regions", "thin"]
 
-REACH = {name: reach for index, name in enumerate(RULES) if (reach := _library.rule_reach(index))}
+REACH: dict[str, int] = {
+    name: reach for index, name in enumerate(RULES) if (reach := _library.rule_reach(index))
+}
 """Rules that `thin` supports: how many pixels the effect of a pixel advances in an iteration."""
 
 
