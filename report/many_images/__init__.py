@@ -1,0 +1,1 @@
+"""`./study many-images`: batches of files, workers, dask and images larger than memory, measured."""
