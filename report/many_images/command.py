@@ -47,7 +47,7 @@ class Sizes:
 
 
 QUICK = Sizes(files=8, files_per_round=2, rounds=2, dask_side=600, chunk_sides=(200, 300), scale=1,
-              large_sides=(1000, 2000), limits=("1M", "4M"))
+              large_sides=(1000, 2000), limits=("1M",))
 
 
 def add_many_images_command(parser: argparse.ArgumentParser) -> None:

@@ -9,6 +9,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from report.progress import Progress
+
 NOISE = 8.0
 """Standard deviation in grey levels, on top of the scene's own."""
 
@@ -27,11 +29,14 @@ def draw_files(scene: Image, directory: Path, count: int) -> list[Path]:
     directory.mkdir()
     random = np.random.RandomState(1)
     files = [directory / f"{number:06}.png" for number in range(count)]
+    progress = Progress("drawing", count)
     for file in files:
         step_y, step_x, *shift = (*random.choice((-1, 1), 2), *random.randint(0, scene.shape))
         moved = np.roll(scene[::step_y, ::step_x], shift, (0, 1))
         noisy = moved + random.normal(0, NOISE, scene.shape)
         cv2.imwrite(str(file), np.clip(noisy, 0, 255).astype(np.uint8))
+        progress.advance(1)
+    progress.close()
     return files
 
 

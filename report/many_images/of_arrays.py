@@ -82,11 +82,12 @@ class DaskSteps:
 
 def large_steps(program: Path, files: dict[int, Path], limits: list[str]) -> list[Step]:
     """`files` has the side of each image. The program's start is subtracted."""
-    steps = []
+    steps: list[Step] = []
     for side, file in files.items():
         base = Key(LARGE, IN_MEMORY, side)
-        ways = {base: []} | {Key(LARGE, f"--memory {limit}", side): ["--out-of-core", "--memory", limit]
-                             for limit in limits}
+        ways: dict[Key, list[str]] = {base: []}
+        ways |= {Key(LARGE, f"--memory {limit}", side): ["--out-of-core", "--memory", limit]
+                 for limit in limits}
         for key, words in ways.items():
             out = file.with_name(f"{len(steps)}.pbm")
             command = [str(program), "run", "thin_guo_hall", str(file), str(out), "--threads", "1",

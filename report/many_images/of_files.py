@@ -7,6 +7,7 @@ import subprocess
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import fsum
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -57,7 +58,7 @@ def image_steps(program: Path, files: list[Path], work: Path, per_round: int) ->
     for equals in ALL_EQUALS:
         base = Key(IMAGES, f"thinbench batch {' '.join(equals.batch)}")
         steps.append(_step(base, base, _batch_run(program, equals.batch, files, per_round), work))
-        steps += [_step(Key(IMAGES, f"loop over {name}"), base, _loop_run(thin, files, per_round), work)
+        steps += [_step(Key(IMAGES, f"Python loop over {name}"), base, _loop_run(thin, files, per_round), work)
                   for name, thin in equals.loops.items()]
     return steps
 
@@ -143,7 +144,7 @@ def _figures(seconds: list[list[float]]) -> Figures:
     """Medians over images of each stage, and of all stages together."""
     figures = {f"{stage}_ms": 1e3 * median(one[index] for one in seconds)
                for index, stage in enumerate(STAGES)}
-    return figures | {"images_per_second": 1 / median(map(sum, seconds))}
+    return figures | {"images_per_second": 1 / median(fsum(one) for one in seconds)}
 
 
 def _command(program: Path, words: Sequence[str], source: Path | str, out: Path,

@@ -48,19 +48,21 @@ def series(results: list[Result], experiment: str, quantity: str) -> dict[str, l
 
 
 def _images(results: list[Result]) -> Figure:
-    """A line for each method, a mark for each stage, images per second at the right."""
+    """A line for each method, a mark for each stage; what gives the same pixels is a group."""
     rates = series(results, IMAGES, "images_per_second")
     figure = Figure(figsize=(8.6, 1.3 + 0.34 * len(rates)))
     axes = figure.subplots()
+    bases = list(dict.fromkeys(one.base for (one,) in rates.values()))
+    heights = [-index - 0.4 * bases.index(one.base) for index, (one,) in enumerate(rates.values())]
     for stage, colour, marker in zip(STAGES, COLOURS, MARKERS):
-        for place, (one,) in enumerate(series(results, IMAGES, f"{stage}_ms").values()):
-            _errorbar(axes, [one.median], [-place], colour, marker, stage if place == 0 else None,
+        for height, (one,) in zip(heights, series(results, IMAGES, f"{stage}_ms").values()):
+            _errorbar(axes, [one.median], [height], colour, marker, None if height else stage,
                       xerr=_lengths([one]))
-    for place, (one,) in enumerate(rates.values()):
-        axes.text(1.02, -place, f"{three_digits(one.median)} images/s", va="center",
+    for height, (one,) in zip(heights, rates.values()):
+        axes.text(1.02, height, f"{three_digits(one.median)} images/s", va="center",
                   transform=axes.get_yaxis_transform())
-    axes.set_yticks([-place for place in range(len(rates))], list(rates))
-    axes.set_ylim(0.6 - len(rates), 0.6)
+    axes.set_yticks(heights, list(rates))
+    axes.set_ylim(heights[-1] - 0.6, 0.6)
     _log(axes.set_xscale, axes.xaxis)
     axes.xaxis.set_major_formatter(FuncFormatter(_milliseconds))
     axes.set_xlabel("time per image of 510 x 412 pixels, one thread (logarithmic)")
@@ -148,7 +150,7 @@ def _milliseconds(value: float, _: object) -> str:
 
 def _finished(figure: Figure, axes: Axes) -> Figure:
     handles, words = axes.get_legend_handles_labels()
-    columns = 3 if len(words) == 3 else 2
+    columns = 3 if max(map(len, words)) < 20 else 2
     figure.legend(handles, words, loc="upper left", ncols=columns, frameon=False, fontsize=9,
                   borderaxespad=0.3)
     height = 0.2 + 0.2 * -(-len(words) // columns)

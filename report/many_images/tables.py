@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from report.formatting import interval, markdown_table, three_digits
 from report.many_images.of_arrays import CHUNKS, LARGE
 from report.many_images.of_files import IMAGES, STAGES, WORKERS
@@ -22,10 +24,10 @@ def _images(results: list[Result]) -> str:
     for method, (rate,) in of["images_per_second"].items():
         stages = [of[f"{stage}_ms"][method][0] for stage in STAGES]
         lines.append([f"`{method}`", *(three_digits(one.median) for one in stages), _ratio(stages[1]),
-                      three_digits(rate.median), _ratio(rate)])
+                      three_digits(rate.median), _ratio(_inverse(rate))])
     return markdown_table(["one thread", *(f"{stage}, ms" for stage in STAGES),
-                           "computing, ratio to the batch", "images/s", "ratio"], lines,
-                          frozenset(range(1, 7)))
+                           "compute, ratio to the batch's", "images/s",
+                           "the batch's, ratio to these"], lines, frozenset(range(1, 7)))
 
 
 def _workers(results: list[Result]) -> str:
@@ -59,6 +61,14 @@ def _out_of_core(results: list[Result]) -> str:
 
 def _value(one: Result) -> str:
     return f"{three_digits(one.median)} ({interval(one.low, one.high)})"
+
+
+def _inverse(one: Result) -> Result:
+    """With the ratio of the base to it."""
+    if one.ratio is None or one.ratio_low is None or one.ratio_high is None:
+        return one
+    return replace(one, ratio=1 / one.ratio, ratio_low=1 / one.ratio_high,
+                   ratio_high=1 / one.ratio_low)
 
 
 def _ratio(one: Result) -> str:
