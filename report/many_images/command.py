@@ -36,13 +36,13 @@ interrupted."""
 class Sizes:
     """What is drawn and how often it is measured."""
 
-    files: int = 300
-    files_per_round: int = 16  # for loops, of which some take 0.2 s per image
+    files: int = 240
+    files_per_round: int = 12  # for loops, of which some take 0.2 s per image
     rounds: int = 9
-    dask_side: int = 4000
-    chunk_sides: tuple[int, ...] = (250, 500, 1000, 2000)
+    dask_side: int = 3000
+    chunk_sides: tuple[int, ...] = (250, 500, 1000, 1500)
     scale: int = 4  # of the scene in images for out of core
-    large_sides: tuple[int, ...] = (8000, 12000, 16000)
+    large_sides: tuple[int, ...] = (6000, 9000, 12000)
     limits: tuple[str, ...] = ("4M", "16M", "64M")
 
 
