@@ -26,8 +26,8 @@ def _images(results: list[Result]) -> str:
         lines.append([f"`{method}`", *(three_digits(one.median) for one in stages), _ratio(stages[1]),
                       three_digits(rate.median), _ratio(_inverse(rate))])
     return markdown_table(["one thread", *(f"{stage}, ms" for stage in STAGES),
-                           "compute, ratio to the batch's", "images/s",
-                           "the batch's, ratio to these"], lines, frozenset(range(1, 7)))
+                           "compute / the batch's", "images/s",
+                           "the batch's images/s / these"], lines, frozenset(range(1, 7)))
 
 
 def _workers(results: list[Result]) -> str:
@@ -56,7 +56,7 @@ def _out_of_core(results: list[Result]) -> str:
         lines += [[method, f"{one.x:,} x {one.x:,}", _value(one), _ratio(one), _ratio(wall)]
                   for one, wall in zip(curve, walls[method])]
     return markdown_table(["", "image", "processor time per pixel, ns", "ratio to in memory",
-                           "the same of time"], lines, frozenset({2, 3, 4}))
+                           "wall time, ratio"], lines, frozenset({2, 3, 4}))
 
 
 def _value(one: Result) -> str:
