@@ -1,1 +1,1 @@
-"""`./study many-images`: batches of files, workers, dask and images larger than memory, measured."""
+"""`./study many-images`: batches of files, workers, dask and large images, measured and plotted."""

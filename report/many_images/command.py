@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import logging
+import signal
 import sys
 import tempfile
 from dataclasses import dataclass
@@ -55,7 +57,8 @@ def add_many_images_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true",
                         help="a few tiny inputs, two rounds: seconds, for a trial")
     parser.add_argument("--files", metavar="N", type=positive,
-                        help=f"image files to draw; default {Sizes.files}, with --quick {QUICK.files}")
+                        help=f"image files to draw; default {Sizes.files}, with --quick "
+                             f"{QUICK.files}")
     parser.add_argument("--rounds", metavar="N", type=positive,
                         help=f"default {Sizes.rounds}, with --quick {QUICK.rounds}")
     parser.add_argument("--out", metavar="DIR", type=Path,
@@ -92,12 +95,19 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
     with tempfile.TemporaryDirectory() as work:
         with LocalCluster(n_workers=cores, threads_per_worker=1, dashboard_address=None,
                           local_directory=work) as cluster, Client(cluster) as client:
+            logging.getLogger("asyncio").setLevel(logging.CRITICAL)  # of tasks at an interrupt
+            client.run(_ignore_interrupts)
             steps = _steps(program, Path(work), sizes, client, cores)
             samples = measure(steps, sizes.rounds)
     origin = Origin(machine["commit"], machine["fingerprint"], machine["cpu"]["name"], cores,
                     load.foreign())
     write_file(directory / CSV, to_csv(results_of(steps, samples, origin)).encode())
     return draw(directory)
+
+
+def _ignore_interrupts() -> None:
+    """In a worker, which its parent stops."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def draw(directory: Path) -> str:

@@ -7,6 +7,7 @@ import subprocess
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import fsum
 from pathlib import Path
 from statistics import median
@@ -42,8 +43,8 @@ class Equals:
 
 ALL_EQUALS = (
     Equals(("thin_guo_hall", "--border", "keep"),
-           {"thinbench.compat.cv2.thinning": lambda image: compat.cv2.thinning(image, thinningType=1),
-            "cv2.ximgproc.thinning": lambda image: cv2.ximgproc.thinning(image, thinningType=1)}),
+           {"thinbench.compat.cv2.thinning": partial(compat.cv2.thinning, thinningType=1),
+            "cv2.ximgproc.thinning": partial(cv2.ximgproc.thinning, thinningType=1)}),
     Equals(("thin_guo_hall_skimage",),
            {"thinbench.compat.skimage.thin": compat.skimage.thin,
             "skimage.morphology.thin": lambda image: morphology.thin(image != 0)}),
@@ -58,26 +59,22 @@ def image_steps(program: Path, files: list[Path], work: Path, per_round: int) ->
     for equals in ALL_EQUALS:
         base = Key(IMAGES, f"thinbench batch {' '.join(equals.batch)}")
         steps.append(_step(base, base, _batch_run(program, equals.batch, files, per_round), work))
-        steps += [_step(Key(IMAGES, f"Python loop over {name}"), base, _loop_run(thin, files, per_round), work)
-                  for name, thin in equals.loops.items()]
+        for name, thin in equals.loops.items():
+            key = Key(IMAGES, f"Python loop over {name}")
+            steps.append(_step(key, base, _loop_run(thin, files, per_round), work))
     return steps
 
 
-def worker_steps(program: Path, files: list[Path], work: Path, client: Any, cores: int) -> list[Step]:
+def worker_steps(program: Path, files: list[Path], work: Path, client: Any,
+                 cores: int) -> list[Step]:
     """All files, by 1, 2, 4 ... workers."""
-    runs = {THREADS: _run_threads, SHARDS: _run_shards}
+    runs: dict[str, Callable[[int, Path], None]] = {
+        THREADS: partial(_run_threads, program, files[0].parent),
+        SHARDS: partial(_run_shards, program, files[0].parent),
+        DASK: partial(_run_dask, client, files)}
     base = Key(WORKERS, THREADS, 1)
-    steps = []
-    for count in worker_counts(cores):
-        for method, start in runs.items():
-            def by_program(out: Path, count: int = count, start: Any = start) -> None:
-                start(program, files[0].parent, out, count)
-            steps.append(_timed_step(Key(WORKERS, method, count), base, by_program, work, len(files)))
-
-        def by_dask(out: Path, count: int = count) -> None:
-            _run_dask(client, files, out, count)
-        steps.append(_timed_step(Key(WORKERS, DASK, count), base, by_dask, work, len(files)))
-    return steps
+    return [_timed_step(Key(WORKERS, method, count), base, run, work, len(files))
+            for count in worker_counts(cores) for method, run in runs.items()]
 
 
 def worker_counts(cores: int) -> list[int]:
@@ -90,11 +87,13 @@ def _step(key: Key, base: Key, run: Callable[[int, Path], Figures], work: Path) 
     return Step(key, base, lambda number: run(number, out), lambda: digest_of_images(out))
 
 
-def _timed_step(key: Key, base: Key, run: Callable[[Path], None], work: Path, count: int) -> Step:
+def _timed_step(key: Key, base: Key, run: Callable[[int, Path], None], work: Path,
+                images: int) -> Step:
+    """`run` takes the number of workers."""
     def timed(_number: int, out: Path) -> Figures:
         start = time.perf_counter()
-        run(out)
-        return {"images_per_second": count / (time.perf_counter() - start)}
+        run(key.x, out)
+        return {"images_per_second": images / (time.perf_counter() - start)}
     return _step(key, base, timed, work)
 
 
@@ -119,7 +118,8 @@ def _batch_run(program: Path, words: Sequence[str], files: list[Path],
 
 def _loop_run(thin: Thin, files: list[Path], per_round: int) -> Callable[[int, Path], Figures]:
     def run(number: int, out: Path) -> Figures:
-        return _figures([_thin_file(thin, file, out) for file in _files_of(number, files, per_round)])
+        return _figures([_thin_file(thin, file, out)
+                         for file in _files_of(number, files, per_round)])
     return run
 
 
@@ -153,12 +153,12 @@ def _command(program: Path, words: Sequence[str], source: Path | str, out: Path,
             "--threads", str(threads)]
 
 
-def _run_threads(program: Path, source: Path, out: Path, count: int) -> None:
+def _run_threads(program: Path, source: Path, count: int, out: Path) -> None:
     subprocess.run(_command(program, ["thin_guo_hall"], source, out, count), check=True,
                    capture_output=True)
 
 
-def _run_shards(program: Path, source: Path, out: Path, count: int) -> None:
+def _run_shards(program: Path, source: Path, count: int, out: Path) -> None:
     processes = [subprocess.Popen([*_command(program, ["thin_guo_hall"], source, out),
                                    "--shard", f"{number}/{count}"],
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -167,7 +167,7 @@ def _run_shards(program: Path, source: Path, out: Path, count: int) -> None:
         raise ReportError("thinbench batch --shard failed")
 
 
-def _run_dask(client: Any, files: list[Path], out: Path, count: int) -> None:
+def _run_dask(client: Any, files: list[Path], count: int, out: Path) -> None:
     """A task for each file."""
     workers = list(client.scheduler_info()["workers"])[:count]
     client.gather(client.map(_dask_task, files, out=out, workers=workers, pure=False))

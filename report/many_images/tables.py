@@ -23,8 +23,8 @@ def _images(results: list[Result]) -> str:
     lines = []
     for method, (rate,) in of["images_per_second"].items():
         stages = [of[f"{stage}_ms"][method][0] for stage in STAGES]
-        lines.append([f"`{method}`", *(three_digits(one.median) for one in stages), _ratio(stages[1]),
-                      three_digits(rate.median), _ratio(_inverse(rate))])
+        lines.append([f"`{method}`", *(three_digits(one.median) for one in stages),
+                      _ratio(stages[1]), three_digits(rate.median), _ratio(_inverse(rate))])
     return markdown_table(["one thread", *(f"{stage}, ms" for stage in STAGES),
                            "compute / the batch's", "images/s",
                            "the batch's images/s / these"], lines, frozenset(range(1, 7)))
