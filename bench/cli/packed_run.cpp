@@ -19,6 +19,7 @@
 #include "harness/operation.hpp"
 #include "images/packed_file.hpp"
 #include "out_of_core/out_of_core.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -171,7 +172,7 @@ void add_packed_options(CLI::App& app, PackedOptions& options) {
 }
 
 bool is_packed_run(const PackedOptions& options, const std::string& out) {
-  return !options.raw.empty() || options.out_of_core || out.ends_with(".pbm");
+  return !options.raw.empty() || options.out_of_core || extension_of(out) == ".pbm";
 }
 
 int run_packed(const PackedOptions& options, const detail::ThinningOperation& operation,

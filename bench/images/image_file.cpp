@@ -19,6 +19,7 @@
 
 #include "images/captured_stderr.hpp"
 #include "images/mat_of.hpp"
+#include "support/text.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -147,13 +148,6 @@ constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
 
 [[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
   throw ImageError("cannot write '" + path + "': " + why);
-}
-
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
 }
 
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {

@@ -55,11 +55,13 @@ WorkFiles::WorkFiles(const std::string& in, const std::string& out, const Packed
                                        std::filesystem::path(out).filename().string());
   names_ = {base + "a", base + "b"};
   state_name_ = base + "state";
+  new_name_ = base + "new";
   check_space(files);
   lock_.emplace(names_[0], out);
 }
 
 WorkFiles::~WorkFiles() {
+  unlink(new_name_.c_str());
   if (!is_resumable_) remove_files();
 }
 
@@ -77,6 +79,11 @@ void WorkFiles::check_space(int files) const {
 
 void WorkFiles::remove_files() const {
   for (const std::string& name : names_) unlink(name.c_str());
+}
+
+void WorkFiles::rename(const std::string& from, const std::string& to) const {
+  if (std::rename(from.c_str(), to.c_str()) == 0) return;
+  throw FileError("cannot write '" + out_ + "': " + std::generic_category().message(errno));
 }
 
 std::optional<Checkpoint> WorkFiles::load(Index tiles) const {
@@ -98,16 +105,15 @@ void WorkFiles::open(int pass) {
 
 void WorkFiles::save(const Checkpoint& checkpoint) {
   target_.synchronise();
-  save_checkpoint(state_name_, identity_, checkpoint);
+  save_checkpoint(new_name_, identity_, checkpoint);
+  rename(new_name_, state_name_);
   is_resumable_ = true;
 }
 
 // The checkpoint is removed first: a run killed in between begins again, from an unchanged input.
 void WorkFiles::finish() {
   drop_checkpoint();
-  if (std::rename(target_.path().c_str(), out_.c_str()) != 0) {
-    throw FileError("cannot write '" + out_ + "': " + std::generic_category().message(errno));
-  }
+  rename(target_.path(), out_);
   remove_files();
 }
 

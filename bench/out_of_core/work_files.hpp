@@ -57,6 +57,8 @@ class WorkFiles {
  private:
   void check_space(int files) const;
   void remove_files() const;
+  /// Gives a file the name of another one, which it replaces.
+  void rename(const std::string& from, const std::string& to) const;
 
   std::string in_;
   std::string out_;
@@ -64,6 +66,7 @@ class WorkFiles {
   std::string identity_;
   std::array<std::string, 2> names_;
   std::string state_name_;
+  std::string new_name_;  // of what is renamed once it is whole
   std::optional<LockedFile> lock_;
   PackedFile source_;
   PackedFile target_;

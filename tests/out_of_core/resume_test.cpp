@@ -3,6 +3,7 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -103,6 +104,35 @@ TEST(Resume, run_with_other_options_is_rejected_and_keeps_the_files) {
   prepared.run.resume = true;
   thin_out_of_core(prepared.run);
   EXPECT_TRUE(prepared.result() == undisturbed().bytes);
+}
+
+/// Runs in another process, which dies when a file of it grows beyond `bytes`.
+bool run_and_kill_beyond(const OutOfCoreRun& run, rlim_t bytes) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_DFL);
+    thin_out_of_core(run);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ;
+}
+
+TEST(Resume, kill_while_the_state_is_written_leaves_nothing_that_the_next_run_does_not_remove) {
+  const PackedImage source(noise_image(200, 10, 90, 8, 3).view(), BitOrder::msb_first);
+  OutOfCoreRun run{.rule = Rule::naccache_shinghal};
+  run.tiling = small_tiles(run.rule, source.view(), 1, 8, 1);  // more state than pixels
+  for (const bool resumes : {false, true}) {
+    PreparedRun prepared(source, run);
+    ASSERT_TRUE(run_and_kill_beyond(prepared.run, 300));
+    EXPECT_EQ(prepared.directory.names().size(), 3U);  // a work file and a part of the state
+    prepared.run.resume = resumes;
+    thin_out_of_core(prepared.run);
+    EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
+  }
 }
 
 TEST(Resume, damaged_state_is_reported) {
