@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/packed_run.hpp"
+#include "cli/packed_tiff.hpp"
 #include "cli/summary.hpp"
 #include "cli/thinning_request.hpp"
 #include "cli/variant_choice.hpp"
@@ -58,6 +59,10 @@ void reject_binarise_options(const BinariseOptions& options) {
 int run(const RunOptions& options, const Console& console) {
   const detail::ThinningOperation& operation = operation_named(options.thinning.operation);
   Options how = options_for(operation, options.thinning);
+  if (is_tiff_run(options.packed, options.binarise, options.in, options.out)) {
+    return run_tiff(options.packed, operation, options.binarise, options.in, options.out, how,
+                    console);
+  }
   if (is_packed_run(options.packed, options.out)) {
     reject_binarise_options(options.binarise);
     return run_packed(options.packed, operation, options.in, options.out, how, console);

@@ -29,20 +29,6 @@ namespace {
   throw ImageError("cannot read '" + path + "': " + why);
 }
 
-/// Rejects what no decoder could give a good reason for.
-void check_file(const std::string& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0 && errno == ENOENT) cannot_read(path, "there is no such file");
-  if (descriptor < 0) cannot_read(path, std::generic_category().message(errno));
-  struct stat facts {};
-  const int failed = fstat(descriptor, &facts);
-  close(descriptor);
-  if (failed != 0) cannot_read(path, "its kind and size are unknown");
-  if (S_ISDIR(facts.st_mode)) cannot_read(path, "it is a directory");
-  if (!S_ISREG(facts.st_mode)) cannot_read(path, "it is not a regular file");
-  if (facts.st_size == 0) cannot_read(path, "the file is empty");
-}
-
 /// OpenCV reads its limit when it is loaded, before any code of ours could raise it.
 std::string too_many_pixels() {
   constexpr const char* variable = "OPENCV_IO_MAX_IMAGE_PIXELS";
@@ -121,6 +107,19 @@ bool is_tiff(const std::string& path) {
 }
 
 }  // namespace
+
+void check_file(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0 && errno == ENOENT) cannot_read(path, "there is no such file");
+  if (descriptor < 0) cannot_read(path, std::generic_category().message(errno));
+  struct stat facts {};
+  const int failed = fstat(descriptor, &facts);
+  close(descriptor);
+  if (failed != 0) cannot_read(path, "its kind and size are unknown");
+  if (S_ISDIR(facts.st_mode)) cannot_read(path, "it is a directory");
+  if (!S_ISREG(facts.st_mode)) cannot_read(path, "it is not a regular file");
+  if (facts.st_size == 0) cannot_read(path, "the file is empty");
+}
 
 ByteImage read_grey(const std::string& path) {
   return read_by(path, [&] { return first_page(path); });

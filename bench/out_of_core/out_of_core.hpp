@@ -6,6 +6,7 @@
 #include <string>
 
 #include "images/packed_file.hpp"
+#include "out_of_core/conversion.hpp"
 #include "out_of_core/tiling.hpp"
 #include "thinbench/options.hpp"
 #include "thinbench/rule.hpp"
@@ -26,6 +27,8 @@ struct OutOfCoreRun {
   bool resume = false;
   /// Called before each tile, by any thread, with the number of the pass and of the tile.
   std::function<void(int pass, Index tile)> on_tile = {};
+  /// Where `in` and `out` are no packed files of this format.
+  Conversion conversion = {};
 };
 
 struct OutOfCoreResult {

@@ -48,8 +48,12 @@ LockedFile::~LockedFile() {
 }
 
 WorkFiles::WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
-                     int files, std::string identity)
-    : in_(in), out_(out), format_(format), identity_(std::move(identity)) {
+                     Conversion conversion, int files, std::string identity)
+    : in_(in),
+      out_(out),
+      format_(format),
+      conversion_(std::move(conversion)),
+      identity_(std::move(identity)) {
   check_target(out);
   const std::string base = fmt::format("{}/.{}.thinbench-", directory_of(out),
                                        std::filesystem::path(out).filename().string());
@@ -95,9 +99,16 @@ void WorkFiles::drop_checkpoint() {
   is_resumable_ = false;
 }
 
+PackedFile WorkFiles::open_input() const {
+  if (!conversion_.unpack) return PackedFile::open(in_, format_);
+  PackedFile file = PackedFile::create(names_[1], format_);
+  conversion_.unpack(file);
+  return file;
+}
+
 void WorkFiles::open(int pass) {
   source_ = pass == 0
-                ? PackedFile::open(in_, format_)
+                ? open_input()
                 : PackedFile::reopen(names_[static_cast<std::size_t>((pass - 1) % 2)], format_);
   const std::string& name = names_[static_cast<std::size_t>(pass % 2)];
   target_ = pass < 2 ? PackedFile::create(name, format_) : PackedFile::reopen(name, format_);
@@ -110,10 +121,17 @@ void WorkFiles::save(const Checkpoint& checkpoint) {
   is_resumable_ = true;
 }
 
-// The checkpoint is removed first: a run killed in between begins again, from an unchanged input.
+// A target that becomes the output is no longer there for a checkpoint, which is removed first: a
+// run killed in between begins again, from an unchanged input.
 void WorkFiles::finish() {
-  drop_checkpoint();
-  rename(target_.path(), out_);
+  if (conversion_.pack) {
+    conversion_.pack(target_, new_name_);
+    rename(new_name_, out_);
+    drop_checkpoint();
+  } else {
+    drop_checkpoint();
+    rename(target_.path(), out_);
+  }
   remove_files();
 }
 

@@ -135,6 +135,54 @@ TEST(Resume, kill_while_the_state_is_written_leaves_nothing_that_the_next_run_do
   }
 }
 
+/// IN holds one byte and the pixels; OUT is to hold another byte and the pixels.
+Conversion behind_a_byte(const OutOfCoreRun& run) {
+  const auto pixels = [run](std::vector<std::uint8_t>& bytes) {
+    bytes.resize(static_cast<std::size_t>(run.format.file_bytes()));
+    return Block{0, 0, run.format.width, run.format.height};
+  };
+  Conversion conversion;
+  conversion.unpack = [run, pixels](const PackedFile& to) {
+    std::vector<std::uint8_t> bytes;
+    const Block all = pixels(bytes);
+    const std::string text = bytes_of(run.in);
+    std::copy(text.begin() + 1, text.end(), bytes.begin());
+    to.write(all, bytes.data(), all.row_bytes());
+  };
+  conversion.pack = [pixels](const PackedFile& from, const std::string& name) {
+    std::vector<std::uint8_t> bytes;
+    const Block all = pixels(bytes);
+    from.read(all, bytes.data());
+    std::ofstream(name, std::ios::binary) << 'o' << std::string(bytes.begin(), bytes.end());
+  };
+  conversion.name = ", behind a byte";
+  return conversion;
+}
+
+TEST(Resume, converted_files_are_unpacked_once_and_resumed_like_others) {
+  const Expected expected = undisturbed();
+  int kills = 0;
+  for (int tiles = 3;; tiles += 17) {
+    PreparedRun prepared = thick_strokes();
+    static_cast<void>(prepared.directory.with("in", 'i' + bytes_of(prepared.run.in)));
+    prepared.run.conversion = behind_a_byte(prepared.run);
+    if (!run_and_kill(prepared.run, tiles)) break;
+    ++kills;
+    prepared.run.resume = true;
+    OutOfCoreRun other = prepared.run;
+    other.conversion.name = ", otherwise";
+    if (tiles > 25) {
+      const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
+      EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+      prepared.run.conversion.unpack = [](const PackedFile&) { ADD_FAILURE() << "unpacked again"; };
+    }
+    EXPECT_EQ(thin_out_of_core(prepared.run).iterations, expected.iterations);
+    EXPECT_TRUE(prepared.result() == 'o' + expected.bytes) << "killed at tile " << tiles;
+    EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
+  }
+  EXPECT_GT(kills, 3);
+}
+
 TEST(Resume, damaged_state_is_reported) {
   PreparedRun prepared = thick_strokes();
   ASSERT_TRUE(run_and_kill(prepared.run, 40));
