@@ -196,7 +196,8 @@ bool is_packed_run(const PackedOptions& options, const std::string& out) {
 }
 
 int run_packed(const PackedOptions& options, const detail::ThinningOperation& operation,
-               const std::string& in, const std::string& out, Options how, const Console& console) {
+               const std::string& in, const std::string& out, const Options& how,
+               const Console& console) {
   check_target(out);
   const PackedFormat format = format_of(options, in);
   if (options.out_of_core) {

@@ -47,6 +47,7 @@ int thin_out_of_core(const PackedOptions& options, const detail::ThinningOperati
 
 /// Thins the packed file `in` into `out` and prints the summary.
 int run_packed(const PackedOptions& options, const detail::ThinningOperation& operation,
-               const std::string& in, const std::string& out, Options how, const Console& console);
+               const std::string& in, const std::string& out, const Options& how,
+               const Console& console);
 
 }  // namespace thinbench
