@@ -19,6 +19,7 @@
 #include "harness/operation.hpp"
 #include "images/packed_file.hpp"
 #include "out_of_core/out_of_core.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -52,7 +53,7 @@ PackedFormat raw_format(const PackedOptions& options) {
 }
 
 /// "256M" in bytes.
-Index memory_of(const std::string& given) {
+Index bytes_of(const std::string& given) {
   constexpr std::string_view units = "KMGT";
   std::string_view text = given;
   const std::optional<Index> number = take_number(text);
@@ -75,31 +76,6 @@ void print(const Console& console, const std::string& name, const RunSummary& su
   console.out << name << ": " << text_of(summary) << '\n';
 }
 
-int run_in_memory(const detail::ThinningOperation& operation, const PackedFormat& format,
-                  const std::string& in, const std::string& out, const Options& given,
-                  const Console& console) {
-  const Options how = detail::with_useful_threads(
-      given, std::ranges::any_of(operation.variants, &detail::ThinningVariant::threaded),
-      format.width, format.height);
-  const detail::ThinningVariant& variant = variant_for(operation, format.width, how);
-  std::string bytes = format.header;
-  bytes.resize(static_cast<std::size_t>(format.file_bytes()));
-  auto* const data = reinterpret_cast<std::uint8_t*>(bytes.data() + format.header_bytes());
-  PackedFile::open(in, format).read({0, 0, format.width, format.height}, data);
-  const PackedView image(data, format.width, format.height, format.order);
-  RunSummary summary{format.width, format.height, 0, packed_foreground(image), 0, 0};
-  const auto state = make_state(operation, variant, format.width, format.height, how);
-  summary.milliseconds =
-      milliseconds_of(how.threads, [&] { summary.iterations = state->run(image, image); });
-  summary.foreground_after = packed_foreground(image);
-  write_whole_file(out, bytes);
-  print(console,
-        row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
-                 how.threads),
-        summary);
-  return kSuccess;
-}
-
 /// Shows the number of the pass and of the tile on a terminal.
 std::function<void(int, Index)> progress_on(const Console& console, Index tiles) {
   if (!console.err_is_terminal) return {};
@@ -119,19 +95,66 @@ void reject_for_out_of_core(const Options& how) {
   }
 }
 
-int run_out_of_core(const PackedOptions& options, const detail::ThinningOperation& operation,
-                    const PackedFormat& format, const std::string& in, const std::string& out,
-                    const Options& how, const Console& console) {
+/// Of files that are packed themselves.
+int run_in_memory(const detail::ThinningOperation& operation, const PackedFormat& format,
+                  const std::string& in, const std::string& out, const Options& how,
+                  const Console& console) {
+  std::string bytes = format.header;
+  bytes.resize(static_cast<std::size_t>(format.file_bytes()));
+  auto* const data = reinterpret_cast<std::uint8_t*>(bytes.data() + format.header_bytes());
+  PackedFile::open(in, format).read({0, 0, format.width, format.height}, data);
+  const PackedView image(data, format.width, format.height, format.order);
+  const auto save = [&] { write_whole_file(out, bytes); };
+  return thin_in_memory(operation, image, how, save, console);
+}
+
+}  // namespace
+
+Index memory_of(const PackedOptions& options) {
+  return bytes_of(options.memory.empty() ? kDefaultMemory : options.memory);
+}
+
+int thin_in_memory(const detail::ThinningOperation& operation, const PackedView& image,
+                   const Options& given, const std::function<void()>& save,
+                   const Console& console) {
+  const Options how = detail::with_useful_threads(
+      given, std::ranges::any_of(operation.variants, &detail::ThinningVariant::threaded),
+      image.width, image.height);
+  const detail::ThinningVariant& variant = variant_for(operation, image.width, how);
+  RunSummary summary{image.width, image.height, 0, packed_foreground(image), 0, 0};
+  const auto state = make_state(operation, variant, image.width, image.height, how);
+  summary.milliseconds =
+      milliseconds_of(how.threads, [&] { summary.iterations = state->run(image, image); });
+  summary.foreground_after = packed_foreground(image);
+  save();
+  print(console,
+        row_name(operation.name, technique_name(variant.technique), isa_name(variant.isa),
+                 how.threads),
+        summary);
+  return kSuccess;
+}
+
+int thin_out_of_core(const PackedOptions& options, const detail::ThinningOperation& operation,
+                     const PackedFiles& files, const Options& how, const Console& console) {
   reject_for_out_of_core(how);
   // By default glibc keeps up to 64 MiB of what was freed.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  const Index memory = memory_of(options.memory.empty() ? kDefaultMemory : options.memory);
+  const PackedFormat& format = files.format;
   const Index reach = std::max(1, rule_info(operation.rule).reach);  // checked by the run
-  const Tiling tiling =
-      tiling_for(format.width, format.height, reach, block_bytes_for(memory, how.threads));
-  OutOfCoreRun run{operation.rule,     in,          out,     format,         tiling, how.border,
-                   how.max_iterations, how.threads, how.isa, options.resume, {}};
-  run.on_tile = progress_on(console, tiling.count());
+  const Tiling tiling = tiling_for(format.width, format.height, reach,
+                                   block_bytes_for(memory_of(options), how.threads));
+  const OutOfCoreRun run{operation.rule,
+                         files.in,
+                         files.out,
+                         format,
+                         tiling,
+                         how.border,
+                         how.max_iterations,
+                         how.threads,
+                         how.isa,
+                         options.resume,
+                         progress_on(console, tiling.count()),
+                         files.conversion};
   OutOfCoreResult result{};
   const double milliseconds = milliseconds_of(how.threads, [&] { result = thin_out_of_core(run); });
   if (run.on_tile) console.err << '\n';
@@ -143,8 +166,6 @@ int run_out_of_core(const PackedOptions& options, const detail::ThinningOperatio
                              result.passes, result.passes == 1 ? "" : "es");
   return kSuccess;
 }
-
-}  // namespace
 
 void add_packed_options(CLI::App& app, PackedOptions& options) {
   CLI::Option* raw =
@@ -171,15 +192,17 @@ void add_packed_options(CLI::App& app, PackedOptions& options) {
 }
 
 bool is_packed_run(const PackedOptions& options, const std::string& out) {
-  return !options.raw.empty() || options.out_of_core || out.ends_with(".pbm");
+  return !options.raw.empty() || options.out_of_core || extension_of(out) == ".pbm";
 }
 
 int run_packed(const PackedOptions& options, const detail::ThinningOperation& operation,
-               const std::string& in, const std::string& out, Options how, const Console& console) {
+               const std::string& in, const std::string& out, const Options& how,
+               const Console& console) {
   check_target(out);
   const PackedFormat format = format_of(options, in);
-  if (options.out_of_core)
-    return run_out_of_core(options, operation, format, in, out, how, console);
+  if (options.out_of_core) {
+    return thin_out_of_core(options, operation, {in, out, format, {}}, how, console);
+  }
   return run_in_memory(operation, format, in, out, how, console);
 }
 
