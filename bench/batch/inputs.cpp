@@ -10,6 +10,8 @@
 
 #include <glob.h>
 
+#include "support/text.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -22,10 +24,7 @@ bool is_hidden(const fs::path& path) {
 bool has_image_extension(const fs::path& path) {
   constexpr std::array<std::string_view, 9> kKnown = {".png", ".jpg", ".jpeg", ".tif", ".tiff",
                                                       ".pgm", ".pbm", ".pnm",  ".bmp"};
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end();
+  return std::find(kKnown.begin(), kKnown.end(), extension_of(path)) != kKnown.end();
 }
 
 class Search {

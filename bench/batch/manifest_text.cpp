@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/usage.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -147,7 +147,7 @@ ManifestText parse_json_lines(std::string_view text) {
 }  // namespace
 
 ManifestFormat manifest_format(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
+  const std::string extension = extension_of(path);
   if (extension == ".csv") return ManifestFormat::csv;
   if (extension == ".jsonl") return ManifestFormat::json_lines;
   throw UsageError("--manifest: expected a name that ends in .csv or .jsonl, got '" + path + "'");

@@ -16,6 +16,7 @@
 #include "cli/summary.hpp"
 #include "cli/variant_choice.hpp"
 #include "out_of_core/out_of_core.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -49,7 +50,7 @@ PackedFormat raw_format(const PackedOptions& options) {
 }
 
 /// "256M" in bytes.
-Index memory_of(const std::string& given) {
+Index bytes_of(const std::string& given) {
   constexpr std::string_view units = "KMGT";
   std::string_view text = given;
   const std::optional<Index> number = take_number(text);
@@ -87,19 +88,33 @@ void reject_for_out_of_core(const Options& how) {
   }
 }
 
-int run_out_of_core(const PackedOptions& options, const detail::ThinningOperation& operation,
-                    const PackedFormat& format, const ThinningFiles& files, const Options& how,
-                    const Console& console) {
+}  // namespace
+
+Index memory_of(const PackedOptions& options) {
+  return bytes_of(options.memory.empty() ? kDefaultMemory : options.memory);
+}
+
+int thin_out_of_core(const PackedOptions& options, const detail::ThinningOperation& operation,
+                     const PackedFiles& files, const Options& how, const Console& console) {
   reject_for_out_of_core(how);
   // By default glibc keeps up to 64 MiB of what was freed.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  const Index memory = memory_of(options.memory.empty() ? kDefaultMemory : options.memory);
-  const Index reach = reach_of_iteration(operation.rule).value_or(1);  // checked by the run
-  const Tiling tiling =
-      tiling_for(format.width, format.height, reach, block_bytes_for(memory, how.threads));
-  OutOfCoreRun run{operation.rule,     files.in,    files.out, format,         tiling, how.border,
-                   how.max_iterations, how.threads, how.isa,   options.resume, {}};
-  run.on_tile = progress_on(console, tiling.count());
+  const PackedFormat& format = files.format;
+  const Index reach = std::max(1, rule_info(operation.rule).reach);  // checked by the run
+  const Tiling tiling = tiling_for(format.width, format.height, reach,
+                                   block_bytes_for(memory_of(options), how.threads));
+  const OutOfCoreRun run{operation.rule,
+                         files.in,
+                         files.out,
+                         format,
+                         tiling,
+                         how.border,
+                         how.max_iterations,
+                         how.threads,
+                         how.isa,
+                         options.resume,
+                         progress_on(console, tiling.count()),
+                         files.conversion};
   OutOfCoreResult result{};
   const double milliseconds = milliseconds_of(how.threads, [&] { result = thin_out_of_core(run); });
   if (run.on_tile) console.err << '\n';
@@ -116,8 +131,6 @@ int run_out_of_core(const PackedOptions& options, const detail::ThinningOperatio
                              result.passes, result.passes == 1 ? "" : "es");
   return kSuccess;
 }
-
-}  // namespace
 
 void add_packed_options(CLI::App& app, PackedOptions& options) {
   CLI::Option* raw =
@@ -144,14 +157,16 @@ void add_packed_options(CLI::App& app, PackedOptions& options) {
 }
 
 bool is_packed_run(const PackedOptions& options, const std::string& out) {
-  return !options.raw.empty() || options.out_of_core || out.ends_with(".pbm");
+  return !options.raw.empty() || options.out_of_core || extension_of(out) == ".pbm";
 }
 
 int run_packed(const PackedOptions& options, const detail::ThinningOperation& operation,
                const ThinningFiles& files, const Options& how, const Console& console) {
   check_target(files.out);
   const PackedFormat format = format_of(options, files.in);
-  if (options.out_of_core) return run_out_of_core(options, operation, format, files, how, console);
+  if (options.out_of_core) {
+    return thin_out_of_core(options, operation, {files.in, files.out, format, {}}, how, console);
+  }
   console.out << thin_packed_file(thinning_of(operation), files, format, how) << '\n';
   return kSuccess;
 }

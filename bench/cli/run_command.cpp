@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/packed_run.hpp"
+#include "cli/packed_tiff.hpp"
 #include "cli/thinning_request.hpp"
 #include "cli/thinning_run.hpp"
 #include "cli/variant_choice.hpp"
@@ -22,6 +23,9 @@ struct RunOptions {
 int run(const RunOptions& options, const Console& console) {
   const detail::ThinningOperation& operation = operation_named(options.thinning.operation);
   const Options how = options_for(operation, options.thinning);
+  if (is_tiff_run(options.packed, options.binarise, options.files)) {
+    return run_tiff(options.packed, operation, options.binarise, options.files, how, console);
+  }
   if (is_packed_run(options.packed, options.files.out)) {
     reject_for_packed_files(options.binarise);
     return run_packed(options.packed, operation, options.files, how, console);
@@ -58,12 +62,14 @@ Command add_run_command(CLI::App& program) {
   thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
   thinbench run skeleton_scan parts.png marks.png --directions rows,columns
   thinbench run thin_guo_hall page.pbm skeleton.pbm
+  thinbench run thin_guo_hall page.tif skeleton.tif
   thinbench run thin_guo_hall map.pbm skeleton.pbm --out-of-core --memory 256M
 
 OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
 you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
 need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment. In packed files (.pbm, --raw) 1 is
-foreground; they may have up to 2^40 pixels.)");
+foreground; they may have up to 2^40 pixels. So may TIFF images of 1 bit per pixel in strips: written to
+.tif they remain so, with a white skeleton, and the foreground is chosen as in grey images.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

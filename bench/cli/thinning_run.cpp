@@ -64,22 +64,27 @@ std::string thin_image_file(const Thinning& thinning, const ThinningFiles& files
   return line_of(thinning, variant, used.threads, summary);
 }
 
+std::string thin_packed_image(const Thinning& thinning, const PackedView& image, const Options& how,
+                              const std::function<void()>& save) {
+  const Options used = with_useful_threads(thinning, how, image.width, image.height);
+  const detail::ThinningVariant& variant = variant_for(thinning, image.width, used);
+  const Index foreground_before = packed_foreground(image);
+  const auto state = thinning.make_state(variant, image.width, image.height, used);
+  RunSummary summary = thin_views(*state, image, image, used.threads);
+  summary.foreground_before = foreground_before;
+  summary.foreground_after = packed_foreground(image);
+  save();
+  return line_of(thinning, variant, used.threads, summary);
+}
+
 std::string thin_packed_file(const Thinning& thinning, const ThinningFiles& files,
                              const PackedFormat& format, const Options& how) {
-  const Options used = with_useful_threads(thinning, how, format.width, format.height);
-  const detail::ThinningVariant& variant = variant_for(thinning, format.width, used);
   std::string bytes = format.header;
   bytes.resize(static_cast<std::size_t>(format.file_bytes()));
   auto* const data = reinterpret_cast<std::uint8_t*>(bytes.data() + format.header_bytes());
   PackedFile::open(files.in, format).read({0, 0, format.width, format.height}, data);
   const PackedView image(data, format.width, format.height, format.order);
-  const Index foreground_before = packed_foreground(image);
-  const auto state = thinning.make_state(variant, format.width, format.height, used);
-  RunSummary summary = thin_views(*state, image, image, used.threads);
-  summary.foreground_before = foreground_before;
-  summary.foreground_after = packed_foreground(image);
-  write_whole_file(files.out, bytes);
-  return line_of(thinning, variant, used.threads, summary);
+  return thin_packed_image(thinning, image, how, [&] { write_whole_file(files.out, bytes); });
 }
 
 void reject_for_packed_files(const BinariseOptions& options) {

@@ -29,12 +29,16 @@ struct Thinning {
 
 [[nodiscard]] Thinning thinning_of(const detail::ThinningOperation& operation);
 
-// Both return the summary, "NAME/TECHNIQUE/ISA/THREADS: 90 x 40, ...", without an end of line.
+// All return the summary, "NAME/TECHNIQUE/ISA/THREADS: 90 x 40, ...", without an end of line.
 
 /// Remarks on the foreground go to the console.
 [[nodiscard]] std::string thin_image_file(const Thinning& thinning, const ThinningFiles& files,
                                           const BinariseOptions& binarise, const Options& how,
                                           const Console& console);
+
+/// Thins an image in place, then calls `save`.
+[[nodiscard]] std::string thin_packed_image(const Thinning& thinning, const PackedView& image,
+                                            const Options& how, const std::function<void()>& save);
 
 /// Without a byte image in between.
 [[nodiscard]] std::string thin_packed_file(const Thinning& thinning, const ThinningFiles& files,

@@ -8,6 +8,7 @@
 
 #include "images/image_file.hpp"
 #include "images/mat_of.hpp"
+#include "images/packed_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -115,32 +116,34 @@ void split(ByteImage& grey, int threshold) {
   cv::threshold(mat, mat, threshold - 1, 255, cv::THRESH_BINARY);
 }
 
-/// How many pixels of the outermost rows and columns there are, and how many of them are not 0.
-struct ImageBorder {
-  Index pixels = 0;
-  Index bright = 0;
-};
-
-ImageBorder border_of(const ConstImageView& image) {
-  ImageBorder border;
+BrightPixels bright_pixels(const ConstImageView& image) {
+  BrightPixels count{foreground_pixels(image), image.width * image.height};
   for (Index y = 0; y < image.height; ++y) {
     const bool whole_row = y == 0 || y == image.height - 1;
     const Index step = whole_row ? 1 : std::max<Index>(1, image.width - 1);
     for (Index x = 0; x < image.width; x += step) {
-      ++border.pixels;
-      border.bright += image.row(y)[x] != 0 ? 1 : 0;
+      ++count.all_on_border;
+      count.bright_on_border += image.row(y)[x] != 0 ? 1 : 0;
     }
   }
-  return border;
+  return count;
 }
 
 /// See BinariseOptions::foreground.
-Foreground likely_foreground(const ConstImageView& bright) {
-  const ImageBorder border = border_of(bright);
-  const Index on_border = 2 * border.bright - border.pixels;
+Foreground likely_foreground(const BrightPixels& count) {
+  const Index on_border = 2 * count.bright_on_border - count.all_on_border;
   if (on_border != 0) return on_border < 0 ? Foreground::bright : Foreground::dark;
-  const bool is_larger = 2 * foreground_pixels(bright) > bright.width * bright.height;
-  return is_larger ? Foreground::dark : Foreground::bright;
+  return 2 * count.bright > count.all ? Foreground::dark : Foreground::bright;
+}
+
+Foreground foreground_of(const BrightPixels& count, const BinariseOptions& options) {
+  return options.foreground == Foreground::automatic ? likely_foreground(count)
+                                                     : options.foreground;
+}
+
+double foreground_share(const BrightPixels& count, Foreground foreground) {
+  const Index pixels = foreground == Foreground::bright ? count.bright : count.all - count.bright;
+  return static_cast<double>(pixels) / static_cast<double>(count.all);
 }
 
 /// "foreground is bright (grey level >= 108)".
@@ -195,14 +198,38 @@ BinaryImage binarise(ByteImage grey, const BinariseOptions& options) {
   const auto pixels = static_cast<double>(grey.width() * grey.height());
   const int threshold = options.threshold.value_or(otsu_threshold(counts, pixels));
   split(grey, threshold);
-  const Foreground foreground = options.foreground == Foreground::automatic
-                                    ? likely_foreground(grey.view())
-                                    : options.foreground;
+  const BrightPixels count = bright_pixels(grey.view());
+  const Foreground foreground = foreground_of(count, options);
   cv::Mat mat = mat_of(grey.view());
   if (foreground == Foreground::dark) cv::bitwise_not(mat, mat);
-  const double share = static_cast<double>(foreground_pixels(grey.view())) / pixels;
-  return {std::move(grey),    foreground,       threshold, share, separation(counts, threshold),
-          only_level(counts), is_binary(counts)};
+  return {std::move(grey),
+          foreground,
+          threshold,
+          foreground_share(count, foreground),
+          separation(counts, threshold),
+          only_level(counts),
+          is_binary(counts)};
+}
+
+void add_rows(BrightPixels& count, const ConstPackedView& rows, Index y, Index height) {
+  count.bright += packed_foreground(rows);
+  count.all += rows.width * rows.height;
+  for (Index i = 0; i < rows.height; ++i) {
+    const bool whole_row = y + i == 0 || y + i == height - 1;
+    const std::uint8_t* const row = rows.row(i);
+    const auto pixel = [&](Index x) { return row[x / 8] >> (7 - x % 8) & 1; };
+    count.all_on_border += whole_row ? rows.width : std::min<Index>(rows.width, 2);
+    count.bright_on_border += whole_row ? packed_foreground({row, rows.width, 1, rows.order})
+                                        : pixel(0) + (rows.width > 1 ? pixel(rows.width - 1) : 0);
+  }
+}
+
+BinaryImage binarise_packed(const BrightPixels& count, const BinariseOptions& options) {
+  const Foreground foreground = foreground_of(count, options);
+  BinaryImage result{{}, foreground, 1, foreground_share(count, foreground), 1, {}, true};
+  if (count.bright == 0) result.only_level = 0;
+  if (count.bright == count.all) result.only_level = 255;
+  return result;
 }
 
 std::vector<std::string> warnings(const BinaryImage& binary, const BinariseOptions& options) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/byte_image.hpp"
+#include "thinbench/packed.hpp"
 
 namespace thinbench {
 
@@ -52,6 +53,22 @@ inline constexpr double kMinSeparation = 0.8;
 
 /// The image, which has pixels, in two classes.
 [[nodiscard]] BinaryImage binarise(ByteImage grey, const BinariseOptions& options = {});
+
+/// The bright pixels of an image of two classes.
+struct BrightPixels {
+  Index bright = 0;
+  Index all = 0;
+  Index bright_on_border = 0;  // of the outermost rows and columns
+  Index all_on_border = 0;
+};
+
+/// Adds rows of a packed image of this height, the first of which is its row `y`. 1 is bright,
+/// unused bits are 0, the first pixel is the most significant bit of a byte.
+void add_rows(BrightPixels& count, const ConstPackedView& rows, Index y, Index height);
+
+/// What binarise() says of an image of 0 and 255 with these bright pixels. Its `image` is empty.
+[[nodiscard]] BinaryImage binarise_packed(const BrightPixels& count,
+                                          const BinariseOptions& options);
 
 /// What is doubtful about it, a line each: one grey level only, a threshold found in a histogram
 /// without two classes, more than half of the image as foreground.

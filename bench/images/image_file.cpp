@@ -19,6 +19,7 @@
 
 #include "images/captured_stderr.hpp"
 #include "images/mat_of.hpp"
+#include "support/text.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -26,20 +27,6 @@ namespace {
 
 [[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
   throw ImageError("cannot read '" + path + "': " + why);
-}
-
-/// Rejects what no decoder could give a good reason for.
-void check_file(const std::string& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0 && errno == ENOENT) cannot_read(path, "there is no such file");
-  if (descriptor < 0) cannot_read(path, std::generic_category().message(errno));
-  struct stat facts {};
-  const int failed = fstat(descriptor, &facts);
-  close(descriptor);
-  if (failed != 0) cannot_read(path, "its kind and size are unknown");
-  if (S_ISDIR(facts.st_mode)) cannot_read(path, "it is a directory");
-  if (!S_ISREG(facts.st_mode)) cannot_read(path, "it is not a regular file");
-  if (facts.st_size == 0) cannot_read(path, "the file is empty");
 }
 
 /// OpenCV reads its limit when it is loaded, before any code of ours could raise it.
@@ -121,6 +108,19 @@ bool is_tiff(const std::string& path) {
 
 }  // namespace
 
+void check_file(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0 && errno == ENOENT) cannot_read(path, "there is no such file");
+  if (descriptor < 0) cannot_read(path, std::generic_category().message(errno));
+  struct stat facts {};
+  const int failed = fstat(descriptor, &facts);
+  close(descriptor);
+  if (failed != 0) cannot_read(path, "its kind and size are unknown");
+  if (S_ISDIR(facts.st_mode)) cannot_read(path, "it is a directory");
+  if (!S_ISREG(facts.st_mode)) cannot_read(path, "it is not a regular file");
+  if (facts.st_size == 0) cannot_read(path, "the file is empty");
+}
+
 ByteImage read_grey(const std::string& path) {
   return read_by(path, [&] { return first_page(path); });
 }
@@ -147,13 +147,6 @@ constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
 
 [[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
   throw ImageError("cannot write '" + path + "': " + why);
-}
-
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
 }
 
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {

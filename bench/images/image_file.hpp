@@ -17,6 +17,10 @@ struct ImageError : std::runtime_error {
 /// The largest image that is read, in pixels.
 inline constexpr Index kMaxImagePixels = Index{1} << 31;
 
+/// Rejects what no decoder could give a good reason for: no such file, a directory, an empty file.
+/// Throws ImageError.
+void check_file(const std::string& path);
+
 /// The grey levels of a image file of any common format; 16 bits become 8, colours become grey
 /// and transparency is ignored. OpenCV reads its own limit of 2^30 pixels from the environment
 /// when it is loaded, so that only the user can raise it. Throws ImageError.

@@ -1,7 +1,8 @@
 #include "out_of_core/checkpoint.hpp"
 
-#include <filesystem>
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +44,12 @@ void save_checkpoint(const std::string& path, const std::string& identity,
                                {"foreground_before", checkpoint.foreground_before},
                                {"foreground_after", checkpoint.foreground_after},
                                {"tiles", text_of(checkpoint.tiles)}};
-  write_whole_file(path, json.dump(1) + '\n');
+  std::ofstream stream(path, std::ios::binary);
+  stream << json.dump(1) << '\n';
+  stream.close();
+  if (!stream) {
+    throw FileError("cannot write '" + path + "': " + std::generic_category().message(errno));
+  }
 }
 
 std::optional<Checkpoint> load_checkpoint(const std::string& path, const std::string& identity,

@@ -24,8 +24,8 @@ struct Checkpoint {
   std::vector<TileState> tiles;
 };
 
-/// Writes it as a whole or not at all. `identity` is a text that only the same run on the same
-/// image has. Throws FileError.
+/// Writes a file, which may be replaced by half of it after a kill. `identity` is a text that only
+/// the same run on the same image has. Throws FileError.
 void save_checkpoint(const std::string& path, const std::string& identity,
                      const Checkpoint& checkpoint);
 

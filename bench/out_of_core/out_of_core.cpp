@@ -15,13 +15,14 @@
 #include "image/checks.hpp"
 #include "out_of_core/tile_worker.hpp"
 #include "out_of_core/work_files.hpp"
+#include "thinning/variants.hpp"
 
 namespace thinbench {
 namespace {
 
 const detail::ThinningOperation& checked_operation(const OutOfCoreRun& run) {
   const detail::ThinningOperation& operation = detail::operation_of(run.rule);
-  detail::require(reach_of_iteration(run.rule).has_value(),
+  detail::require(detail::is_parallel_rule(run.rule),
                   std::string(operation.name) +
                       " cannot run on tiles; only rules that compute all pixels of a "
                       "sub-iteration from the same image can");
@@ -38,10 +39,14 @@ std::string identity_of(const OutOfCoreRun& run) {
   const auto written = std::filesystem::last_write_time(run.in, ignored).time_since_epoch();
   return fmt::format(
       "{} of {} x {} pixels, border {}, {} iterations at most, tiles of {} x {} and {}, input of "
-      "{}",
+      "{}{}",
       rule_info(run.rule).operation, run.format.width, run.format.height, border_name(run.border),
       run.max_iterations, run.tiling.tile_width, run.tiling.tile_height, run.tiling.iterations,
-      written.count());
+      written.count(), run.conversion.name);
+}
+
+int number_of_files(const OutOfCoreRun& run) {
+  return run.tiling.count() > 1 || run.conversion.unpack ? 2 : 1;
 }
 
 class OutOfCore {
@@ -52,7 +57,8 @@ class OutOfCore {
         options_{.border = run.border,
                  .isa = run.isa,
                  .technique = Technique::simd_bitpacked_tiles},  // takes the least memory
-        files_(run.in, run.out, run.format, run.tiling.count() > 1 ? 2 : 1, identity_of(run)) {
+        files_(run.in, run.out, run.format, run.conversion, number_of_files(run),
+               identity_of(run)) {
     const Index workers = std::min<Index>(run.threads, run.tiling.count());
     for (Index i = 0; i < workers; ++i) {
       workers_.push_back(

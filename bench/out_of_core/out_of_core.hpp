@@ -6,6 +6,7 @@
 #include <string>
 
 #include "images/packed_file.hpp"
+#include "out_of_core/conversion.hpp"
 #include "out_of_core/tiling.hpp"
 #include "thinbench/options.hpp"
 #include "thinbench/rule.hpp"
@@ -26,6 +27,8 @@ struct OutOfCoreRun {
   bool resume = false;
   /// Called before each tile, by any thread, with the number of the pass and of the tile.
   std::function<void(int pass, Index tile)> on_tile = {};
+  /// Where `in` and `out` are no packed files of this format.
+  Conversion conversion = {};
 };
 
 struct OutOfCoreResult {
@@ -39,8 +42,8 @@ struct OutOfCoreResult {
 [[nodiscard]] Index block_bytes_for(Index memory, int threads);
 
 /// Thins `in` into `out`, which appears or is replaced when all is done. Work files beside it have
-/// the names ".OUT.thinbench-a", "-b" and "-state". They are removed at the end; a run that fails
-/// or is killed after its first pass leaves them for `resume`.
+/// the names ".OUT.thinbench-a", "-b", "-state" and "-new". They are removed at the end; a run that
+/// fails or is killed after its first pass leaves them for `resume`.
 ///
 /// Throws std::invalid_argument for rules whose changes have no bounded reach (midpoint_scan, spta
 /// and nets) and for options out of range; FileError if a file cannot be read or written, the disk

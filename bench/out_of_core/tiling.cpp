@@ -6,7 +6,6 @@
 #include <string>
 
 #include "thinbench/options.hpp"
-#include "thinning/rules.hpp"
 
 namespace thinbench {
 namespace {
@@ -34,15 +33,6 @@ Index square_side(Index bytes) {
 }
 
 }  // namespace
-
-std::optional<Index> reach_of_iteration(Rule rule) {
-  std::optional<Index> reach;
-  detail::for_each_parallel_rule([&]<class Type>(Rule parallel) {
-    constexpr Index per_sub_iteration = detail::TwoStageRule<Type> ? 2 : 1;
-    if (parallel == rule) reach = Type::kSubIterations * per_sub_iteration;
-  });
-  return reach;
-}
 
 Block Tiling::block(Index tile) const {
   const Index x = tile % columns() * tile_width;

@@ -2,22 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "images/packed_file.hpp"
-#include "thinbench/rule.hpp"
 
 namespace thinbench {
 
-/// How far an iteration of a rule can carry a change: one pixel per sub-iteration, two for rules of
-/// two stages. Nothing for rules without a bound (sequential scans) and for nets.
-[[nodiscard]] std::optional<Index> reach_of_iteration(Rule rule);
-
 /// Tiles of one size, those at the right and at the bottom are cut off. A pass advances every tile
 /// by `iterations` iterations. For that it reads a halo of `halo` pixels, at least `iterations`
-/// times the rule's reach and at most a tile's side: what is wrong at the edge of the halo does not
-/// reach the tile, and what a tile of the next pass depends on is in its eight neighbours.
+/// times the rule's reach (RuleInfo) and at most a tile's side: what is wrong at the edge of the
+/// halo does not reach the tile, and what a tile of the next pass depends on is in its eight
+/// neighbours.
 struct Tiling {
   Index width = 0;  // of the image
   Index height = 0;

@@ -48,18 +48,24 @@ LockedFile::~LockedFile() {
 }
 
 WorkFiles::WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
-                     int files, std::string identity)
-    : in_(in), out_(out), format_(format), identity_(std::move(identity)) {
+                     Conversion conversion, int files, std::string identity)
+    : in_(in),
+      out_(out),
+      format_(format),
+      conversion_(std::move(conversion)),
+      identity_(std::move(identity)) {
   check_target(out);
   const std::string base = fmt::format("{}/.{}.thinbench-", directory_of(out),
                                        std::filesystem::path(out).filename().string());
   names_ = {base + "a", base + "b"};
   state_name_ = base + "state";
+  new_name_ = base + "new";
   check_space(files);
   lock_.emplace(names_[0], out);
 }
 
 WorkFiles::~WorkFiles() {
+  unlink(new_name_.c_str());
   if (!is_resumable_) remove_files();
 }
 
@@ -79,6 +85,11 @@ void WorkFiles::remove_files() const {
   for (const std::string& name : names_) unlink(name.c_str());
 }
 
+void WorkFiles::rename(const std::string& from, const std::string& to) const {
+  if (std::rename(from.c_str(), to.c_str()) == 0) return;
+  throw FileError("cannot write '" + out_ + "': " + std::generic_category().message(errno));
+}
+
 std::optional<Checkpoint> WorkFiles::load(Index tiles) const {
   return load_checkpoint(state_name_, identity_, tiles);
 }
@@ -88,9 +99,16 @@ void WorkFiles::drop_checkpoint() {
   is_resumable_ = false;
 }
 
+PackedFile WorkFiles::open_input() const {
+  if (!conversion_.unpack) return PackedFile::open(in_, format_);
+  PackedFile file = PackedFile::create(names_[1], format_);
+  conversion_.unpack(file);
+  return file;
+}
+
 void WorkFiles::open(int pass) {
   source_ = pass == 0
-                ? PackedFile::open(in_, format_)
+                ? open_input()
                 : PackedFile::reopen(names_[static_cast<std::size_t>((pass - 1) % 2)], format_);
   const std::string& name = names_[static_cast<std::size_t>(pass % 2)];
   target_ = pass < 2 ? PackedFile::create(name, format_) : PackedFile::reopen(name, format_);
@@ -98,15 +116,21 @@ void WorkFiles::open(int pass) {
 
 void WorkFiles::save(const Checkpoint& checkpoint) {
   target_.synchronise();
-  save_checkpoint(state_name_, identity_, checkpoint);
+  save_checkpoint(new_name_, identity_, checkpoint);
+  rename(new_name_, state_name_);
   is_resumable_ = true;
 }
 
-// The checkpoint is removed first: a run killed in between begins again, from an unchanged input.
+// A target that becomes the output is no longer there for a checkpoint, which is removed first: a
+// run killed in between begins again, from an unchanged input.
 void WorkFiles::finish() {
-  drop_checkpoint();
-  if (std::rename(target_.path().c_str(), out_.c_str()) != 0) {
-    throw FileError("cannot write '" + out_ + "': " + std::generic_category().message(errno));
+  if (conversion_.pack) {
+    conversion_.pack(target_, new_name_);
+    rename(new_name_, out_);
+    drop_checkpoint();
+  } else {
+    drop_checkpoint();
+    rename(target_.path(), out_);
   }
   remove_files();
 }

@@ -7,6 +7,7 @@
 
 #include "images/packed_file.hpp"
 #include "out_of_core/checkpoint.hpp"
+#include "out_of_core/conversion.hpp"
 
 namespace thinbench {
 
@@ -26,13 +27,14 @@ class LockedFile {
 };
 
 /// Pass p reads what pass p - 1 wrote, the first one the input, and writes file p % 2. Both have
-/// the format of the output, so that the last one written becomes the output.
+/// the format of the output, so that the last one written becomes the output. An input that must be
+/// unpacked is unpacked into file 1, which only the second pass writes.
 class WorkFiles {
  public:
   /// Checks that the directory of `out` has room for `files` work files and that no other run
   /// writes them. `identity` as in Checkpoint.
-  WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format, int files,
-            std::string identity);
+  WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
+            Conversion conversion, int files, std::string identity);
   /// Removes the files if the checkpoint was removed.
   ~WorkFiles();
   WorkFiles(const WorkFiles&) = delete;
@@ -51,19 +53,24 @@ class WorkFiles {
   [[nodiscard]] const PackedFile& target() const { return target_; }
   /// Saves the state after a pass, with all that the pass wrote.
   void save(const Checkpoint& checkpoint);
-  /// Makes the target the output and removes the rest.
+  /// Makes the target the output, or the output of the target, and removes the rest.
   void finish();
 
  private:
+  [[nodiscard]] PackedFile open_input() const;
   void check_space(int files) const;
   void remove_files() const;
+  /// Gives a file the name of another one, which it replaces.
+  void rename(const std::string& from, const std::string& to) const;
 
   std::string in_;
   std::string out_;
   PackedFormat format_;
+  Conversion conversion_;
   std::string identity_;
   std::array<std::string, 2> names_;
   std::string state_name_;
+  std::string new_name_;  // of what is renamed once it is whole
   std::optional<LockedFile> lock_;
   PackedFile source_;
   PackedFile target_;

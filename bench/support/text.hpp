@@ -1,4 +1,4 @@
-// Texts for people: tables as Markdown, one line of what may hold more.
+// Texts for people: tables as Markdown, one line of what may hold more; extensions of file names.
 #pragma once
 
 #include <string>
@@ -12,5 +12,9 @@ namespace thinbench {
 
 /// With \x0a and so on for newlines and other control characters, as names of files may hold.
 [[nodiscard]] std::string one_line(const std::string& text);
+
+/// The extension of a file with its dot, in lower case: ".tif" of "PAGE.TIF"; empty if there is
+/// none.
+[[nodiscard]] std::string extension_of(const std::string& path);
 
 }  // namespace thinbench

@@ -97,9 +97,13 @@ PackedViews packed_views(const thinbench_packed* source, uint8_t* destination,
           {destination, source->width, source->height, destination_stride, order}};
 }
 
+std::uint8_t foreground_of(const thinbench_output& output) {
+  return output.foreground == 0 ? 255 : output.foreground;
+}
+
 void set_foreground(const thinbench_output* output, const StackView& written) {
-  const std::uint8_t value = output->foreground;
-  if (value == 0 || value == 255) return;
+  const std::uint8_t value = foreground_of(*output);
+  if (value == 255) return;
   const Index pixels = written.width * written.height;
   const bool contiguous =
       written.stride == written.width && (written.count == 1 || written.image_stride == pixels);

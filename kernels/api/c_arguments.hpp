@@ -99,6 +99,9 @@ struct PackedViews {
 [[nodiscard]] PackedViews packed_views(const thinbench_packed* source, uint8_t* destination,
                                        ptrdiff_t destination_stride);
 
+/// The value that the caller wants for foreground.
+[[nodiscard]] std::uint8_t foreground_of(const thinbench_output& output);
+
 /// Replaces 255 by the value that the caller wants for foreground.
 void set_foreground(const thinbench_output* output, const StackView& written);
 

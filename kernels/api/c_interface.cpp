@@ -5,6 +5,9 @@
 
 #include "api/c_arguments.hpp"
 #include "api/catalogue.hpp"
+#include "api/many.hpp"
+#include "image/checks.hpp"
+#include "thinbench.h"
 #include "thinbench/edges.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
@@ -36,12 +39,14 @@ Rule rule_of(const char* name) {
 constexpr size_t kFirstVariant =
     offsetof(thinbench_variant, unavailable_reason) + sizeof(const char*);
 
-/// Calls `body(source, destination)` for every image, after a check of the whole stack.
+/// Calls `body(source, destination)` for every image, after a check of the whole stack. Without
+/// images it does so once for an image without rows, so that `body` checks the other arguments.
 template <class Body>
 void for_images(const thinbench_stack* stack, const thinbench_output* output, const Body& body) {
   const ConstStackView source = source_of(stack);
   const StackView destination = destination_of(output, source);
   check_stacks(source, destination);
+  if (source.count == 0) body({nullptr, source.width, 0}, {nullptr, source.width, 0});
   for (Index i = 0; i < source.count; ++i) body(source.image(i), destination.image(i));
   set_foreground(output, destination);
 }
@@ -72,6 +77,27 @@ thinbench_status thinbench_thin(const char* rule, const thinbench_stack* source,
                                 const thinbench_output* destination,
                                 const thinbench_options* options, int32_t* iterations) {
   return guarded([&] { run_images(rule_of(rule), source, destination, options, iterations); });
+}
+
+thinbench_status thinbench_thin_many(const char* rule, const thinbench_stack* sources,
+                                     const thinbench_output* destinations, size_t count,
+                                     const thinbench_options* options, int32_t* iterations) {
+  return guarded([&] {
+    if (count > 0) {
+      require_pointer(sources, "sources");
+      require_pointer(destinations, "destinations");
+    }
+    std::vector<ConstImageView> from;
+    std::vector<ImageView> to;
+    std::vector<std::uint8_t> foregrounds;
+    for (size_t i = 0; i < count; ++i) {
+      from.push_back(image_of(&sources[i]));
+      to.emplace_back(destinations[i].data, from[i].width, from[i].height, destinations[i].stride);
+      foregrounds.push_back(foreground_of(destinations[i]));
+    }
+    const int maximum = thin_list(rule_of(rule), {from, to, foregrounds}, options_of(options));
+    if (iterations != nullptr) *iterations = maximum;
+  });
 }
 
 thinbench_status thinbench_thin_packed(const char* rule, const thinbench_packed* source,
@@ -220,6 +246,10 @@ const char* thinbench_rule_name(size_t index) {
 
 const char* thinbench_rule_description(size_t index) {
   return index < kRules.size() ? kRules[index].description.data() : nullptr;
+}
+
+int32_t thinbench_rule_reach(size_t index) {
+  return index < kRules.size() ? kRules[index].reach : -1;
 }
 
 const char* thinbench_edge_operator_name(size_t index) {

@@ -1,17 +1,15 @@
-// Each label is drawn into a small image of its own, its canvas, and thinned there. Canvases have
-// few sizes, so that labels are thinned as stacks: up to 128 pixels wide in lanes, others on one
-// state after another. A label is a chain of runs, so memory does not grow with its box, and a
-// pixel is written by the thread that thins its label alone.
+// Each label is drawn on a canvas of its own and thinned there. A label is a chain of runs, so
+// memory does not grow with its box, and a pixel is written by the thread that thins its label
+// alone.
 #include "thinbench/labels.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
-#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
+#include "api/canvases.hpp"
 #include "api/option_checks.hpp"
 #include "image/checks.hpp"
 #include "image/thread_team.hpp"
@@ -124,17 +122,6 @@ std::vector<Run> grouped_runs(const std::vector<Run>& runs, std::vector<Label>& 
   return grouped;
 }
 
-/// Few sizes, which suit the lanes: 32, 64 and 128, then multiples of 64.
-Index canvas_width(Index width) {
-  if (width <= 32) return 32;
-  return width <= 64 ? 64 : (width + 63) / 64 * 64;
-}
-
-Index canvas_height(Index height) {
-  const Index step = height <= 128 ? 8 : 64;
-  return (height + step - 1) / step * step;
-}
-
 /// The canvas for pixels [first, last) of a side of the image. Its ends are those of the image
 /// where the border is kept and the label touches it; elsewhere background follows, which
 /// Border::keep does not change.
@@ -150,42 +137,21 @@ CanvasSide canvas_side(Index first, Index last, Index image, bool keep_border,
   return {size, at_end ? size - length : margin};
 }
 
-/// Sets the canvases and sorts by them, largest first.
 void choose_canvases(std::vector<Label>& labels, const ConstLabelView& source, bool keep_border) {
+  using detail::canvas_height, detail::canvas_width;
   for (Label& label : labels) {
     label.columns = canvas_side(label.left, label.right, source.width, keep_border, canvas_width);
     label.rows = canvas_side(label.top, label.bottom, source.height, keep_border, canvas_height);
   }
-  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
-    if (a.columns.size != b.columns.size) return a.columns.size > b.columns.size;
-    return a.rows.size > b.rows.size;
-  });
 }
 
-/// Labels [first, last), with canvases of one size.
-struct Stack {
-  std::size_t first;
-  std::size_t last;
-};
-
-/// Stacks that fit into the L2 cache.
-std::vector<Stack> stacks_of(const std::vector<Label>& labels) {
-  constexpr Index bytes = Index{1} << 18;
-  std::vector<Stack> stacks;
-  Index room = 0;
+std::vector<detail::Canvas> canvases_of(const std::vector<Label>& labels) {
+  std::vector<detail::Canvas> canvases;
+  canvases.reserve(labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const CanvasSide& columns = labels[i].columns;
-    const CanvasSide& rows = labels[i].rows;
-    const bool same_size =
-        i > 0 && labels[i - 1].columns.size == columns.size && labels[i - 1].rows.size == rows.size;
-    if (!same_size || room == 0) {
-      stacks.push_back({i, i});
-      room = std::max<Index>(1, bytes / (columns.size * rows.size));
-    }
-    stacks.back().last = i + 1;
-    --room;
+    canvases.push_back({labels[i].columns.size, labels[i].rows.size, i});
   }
-  return stacks;
+  return canvases;
 }
 
 /// Writes the label where `skeleton` is foreground, which is in few places.
@@ -203,98 +169,57 @@ void write_skeleton(const std::uint8_t* skeleton, Index count, std::int32_t labe
   }
 }
 
-/// What all threads read.
-struct Job {
-  Rule rule;
-  Options options;  // for one thread
-  std::vector<Run> runs;
-  std::vector<Label> labels;
-  std::vector<Stack> stacks;
-  LabelView destination;
-  bool in_place;  // else the destination is zero
-};
-
-/// Thins stacks of labels in its own memory.
-class StackThinner {
+/// Draws labels on canvases, and writes what is left of them.
+class LabelPainter {
  public:
-  explicit StackThinner(const Job& job) : job_(job) {}
+  LabelPainter(const std::vector<Label>& labels, const std::vector<Run>& runs,
+               const LabelView& destination, bool in_place)
+      : labels_(labels), runs_(runs), destination_(destination), in_place_(in_place) {}
 
-  /// Returns the maximum number of iterations.
-  int operator()(const Stack& stack) {
-    const Label* labels = &job_.labels[stack.first];
-    const auto count = static_cast<Index>(stack.last - stack.first);
-    prepare(labels->columns.size, labels->rows.size, count);
-    for (Index i = 0; i < count; ++i) draw(labels[i], canvases_.image(i));
-    const int iterations = (*batch_)(canvases_, canvases_);
-    for (Index i = 0; i < count; ++i) write(labels[i], canvases_.image(i));
-    return iterations;
+  void draw(std::size_t item, const ImageView& canvas) const {
+    for_runs(labels_[item], [&](Index y, Index x, const Run& run) {
+      std::fill_n(canvas.row(y) + x, run.last - run.first, std::uint8_t{1});
+    });
+  }
+
+  /// Unless in place, the destination must be zero.
+  void take(std::size_t item, const ConstImageView& canvas) const {
+    const Label& label = labels_[item];
+    for_runs(label, [&](Index y, Index x, const Run& run) {
+      std::int32_t* to = destination_.row(run.y) + run.first;
+      if (in_place_) std::fill_n(to, run.last - run.first, 0);
+      write_skeleton(canvas.row(y) + x, run.last - run.first, label.value, to);
+    });
   }
 
  private:
-  /// Makes empty canvases.
-  void prepare(Index width, Index height, Index count) {
-    if (!batch_ || width != canvases_.width || height != canvases_.height) {
-      batch_.reset();
-      batch_.emplace(job_.rule, width, height, job_.options);
-    }
-    pixels_.assign(static_cast<std::size_t>(width * height * count), 0);
-    canvases_ = {pixels_.data(), count, width, height};
-  }
-
   /// Calls `body(y, x, run)` for each run, which begins at (x, y) of the canvas.
   template <class Body>
   void for_runs(const Label& label, const Body& body) const {
-    const Run* runs = &job_.runs[static_cast<std::size_t>(label.first_run)];
+    const Run* runs = &runs_[static_cast<std::size_t>(label.first_run)];
     for (Index i = 0; i < label.run_count; ++i) {
       body(runs[i].y - label.top + label.rows.offset,
            runs[i].first - label.left + label.columns.offset, runs[i]);
     }
   }
 
-  void draw(const Label& label, const ImageView& canvas) const {
-    for_runs(label, [&](Index y, Index x, const Run& run) {
-      std::fill_n(canvas.row(y) + x, run.last - run.first, std::uint8_t{1});
-    });
-  }
-
-  void write(const Label& label, const ImageView& canvas) const {
-    for_runs(label, [&](Index y, Index x, const Run& run) {
-      std::int32_t* to = job_.destination.row(run.y) + run.first;
-      if (job_.in_place) std::fill_n(to, run.last - run.first, 0);
-      write_skeleton(canvas.row(y) + x, run.last - run.first, label.value, to);
-    });
-  }
-
-  const Job& job_;
-  std::optional<ThinningBatch> batch_;
-  std::vector<std::uint8_t> pixels_;
-  StackView canvases_;
+  const std::vector<Label>& labels_;
+  const std::vector<Run>& runs_;
+  LabelView destination_;
+  bool in_place_;
 };
 
 /// Rejects options before anything is written: the widest label has the fewest techniques.
-void check_options(const Job& job) {
-  const Index widest = job.labels.empty() ? 0 : job.labels.front().columns.size;
-  const ThinningBatch checked(job.rule, widest, 1, job.options);
+void check_options(Rule rule, const std::vector<Label>& labels, const Options& options) {
+  Index widest = 0;
+  for (const Label& label : labels) widest = std::max(widest, label.columns.size);
+  const ThinningBatch checked(rule, widest, 1, options);
 }
 
 void clear(const LabelView& labels, const ThreadTeam& team) {
   team.for_ranges(labels.height, [&](Index first, Index last) {
     for (Index y = first; y < last; ++y) std::fill_n(labels.row(y), labels.width, 0);
   });
-}
-
-/// Thins all stacks, each by the thread that is free, and returns the maximum number of iterations.
-int thin_stacks(const Job& job, const ThreadTeam& team) {
-  std::atomic<std::size_t> next = 0;
-  std::vector<int> iterations(static_cast<std::size_t>(team.threads()));
-  team.for_ranges(team.threads(), [&](Index first, Index) {
-    StackThinner thin_stack(job);
-    int& maximum = iterations[static_cast<std::size_t>(first)];
-    for (std::size_t i = next++; i < job.stacks.size(); i = next++) {
-      maximum = std::max(maximum, thin_stack(job.stacks[i]));
-    }
-  });
-  return *std::max_element(iterations.begin(), iterations.end());
 }
 
 }  // namespace
@@ -305,15 +230,18 @@ int thin_labels(Rule rule, ConstLabelView source, LabelView destination, const O
   detail::require_threads(options.threads);
   const ThreadTeam team(options.threads);
   std::vector<Run> runs = find_runs(source, team);
-  Job job = {
-      rule, options, {}, find_labels(runs), {}, destination, source.data == destination.data};
-  job.options.threads = 1;
-  job.runs = grouped_runs(runs, job.labels);
-  choose_canvases(job.labels, source, options.border == Border::keep);
-  job.stacks = stacks_of(job.labels);
-  check_options(job);
-  if (!job.in_place) clear(destination, team);
-  return thin_stacks(job, team);
+  std::vector<Label> labels = find_labels(runs);
+  runs = grouped_runs(runs, labels);
+  choose_canvases(labels, source, options.border == Border::keep);
+  check_options(rule, labels, options);
+  const bool in_place = source.data == destination.data;
+  if (!in_place) clear(destination, team);
+  const LabelPainter painter(labels, runs, destination, in_place);
+  return detail::thin_canvases(
+      rule, canvases_of(labels), options,
+      {[&](std::size_t item, const ImageView& canvas) { painter.draw(item, canvas); },
+       [&](std::size_t item, const ConstImageView& canvas) { painter.take(item, canvas); }},
+      team);
 }
 
 }  // namespace thinbench

@@ -1,7 +1,10 @@
 #include "image/checks.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "thinbench/options.hpp"
 
@@ -146,6 +149,54 @@ bool overlap(const ConstStackView& a, const ConstStackView& b) {
   return has_pixels(a) && ranges_overlap(a.data, bytes(a), b.data, bytes(b));
 }
 
+/// Bytes from `begin` to `end` that belong to image `image` of a list.
+struct ListedBytes {
+  std::uintptr_t begin;
+  std::uintptr_t end;
+  std::size_t image;
+  bool is_destination;
+};
+
+/// Two ranges that share a byte.
+struct Conflict {
+  ListedBytes destination;
+  ListedBytes other;
+};
+
+/// Finds a destination that shares a byte with another range. Sources may overlap.
+std::optional<Conflict> find_conflict(std::vector<ListedBytes> all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const ListedBytes& a, const ListedBytes& b) { return a.begin < b.begin; });
+  ListedBytes last = {};  // of those before, the one that ends last
+  ListedBytes last_destination = {};
+  for (const ListedBytes& bytes : all) {
+    if (bytes.is_destination && bytes.begin < last.end) return Conflict{bytes, last};
+    if (bytes.begin < last_destination.end) return Conflict{last_destination, bytes};
+    if (bytes.end > last.end) last = bytes;
+    if (bytes.is_destination && bytes.end > last_destination.end) last_destination = bytes;
+  }
+  return std::nullopt;
+}
+
+/// The bytes of all images, or of each of their rows. An image thinned in place counts once.
+std::vector<ListedBytes> bytes_of(std::span<const ConstImageView> sources,
+                                  std::span<const ImageView> destinations, bool by_rows) {
+  std::vector<ListedBytes> all;
+  const auto add = [&](const ConstImageView& view, std::size_t image, bool is_destination) {
+    const Index bytes = by_rows ? view.width : image_bytes(view);
+    const Index rows = by_rows ? view.height : 1;
+    for (Index y = 0; y < rows && image_bytes(view) > 0; ++y) {
+      const auto begin = reinterpret_cast<std::uintptr_t>(view.row(y));
+      all.push_back({begin, begin + static_cast<std::uintptr_t>(bytes), image, is_destination});
+    }
+  };
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (!same_image(sources[i], destinations[i])) add(sources[i], i, false);
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i) add(destinations[i], i, true);
+  return all;
+}
+
 }  // namespace
 
 void require(bool condition, const std::string& message) {
@@ -162,9 +213,10 @@ void require_size(Index width, Index height) {
 
 void require_max_pixels(Index width, Index height) {
   constexpr Index max_pixels = Index{1} << 40;
-  require(
-      width <= max_pixels && height <= max_pixels && (width == 0 || height <= max_pixels / width),
-      "image size " + size_text(width, height) + " is larger than 2^40 pixels");
+  if (width <= max_pixels && height <= max_pixels && (width == 0 || height <= max_pixels / width)) {
+    return;
+  }
+  reject("image size " + size_text(width, height) + " is larger than 2^40 pixels");
 }
 
 void require_threads(int threads) {
@@ -217,6 +269,26 @@ void check_views(const ConstLabelView& source, const LabelView& destination) {
   }
   check_views(bytes_of(source, "source exceeds"), bytes_of(destination, "destination exceeds"),
               InPlace::allowed);
+}
+
+void check_lists(std::span<const ConstImageView> sources, std::span<const ImageView> destinations) {
+  require(sources.size() == destinations.size(),
+          "expected as many destinations as sources, got " + std::to_string(sources.size()) +
+              " sources and " + std::to_string(destinations.size()) + " destinations");
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    try {
+      check_views(sources[i], destinations[i], InPlace::allowed);
+      require_max_pixels(sources[i].width, sources[i].height);
+    } catch (const std::invalid_argument& error) {
+      reject("image " + std::to_string(i) + ": " + error.what());
+    }
+  }
+  if (!find_conflict(bytes_of(sources, destinations, false))) return;
+  const auto found = find_conflict(bytes_of(sources, destinations, true));
+  if (!found) return;  // images side by side
+  reject("the destination of image " + std::to_string(found->destination.image) +
+         " shares bytes with the " + (found->other.is_destination ? "destination" : "source") +
+         " of image " + std::to_string(found->other.image));
 }
 
 void check_stacks(const ConstStackView& source, const ConstStackView& destination) {

@@ -2,10 +2,10 @@
 // std::invalid_argument.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "thinbench/image_view.hpp"
-#include "thinbench/labels.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench::detail {
@@ -37,6 +37,10 @@ void check_views(const ConstImageView& source, const LabelView& labels);
 
 /// The same for two images of labels, which may be the same image.
 void check_views(const ConstLabelView& source, const LabelView& destination);
+
+/// The same for lists of images of any sizes, and rejects more than 2^40 pixels and lists of
+/// different lengths. Each destination is its source or shares no byte with any image of the lists.
+void check_lists(std::span<const ConstImageView> sources, std::span<const ImageView> destinations);
 
 /// Rejects a negative count or size, a row or an image that does not fit its stride, a stack that
 /// exceeds the address space or has no data, counts or sizes that differ, or a partial overlap.

@@ -69,6 +69,7 @@ regions_holes = _function(
 regions_destroy = _function("regions_destroy", _POINTER, result=None)
 rule_name = _function("rule_name", ctypes.c_size_t, result=_BYTES)
 rule_description = _function("rule_description", ctypes.c_size_t, result=_BYTES)
+rule_reach = _function("rule_reach", ctypes.c_size_t)
 edge_operator_name = _function("edge_operator_name", ctypes.c_size_t, result=_BYTES)
 isa_name = _function("isa_name", ctypes.c_size_t, result=_BYTES)
 isa_available = _function("isa_available", _BYTES)

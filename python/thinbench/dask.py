@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from thinbench import _arrays
+from thinbench import _arrays, _library
 from thinbench._thinning import RULES, options_for
 
 try:
@@ -24,21 +24,10 @@ except ImportError as error:
 
 from thinbench import _dask_regions, _dask_thinning
 
-__all__ = ["SPREAD", "regions", "thin"]
+__all__ = ["REACH", "regions", "thin"]
 
-SPREAD = {
-    "naccache_shinghal": 1,
-    "zhang_suen": 2,
-    "zhang_suen_skimage": 2,
-    "guo_hall": 2,
-    "guo_hall_skimage": 2,
-    "lu_wang": 2,
-    "spta_directional": 4,
-    "mb2": 2,
-    "net_two_layer_sigmoid": 1,
-    "net_two_layer_rounded": 1,
-    "net_two_layer_linear": 1,
-    "net_single_layer_cluster": 1,
+REACH: dict[str, int] = {
+    name: reach for index, name in enumerate(RULES) if (reach := _library.rule_reach(index))
 }
 """Rules that `thin` supports: how many pixels the effect of a pixel advances in an iteration."""
 
@@ -57,7 +46,7 @@ def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
         Nonzero is foreground. Chunks of any size; those smaller than the halo are merged for the
         computation.
     rule : str
-        A key of `SPREAD`. The effect of a pixel has no bound in sequential rules ("spta") and in
+        A key of `REACH`. The effect of a pixel has no bound in sequential rules ("spta") and in
         "midpoint_scan".
     border : {"background", "keep"}
         As in `thinbench.thin`; "keep" refers to the border of the whole image.
@@ -91,16 +80,16 @@ def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
     (((9,), (100, 100, 100)), 292)
     """
     _check_image(array)
-    spread = _spread(rule)
+    reach = _reach(rule)
     options_for(border, max_iterations, 1)
-    if _arrays.integer("depth", depth) < spread:
-        raise ValueError(f"depth: expected at least {spread}, the pixels that {rule!r} advances in "
+    if _arrays.integer("depth", depth) < reach:
+        raise ValueError(f"depth: expected at least {reach}, the pixels that {rule!r} advances in "
                          f"an iteration, got {depth}")
     _check_out(out, array)
     if max_iterations is None:
-        result = _dask_thinning.until_at_rest(array, rule, border, depth, depth // spread)
+        result = _dask_thinning.until_at_rest(array, rule, border, depth, depth // reach)
     else:
-        result = _dask_thinning.limited(array, rule, border, max_iterations, max_iterations * spread)
+        result = _dask_thinning.limited(array, rule, border, max_iterations, max_iterations * reach)
     result = result.rechunk(array.chunks)
     return result if out is None else _stored(result, out)
 
@@ -152,13 +141,13 @@ def _check_image(array: Any) -> None:
                          "`array.compute_chunk_sizes()` finds them")
 
 
-def _spread(rule: str) -> int:
+def _reach(rule: str) -> int:
     _arrays.one_of("rule", rule, RULES)
-    spread = SPREAD.get(rule)
-    if spread is None:
+    reach = REACH.get(rule)
+    if reach is None:
         raise ValueError(f"rule: {rule!r} has no bound for the effect of a pixel, so chunks cannot "
-                         f"be exact; expected one of {', '.join(SPREAD)}")
-    return spread
+                         f"be exact; expected one of {', '.join(REACH)}")
+    return reach
 
 
 def _check_out(out: Any, array: Any) -> None:

@@ -32,11 +32,19 @@ def overview(rows: Rows, lines: list[Headline]) -> tuple[str, bytes]:
     """SVG and PNG, which are the same for the same run."""
     with matplotlib.style.context(STYLE, after_reset=True):
         figure = _figure(rows, lines)
-        svg, png = io.BytesIO(), io.BytesIO()
-        figure.savefig(svg, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format",
-                                                                  "Type")))
+        svg, png = svg_of(figure), io.BytesIO()
         figure.savefig(png, format="png", dpi=110, metadata={"Software": None})
-    return _with_variables(svg.getvalue().decode()), png.getvalue()
+    return _without_size(svg), png.getvalue()
+
+
+def svg_of(figure: Figure) -> str:
+    """The drawing alone, in colours that a page or a style may replace."""
+    out = io.BytesIO()
+    figure.savefig(out, format="svg", metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
+    svg = out.getvalue().decode()
+    for colour, name in VARIABLES.items():
+        svg = svg.replace(colour, f"var(--{name}, {colour})")
+    return svg[svg.index("<svg"):]
 
 
 def _figure(rows: Rows, lines: list[Headline]) -> Figure:
@@ -95,10 +103,6 @@ def _round(ns: float) -> str:
     return re.sub(r"\.0+ ", " ", duration(ns))
 
 
-def _with_variables(svg: str) -> str:
-    """The drawing alone, in colours that a page may replace."""
-    svg = svg[svg.index("<svg"):]
-    for colour, name in VARIABLES.items():
-        svg = svg.replace(colour, f"var(--{name}, {colour})")
+def _without_size(svg: str) -> str:
     return re.sub(r'(<svg [^>]*?)width="[^"]*" height="[^"]*"|height="[^"]*pt" (?=version)',
                   r"\1", svg, count=1)

@@ -53,6 +53,16 @@ static int unwritten(void) {
   return 1;
 }
 
+/* Each call must fail with a message that contains `value`, and write nothing. */
+static void rejects(thinbench_status status, const char* value) {
+  if (status != THINBENCH_INVALID_ARGUMENT || strstr(thinbench_last_error(), value) == NULL ||
+      strchr(thinbench_last_error(), '\n') != NULL || !unwritten()) {
+    printf("status %d, expected an error with %s: %s\n", (int)status, value,
+           thinbench_last_error());
+    ++failures;
+  }
+}
+
 static void thins_images_and_stacks(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
@@ -72,6 +82,56 @@ static void thins_images_and_stacks(void) {
   options.technique = "lut";
   CHECK(thinbench_thin("guo_hall", &one, &output, &options, &iterations) == THINBENCH_OK);
   CHECK(iterations == 1);
+}
+
+static void thins_lists_of_images(void) {
+  uint8_t small[5][9], expected[COUNT][HEIGHT][WIDTH], expected_small[5][9];
+  thinbench_stack sources[COUNT + 1];
+  thinbench_output destinations[COUNT + 1];
+  const thinbench_stack stack = source(COUNT);
+  const thinbench_output output = destination();
+  const thinbench_stack small_source = {&small[0][0], 1, 5, 9, 9, 0};
+  const thinbench_output small_expected = {&expected_small[0][0], 9, 0, 7};
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  int32_t iterations = 0, expected_iterations = 0;
+  int i;
+  draw();
+  CHECK(thinbench_thin("guo_hall", &stack, &output, NULL, &expected_iterations) == THINBENCH_OK);
+  memcpy(expected, results, sizeof(expected));
+  draw();
+  for (i = 0; i < COUNT; ++i) {
+    sources[i] = source(1);
+    sources[i].data = &pixels[i][0][0];
+    destinations[i] = destination();
+    destinations[i].data = &results[i][0][0];
+  }
+  memset(small, 1, sizeof(small));
+  sources[COUNT] = small_source;
+  destinations[COUNT] = small_expected;
+  CHECK(thinbench_thin("guo_hall", &sources[COUNT], &destinations[COUNT], NULL, NULL) ==
+        THINBENCH_OK);
+  destinations[COUNT].data = &small[0][0];
+  CHECK(thinbench_thin_many("guo_hall", sources, destinations, COUNT + 1, NULL, &iterations) ==
+        THINBENCH_OK);
+  CHECK(memcmp(results, expected, sizeof(expected)) == 0);
+  CHECK(memcmp(small, expected_small, sizeof(small)) == 0 && memchr(small, 7, sizeof(small)));
+  CHECK(iterations == expected_iterations);
+  options.technique = "lut";
+  CHECK(thinbench_thin_many("guo_hall", sources, destinations, COUNT + 1, &options, &iterations) ==
+        THINBENCH_OK);
+  CHECK(memcmp(results, expected, sizeof(expected)) == 0 && iterations == expected_iterations);
+  CHECK(memcmp(small, expected_small, sizeof(small)) == 0);
+  CHECK(thinbench_thin_many("guo_hall", NULL, NULL, 0, NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 0);
+  draw();
+  rejects(thinbench_thin_many("guo-hall", NULL, NULL, 0, NULL, NULL), "'guo-hall'");
+  rejects(thinbench_thin_many("guo_hall", NULL, destinations, 2, NULL, NULL), "sources is NULL");
+  rejects(thinbench_thin_many("guo_hall", sources, NULL, 2, NULL, NULL), "destinations is NULL");
+  sources[1].count = 2;
+  rejects(thinbench_thin_many("guo_hall", sources, destinations, 2, NULL, NULL), "got 2");
+  sources[1].count = 1;
+  destinations[1] = destinations[0];
+  rejects(thinbench_thin_many("guo_hall", sources, destinations, 2, NULL, NULL), "shares bytes");
 }
 
 static void thins_labels_each_alone(void) {
@@ -153,16 +213,6 @@ static void fills_holes_and_finds_edges(void) {
   CHECK(thinbench_thin("guo_hall", &all, &output, NULL, NULL) == THINBENCH_OK);
   CHECK(results[0][0][0] == 0 && memchr(results, 1, sizeof(results)) != NULL &&
         memchr(results, 255, sizeof(results)) == NULL);
-}
-
-/* Each call must fail with a message that contains `value`, and write nothing. */
-static void rejects(thinbench_status status, const char* value) {
-  if (status != THINBENCH_INVALID_ARGUMENT || strstr(thinbench_last_error(), value) == NULL ||
-      strchr(thinbench_last_error(), '\n') != NULL || !unwritten()) {
-    printf("status %d, expected an error with %s: %s\n", (int)status, value,
-           thinbench_last_error());
-    ++failures;
-  }
 }
 
 /* Row y of the packed image: bits of the pixels 8 x to 8 x + 7. */
@@ -336,6 +386,31 @@ static void rejects_invalid_applications(void) {
   thinbench_custom_rule_destroy(rule);
 }
 
+/* Without images the other arguments are checked all the same. */
+static void rejects_invalid_arguments_without_images(void) {
+  const thinbench_stack none = source(0);
+  thinbench_stack bad = none;
+  const thinbench_output output = destination();
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  int32_t iterations = 9;
+  draw();
+  CHECK(thinbench_thin("guo_hall", &none, &output, NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 0);
+  CHECK(thinbench_edges("sobel", &none, &output, 0, 0, NULL) == THINBENCH_OK);
+  CHECK(thinbench_fill_holes(&none, &output, NULL) == THINBENCH_OK);
+  rejects(thinbench_edges("sobel", &none, &output, 256, 0, NULL), "256");
+  rejects(thinbench_edges("sobel", &none, &output, 0, -1, NULL), "-1");
+  bad.stride = 3;
+  rejects(thinbench_fill_holes(&bad, &output, NULL), "stride of 3");
+  options.keep_border = 1;
+  rejects(thinbench_fill_holes(&none, &output, &options), "border");
+  rejects(thinbench_edges("sobel", &none, &output, 0, 0, &options), "border");
+  options.keep_border = 0;
+  options.technique = "simd_runs";
+  rejects(thinbench_thin("guo_hall", &none, &output, &options, NULL), "simd_runs");
+  rejects(thinbench_edges("sobel", &none, &output, 0, 0, &options), "simd_runs");
+}
+
 static void rejects_invalid_arguments(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
@@ -382,10 +457,15 @@ static void lists_what_there_is(void) {
   size_t count = 0;
   while (thinbench_rule_name(count) != NULL) {
     CHECK(strlen(thinbench_rule_description(count)) > 0);
+    CHECK(thinbench_rule_reach(count) >= 0);
+    if (strcmp(thinbench_rule_name(count), "guo_hall") == 0)
+      CHECK(thinbench_rule_reach(count) == 2);
+    if (strcmp(thinbench_rule_name(count), "spta") == 0) CHECK(thinbench_rule_reach(count) == 0);
     CHECK(thinbench_rule_variant(thinbench_rule_name(count), 0, &variant) == THINBENCH_OK);
     ++count;
   }
   CHECK(count >= 14);
+  CHECK(thinbench_rule_reach(count) == -1);
   CHECK(thinbench_rule_variant("guo_hall", 1000, &variant) == THINBENCH_INVALID_ARGUMENT);
   CHECK(thinbench_edge_operator_name(0) != NULL && thinbench_edge_operator_name(99) == NULL);
   CHECK(thinbench_isa_name(0) != NULL && thinbench_isa_name(99) == NULL);
@@ -395,6 +475,7 @@ static void lists_what_there_is(void) {
 int main(void) {
   CHECK(strcmp(thinbench_last_error(), "") == 0);
   thins_images_and_stacks();
+  thins_lists_of_images();
   thins_labels_each_alone();
   thinner_equals_thin();
   finds_regions_and_labels();
@@ -407,6 +488,7 @@ int main(void) {
   rejects_invalid_arguments();
   rejects_invalid_tables();
   rejects_invalid_applications();
+  rejects_invalid_arguments_without_images();
   lists_what_there_is();
   if (failures == 0) printf("all passed\n");
   return failures;

@@ -127,6 +127,7 @@ TEST_F(BatchFailures, file_that_is_no_manifest_is_never_replaced) {
                 "': it is no manifest of this program: its first line is no record");
   EXPECT_EQ(failure_of(words({in, "--manifest", "a.txt"}, "thin_guo_hall"), 2),
             "--manifest: expected a name that ends in .csv or .jsonl, got 'a.txt'");
+  EXPECT_EQ(manifest_format("A.CSV"), ManifestFormat::csv);
 }
 
 TEST_F(BatchFailures, manifest_belongs_to_one_run_at_a_time) {

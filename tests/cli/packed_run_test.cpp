@@ -47,6 +47,12 @@ TEST_F(PackedRun, thins_pbm_in_memory) {
               header + expected(Rule::guo_hall, BitOrder::msb_first, {.max_iterations = 4}));
 }
 
+TEST_F(PackedRun, extension_in_capitals_is_that_of_pbm) {
+  const std::string capitals = directory.file("OUT.PBM");
+  EXPECT_EQ(run_with({"run", "thin_guo_hall", pbm, capitals}).status, 0);
+  EXPECT_TRUE(bytes_of(capitals) == header + expected(Rule::guo_hall, BitOrder::msb_first));
+}
+
 TEST_F(PackedRun, thins_pbm_out_of_core) {
   const ProgramRun run = run_with({"run", "thin_mb2", pbm, out, "--out-of-core", "--memory", "1M",
                                    "--threads", "8", "--border", "keep"});

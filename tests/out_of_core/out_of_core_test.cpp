@@ -12,6 +12,7 @@
 #include "support/file_size_limit.hpp"
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
+#include "thinning/variants.hpp"
 
 namespace thinbench {
 namespace {
@@ -21,7 +22,7 @@ using Names = std::set<std::string>;
 class OutOfCore : public testing::TestWithParam<RuleAndBorder> {
  protected:
   void SetUp() override {
-    if (!reach_of_iteration(std::get<0>(GetParam()))) GTEST_SKIP() << "not for tiles";
+    if (!detail::is_parallel_rule(std::get<0>(GetParam()))) GTEST_SKIP() << "not for tiles";
   }
 };
 

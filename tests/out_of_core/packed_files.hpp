@@ -29,7 +29,7 @@ struct PreparedRun {
 /// Tiles that advance by `iterations` iterations in a pass, with the smallest halo.
 inline Tiling small_tiles(Rule rule, const ConstPackedView& image, int iterations, Index width = 64,
                           Index height = 32) {
-  return {image.width, image.height, width, height, *reach_of_iteration(rule) * iterations,
+  return {image.width, image.height, width, height, rule_info(rule).reach * iterations,
           iterations};
 }
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -103,6 +104,83 @@ TEST(Resume, run_with_other_options_is_rejected_and_keeps_the_files) {
   prepared.run.resume = true;
   thin_out_of_core(prepared.run);
   EXPECT_TRUE(prepared.result() == undisturbed().bytes);
+}
+
+/// Runs in another process, which dies when a file of it grows beyond `bytes`.
+bool run_and_kill_beyond(const OutOfCoreRun& run, rlim_t bytes) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_DFL);
+    thin_out_of_core(run);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ;
+}
+
+TEST(Resume, kill_while_the_state_is_written_leaves_nothing_that_the_next_run_does_not_remove) {
+  const PackedImage source(noise_image(200, 10, 90, 8, 3).view(), BitOrder::msb_first);
+  OutOfCoreRun run{.rule = Rule::naccache_shinghal};
+  run.tiling = small_tiles(run.rule, source.view(), 1, 8, 1);  // more state than pixels
+  for (const bool resumes : {false, true}) {
+    PreparedRun prepared(source, run);
+    ASSERT_TRUE(run_and_kill_beyond(prepared.run, 300));
+    EXPECT_EQ(prepared.directory.names().size(), 3U);  // a work file and a part of the state
+    prepared.run.resume = resumes;
+    thin_out_of_core(prepared.run);
+    EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
+  }
+}
+
+/// IN holds one byte and the pixels; OUT is to hold another byte and the pixels.
+Conversion behind_a_byte(const OutOfCoreRun& run) {
+  const auto pixels = [run](std::vector<std::uint8_t>& bytes) {
+    bytes.resize(static_cast<std::size_t>(run.format.file_bytes()));
+    return Block{0, 0, run.format.width, run.format.height};
+  };
+  Conversion conversion;
+  conversion.unpack = [run, pixels](const PackedFile& to) {
+    std::vector<std::uint8_t> bytes;
+    const Block all = pixels(bytes);
+    const std::string text = bytes_of(run.in);
+    std::copy(text.begin() + 1, text.end(), bytes.begin());
+    to.write(all, bytes.data(), all.row_bytes());
+  };
+  conversion.pack = [pixels](const PackedFile& from, const std::string& name) {
+    std::vector<std::uint8_t> bytes;
+    const Block all = pixels(bytes);
+    from.read(all, bytes.data());
+    std::ofstream(name, std::ios::binary) << 'o' << std::string(bytes.begin(), bytes.end());
+  };
+  conversion.name = ", behind a byte";
+  return conversion;
+}
+
+TEST(Resume, converted_files_are_unpacked_once_and_resumed_like_others) {
+  const Expected expected = undisturbed();
+  int kills = 0;
+  for (int tiles = 3;; tiles += 17) {
+    PreparedRun prepared = thick_strokes();
+    static_cast<void>(prepared.directory.with("in", 'i' + bytes_of(prepared.run.in)));
+    prepared.run.conversion = behind_a_byte(prepared.run);
+    if (!run_and_kill(prepared.run, tiles)) break;
+    ++kills;
+    prepared.run.resume = true;
+    OutOfCoreRun other = prepared.run;
+    other.conversion.name = ", otherwise";
+    if (tiles > 25) {
+      const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
+      EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+      prepared.run.conversion.unpack = [](const PackedFile&) { ADD_FAILURE() << "unpacked again"; };
+    }
+    EXPECT_EQ(thin_out_of_core(prepared.run).iterations, expected.iterations);
+    EXPECT_TRUE(prepared.result() == 'o' + expected.bytes) << "killed at tile " << tiles;
+    EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
+  }
+  EXPECT_GT(kills, 3);
 }
 
 TEST(Resume, damaged_state_is_reported) {

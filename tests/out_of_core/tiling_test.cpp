@@ -10,16 +10,6 @@
 namespace thinbench {
 namespace {
 
-TEST(ReachOfIteration, is_one_pixel_per_sub_iteration_and_two_for_mb2) {
-  EXPECT_EQ(reach_of_iteration(Rule::naccache_shinghal), 1);
-  EXPECT_EQ(reach_of_iteration(Rule::guo_hall), 2);
-  EXPECT_EQ(reach_of_iteration(Rule::spta_directional), 4);
-  EXPECT_EQ(reach_of_iteration(Rule::mb2), 2);
-  for (const Rule rule : {Rule::spta, Rule::midpoint_scan, Rule::net_two_layer_sigmoid}) {
-    EXPECT_EQ(reach_of_iteration(rule), std::nullopt);
-  }
-}
-
 TEST(Tiling, tiles_partition_the_image_and_their_halos_lie_in_it) {
   const Tiling tiling = {203, 100, 64, 40, 10, 5};
   std::vector<int> covered(203 * 100);

@@ -51,33 +51,33 @@ def test_examples_in_docstrings_hold():
 
 
 @pytest.mark.parametrize("rule", thinbench.rules())
-def test_spread_is_what_one_changed_pixel_changes_in_an_iteration(rule):
+def test_reach_is_what_one_changed_pixel_changes_in_an_iteration(rule):
     random, side, middle = np.random.RandomState(3), 25, 12
     images = random.rand(4000, side, side) < random.choice([0.75, 0.85, 0.93], (4000, 1, 1))
     changed = images.copy()
     changed[:, middle, middle] ^= True
     differs = (thinbench.thin(images, rule, max_iterations=1)
                != thinbench.thin(changed, rule, max_iterations=1)).any(axis=0)
-    spread = int(np.abs(np.argwhere(differs) - middle).max())
+    reach = int(np.abs(np.argwhere(differs) - middle).max())
     if rule in ("spta", "midpoint_scan"):
-        assert rule not in tb_dask.SPREAD and spread > 3
+        assert rule not in tb_dask.REACH and reach > 3
     else:
-        assert spread == tb_dask.SPREAD.get(rule)
+        assert reach == tb_dask.REACH.get(rule)
 
 
 @pytest.mark.parametrize("border", ["background", "keep"])
-@pytest.mark.parametrize("rule", tb_dask.SPREAD)
+@pytest.mark.parametrize("rule", tb_dask.REACH)
 def test_result_equals_that_in_memory_for_any_chunks(rule, border):
     for seed in range(7):
         image, array = random_array(seed)
-        depth = tb_dask.SPREAD[rule] * (1 + seed % 4)
+        depth = tb_dask.REACH[rule] * (1 + seed % 4)
         result = tb_dask.thin(array, rule, border=border, depth=depth)
         assert result.chunks == array.chunks and result.dtype == array.dtype
         np.testing.assert_array_equal(result.compute(), thinbench.thin(image, rule, border=border))
 
 
 @pytest.mark.parametrize("border", ["background", "keep"])
-@pytest.mark.parametrize("rule", tb_dask.SPREAD)
+@pytest.mark.parametrize("rule", tb_dask.REACH)
 def test_limited_iterations_are_lazy_and_exact(rule, border):
     computed = []
     for seed, limit in enumerate([1, 2, 3, 50]):

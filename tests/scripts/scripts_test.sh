@@ -24,7 +24,7 @@ expect() {
 
 study() { "$root/study" --no-install "$@"; }
 expect 0 '--quality-image FILE' "$root/study" --help
-for command in sweeps compare; do expect 0 "usage: ./study $command" "$root/study" $command --help; done
+for command in sweeps many-images compare; do expect 0 "usage: ./study $command" "$root/study" $command --help; done
 expect 0 'Usage: ./check' "$root/check" -h
 expect 2 '--quik' study --quik
 expect 2 "cannot read the image 'absent.png'" study --image absent.png

@@ -233,6 +233,13 @@ void expect_background_is_kept() {
   }
 }
 
+TEST(ParallelRules, have_the_reach_of_their_sub_iterations) {
+  for_each_parallel_rule([]<class Type>(Rule rule) {
+    const int per_sub_iteration = TwoStageRule<Type> ? 2 : 1;
+    EXPECT_EQ(rule_info(rule).reach, Type::kSubIterations * per_sub_iteration) << rule_name(rule);
+  });
+}
+
 // Keeping the border relies on it: an OR restores removed pixels.
 TEST(ParallelRules, only_remove_pixels) {
   for_each_parallel_rule([]<class Type>(Rule) {

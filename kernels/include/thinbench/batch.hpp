@@ -1,7 +1,8 @@
-// Thinning of many small images of one size.
+// Thinning of many images: stacks of one size, and lists of any sizes.
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
@@ -62,5 +63,21 @@ THINBENCH_API int thin_batch(Rule rule, const ConstStackView& source, const Stac
 /// The same for a custom rule.
 THINBENCH_API int apply(const CustomRule& rule, const ConstStackView& source,
                         const StackView& destination, const Options& options = {});
+
+/// Thins sources[i] into destinations[i] for every i, images of any sizes, with the same result as
+/// thin() for each. Images of up to 2^14 pixels and up to 128 pixels wide are thinned many at once,
+/// as in a ThinningBatch; with Border::keep only those whose size recurs in the list.
+///
+/// Returns the maximum number of iterations over all images, including the last iteration, which
+/// changed nothing; 0 without images. `options` as in thin(), except that threads share the images;
+/// if no technique is set, images of 2^20 pixels and more are thinned one after another, each on
+/// all threads. Takes memory for the largest image, per thread.
+///
+/// A destination is its source or shares no byte with any image of the list; sources may overlap
+/// each other. Thread-safe for different destinations. Throws as thin() does, and
+/// std::invalid_argument for lists of different lengths; then nothing is written. If it throws
+/// std::bad_alloc, some destinations may be written.
+THINBENCH_API int thin_many(Rule rule, std::span<const ConstImageView> sources,
+                            std::span<const ImageView> destinations, const Options& options = {});
 
 }  // namespace thinbench

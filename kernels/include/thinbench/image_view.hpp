@@ -48,8 +48,24 @@ struct ImageView {
   constexpr operator ConstImageView() const { return {data, width, height, stride}; }
 };
 
-/// Writable image of 32-bit labels: pixel (x, y) is `data[y * stride + x]`; the stride is in
-/// labels, not in bytes.
+/// Read-only image of 32-bit labels: pixel (x, y) is `data[y * stride + x]`; the stride is in labels,
+/// not in bytes.
+struct ConstLabelView {
+  const std::int32_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+
+  constexpr ConstLabelView() = default;
+  constexpr ConstLabelView(const std::int32_t* labels, Index columns, Index rows)
+      : ConstLabelView(labels, columns, rows, columns) {}
+  constexpr ConstLabelView(const std::int32_t* labels, Index columns, Index rows, Index row_labels)
+      : data(labels), width(columns), height(rows), stride(row_labels) {}
+
+  [[nodiscard]] constexpr const std::int32_t* row(Index y) const { return data + y * stride; }
+};
+
+/// Writable image of labels; see ConstLabelView.
 struct LabelView {
   std::int32_t* data = nullptr;
   Index width = 0;
@@ -63,6 +79,7 @@ struct LabelView {
       : data(labels), width(columns), height(rows), stride(row_labels) {}
 
   [[nodiscard]] constexpr std::int32_t* row(Index y) const { return data + y * stride; }
+  constexpr operator ConstLabelView() const { return {data, width, height, stride}; }
 };
 
 /// Read-only stack of images of one size: pixel (x, y) of image i is

@@ -1,32 +1,12 @@
 // Thinning of label images.
 #pragma once
 
-#include <cstdint>
-
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
 #include "thinbench/options.hpp"
 #include "thinbench/rule.hpp"
 
 namespace thinbench {
-
-/// Read-only image of 32-bit labels; see LabelView.
-struct ConstLabelView {
-  const std::int32_t* data = nullptr;
-  Index width = 0;
-  Index height = 0;
-  Index stride = 0;
-
-  constexpr ConstLabelView() = default;
-  constexpr ConstLabelView(const std::int32_t* labels, Index columns, Index rows)
-      : ConstLabelView(labels, columns, rows, columns) {}
-  constexpr ConstLabelView(const std::int32_t* labels, Index columns, Index rows, Index row_labels)
-      : data(labels), width(columns), height(rows), stride(row_labels) {}
-  constexpr ConstLabelView(const LabelView& labels)
-      : ConstLabelView(labels.data, labels.width, labels.height, labels.stride) {}
-
-  [[nodiscard]] constexpr const std::int32_t* row(Index y) const { return data + y * stride; }
-};
 
 /// Thins every label of `source` as if it were alone in the image: a pixel keeps its label where
 /// the skeleton of the pixels with this label has it, else it becomes 0. 0 is background, and so is

@@ -1,0 +1,1 @@
+"""`./study many-images`: batches of files, workers, dask and large images, measured and plotted."""
