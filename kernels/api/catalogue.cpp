@@ -149,6 +149,10 @@ std::span<const ThinningVariant> custom_rule_variants(bool adds_pixels) {
   return custom_operation(adds_pixels).variants;
 }
 
+std::span<const ThinningVariant> custom_rule_variants(const CustomRule& rule) {
+  return custom_rule_variants(rule.compiled()->adds_pixels());
+}
+
 const ThinningVariant& choose_custom(const CustomRule& rule, Index width, Index height,
                                      const Options& options) {
   require_size(width, height);

@@ -56,6 +56,7 @@ struct LocaliseOperation {
 /// The variants of custom rules that add pixels, or of those that do not. They are none of
 /// thinning_operations().
 [[nodiscard]] std::span<const ThinningVariant> custom_rule_variants(bool adds_pixels);
+[[nodiscard]] std::span<const ThinningVariant> custom_rule_variants(const CustomRule& rule);
 
 // Make the state of a variant, which must belong to the operation. Throw std::invalid_argument as
 // the public functions do, and std::bad_alloc.
