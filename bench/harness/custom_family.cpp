@@ -17,13 +17,8 @@ using Tables = std::vector<WindowTable>;
 template <class Rule>
 Tables tables_of() {
   Tables tables;
-  const auto add = [&]<int sub>() {
-    static constexpr detail::RuleTable kTable = detail::make_rule_table<Rule, sub>();
-    tables.push_back(make_window_table(
-        [](std::size_t window) { return kTable[detail::descriptor_of(window)] != 0; }));
-  };
   [&]<int... subs>(std::integer_sequence<int, subs...>) {
-    (add.template operator()<subs>(), ...);
+    (tables.push_back(detail::make_window_table_of<Rule, subs>()), ...);
   }
   (std::make_integer_sequence<int, Rule::kSubIterations>{});
   return tables;

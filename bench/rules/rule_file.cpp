@@ -139,12 +139,16 @@ std::vector<WindowTable> read_tables(const JsonField& field) {
   return tables;
 }
 
-std::string read_name(const JsonField& field) {
-  std::string name = field.text();
-  const bool printable = std::none_of(name.begin(), name.end(), [](char symbol) {
+bool is_name(const std::string& text) {
+  const bool printable = std::none_of(text.begin(), text.end(), [](char symbol) {
     return static_cast<unsigned char>(symbol) < ' ' || symbol == 127;
   });
-  if (name.empty() || name.size() > kMaxRuleNameLength || !printable) {
+  return !text.empty() && text.size() <= kMaxRuleNameLength && printable;
+}
+
+std::string read_name(const JsonField& field) {
+  std::string name = field.text();
+  if (!is_name(name)) {
     field.fail("must have 1 to 100 bytes without control characters");
   }
   return name;
@@ -252,8 +256,8 @@ RuleDescription parse_rule(const std::string& text, const std::string& name) {
     root.fail("must have either sub_iterations or hensel");
   }
   RuleDescription rule;
-  rule.name = root.has("name") ? read_name(root.member("name"))
-                               : std::filesystem::path(name).stem().string();
+  const std::string stem = std::filesystem::path(name).stem().string();
+  rule.name = root.has("name") ? read_name(root.member("name")) : is_name(stem) ? stem : "rule";
   rule.sub_iterations = root.has("hensel") ? std::vector{read_hensel(root.member("hensel"))}
                                            : read_tables(root.member("sub_iterations"));
   if (root.has("border")) rule.border = read_border(root.member("border"));

@@ -7,40 +7,34 @@
 #include "custom/interpreters.hpp"
 #include "custom/scalar_interpreter.hpp"
 #include "custom/two_input.hpp"
+#include "custom/window.hpp"
 #include "dispatch/exported.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-/// The window after one of the eight symmetries of the square: bit `i` of the result is bit
-/// `pixels[i]` of the window.
-using Symmetry = std::array<int, kWindowPixels>;
-
-Symmetry symmetry_of(int number) {
-  Symmetry symmetry{};
-  for (int i = 0; i < kWindowPixels; ++i) {
-    int x = i % 3;
-    int y = i / 3;
-    if ((number & 1) != 0) x = 2 - x;
-    if ((number & 2) != 0) y = 2 - y;
-    if ((number & 4) != 0) std::swap(x, y);
-    symmetry[static_cast<std::size_t>(i)] = 3 * y + x;
-  }
-  return symmetry;
+/// One of the eight symmetries of the square.
+Permutation symmetry_of(int number) {
+  Permutation result = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  const auto then = [&](const Permutation& next) {
+    Permutation both;
+    for (std::size_t k = 0; k < both.size(); ++k) both[k] = result[next[k]];
+    result = both;
+  };
+  for (int i = 0; i < number % 4; ++i) then(kRotateBy90);
+  if (number >= 4) then(kMirror);
+  return result;
 }
 
-WindowTable transformed(const WindowTable& table, const Symmetry& symmetry) {
-  return make_window_table([&](std::size_t window) {
-    std::size_t image = 0;
-    for (std::size_t i = 0; i < symmetry.size(); ++i) image |= (window >> symmetry[i] & 1) << i;
-    return table[image];
-  });
+WindowTable transformed(const WindowTable& table, const Permutation& symmetry) {
+  return make_window_table([&](std::size_t window) { return table[permuted(window, symmetry)]; });
 }
 
 /// The network on transformed windows.
-GateNetwork transformed(GateNetwork network, const Symmetry& symmetry) {
+GateNetwork transformed(GateNetwork network, const Permutation& symmetry) {
   const auto moved = [&](int value) {
-    return value < kWindowPixels ? symmetry[static_cast<std::size_t>(value)] : value;
+    return value < kWindowPixels ? static_cast<int>(symmetry[static_cast<std::size_t>(value)])
+                                 : value;
   };
   for (Gate& gate : network.gates) {
     for (std::uint8_t& input : gate.inputs) input = static_cast<std::uint8_t>(moved(input));
@@ -70,15 +64,18 @@ CompiledRule::CompiledRule(std::vector<WindowTable> tables, SearchEffort effort)
   removes_pixels_ = any(false);
 }
 
-/// Sub-iterations are often the same table turned: then they share one search.
+/// Sub-iterations are often the same table rotated or mirrored: then they share one search, unless
+/// the circuit shared functions of rows that are functions of columns now.
 GateNetwork CompiledRule::network_for(std::size_t sub_iteration,
                                       const std::vector<GateNetwork>& earlier,
                                       const GateCosts& costs) const {
   const WindowTable& table = tables_[sub_iteration];
   for (std::size_t i = 0; i < earlier.size(); ++i) {
     for (int number = 0; number < 8; ++number) {
-      const Symmetry symmetry = symmetry_of(number);
-      if (transformed(tables_[i], symmetry) == table) return transformed(earlier[i], symmetry);
+      const Permutation symmetry = symmetry_of(number);
+      if (transformed(tables_[i], symmetry) != table) continue;
+      GateNetwork network = transformed(earlier[i], symmetry);
+      if (cost_of(network, costs) <= cost_of(earlier[i], costs)) return network;
     }
   }
   return minimised_network(table, costs, effort_);
@@ -125,9 +122,14 @@ BoundRule CompiledRule::bind(Isa isa, Layout layout, bool fixed) const {
   const Circuits& all = circuits(interpreters.ternary);
   const std::lock_guard lock(mutex_);
   for (std::size_t i = 0; i < tables_.size(); ++i) {
-    const auto [found, is_new] = code_.emplace(CodeKey{i, isa, layout, fixed}, nullptr);
-    if (is_new) found->second = MachineCode::make(all.programs[i], isa, layout, fixed);
-    if (found->second) rule.scans[i].function = found->second->function();
+    const CodeKey key = {i, isa, layout, fixed};
+    auto found = code_.find(key);
+    if (found == code_.end()) {
+      auto code = MachineCode::make(all.programs[i], isa, layout, fixed);
+      if (code == nullptr) continue;
+      found = code_.emplace(key, std::move(code)).first;
+    }
+    rule.scans[i].function = found->second->function();
   }
   return rule;
 }

@@ -61,8 +61,8 @@ class CompiledRule {
   mutable std::map<CodeKey, std::shared_ptr<const MachineCode>> code_;
 };
 
-/// The compiled rule of these tables, the same object for equal tables while it is among the last
-/// ones used or in use.
+/// The compiled rule of these tables, the same object for equal tables while it is among the 64
+/// that were used last.
 [[nodiscard]] std::shared_ptr<const CompiledRule> compile(std::span<const WindowTable> tables,
                                                           SearchEffort effort);
 

@@ -10,7 +10,7 @@ namespace thinbench::detail {
 namespace {
 
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
-constexpr int kCentre = 4;
+constexpr auto kCentre = static_cast<int>(WindowTable::kCentre);
 
 /// The truth table with inputs 0 and i exchanged.
 std::uint8_t with_exchanged_input(std::uint8_t function, int i) {
@@ -37,9 +37,9 @@ Emitter::Emitter(const Program& program, Isa isa, Layout layout, bool fixed, std
       funnel_(isa == Isa::avx512icl),
       uses_(static_cast<std::size_t>(kWindowPixels) + program.instructions.size()),
       places_(uses_.size()) {
-  find_features();
+  find_row_functions();
   for (std::size_t i = 0; i < program.instructions.size(); ++i) {
-    if (features_by_instruction_[i].feature != kNowhere) continue;
+    if (row_functions_by_instruction_[i].function != kNowhere) continue;
     for (const std::uint16_t operand : program.instructions[i].operands) {
       if (uses_[operand].empty() || uses_[operand].back() != i) uses_[operand].push_back(i);
     }
@@ -52,25 +52,25 @@ Emitter::Emitter(const Program& program, Isa isa, Layout layout, bool fixed, std
 }
 
 /// Finds instructions that read pixels of one row alone, directly or through others, and numbers
-/// them as functions of a row. Those needed in one row only are no features.
-void Emitter::find_features() {
+/// them as functions of a row. Those needed in one row only are none.
+void Emitter::find_row_functions() {
   const std::size_t count = program_.instructions.size();
-  std::vector<Feature> functions;
+  std::vector<RowFunction> functions;
   std::vector<unsigned> rows_with;  // by function: a bit per row
   std::vector<Use> uses(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Instruction& instruction = program_.instructions[i];
-    Feature function = {instruction.code, {}};
+    RowFunction function = {instruction.code, {}};
     std::array<std::size_t, 3> rows{};
     bool is_pure = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t value = instruction.operands[k];
       const bool is_pixel = value < kWindowPixels;
       const Use use = is_pixel ? Use{} : uses[value - kWindowPixels];
-      is_pure = is_pure && (is_pixel || use.feature != kNowhere);
+      is_pure = is_pure && (is_pixel || use.function != kNowhere);
       rows[k] = is_pixel ? value / 3 : use.row;
       function.operands[k] = static_cast<std::uint16_t>(
-          is_pixel ? value % 3 : static_cast<std::size_t>(use.feature) + 3);
+          is_pixel ? value % 3 : static_cast<std::size_t>(use.function) + 3);
     }
     if (!is_pure || rows[1] != rows[0] || rows[2] != rows[0]) continue;
     const auto found = std::find(functions.begin(), functions.end(), function);
@@ -79,29 +79,29 @@ void Emitter::find_features() {
       functions.push_back(function);
       rows_with.push_back(0);
     }
-    rows_with[static_cast<std::size_t>(uses[i].feature)] |= 1U << rows[0];
+    rows_with[static_cast<std::size_t>(uses[i].function)] |= 1U << rows[0];
   }
   // Features of wide registers take three registers each.
-  const std::size_t max_features = wide_ ? 4 : 8;
+  const std::size_t max_functions = wide_ ? 4 : 8;
   std::vector<int> number(functions.size(), kNowhere);
-  for (std::size_t f = 0; f < functions.size() && features_.size() < max_features; ++f) {
+  for (std::size_t f = 0; f < functions.size() && row_functions_.size() < max_functions; ++f) {
     if ((rows_with[f] & (rows_with[f] - 1)) == 0) continue;
-    Feature feature = functions[f];
+    RowFunction function = functions[f];
     bool has_operands = true;
-    for (std::uint16_t& operand : feature.operands) {
+    for (std::uint16_t& operand : function.operands) {
       if (operand < 3) continue;
       const int moved = number[static_cast<std::size_t>(operand - 3)];
       has_operands = has_operands && moved != kNowhere;
       operand = static_cast<std::uint16_t>(moved + 3);
     }
     if (!has_operands) continue;
-    number[f] = static_cast<int>(features_.size());
-    features_.push_back(feature);
+    number[f] = static_cast<int>(row_functions_.size());
+    row_functions_.push_back(function);
   }
   for (Use& use : uses) {
-    if (use.feature != kNowhere) use.feature = number[static_cast<std::size_t>(use.feature)];
+    if (use.function != kNowhere) use.function = number[static_cast<std::size_t>(use.function)];
   }
-  features_by_instruction_ = std::move(uses);
+  row_functions_by_instruction_ = std::move(uses);
 }
 
 void Emitter::divide_registers() {
@@ -111,7 +111,7 @@ void Emitter::divide_registers() {
   if (has_fixed_) fixed_ = next++;
   if (layout_ == Layout::row) zero_ = next++;
   for (RowPlaces& row : rows_) {
-    row.resize(3 + features_.size());
+    row.resize(3 + row_functions_.size());
     for (Place& place : row) {
       if (wide_) {
         place.reg = next++;
@@ -172,11 +172,11 @@ void Emitter::begin_row(std::size_t turn) {
   for (std::size_t y = 0; y < 3; ++y) {
     for (std::size_t x = 0; x < 3; ++x) places_[3 * y + x] = rows_[(turn + y + 2) % 3][x];
   }
-  for (std::size_t i = 0; i < features_by_instruction_.size(); ++i) {
-    const Use& use = features_by_instruction_[i];
-    if (use.feature == kNowhere) continue;
+  for (std::size_t i = 0; i < row_functions_by_instruction_.size(); ++i) {
+    const Use& use = row_functions_by_instruction_[i];
+    if (use.function == kNowhere) continue;
     places_[kWindowPixels + i] =
-        rows_[(turn + use.row + 2) % 3][3 + static_cast<std::size_t>(use.feature)];
+        rows_[(turn + use.row + 2) % 3][3 + static_cast<std::size_t>(use.function)];
   }
   // What the row before left on the stack is no longer needed.
   free_spills_.clear();
@@ -401,21 +401,21 @@ void Emitter::load_row(RowPlaces& row, const Xbyak::RegExp& at) {
   for (std::size_t i = 0; i < row.size(); ++i) registers.push_back(wide_ ? row[i].reg : pool_[i]);
   load(vector(registers[1]), ptr[at]);
   emit_neighbours(vector(registers[0]), vector(registers[1]), vector(registers[2]), at);
-  emit_features(registers);
+  emit_row_functions(registers);
   if (wide_) return;
   for (std::size_t i = 0; i < row.size(); ++i) store(stack(row[i].stack), vector(registers[i]));
 }
 
-/// `registers`: those of the pixels, then those of the features.
-void Emitter::emit_features(const std::vector<int>& registers) {
-  for (std::size_t f = 0; f < features_.size(); ++f) {
-    const auto& [a, b, c] = features_[f].operands;
+/// `registers`: those of the pixels, then those of the functions.
+void Emitter::emit_row_functions(const std::vector<int>& registers) {
+  for (std::size_t f = 0; f < row_functions_.size(); ++f) {
+    const auto& [a, b, c] = row_functions_[f].operands;
     const Vector to = vector(registers[3 + f]);
     if (program_.ternary) {
       copy(registers[3 + f], {registers[a], kNowhere});
-      vpternlogq(to, vector(registers[b]), vector(registers[c]), features_[f].code);
+      vpternlogq(to, vector(registers[b]), vector(registers[c]), row_functions_[f].code);
     } else {
-      apply(static_cast<Operation>(features_[f].code), to, vector(registers[a]),
+      apply(static_cast<Operation>(row_functions_[f].code), to, vector(registers[a]),
             vector(registers[b]));
     }
   }
@@ -440,7 +440,7 @@ void Emitter::emit_row(std::size_t turn) {
     }
   }
   for (now_ = 0; now_ < program_.instructions.size(); ++now_) {
-    if (features_by_instruction_[now_].feature != kNowhere) continue;
+    if (row_functions_by_instruction_[now_].function != kNowhere) continue;
     program_.ternary ? emit_ternary(now_) : emit_binary(now_);
   }
   emit_output();
@@ -495,10 +495,11 @@ void Emitter::emit_return() {
 /// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it. For
 /// tiles, rdi and rsi become the distances to the tiles in the east and in the west.
 void Emitter::emit_function() {
-  constexpr int kStackPlaces = kMaxProgramSlots + kWindowPixels;
   push(rbp);
   mov(rbp, rsp);
-  sub(rsp, kStackPlaces * (wide_ ? 64 : 32));
+  constexpr std::uint32_t kUnknown = 1U << 30;  // large, so that the operand takes four bytes
+  sub(rsp, kUnknown);
+  const std::size_t frame_operand = getSize() - 4;
   and_(rsp, ~std::uint32_t{63});
   mov(r8, ptr[rsi + offsetof(ColumnScan, source)]);
   mov(r9, ptr[rsi + offsetof(ColumnScan, source_stride)]);
@@ -529,6 +530,7 @@ void Emitter::emit_function() {
     load_row(rows_[0], r8);
     for (std::size_t turn = 0; turn < 3; ++turn) emit_row(turn);
   }
+  rewrite(frame_operand, static_cast<std::uint64_t>(spills_) * (wide_ ? 64 : 32), 4);
   ready();
 }
 

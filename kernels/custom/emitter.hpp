@@ -39,24 +39,24 @@ class Emitter : private Xbyak::CodeGenerator {
     int reg = kNowhere;
     int stack = kNowhere;
   };
-  /// West, centre and east pixels, then features.
+  /// West, centre and east pixels, then functions.
   using RowPlaces = std::vector<Place>;
   /// A function of one row that the program computes for several rows. It is computed once per row.
-  /// Operands 0 to 2 are pixels, 3 + i is feature i.
-  struct Feature {
+  /// Operands 0 to 2 are pixels, 3 + i is function i.
+  struct RowFunction {
     std::uint8_t code;
     std::array<std::uint16_t, 3> operands;
-    friend auto operator<=>(const Feature&, const Feature&) = default;
+    friend auto operator<=>(const RowFunction&, const RowFunction&) = default;
   };
-  /// An instruction that a feature replaces.
+  /// An instruction that a function replaces.
   struct Use {
-    int feature = kNowhere;
+    int function = kNowhere;
     std::size_t row = 0;
   };
 
-  void find_features();
+  void find_row_functions();
   void divide_registers();
-  void emit_features(const std::vector<int>& registers);
+  void emit_row_functions(const std::vector<int>& registers);
   void emit_function();
   void emit_row(std::size_t turn);
   void emit_band_end(std::size_t turn);
@@ -101,8 +101,8 @@ class Emitter : private Xbyak::CodeGenerator {
   int zero_ = kNowhere;
   int scratch_ = kNowhere;
   std::vector<int> pool_;
-  std::vector<Feature> features_;
-  std::vector<Use> features_by_instruction_;
+  std::vector<RowFunction> row_functions_;
+  std::vector<Use> row_functions_by_instruction_;
   int home_places_ = 0;  // of rows, on the stack
   std::array<RowPlaces, 3> rows_;
   std::vector<std::vector<std::size_t>> uses_;  // of each value: instructions, in order

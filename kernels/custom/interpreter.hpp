@@ -87,27 +87,22 @@ struct BlockWindow {
   }
 };
 
+/// Executes the program on the window; returns the new pixels of its rows. `slots` has kBlockRows
+/// words for each slot of the program.
 template <class Word>
-struct BlockMemory {
-  BlockWindow<Word> window;
-  Word slots[kMaxProgramSlots][kBlockRows];
-};
-
-/// Executes the program on the window; returns the new pixels of its rows.
-template <class Word>
-const Word* execute(const SlotProgram& program, BlockMemory<Word>& memory) {
+const Word* execute(const SlotProgram& program, const BlockWindow<Word>& window, Word* slots) {
   static constexpr auto operations = block_operations<Word>();
-  const auto& window = memory.window;
   const Word* const pixels[kWindowPixels] = {window.west,     window.centre,     window.east,
                                              window.west + 1, window.centre + 1, window.east + 1,
                                              window.west + 2, window.centre + 2, window.east + 2};
   const auto at = [&](std::uint16_t operand) {
-    return operand < kWindowPixels ? pixels[operand] : memory.slots[operand - kWindowPixels];
+    return operand < kWindowPixels ? pixels[operand]
+                                   : slots + (operand - kWindowPixels) * kBlockRows;
   };
   const auto& instructions = program.program.instructions;
   for (std::size_t i = 0; i < instructions.size(); ++i) {
     const auto& [a, b, c] = instructions[i].operands;
-    operations[instructions[i].code](memory.slots[program.targets[i]], at(a), at(b), at(c));
+    operations[instructions[i].code](slots + program.targets[i] * kBlockRows, at(a), at(b), at(c));
   }
   return at(static_cast<std::uint16_t>(program.program.output));
 }
@@ -126,19 +121,22 @@ std::uint64_t interpret(const void* bound, const ColumnScan& scan) {
   };
   const Word fixed = scan.fixed == nullptr ? Traits::zero()
                                            : Traits::load(static_cast<const Element*>(scan.fixed));
-  BlockMemory<Word> memory;
-  memory.window = {};
-  memory.window.set(0, row(-1));
-  memory.window.set(1, row(0));
+  BlockWindow<Word> window = {};
+  constexpr std::size_t alignment_bits = 8 * alignof(Word);
+  const auto slot_words = static_cast<std::size_t>(program.slots * kBlockRows);
+  auto* const slots =
+      static_cast<Word*>(__builtin_alloca_with_align(slot_words * sizeof(Word), alignment_bits));
+  window.set(0, row(-1));
+  window.set(1, row(0));
   std::uint64_t changed_bands = 0;
   Word changed = Traits::zero();
   for (Index first = 0; first < scan.rows; first += kBlockRows) {
     const Index rows = scan.rows - first < kBlockRows ? scan.rows - first : kBlockRows;
-    for (Index i = 0; i < rows; ++i) memory.window.set(i + 2, row(first + i + 1));
-    const Word* const next = execute(program, memory);
+    for (Index i = 0; i < rows; ++i) window.set(i + 2, row(first + i + 1));
+    const Word* const next = execute(program, window, slots);
     for (Index i = 0; i < rows; ++i) {
       const Index y = first + i;
-      const Word before = memory.window.centre[i + 1];
+      const Word before = window.centre[i + 1];
       const Word difference = (next[i] ^ before) & ~fixed;
       Traits::store(reinterpret_cast<Element*>(target + y * scan.target_stride),
                     before ^ difference);
@@ -147,7 +145,7 @@ std::uint64_t interpret(const void* bound, const ColumnScan& scan) {
       changed_bands |= std::uint64_t{Traits::any(changed)} << (y / scan.band_rows);
       changed = Traits::zero();
     }
-    memory.window.move_down();
+    window.move_down();
   }
   return changed_bands;
 }

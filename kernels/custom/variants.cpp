@@ -86,9 +86,14 @@ State make_custom_row(const ThinningSetting& setting) {
 
 namespace {
 
-/// Tiles, for rules that add no pixels; needs machine code.
+/// Tiles, for rules that add no pixels. They need machine code; if the system denies it although it
+/// did not before, words compute the same.
 State make_custom_tiles(const ThinningSetting& setting) {
   const BoundRule rule = setting.custom_rule->bind(setting.isa, Layout::tiles, false);
+  for (int i = 0; i < rule.sub_iterations; ++i) {
+    const BoundScan& scan = rule.scans[static_cast<std::size_t>(i)];
+    if (scan.function == nullptr) return make_custom_simd_bitpacked(setting);
+  }
   const ThinningSetting with_rule = bound(setting, rule);
   const TileKernels& kernels = kernels_of<TileKernels>(setting.isa);
   const auto count = static_cast<std::size_t>(rule.sub_iterations);

@@ -10,6 +10,8 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "custom/machine_code.hpp"
 #include "image/byte_image.hpp"
@@ -35,28 +37,54 @@ bool deny_executable_memory() {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-/// Exit status 0 if the rule runs and is right, 1 if not, 2 if nothing could be denied.
-[[noreturn]] void apply_without_executable_memory() {
-  if (!deny_executable_memory()) std::exit(2);
-  if (MachineCode::is_available(Isa::avx2)) std::exit(1);
-  const WindowTable life = table_from_hensel("B3/S23");
-  ByteImage image(100, 40);
-  for (Index x = 0; x < 100; ++x) image.at(x, x * 7 % 40) = image.at(x, 20) = 255;
-  ByteImage want(100, 40);
-  const int iterations =
-      reference::apply_tables({&life, 1}, {Border::background, 30}, image.view(), want.view());
-  const CustomRule rule(life, {.max_iterations = 30});
-  const bool right = apply(rule, image.view(), image.view()) == iterations;
-  std::exit(right && equal(image.view(), want.view()) ? 0 : 1);
+constexpr int kRight = 0;
+constexpr int kWrong = 1;
+constexpr int kNotDenied = 2;
+
+bool is_right(const CustomRule& rule, int limit) {
+  ByteImage image(700, 40);  // wider than the row kernel
+  for (Index x = 0; x < image.width(); ++x) {
+    for (Index y = 10 + x % 7; y < 30; ++y) image.at(x, y) = 255;
+  }
+  ByteImage want(image.width(), image.height());
+  const int iterations = reference::apply_tables(rule.sub_iterations(), {Border::background, limit},
+                                                 image.view(), want.view());
+  return apply(rule, image.view(), image.view()) == iterations && equal(image.view(), want.view());
 }
 
-TEST(MachineCodeDeathTest, interpreter_runs_rules_where_memory_cannot_be_executable) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const auto in_child = [] { apply_without_executable_memory(); };
-  const auto denied_or_unsupported = [](int status) {
-    return WIFEXITED(status) && WEXITSTATUS(status) != 1;
-  };
-  EXPECT_EXIT(in_child(), denied_or_unsupported, "");
+/// Life, and a rule for which tiles are chosen.
+bool rules_are_right(int limit) {
+  const WindowTable erode = make_window_table([](std::size_t window) { return window == 511; });
+  return is_right(CustomRule(table_from_hensel("B3/S23"), {.max_iterations = limit}), limit) &&
+         is_right(CustomRule(erode, {.max_iterations = limit}), limit);
+}
+
+[[noreturn]] void apply_without_executable_memory(bool after_use) {
+  if (after_use && !MachineCode::is_available(Isa::avx2)) std::exit(kNotDenied);
+  if (!deny_executable_memory()) std::exit(kNotDenied);
+  std::exit(rules_are_right(5) ? kRight : kWrong);
+}
+
+/// Runs `body` in a process of its own and returns its exit status.
+template <class Body>
+int status_of(const Body& body) {
+  const pid_t child = fork();
+  if (child == 0) body();
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : kWrong;
+}
+
+TEST(MachineCode, interpreter_runs_rules_where_memory_cannot_be_executable) {
+  const int status = status_of([] { apply_without_executable_memory(false); });
+  if (status == kNotDenied) GTEST_SKIP() << "this system does not let a process deny it";
+  EXPECT_EQ(status, kRight);
+}
+
+TEST(MachineCode, other_engines_run_rules_where_memory_is_denied_later) {
+  const int status = status_of([] { apply_without_executable_memory(true); });
+  if (status == kNotDenied) GTEST_SKIP() << "no machine code here, or nothing denies it";
+  EXPECT_EQ(status, kRight);
 }
 
 }  // namespace

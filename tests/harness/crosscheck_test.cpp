@@ -20,7 +20,8 @@ void PrintTo(const Case& tested, std::ostream* out) {
 
 class Crosscheck : public testing::TestWithParam<Case> {};
 
-/// Whether one iteration suffices on large images: further iterations run the same code.
+/// Whether other tests cover these images: the case of one iteration for nets, tests/custom for custom
+/// rules.
 bool is_omitted(const TestImageSet& set, const Operation& operation) {
   return operation.small_sets_only && set.name == "sizes";
 }

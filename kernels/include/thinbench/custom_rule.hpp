@@ -1,4 +1,5 @@
-// Rules given as tables: any function of the 3 x 3 window of a pixel, compiled when it is made.
+// Rules given as tables: any function of the 3 x 3 window of a pixel, compiled when they are first
+// used.
 #pragma once
 
 #include <array>
@@ -61,14 +62,15 @@ struct CustomRuleOptions {
 /// A rule of 1 to 8 sub-iterations, each a table. A sub-iteration computes all pixels from the same
 /// image; an iteration applies every sub-iteration once. Iterations end when one changes nothing,
 /// or at the limit. Without a limit the rule must be monotone: its tables only remove pixels, or
-/// only add pixels. Copies share the compiled rule; equal rules are compiled once. Immutable and
+/// only add pixels. Compiled when first used, which takes up to 20 ms per table, or 2 s if
+/// optimised; copies and, among the last 64, equal rules share what was compiled. Immutable and
 /// thread-safe.
 class THINBENCH_API CustomRule {
  public:
   static constexpr std::size_t kMaxSubIterations = 8;
 
-  /// Compiles the tables. Throws std::invalid_argument for a number of tables or a limit out of
-  /// range, and for a rule that is not monotone without a limit.
+  /// Throws std::invalid_argument for a number of tables or a limit out of range, and for a rule
+  /// that is not monotone without a limit.
   explicit CustomRule(std::span<const WindowTable> sub_iterations,
                       const CustomRuleOptions& options = {});
   /// One sub-iteration.
@@ -77,8 +79,8 @@ class THINBENCH_API CustomRule {
 
   [[nodiscard]] std::span<const WindowTable> sub_iterations() const { return tables_; }
   [[nodiscard]] const CustomRuleOptions& options() const { return options_; }
-  /// The number of three-input gates of a sub-iteration's circuit. Equal functions of different rows
-  /// count once.
+  /// The number of three-input gates of a sub-iteration's circuit. Equal functions of different
+  /// rows count once.
   [[nodiscard]] int gates(std::size_t sub_iteration) const;
 
   /// For internal use.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "thinbench/custom_rule.hpp"
 #include "thinning/rules.hpp"
 
 namespace thinbench::detail {
@@ -41,6 +42,13 @@ constexpr RuleTable make_rule_table() {
     }
   }
   return table;
+}
+
+/// The same as custom rules have it.
+template <class Rule, int sub>
+WindowTable make_window_table_of() {
+  static constexpr RuleTable kTable = make_rule_table<Rule, sub>();
+  return make_window_table([](std::size_t window) { return kTable[descriptor_of(window)] != 0; });
 }
 
 }  // namespace thinbench::detail

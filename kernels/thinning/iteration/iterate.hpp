@@ -51,7 +51,7 @@ class BandActivity {
   Index row_elements_;
   Index column_elements_;
   std::uint64_t all_columns_;
-  int sub_iteration_ = 0;
+  std::int64_t sub_iteration_ = 0;
   std::size_t active_count_ = 0;
   std::vector<Band> active_;
   std::vector<std::uint64_t> changed_;
