@@ -86,18 +86,20 @@ class ThinningBatch::Engine {
 
 ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options& options)
     : width_(width), height_(height) {
-  const detail::LaneKernel kernel =
-      detail::kernels_of<detail::LaneKernels>(options.isa.value_or(best_isa())).by_rule[rule];
-  const detail::ThinningOperation& operation = detail::operation_of(rule);
+  const auto kernel = [&] {
+    const Isa isa = options.isa.value_or(best_isa());
+    return detail::kernels_of<detail::LaneKernels>(isa).by_rule[rule];
+  };
   make_engine(
-      options, kernel != nullptr,
+      options, [&] { return kernel() != nullptr; },
       [&](const Options& single) {
         detail::require_size(width, height);
+        const detail::ThinningOperation& operation = detail::operation_of(rule);
         const auto& variant = detail::choose(operation, width, height, single);
         return detail::make_state(operation, variant, width, height, single);
       },
       [&] {
-        return lane_worker(kernel, height,
+        return lane_worker(kernel(), height,
                            {.source = {},
                             .target = {},
                             .max_iterations = options.max_iterations,
@@ -108,10 +110,8 @@ ThinningBatch::ThinningBatch(Rule rule, Index width, Index height, const Options
 ThinningBatch::ThinningBatch(const CustomRule& rule, Index width, Index height,
                              const Options& options)
     : width_(width), height_(height) {
-  const Isa isa = options.isa.value_or(best_isa());
-  const bool in_lanes = rule.options().border != Border::foreground;
   make_engine(
-      options, in_lanes,
+      options, [&] { return rule.options().border != Border::foreground; },
       [&](const Options& single) {
         const auto& variant = detail::choose_custom(rule, width, height, single);
         return detail::make_custom_state(rule, variant, width, height, single);
@@ -121,6 +121,7 @@ ThinningBatch::ThinningBatch(const CustomRule& rule, Index width, Index height,
           CustomRule rule;
           detail::BoundRule bound;
         };
+        const Isa isa = options.isa.value_or(best_isa());
         const auto owner = std::make_shared<const Owner>(
             Owner{rule, rule.compiled()->bind(isa, detail::lane_layout(width), true)});
         return lane_worker(detail::kernels_of<detail::LaneKernels>(isa).custom, height,
@@ -134,15 +135,15 @@ ThinningBatch::ThinningBatch(const CustomRule& rule, Index width, Index height,
 }
 
 /// One worker per thread: in lanes where the kernels can, else image by image.
-/// `make_state(options)` checks the options, too.
-template <class MakeState, class MakeLanes>
-void ThinningBatch::make_engine(const Options& options, bool has_lanes, const MakeState& make_state,
-                                const MakeLanes& make_lanes) {
+/// `make_state(options)` checks the options, too; the others are called after it.
+template <class HasLanes, class MakeState, class MakeLanes>
+void ThinningBatch::make_engine(const Options& options, const HasLanes& has_lanes,
+                                const MakeState& make_state, const MakeLanes& make_lanes) {
   detail::require_threads(options.threads);
   Options single = options;
   single.threads = 1;
   auto state = make_state(single);  // with lanes, only for its checks
-  const bool in_lanes = has_lanes && !options.technique && width_ <= detail::kMaxLaneWidth;
+  const bool in_lanes = !options.technique && width_ <= detail::kMaxLaneWidth && has_lanes();
   std::vector<Worker> workers;
   for (int i = 0; i < options.threads; ++i) {
     if (in_lanes) {

@@ -48,8 +48,8 @@ class THINBENCH_API ThinningBatch {
  private:
   class Engine;
 
-  template <class MakeState, class MakeLanes>
-  void make_engine(const Options& options, bool has_lanes, const MakeState& make_state,
+  template <class HasLanes, class MakeState, class MakeLanes>
+  void make_engine(const Options& options, const HasLanes& has_lanes, const MakeState& make_state,
                    const MakeLanes& make_lanes);
 
   Index width_;
