@@ -64,29 +64,31 @@ CompiledRule::CompiledRule(std::vector<WindowTable> tables, SearchEffort effort)
   removes_pixels_ = any(false);
 }
 
-/// Sub-iterations are often the same table rotated or mirrored: then they share one search, unless
-/// the circuit shared functions of rows that are functions of columns now.
-GateNetwork CompiledRule::network_for(std::size_t sub_iteration,
-                                      const std::vector<GateNetwork>& earlier,
-                                      const GateCosts& costs) const {
-  const WindowTable& table = tables_[sub_iteration];
-  for (std::size_t i = 0; i < earlier.size(); ++i) {
-    for (int number = 0; number < 8; ++number) {
-      const Permutation symmetry = symmetry_of(number);
-      if (transformed(tables_[i], symmetry) != table) continue;
-      GateNetwork network = transformed(earlier[i], symmetry);
-      if (cost_of(network, costs) <= cost_of(earlier[i], costs)) return network;
+/// Sub-iterations are often the same table rotated or mirrored: each gets the best circuit of all.
+/// Functions of rows become functions of columns when rotated by 90 degrees, which costs more.
+std::vector<GateNetwork> CompiledRule::find_networks(const GateCosts& costs) const {
+  std::vector<GateNetwork> found;
+  for (const WindowTable& table : tables_) {
+    found.push_back(minimised_network(table, costs, effort_));
+  }
+  std::vector<GateNetwork> best = found;
+  for (std::size_t i = 0; i < tables_.size(); ++i) {
+    for (std::size_t j = 0; j < tables_.size(); ++j) {
+      for (int number = 0; number < 8; ++number) {
+        const Permutation symmetry = symmetry_of(number);
+        if (i == j || transformed(tables_[j], symmetry) != tables_[i]) continue;
+        GateNetwork network = transformed(found[j], symmetry);
+        if (cost_of(network, costs) < cost_of(best[i], costs)) best[i] = std::move(network);
+      }
     }
   }
-  return minimised_network(table, costs, effort_);
+  return best;
 }
 
 CompiledRule::Circuits CompiledRule::make_circuits(bool ternary) const {
-  const GateCosts& costs = ternary ? ternary_costs() : two_input_costs();
   Circuits circuits;
-  for (std::size_t i = 0; i < tables_.size(); ++i) {
-    const GateNetwork network = network_for(i, circuits.networks, costs);
-    circuits.networks.push_back(network);
+  circuits.networks = find_networks(ternary ? ternary_costs() : two_input_costs());
+  for (const GateNetwork& network : circuits.networks) {
     circuits.programs.push_back(ternary ? ternary_program(network) : two_input_program(network));
     circuits.slot_programs.push_back(with_slots(circuits.programs.back()));
   }

@@ -44,9 +44,7 @@ class CompiledRule {
 
   const Circuits& circuits(bool ternary) const;
   [[nodiscard]] Circuits make_circuits(bool ternary) const;
-  [[nodiscard]] GateNetwork network_for(std::size_t sub_iteration,
-                                        const std::vector<GateNetwork>& earlier,
-                                        const GateCosts& costs) const;
+  [[nodiscard]] std::vector<GateNetwork> find_networks(const GateCosts& costs) const;
   [[nodiscard]] BoundRule bind_with(ScanFunction function, bool ternary,
                                     Index register_words) const;
 
