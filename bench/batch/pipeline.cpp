@@ -135,8 +135,9 @@ class Batch {
     for (Page& page : work.pages) {
       const Stopwatch stopwatch(page.record.decode_seconds);
       const BatchJob& job = *work.job;
-      page.grey =
-          job.one_of_several ? read_grey_page(job.path, page.record.page - 1) : read_grey(job.path);
+      page.grey = job.one_of_several
+                      ? read_grey_page(job.path, page.record.page - 1)
+                      : read_grey(job.path, settings_.lenient ? &page.record.warning : nullptr);
       page.record.width = page.grey.width();
       page.record.height = page.grey.height();
     }

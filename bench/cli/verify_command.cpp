@@ -47,7 +47,7 @@ struct GivenImages {
   std::ostream& log;
 
   [[nodiscard]] TestImage image(const std::string& file, InputKind kind) const {
-    if (kind == InputKind::grey) return {file, read_grey(file), kind};
+    if (kind == InputKind::grey) return {file, read_grey(file, binarise, log), kind};
     return {file, read_binary(file, binarise, &log), kind};
   }
 };

@@ -79,7 +79,9 @@ TEST(WriteGrey, one_and_several_pages_are_written_through_a_link_whatever_the_ta
   std::filesystem::create_symlink("target", link);
   write_grey(link, stripes().view());
   EXPECT_EQ(page_count(directory.file("target")), 1);
-  write_grey_pages(link, {stripes(), stripes()});
+  std::vector<ByteImage> pages(2);
+  for (ByteImage& page : pages) page = stripes();
+  write_grey_pages(link, pages);
   EXPECT_EQ(page_count(directory.file("target")), 2);
   EXPECT_EQ(directory.names(), (Names{"a.tif", "target"}));
 }
