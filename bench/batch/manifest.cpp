@@ -1,8 +1,6 @@
 #include "batch/manifest.hpp"
 
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <tuple>
@@ -12,7 +10,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "support/whole_file.hpp"
+#include "support/regular_file.hpp"
 
 namespace thinbench {
 
@@ -53,8 +51,8 @@ void Manifest::open_file() {
 }
 
 void Manifest::read_lines() {
-  std::ifstream stream(path_, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  constexpr std::size_t max_bytes = 10'000'000'000;
+  const std::string text = read_whole_file(path_, max_bytes);
   try {
     ManifestText manifest = parse_manifest(text, format_);
     size_ = manifest.size;

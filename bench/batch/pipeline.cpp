@@ -12,6 +12,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include "image/startable_threads.hpp"
 #include "images/image_file.hpp"
 #include "support/progress.hpp"
 #include "support/whole_file.hpp"
@@ -69,10 +70,11 @@ class Batch {
         progress_(operation.name, static_cast<double>(pages_of(jobs)), "images") {}
 
   BatchTotals run() {
-    const auto threads = static_cast<std::size_t>(settings_.threads);
+    const int arena_size = detail::startable_threads(settings_.threads);
+    const auto threads = static_cast<std::size_t>(arena_size);
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
     const OneThreadPerImage one_thread;
-    tbb::task_arena(settings_.threads).execute([&] {
+    tbb::task_arena(arena_size).execute([&] {
       tbb::parallel_pipeline(kJobsPerThread * threads, all_stages());
     });
     totals_.not_started = jobs_.size() - next_;
@@ -135,8 +137,9 @@ class Batch {
     for (Page& page : work.pages) {
       const Stopwatch stopwatch(page.record.decode_seconds);
       const BatchJob& job = *work.job;
-      page.grey =
-          job.one_of_several ? read_grey_page(job.path, page.record.page - 1) : read_grey(job.path);
+      page.grey = job.one_of_several
+                      ? read_grey_page(job.path, page.record.page - 1)
+                      : read_grey(job.path, settings_.lenient ? &page.record.warning : nullptr);
       page.record.width = page.grey.width();
       page.record.height = page.grey.height();
     }

@@ -30,6 +30,7 @@ struct BatchSettings {
   std::string out;
   int threads = 1;
   bool stops_on_error = false;
+  bool lenient = false;  // as in BinariseOptions
 };
 
 struct BatchTotals {

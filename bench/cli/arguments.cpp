@@ -123,6 +123,10 @@ void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* 
        {add_foreground(app, options.foreground), add_threshold(app, options.threshold)}) {
     if (image != nullptr) option->needs(image);
   }
+  CLI::Option* lenient =
+      app.add_flag("--lenient", options.lenient,
+                   "Read corrupt and truncated JPEG files as far as possible, with a warning");
+  if (image != nullptr) lenient->needs(image);
 }
 
 std::string binarise_words(const BinariseOptions& options) {
@@ -131,6 +135,7 @@ std::string binarise_words(const BinariseOptions& options) {
     words.append(" --foreground ").append(foreground_name(options.foreground));
   }
   if (options.threshold) words.append(" --threshold ").append(std::to_string(*options.threshold));
+  if (options.lenient) words.append(" --lenient");
   return words;
 }
 

@@ -33,7 +33,9 @@ Regions describe(const BinaryImage& binary, const BinariseOptions& options, cons
   record.foreground_before = pixels;
   record.components = static_cast<std::int64_t>(found.objects.size());
   record.holes = static_cast<std::int64_t>(found.holes.size());
-  record.warning = fmt::format("{}", fmt::join(warnings(binary, options), "; "));
+  std::vector<std::string> texts = warnings(binary, options);
+  if (!record.warning.empty()) texts.insert(texts.begin(), record.warning);  // of the decoder
+  record.warning = fmt::format("{}", fmt::join(texts, "; "));
   return found;
 }
 

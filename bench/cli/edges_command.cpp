@@ -36,7 +36,7 @@ int run(const EdgesOptions& options, const Console& console) {
   const detail::EdgeOperation& operation = operator_named(options.op);
   check_extension(options.out);
   std::ostringstream remarks;  // failures are one line, without them
-  ByteImage grey = read_grey(options.in);
+  ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
   print_remarks(options.in, binary, options.binarise, remarks);
   const EdgeThresholds thresholds = prepare_for_edges(grey, binary, options.edges);

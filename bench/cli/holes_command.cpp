@@ -1,5 +1,6 @@
 // thinbench holes: the objects of an image and their holes, as a list, as JSON and drawn.
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -65,13 +66,15 @@ Regions found_in(const ByteImage& objects, const Options& options) {
 
 int run(const HolesCommandOptions& options, const Console& console) {
   if (!options.overlay.empty()) check_colour_extension(options.overlay);
-  const ByteImage grey = read_grey(options.in);
+  std::ostringstream remarks;  // failures are one line, without them
+  const ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
   const Regions all = found_in(binary.image, options.how);
   if (!options.overlay.empty()) {
     write_overlay(options.overlay, grey.view(), binary.image.view(), all, options.min_area);
   }
-  print_remarks(options.in, binary, options.binarise, console.err);
+  print_remarks(options.in, binary, options.binarise, remarks);
+  console.err << remarks.str();
   const Regions found = selected(all, kept_regions(all, options.min_area));
   if (options.json) {
     console.out << regions_json(found, binary, options.binarise, options.min_area);

@@ -39,7 +39,7 @@ std::shared_ptr<const NetModel> net_from_file(const detail::ThinningOperation& o
   if (path.empty()) return nullptr;
   const std::string name(operation.name);
   if (!operation.is_net) {
-    throw std::runtime_error("--weights: " + name + " is not a net and has no weights");
+    throw UsageError("--weights: " + name + " is not a net and has no weights");
   }
   const AnyWeights weights = read_weights(path);
   const bool wants_cluster = operation.rule == Rule::net_single_layer_cluster;

@@ -13,6 +13,7 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
+#include "image/startable_threads.hpp"
 
 namespace thinbench {
 namespace {
@@ -112,7 +113,7 @@ void add_variant_options(CLI::App& app, Options& options) {
 
 double milliseconds_of(int threads, const std::function<void()>& work) {
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
+                                    static_cast<std::size_t>(detail::startable_threads(threads)));
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)

@@ -12,6 +12,7 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "harness/verify.hpp"
+#include "image/startable_threads.hpp"
 #include "images/image_file.hpp"
 #include "peers/peers.hpp"
 #include "scene/scene.hpp"
@@ -47,7 +48,7 @@ struct GivenImages {
   std::ostream& log;
 
   [[nodiscard]] TestImage image(const std::string& file, InputKind kind) const {
-    if (kind == InputKind::grey) return {file, read_grey(file), kind};
+    if (kind == InputKind::grey) return {file, read_grey(file, binarise, log), kind};
     return {file, read_binary(file, binarise, &log), kind};
   }
 };
@@ -228,8 +229,9 @@ int run(const VerifyOptions& options, const Console& console) {
   }
   const std::vector<TestImageSet> sets = chosen_sets(options, verifier.rows(), console.err);
   const int max_threads = *std::max_element(options.threads.begin(), options.threads.end());
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(max_threads));
+  const tbb::global_control allowed(
+      tbb::global_control::max_allowed_parallelism,
+      static_cast<std::size_t>(detail::startable_threads(max_threads)));
   if (any_runs_here(verifier.rows())) verify(verifier, sets, console);
   return report_verdicts(verifier, console.out);
 }

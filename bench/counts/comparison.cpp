@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "counts/documents.hpp"
+#include "support/regular_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -105,9 +105,8 @@ std::size_t Comparison::more() const {
 }
 
 Json read_counts(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) reject(file, "cannot be read");
-  Json document = Json::parse(stream, nullptr, false);
+  constexpr std::size_t max_bytes = 1'000'000'000;
+  Json document = Json::parse(read_whole_file(file, max_bytes), nullptr, false);
   if (document.is_discarded()) reject(file, "is not complete JSON");
   if (!is_known(document)) reject(file, "holds no counts that this version knows");
   return document;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -245,8 +246,16 @@ void print_remarks(const std::string& name, const BinaryImage& binary,
     print_line("warning: ", name, text, log);
 }
 
+ByteImage read_grey(const std::string& path, const BinariseOptions& options, std::ostream& log) {
+  std::string warning;
+  ByteImage grey = read_grey(path, options.lenient ? &warning : nullptr);
+  print_line("warning: ", path, warning, log);
+  return grey;
+}
+
 ByteImage read_binary(const std::string& path, const BinariseOptions& options, std::ostream* log) {
-  BinaryImage binary = binarise(read_grey(path), options);
+  std::ostringstream ignored;
+  BinaryImage binary = binarise(read_grey(path, options, log != nullptr ? *log : ignored), options);
   if (log != nullptr) print_remarks(path, binary, options, *log);
   return std::move(binary.image);
 }

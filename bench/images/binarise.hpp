@@ -30,6 +30,8 @@ struct BinariseOptions {
   /// Pixels are bright at this grey level and above, [0, 255]; where there is none, above the level
   /// that OpenCV finds by Otsu's method.
   std::optional<int> threshold = std::nullopt;
+  /// Corrupt and truncated JPEG files are read as far as possible, with a warning.
+  bool lenient = false;
 };
 
 /// A binary image, and what it was made from.
@@ -80,6 +82,10 @@ void add_rows(BrightPixels& count, const ConstPackedView& rows, Index y, Index h
 /// "warning: ..." with each of its warnings.
 void print_remarks(const std::string& name, const BinaryImage& binary,
                    const BinariseOptions& options, std::ostream& log);
+
+/// As read_grey, and leniently where the options say so; a warning of the decoder goes to `log`.
+[[nodiscard]] ByteImage read_grey(const std::string& path, const BinariseOptions& options,
+                                  std::ostream& log);
 
 /// Reads the image at `path` and binarises it, with the remarks in `log`, if there is one. Throws
 /// ImageError.

@@ -2,25 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <new>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
-#include <fcntl.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "images/captured_stderr.hpp"
 #include "images/mat_of.hpp"
+#include "images/pnm_file.hpp"
+#include "images/tiff_file.hpp"
+#include "support/regular_file.hpp"
 #include "support/text.hpp"
-#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -41,8 +38,17 @@ std::string too_many_pixels() {
          " allows; at most 2^31 = 2147483648 can be read";
 }
 
+bool is_tiff(const std::string& path) {
+  const std::string bytes = beginning_of(path, 4);
+  using namespace std::string_view_literals;  // the last two are those of BigTIFF
+  const std::array marks = {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv};
+  return std::find(marks.begin(), marks.end(), bytes) != marks.end();
+}
+
 /// The decoder gave up without a reason.
 [[noreturn]] void cannot_decode(const std::string& path) {
+  const std::string why = is_tiff(path) ? unreadable_tiff_reason(path) : "";
+  if (!why.empty()) cannot_read(path, why);
   if (!cv::haveImageReader(path)) cannot_read(path, "it is not an image of a known format");
   cannot_read(path, "it is damaged or has no pixels");
 }
@@ -56,14 +62,15 @@ std::string too_many_pixels() {
   cannot_decode(path);
 }
 
-/// Some decoders fill up what is missing in a file that ends too early and only warn.
-void check_warnings(const std::string& path, const std::string& warnings) {
-  if (warnings.find("remature end") != std::string::npos)
-    cannot_read(path, "the file is truncated");
+/// What the decoder of a JPEG file warned of first; empty if nothing. It fills up what is missing.
+std::string jpeg_warning(const std::string& path, const std::string& said) {
+  if (said.empty() || beginning_of(path, 2) != "\xFF\xD8") return {};
+  if (said.starts_with("Premature end of JPEG file")) return "the file is truncated";
+  return "its decoder says: " + one_line(said.substr(0, said.find('\n')));
 }
 
 cv::Mat first_page(const std::string& path) {
-  return cv::imread(path, cv::IMREAD_GRAYSCALE);
+  return is_pnm(path) ? read_pnm(path) : cv::imread(path, cv::IMREAD_GRAYSCALE);
 }
 
 cv::Mat one_page(const std::string& path, int page) {
@@ -73,56 +80,47 @@ cv::Mat one_page(const std::string& path, int page) {
 }
 
 template <class Decode>
-cv::Mat decoded(const std::string& path, const Decode& decode) {
+cv::Mat decoded(const std::string& path, const Decode& decode, std::string* warning) {
   const CapturedStderr captured;
   cv::Mat image = decode();
   if (image.empty()) cannot_decode(path);
-  check_warnings(path, captured.text());
+  const std::string found = jpeg_warning(path, captured.text());
+  if (!found.empty() && warning == nullptr) cannot_read(path, found);
+  if (warning != nullptr) *warning = found;
   return image;
 }
 
 template <class Decode>
-ByteImage read_by(const std::string& path, const Decode& decode) {
+ByteImage read_by(const std::string& path, const Decode& decode, std::string* warning) {
   check_file(path);
   try {
-    const cv::Mat image = decoded(path, decode);
+    const cv::Mat image = decoded(path, decode, warning);
     if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
       cannot_read(path, "it has more than 2^31 pixels");
     }
     return copy_of({image.data, image.cols, image.rows, static_cast<Index>(image.step[0])});
   } catch (const cv::Exception& error) {
     cannot_read(path, error);
+  } catch (const FileError& error) {
+    throw ImageError(error.what());
   } catch (const std::bad_alloc&) {
     cannot_read(path, "there is not enough memory for it");
   }
 }
 
-bool is_tiff(const std::string& path) {
-  std::array<char, 4> start{};
-  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  const std::string_view bytes(start.data(), start.size());
-  using namespace std::string_view_literals;  // the last two are those of BigTIFF
-  const std::array marks = {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv};
-  return std::find(marks.begin(), marks.end(), bytes) != marks.end();
-}
-
 }  // namespace
 
 void check_file(const std::string& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0 && errno == ENOENT) cannot_read(path, "there is no such file");
-  if (descriptor < 0) cannot_read(path, std::generic_category().message(errno));
-  struct stat facts {};
-  const int failed = fstat(descriptor, &facts);
-  close(descriptor);
-  if (failed != 0) cannot_read(path, "its kind and size are unknown");
-  if (S_ISDIR(facts.st_mode)) cannot_read(path, "it is a directory");
-  if (!S_ISREG(facts.st_mode)) cannot_read(path, "it is not a regular file");
-  if (facts.st_size == 0) cannot_read(path, "the file is empty");
+  try {
+    if (regular_file_bytes(path) == 0) cannot_read(path, "the file is empty");
+  } catch (const FileError& error) {
+    throw ImageError(error.what());
+  }
 }
 
-ByteImage read_grey(const std::string& path) {
-  return read_by(path, [&] { return first_page(path); });
+ByteImage read_grey(const std::string& path, std::string* warning) {
+  return read_by(
+      path, [&] { return first_page(path); }, warning);
 }
 
 int page_count(const std::string& path) {
@@ -137,7 +135,8 @@ int page_count(const std::string& path) {
 }
 
 ByteImage read_grey_page(const std::string& path, int page) {
-  return read_by(path, [&] { return one_page(path, page); });
+  return read_by(
+      path, [&] { return one_page(path, page); }, nullptr);
 }
 
 namespace {

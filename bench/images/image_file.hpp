@@ -23,8 +23,10 @@ void check_file(const std::string& path);
 
 /// The grey levels of a image file of any common format; 16 bits become 8, colours become grey
 /// and transparency is ignored. OpenCV reads its own limit of 2^30 pixels from the environment
-/// when it is loaded, so that only the user can raise it. Throws ImageError.
-[[nodiscard]] ByteImage read_grey(const std::string& path);
+/// when it is loaded, so that only the user can raise it. A JPEG file of which the decoder says
+/// that it is corrupt or truncated is an error; where `warning` is given, it is read as far as
+/// possible, and what the decoder says goes there. Throws ImageError.
+[[nodiscard]] ByteImage read_grey(const std::string& path, std::string* warning = nullptr);
 
 /// The number of images in a TIFF file; 1 for all other files, unreadable ones included.
 [[nodiscard]] int page_count(const std::string& path);

@@ -1,13 +1,9 @@
 #include "images/packed_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <optional>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +11,9 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "images/pnm_header.hpp"
+#include "support/regular_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -27,53 +26,6 @@ namespace {
   const int number = errno;
   cannot(what, path,
          number == ENOENT ? "there is no such file" : std::generic_category().message(number));
-}
-
-/// Reads the fields of a PBM header.
-class PbmHeader {
- public:
-  explicit PbmHeader(std::string_view text) : text_(text) {}
-
-  /// The next number; nothing if there is none.
-  std::optional<Index> number() {
-    skip_spaces_and_comments();
-    Index value = 0;
-    const char* const end = text_.data() + text_.size();
-    const auto result = std::from_chars(text_.data() + position_, end, value);
-    if (result.ec != std::errc() || result.ptr == end) return std::nullopt;
-    position_ = static_cast<std::size_t>(result.ptr - text_.data());
-    return value;
-  }
-
-  /// The header with the one space that ends it; nothing if another character follows.
-  [[nodiscard]] std::optional<std::string> whole() const {
-    if (position_ >= text_.size() || !is_space(text_[position_])) return std::nullopt;
-    return std::string(text_.substr(0, position_ + 1));
-  }
-
- private:
-  static bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-
-  void skip_spaces_and_comments() {
-    while (position_ < text_.size() && (is_space(text_[position_]) || text_[position_] == '#')) {
-      if (text_[position_] == '#') position_ = std::min(text_.find('\n', position_), text_.size());
-      if (position_ < text_.size()) ++position_;
-    }
-  }
-
-  std::string_view text_;
-  std::size_t position_ = 2;  // after "P4"
-};
-
-/// The beginning of a file: more than any usual header.
-std::string beginning_of(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) cannot_by_errno("read", path);
-  std::array<char, 4096> bytes;
-  const ssize_t count = ::read(descriptor, bytes.data(), bytes.size());
-  close(descriptor);
-  if (count < 0) cannot_by_errno("read", path);
-  return {bytes.data(), static_cast<std::size_t>(count)};
 }
 
 /// The number of set bits, by operations that compilers vectorise on any processor.
@@ -90,9 +42,9 @@ Index bits_of(std::uint64_t word) {
 }  // namespace
 
 PackedFormat pbm_format(const std::string& path) {
-  const std::string text = beginning_of(path);
+  const std::string text = beginning_of(path, kPnmHeaderBytes);
   if (text.rfind("P4", 0) != 0) cannot("read", path, "it is not a binary PBM file (P4)");
-  PbmHeader header(text);
+  PnmHeader header(text);
   const std::optional<Index> width = header.number();
   const std::optional<Index> height = header.number();
   const std::optional<std::string> whole = header.whole();
@@ -106,7 +58,9 @@ PackedFormat pbm_format(const std::string& path) {
 }
 
 PackedFile::PackedFile(const std::string& path, const PackedFormat& format, int flags)
-    : path_(path), format_(format), descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    : path_(path),
+      format_(format),
+      descriptor_(::open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666)) {
   if (descriptor_ < 0) cannot_by_errno(flags == O_RDONLY ? "read" : "write", path);
 }
 

@@ -171,6 +171,16 @@ bool is_bilevel_tiff(const std::string& path) {
   return tiff.get() != nullptr && is_bilevel(tiff);
 }
 
+std::string unreadable_tiff_reason(const std::string& path) {
+  const OpenTiff tiff(path, kReadMode);
+  if (tiff.get() == nullptr) return {};
+  const int bits = tiff.small_number(TIFFTAG_BITSPERSAMPLE);
+  const bool is_integer = tiff.small_number(TIFFTAG_SAMPLEFORMAT) == SAMPLEFORMAT_UINT;
+  if (is_integer && (bits == 1 || bits == 8 || bits == 16)) return {};
+  return fmt::format("its samples have {} bits{}; known are integers of 1, 8 and 16 bits", bits,
+                     is_integer ? "" : " and are no unsigned integers");
+}
+
 TiffReader::TiffReader(const std::string& path) : path_(path) {
   check_file(path);
   tiff_ = std::make_unique<OpenTiff>(path, kReadMode);

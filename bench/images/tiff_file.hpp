@@ -30,6 +30,10 @@ struct TiffFormat {
 /// PackBits, LZW, Deflate or CCITT compression. False for files that cannot be read.
 [[nodiscard]] bool is_bilevel_tiff(const std::string& path);
 
+/// Why image decoders reject a TIFF file that may be in order: the kind of its samples. Empty if
+/// there is no such reason.
+[[nodiscard]] std::string unreadable_tiff_reason(const std::string& path);
+
 class OpenTiff;
 
 /// The rows of the first image of a file, one after another. Errors are ImageError: one line that

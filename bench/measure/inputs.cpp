@@ -3,9 +3,10 @@
 #include <array>
 #include <cstdio>
 #include <regex>
-#include <stdexcept>
+#include <sstream>
 #include <utility>
 
+#include "cli/usage.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
@@ -67,7 +68,7 @@ TimedInput of_scene(const std::string& name, const Transform& transform) {
 }
 
 [[noreturn]] void reject(const std::string& name) {
-  throw std::invalid_argument(
+  throw UsageError(
       "input '" + name +
       "': expected scene, square_N, tiled_N, enlarged_N, noise_N_PERCENT_BLOCK, squares_N_SIDE or "
       "strokes_SIDE_COUNT, with sides from 1 to " +
@@ -127,9 +128,11 @@ TimedInput drawn_input(const std::string& name) {
 std::vector<TimedInput> timed_inputs(const InputChoice& choice, std::ostream* log) {
   std::vector<TimedInput> inputs;
   for (const std::string& path : choice.pictures) {
-    ByteImage grey = read_grey(path);
+    std::ostringstream remarks;
+    ByteImage grey = read_grey(path, choice.binarise, remarks);
     BinaryImage binary = binarise(copy_of(grey.view()), choice.binarise);
-    if (log != nullptr) print_remarks(path, binary, choice.binarise, *log);
+    print_remarks(path, binary, choice.binarise, remarks);
+    if (log != nullptr) *log << remarks.str();
     std::string name = image_name(path, names_of(inputs), drawn_names());
     inputs.push_back({std::move(name), std::move(binary.image), std::move(grey)});
   }

@@ -37,12 +37,12 @@ struct InputChoice {
 ///   noise_N_P_G       N x N pixels of random G x G blocks, P percent of them foreground
 ///   squares_N_S       N x N pixels, foreground squares of side S at distance S
 ///   strokes_N_C       C images of N x N pixels, each a thick line, one below the other
-/// Throws std::invalid_argument for any other name.
+/// Throws UsageError for any other name.
 [[nodiscard]] TimedInput drawn_input(const std::string& name);
 
 /// The image files, then the drawn images; the scene where both lists are empty. Names are unique
 /// and hold no '/'; no image file gets a name that drawn_input() knows. Remarks on the image files
-/// go to `log` if there is one. Throws ImageError, and std::invalid_argument for unknown names.
+/// go to `log` if there is one. Throws ImageError, and UsageError for unknown names.
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice,
                                                    std::ostream* log = nullptr);
 

@@ -1,12 +1,13 @@
 #include "out_of_core/checkpoint.hpp"
 
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
 
-#include "support/whole_file.hpp"
+#include "support/regular_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -54,10 +55,10 @@ void save_checkpoint(const std::string& path, const std::string& identity,
 
 std::optional<Checkpoint> load_checkpoint(const std::string& path, const std::string& identity,
                                           Index tiles) {
-  std::ifstream stream(path);
-  if (!stream) return std::nullopt;
+  constexpr std::size_t max_bytes = 10'000'000'000;
+  if (!std::filesystem::exists(path)) return std::nullopt;
   try {
-    const nlohmann::json json = nlohmann::json::parse(stream);
+    const nlohmann::json json = nlohmann::json::parse(read_whole_file(path, max_bytes));
     const auto begun = json.at("run").get<std::string>();
     if (begun != identity) {
       cannot_resume(path, "it belongs to another run (" + begun + "), this is " + identity);

@@ -43,7 +43,7 @@ struct OutOfCoreResult {
 
 /// Thins `in` into `out`, which appears or is replaced when all is done. Work files beside it have
 /// the names ".OUT.thinbench-a", "-b", "-state" and "-new". They are removed at the end; a run that
-/// fails or is killed after its first pass leaves them for `resume`.
+/// fails or is ended after its first pass leaves them for `resume`.
 ///
 /// Throws std::invalid_argument for rules whose changes have no bounded reach (midpoint_scan, spta
 /// and nets) and for options out of range; FileError if a file cannot be read or written, the disk

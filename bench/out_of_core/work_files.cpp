@@ -1,7 +1,6 @@
 #include "out_of_core/work_files.hpp"
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -55,23 +54,21 @@ WorkFiles::WorkFiles(const std::string& in, const std::string& out, const Packed
       conversion_(std::move(conversion)),
       identity_(std::move(identity)) {
   check_target(out);
-  const std::string base = fmt::format("{}/.{}.thinbench-", directory_of(out),
-                                       std::filesystem::path(out).filename().string());
+  const std::string target = target_of(out);
+  const std::string base = fmt::format("{}/.{}.thinbench-", directory_of(target),
+                                       std::filesystem::path(target).filename().string());
   names_ = {base + "a", base + "b"};
   state_name_ = base + "state";
-  new_name_ = base + "new";
   check_space(files);
   lock_.emplace(names_[0], out);
+  new_file_.emplace(base + "new");
 }
 
-WorkFiles::~WorkFiles() {
-  unlink(new_name_.c_str());
-  if (!is_resumable_) remove_files();
-}
+WorkFiles::~WorkFiles() = default;
 
 void WorkFiles::check_space(int files) const {
   struct statvfs facts {};
-  const std::string directory = directory_of(out_);
+  const std::string directory = directory_of(names_[0]);
   if (statvfs(directory.c_str(), &facts) != 0) return;  // writing will fail or not
   const Index free = static_cast<Index>(facts.f_bavail) * static_cast<Index>(facts.f_frsize) +
                      allocated_bytes(names_[0]) + allocated_bytes(names_[1]);
@@ -81,22 +78,15 @@ void WorkFiles::check_space(int files) const {
                               megabytes(needed), directory, megabytes(free)));
 }
 
-void WorkFiles::remove_files() const {
-  for (const std::string& name : names_) unlink(name.c_str());
-}
-
-void WorkFiles::rename(const std::string& from, const std::string& to) const {
-  if (std::rename(from.c_str(), to.c_str()) == 0) return;
-  throw FileError("cannot write '" + out_ + "': " + std::generic_category().message(errno));
-}
-
 std::optional<Checkpoint> WorkFiles::load(Index tiles) const {
   return load_checkpoint(state_name_, identity_, tiles);
 }
 
 void WorkFiles::drop_checkpoint() {
   unlink(state_name_.c_str());
-  is_resumable_ = false;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (!unfinished_[i]) unfinished_[i].emplace(names_[i]);
+  }
 }
 
 PackedFile WorkFiles::open_input() const {
@@ -116,23 +106,25 @@ void WorkFiles::open(int pass) {
 
 void WorkFiles::save(const Checkpoint& checkpoint) {
   target_.synchronise();
-  save_checkpoint(new_name_, identity_, checkpoint);
-  rename(new_name_, state_name_);
-  is_resumable_ = true;
+  save_checkpoint(new_file_->name(), identity_, checkpoint);
+  replace_file(state_name_, new_file_->name());
+  for (std::optional<UnfinishedFile>& file : unfinished_) {
+    if (file) file->keep();
+    file.reset();
+  }
 }
 
 // A target that becomes the output is no longer there for a checkpoint, which is removed first: a
 // run killed in between begins again, from an unchanged input.
 void WorkFiles::finish() {
   if (conversion_.pack) {
-    conversion_.pack(target_, new_name_);
-    rename(new_name_, out_);
+    conversion_.pack(target_, new_file_->name());
+    replace_file(out_, new_file_->name());
     drop_checkpoint();
   } else {
     drop_checkpoint();
-    rename(target_.path(), out_);
+    replace_file(out_, target_.path());
   }
-  remove_files();
 }
 
 }  // namespace thinbench

@@ -8,6 +8,7 @@
 #include "images/packed_file.hpp"
 #include "out_of_core/checkpoint.hpp"
 #include "out_of_core/conversion.hpp"
+#include "support/unfinished_file.hpp"
 
 namespace thinbench {
 
@@ -35,7 +36,7 @@ class WorkFiles {
   /// writes them. `identity` as in Checkpoint.
   WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
             Conversion conversion, int files, std::string identity);
-  /// Removes the files if the checkpoint was removed.
+  /// Removes the work files unless there is a checkpoint; so do signals that end the program.
   ~WorkFiles();
   WorkFiles(const WorkFiles&) = delete;
   WorkFiles& operator=(const WorkFiles&) = delete;
@@ -53,15 +54,12 @@ class WorkFiles {
   [[nodiscard]] const PackedFile& target() const { return target_; }
   /// Saves the state after a pass, with all that the pass wrote.
   void save(const Checkpoint& checkpoint);
-  /// Makes the target the output, or the output of the target, and removes the rest.
+  /// Makes the target the output, or the output of the target.
   void finish();
 
  private:
   [[nodiscard]] PackedFile open_input() const;
   void check_space(int files) const;
-  void remove_files() const;
-  /// Gives a file the name of another one, which it replaces.
-  void rename(const std::string& from, const std::string& to) const;
 
   std::string in_;
   std::string out_;
@@ -70,11 +68,12 @@ class WorkFiles {
   std::string identity_;
   std::array<std::string, 2> names_;
   std::string state_name_;
-  std::string new_name_;  // of what is renamed once it is whole
   std::optional<LockedFile> lock_;
+  std::optional<UnfinishedFile> new_file_;  // renamed once it is whole
+  /// The work files where nothing is there to resume.
+  std::array<std::optional<UnfinishedFile>, 2> unfinished_;
   PackedFile source_;
   PackedFile target_;
-  bool is_resumable_ = true;
 };
 
 }  // namespace thinbench

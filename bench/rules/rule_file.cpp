@@ -2,20 +2,15 @@
 #include "rules/rule_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <functional>
 #include <set>
 #include <stdexcept>
-#include <system_error>
 
-#include <fcntl.h>
 #include <nlohmann/json.hpp>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "support/json_field.hpp"
-#include "support/whole_file.hpp"
+#include "support/regular_file.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {
@@ -194,47 +189,6 @@ class StructureCheck {
   std::set<std::string> keys_[kMaxDepth + 1];  // of the object at each depth
 };
 
-/// An open file, closed at the end.
-struct OpenFile {
-  int descriptor;
-
-  explicit OpenFile(const std::string& path)
-      : descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  ~OpenFile() {
-    if (descriptor >= 0) close(descriptor);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  OpenFile(OpenFile&&) = delete;
-  OpenFile& operator=(OpenFile&&) = delete;
-};
-
-[[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
-  throw std::runtime_error("cannot read '" + path + "': " + why);
-}
-
-std::string text_of_file(const std::string& path) {
-  const OpenFile file(path);
-  struct stat facts {};
-  if (file.descriptor < 0 || fstat(file.descriptor, &facts) != 0) {
-    cannot_read(path, std::generic_category().message(errno));
-  }
-  if (!S_ISREG(facts.st_mode)) cannot_read(path, "it is not a regular file");
-  if (static_cast<std::size_t>(facts.st_size) > kMaxBytes) {
-    cannot_read(path, "it has more than 1,000,000 bytes");
-  }
-  std::string text(static_cast<std::size_t>(facts.st_size), '\0');
-  std::size_t size = 0;
-  while (size < text.size()) {
-    const ssize_t count = read(file.descriptor, text.data() + size, text.size() - size);
-    if (count < 0) cannot_read(path, std::generic_category().message(errno));
-    if (count == 0) break;  // shortened meanwhile
-    size += static_cast<std::size_t>(count);
-  }
-  text.resize(size);
-  return text;
-}
-
 std::string hexadecimal(const WindowTable& table) {
   std::string digits;
   for (std::size_t window = 0; window < WindowTable::kWindows; window += 4) {
@@ -266,7 +220,7 @@ RuleDescription parse_rule(const std::string& text, const std::string& name) {
 }
 
 RuleDescription read_rule_file(const std::string& path) {
-  return parse_rule(text_of_file(path), path);
+  return parse_rule(read_whole_file(path, kMaxBytes), path);
 }
 
 void write_rule_file(const std::string& path, const RuleDescription& rule) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <system_error>
 
@@ -11,6 +12,8 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "support/unfinished_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -26,8 +29,8 @@ namespace {
 constexpr std::string_view kHiddenPrefix = ".thinbench-";
 
 /// The umask applies, as it does not to files of mkstemp.
-int create_new(const std::string& path) {
-  return open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+int create_new(const std::string& path, mode_t mode) {
+  return open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
 bool has_name(int descriptor) {
@@ -35,51 +38,95 @@ bool has_name(int descriptor) {
   return fstat(descriptor, &facts) == 0 && facts.st_nlink > 0;
 }
 
+std::string hidden_name_in(const std::filesystem::path& directory, const std::string& extension) {
+  const std::string number = std::to_string(std::random_device()());
+  return directory / (std::string(kHiddenPrefix) + number + extension);
+}
+
 /// A new hidden file beside the target, removed unless it was renamed. It is locked while this
-/// program works on it.
+/// program works on it. Who must not read the target cannot read it either.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& target) {
-    const std::filesystem::path directory = std::filesystem::path(target).parent_path();
-    const std::string extension = std::filesystem::path(target).extension();
+  explicit TemporaryFile(const std::string& path) {
+    const std::filesystem::path target = target_of(path);
+    const std::string extension = std::filesystem::path(path).extension();
+    struct stat old {};
+    const mode_t mode = stat(target.c_str(), &old) == 0 ? old.st_mode & 0666 : 0666;
     do {  // again if another program took it for an abandoned file before it was locked
       if (descriptor_ >= 0) close(descriptor_);
-      const std::string number = std::to_string(std::random_device()());
-      name_ = directory / (std::string(kHiddenPrefix) + number + extension);
-      descriptor_ = create_new(name_);
-      if (descriptor_ < 0 && errno != EEXIST) fail_by_errno(target);
+      file_.emplace(hidden_name_in(target.parent_path(), extension));
+      descriptor_ = create_new(name(), mode);
+      if (descriptor_ < 0 && errno != EEXIST) fail_by_errno(path);
       flock(descriptor_, LOCK_EX);
     } while (descriptor_ < 0 || !has_name(descriptor_));
   }
-  ~TemporaryFile() {
-    unlink(name_.c_str());
-    close(descriptor_);
-  }
+  ~TemporaryFile() { close(descriptor_); }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   TemporaryFile(TemporaryFile&&) = delete;
   TemporaryFile& operator=(TemporaryFile&&) = delete;
 
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& name() const { return file_->name(); }
 
  private:
-  std::string name_;
+  std::optional<UnfinishedFile> file_;
   int descriptor_ = -1;
 };
 
+/// Whether the other names of a file (hard links), its owner and its group are not lost when
+/// another file takes its place.
+bool is_replaceable(const struct stat& old, const struct stat& finished) {
+  return old.st_nlink == 1 && old.st_uid == finished.st_uid && old.st_gid == finished.st_gid;
+}
+
+void overwrite(const std::string& path, const std::string& finished) {
+  errno = 0;
+  std::ifstream from(finished, std::ios::binary);
+  std::ofstream to(path, std::ios::binary | std::ios::trunc);
+  if (from.peek() != std::ifstream::traits_type::eof()) to << from.rdbuf();
+  to.close();
+  if (!from.is_open() || !to) fail_by_errno(path);
+  unlink(finished.c_str());
+}
+
 }  // namespace
 
+std::string target_of(const std::string& path) {
+  constexpr int max_links = 40;  // as Linux
+  std::filesystem::path target = path;
+  std::error_code ignored;
+  for (int links = 0; std::filesystem::is_symlink(target, ignored); ++links) {
+    if (links == max_links) fail(path, std::generic_category().message(ELOOP));
+    target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
+  }
+  return target;
+}
+
 void check_target(const std::string& path) {
-  const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+  const std::string target = target_of(path);
+  const std::filesystem::path directory = std::filesystem::path(target).parent_path();
   std::error_code ignored;
   if (path.empty()) fail(path, "its name is empty");
   if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) {
     fail(path, "there is no directory '" + directory.string() + "'");
   }
-  if (std::filesystem::is_directory(path, ignored)) fail(path, "it is a directory");
-  if (std::filesystem::exists(path, ignored) && access(path.c_str(), W_OK) != 0) {
-    fail(path, "it is write-protected");
+  const std::filesystem::file_status status = std::filesystem::status(target, ignored);
+  if (!std::filesystem::exists(status)) return;
+  if (std::filesystem::is_directory(status)) fail(path, "it is a directory");
+  if (!std::filesystem::is_regular_file(status)) fail(path, "it is not a regular file");
+  if (access(target.c_str(), W_OK) != 0) fail(path, "it is write-protected");
+}
+
+void replace_file(const std::string& path, const std::string& finished) {
+  const std::string target = target_of(path);
+  struct stat old {};
+  struct stat facts {};
+  if (stat(target.c_str(), &old) == 0) {
+    if (stat(finished.c_str(), &facts) != 0) fail_by_errno(path);
+    if (!is_replaceable(old, facts)) return overwrite(target, finished);
+    if (chmod(finished.c_str(), old.st_mode & 07777) != 0) fail_by_errno(path);
   }
+  if (std::rename(finished.c_str(), target.c_str()) != 0) fail_by_errno(path);
 }
 
 void write_whole_file(const std::string& path, std::string_view bytes) {
@@ -96,7 +143,7 @@ void write_whole_file(const std::string& path,
   check_target(path);
   const TemporaryFile file(path);
   write(file.name());
-  if (std::rename(file.name().c_str(), path.c_str()) != 0) fail_by_errno(path);
+  replace_file(path, file.name());
 }
 
 void remove_abandoned_files(const std::string& directory) {

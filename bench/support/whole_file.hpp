@@ -13,12 +13,21 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Where a path leads through symbolic links, whether or not there is a file. Throws FileError.
+[[nodiscard]] std::string target_of(const std::string& path);
+
 /// Rejects what writing would fail at after all the work: a directory that does not exist, one of
-/// this name, a file that the user protected. Throws FileError.
+/// this name, a device, pipe or socket, a file that the user protected. Throws FileError.
 void check_target(const std::string& path);
 
-/// Writes a hidden file beside `path`, then renames it; nothing is left of it after a failure.
-/// Thread-safe. Throws FileError.
+/// Gives a finished file the place of `path`, on the same file system, or of what `path` leads to
+/// through symbolic links. The mode of a file that is replaced remains. Where other names of it
+/// (hard links), another owner or another group would be lost, it is overwritten instead: only
+/// then can a kill or a full disk leave a part. Throws FileError.
+void replace_file(const std::string& path, const std::string& finished);
+
+/// Writes a hidden file beside the target, then replaces the target as replace_file does; nothing
+/// is left of the hidden file after a failure. Thread-safe. Throws FileError.
 void write_whole_file(const std::string& path, std::string_view bytes);
 
 /// The same with a function that writes the hidden file, whose extension is that of `path`.

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "support/json_field.hpp"
+#include "support/regular_file.hpp"
 #include "support/text.hpp"
 
 namespace thinbench {
@@ -88,10 +87,8 @@ AnyWeights parse_weights(const std::string& text, const std::string& name) {
 }
 
 AnyWeights read_weights(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(file), {});
-  if (!file.is_open() || file.bad()) throw std::runtime_error("cannot read " + path);
-  return parse_weights(text, path);
+  constexpr std::size_t max_bytes = 1'000'000;
+  return parse_weights(read_whole_file(path, max_bytes), path);
 }
 
 namespace {

@@ -1,6 +1,10 @@
+#include <algorithm>
+
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "image/startable_threads.hpp"
 #include "image/thread_team.hpp"
 
 #ifdef __SANITIZE_THREAD__
@@ -24,17 +28,26 @@ void publish(const void*) {}
 void receive(const void*) {}
 #endif
 
+// oneTBB's global limit, which the program controls, may reduce the number of threads; by default
+// to the number of cores. An arena beyond it would print a warning.
+int arena_size(int threads) {
+  using tbb::global_control;
+  const std::size_t limit = global_control::active_value(global_control::max_allowed_parallelism);
+  return startable_threads(std::min(threads, static_cast<int>(limit)));
+}
+
 }  // namespace
 
-// oneTBB's global limit, which the program controls, may reduce the number of threads; by default
-// to the number of cores.
 struct ThreadTeam::Workers {
-  explicit Workers(int threads) : arena(threads) {}
+  explicit Workers(int size) : arena(size) {}
   tbb::task_arena arena;
 };
 
-ThreadTeam::ThreadTeam(int threads)
-    : workers_(threads > 1 ? std::make_unique<Workers>(threads) : nullptr), threads_(threads) {}
+// Without workers, the calling thread does all parts.
+ThreadTeam::ThreadTeam(int threads) : threads_(threads) {
+  const int size = threads > 1 ? arena_size(threads) : 1;
+  if (size > 1) workers_ = std::make_unique<Workers>(size);
+}
 
 ThreadTeam::~ThreadTeam() = default;
 
@@ -44,6 +57,12 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
     return;
   }
   const Index parts = count < threads_ ? count : threads_;
+  if (!workers_) {
+    for (Index part = 0; part < parts; ++part) {
+      invoke_body(body, count * part / parts, count * (part + 1) / parts);
+    }
+    return;
+  }
   const void* finished = workers_.get();
   publish(body);
   workers_->arena.execute([=] {

@@ -167,6 +167,23 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
   EXPECT_EQ(directory.names(), Names{"in.png"});
 }
 
+TEST_F(HolesCommand, truncated_jpeg_is_read_with_a_warning_if_lenient) {
+  const std::string bytes = bytes_of(THINBENCH_SOURCE_DIR "/results/pictures/scene.jpg");
+  const std::string cut = directory.with("cut.jpg", bytes.substr(0, bytes.size() / 2));
+  EXPECT_EQ(failure_of({"holes", cut}, 1), "cannot read '" + cut + "': the file is truncated");
+  const ProgramRun lenient = run_with({"holes", cut, "--lenient"});
+  EXPECT_EQ(lenient.status, 0);
+  EXPECT_EQ(lenient.err.rfind("warning: " + cut + ": the file is truncated\n", 0), 0U);
+  EXPECT_NE(lenient.out.find("object 1"), std::string::npos);
+  const std::string out = directory.file("out");
+  const std::vector<std::string> batch = {"batch", "holes", cut, "--out", out};
+  EXPECT_EQ(run_with(batch).status, 1);
+  std::vector<std::string> with_option = batch;
+  with_option.emplace_back("--lenient");
+  EXPECT_EQ(run_with(with_option).status, 0);
+  EXPECT_NE(bytes_of(out + "/manifest.csv").find("the file is truncated"), std::string::npos);
+}
+
 TEST_F(HolesCommand, empty_values_are_rejected) {
   for (const char* option : {"--overlay", "--technique", "--isa"}) {
     EXPECT_EQ(failure_of({"holes", in, option, ""}, 2),

@@ -76,7 +76,7 @@ TEST(InstructionsCommand, incompatible_options_are_rejected) {
             "--against goes with neither --json nor --limits");
   EXPECT_EQ(failure_of({"instructions", "--quick"}, 2), "--quick goes with --limits only");
   EXPECT_EQ(failure_of({"instructions", "--against", "absent.json"}, 1),
-            "'absent.json' cannot be read");
+            "cannot read 'absent.json': there is no such file");
 }
 
 }  // namespace

@@ -243,6 +243,8 @@ TEST(Program, fails_if_standard_output_cannot_be_written) {
 TEST(PicturesCommand, writes_inputs_and_results) {
   const TemporaryDirectory directory;
   const std::string out = directory.file("new/pictures");
+  const std::string unknown = failure_of({"pictures", "--out", out, "--input", "squares"}, 2);
+  EXPECT_EQ(unknown.rfind("input 'squares': expected scene, square_N", 0), 0U) << unknown;
   EXPECT_EQ(run_with({"pictures", "--out", out, "--input", "square_64"}).status, 0);
   for (const char* name : {"square_64", "square_64_grey", "square_64_thin_guo_hall_keep",
                            "square_64_edges_sobel", "square_64_fill_holes"}) {

@@ -242,7 +242,7 @@ TEST_F(RuleCommand, files_that_cannot_be_read_are_rejected) {
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
   EXPECT_EQ(failure(fifo, 1), "cannot read '" + fifo + "': it is not a regular file");
   const std::string folder = directory.path().string();
-  EXPECT_EQ(failure(folder, 1), "cannot read '" + folder + "': it is not a regular file");
+  EXPECT_EQ(failure(folder, 1), "cannot read '" + folder + "': it is a directory");
 }
 
 TEST_F(RuleCommand, files_that_are_no_rules_are_rejected_with_the_field) {

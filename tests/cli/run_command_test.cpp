@@ -1,6 +1,7 @@
 #include <regex>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
@@ -245,12 +246,26 @@ TEST_F(RunCommand, trained_weights_work_with_several_techniques) {
   }
 }
 
+TEST_F(RunCommand, weights_are_read_from_regular_files_alone) {
+  const std::string pipe = directory.file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);
+  const auto failure_with = [&](const std::string& weights) {
+    return failure_of({"run", "net_two_layer_linear", in, out, "--weights", weights}, 1);
+  };
+  EXPECT_EQ(failure_with(pipe), "cannot read '" + pipe + "': it is not a regular file");
+  EXPECT_EQ(failure_with("/dev/zero"), "cannot read '/dev/zero': it is not a regular file");
+  const std::string name = directory.path().string();
+  EXPECT_EQ(failure_with(name), "cannot read '" + name + "': it is a directory");
+  EXPECT_EQ(failure_of({"run", kOperation, pipe, out, "--raw", "8x1", "--out-of-core"}, 1),
+            "cannot read '" + pipe + "': it is not a regular file");
+}
+
 TEST_F(RunCommand, weights_of_another_kind_of_net_or_for_other_rules_are_rejected) {
   const std::string weights = directory.file("weights.json");
   ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
   EXPECT_EQ(failure_of({"run", "net_two_layer_linear", in, out, "--weights", weights}, 1),
             weights + ": holds the wrong kind of weights; net_two_layer_linear needs two_layer");
-  EXPECT_EQ(failure_of({"run", kOperation, in, out, "--weights", weights}, 1),
+  EXPECT_EQ(failure_of({"run", kOperation, in, out, "--weights", weights}, 2),
             "--weights: thin_naccache_shinghal is not a net and has no weights");
 }
 

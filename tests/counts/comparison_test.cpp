@@ -109,7 +109,7 @@ std::string rejection_of(const std::string& file) {
 
 TEST(Comparison, files_that_hold_no_counts_are_rejected_by_name) {
   const TemporaryDirectory directory;
-  EXPECT_EQ(rejection_of("absent.json"), "'absent.json' cannot be read");
+  EXPECT_EQ(rejection_of("absent.json"), "cannot read 'absent.json': there is no such file");
   const std::string cut = directory.with("cut.json", R"({"schema": 1,)");
   EXPECT_EQ(rejection_of(cut), "'" + cut + "' is not complete JSON");
   for (const char* text : {"[]", "{}", R"({"schema": 3})", R"({"schema": 1, "rows": [7]})"}) {

@@ -1,9 +1,14 @@
 #include "image/thread_team.hpp"
 
 #include <atomic>
+#include <cstdlib>
+#include <fstream>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+#include <unistd.h>
 
 namespace thinbench::detail {
 namespace {
@@ -26,6 +31,45 @@ TEST(ThreadTeam, makes_one_range_per_thread) {
   std::atomic<int> ranges = 0;
   team.for_ranges(1000, [&](Index, Index) { ++ranges; });
   EXPECT_EQ(ranges, 7);
+}
+
+/// The address space that this process uses.
+std::size_t used_bytes() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// Leaves with 0 if all indices were visited where there is memory for the stacks of few threads.
+void run_with_little_memory(int threads) {
+  const rlimit little{used_bytes() + (std::size_t{16} << 20), RLIM_INFINITY};
+  setrlimit(RLIMIT_AS, &little);
+  std::atomic<Index> visits = 0;
+  for (int i = 0; i < 100; ++i) {
+    ThreadTeam(threads).for_ranges(1000, [&](Index first, Index last) { visits += last - first; });
+  }
+  std::_Exit(visits == 100'000 ? 0 : 1);
+}
+
+TEST(ThreadTeam, runs_with_fewer_threads_where_the_system_does_not_start_more) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need address space without a limit";
+#endif
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(run_with_little_memory(8), testing::ExitedWithCode(0), "^$");
+}
+
+void run_beyond_the_limit_of_the_program() {
+  for (const std::size_t limit : {4U, 2U, 3U}) {
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, limit);
+    ThreadTeam(8).for_ranges(1000, [](Index, Index) {});
+  }
+  std::_Exit(0);
+}
+
+TEST(ThreadTeam, prints_nothing_where_the_program_allows_fewer_threads) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(run_beyond_the_limit_of_the_program(), testing::ExitedWithCode(0), "^$");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <tiffio.h>
 
 #include "images/captured_stderr.hpp"
 #include "images/image_file.hpp"
@@ -160,6 +161,100 @@ TEST(ReadGrey, damaged_png_is_rejected) {
   std::string bytes = bytes_of(directory.file("a.png"));
   bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
   expect_error(directory.with("b.png", bytes), kDamaged);
+}
+
+/// A JPEG file, and one with 64 bytes between the data and the end marker.
+std::pair<std::string, std::string> sound_and_corrupt_jpeg(const TemporaryDirectory& directory) {
+  const std::string file = directory.file("a.jpg");
+  EXPECT_TRUE(cv::imwrite(file, ramp(), {cv::IMWRITE_JPEG_QUALITY, 100}));
+  std::string bytes = bytes_of(file);
+  return {file, directory.with("b.jpg", bytes.insert(bytes.size() - 2, 64, '\x12'))};
+}
+
+bool tells_of_extraneous_bytes(const std::string& text) {
+  return text.find("its decoder says: Corrupt JPEG data: ") != std::string::npos &&
+         text.ends_with(" extraneous bytes before marker 0xd9");
+}
+
+TEST(ReadGrey, corrupt_jpeg_is_rejected_with_what_the_decoder_says) {
+  const TemporaryDirectory directory;
+  const auto [sound, corrupt] = sound_and_corrupt_jpeg(directory);
+  expect_ramp(read_grey(sound), 10);
+  EXPECT_TRUE(tells_of_extraneous_bytes(error_of(corrupt))) << error_of(corrupt);
+}
+
+TEST(ReadGrey, leniently_a_corrupt_jpeg_is_read_with_a_warning) {
+  const TemporaryDirectory directory;
+  const auto [sound, corrupt] = sound_and_corrupt_jpeg(directory);
+  std::string warning;
+  expect_ramp(read_grey(corrupt, &warning), 10);
+  EXPECT_TRUE(tells_of_extraneous_bytes(warning)) << warning;
+  expect_ramp(read_grey(sound, &warning), 10);
+  EXPECT_EQ(warning, "");
+  const std::string bytes = bytes_of(sound);
+  const std::string cut = directory.with("cut.jpg", bytes.substr(0, bytes.size() - 100));
+  EXPECT_EQ(read_grey(cut, &warning).width(), kWidth);
+  EXPECT_EQ(warning, "the file is truncated");
+}
+
+/// Grey levels of a file of one row.
+std::vector<int> levels_of(const std::string& bytes) {
+  const TemporaryDirectory directory;
+  const ByteImage image = read_grey(directory.with("a.pgm", bytes));
+  return {image.view().data, image.view().data + image.width()};
+}
+
+TEST(ReadGrey, maximum_of_a_pgm_is_white_whatever_it_is) {
+  using Levels = std::vector<int>;
+  const Levels expected = {0, 127, 255};
+  EXPECT_EQ(levels_of(std::string("P5 2 1 1\n\0\1", 11)), (Levels{0, 255}));
+  EXPECT_EQ(levels_of(std::string("P5 3 1 # a comment\n100\n\0\62\144", 26)), expected);
+  EXPECT_EQ(levels_of("P2 3 1 100\n0 50 100\n"), expected);
+  EXPECT_EQ(levels_of(std::string("P5 3 1 1000\n\0\0\1\363\3\350", 18)), expected);
+  EXPECT_EQ(levels_of("P2 3 1 1000\n0 499 1000\n"), expected);
+  EXPECT_EQ(levels_of(std::string("P6 2 1 1\n\0\0\0\1\1\1", 15)), (Levels{0, 255}));
+  EXPECT_EQ(levels_of(std::string("P5 3 1 255\n\0\177\377", 14)), expected);
+  EXPECT_EQ(levels_of(std::string("P5 3 1 65535\n\0\0\177\377\377\377", 19)), expected);
+}
+
+TEST(ReadGrey, pam_of_another_maximum_is_rejected) {
+  const TemporaryDirectory directory;
+  const std::string header = "P7\nWIDTH 1\nHEIGHT 1\nDEPTH 1\nTUPLTYPE GRAYSCALE\nMAXVAL ";
+  EXPECT_EQ(levels_of(header + "255\nENDHDR\n\377"), std::vector<int>{255});
+  expect_error(directory.with("a.pam", header + "1\nENDHDR\n\1"),
+               "its maximum is 1; known for PAM files are 255 and 65535");
+}
+
+TEST(ReadGrey, last_number_of_a_text_needs_no_newline) {
+  EXPECT_EQ(levels_of("P2 3 1 255\n0 17 255"), (std::vector<int>{0, 17, 255}));
+  EXPECT_EQ(levels_of("P3 1 1 255\n9 9 9"), std::vector<int>{9});
+}
+
+/// A TIFF image of one pixel, black, with samples of this kind.
+void write_tiff_pixel(const std::string& path, int bits, int format) {
+  TIFF* const tiff = TIFFOpen(path.c_str(), "w");
+  ASSERT_NE(tiff, nullptr);
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 1);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, format);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  std::string pixel(8, '\0');
+  ASSERT_EQ(TIFFWriteScanline(tiff, pixel.data(), 0), 1);
+  TIFFClose(tiff);
+}
+
+TEST(ReadGrey, tiff_with_other_samples_is_not_called_damaged) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.tif");
+  const std::string known = "; known are integers of 1, 8 and 16 bits";
+  for (const int bits : {2, 4, 32}) {
+    write_tiff_pixel(file, bits, SAMPLEFORMAT_UINT);
+    expect_error(file, "its samples have " + std::to_string(bits) + " bits" + known);
+  }
+  write_tiff_pixel(file, 32, SAMPLEFORMAT_IEEEFP);
+  expect_error(file, "its samples have 32 bits and are no unsigned integers" + known);
 }
 
 TEST(ReadGrey, size_beyond_the_decoder_is_rejected_by_its_header) {

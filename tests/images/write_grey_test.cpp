@@ -73,6 +73,19 @@ TEST(WriteGrey, replaces_a_file) {
   EXPECT_TRUE(equal(read_grey(file).view(), stripes().view()));
 }
 
+TEST(WriteGrey, one_and_several_pages_are_written_through_a_link_whatever_the_target_is_called) {
+  const TemporaryDirectory directory;
+  const std::string link = directory.file("a.tif");
+  std::filesystem::create_symlink("target", link);
+  write_grey(link, stripes().view());
+  EXPECT_EQ(page_count(directory.file("target")), 1);
+  std::vector<ByteImage> pages(2);
+  for (ByteImage& page : pages) page = stripes();
+  write_grey_pages(link, pages);
+  EXPECT_EQ(page_count(directory.file("target")), 2);
+  EXPECT_EQ(directory.names(), (Names{"a.tif", "target"}));
+}
+
 TEST(WriteGrey, unknown_ending_names_the_known_ones) {
   const TemporaryDirectory directory;
   const std::string known = "; known are .png, .pgm, .bmp, .tif and .tiff";

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "harness/test_images.hpp"
 #include "out_of_core/packed_files.hpp"
 #include "support/rejection.hpp"
+#include "support/unfinished_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -88,6 +90,45 @@ TEST(Resume, without_it_a_run_begins_again) {
   thin_out_of_core(prepared.run);
   EXPECT_EQ(first_pass, 0);
   EXPECT_TRUE(prepared.result() == undisturbed().bytes);
+}
+
+/// Ends a run by SIGTERM in this pass, as Ctrl-C does by SIGINT.
+void run_and_end(OutOfCoreRun run, int in_pass) {
+  remove_unfinished_files_on_signals();
+  run.on_tile = [in_pass](int pass, Index) {
+    if (pass == in_pass) std::raise(SIGTERM);
+  };
+  thin_out_of_core(run);
+}
+
+TEST(Resume, run_ended_in_its_first_pass_leaves_nothing_and_later_what_resume_needs) {
+  PreparedRun prepared = thick_strokes();
+  EXPECT_EXIT(run_and_end(prepared.run, 0), testing::KilledBySignal(SIGTERM), "");
+  EXPECT_EQ(prepared.directory.names(), Names{"in"});
+  EXPECT_EXIT(run_and_end(prepared.run, 1), testing::KilledBySignal(SIGTERM), "");
+  EXPECT_EQ(prepared.directory.names(),
+            (Names{"in", ".out.thinbench-a", ".out.thinbench-b", ".out.thinbench-state"}));
+  prepared.run.resume = true;
+  thin_out_of_core(prepared.run);
+  EXPECT_TRUE(prepared.result() == undisturbed().bytes);
+  EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
+}
+
+TEST(Resume, output_is_written_through_a_symbolic_link_and_keeps_mode_and_other_names) {
+  const Expected expected = undisturbed();
+  PreparedRun prepared = thick_strokes();
+  const std::string target = prepared.directory.with("target/image", "old");
+  ASSERT_EQ(chmod(target.c_str(), 0600), 0);
+  std::filesystem::create_symlink("target/image", prepared.run.out);
+  thin_out_of_core(prepared.run);
+  EXPECT_TRUE(bytes_of(target) == expected.bytes);
+  EXPECT_EQ(std::filesystem::status(target).permissions(), std::filesystem::perms{0600});
+  std::filesystem::create_hard_link(target, prepared.directory.file("other"));
+  ASSERT_TRUE(prepared.directory.with("target/image", "old") == target);
+  thin_out_of_core(prepared.run);
+  EXPECT_TRUE(bytes_of(prepared.directory.file("other")) == expected.bytes);
+  EXPECT_TRUE(std::filesystem::is_symlink(prepared.run.out));
+  EXPECT_EQ(prepared.directory.names(), (Names{"in", "out", "other", "target"}));
 }
 
 TEST(Resume, run_with_other_options_is_rejected_and_keeps_the_files) {

@@ -219,7 +219,7 @@ TEST(RuleFile, only_regular_files_of_limited_size_are_read) {
   EXPECT_EQ(read_rule_file(path).name, "life");
   write_whole_file(path, R"({"hensel": "B3/S23"})" + std::string(1000000, ' '));
   EXPECT_EQ(error_of_file(path), "cannot read '" + path + "': it has more than 1,000,000 bytes");
-  EXPECT_EQ(error_of_file(directory), "cannot read '" + directory + "': it is not a regular file");
+  EXPECT_EQ(error_of_file(directory), "cannot read '" + directory + "': it is a directory");
   EXPECT_EQ(error_of_file(directory + "/none"),
             "cannot read '" + directory + "/none': No such file or directory");
   const std::string fifo = directory + "/fifo";

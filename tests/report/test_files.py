@@ -1,0 +1,67 @@
+"""Files that are written whole, and files that are read."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from report.errors import ReportError
+from report.files import read_bytes, write_file
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_symbolic_links_are_written_through(tmp_path: Path) -> None:
+    (tmp_path / "b").mkdir()
+    link = tmp_path / "link"
+    link.symlink_to("b/a.json")
+    for data in (b"new", b"newer"):  # the first makes the file
+        write_file(link, data)
+        assert (tmp_path / "b" / "a.json").read_bytes() == data
+    assert link.is_symlink() and sorted(os.listdir(tmp_path / "b")) == ["a.json"]
+
+
+def test_nothing_but_regular_files_is_replaced_or_read(tmp_path: Path) -> None:
+    pipe = tmp_path / "a.json"
+    os.mkfifo(pipe)
+    with pytest.raises(ReportError, match="a.json: cannot be written: it is not a regular file"):
+        write_file(pipe, b"new")
+    with pytest.raises(ReportError, match="a.json: cannot be read: it is not a regular file"):
+        read_bytes(pipe)
+    assert pipe.is_fifo() and os.listdir(tmp_path) == ["a.json"]
+
+
+def test_replaced_files_keep_their_mode_and_their_other_names(tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    path.write_bytes(b"old")
+    path.chmod(0o600)
+    write_file(path, b"new")
+    assert path.stat().st_mode & 0o777 == 0o600
+    other = tmp_path / "b.json"
+    other.hardlink_to(path)
+    write_file(path, b"newer")
+    assert other.read_bytes() == b"newer" and other.samefile(path)
+
+
+ENDING = """
+import os, pathlib, runpy, signal, sys
+import report.compare
+def write_and_end(parser, options):
+    try:
+        os.kill(os.getpid(), getattr(signal, sys.argv[-1]))
+    finally:
+        print("removed")
+report.compare.run_compare = write_and_end
+runpy.run_module("report", run_name="__main__")
+"""
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_signals_that_end_the_program_let_it_remove_unfinished_files(name: str) -> None:
+    done = subprocess.run(["/usr/bin/python3", "-c", ENDING, "compare", name], check=False,
+                          text=True, capture_output=True, env=os.environ | {"PYTHONPATH": str(ROOT)})
+    assert (done.returncode, done.stdout) == (130, "removed\n")
+    assert done.stderr == "study: interrupted\n"
