@@ -233,8 +233,8 @@ TEST_F(RuleCommand, rules_that_may_never_end_need_a_limit) {
 }
 
 TEST_F(RuleCommand, files_that_cannot_be_read_are_rejected) {
-  EXPECT_EQ(failure("absent.json", 1), "cannot read 'absent.json': No such file or directory");
-  EXPECT_EQ(failure("/absent/rule", 1), "cannot read '/absent/rule': No such file or directory");
+  EXPECT_EQ(failure("absent.json", 1), "cannot read 'absent.json': there is no such file");
+  EXPECT_EQ(failure("/absent/rule", 1), "cannot read '/absent/rule': there is no such file");
   const std::string huge = directory.with("huge.json", "{");
   std::filesystem::resize_file(huge, std::uintmax_t{1} << 30);
   EXPECT_EQ(failure(huge, 1), "cannot read '" + huge + "': it has more than 1,000,000 bytes");

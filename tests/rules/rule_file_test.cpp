@@ -221,7 +221,7 @@ TEST(RuleFile, only_regular_files_of_limited_size_are_read) {
   EXPECT_EQ(error_of_file(path), "cannot read '" + path + "': it has more than 1,000,000 bytes");
   EXPECT_EQ(error_of_file(directory), "cannot read '" + directory + "': it is a directory");
   EXPECT_EQ(error_of_file(directory + "/none"),
-            "cannot read '" + directory + "/none': No such file or directory");
+            "cannot read '" + directory + "/none': there is no such file");
   const std::string fifo = directory + "/fifo";
   mkfifo(fifo.c_str(), 0600);
   EXPECT_EQ(error_of_file(fifo), "cannot read '" + fifo + "': it is not a regular file");
