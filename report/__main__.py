@@ -78,5 +78,5 @@ if __name__ == "__main__":
         sys.stdout.reconfigure(errors="replace")
     for number in (signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) is signal.SIG_DFL:
-            signal.signal(number, signal.default_int_handler)  # unfinished files are removed
+            signal.signal(number, signal.default_int_handler)  # finally removes scratch files
     sys.exit(main(sys.argv[1:]))

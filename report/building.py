@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -21,7 +22,7 @@ PROGRAMS = ("thinbench_program", "thinbench_sampler", "thinbench_benchmarks",
 def build(preset: str, targets: Sequence[str] = (), root: Path = ROOT) -> Path:
     """Returns the directory of the programs. The log is shown only if something fails."""
     log = root / "build" / f"{preset}.log"
-    log.parent.mkdir(exist_ok=True)
+    _check_writable(root / "build" / preset, log)
     with log.open("w", encoding="utf-8") as out:
         configure = subprocess.run(["cmake", "--preset", preset], cwd=root, stdout=out,
                                    stderr=subprocess.STDOUT, check=False)
@@ -30,6 +31,18 @@ def build(preset: str, targets: Sequence[str] = (), root: Path = ROOT) -> Path:
         sys.stderr.write("".join(log.read_text(encoding="utf-8").splitlines(True)[-40:]))
         raise ReportError(f"the build failed; the whole log is {log}")
     return root / "build" / preset / "bin"
+
+
+def _check_writable(directory: Path, log: Path) -> None:
+    """Else the build would be blamed."""
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        log.touch()
+        with tempfile.TemporaryFile(dir=directory):
+            pass
+    except OSError as error:
+        raise ReportError(f"'{error.filename or directory}' cannot be written: {error.strerror}; "
+                          "the build needs a working tree that may be written to") from None
 
 
 def _make(preset: str, targets: Sequence[str], root: Path, log: object) -> bool:

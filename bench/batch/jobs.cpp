@@ -83,11 +83,21 @@ std::vector<BatchJob> jobs_in(const std::vector<std::vector<BatchJob>>& jobs, co
   return chosen;
 }
 
-void make_directories(const std::vector<BatchJob>& jobs, const std::string& out) {
+namespace {
+
+std::set<std::filesystem::path> directories_of(const std::vector<BatchJob>& jobs,
+                                               const std::string& out) {
   std::set<std::filesystem::path> directories;
   for (const BatchJob& job : jobs) {
     directories.insert((std::filesystem::path(out) / job.output).parent_path());
   }
+  return directories;
+}
+
+}  // namespace
+
+void make_directories(const std::vector<BatchJob>& jobs, const std::string& out) {
+  const std::set<std::filesystem::path> directories = directories_of(jobs, out);
   std::error_code error;
   std::filesystem::create_directories(out, error);
   if (error) throw FileError("cannot create the directory '" + out + "': " + error.message());
@@ -95,6 +105,16 @@ void make_directories(const std::vector<BatchJob>& jobs, const std::string& out)
     std::filesystem::create_directories(directory, error);  // a failure shows again in writing
     remove_abandoned_files(directory);
   }
+}
+
+void remove_empty_directories(const std::vector<BatchJob>& jobs, const std::string& out) {
+  std::error_code ignored;
+  for (std::filesystem::path directory : directories_of(jobs, out)) {
+    while (directory != out && std::filesystem::remove(directory, ignored)) {
+      directory = directory.parent_path();
+    }
+  }
+  std::filesystem::remove(out, ignored);
 }
 
 }  // namespace thinbench

@@ -40,4 +40,7 @@ void check_outputs(const std::vector<std::vector<BatchJob>>& jobs, const std::st
 /// where `out` cannot be made.
 void make_directories(const std::vector<BatchJob>& jobs, const std::string& out);
 
+/// Removes those of them that are empty.
+void remove_empty_directories(const std::vector<BatchJob>& jobs, const std::string& out);
+
 }  // namespace thinbench

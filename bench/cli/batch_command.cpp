@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <regex>
 #include <string>
 
@@ -125,6 +126,20 @@ BatchOutcome run_open_jobs(const std::vector<BatchJob>& jobs, const BatchOperati
   return {jobs.size() - open.size(), spent.count(), std::move(totals)};
 }
 
+/// The manifest, after the directories of the results. Where there can be no manifest, no new
+/// directory is left behind.
+void open_outputs(const std::vector<BatchJob>& jobs, const std::string& path,
+                  const BatchOptions& options, std::optional<Manifest>& manifest) {
+  const bool is_new = !std::filesystem::exists(options.settings.out);
+  make_directories(jobs, options.settings.out);
+  try {
+    manifest.emplace(path, options.resume);
+  } catch (...) {
+    if (is_new) remove_empty_directories(jobs, options.settings.out);
+    throw;
+  }
+}
+
 int run(const BatchOptions& options, const Console& console) {
   const BatchOperation operation = batch_operation(options.operation);
   const bool regions = makes_regions(options.operation);
@@ -142,10 +157,10 @@ int run(const BatchOptions& options, const Console& console) {
   check_outputs(all, options.settings.out);
   const std::vector<BatchJob> jobs = jobs_in(all, shard);
   for (const BatchJob& job : jobs) check_name(job.path, format);
-  make_directories(jobs, options.settings.out);
-  Manifest manifest(path, options.resume);
+  std::optional<Manifest> manifest;
+  open_outputs(jobs, path, options, manifest);
   print_skipped(found, console.err);
-  BatchOutcome outcome = run_open_jobs(jobs, operation, options, manifest);
+  BatchOutcome outcome = run_open_jobs(jobs, operation, options, *manifest);
   std::vector<std::string>& failures = outcome.totals.failures;
   failures.insert(failures.begin(), found.failures.begin(), found.failures.end());
   print_summary(operation, outcome, console.out);

@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include "api/catalogue.hpp"
+#include "api/option_checks.hpp"
 #include "image/checks.hpp"
 #include "out_of_core/tile_worker.hpp"
 #include "out_of_core/work_files.hpp"
@@ -27,9 +28,9 @@ const detail::ThinningOperation& checked_operation(const OutOfCoreRun& run) {
                       " cannot run on tiles; only rules that compute all pixels of a "
                       "sub-iteration from the same image can");
   detail::require_threads(run.threads);
-  detail::require(run.max_iterations >= 1,
-                  "max_iterations: expected an integer of at least 1, got " +
-                      std::to_string(run.max_iterations));
+  if (run.isa) static_cast<void>(isa_name(*run.isa));  // rejects what is none
+  detail::check_thinning_options(operation,
+                                 {.border = run.border, .max_iterations = run.max_iterations});
   return operation;
 }
 

@@ -137,6 +137,10 @@ void derive_tables(NetModel& model, const Keeps& keeps) {
 }  // namespace
 
 NetModel two_layer_model(const TwoLayerWeights& weights, Activation activation) {
+  if (activation != Activation::sigmoid && activation != Activation::linear) {
+    throw std::invalid_argument("activation: expected sigmoid or linear, got number " +
+                                std::to_string(static_cast<int>(activation)));
+  }
   for (int j = 0; j < kHiddenNeurons; ++j) {
     require_in_range(weights.hidden[j], "hidden neuron " + std::to_string(j));
   }

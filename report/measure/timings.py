@@ -15,6 +15,7 @@ from typing import Any, get_args, get_type_hints
 import numpy as np
 
 from report.errors import ReportError
+from report.files import read_bytes
 from report.measure.estimates import Estimate, GroupEstimates, QuietLogs, quiet_logs
 from report.measure.sampler import Json, Samples
 
@@ -195,10 +196,8 @@ def to_csv(rows: Iterable[Row]) -> str:
 def read_csv(path: Path) -> list[Row]:
     """Raises ReportError where the file is no such table."""
     try:
-        with path.open(encoding="utf-8", newline="") as stream:
-            lines = list(csv.DictReader(stream, strict=True))
-    except OSError as error:
-        raise ReportError(f"{path}: cannot be read: {error.strerror}") from None
+        text = read_bytes(path).decode()
+        lines = list(csv.DictReader(io.StringIO(text, newline=""), strict=True))
     except (ValueError, csv.Error) as error:
         raise ReportError(f"{path}: not a CSV file: {error}") from None
     return [_row_from(line, f"{path}: line {number}") for number, line in enumerate(lines, 2)]

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import signal
-import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -84,8 +82,6 @@ def run_regress(parser: argparse.ArgumentParser, options: argparse.Namespace,
                 builder: Builder = build_programs) -> tuple[str, int]:
     """Returns what to print and the exit status."""
     _check(parser, options)
-    # Else a scratch directory and its entry in the repository would stay behind.
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(WRONG_USAGE))
     try:
         return _run(options, builder)
     except ReportError as error:
@@ -99,7 +95,7 @@ def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
         parser.error("--quick needs --self-test")
     if options.reason is not None and not options.update:
         parser.error("--reason needs --update")
-    if options.against and git("rev-parse", "--verify", "--quiet",
+    if options.against is not None and git("rev-parse", "--verify", "--quiet",
                                f"{options.against}^{{commit}}") is None:
         parser.error(f"there is no commit '{options.against}' in this clone; a shallow one lacks "
                      "most of them")

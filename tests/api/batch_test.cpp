@@ -107,6 +107,13 @@ TEST(ThinningBatch, rejects_invalid_enumerators) {
             "border: expected background or keep, got 2");
 }
 
+TEST(TwoLayerNet, rejects_an_invalid_activation) {
+  EXPECT_EQ(rejection_of([] {
+              static_cast<void>(two_layer_net(kPaperTwoLayer, static_cast<Activation>(7)));
+            }),
+            "activation: expected sigmoid or linear, got number 7");
+}
+
 TEST(ThinningBatch, rejects_images_of_another_size) {
   std::vector<std::uint8_t> pixels(60, kUntouched);
   const StackView stack = {pixels.data(), 2, 5, 6};

@@ -115,6 +115,17 @@ TEST_F(BatchFailures, full_disk_under_the_manifest_ends_the_run_with_whole_lines
   EXPECT_EQ(manifest().back(), '\n');
 }
 
+TEST_F(BatchFailures, no_new_directory_is_left_where_there_can_be_no_manifest) {
+  write_bar("in/deep/er/70.png", 70);
+  const std::string table = directory.with("table.csv", "no manifest\n");
+  for (const std::string& manifest : {table, directory.file("absent/manifest.csv")}) {
+    const Words more = {"batch", "thin_guo_hall", in,           "--recursive", "--out",
+                        out,     "--resume",      "--manifest", manifest};
+    EXPECT_NE(failure_of(more, 1).find("cannot write '" + manifest), std::string::npos);
+    EXPECT_FALSE(fs::exists(out));
+  }
+}
+
 TEST_F(BatchFailures, file_that_is_no_manifest_is_never_replaced) {
   const std::string table = directory.with("table.csv", "a,b\n1,2\n");
   EXPECT_EQ(failure_of(words({in, "--manifest", table}, "thin_guo_hall"), 1),

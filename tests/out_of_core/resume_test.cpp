@@ -224,6 +224,22 @@ TEST(Resume, converted_files_are_unpacked_once_and_resumed_like_others) {
   EXPECT_GT(kills, 3);
 }
 
+TEST(Resume, invalid_enumerators_and_limits_are_rejected_before_there_is_a_file) {
+  PreparedRun prepared = thick_strokes();
+  const auto rejection = [&](const auto& change) {
+    OutOfCoreRun run = prepared.run;
+    change(run);
+    return rejection_of([&] { thin_out_of_core(run); });
+  };
+  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.border = static_cast<Border>(9); }),
+            "border: expected background or keep, got 9");
+  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.isa = static_cast<Isa>(9); }),
+            "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 9");
+  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.max_iterations = 0; }),
+            "max_iterations: expected an integer of at least 1, got 0");
+  EXPECT_EQ(prepared.directory.names(), Names{"in"});
+}
+
 TEST(Resume, damaged_state_is_reported) {
   PreparedRun prepared = thick_strokes();
   ASSERT_TRUE(run_and_kill(prepared.run, 40));

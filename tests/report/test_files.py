@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from report.building import build
 from report.errors import ReportError
 from report.files import read_bytes, write_file
 
@@ -44,6 +45,18 @@ def test_replaced_files_keep_their_mode_and_their_other_names(tmp_path: Path) ->
     other.hardlink_to(path)
     write_file(path, b"newer")
     assert other.read_bytes() == b"newer" and other.samefile(path)
+
+
+def test_unwritable_tree_is_named_before_the_build_can_be_blamed(tmp_path: Path) -> None:
+    (tmp_path / "build").write_text("in the way")
+    with pytest.raises(ReportError, match="build/release' cannot be written: .*; the build needs a"):
+        build("release", (), tmp_path)
+
+
+def test_no_commit_is_named_by_nothing() -> None:
+    done = subprocess.run(["/usr/bin/python3", "-m", "report", "regress", "--against", ""],
+                          check=False, text=True, capture_output=True, cwd=ROOT)
+    assert done.returncode == 2 and "there is no commit '' in this clone" in done.stderr
 
 
 ENDING = """
