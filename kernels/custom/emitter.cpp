@@ -58,6 +58,10 @@ void Emitter::find_row_functions() {
   std::vector<RowFunction> functions;
   std::vector<unsigned> rows_with;  // by function: a bit per row
   std::vector<Use> uses(count);
+  if (layout_ == Layout::tiles) {  // every step loads all of its rows
+    row_functions_by_instruction_ = std::move(uses);
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const Instruction& instruction = program_.instructions[i];
     RowFunction function = {instruction.code, {}};
@@ -115,7 +119,7 @@ void Emitter::divide_registers() {
     for (Place& place : row) {
       if (wide_) {
         place.reg = next++;
-      } else {
+      } else if (layout_ != Layout::tiles) {
         place.stack = spills_++;
       }
     }
@@ -421,18 +425,34 @@ void Emitter::emit_row_functions(const std::vector<int>& registers) {
   }
 }
 
+/// Without registers of their own, the rows are in the pool; there are no places on the stack until
+/// the pool is full.
+void Emitter::load_tile_rows() {
+  constexpr int kRowBytes = 4;
+  if (!wide_) {
+    for (std::size_t i = 0; i < kWindowPixels; ++i) rows_[(i / 3 + 2) % 3][i % 3].reg = pool_[i];
+  }
+  begin_row(0);
+  for (int y = 0; y < 3; ++y) {
+    const Xbyak::RegExp at = r8 + static_cast<std::size_t>((y - 1) * kRowBytes);
+    const auto pixel = [&](int x) { return place_of(3 * y + x).reg; };
+    load(vector(pixel(1)), ptr[at]);
+    emit_neighbours(vector(pixel(0)), vector(pixel(1)), vector(pixel(2)), at);
+    for (int x = 0; x < 3 && !wide_; ++x) {
+      holds_[static_cast<std::size_t>(pixel(x))] = 3 * y + x;
+    }
+  }
+}
+
 void Emitter::emit_row(std::size_t turn) {
   L(row_labels_[turn]);
   if (layout_ == Layout::tiles) {
-    constexpr int kRowBytes = 4;
-    load_row(rows_[2], r8 - kRowBytes);
-    load_row(rows_[0], r8);
-    load_row(rows_[1], r8 + kRowBytes);
+    load_tile_rows();
   } else {
     load_row(rows_[(turn + 1) % 3], r8 + r9);
+    begin_row(turn);
   }
-  begin_row(turn);
-  if (!wide_) {
+  if (!wide_ && layout_ != Layout::tiles) {
     for (std::size_t i = 0; i < 3; ++i) {  // still in the registers through which they came
       const int value = 6 + static_cast<int>(i);
       place_of(value).reg = pool_[i];

@@ -59,6 +59,7 @@ class Emitter : private Xbyak::CodeGenerator {
   void emit_row_functions(const std::vector<int>& registers);
   void emit_function();
   void emit_row(std::size_t turn);
+  void load_tile_rows();
   void emit_band_end(std::size_t turn);
   void load_row(RowPlaces& row, const Xbyak::RegExp& at);
   void emit_neighbours(const Vector& west, const Vector& centre, const Vector& east,
