@@ -15,7 +15,7 @@ struct SearchEffort {
   friend bool operator==(SearchEffort, SearchEffort) = default;
 };
 inline constexpr SearchEffort kFastSearch = {16'000'000};
-inline constexpr SearchEffort kThoroughSearch = {1'200'000'000};
+inline constexpr SearchEffort kThoroughSearch = {1'100'000'000};
 
 /// A circuit that computes `table`, as cheap as the search could make it.
 [[nodiscard]] GateNetwork minimised_network(const WindowTable& table, const GateCosts& costs,
