@@ -3,6 +3,7 @@
 #ifdef THINBENCH_WITH_XBYAK
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -51,45 +52,57 @@ Emitter::Emitter(const Program& program, Isa isa, Layout layout, bool fixed, std
   emit_function();
 }
 
-/// Finds instructions that read pixels of one row alone, directly or through others, and numbers
-/// them as functions of a row. Those needed in one row only are none.
+/// The function of a row that an instruction computes, if it reads pixels of one row alone,
+/// directly or through earlier instructions. Sets the row.
+std::optional<Emitter::RowFunction> Emitter::row_function_of(const Instruction& instruction,
+                                                             std::size_t& row) const {
+  RowFunction function = {instruction.code, {}};
+  std::array<std::size_t, 3> rows{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t value = instruction.operands[k];
+    if (value < kWindowPixels) {
+      rows[k] = value / 3;
+      function.operands[k] = static_cast<std::uint16_t>(value % 3);
+      continue;
+    }
+    const Use& use = row_functions_by_instruction_[value - kWindowPixels];
+    if (use.function == kNowhere) return std::nullopt;
+    rows[k] = use.row;
+    function.operands[k] = static_cast<std::uint16_t>(use.function + 3);
+  }
+  if (rows[1] != rows[0] || rows[2] != rows[0]) return std::nullopt;
+  row = rows[0];
+  return function;
+}
+
+/// Finds the functions of rows that several rows need.
 void Emitter::find_row_functions() {
-  const std::size_t count = program_.instructions.size();
+  row_functions_by_instruction_.resize(program_.instructions.size());
+  if (layout_ == Layout::tiles) return;  // every step loads all of its rows
   std::vector<RowFunction> functions;
   std::vector<unsigned> rows_with;  // by function: a bit per row
-  std::vector<Use> uses(count);
-  if (layout_ == Layout::tiles) {  // every step loads all of its rows
-    row_functions_by_instruction_ = std::move(uses);
-    return;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const Instruction& instruction = program_.instructions[i];
-    RowFunction function = {instruction.code, {}};
-    std::array<std::size_t, 3> rows{};
-    bool is_pure = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t value = instruction.operands[k];
-      const bool is_pixel = value < kWindowPixels;
-      const Use use = is_pixel ? Use{} : uses[value - kWindowPixels];
-      is_pure = is_pure && (is_pixel || use.function != kNowhere);
-      rows[k] = is_pixel ? value / 3 : use.row;
-      function.operands[k] = static_cast<std::uint16_t>(
-          is_pixel ? value % 3 : static_cast<std::size_t>(use.function) + 3);
-    }
-    if (!is_pure || rows[1] != rows[0] || rows[2] != rows[0]) continue;
-    const auto found = std::find(functions.begin(), functions.end(), function);
-    uses[i] = {static_cast<int>(found - functions.begin()), rows[0]};
+  for (std::size_t i = 0; i < program_.instructions.size(); ++i) {
+    Use& use = row_functions_by_instruction_[i];
+    const auto function = row_function_of(program_.instructions[i], use.row);
+    if (!function) continue;
+    const auto found = std::find(functions.begin(), functions.end(), *function);
+    use.function = static_cast<int>(found - functions.begin());
     if (found == functions.end()) {
-      functions.push_back(function);
+      functions.push_back(*function);
       rows_with.push_back(0);
     }
-    rows_with[static_cast<std::size_t>(uses[i].function)] |= 1U << rows[0];
+    rows_with[static_cast<std::size_t>(use.function)] |= 1U << use.row;
   }
-  // Features of wide registers take three registers each.
-  const std::size_t max_functions = wide_ ? 4 : 8;
+  choose_row_functions(functions, rows_with);
+}
+
+/// Keeps those that several rows need and whose operands are kept, and renumbers them.
+void Emitter::choose_row_functions(const std::vector<RowFunction>& functions,
+                                   const std::vector<unsigned>& rows_with) {
+  const std::size_t max_functions = wide_ ? 4 : 8;  // each takes three registers if they are wide
   std::vector<int> number(functions.size(), kNowhere);
   for (std::size_t f = 0; f < functions.size() && row_functions_.size() < max_functions; ++f) {
-    if ((rows_with[f] & (rows_with[f] - 1)) == 0) continue;
+    if (std::popcount(rows_with[f]) < 2) continue;
     RowFunction function = functions[f];
     bool has_operands = true;
     for (std::uint16_t& operand : function.operands) {
@@ -102,10 +115,9 @@ void Emitter::find_row_functions() {
     number[f] = static_cast<int>(row_functions_.size());
     row_functions_.push_back(function);
   }
-  for (Use& use : uses) {
+  for (Use& use : row_functions_by_instruction_) {
     if (use.function != kNowhere) use.function = number[static_cast<std::size_t>(use.function)];
   }
-  row_functions_by_instruction_ = std::move(uses);
 }
 
 void Emitter::divide_registers() {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <xbyak/xbyak.h>
@@ -54,7 +55,11 @@ class Emitter : private Xbyak::CodeGenerator {
     std::size_t row = 0;
   };
 
+  [[nodiscard]] std::optional<RowFunction> row_function_of(const Instruction& instruction,
+                                                           std::size_t& row) const;
   void find_row_functions();
+  void choose_row_functions(const std::vector<RowFunction>& functions,
+                            const std::vector<unsigned>& rows_with);
   void divide_registers();
   void emit_row_functions(const std::vector<int>& registers);
   void emit_function();
