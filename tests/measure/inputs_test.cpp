@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/usage.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
@@ -113,7 +114,7 @@ TEST(DrawnInput, rejects_other_names_and_sizes) {
   for (const char* name :
        {"", "oval_9", "square_0", "square_65537", "square_9_9", "tiled_129", "noise_9_101_1",
         "noise_9_50_0", "squares_9_0", "strokes_2000_1", "strokes_28_0", "scene_1"}) {
-    EXPECT_EQ(rejection_of([&] {
+    EXPECT_EQ(rejection_of<UsageError>([&] {
                 static_cast<void>(drawn_input(name));
               }).find("input '" + std::string(name) + "': expected scene, square_N, "),
               0U)
