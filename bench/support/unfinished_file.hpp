@@ -1,4 +1,4 @@
-// Files that nobody wants once the program has ended before they were finished.
+// Files that are removed if the program ends before they are finished.
 #pragma once
 
 #include <cstddef>

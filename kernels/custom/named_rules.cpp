@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "custom/window.hpp"
+#include "thinbench/rule_notation.hpp"
 
 namespace thinbench {
 namespace {
@@ -16,11 +17,10 @@ using detail::WindowPattern;
 
 /// The neighbours n0 (east) to n7, anticlockwise.
 using Ring = std::array<bool, 8>;
-constexpr std::array<std::size_t, 8> kRing = {5, 2, 1, 0, 3, 6, 7, 8};
 
 constexpr Ring ring_of(std::size_t window) {
   Ring ring{};
-  for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = pixel_of(window, kRing[i]);
+  for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = pixel_of(window, kDescriptorOrder[i]);
   return ring;
 }
 

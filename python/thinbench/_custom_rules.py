@@ -13,7 +13,7 @@ import numpy.typing as npt
 from thinbench import _arrays, _library, _rule_files, _tables
 from thinbench._thinning import limit_of, run
 
-_BORDERS = {"background": b"background", "keep": b"keep", "foreground": b"foreground"}
+_BORDERS = {name: name.encode() for name in _rule_files.BORDERS}
 _Rule = TypeVar("_Rule", bound="CustomRule")
 
 

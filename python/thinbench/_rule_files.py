@@ -26,7 +26,7 @@ from thinbench import _tables
 _MAX_BYTES = 1_000_000
 _MAX_NAME_LENGTH = 100
 _MAX_SUB_ITERATIONS = 8
-_BORDERS = ("background", "keep", "foreground")
+BORDERS = ("background", "keep", "foreground")
 
 
 class Rule(NamedTuple):
@@ -125,7 +125,7 @@ def _check_name(name: Any) -> None:
 
 
 def _border(border: Any) -> str:
-    if _text(border, "border") not in _BORDERS:
+    if _text(border, "border") not in BORDERS:
         raise ValueError('border must be "background", "keep" or "foreground"')
     return str(border)
 

@@ -108,7 +108,7 @@ TEST(GateSearch, finds_equal_circuits_for_equal_tables) {
 }
 
 template <class Rule>
-int most_gates_of_a_sub_iteration() {
+int max_gates_of_sub_iterations() {
   const CompiledRule rule({make_window_table_of<Rule, 0>(), make_window_table_of<Rule, 1>()},
                           kThoroughSearch);
   return std::max(cost_of(rule.circuit(0), ternary_costs()),
@@ -117,9 +117,9 @@ int most_gates_of_a_sub_iteration() {
 
 /// Built-in rules have circuits of 11, 10 and 19 gates, found in hours.
 TEST(ThoroughSearch, finds_small_circuits) {
-  EXPECT_LE(most_gates_of_a_sub_iteration<ZhangSuen>(), 13);
-  EXPECT_LE(most_gates_of_a_sub_iteration<GuoHall>(), 11);
-  EXPECT_LE(most_gates_of_a_sub_iteration<ZhangSuenSkimage>(), 23);
+  EXPECT_LE(max_gates_of_sub_iterations<ZhangSuen>(), 13);
+  EXPECT_LE(max_gates_of_sub_iterations<GuoHall>(), 11);
+  EXPECT_LE(max_gates_of_sub_iterations<ZhangSuenSkimage>(), 23);
   for (const std::uint64_t seed : {7U, 8U, 9U}) EXPECT_LE(gates_of(random_table(seed)), 75);
 }
 

@@ -11,7 +11,6 @@ import re
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -22,6 +21,7 @@ import thinbench
 from images import random_image
 from record_bwmorph import OPERATION_CASES, OPERATIONS, digest, repetitions
 from thinbench import CustomRule
+from waiting import longest_wait_during
 
 ROOT = Path(__file__).resolve().parents[2]
 BORDERS = ["background", "keep", "foreground"]
@@ -515,21 +515,7 @@ def test_threads_share_a_rule():
 def test_other_threads_run_during_a_call():
     image = np.random.RandomState(1).rand(1000, 1000) < 0.4
     restless = CustomRule.from_hensel("B2/S", max_iterations=10_000)
-    duration: list[float] = []
-
-    def work() -> None:
-        start = time.perf_counter()
-        thinbench.apply(image, restless)
-        duration.append(time.perf_counter() - start)
-
-    thread = threading.Thread(target=work)
-    longest, before = 0.0, time.perf_counter()
-    thread.start()
-    while not duration:
-        now = time.perf_counter()
-        longest, before = max(longest, now - before), now
-    thread.join()
-    assert longest < duration[0] / 2  # with the interpreter locked, all of it
+    assert longest_wait_during(lambda: thinbench.apply(image, restless)) < 0.5  # 1 with the interpreter locked
 
 
 def test_rules_are_freed():

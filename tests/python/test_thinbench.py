@@ -9,7 +9,6 @@ import importlib
 import pickle
 import resource
 import threading
-import time
 import tracemalloc
 
 import numpy as np
@@ -18,6 +17,7 @@ import pytest
 import thinbench
 from images import random_image
 from thinbench._thinning import RULES
+from waiting import longest_wait_during
 
 MODULES = ["thinbench", "thinbench._thinning", "thinbench._custom_rules", "thinbench._images", "thinbench._catalogue",
            "thinbench.compat", "thinbench.compat.cv2", "thinbench.compat.skimage"]
@@ -200,21 +200,7 @@ def test_a_thousand_calls_from_eight_threads_are_equal_and_leak_nothing():
 
 def test_other_threads_run_during_a_call():
     image = np.ones((1500, 1500), bool)
-    duration: list[float] = []
-
-    def work() -> None:
-        start = time.perf_counter()
-        thinbench.thin(image, "spta")  # a slow rule
-        duration.append(time.perf_counter() - start)
-
-    thread = threading.Thread(target=work)
-    longest, before = 0.0, time.perf_counter()
-    thread.start()
-    while not duration:
-        now = time.perf_counter()
-        longest, before = max(longest, now - before), now
-    thread.join()
-    assert longest < duration[0] / 2  # with the interpreter locked, all of it
+    assert longest_wait_during(lambda: thinbench.thin(image, "spta")) < 0.5  # 1 with the interpreter locked
 
 
 @contextlib.contextmanager
