@@ -22,7 +22,7 @@ std::uint8_t with_exchanged_input(std::uint8_t function, int i) {
     unsigned from = row & ~(first | other);
     if ((row & first) != 0) from |= other;
     if ((row & other) != 0) from |= first;
-    result |= (function >> from & 1U) << row;
+    result |= (static_cast<unsigned>(function) >> from & 1U) << row;
   }
   return static_cast<std::uint8_t>(result);
 }

@@ -5,10 +5,8 @@
 
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
-#include "images/image_file.hpp"
 #include "images/mat_of.hpp"
 #include "scene/scene.hpp"
-#include "support/external_images.hpp"
 #include "thinbench/edges.hpp"
 
 namespace thinbench {
@@ -91,14 +89,6 @@ TEST_P(EdgesAgainstOpenCv, equal_on_noise_of_odd_sizes) {
        {std::pair<Index, Index>{1, 1}, {1, 9}, {9, 1}, {2, 2}, {5, 3}, {67, 31}, {129, 40}}) {
     const ByteImage image = grey_noise_image(width, height, 0, 255, 7);
     expect_equal(image, std::to_string(width) + " x " + std::to_string(height));
-  }
-}
-
-TEST_P(EdgesAgainstOpenCv, equal_on_external_images) {
-  const std::vector<std::string> paths = external_images();
-  if (paths.empty()) GTEST_SKIP() << "no images in " << external_image_directory();
-  for (const std::string& path : paths) {
-    expect_equal(read_grey(path), path);
   }
 }
 

@@ -1,9 +1,6 @@
-"""Random binary images of many shapes, and the real pictures where there are any."""
+"""Random binary images of many shapes, and drawn photographs."""
 
 from __future__ import annotations
-
-import os
-from pathlib import Path
 
 import numpy as np
 
@@ -33,9 +30,12 @@ def iteration_limit(seed: int) -> int | None:
     return (0, 1, 2, 3, 4, 5, None)[seed % 7]
 
 
-def pictures() -> list[Path]:
-    """PNG and JPEG files in THINBENCH_TEST_IMAGES; none if there is no such directory."""
-    directory = os.environ.get("THINBENCH_TEST_IMAGES")
-    if not directory or not Path(directory).is_dir():
-        return []
-    return sorted(path for path in Path(directory).iterdir() if path.suffix in {".png", ".jpg"})
+def photograph(seed: int, height: int = 412, width: int = 510) -> np.ndarray:
+    """Grey levels: smooth shapes of several sizes in uneven light, with noise."""
+    random = np.random.RandomState(seed)
+    levels = np.zeros((height, width))
+    for size in (4, 16, 64):
+        coarse = random.rand(height // size + 2, width // size + 2)
+        levels += np.kron(coarse, np.ones((size, size)))[:height, :width] * size
+    levels += np.linspace(0, 20, width) + random.rand(height, width) * 4
+    return ((levels - levels.min()) / np.ptp(levels) * 255).astype(np.uint8)

@@ -9,9 +9,7 @@
 #include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "holes.hpp"
-#include "images/image_file.hpp"
 #include "scene/scene.hpp"
-#include "support/external_images.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -228,19 +226,6 @@ TEST(HolesOracle, centres_of_holes_of_the_noisy_scene_are_within_half_a_pixel) {
     const double max_error = max_centre_error({.seed = seed});
     EXPECT_GE(max_error, 0) << seed;
     EXPECT_LE(max_error, 0.5) << seed;
-  }
-}
-
-TEST(HolesOracle, plate_in_pic1_has_seven_holes) {
-  const std::filesystem::path path = external_image_directory() / "pic1.png";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
-  const ByteImage grey = read_grey(path.string());
-  for (const int threshold : {64, 128, 200}) {
-    const Regions found = find_regions(threshold_dark(grey.view(), threshold).view());
-    const auto of_plate =
-        std::count_if(found.holes.begin(), found.holes.end(),
-                      [](const Region& hole) { return hole.enclosing_object == 1; });
-    EXPECT_EQ(of_plate, 7) << threshold;
   }
 }
 

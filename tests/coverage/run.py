@@ -1,0 +1,156 @@
+"""How much of kernels/ all tests run. Run as `python3 -m tests.coverage.run` by ./check coverage.
+
+Runs ctest on the build with coverage mapping, merges what the programs counted and compares lines and branches with
+the limits. explained.txt says of each file with a gap why no test runs it; a gap without a reason is an error."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections import defaultdict
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+EXPLAINED = Path(__file__).with_name("explained.txt")
+LEAST_LINES, LEAST_BRANCHES = 98.0, 95.0
+
+
+@dataclass
+class FileCoverage:
+    """Of one source file, over all programs, ISAs and template arguments."""
+
+    lines: dict[int, int] = field(default_factory=dict)
+    """How often each line ran."""
+    branches: dict[tuple[int, int], tuple[int, int]] = field(default_factory=dict)
+    """By line and column of a condition: how often it was true and false."""
+
+    def missed_lines(self) -> list[int]:
+        return sorted(line for line, count in self.lines.items() if count == 0)
+
+    def outcomes(self) -> dict[tuple[int, int], tuple[int, int]]:
+        """Without conditions that the compiler knows: they count nothing although their line runs."""
+        return {place: counts for place, counts in self.branches.items()
+                if any(counts) or self.lines.get(place[0], 0) == 0}
+
+    def missed_outcomes(self) -> list[str]:
+        return [f"{line}:{column} never {name}" for (line, column), counts in sorted(self.outcomes().items())
+                for name, count in zip(("true", "false"), counts, strict=True) if count == 0]
+
+    def has_gap(self) -> bool:
+        return bool(self.missed_lines() or self.missed_outcomes())
+
+
+def parse_lcov(text: str, files: dict[str, FileCoverage]) -> None:
+    """Adds the counts of lines."""
+    lines: dict[int, int] = {}
+    for record in text.splitlines():
+        key, _, value = record.partition(":")
+        if key == "SF":
+            lines = files[value].lines
+        elif key == "DA":
+            line, count = map(int, value.split(",")[:2])
+            lines[line] = lines.get(line, 0) + count
+
+
+def parse_branches(exported: Any, files: dict[str, FileCoverage]) -> None:
+    """Adds the outcomes of conditions in llvm-cov's JSON; instantiations of a template are one."""
+    for source in exported["data"][0]["files"]:
+        branches = files[source["filename"]].branches
+        for line, column, _, _, taken, not_taken, *_ in source["branches"]:
+            before = branches.get((line, column), (0, 0))
+            branches[line, column] = (before[0] + taken, before[1] + not_taken)
+
+
+def explanations(text: str) -> dict[str, str]:
+    """Of lines `file: reason`."""
+    pairs = (line.partition(": ") for line in text.splitlines() if line and not line.startswith("#"))
+    return {name: reason for name, _, reason in pairs}
+
+
+def share(covered: int, count: int) -> float:
+    return 100.0 * covered / count if count else 100.0
+
+
+def summary(files: dict[str, FileCoverage]) -> tuple[list[str], float, float]:
+    """A table by directory; percentages of all lines and outcomes."""
+    totals: dict[str, list[int]] = defaultdict(lambda: [0, 0, 0, 0])
+    for name, found in files.items():
+        numbers = (len(found.lines) - len(found.missed_lines()), len(found.lines),
+                   2 * len(found.outcomes()) - len(found.missed_outcomes()), 2 * len(found.outcomes()))
+        for group in (name.split("/")[1], "all"):
+            totals[group] = [a + b for a, b in zip(totals[group], numbers, strict=True)]
+    table = [f"{'kernels/':<12}{'lines':>14}{'%':>8}{'branches':>14}{'%':>8}"]
+    for group in [*sorted(totals.keys() - {"all"}), "all"]:
+        lines, all_lines, outcomes, all_outcomes = totals[group]
+        table.append(f"{group:<12}{f'{lines}/{all_lines}':>14}{share(lines, all_lines):>8.2f}"
+                     f"{f'{outcomes}/{all_outcomes}':>14}{share(outcomes, all_outcomes):>8.2f}")
+    total = totals["all"]
+    return table, share(total[0], total[1]), share(total[2], total[3])
+
+
+def gaps(files: dict[str, FileCoverage], reasons: dict[str, str]) -> tuple[list[str], list[str]]:
+    """What no test runs, by file with its reason; and what is wrong with the reasons."""
+    shown, wrong = [], [f"explained.txt names {name}, which has no gap" for name in reasons
+                        if name not in files or not files[name].has_gap()]
+    for name, found in sorted(files.items()):
+        if not found.has_gap():
+            continue
+        lines = ", ".join(map(str, found.missed_lines()))
+        shown.append(f"{name}: {reasons.get(name, 'NOT EXPLAINED')}")
+        shown += [f"    lines {lines}"] if lines else []
+        shown += [f"    {outcome}" for outcome in found.missed_outcomes()]
+        if name not in reasons:
+            wrong.append(f"{name} has a gap that explained.txt does not explain")
+    return shown, wrong
+
+
+def export(build: Path, profiles: Path) -> dict[str, FileCoverage]:
+    """By path from the root. Every program of the build holds the kernels; some hold more of them than others."""
+    merged = profiles / "all.profdata"
+    subprocess.run(["llvm-profdata", "merge", "-sparse", "-o", str(merged),
+                    *map(str, profiles.glob("*.profraw"))], check=True)
+    programs = [path for path in sorted((build / "bin").iterdir()) if os.access(path, os.X_OK) and path.is_file()]
+    programs.append(build / "python" / "thinbench" / "libthinbench.so")
+    objects = [argument for path in programs[1:] for argument in ("-object", str(path))]
+    command = ["llvm-cov", "export", f"-instr-profile={merged}", str(programs[0]), *objects]
+    sources = ["-sources", str(ROOT / "kernels")]
+    found: dict[str, FileCoverage] = defaultdict(FileCoverage)
+    parse_lcov(subprocess.run([*command, "-format=lcov", *sources], check=True, capture_output=True, text=True).stdout,
+               found)
+    parse_branches(json.loads(subprocess.run([*command, *sources], check=True, capture_output=True).stdout), found)
+    return {str(Path(name).relative_to(ROOT)): files for name, files in found.items()}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="./check coverage", description=__doc__)
+    parser.add_argument("--report-only", action="store_true", help="take the counts of the last run of the tests")
+    arguments = parser.parse_args()
+    build = ROOT / "build" / "coverage"
+    profiles = build / "profiles"
+    if not arguments.report_only:
+        shutil.rmtree(profiles, ignore_errors=True)
+        environment = os.environ | {"LLVM_PROFILE_FILE": f"{profiles}/%m_%2m.profraw"}
+        tests = subprocess.run(["ctest", "--preset", "coverage", "--parallel", str(os.cpu_count())], cwd=ROOT,
+                               env=environment, check=False)
+        if tests.returncode != 0:
+            return tests.returncode
+    files = export(build, profiles)
+    shown, wrong = gaps(files, explanations(EXPLAINED.read_text(encoding="utf-8")))
+    table, lines, branches = summary(files)
+    print("\n".join([*shown, "", *table]))
+    if lines < LEAST_LINES or branches < LEAST_BRANCHES:
+        wrong.append(f"{lines:.2f} % of lines and {branches:.2f} % of branches; at least {LEAST_LINES:g} and "
+                     f"{LEAST_BRANCHES:g} are asked")
+    for line in wrong:
+        print(f"coverage: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

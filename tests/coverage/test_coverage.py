@@ -1,0 +1,44 @@
+"""What the coverage report counts, on made-up counts."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from tests.coverage.run import FileCoverage, explanations, gaps, parse_branches, parse_lcov, summary
+
+NAME = "kernels/api/edges.cpp"
+
+
+def coverage() -> dict[str, FileCoverage]:
+    """Line 3 never ran; the condition of line 2 was never false; that of line 1 is a constant."""
+    files: dict[str, FileCoverage] = defaultdict(FileCoverage)
+    parse_lcov(f"SF:{NAME}\nDA:1,5\nDA:2,1\nDA:3,0\nend_of_record\nSF:{NAME}\nDA:2,4\n", files)
+    parse_branches({"data": [{"files": [{"filename": NAME, "branches": [
+        [2, 7, 2, 9, 3, 0, 0, 0, 4], [2, 7, 2, 9, 2, 0, 0, 0, 4], [1, 7, 1, 9, 0, 0, 0, 0, 4]]}]}]}, files)
+    return files
+
+
+def test_counts_of_programs_and_instantiations_are_added() -> None:
+    found = coverage()[NAME]
+    assert found.lines == {1: 5, 2: 5, 3: 0}
+    assert found.branches[2, 7] == (5, 0)
+
+
+def test_missed_lines_and_outcomes_are_named_and_constants_are_not() -> None:
+    found = coverage()[NAME]
+    assert found.missed_lines() == [3]
+    assert found.missed_outcomes() == ["2:7 never false"]
+
+
+def test_percentages_are_of_lines_and_of_outcomes() -> None:
+    table, lines, branches = summary(coverage())
+    assert (round(lines, 2), branches) == (66.67, 50)
+    assert table[1].split() == ["api", "2/3", "66.67", "1/2", "50.00"]
+
+
+def test_a_gap_without_a_reason_and_a_reason_without_a_gap_are_wrong() -> None:
+    shown, wrong = gaps(coverage(), explanations("# why\nkernels/api/many.cpp: no reason\n"))
+    assert shown[0] == f"{NAME}: NOT EXPLAINED"
+    assert wrong == ["explained.txt names kernels/api/many.cpp, which has no gap",
+                     f"{NAME} has a gap that explained.txt does not explain"]
+    assert gaps(coverage(), {NAME: "out of memory"})[1] == []
