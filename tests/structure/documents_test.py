@@ -1,0 +1,34 @@
+"""Files and directories that the documents name exist."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TOP = "kernels|bench|reference|tests|report|python|cmake|docs|results"
+NAMED = re.compile(rf"(?<![\w/.<-])(?:{TOP})/(?:[\w.-]+/)*[\w.-]*\w|\]\(([\w./-]+)(?:#[\w-]*)?\)")
+WRITTEN = {"results/baselines"}  # by the user's own runs
+DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("report/*.md")])
+
+
+def missing(document: Path, text: str) -> list[str]:
+    """Paths from the root, and links from the document, that lead nowhere."""
+    found = []
+    for match in NAMED.finditer(text):
+        path = document.parent / match[1] if match[1] else ROOT / match[0]
+        if not path.exists() and match[0] not in WRITTEN:
+            found.append(match[1] or match[0])
+    return found
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
+def test_paths_and_links_of_documents_exist(document: Path) -> None:
+    assert missing(document, document.read_text(encoding="utf-8")) == []
+
+
+def test_a_path_and_a_link_that_lead_nowhere_are_found() -> None:
+    text = "See `bench/gone.cpp`, [there](absent.md#a) and [here](design.md#layers)."
+    assert missing(ROOT / "docs" / "x.md", text) == ["bench/gone.cpp", "absent.md"]
