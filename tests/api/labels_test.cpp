@@ -163,7 +163,7 @@ TEST(ThinLabels, rejects_invalid_arguments_and_writes_nothing) {
                           [](std::int32_t label) { return label == kUntouched; }));
 }
 
-TEST(ThinLabels, strides_and_sizes_too_small_for_a_count_of_bytes_are_rejected) {
+TEST(ThinLabels, strides_too_small_for_a_count_of_bytes_are_rejected) {
   constexpr Index smallest = std::numeric_limits<Index>::min();
   std::int32_t label = 7;
   const std::string exceeds = " exceeds the address space: ";
@@ -172,9 +172,9 @@ TEST(ThinLabels, strides_and_sizes_too_small_for_a_count_of_bytes_are_rejected) 
             }),
             "source" + exceeds + "0 x 1, stride " + std::to_string(smallest));
   EXPECT_EQ(rejection_of([&] {
-              thin_labels(Rule::guo_hall, {&label, smallest, 1, 1}, {&label, smallest, 1, 1});
+              thin_labels(Rule::guo_hall, {&label, 0, 1, 1}, {&label, 0, 1, smallest});
             }),
-            "source" + exceeds + std::to_string(smallest) + " x 1, stride 1");
+            "destination" + exceeds + "0 x 1, stride " + std::to_string(smallest));
 }
 
 }  // namespace
