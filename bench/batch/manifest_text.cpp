@@ -1,8 +1,10 @@
 #include "batch/manifest_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -111,6 +113,14 @@ std::size_t column(const Cells& names, std::string_view name) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+int page_of(const std::string& cell) {
+  int page = 0;
+  const char* const end = cell.data() + cell.size();
+  const auto result = std::from_chars(cell.data(), end, page);
+  if (result.ec != std::errc() || result.ptr != end) fail("a page has no number");
+  return page;
+}
+
 ManifestText parse_csv(std::string_view text) {
   const Cells names = column_names();
   CsvReader reader(text);
@@ -122,10 +132,23 @@ ManifestText parse_csv(std::string_view text) {
     if (cells->size() != names.size()) fail("a line has the wrong number of columns");
     const auto at = [&](std::string_view name) { return (*cells)[column(names, name)]; };
     result.lines.push_back({std::string(text.substr(start, reader.end() - start)), at("output"),
-                            std::atoi(at("page").c_str()), at("operation"), !at("error").empty()});
+                            page_of(at("page")), at("operation"), !at("error").empty()});
   }
   result.size = reader.end();
   return result;
+}
+
+/// A line of JSON with its newline.
+ManifestLine line_of_json(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    const Json page = json.value("page", Json(1));
+    return {line, json.value("output", ""),
+            static_cast<int>(page.get_ref<const Json::number_integer_t&>()),
+            json.value("operation", ""), !json.at("error").is_null()};
+  } catch (const Json::exception&) {
+    fail("a line is no record");
+  }
 }
 
 ManifestText parse_json_lines(std::string_view text) {
@@ -134,11 +157,8 @@ ManifestText parse_json_lines(std::string_view text) {
   if (!text.starts_with(kStart.substr(0, text.size()))) fail("its first line is no record");
   std::size_t end = 0;
   while ((end = text.find('\n', result.size)) != std::string_view::npos) {
-    const std::string line(text.substr(result.size, end + 1 - result.size));
-    const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || !json.contains("error")) fail("a line is no record");
-    result.lines.push_back({line, json.value("output", ""), json.value("page", 1),
-                            json.value("operation", ""), !json["error"].is_null()});
+    result.lines.push_back(
+        line_of_json(std::string(text.substr(result.size, end + 1 - result.size))));
     result.size = end + 1;
   }
   return result;

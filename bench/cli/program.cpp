@@ -51,10 +51,16 @@ THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruc
       console_.err << app_.help();
       return kUsage;
     }
+    const Command* const command = read(args);
+    return command == nullptr ? kSuccess : command->run(console_);
+  }
+
+  /// The innermost command that was named; nullptr where help or the version was printed.
+  const Command* read(const std::vector<std::string>& args) {
     check_command_names(args);
-    if (!parse(args, console_.out)) return kSuccess;
+    if (!parse(args, console_.out)) return nullptr;
     check_cap();
-    return parsed_command().run(console_);
+    return &parsed_command();
   }
 
  private:
@@ -122,18 +128,11 @@ THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruc
   Console console_;
 };
 
-int run_and_flush(const std::vector<std::string>& args, const Console& console) {
-  const int status = Program(console).run(args);
-  if (!console.out.flush()) throw std::runtime_error("standard output cannot be written");
-  return status;
-}
-
-}  // namespace
-
-int run_program(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  const bool err_is_terminal = &err == &std::cerr && isatty(STDERR_FILENO) != 0;
+/// Calls `body`, which returns the status, and turns its exceptions into statuses and lines.
+template <class Body>
+int status_of(std::ostream& err, const Body& body) {
   try {
-    return run_and_flush(args, {out, err, err_is_terminal});
+    return body();
   } catch (const UsageError& error) {
     err << kProgramLeadIn << one_line(error.what()) << '\n';
     return kUsage;
@@ -143,6 +142,24 @@ int run_program(const std::vector<std::string>& args, std::ostream& out, std::os
     err << kProgramLeadIn << one_line(error.what()) << '\n';
   }
   return kFailure;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  const bool err_is_terminal = &err == &std::cerr && isatty(STDERR_FILENO) != 0;
+  return status_of(err, [&] {
+    const int status = Program({out, err, err_is_terminal}).run(args);
+    if (!out.flush()) throw std::runtime_error("standard output cannot be written");
+    return status;
+  });
+}
+
+int check_arguments(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  return status_of(err, [&] {
+    static_cast<void>(Program({out, err, false}).read(args));
+    return kSuccess;
+  });
 }
 
 }  // namespace thinbench

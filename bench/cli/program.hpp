@@ -12,4 +12,7 @@ namespace thinbench {
 /// failure is one line on `err`.
 int run_program(const std::vector<std::string>& args, std::ostream& out, std::ostream& err);
 
+/// The same up to the command itself, which is not run. At least one argument.
+int check_arguments(const std::vector<std::string>& args, std::ostream& out, std::ostream& err);
+
 }  // namespace thinbench

@@ -38,6 +38,11 @@ struct StoredCount {
 
 using StoredCounts = std::map<std::string, StoredCount>;
 
+/// Throws Json::exception for anything else than an integer.
+std::int64_t integer_of(const Json& value) {
+  return value.get_ref<const Json::number_integer_t&>();
+}
+
 StoredCounts counts_in(const Json& document) {
   StoredCounts counts;
   for (const Json& row : document.at("rows")) {
@@ -45,8 +50,8 @@ StoredCounts counts_in(const Json& document) {
     if (method == method_name(Method::callgrind))
       method.append(" ").append(document.at("valgrind"));
     StoredCount& count = counts[row.at("row")];
-    count = {row.at("instructions"), std::move(method)};
-    if (row.contains("iterations")) count.iterations = row.at("iterations");
+    count = {static_cast<std::uint64_t>(integer_of(row.at("instructions"))), std::move(method)};
+    if (row.contains("iterations")) count.iterations = integer_of(row.at("iterations"));
   }
   return counts;
 }
@@ -90,6 +95,11 @@ bool is_known(const Json& document) {
   try {
     static_cast<void>(counts_in(document));
     static_cast<void>(document.at("input"));
+    static_cast<void>(integer_of(document.at("max_steps")));
+    for (const Json& row : document.at("skipped")) {
+      static_cast<void>(row.at("row").get_ref<const std::string&>());
+      static_cast<void>(row.at("reason"));
+    }
     return document.at("build").is_object() && document.at("schema") == kCountsSchema &&
            document.at("kind") == kInstructionsKind;
   } catch (const Json::exception&) {

@@ -29,9 +29,15 @@ std::vector<TileState> tiles_of(const std::string& text) {
   throw FileError("cannot resume from '" + path + "': " + why);
 }
 
+/// Throws nlohmann::json::exception for anything else than an integer.
+Index integer_of(const nlohmann::json& value) {
+  return value.get_ref<const nlohmann::json::number_integer_t&>();
+}
+
 Checkpoint checkpoint_of(const nlohmann::json& json) {
-  return {json.at("passes").get<int>(), json.at("iterations").get<int>(),
-          json.at("foreground_before").get<Index>(), json.at("foreground_after").get<Index>(),
+  return {static_cast<int>(integer_of(json.at("passes"))),
+          static_cast<int>(integer_of(json.at("iterations"))),
+          integer_of(json.at("foreground_before")), integer_of(json.at("foreground_after")),
           tiles_of(json.at("tiles").get<std::string>())};
 }
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "custom/notation_reader.hpp"
+
 namespace thinbench::detail {
 namespace {
 
@@ -41,7 +43,7 @@ std::string_view view_of(const char* name) {
 }
 
 std::string text_of(const char* name) {
-  return name == nullptr ? "NULL" : std::string("'").append(name).append("'");
+  return name == nullptr ? "NULL" : quoted(name);
 }
 
 Isa isa_of(const char* name) {

@@ -45,7 +45,7 @@ void require_pointer(const void* pointer, const char* name);
 
 [[nodiscard]] std::string_view view_of(const char* name);
 
-/// "NULL" or the name in quotation marks, for messages.
+/// "NULL" or the name in quotation marks, for messages of one line.
 [[nodiscard]] std::string text_of(const char* name);
 
 template <class Infos>

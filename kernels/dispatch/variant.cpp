@@ -7,14 +7,6 @@
 namespace thinbench::detail {
 namespace {
 
-/// Rejects values outside the enumeration; isa_name does so for ISAs.
-void check_technique(Technique technique) {
-  const auto number = static_cast<std::size_t>(technique);
-  if (number < kTechniques.size()) return;
-  throw std::invalid_argument("technique: expected one of the enumeration, got number " +
-                              std::to_string(number));
-}
-
 bool fits(const VariantInfo& variant, const Options& options) {
   if (options.technique && *options.technique != variant.technique) return false;
   if (options.isa && *options.isa != variant.isa) return false;
@@ -79,7 +71,8 @@ std::string unavailable_reason(const VariantInfo& variant, Index width, Border b
 
 std::size_t choose_variant(std::string_view operation, std::span<const VariantInfo> variants,
                            Index width, const Options& options) {
-  if (options.technique) check_technique(*options.technique);
+  // Rejects values outside the enumeration; isa_name does so for ISAs.
+  if (options.technique) static_cast<void>(technique_info(*options.technique));
   std::string reason;
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < variants.size(); ++i) {

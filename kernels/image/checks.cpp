@@ -104,7 +104,9 @@ Index image_bytes(const View& view) {
 /// A view of the bytes of labels. `exceed` begins the message if it leaves the address space.
 ConstImageView bytes_of(const ConstLabelView& labels, const char* exceed) {
   constexpr Index bytes = sizeof(std::int32_t);
-  if (labels.stride > PTRDIFF_MAX / bytes || labels.width > PTRDIFF_MAX / bytes) {
+  constexpr Index most = PTRDIFF_MAX / bytes;
+  if (std::max(labels.stride, labels.width) > most ||
+      std::min(labels.stride, labels.width) < -most) {
     reject(exceed + (" the address space: " + size_text(labels.width, labels.height)) +
            ", stride " + std::to_string(labels.stride));
   }

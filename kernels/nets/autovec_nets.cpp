@@ -16,7 +16,8 @@ struct StripInputs {
   float n[kNetInputs][kStrip];
 };
 
-void load_inputs(StripInputs& inputs, const std::uint8_t* here, Index stride) {
+// Below AVX-512, where make_kernels gives none, nothing uses this and net_input.
+[[maybe_unused]] void load_inputs(StripInputs& inputs, const std::uint8_t* here, Index stride) {
   const Index offset[kNetInputs] = {1,  1 - stride, -stride, -1 - stride,
                                     -1, stride - 1, stride,  stride + 1};
   for (int i = 0; i < kNetInputs; ++i) {
@@ -24,7 +25,7 @@ void load_inputs(StripInputs& inputs, const std::uint8_t* here, Index stride) {
   }
 }
 
-void net_input(const Neuron& neuron, const float (*inputs)[kStrip], float* sum) {
+[[maybe_unused]] void net_input(const Neuron& neuron, const float (*inputs)[kStrip], float* sum) {
   for (Index x = 0; x < kStrip; ++x) sum[x] = neuron.bias;
   for (int i = 0; i < kNetInputs; ++i) {
     for (Index x = 0; x < kStrip; ++x) sum[x] = sum[x] + neuron.weight[i] * inputs[i][x];

@@ -53,7 +53,7 @@ static int unwritten(void) {
   return 1;
 }
 
-/* Each call must fail with a message that contains `value`, and write nothing. */
+/* Each call must fail with a message of one line that contains `value`, and write nothing. */
 static void rejects(thinbench_status status, const char* value) {
   if (status != THINBENCH_INVALID_ARGUMENT || strstr(thinbench_last_error(), value) == NULL ||
       strchr(thinbench_last_error(), '\n') != NULL || !unwritten()) {
@@ -125,6 +125,7 @@ static void thins_lists_of_images(void) {
   CHECK(iterations == 0);
   draw();
   rejects(thinbench_thin_many("guo-hall", NULL, NULL, 0, NULL, NULL), "'guo-hall'");
+  rejects(thinbench_thin_many("guo\nhall", NULL, NULL, 0, NULL, NULL), "'guo?hall'");
   rejects(thinbench_thin_many("guo_hall", NULL, destinations, 2, NULL, NULL), "sources is NULL");
   rejects(thinbench_thin_many("guo_hall", sources, NULL, 2, NULL, NULL), "destinations is NULL");
   sources[1].count = 2;

@@ -163,5 +163,19 @@ TEST(ThinLabels, rejects_invalid_arguments_and_writes_nothing) {
                           [](std::int32_t label) { return label == kUntouched; }));
 }
 
+TEST(ThinLabels, strides_too_small_for_a_count_of_bytes_are_rejected) {
+  constexpr Index smallest = std::numeric_limits<Index>::min();
+  std::int32_t label = 7;
+  const std::string exceeds = " exceeds the address space: ";
+  EXPECT_EQ(rejection_of([&] {
+              thin_labels(Rule::guo_hall, {&label, 0, 1, smallest}, {&label, 0, 1, 1});
+            }),
+            "source" + exceeds + "0 x 1, stride " + std::to_string(smallest));
+  EXPECT_EQ(rejection_of([&] {
+              thin_labels(Rule::guo_hall, {&label, 0, 1, 1}, {&label, 0, 1, smallest});
+            }),
+            "destination" + exceeds + "0 x 1, stride " + std::to_string(smallest));
+}
+
 }  // namespace
 }  // namespace thinbench

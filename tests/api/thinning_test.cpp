@@ -14,6 +14,7 @@
 #include "support/filled_image.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rejection.hpp"
+#include "thinbench/edges.hpp"
 #include "thinbench/nets.hpp"
 
 namespace thinbench {
@@ -170,6 +171,18 @@ TEST(Thin, rejects_numbers_out_of_range) {
     EXPECT_EQ(rejected_options(info.rule, {.max_iterations = -1}),
               "max_iterations: expected an integer of at least 1, got -1");
   }
+}
+
+TEST(Enumerations, names_and_descriptions_of_values_outside_them_are_rejected) {
+  const std::string end = ": expected one of the enumeration, got number 99";
+  const auto rejection = [](auto ask) { return rejection_of([&] { static_cast<void>(ask()); }); };
+  EXPECT_EQ(rejection([] { return rule_info(static_cast<Rule>(99)).name; }), "rule" + end);
+  EXPECT_EQ(rejection([] { return rule_name(static_cast<Rule>(99)); }), "rule" + end);
+  EXPECT_EQ(rejection([] { return border_name(static_cast<Border>(99)); }), "border" + end);
+  EXPECT_EQ(rejection([] { return technique_name(static_cast<Technique>(99)); }),
+            "technique" + end);
+  EXPECT_EQ(rejection([] { return edge_operator_info(static_cast<EdgeOperator>(99)).name; }),
+            "operator" + end);
 }
 
 TEST(Thin, rejects_invalid_enumerators) {

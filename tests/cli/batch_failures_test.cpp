@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 
 #include <fcntl.h>
@@ -8,6 +9,7 @@
 #include "batch/manifest_text.hpp"
 #include "batch_fixture.hpp"
 #include "support/file_size_limit.hpp"
+#include "support/rejection.hpp"
 
 namespace thinbench {
 namespace {
@@ -139,6 +141,31 @@ TEST_F(BatchFailures, file_that_is_no_manifest_is_never_replaced) {
   EXPECT_EQ(failure_of(words({in, "--manifest", "a.txt"}, "thin_guo_hall"), 2),
             "--manifest: expected a name that ends in .csv or .jsonl, got 'a.txt'");
   EXPECT_EQ(manifest_format("A.CSV"), ManifestFormat::csv);
+}
+
+TEST(ManifestText, values_of_wrong_types_are_no_records) {
+  for (const char* line :
+       {R"({"file":1,"output":7,"error":null})", R"({"file":1,"page":1e300,"error":null})",
+        R"({"file":1,"page":"2","error":null})", R"({"file":1})", R"({"file":)"}) {
+    EXPECT_EQ(
+        rejection_of<std::runtime_error>([&] {
+          static_cast<void>(parse_manifest(std::string(line) + "\n", ManifestFormat::json_lines));
+        }),
+        "it is no manifest of this program: a line is no record")
+        << line;
+  }
+  const std::string head = manifest_head(ManifestFormat::csv);
+  const auto commas = static_cast<std::size_t>(std::count(head.begin(), head.end(), ','));
+  const std::string end = std::string(commas - 1, ',') + "\n";
+  EXPECT_EQ(parse_manifest(head + "a.png,2" + end, ManifestFormat::csv).lines.front().page, 2);
+  for (const char* page : {"", "x", "2x", "99999999999"}) {
+    EXPECT_EQ(
+        rejection_of<std::runtime_error>([&] {
+          static_cast<void>(parse_manifest(head + "a.png," + page + end, ManifestFormat::csv));
+        }),
+        "it is no manifest of this program: a page has no number")
+        << page;
+  }
 }
 
 TEST_F(BatchFailures, manifest_belongs_to_one_run_at_a_time) {

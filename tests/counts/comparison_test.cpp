@@ -120,5 +120,20 @@ TEST(Comparison, files_that_hold_no_counts_are_rejected_by_name) {
   EXPECT_EQ(read_counts(good).at("rows").size(), 1U);
 }
 
+TEST(Comparison, files_whose_parts_have_wrong_types_are_rejected_before_they_are_compared) {
+  const TemporaryDirectory directory;
+  const char* const patches[] = {
+      R"({"skipped": null})", R"({"skipped": [{"row": 7, "reason": ""}]})",
+      R"({"skipped": [{"row": "a"}]})", R"({"max_steps": "many"})",
+      R"({"rows": [{"row": "a", "method": "", "instructions": 1e300}]})"};
+  for (const char* patch : patches) {
+    Json damaged = document("a", 1);
+    damaged.merge_patch(Json::parse(patch));
+    const std::string file = directory.with("x.json", damaged.dump());
+    EXPECT_EQ(rejection_of(file), "'" + file + "' holds no counts that this version knows")
+        << patch;
+  }
+}
+
 }  // namespace
 }  // namespace thinbench

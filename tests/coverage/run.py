@@ -16,8 +16,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from report.building import build
+from report.errors import ReportError
+
 ROOT = Path(__file__).resolve().parents[2]
 EXPLAINED = Path(__file__).with_name("explained.txt")
+BUILD = ROOT / "build" / "coverage"
 LEAST_LINES, LEAST_BRANCHES = 98.0, 95.0
 
 
@@ -110,15 +114,14 @@ def gaps(files: dict[str, FileCoverage], reasons: dict[str, str]) -> tuple[list[
     return shown, wrong
 
 
-def export(build: Path, profiles: Path) -> dict[str, FileCoverage]:
+def export(programs: Path, library: Path, profiles: Path) -> dict[str, FileCoverage]:
     """By path from the root. Every program of the build holds the kernels; some hold more of them than others."""
     merged = profiles / "all.profdata"
     subprocess.run(["llvm-profdata", "merge", "-sparse", "-o", str(merged),
                     *map(str, profiles.glob("*.profraw"))], check=True)
-    programs = [path for path in sorted((build / "bin").iterdir()) if os.access(path, os.X_OK) and path.is_file()]
-    programs.append(build / "python" / "thinbench" / "libthinbench.so")
-    objects = [argument for path in programs[1:] for argument in ("-object", str(path))]
-    command = ["llvm-cov", "export", f"-instr-profile={merged}", str(programs[0]), *objects]
+    objects = [argument for path in sorted(programs.iterdir()) if path.is_file() and os.access(path, os.X_OK)
+               for argument in ("-object", str(path))]
+    command = ["llvm-cov", "export", f"-instr-profile={merged}", str(library), *objects]
     sources = ["-sources", str(ROOT / "kernels")]
     found: dict[str, FileCoverage] = defaultdict(FileCoverage)
     parse_lcov(subprocess.run([*command, "-format=lcov", *sources], check=True, capture_output=True, text=True).stdout,
@@ -131,16 +134,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="./check coverage", description=__doc__)
     parser.add_argument("--report-only", action="store_true", help="take the counts of the last run of the tests")
     arguments = parser.parse_args()
-    build = ROOT / "build" / "coverage"
-    profiles = build / "profiles"
+    profiles = BUILD / "profiles"
     if not arguments.report_only:
+        build("coverage")
         shutil.rmtree(profiles, ignore_errors=True)
         environment = os.environ | {"LLVM_PROFILE_FILE": f"{profiles}/%m_%2m.profraw"}
         tests = subprocess.run(["ctest", "--preset", "coverage", "--parallel", str(os.cpu_count())], cwd=ROOT,
                                env=environment, check=False)
         if tests.returncode != 0:
             return tests.returncode
-    files = export(build, profiles)
+    files = export(BUILD / "bin", BUILD / "python" / "thinbench" / "libthinbench.so", profiles)
     shown, wrong = gaps(files, explanations(EXPLAINED.read_text(encoding="utf-8")))
     table, lines, branches = summary(files)
     print("\n".join([*shown, "", *table]))
@@ -153,4 +156,7 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except ReportError as error:
+        sys.exit(f"check: {error}")

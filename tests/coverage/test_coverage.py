@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from collections import defaultdict
+from pathlib import Path
 
-from tests.coverage.run import FileCoverage, explanations, gaps, parse_branches, parse_lcov, summary
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+# pylint: disable=wrong-import-position
+from tests.coverage.run import FileCoverage, explanations, gaps, parse_branches, parse_lcov, summary  # noqa: E402
 
 NAME = "kernels/api/edges.cpp"
 

@@ -52,7 +52,7 @@ void run_with_little_memory(int threads) {
 }
 
 TEST(ThreadTeam, runs_with_fewer_threads_where_the_system_does_not_start_more) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef THINBENCH_SANITIZED
   GTEST_SKIP() << "sanitizers need address space without a limit";
 #endif
   GTEST_FLAG_SET(death_test_style, "threadsafe");

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "harness/test_images.hpp"
+#include "out_of_core/checkpoint.hpp"
 #include "out_of_core/packed_files.hpp"
 #include "support/rejection.hpp"
 #include "support/unfinished_file.hpp"
@@ -250,6 +251,15 @@ TEST(Resume, damaged_state_is_reported) {
   const std::string state = prepared.directory.with(".out.thinbench-state", "{\"run\": 3");
   prepared.run.resume = true;
   EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
+            "cannot resume from '" + state + "': the file is damaged");
+}
+
+TEST(Resume, numbers_of_a_state_that_are_no_integers_are_damage) {
+  const TemporaryDirectory directory;
+  const std::string state = directory.with(
+      "state",
+      R"({"run": "r", "passes": 1e300, "iterations": 1, "foreground_before": 1, "foreground_after": 1, "tiles": "0"})");
+  EXPECT_EQ(rejection_of<FileError>([&] { static_cast<void>(load_checkpoint(state, "r", 1)); }),
             "cannot resume from '" + state + "': the file is damaged");
 }
 

@@ -39,7 +39,9 @@ expect 2 '--compiler measures the sweep isa; leave out --only' study sweeps --co
 expect 2 "expected an integer from 1 to 999999, got 'many'" study sweeps --processes many
 expect 1 'absent/run.json: cannot be read' study compare absent absent
 expect 2 'expected two runs or more' study compare absent
-expect 2 "check: 'fast' is neither an option nor a preset; see ./check --help" "$root/check" fast
+expect 0 'usage: ./check fuzz' "$root/check" --no-install fuzz --help
+expect 2 "--seconds: expected a number above 0, got 'long'" "$root/check" --no-install fuzz --seconds long
+expect 2 "check: 'fast' is neither an option nor something to check; see ./check --help" "$root/check" fast
 
 # Files of the caller's directory are not imported.
 echo 'raise SystemExit(9)' >report.py

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "thinbench/enumeration.hpp"
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
 #include "thinbench/options.hpp"
@@ -43,8 +44,9 @@ inline constexpr std::array kEdgeOperators = {
                      "edges by Prewitt's operator"},
 };
 
+/// Throws std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] constexpr const EdgeOperatorInfo& edge_operator_info(EdgeOperator op) {
-  return kEdgeOperators[static_cast<std::size_t>(op)];
+  return detail::entry_of(kEdgeOperators, op, "operator");
 }
 
 /// The operator of this name, or of the operation of this name.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "thinbench/enumeration.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {
@@ -24,8 +25,9 @@ enum class Border : std::uint8_t {
 inline constexpr std::array<std::string_view, 3> kBorderNames = {"background", "keep",
                                                                  "foreground"};
 
+/// Throws std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] constexpr std::string_view border_name(Border border) {
-  return kBorderNames[static_cast<std::size_t>(border)];
+  return detail::entry_of(kBorderNames, border, "border");
 }
 
 /// An algorithm for an operation. All techniques of an operation give the same result.
@@ -83,8 +85,9 @@ inline constexpr std::array kTechniques = {
                   "xsimd, one run per lane; union-find for runs that change"},
 };
 
+/// This and technique_name throw std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] constexpr const TechniqueInfo& technique_info(Technique technique) {
-  return kTechniques[static_cast<std::size_t>(technique)];
+  return detail::entry_of(kTechniques, technique, "technique");
 }
 
 [[nodiscard]] constexpr std::string_view technique_name(Technique technique) {

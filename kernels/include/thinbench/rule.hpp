@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "thinbench/enumeration.hpp"
+
 namespace thinbench {
 
 enum class Rule : std::uint8_t {
@@ -74,8 +76,9 @@ inline constexpr std::array kRules = {
              1, "the cluster of twelve single-layer nets, equations (5) to (7)"},
 };
 
+/// This and rule_name throw std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] constexpr const RuleInfo& rule_info(Rule rule) {
-  return kRules[static_cast<std::size_t>(rule)];
+  return detail::entry_of(kRules, rule, "rule");
 }
 
 [[nodiscard]] constexpr std::string_view rule_name(Rule rule) {

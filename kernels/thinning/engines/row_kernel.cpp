@@ -53,13 +53,16 @@ struct RegisterRows {
   }
 };
 
+// What is marked as perhaps unused is unused where a register does not hold a row.
+
 /// Rows below the image are background and remain so: all bands are computed with full height.
-[[gnu::always_inline]] inline Index rows_of_band(NoFixedPixels, const Bands& bands, int) {
+[[maybe_unused, gnu::always_inline]] inline Index rows_of_band(NoFixedPixels, const Bands& bands,
+                                                               int) {
   return bands.band_rows;
 }
 /// The row below the last band is the last image row, which is fixed: the last band ends above it.
-[[gnu::always_inline]] inline Index rows_of_band(const FixedPixels<WordBatch>&, const Bands& bands,
-                                                 int band) {
+[[maybe_unused, gnu::always_inline]] inline Index rows_of_band(const FixedPixels<WordBatch>&,
+                                                               const Bands& bands, int band) {
   return band + 1 == bands.count ? bands.last_band_rows : bands.band_rows;
 }
 
@@ -206,7 +209,8 @@ int repeat_built_in(std::uint64_t* rows, const RowKernelOptions& options, Index 
                 options.max_iterations);
 }
 
-int repeat_custom(std::uint64_t* rows, const RowKernelOptions& options, Index width, Index height) {
+[[maybe_unused]] int repeat_custom(std::uint64_t* rows, const RowKernelOptions& options,
+                                   Index width, Index height) {
   const auto& rule = *static_cast<const BoundRule*>(options.rule);
   const bool keep = options.border == Border::keep;
   alignas(64) std::uint64_t fixed[kBlockWords] = {};
@@ -217,7 +221,7 @@ int repeat_custom(std::uint64_t* rows, const RowKernelOptions& options, Index wi
   return repeat(scan, bands_of(rows + kBlockWords, height - 2), options.max_iterations);
 }
 
-void copy_row(const std::uint64_t* from, std::uint64_t* to) {
+[[maybe_unused]] void copy_row(const std::uint64_t* from, std::uint64_t* to) {
   WordBatch::load_aligned(from).store_aligned(to);
 }
 

@@ -1,0 +1,572 @@
+// The C interface with arguments that are valid, almost valid or absurd: a rejected call has the
+// status of an invalid argument, one line about it and an untouched destination; all others give
+// the reference's result. Memory is as large as the arguments say, or the call must be rejected.
+#include <array>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "drawn_image.hpp"
+#include "holes.hpp"
+#include "reference.hpp"
+#include "support/packed_image.hpp"
+#include "thinbench.h"
+#include "thinbench/named_rules.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr Index kMost = std::numeric_limits<Index>::max();
+constexpr std::array<Index, 10> kAbsurd = {-1,
+                                           0,
+                                           1,
+                                           2,
+                                           255,
+                                           Index{1} << 31,
+                                           Index{1} << 40,
+                                           kMost / 2,
+                                           kMost,
+                                           std::numeric_limits<Index>::min()};
+
+/// Now and then replaces a value.
+void spoil(ByteSource& input, Index& value) {
+  if (input.once_in(24)) value = input.pick(kAbsurd);
+}
+
+/// A stack in memory that ends with its last pixel. Arguments may say something else.
+class Stack {
+ public:
+  Stack(ByteSource& input, const DrawnSize& size, Index count)
+      : count_(count), height_(size.height), width_(size.width) {
+    stride_ = width_ + (input.once_in(3) ? input.number(1, 20) : 0);
+    const bool has_rows = width_ > 0 && height_ > 0;
+    const Index image_bytes = has_rows ? (height_ - 1) * stride_ + width_ : 0;
+    image_stride_ = image_bytes + (input.once_in(3) ? input.number(1, 20) : 0);
+    if (count_ > 0 && has_rows) bytes_ = (count_ - 1) * image_stride_ + image_bytes;
+    data_.reset(new std::uint8_t[static_cast<std::size_t>(bytes_)]);
+    std::fill_n(data_.get(), bytes_, kGuard);
+    pixels_ = input.once_in(24) ? nullptr : data_.get();
+    for (Index* value : {&count_, &height_, &width_, &stride_, &image_stride_})
+      spoil(input, *value);
+  }
+
+  [[nodiscard]] thinbench_stack source() const {
+    return {pixels_, count_, height_, width_, stride_, image_stride_};
+  }
+  [[nodiscard]] thinbench_output output(std::uint8_t foreground) {
+    return {pixels_, stride_, image_stride_, foreground};
+  }
+  [[nodiscard]] Index count() const { return count_; }
+  [[nodiscard]] ConstImageView image(Index i) const {
+    return {pixels_ + (i == 0 ? 0 : i * image_stride_), width_, height_, stride_};
+  }
+  [[nodiscard]] std::vector<std::uint8_t> bytes() const {
+    return {data_.get(), data_.get() + bytes_};
+  }
+
+  /// As many images of this size as in another stack.
+  void resize_as(const Stack& other) {
+    count_ = other.count_;
+    height_ = other.height_;
+    width_ = other.width_;
+  }
+
+  /// Fills the memory with pixels of the input.
+  void draw(ByteSource& input) {
+    const ByteImage pixels = draw_binary(input, {bytes_, 1});
+    std::copy_n(pixels.view().data, bytes_, data_.get());
+  }
+
+  /// Whether there are pixels, all of them in this memory.
+  [[nodiscard]] bool is_readable() const {
+    if (count_ <= 0 || height_ <= 0 || width_ <= 0 || stride_ < width_) return false;
+    Index image = 0;
+    Index before = 0;
+    const bool overflows =
+        __builtin_mul_overflow(height_ - 1, stride_, &image) ||
+        __builtin_add_overflow(image, width_, &image) ||
+        (count_ > 1 && __builtin_mul_overflow(count_ - 1, image_stride_, &before));
+    if (overflows || (count_ > 1 && image_stride_ < image)) return false;
+    return pixels_ != nullptr && image <= bytes_ && before <= bytes_ - image;
+  }
+
+  /// Whether a call stays in this memory and ends soon: it has to reject the arguments, or may read
+  /// and write what they say.
+  [[nodiscard]] bool is_safe() const {
+    constexpr Index many = 1 << 12;
+    if (is_readable() || count_ < 0 || height_ < 0 || width_ < 0 || stride_ < width_) return true;
+    if (count_ == 0 || height_ == 0 || width_ == 0) {
+      return count_ <= many && height_ <= many && width_ <= many;
+    }
+    if (pixels_ == nullptr || stride_ > kMost / height_) return true;
+    const Index image = (height_ - 1) * stride_ + width_;
+    return count_ > 1 && (image_stride_ < image || image_stride_ > kMost / count_);
+  }
+
+ private:
+  static constexpr std::uint8_t kGuard = 0xA5;
+
+  Index count_;
+  Index height_;
+  Index width_;
+  Index stride_ = 0;
+  Index image_stride_ = 0;
+  Index bytes_ = 0;
+  std::unique_ptr<std::uint8_t[]> data_;
+  std::uint8_t* pixels_ = nullptr;
+};
+
+struct DrawnOptions {
+  bool given = false;
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+
+  [[nodiscard]] const thinbench_options* pointer() const { return given ? &options : nullptr; }
+  [[nodiscard]] reference::Repetition repetition() const {
+    return {options.keep_border != 0 ? Border::keep : Border::background,
+            options.max_iterations == 0 ? kUnlimited : options.max_iterations};
+  }
+};
+
+constexpr std::array<const char*, 4> kNonsense = {nullptr, "", "nonsense", "guo_hall\n"};
+
+DrawnOptions draw_options(ByteSource& input, bool of_thinning) {
+  constexpr std::array<std::size_t, 6> sizes = {
+      0, 8, sizeof(thinbench_options) - 1, sizeof(thinbench_options) + 1, 4096, SIZE_MAX};
+  constexpr std::array<std::int32_t, 6> limits = {0, 0, 1, 2, -1, INT32_MIN};
+  constexpr std::array<std::int32_t, 8> threads = {1, 1, 1, 1, 1, 2, 0, 1025};
+  DrawnOptions drawn;
+  drawn.given = input.once_in(2);
+  if (!drawn.given) return drawn;
+  thinbench_options& options = drawn.options;
+  if (input.once_in(32)) options.size = input.pick(sizes);
+  if (of_thinning || input.once_in(8)) {
+    options.keep_border = static_cast<std::int32_t>(input.number(0, 1));
+    options.max_iterations = input.pick(limits);
+  }
+  if (input.once_in(8)) options.threads = input.pick(threads);
+  if (input.once_in(2))
+    options.isa = thinbench_isa_name(static_cast<std::size_t>(input.number(0, 5)));
+  if (input.once_in(3)) options.technique = input.pick(kTechniques).name.data();
+  if (input.once_in(32)) options.isa = input.pick(kNonsense);
+  if (input.once_in(32)) options.technique = input.pick(kNonsense);
+  return drawn;
+}
+
+/// Whether the call was accepted; otherwise it must say why.
+bool is_accepted(thinbench_status status) {
+  must(status == THINBENCH_OK || status == THINBENCH_INVALID_ARGUMENT,
+       "status " + std::to_string(status) + ": " + thinbench_last_error());
+  if (status != THINBENCH_OK) must_be_one_line(thinbench_last_error());
+  return status == THINBENCH_OK;
+}
+
+/// A status for calls whose result is not looked at.
+void check_status(thinbench_status status) {
+  static_cast<void>(is_accepted(status));
+}
+
+class Caller {
+ public:
+  explicit Caller(ByteSource& input) : input_(input) {}
+
+  void run() {
+    for (int calls = 0; calls < 4 && !input_.is_empty(); ++calls) call();
+  }
+
+ private:
+  void call() {
+    switch (input_.number(0, 11)) {
+      case 0:
+      case 1:
+        return thin_stack();
+      case 2:
+        return thin_many();
+      case 3:
+        return thin_packed();
+      case 4:
+        return thin_labels();
+      case 5:
+        return use_thinner();
+      case 6:
+        return make_tables();
+      case 7:
+        return apply_rule();
+      case 8:
+        return find_edges();
+      case 9:
+        return find_regions();
+      case 10:
+        return fill();
+      default:
+        return ask_names();
+    }
+  }
+
+  const char* draw_rule() {
+    if (input_.once_in(16)) return input_.pick(kNonsense);
+    return input_.pick(kRules).name.data();
+  }
+
+  /// Calls `run(source, destination, iterations)` on drawn stacks; compares images of an accepted
+  /// call with those of `expect(source, destination)`, whose results are ANDed with the foreground.
+  template <class Run, class Expect>
+  void check_stacks(bool in_place_allowed, const Run& run, const Expect& expect) {
+    constexpr std::array<std::uint8_t, 4> foregrounds = {0, 255, 1, 128};
+    const Index count = input_.once_in(2) ? 1 : input_.number(0, 5);
+    const DrawnSize size = draw_size(input_);
+    Stack source(input_, size, count);
+    Stack other(input_, size, count);
+    const bool in_place = in_place_allowed && input_.once_in(4);
+    Stack& destination = in_place ? source : other;
+    destination.resize_as(source);
+    if (!source.is_safe() || !destination.is_safe()) return;
+    const std::uint8_t foreground = input_.pick(foregrounds);
+    source.draw(input_);
+    std::vector<ByteImage> expected;
+    const thinbench_stack from = source.source();
+    const thinbench_output to = destination.output(foreground);
+    const auto before = destination.bytes();
+    for (Index i = 0; source.is_readable() && i < source.count(); ++i) {
+      expected.push_back(copy_of(source.image(i)));
+    }
+    const thinbench_stack* const from_or_null = input_.once_in(32) ? nullptr : &from;
+    const thinbench_output* const to_or_null = input_.once_in(32) ? nullptr : &to;
+    if (!is_accepted(run(from_or_null, to_or_null))) {
+      must(destination.bytes() == before, "a rejected call wrote");
+      return;
+    }
+    must(from_or_null != nullptr && to_or_null != nullptr, "NULL was accepted");
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      compare(destination.image(static_cast<Index>(i)), expected[i], foreground, expect);
+    }
+  }
+
+  template <class Expect>
+  static void compare(const ConstImageView& found, const ByteImage& image, std::uint8_t foreground,
+                      const Expect& expect) {
+    ByteImage expected(image.width(), image.height());
+    expect(image.view(), expected.view());
+    for (Index y = 0; y < image.height(); ++y) {
+      for (Index x = 0; x < image.width(); ++x) {
+        if (foreground != 0) expected.at(x, y) &= foreground;
+      }
+    }
+    must_be_equal(found, expected.view(), "an image");
+  }
+
+  void thin_stack() {
+    const char* const rule = draw_rule();
+    const DrawnOptions options = draw_options(input_, true);
+    std::int32_t iterations = -1;
+    int most = 0;
+    check_stacks(
+        true,
+        [&](const thinbench_stack* source, const thinbench_output* destination) {
+          return thinbench_thin(rule, source, destination, options.pointer(),
+                                input_.once_in(4) ? nullptr : &iterations);
+        },
+        [&](const ConstImageView& source, const ImageView& destination) {
+          const int used =
+              reference::thinning(*rule_from_name(rule))(options.repetition(), source, destination);
+          most = std::max(most, used);
+          must(iterations == -1 || used <= iterations, "too few iterations");
+        });
+    must(iterations == -1 || most == 0 || iterations == most, "other iterations");
+  }
+
+  void use_thinner() {
+    const char* const rule = draw_rule();
+    const DrawnOptions options = draw_options(input_, true);
+    auto [width, height] = draw_size(input_);
+    if (input_.once_in(16)) width = input_.once_in(2) ? kMost : -1;
+    thinbench_thinner* thinner = nullptr;
+    const bool made = is_accepted(thinbench_thinner_create(
+        rule, width, height, options.pointer(), input_.once_in(32) ? nullptr : &thinner));
+    must(made == (thinner != nullptr), "a handle without a thinner");
+    must(made == (thinbench_thinner_technique(thinner) != nullptr), "no technique");
+    must(made == (thinbench_thinner_isa(thinner) != nullptr), "no ISA");
+    check_stacks(
+        true,
+        [&](const thinbench_stack* source, const thinbench_output* destination) {
+          return thinbench_thinner_run(thinner, source, destination, nullptr);
+        },
+        [&](const ConstImageView& source, const ImageView& destination) {
+          reference::thinning (*rule_from_name(rule))(options.repetition(), source, destination);
+        });
+    thinbench_thinner_destroy(thinner);
+  }
+
+  void thin_many() {
+    const char* const rule = draw_rule();
+    const DrawnOptions options = draw_options(input_, true);
+    const Index count = input_.number(0, 6);
+    std::vector<Stack> stacks;
+    std::vector<thinbench_stack> sources;
+    std::vector<thinbench_output> destinations;
+    std::vector<ByteImage> images;
+    for (Index i = 0; i < count; ++i) {
+      const DrawnSize size = draw_size(input_);
+      stacks.emplace_back(input_, size, 1);
+      Stack destination(input_, size, 1);
+      destination.resize_as(stacks.back());
+      if (!stacks.back().is_safe() || !destination.is_safe()) return;
+      stacks.back().draw(input_);
+      sources.push_back(stacks.back().source());
+      images.push_back(stacks.back().is_readable() ? copy_of(stacks.back().image(0)) : ByteImage());
+      stacks.push_back(std::move(destination));
+      destinations.push_back(stacks.back().output(255));
+    }
+    const bool is_null = input_.once_in(32);
+    if (!is_accepted(thinbench_thin_many(rule, is_null ? nullptr : sources.data(),
+                                         destinations.data(), static_cast<std::size_t>(count),
+                                         options.pointer(), nullptr))) {
+      return;
+    }
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (images[i].width() == 0) continue;
+      compare(stacks[2 * i + 1].image(0), images[i], 255, [&](const auto& source, const auto& to) {
+        reference::thinning (*rule_from_name(rule))(options.repetition(), source, to);
+      });
+    }
+  }
+
+  void thin_packed() {
+    const char* const rule = draw_rule();
+    const DrawnOptions options = draw_options(input_, true);
+    const DrawnSize size = draw_size(input_);
+    const ByteImage image = draw_binary(input_, size);
+    const BitOrder order = input_.once_in(2) ? BitOrder::lsb_first : BitOrder::msb_first;
+    PackedImage source(image.view(), order, input_.number(0, 3));
+    PackedImage destination(size.width, size.height, order, input_.number(0, 3));
+    const ConstPackedView from = source.view();
+    const PackedView to = destination.view();
+    thinbench_packed given = {from.data, from.height, from.width, from.stride,
+                              order == BitOrder::lsb_first ? 1 : 0};
+    Index stride = to.stride;
+    // Only what must be rejected: more than one value at a time could be valid by chance.
+    if (input_.once_in(8)) {
+      constexpr std::array<Index, 3> rejected = {-1, std::numeric_limits<Index>::min(), kMost};
+      Index* const values[] = {&given.height, &given.width, &given.stride, &stride};
+      Index& value = *input_.pick(values);
+      value = input_.pick(rejected);
+      if (value == kMost && size.height <= 1) return;
+    }
+    if (!is_accepted(
+            thinbench_thin_packed(rule, &given, to.data, stride, options.pointer(), nullptr))) {
+      return;
+    }
+    ByteImage expected(size.width, size.height);
+    reference::thinning (*rule_from_name(rule))(options.repetition(), image.view(),
+                                                expected.view());
+    const PackedImage packed(expected.view(), order, to.stride - packed_row_bytes(size.width));
+    must(packed == destination, "a packed image differs");
+  }
+
+  void thin_labels() {
+    const char* const rule = draw_rule();
+    const DrawnOptions options = draw_options(input_, true);
+    auto [width, height] = draw_size(input_);
+    std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height));
+    for (std::int32_t& label : labels) label = input_.byte() % 4 == 0 ? 5 : 0;
+    std::vector<std::uint8_t> mask(labels.begin(), labels.end());
+    std::vector<std::int32_t> found(labels.size());
+    Index source_stride = width;
+    Index stride = width;
+    const DrawnSize size = {width, height};
+    if (input_.once_in(8)) {
+      constexpr std::array<Index, 4> rejected = {-1, std::numeric_limits<Index>::min(), kMost,
+                                                 -(Index{1} << 62)};
+      Index* const values[] = {&source_stride, &stride, &width, &height};
+      Index& value = *input_.pick(values);
+      value = input_.pick(rejected);
+      if (value == kMost && (size.height <= 1 || size.width == 0)) return;
+    }
+    if (!is_accepted(thinbench_thin_labels(rule, labels.data(), source_stride, found.data(), stride,
+                                           height, width, options.pointer(), nullptr))) {
+      return;
+    }
+    const ImageView view(mask.data(), size.width, size.height);
+    reference::thinning (*rule_from_name(rule))(options.repetition(), view, view);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      must(found[i] == (mask[i] != 0 ? 5 : 0), "labels differ");
+    }
+  }
+
+  /// The tables of a notation; 0 if it is rejected.
+  std::size_t draw_tables(std::uint64_t* tables) {
+    constexpr std::array<const char*, 7> orders = {"raster",    "matlab", "octave", "descriptor",
+                                                   "clockwise", nullptr,  "north"};
+    switch (input_.number(0, 4)) {
+      case 0:
+        return is_accepted(thinbench_table_from_hensel(input_.line().c_str(), tables)) ? 1 : 0;
+      case 1: {
+        const std::string lines[] = {input_.line(), input_.line()};
+        const char* const patterns[] = {lines[0].c_str(),
+                                        input_.once_in(8) ? nullptr : lines[1].c_str()};
+        return is_accepted(thinbench_table_from_patterns(patterns, 2, tables)) ? 1 : 0;
+      }
+      case 2:
+      case 3: {
+        std::array<std::uint8_t, 512> values{};
+        for (std::uint8_t& value : values) value = input_.byte() & (input_.once_in(255) ? 3 : 1);
+        const char* const order = input_.pick(orders);
+        const auto status = input_.once_in(2)
+                                ? thinbench_table_from_values(values.data(), order, tables)
+                                : thinbench_table_from_removals(values.data(), order, tables);
+        return is_accepted(status) ? 1 : 0;
+      }
+      default: {
+        thinbench_named_rule rule{};
+        rule.size = input_.once_in(8) ? static_cast<std::size_t>(input_.byte()) : sizeof(rule);
+        const char* const name =
+            input_.once_in(8) ? input_.pick(kNonsense) : input_.pick(named_rules()).name.data();
+        if (!is_accepted(thinbench_find_named_rule(name, &rule))) return 0;
+        std::memcpy(tables, rule.tables, rule.sub_iterations * sizeof(WindowTable));
+        return rule.sub_iterations;
+      }
+    }
+  }
+
+  void make_tables() {
+    std::array<std::uint64_t, 64> tables{};
+    static_cast<void>(draw_tables(tables.data()));
+    check_status(thinbench_table_from_hensel(nullptr, tables.data()));
+    check_status(thinbench_table_from_hensel("B3/S23", nullptr));
+  }
+
+  /// Made, asked and destroyed. Only named rules are applied: others take long to compile.
+  void apply_rule() {
+    constexpr std::array<const char*, 5> borders = {"background", "keep", "foreground", nullptr,
+                                                    "white"};
+    constexpr std::array<std::int32_t, 5> limits = {0, 1, 2, 3, -1};
+    const NamedRule& named = input_.pick(named_rules());
+    const auto* const words = named.sub_iterations.front().words.data();
+    const char* const border = input_.pick(borders);
+    const std::int32_t limit = input_.pick(limits);
+    std::size_t count = named.sub_iterations.size();
+    if (input_.once_in(16)) count = input_.once_in(2) ? 0 : 9;
+    thinbench_custom_rule* rule = nullptr;
+    const bool made =
+        is_accepted(thinbench_custom_rule_create(words, count, border, limit, 0, &rule));
+    must(made == (rule != nullptr), "a handle without a rule");
+    std::int32_t gates = 0;
+    check_status(thinbench_custom_rule_gates(rule, static_cast<std::size_t>(input_.number(0, 9)),
+                                             input_.once_in(16) ? nullptr : &gates));
+    const DrawnOptions options = draw_options(input_, false);
+    check_stacks(
+        true,
+        [&](const thinbench_stack* source, const thinbench_output* destination) {
+          return thinbench_apply(rule, source, destination, options.pointer(), nullptr);
+        },
+        [&](const ConstImageView& source, const ImageView& destination) {
+          const auto found = std::find(kBorderNames.begin(), kBorderNames.end(), border);
+          reference::apply_tables(
+              named.sub_iterations,
+              {static_cast<Border>(found - kBorderNames.begin()), limit == 0 ? kUnlimited : limit},
+              source, destination);
+        });
+    thinbench_custom_rule_destroy(rule);
+  }
+
+  void find_edges() {
+    const char* const name =
+        input_.once_in(16) ? input_.pick(kNonsense) : input_.pick(kEdgeOperators).name.data();
+    const auto gradient = static_cast<std::int32_t>(input_.number(-1, 256));
+    const auto brightness = static_cast<std::int32_t>(input_.number(-1, 256));
+    const DrawnOptions options = draw_options(input_, false);
+    check_stacks(
+        false,
+        [&](const thinbench_stack* source, const thinbench_output* destination) {
+          return thinbench_edges(name, source, destination, gradient, brightness,
+                                 options.pointer());
+        },
+        [&](const ConstImageView& source, const ImageView& destination) {
+          reference::edges (*edge_operator_from_name(name))({gradient, brightness}, source,
+                                                            destination);
+        });
+  }
+
+  void fill() {
+    const DrawnOptions options = draw_options(input_, false);
+    check_stacks(
+        true,
+        [&](const thinbench_stack* source, const thinbench_output* destination) {
+          return thinbench_fill_holes(source, destination, options.pointer());
+        },
+        [](const ConstImageView& source, const ImageView& destination) {
+          reference::fill_holes(source, destination);
+        });
+  }
+
+  static void compare_regions(const thinbench_region* found, std::size_t count,
+                              const std::vector<Region>& expected) {
+    must(count == expected.size(), "another number of regions");
+    must(count == 0 || std::memcmp(found, expected.data(), count * sizeof(Region)) == 0 ||
+             std::equal(expected.begin(), expected.end(), reinterpret_cast<const Region*>(found)),
+         "regions differ");
+  }
+
+  void find_regions() {
+    const DrawnOptions options = draw_options(input_, false);
+    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    if (!source.is_safe()) return;
+    source.draw(input_);
+    const thinbench_stack from = source.source();
+    std::vector<std::int32_t> labels(
+        source.is_readable() ? static_cast<std::size_t>(from.width * from.height) : 0);
+    const bool with_labels = source.is_readable() && input_.once_in(2);
+    thinbench_regions* regions = nullptr;
+    std::int64_t euler = 0;
+    const auto connectivity = static_cast<std::int32_t>(input_.once_in(16) ? 6 : 8);
+    const bool has_euler =
+        is_accepted(thinbench_euler_number(&from, connectivity, options.pointer(), &euler));
+    if (is_accepted(thinbench_find_regions(&from, with_labels ? labels.data() : nullptr, from.width,
+                                           options.pointer(), &regions)) &&
+        source.is_readable()) {
+      const reference::Regions expected = reference::holes(source.image(0));
+      std::size_t count = 1;
+      const auto* const objects =
+          thinbench_regions_objects(regions, &count, sizeof(thinbench_region));
+      compare_regions(objects, count, expected.objects);
+      const auto* const holes = thinbench_regions_holes(regions, &count, sizeof(thinbench_region));
+      compare_regions(holes, count, expected.holes);
+      must(thinbench_regions_holes(regions, &count, 8) == nullptr && count == 0, "another struct");
+      must(!has_euler || euler == reference::euler_number(source.image(0)), "another Euler number");
+    }
+    thinbench_regions_destroy(regions);
+    regions = nullptr;
+    check_status(thinbench_localise(&from, static_cast<std::int32_t>(input_.number(-1, 256)), 128,
+                                    options.pointer(), &regions));
+    thinbench_regions_destroy(regions);
+  }
+
+  void ask_names() {
+    const std::array<std::size_t, 4> indices = {static_cast<std::size_t>(input_.byte()), 0,
+                                                SIZE_MAX, SIZE_MAX / 2};
+    const std::size_t index = input_.pick(indices);
+    const char* const name = thinbench_rule_name(index);
+    must((name != nullptr) == (index < kRules.size()), "a wrong end of the rules");
+    must((thinbench_rule_description(index) != nullptr) == (name != nullptr), "no description");
+    must((thinbench_rule_reach(index) >= 0) == (name != nullptr), "no reach");
+    static_cast<void>(thinbench_edge_operator_name(index));
+    static_cast<void>(thinbench_named_rule_name(index));
+    const char* const isa = thinbench_isa_name(index);
+    must(thinbench_isa_available(isa) >= (isa == nullptr ? -1 : 0), "no ISA");
+    must(thinbench_isa_available("nonsense") == -1, "an ISA that does not exist");
+    thinbench_variant variant{};
+    variant.size = input_.once_in(8) ? index : sizeof(variant);
+    check_status(thinbench_rule_variant(draw_rule(), index, &variant));
+  }
+
+  ByteSource& input_;
+};
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  thinbench::ByteSource input(data, size);
+  thinbench::Caller(input).run();
+  return 0;
+}

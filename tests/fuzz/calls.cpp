@@ -1,0 +1,419 @@
+// Sequences of calls: plans for one image and for batches that are made, used, moved and used again
+// after a rejected call; lists of images, labels, regions, edges, packed images and named rules.
+// Every result is the reference's; every rejected call says why in one line and writes nothing.
+#include <array>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "drawn_image.hpp"
+#include "holes.hpp"
+#include "localise.hpp"
+#include "reference.hpp"
+#include "support/packed_image.hpp"
+#include "thinbench/batch.hpp"
+#include "thinbench/labels.hpp"
+#include "thinbench/localise.hpp"
+#include "thinbench/named_rules.hpp"
+#include "thinbench/thinning.hpp"
+
+namespace thinbench {
+namespace {
+
+/// What a plan was made for. A custom rule brings its own border and limit.
+struct Request {
+  Rule rule = {};
+  const NamedRule* named = nullptr;
+  DrawnSize size = {};
+  Options options = {};
+
+  int by_reference(const ConstImageView& source, const ImageView& destination) const {
+    if (named != nullptr) {
+      const auto [border, limit, optimised] = named->options();
+      return reference::apply_tables(named->sub_iterations, {border, limit}, source, destination);
+    }
+    if (rule == Rule::midpoint_scan) {
+      return reference::midpoint_scan(options.directions, options.border, source, destination);
+    }
+    return reference::thinning(rule)({options.border, options.max_iterations}, source, destination);
+  }
+};
+
+/// Compiled when first needed. For all threads of the soak.
+const CustomRule& custom_rule(const NamedRule& rule) {
+  static std::map<std::string_view, CustomRule> rules;
+  static std::mutex mutex;
+  const std::scoped_lock lock(mutex);
+  return rules.try_emplace(rule.name, rule.sub_iterations, rule.options()).first->second;
+}
+
+/// Mostly valid; now and then something that does not exist or does not apply.
+Options draw_options(ByteSource& input) {
+  constexpr std::array limits = {kUnlimited, kUnlimited, kUnlimited, 1, 2, 3, 0, -1};
+  Options options;
+  const Index kind = input.number(0, 15);
+  if (kind < 6) return options;
+  options.border = static_cast<Border>(input.number(0, kind == 15 ? 3 : 1));
+  options.max_iterations = input.pick(limits);
+  if (kind > 9) options.isa = static_cast<Isa>(input.number(0, kind == 15 ? 6 : 4));
+  if (kind > 11) options.technique = static_cast<Technique>(input.number(0, kind == 15 ? 16 : 14));
+  if (kind == 14) options.threads = static_cast<int>(input.number(-1, 2));
+  if (kind == 13) options.directions = {static_cast<std::uint8_t>(input.number(0, 16))};
+  return options;
+}
+
+Request draw_request(ByteSource& input) {
+  Request request;
+  if (input.once_in(4)) request.named = &input.pick(named_rules());
+  const auto last = static_cast<Index>(kRules.size()) - 1;
+  request.rule = static_cast<Rule>(input.number(0, input.once_in(32) ? last + 1 : last));
+  request.size = draw_size(input);
+  request.options = draw_options(input);
+  return request;
+}
+
+/// Makes a plan of either kind for the request.
+template <class Plan>
+Plan make_plan(const Request& request) {
+  const auto [width, height] = request.size;
+  if (request.named == nullptr) return Plan(request.rule, width, height, request.options);
+  return Plan(custom_rule(*request.named), width, height, request.options);
+}
+
+template <class Plan>
+struct Made {
+  Request request;
+  Plan plan;
+};
+
+class Calls {
+ public:
+  explicit Calls(ByteSource& input) : input_(input) {}
+
+  void run() {
+    for (int calls = 0; calls < 12 && !input_.is_empty(); ++calls) {
+      try {
+        call();
+      } catch (const std::invalid_argument& error) {
+        must_be_one_line(error.what());
+      }
+    }
+  }
+
+ private:
+  void call() {
+    switch (input_.number(0, 15)) {
+      case 0:
+      case 1:
+        return make(thinners_);
+      case 2:
+      case 3:
+      case 4:
+        return run_thinner();
+      case 5:
+        return move(thinners_);
+      case 6:
+        return make(batches_);
+      case 7:
+      case 8:
+        return run_batch();
+      case 9:
+        return move(batches_);
+      case 10:
+        return thin_list();
+      case 11:
+        return thin_label_image();
+      case 12:
+        return find_all_regions();
+      case 13:
+        return find_edges();
+      case 14:
+        return thin_packed();
+      default:
+        return thin_once();
+    }
+  }
+
+  template <class Plan>
+  using Slots = std::array<std::optional<Made<Plan>>, 3>;
+
+  template <class Plan>
+  void make(Slots<Plan>& slots) {
+    auto& slot = slots[static_cast<std::size_t>(input_.number(0, 2))];
+    const Request request = draw_request(input_);
+    slot.emplace(Made<Plan>{request, make_plan<Plan>(request)});
+  }
+
+  /// Onto another plan or into an empty slot. What was moved from is not used again.
+  template <class Plan>
+  void move(Slots<Plan>& slots) {
+    const auto from = static_cast<std::size_t>(input_.number(0, 2));
+    const auto to = static_cast<std::size_t>(input_.number(0, 2));
+    if (from == to) return;
+    slots[to] = std::move(slots[from]);
+    slots[from].reset();
+  }
+
+  /// Calls `thin(source, destination)` on a drawn image and compares.
+  template <class Thin>
+  void check(const Request& request, const Thin& thin) {
+    const ByteImage image = draw_binary(input_, request.size);
+    DrawnImage source(input_, request.size);
+    DrawnImage destination(input_, request.size);
+    source.copy_from(image.view());
+    const ImageView to = input_.once_in(4) ? source.view() : destination.view();
+    const int iterations = thin(source.view(), to);
+    ByteImage expected(image.width(), image.height());
+    must(iterations == request.by_reference(image.view(), expected.view()), "other iterations");
+    must_be_equal(to, expected.view(), "a call");
+    source.must_be_intact();
+    destination.must_be_intact();
+  }
+
+  void run_thinner() {
+    auto& slot = thinners_[static_cast<std::size_t>(input_.number(0, 2))];
+    if (!slot) return;
+    if (input_.once_in(8)) reject_other_size(*slot);
+    check(slot->request, std::ref(slot->plan));
+  }
+
+  /// An image of another size is rejected, and the plan remains as it was.
+  void reject_other_size(Made<Thinner>& made) {
+    const auto [width, height] = made.request.size;
+    ByteImage image(width + 1, height);
+    ByteImage found(width + 1, height);
+    try {
+      made.plan(image.view(), found.view());
+    } catch (const std::invalid_argument& error) {
+      must_be_one_line(error.what());
+      return;
+    }
+    must(false, "an image of another size was taken");
+  }
+
+  void thin_once() {
+    const Request request = draw_request(input_);
+    check(request, [&](const ConstImageView& source, const ImageView& destination) {
+      if (request.named == nullptr) {
+        return thin(request.rule, source, destination, request.options);
+      }
+      return apply(custom_rule(*request.named), source, destination, request.options);
+    });
+  }
+
+  /// The images of a stack one below the other, which is itself an image.
+  void run_batch() {
+    auto& slot = batches_[static_cast<std::size_t>(input_.number(0, 2))];
+    if (!slot) return;
+    const Index width = slot->request.size.width;
+    const Index height = slot->request.size.height;
+    const Index count = input_.number(0, 9);
+    const DrawnSize all = {width, count * height};
+    const ByteImage image = draw_binary(input_, all);
+    DrawnImage source(input_, all);
+    DrawnImage destination(input_, all);
+    source.copy_from(image.view());
+    const auto stack = [&](const ImageView& view) {
+      return StackView{view.data, count, width, height, view.stride, height * view.stride};
+    };
+    const ImageView to = input_.once_in(4) ? source.view() : destination.view();
+    const int found = slot->plan(stack(source.view()), stack(to));
+    ByteImage expected(width, all.height);
+    int iterations = 0;
+    for (Index i = 0; i < count; ++i) {
+      const ConstImageView from(image.view().row(i * height), width, height, image.view().stride);
+      iterations = std::max(
+          iterations, slot->request.by_reference(from, {expected.view().row(i * height), width,
+                                                        height, expected.view().stride}));
+    }
+    must(found == iterations, "a batch: other iterations");
+    must_be_equal(to, expected.view(), "a batch");
+    source.must_be_intact();
+    destination.must_be_intact();
+  }
+
+  void thin_list() {
+    Request request = draw_request(input_);
+    request.named = nullptr;
+    const Index count = input_.number(0, 8);
+    std::vector<ByteImage> expected;
+    std::vector<DrawnImage> images;
+    std::vector<ConstImageView> sources;
+    std::vector<ImageView> destinations;
+    for (Index i = 0; i < count; ++i) {
+      const DrawnSize size = input_.once_in(2) ? request.size : draw_size(input_);
+      expected.push_back(draw_binary(input_, size));
+      images.emplace_back(input_, size).copy_from(expected.back().view());
+      sources.emplace_back(images.back().view());
+      if (!input_.once_in(4)) images.emplace_back(input_, size);
+      destinations.push_back(images.back().view());
+    }
+    const int found = thin_many(request.rule, sources, destinations, request.options);
+    int iterations = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const ImageView view = expected[i].view();
+      iterations = std::max(iterations, request.by_reference(view, view));
+      must_be_equal(destinations[i], view, "an image of a list");
+    }
+    must(found == iterations, "a list: other iterations");
+    for (const DrawnImage& image : images) image.must_be_intact();
+  }
+
+  void thin_label_image() {
+    Request request = draw_request(input_);
+    request.named = nullptr;
+    const auto [width, height] = request.size;
+    constexpr std::array<std::int32_t, 8> values = {0, 0, 0, 1, 2, 3, 70'000, INT32_MAX};
+    const auto pixels = static_cast<std::size_t>(width * height);
+    std::vector<std::int32_t> labels(pixels);
+    const bool is_negative = input_.once_in(32);
+    for (std::int32_t& label : labels) label = input_.is_empty() ? 1 : input_.pick(values);
+    if (is_negative && pixels > 0) labels[pixels / 2] = -1;
+    std::vector<std::int32_t> found(pixels, -7);
+    const int iterations = thin_labels(request.rule, {labels.data(), width, height},
+                                       {found.data(), width, height}, request.options);
+    must(!is_negative || pixels == 0, "a negative label was taken");
+    int expected_iterations = 0;
+    std::vector<std::int32_t> expected(pixels, 0);
+    for (const std::int32_t value : {1, 2, 3, 70'000, INT32_MAX}) {
+      std::vector<std::uint8_t> mask(pixels);
+      std::transform(labels.begin(), labels.end(), mask.begin(),
+                     [=](std::int32_t label) { return label == value ? 255 : 0; });
+      if (std::count(labels.begin(), labels.end(), value) == 0) continue;
+      const ImageView view(mask.data(), width, height);
+      expected_iterations = std::max(expected_iterations, request.by_reference(view, view));
+      for (std::size_t i = 0; i < pixels; ++i) expected[i] += mask[i] != 0 ? value : 0;
+    }
+    must(found == expected, "labels differ from the reference");
+    must(iterations == expected_iterations, "labels: other iterations");
+  }
+
+  /// Options of operations that take no border and no limit.
+  Options draw_plain_options() {
+    Options options = draw_options(input_);
+    if (input_.once_in(8)) return options;
+    options.border = Border::background;
+    options.max_iterations = kUnlimited;
+    options.directions = {};
+    return options;
+  }
+
+  void find_all_regions() {
+    const Options options = draw_plain_options();
+    const DrawnSize size = draw_size(input_);
+    const ByteImage image = draw_binary(input_, size);
+    DrawnImage source(input_, size);
+    source.copy_from(image.view());
+    const reference::Regions expected = reference::holes(image.view());
+    check_labels(source.view(), expected);
+    must(find_components(source.view(), options) == expected.objects, "components differ");
+    const Regions found = find_regions(source.view(), options);
+    must(found.objects == expected.objects && found.holes == expected.holes, "regions differ");
+    must(euler_number(source.view(), options) == reference::euler_number(image.view()) &&
+             euler_number_4(source.view(), options) == reference::euler_number_4(image.view()),
+         "Euler numbers differ");
+    ByteImage filled(size.width, size.height);
+    reference::fill_holes(image.view(), filled.view());
+    fill_holes(source.view(), source.view(), options);
+    must_be_equal(source.view(), filled.view(), "a filled image");
+    source.must_be_intact();
+  }
+
+  /// Labels are checked by the areas and sums of the pixels that have them.
+  static void check_labels(const ConstImageView& image, const reference::Regions& expected) {
+    const auto [data, width, height, stride] = image;
+    std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height), -7);
+    const Regions found = label_regions(image, {labels.data(), width, height});
+    must(found.objects == expected.objects && found.holes == expected.holes,
+         "labelled regions differ");
+    std::vector<Region> all = found.objects;
+    all.insert(all.end(), found.holes.begin(), found.holes.end());
+    for (Index y = 0; y < height; ++y) {
+      for (Index x = 0; x < width; ++x) {
+        const auto label =
+            static_cast<std::size_t>(labels[static_cast<std::size_t>(y * width + x)]);
+        must(label <= all.size(), "a label without a region");
+        must((image.row(y)[x] != 0) == (label >= 1 && label <= found.objects.size()),
+             "a label of the wrong kind");
+        if (label == 0) continue;
+        Region& region = all[label - 1];
+        --region.area;
+        region.sum_x -= x;
+        region.sum_y -= y;
+      }
+    }
+    for (const Region& region : all) {
+      must(region.area == 0 && region.sum_x == 0 && region.sum_y == 0, "labels differ");
+    }
+  }
+
+  void find_edges() {
+    const Options options = draw_plain_options();
+    const auto last = static_cast<Index>(kEdgeOperators.size()) - 1;
+    const auto op = static_cast<EdgeOperator>(input_.number(0, input_.once_in(32) ? 6 : last));
+    const EdgeThresholds thresholds = {static_cast<int>(input_.number(-1, 256)),
+                                       static_cast<int>(input_.number(-1, 256))};
+    const DrawnSize size = draw_size(input_);
+    const ByteImage image = draw_grey(input_, size);
+    DrawnImage source(input_, size);
+    DrawnImage destination(input_, size);
+    source.copy_from(image.view());
+    const Regions found = localise_objects(source.view(), thresholds, options);
+    detect_edges(op, source.view(), destination.view(), thresholds, options);
+    ByteImage expected(size.width, size.height);
+    reference::edges(op)(thresholds, image.view(), expected.view());
+    must_be_equal(destination.view(), expected.view(), "edges");
+    const reference::Regions regions = reference::localise_objects(
+        reference::edges(EdgeOperator::sobel), thresholds, image.view());
+    must(found.objects == regions.objects && found.holes == regions.holes, "localised differ");
+    source.must_be_intact();
+    destination.must_be_intact();
+  }
+
+  void thin_packed() {
+    const Request request = draw_request(input_);
+    const auto [width, height] = request.size;
+    constexpr std::array orders = {BitOrder::msb_first, BitOrder::lsb_first};
+    constexpr std::array<std::uint8_t, 3> fillers = {0, 0xFF, 0xA5};
+    const std::uint8_t filler = input_.pick(fillers);
+    const ByteImage image = draw_binary(input_, request.size);
+    const BitOrder order = input_.pick(orders);
+    PackedImage source(image.view(), order, input_.number(0, 9), filler);
+    PackedImage destination(width, height, input_.pick(orders), input_.number(0, 9), filler);
+    PackedImage& to = input_.once_in(4) ? source : destination;
+    const BitOrder written = to.view().order;
+    const int iterations =
+        request.named == nullptr
+            ? thin(request.rule, std::as_const(source).view(), to.view(), request.options)
+            : apply(custom_rule(*request.named), std::as_const(source).view(), to.view(),
+                    request.options);
+    ByteImage expected(width, height);
+    must(iterations == request.by_reference(image.view(), expected.view()),
+         "a packed image: other iterations");
+    const Index gap = to.view().stride - packed_row_bytes(width);
+    const PackedImage packed(expected.view(), written, gap, filler == 0xFF ? 0 : filler);
+    for (Index y = 0; y < height; ++y) {
+      const std::uint8_t* const row = to.view().row(y);
+      const Index bytes = packed_row_bytes(width);
+      must(std::equal(row, row + bytes, packed.view().row(y)), "a packed image differs");
+      must(std::all_of(row + bytes, row + bytes + gap, [=](auto byte) { return byte == filler; }),
+           "bytes of a gap were changed");
+    }
+  }
+
+  ByteSource& input_;
+  Slots<Thinner> thinners_;
+  Slots<ThinningBatch> batches_;
+};
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  thinbench::ByteSource input(data, size);
+  thinbench::Calls(input).run();
+  return 0;
+}

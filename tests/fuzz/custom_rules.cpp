@@ -1,0 +1,90 @@
+// Custom rules of any tables, compiled, against the reference: every technique on images of any
+// size. Compiling takes longest, so a rule is applied several times.
+#include <map>
+#include <stdexcept>
+
+#include "api/catalogue.hpp"
+#include "drawn_image.hpp"
+#include "reference.hpp"
+#include "thinbench/named_rules.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Bits of the input, or a named rule with a few bits changed.
+WindowTable draw_table(ByteSource& input) {
+  WindowTable table;
+  if (input.once_in(2)) {
+    table = input.pick(named_rules()).sub_iterations.front();
+    for (Index flips = input.number(0, 3); flips > 0; --flips) {
+      const auto window = static_cast<std::size_t>(input.number(0, 511));
+      table.set(window, !table[window]);
+    }
+    return table;
+  }
+  for (std::uint64_t& word : table.words) word = input.word();
+  return table;
+}
+
+/// The table without its pixels that are added, or that are removed.
+WindowTable monotone(const WindowTable& table, bool removes) {
+  return make_window_table([&](std::size_t window) {
+    const bool pixel = (window >> WindowTable::kCentre & 1) != 0;
+    return removes ? pixel && table[window] : pixel || table[window];
+  });
+}
+
+struct DrawnRule {
+  std::vector<WindowTable> tables;
+  CustomRuleOptions options;
+};
+
+DrawnRule draw_rule(ByteSource& input) {
+  DrawnRule rule;
+  rule.options.border = static_cast<Border>(input.number(0, 2));
+  const Index limit = input.number(0, 4);
+  const bool removes = input.once_in(2);
+  if (limit > 0) rule.options.max_iterations = static_cast<int>(limit);
+  for (Index tables = input.number(1, 3); tables > 0; --tables) {
+    const WindowTable table = draw_table(input);
+    rule.tables.push_back(limit > 0 ? table : monotone(table, removes));
+  }
+  return rule;
+}
+
+void check(ByteSource& input, const DrawnRule& drawn, const CustomRule& rule) {
+  const auto variants = detail::custom_rule_variants(rule);
+  const detail::ThinningVariant& variant =
+      variants[static_cast<std::size_t>(input.number(0, std::ssize(variants) - 1))];
+  const DrawnSize size = draw_size(input);
+  const int threads = variant.threaded && input.once_in(32) ? 2 : 1;
+  const ByteImage image = draw_binary(input, size);
+  if (!unavailable_reason(variant, size.width).empty()) return;
+  const auto state =
+      detail::make_custom_state(rule, variant, size.width, size.height, {.threads = threads});
+  DrawnImage source(input, size);
+  DrawnImage destination(input, size);
+  source.copy_from(image.view());
+  const ImageView to = input.once_in(4) ? source.view() : destination.view();
+  const int iterations = state->run(source.view(), to);
+  ByteImage expected(size.width, size.height);
+  const auto [border, limit, optimised] = drawn.options;
+  must(iterations ==
+           reference::apply_tables(drawn.tables, {border, limit}, image.view(), expected.view()),
+       "other iterations");
+  must_be_equal(to, expected.view(), technique_name(variant.technique).data());
+  source.must_be_intact();
+  destination.must_be_intact();
+}
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace thinbench;
+  ByteSource input(data, size);
+  const DrawnRule drawn = draw_rule(input);
+  const CustomRule rule(drawn.tables, drawn.options);
+  for (int i = 0; i < 6 && !input.is_empty(); ++i) check(input, drawn, rule);
+  return 0;
+}

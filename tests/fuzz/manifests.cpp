@@ -1,0 +1,32 @@
+// Manifests of batches, in both formats: their lines, or one line that says what is wrong.
+#include <stdexcept>
+
+#include "batch/manifest_text.hpp"
+#include "byte_source.hpp"
+
+namespace thinbench {
+namespace {
+
+/// The lines, one after the other, are the text up to its last complete line.
+void read(std::string_view text, ManifestFormat format) {
+  const ManifestText manifest = parse_manifest(text, format);
+  std::string lines;
+  for (const ManifestLine& line : manifest.lines) lines += line.text;
+  must(manifest.size <= text.size() && text.substr(0, manifest.size).ends_with(lines),
+       "the lines of a manifest are others than those of the file");
+}
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace thinbench;
+  ByteSource input(data, size);
+  const ManifestFormat format = input.once_in(2) ? ManifestFormat::csv : ManifestFormat::json_lines;
+  try {
+    read(input.rest(), format);
+  } catch (const std::runtime_error& error) {
+    must_be_one_line(error.what());
+  }
+  return 0;
+}

@@ -1,0 +1,62 @@
+// Packed images in PBM files and TIFF files of one bit per pixel: all rows, or one line that says
+// what is wrong.
+#include <stdexcept>
+#include <vector>
+
+#include "images/packed_file.hpp"
+#include "images/tiff_file.hpp"
+#include "memory_file.hpp"
+
+namespace thinbench {
+namespace {
+
+void read_pbm(const std::string& path) {
+  const PackedFormat format = pbm_format(path);
+  const PackedFile file = PackedFile::open(path, format);
+  std::vector<std::uint8_t> rows(static_cast<std::size_t>(format.row_bytes() * format.height));
+  file.read({0, 0, format.width, format.height}, rows.data());
+  static_cast<void>(packed_foreground({rows.data(), format.width, format.height, format.order}));
+}
+
+void read_tiff_rows(const std::string& path) {
+  static_cast<void>(unreadable_tiff_reason(path));
+  const bool is_bilevel = is_bilevel_tiff(path);
+  constexpr Index max_pixels = Index{1} << 22;
+  {
+    const TiffReader reader(path);
+    must(is_bilevel, "a file is read that is none of one bit per pixel");
+    must(reader.working_bytes() > 0, "reading takes no memory");
+    const TiffFormat& format = reader.format();
+    if (format.height > max_pixels / format.width) return;  // takes too long
+  }
+  Index next = 0;
+  read_tiff(path, [&](const PackedView& rows, Index y) {
+    must(y == next, "rows are missing");
+    next += rows.height;
+    static_cast<void>(packed_foreground(rows));
+  });
+}
+
+void read(const std::string& path, std::size_t size) {
+  try {
+    read_pbm(path);
+  } catch (const FileError& error) {
+    must_be_one_line(error.what());
+  }
+  if (size == 0) return;
+  try {
+    read_tiff_rows(path);
+  } catch (const ImageError& error) {
+    must_be_one_line(error.what());
+  }
+}
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const thinbench::MemoryFile file;
+  file.hold({data, size});
+  thinbench::read(file.path(), size);
+  return 0;
+}

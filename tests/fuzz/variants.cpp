@@ -1,0 +1,81 @@
+// Every variant of every operation against its reference, on images of any size at any place in
+// memory, in place where that is allowed, with every border and several limits and thresholds.
+#include <array>
+#include <span>
+
+#include "drawn_image.hpp"
+#include "harness/families.hpp"
+
+namespace thinbench {
+namespace {
+
+void append(std::vector<Operation>& all, std::vector<Operation> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+/// Custom rules have a target of their own.
+std::vector<Operation> make_operations() {
+  std::vector<Operation> all;
+  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
+    for (const Border border : {Border::background, Border::keep}) {
+      for (const int limit : {kUnlimited, 1, 2, 5}) {
+        all.push_back(thinning_operation(operation, {border, limit}));
+      }
+    }
+  }
+  for (const detail::EdgeOperation& operation : detail::edge_operations()) {
+    for (const EdgeThresholds& thresholds :
+         {EdgeThresholds{}, {0, 0}, {255, 255}, {1, 254}, {200, 10}, {40, 0}, {0, 128}}) {
+      all.push_back(edges_operation(operation, thresholds));
+    }
+  }
+  append(all, regions_family());
+  append(all, localise_family());
+  append(all, batch_family());
+  return all;
+}
+
+/// The result of a job, if it has an image, at another place in memory or in that of the input.
+void check_job(ByteSource& input, const Operation& operation, Job& job, const ByteImage& image,
+               const std::string& name) {
+  const DrawnSize size = {image.width(), image.height()};
+  const Outcome expected = expected_of(operation, operation.variants.front(), image.view());
+  DrawnImage source(input, size);
+  DrawnImage destination(input, size);
+  source.copy_from(image.view());
+  const bool in_place = operation.takes == InputKind::binary && input.once_in(4);
+  const ImageView written = in_place ? source.view() : destination.view();
+  if (input.once_in(4)) job.run(ByteImage(size.width, size.height).view(), destination.view());
+  job.run(source.view(), written);
+  if (job.gives_image()) must_be_equal(written, expected.image.view(), name);
+  must(job.numbers() == expected.numbers, name + ": other numbers than the reference");
+  if (!in_place) must(equal(source.view(), image.view()), name + ": the input was changed");
+  source.must_be_intact();
+  destination.must_be_intact();
+}
+
+void check_variant(ByteSource& input) {
+  static const std::vector<Operation> operations = make_operations();
+  const Operation& operation =
+      operations[static_cast<std::size_t>(input.number(0, std::ssize(operations) - 1))];
+  const Variant& variant =
+      operation
+          .variants[static_cast<std::size_t>(input.number(0, std::ssize(operation.variants) - 1))];
+  const DrawnSize size = draw_size(input);
+  const int threads = variant.threaded && input.once_in(32) ? 2 : 1;
+  if (!variant.unavailable_reason(size.width).empty()) return;
+  const bool is_grey = operation.takes == InputKind::grey;
+  const auto job = variant.make_job(size.width, size.height, threads);
+  const ByteImage image = is_grey ? draw_grey(input, size) : draw_binary(input, size);
+  check_job(input, operation, *job, image,
+            row_name(operation.name, variant.technique, variant.isa_label(), threads));
+}
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  thinbench::ByteSource input(data, size);
+  thinbench::check_variant(input);
+  return 0;
+}

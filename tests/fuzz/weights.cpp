@@ -1,0 +1,42 @@
+// Files of weights: weights that are written and read back the same and make a net, or one line
+// that says what is wrong.
+#include <stdexcept>
+
+#include "byte_source.hpp"
+#include "thinbench/nets.hpp"
+#include "training/weights_file.hpp"
+
+namespace thinbench {
+namespace {
+
+void make_net(const TwoLayerWeights& weights) {
+  static_cast<void>(two_layer_net(weights, Activation::linear));
+}
+
+void make_net(const ClusterWeights& weights) {
+  static_cast<void>(cluster_net(weights));
+}
+
+void read(const std::string& text) {
+  std::visit(
+      [](const auto& weights) {
+        const std::string written = weights_json(weights, "test");
+        const auto again =
+            std::get<std::decay_t<decltype(weights)>>(parse_weights(written, "again"));
+        must(weights_json(again, "test") == written, "weights change when they are written");
+        make_net(weights);
+      },
+      parse_weights(text, "input"));
+}
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    thinbench::read({data, data + size});
+  } catch (const std::runtime_error& error) {
+    thinbench::must_be_one_line(error.what());
+  }
+  return 0;
+}
