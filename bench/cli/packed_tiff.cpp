@@ -26,8 +26,7 @@ BinaryImage binarised(const BrightPixels& count, const BinariseOptions& options,
 
 int run_in_memory(const detail::ThinningOperation& operation, const BinariseOptions& binarise,
                   const ThinningFiles& files, const Options& how, const Console& console) {
-  const auto& [in, out] = files;
-  TiffReader reader(in);
+  TiffReader reader(files.in);
   const TiffFormat format = reader.format();
   // Not initialised: memory is taken as rows are read, so that a damaged file takes little.
   const auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(
@@ -37,10 +36,10 @@ int run_in_memory(const detail::ThinningOperation& operation, const BinariseOpti
   BrightPixels count;
   add_rows(count, image, 0, format.height);
   std::ostringstream remarks;  // failures are one line, without them
-  if (binarised(count, binarise, in, remarks).foreground == Foreground::dark) invert(image);
+  if (binarised(count, binarise, files.in, remarks).foreground == Foreground::dark) invert(image);
   const auto save = [&] {
-    write_whole_file(out, [&](const std::string& name) {
-      TiffWriter writer(name, out, format);
+    write_whole_file(files.out, [&](const std::string& name) {
+      TiffWriter writer(name, files.out, format);
       writer.write(format.height, image.data);
       writer.finish();
     });
@@ -88,26 +87,26 @@ void check_memory(const TiffReader& reader, const std::string& in, Index memory)
 int run_out_of_core(const PackedOptions& options, const detail::ThinningOperation& operation,
                     const BinariseOptions& binarise, const ThinningFiles& files, const Options& how,
                     const Console& console) {
-  const auto& [in, out] = files;
   if (binarise.threshold) {
     throw UsageError("--threshold does not apply to packed files, whose pixels are bright or dark");
   }
   TiffFormat format;
   {
-    const TiffReader reader(in);
-    check_memory(reader, in, memory_of(options));
+    const TiffReader reader(files.in);
+    check_memory(reader, files.in, memory_of(options));
     format = reader.format();
   }
   std::ostringstream remarks;
-  const BrightPixels count = bright_pixels_of(in, format.height);
-  const Foreground foreground = binarised(count, binarise, in, remarks).foreground;
+  const BrightPixels count = bright_pixels_of(files.in, format.height);
+  const Foreground foreground = binarised(count, binarise, files.in, remarks).foreground;
   Conversion conversion;
-  conversion.unpack = [&](const PackedFile& to) { unpack(in, foreground, to); };
+  conversion.unpack = [&](const PackedFile& to) { unpack(files.in, foreground, to); };
   conversion.pack = [&](const PackedFile& from, const std::string& name) {
-    pack(from, format, name, out);
+    pack(from, format, name, files.out);
   };
   conversion.name = fmt::format(", {}", foreground_name(foreground));
-  const PackedFiles packed = {in, out, {format.width, format.height, kOrder}, conversion};
+  const PackedFiles packed = {
+      files.in, files.out, {format.width, format.height, kOrder}, conversion};
   const int status = thin_out_of_core(options, operation, packed, how, console);
   console.err << remarks.str();
   return status;
