@@ -85,6 +85,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ByteSource input(data, size);
   const DrawnRule drawn = draw_rule(input);
   const CustomRule rule(drawn.tables, drawn.options);
-  for (int i = 0; i < 6 && !input.is_empty(); ++i) check(input, drawn, rule);
+  for (int i = 0; i < 20 && !input.is_empty(); ++i) check(input, drawn, rule);
   return 0;
 }
