@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <new>
 #include <vector>
 
 #include <unistd.h>
@@ -10,13 +9,12 @@
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
-#include "support/text.hpp"
+#include "cli/reported.hpp"
+#include "images/image_file.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr const char* kProgramLeadIn = "thinbench: ";
 
 /// The program with all its commands, before and after parsing.
 class Program {
@@ -122,27 +120,15 @@ THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruc
   Console console_;
 };
 
-int run_and_flush(const std::vector<std::string>& args, const Console& console) {
-  const int status = Program(console).run(args);
-  if (!console.out.flush()) throw std::runtime_error("standard output cannot be written");
-  return status;
-}
-
 }  // namespace
 
 int run_program(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
   const bool err_is_terminal = &err == &std::cerr && isatty(STDERR_FILENO) != 0;
-  try {
-    return run_and_flush(args, {out, err, err_is_terminal});
-  } catch (const UsageError& error) {
-    err << kProgramLeadIn << one_line(error.what()) << '\n';
-    return kUsage;
-  } catch (const std::bad_alloc&) {
-    err << kProgramLeadIn << "there is not enough memory\n";
-  } catch (const std::exception& error) {
-    err << kProgramLeadIn << one_line(error.what()) << '\n';
-  }
-  return kFailure;
+  // Threads of OpenCV would need memory that may be short, and share no work that takes long.
+  const OneThreadPerImage one_thread;
+  return run_and_report("thinbench", out, err, [&] {
+    return Program({out, err, err_is_terminal}).run(args);
+  });
 }
 
 }  // namespace thinbench
