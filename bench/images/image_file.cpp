@@ -63,10 +63,10 @@ std::string jpeg_warning(const std::string& path, const std::string& said) {
   return "its decoder says: " + one_line(said.substr(0, said.find('\n')));
 }
 
-/// OpenCV catches what its decoders throw: its own exceptions, and others without saying which.
+/// Decoders say so, or throw, and OpenCV catches what is not its own without saying what it was.
 bool is_out_of_memory(const std::string& said) {
-  return said.find("can't read data: unknown exception") != std::string::npos ||
-         said.find("Insufficient memory") != std::string::npos;
+  return said.find("memory") != std::string::npos ||
+         said.find("can't read data: unknown exception") != std::string::npos;
 }
 
 cv::Mat first_page(const std::string& path) {

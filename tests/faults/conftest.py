@@ -23,8 +23,9 @@ SHIM = os.environ.get("THINBENCH_FAULT_SHIM", str(ROOT / "build/release/tests/fa
 SECONDS = 60
 """After so long a program counts as hanging."""
 
-PROGRESS = re.compile(rb"note: |warning: |wrote |\w+: \d+ images in |.*: +\d+ %, about |\d+ rows are skipped|\d+ row")
-"""Lines on standard error that are no failures."""
+REMARKS = re.compile(r"note: |wrote |\w+: \d+ images in |\d+ rows are skipped|\d{4}-\d\d-|Run(ning| on) |CPU Caches|"
+                     r"  L\d |Load Average|\*\*\*WARNING")
+"""Lines on standard error that are no failures, those of Google Benchmark included."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ class Result:
     def errors(self) -> list[str]:
         """Lines on standard error that report a failure."""
         lines = self.err.decode(errors="replace").splitlines()
-        return [line for line in lines if not PROGRESS.match(line.encode())]
+        return [line for line in lines if not REMARKS.match(line)]
 
 
 @dataclass(frozen=True)
@@ -121,9 +122,13 @@ def _inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in ("a.png", "a.pgm", "a.bmp", "a.jpg"):
         parts().save(directory / name)
     parts(1500, 1000).save(directory / "large.png")
-    parts(1500, 1000).save(directory / "large.pgm")
-    binary(parts()).save(directory / "a.pbm")
-    binary(parts()).save(directory / "a.tif", compression="group4")
+    for name in ("large.pgm", "large.grey.tif"):
+        parts(1500, 1000).save(directory / name)
+    parts(2, 2).save(directory / "tiny.pgm")
+    parts().save(directory / "a.grey.tif")
+    for name, image in (("a", binary(parts())), ("large", binary(parts(1500, 1000)))):
+        image.save(directory / f"{name}.pbm")
+        image.save(directory / f"{name}.tif", compression="group4")
     for i in range(6):
         parts(300 + i, 200).save(directory / "many" / f"{i}.png")
     return directory

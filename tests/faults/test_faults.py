@@ -8,6 +8,7 @@ import os
 import random
 import re
 import resource
+import shutil
 import signal
 import struct
 import subprocess
@@ -17,7 +18,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from conftest import (NO_FAULT, SHIM, Fault, Files, Result, files_in, finish, limit, run, start)
+from conftest import (NO_FAULT, ROOT, SHIM, Fault, Files, Result, files_in, finish, limit, run, start)
 
 ROWS = "^euler_number/bitpacked/baseline/1"
 COMMANDS = {
@@ -115,7 +116,7 @@ WRITERS = ["run", "run_pgm", "run_grey_tiff", "run_pbm", "run_tiff", "out_of_cor
 @pytest.mark.parametrize("name", WRITERS)
 def test_full_disk(name: str, fails: Check) -> None:
     """Nothing of the file is left."""
-    fails(name, FULL, "cannot write '.*': File too large")
+    fails(name, FULL, "File too large")
 
 
 @pytest.mark.parametrize("name", ["holes", "verify", "sampler", "benchmarks"])
@@ -124,18 +125,18 @@ def test_full_standard_output(name: str, fails: Check) -> None:
     fails(name, FULL_OUT, "standard output cannot be written")
 
 
-SMALL_DISK = ("unshare", "-rm", "sh", "-c", 'mount -t tmpfs -o size=8k none "$PWD" && cd "$PWD" && "$@" >/dev/null; '
+SMALL_DISK = ("unshare", "-rm", "sh", "-c", 'mount -t tmpfs -o size=4k none "$PWD" && cd "$PWD" && "$@" >/dev/null; '
               'status=$?; ls -A; exit $status', "sh")
 
 
-@pytest.mark.parametrize("name", ["run_pgm", "run_grey_tiff", "train", "out_of_core"])
-def test_disk_of_8_kilobytes(name: str, fails: Check, inputs: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["run_pgm", "overlay", "scene", "out_of_core"])
+def test_disk_of_4_kilobytes(name: str, fails: Check, inputs: Path, tmp_path: Path) -> None:
     """As test_full_disk, by a real file system."""
     if subprocess.run([*SMALL_DISK[:4], "mount -t tmpfs none /mnt"], check=False, capture_output=True).returncode:
         pytest.skip("mounting needs root or namespaces of users")
     result = run(words_of(name, inputs), tmp_path, Fault("small disk", prefix=SMALL_DISK))
     assert result.status == 1 and len(result.errors) == 1 and result.out == b"", result
-    assert re.search("No space left on device|bytes are free", result.errors[0]), result
+    assert re.search("No space left on device|has 0.0 MB free", result.errors[0]), result
     fails(name, FULL, "cannot write")
 
 
@@ -160,11 +161,11 @@ def test_read_only_directory(name: str, inputs: Path, tmp_path: Path, works: Cal
 # Little memory.
 
 def _memory(inputs: Path) -> int:
-    """The address space that the program needs before it does anything, in KiB."""
+    """The address space that the libraries need before an image is read, in KiB."""
     low, high = 0, 1 << 22
     while high - low > 256:
         middle = (low + high) // 2
-        starts = run(["thinbench", "--version"], inputs, Fault("", limit(resource.RLIMIT_AS, middle << 10)))
+        starts = run(["thinbench", "holes", "tiny.pgm"], inputs, Fault("", limit(resource.RLIMIT_AS, middle << 10)))
         low, high = (low, middle) if starts.status == 0 else (middle, high)
     return high
 
@@ -178,12 +179,11 @@ def _memory_fixture(inputs: Path) -> int:
 NO_MEMORY = "not enough memory|Cannot allocate memory|Resource temporarily unavailable"
 
 
-@pytest.mark.parametrize("name", ["run", "run_pgm", "run_grey_tiff", "run_pbm", "run_tiff", "out_of_core", "holes",
-                                  "overlay", "edges", "rule", "train"])
+@pytest.mark.parametrize("name", ["run", "run_pgm", "run_grey_tiff", "holes", "overlay", "edges", "rule"])
 def test_little_memory(name: str, memory: int, inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
     """Wherever it ends, with one line or with the right result."""
     failures = 0
-    for more in [0, 500, 1000, 1500, 2000, 3000, 4000, 6000, 8000, 12000]:
+    for more in [0, 700, 1500, 2200, 3000, 4000, 6000]:
         directory = tmp_path / str(more)
         directory.mkdir()
         fault = Fault("", limit(resource.RLIMIT_AS, (memory + more) << 10))
@@ -198,6 +198,24 @@ def test_little_memory(name: str, memory: int, inputs: Path, tmp_path: Path, exp
     assert failures > 0
 
 
+def test_batch_with_little_memory(memory: int, inputs: Path, tmp_path: Path, works: Callable[..., None],
+                                  expected: Callable[[str], Files]) -> None:
+    """Images fail one by one, though decoders do not always say why; what is there is right."""
+    says = NO_MEMORY + "|it is damaged|cannot be encoded"
+    failures = 0
+    for more in [0, 300, 600, 1200, 2000]:
+        result = run(words_of("batch", inputs), tmp_path, Fault("", limit(resource.RLIMIT_AS, (memory + more) << 10)))
+        assert result.status in (0, 1)
+        if result.status == 1:
+            head, *lines = [line for line in result.errors if not line.startswith("thinbench: ")] or [""]
+            assert re.fullmatch(r"\d failures?:|", head), result
+            assert all(re.search(says, line) for line in [*lines, *result.errors[1:]]), result
+            failures += 1
+        check_whole(without_times(files_in(tmp_path)), expected("batch"))
+    assert failures > 0
+    works("batch")
+
+
 # Killed programs.
 
 def check_whole(made: Files, expected: Files) -> None:
@@ -209,7 +227,7 @@ def check_whole(made: Files, expected: Files) -> None:
             assert data == expected[name], name
 
 
-@pytest.mark.parametrize("name", ["run", "run_pgm", "run_grey_tiff", "out_of_core", "batch", "train", "instructions"])
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "out_of_core", "batch", "train"])
 def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None],
                                   expected: Callable[[str], Files]) -> None:
     """SIGKILL, again and again; then a run that nobody kills."""
@@ -218,7 +236,7 @@ def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works
     works(name)
     seconds = time.monotonic() - begin
     chance = random.Random(name)
-    for _ in range(5):
+    for _ in range(4):
         process = start(words_of(name, inputs), tmp_path)
         time.sleep(chance.uniform(0, seconds))
         os.kill(process.pid, signal.SIGKILL)
@@ -227,8 +245,7 @@ def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works
     works(name)
 
 
-@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "out_of_core", "overlay", "edges", "rule", "save",
-                                  "train", "instructions", "scene"])
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "out_of_core", "overlay", "save", "train", "scene"])
 def test_killed_before_the_result_has_its_name(name: str, inputs: Path, tmp_path: Path,
                                                works: Callable[..., None]) -> None:
     """The next run removes the hidden file, too."""
@@ -242,25 +259,33 @@ def test_killed_before_the_result_has_its_name(name: str, inputs: Path, tmp_path
 
 def shim(fault: str) -> Fault:
     """See shim.c."""
+    assert Path(SHIM).is_file(), "build the target fault_shim"
     return Fault(fault, environment={"LD_PRELOAD": SHIM, "FAULT": fault})
 
 
-ALL = [name for name in COMMANDS if name not in ("run_pgm", "save", "batch_holes")]
+MOST = ["run", "run_grey_tiff", "run_tiff", "out_of_core", "holes", "batch", "rule_of_your_own", "train", "sampler"]
 
 
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("name", [*MOST, "verify", "benchmarks"])
 def test_clock_that_jumps(name: str, works: Callable[..., None]) -> None:
     """By two years, forwards and backwards, at every look."""
     works(name, shim("clock"))
 
 
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("name", MOST)
 def test_denied_proc(name: str, works: Callable[..., None]) -> None:
     """Nothing that the work needs is there."""
     works(name, shim("proc"))
 
 
-@pytest.mark.parametrize("name", ["run", "rule_of_your_own", "batch", "instructions"])
+def test_instructions_are_counted_without_proc(inputs: Path, tmp_path: Path) -> None:
+    """By single steps: the program does not find the one that valgrind runs."""
+    result = run(words_of("instructions", inputs), tmp_path, shim("proc"))
+    assert result.status == 0 and b"/proc/self/exe cannot be read: rows are counted by single steps" in result.err
+    assert set(files_in(tmp_path)) == {"counts.json"}
+
+
+@pytest.mark.parametrize("name", ["run", "rule_of_your_own", "batch"])
 def test_empty_proc(name: str, works: Callable[..., None]) -> None:
     """As test_denied_proc, by a file system mounted on it."""
     prefix = ("unshare", "-rm", "sh", "-c", 'mount -t tmpfs none /proc && exec "$@"', "sh")
@@ -269,10 +294,15 @@ def test_empty_proc(name: str, works: Callable[..., None]) -> None:
     works(name, Fault("empty /proc", prefix=prefix))
 
 
-@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("name", MOST)
 def test_no_thread_can_be_started(name: str, works: Callable[..., None]) -> None:
     """One thread does the work."""
     works(name, shim("threads"))
+
+
+def test_instructions_without_threads(fails: Check) -> None:
+    """Rows are prepared on a thread of their own."""
+    fails("instructions", shim("threads"), "cannot be counted: .*Resource temporarily unavailable")
 
 
 # Processors and memory that can do less.
@@ -282,7 +312,7 @@ def _one_processor() -> None:
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
 
 
-@pytest.mark.parametrize("name", ["run_grey_tiff", "out_of_core", "batch", "verify", "sampler"])
+@pytest.mark.parametrize("name", ["run_grey_tiff", "out_of_core", "batch", "sampler"])
 def test_one_processor(name: str, works: Callable[..., None]) -> None:
     """For several threads."""
     works(name, Fault("one processor", _one_processor))
@@ -310,15 +340,16 @@ def test_no_executable_memory(name: str, inputs: Path, tmp_path: Path, expected:
 
 
 @pytest.mark.parametrize("isa", ["baseline", "sse4.2"])
-@pytest.mark.parametrize("name", ["run", "holes", "edges", "rule", "batch", "verify", "sampler"])
+@pytest.mark.parametrize("name", ["run", "holes", "edges", "rule", "batch"])
 def test_processor_without_avx(name: str, isa: str, inputs: Path, tmp_path: Path,
                                expected: Callable[[str], Files]) -> None:
     """The same pixels."""
     fault = Fault(isa, environment={"THINBENCH_MAX_ISA": isa})
     made = made_by(name, run(words_of(name, inputs), tmp_path, fault), tmp_path)
-    without_line = {"standard output"} - ({"standard output"} if name == "holes" else set())
-    assert ({key: made[key] for key in made if key not in without_line} ==
-            {key: data for key, data in expected(name).items() if key not in without_line})
+    right = dict(expected(name))
+    if name != "holes":  # others print the ISA
+        made["standard output"] = right["standard output"] = b""
+    assert made == right
 
 
 @pytest.mark.parametrize("name", ["run", "sampler", "benchmarks"])
@@ -330,27 +361,37 @@ def test_unknown_processor(name: str, inputs: Path, tmp_path: Path) -> None:
     assert files_in(tmp_path) == {}
 
 
+# Standard streams that are not there.
+
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "train"])
+def test_closed_streams(name: str, inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
+    """No text goes into a file that was opened in place of a stream."""
+    result = run(words_of(name, inputs), tmp_path, Fault("closed", lambda: os.closerange(0, 3)))
+    right = expected(name)
+    made = without_times(files_in(tmp_path))
+    assert made == {key: right[key] for key in made} and (made or result.status == 1), result
+
+
 # Input that is not what it was.
 
-@pytest.mark.parametrize("kind", ["png", "pgm", "bmp", "jpg", "pbm", "tif"])
-@pytest.mark.parametrize("command", ["run thin_guo_hall {} out.tif", "holes {}", "edges {} out.png",
-                                     "rule majority {} out.png"])
-def test_truncated_input(kind: str, command: str, inputs: Path, tmp_path: Path) -> None:
-    """At any length."""
+@pytest.mark.parametrize("kind", ["png", "pgm", "bmp", "jpg", "pbm", "tif", "grey.tif"])
+def test_truncated_input(kind: str, inputs: Path, tmp_path: Path) -> None:
+    """At any length, for any command."""
     data = (inputs / f"a.{kind}").read_bytes()
-    for size in (1, 9, 40, len(data) // 2, len(data) - 40):
+    commands = ["run thin_guo_hall in out.tif", "holes in", "edges in out.png", "rule majority in out.png"]
+    for size, command in zip((1, 40, len(data) // 2, len(data) - 40), commands):
         (tmp_path / f"in.{kind}").write_bytes(data[:size])
         before = files_in(tmp_path)
-        result = run(["thinbench", *command.format(f"in.{kind}").split()], tmp_path)
+        result = run(["thinbench", *command.replace(" in", f" in.{kind}").split()], tmp_path)
         assert result.status == 1 and len(result.errors) == 1, (size, result)
         assert f"cannot read 'in.{kind}': " in result.errors[0]
         assert files_in(tmp_path) == before
 
 
-@pytest.mark.parametrize("kind", ["png", "pgm", "bmp", "pbm", "tif"])
+@pytest.mark.parametrize("kind", ["png", "pgm", "pbm", "tif", "grey.tif"])
 def test_input_that_grows_and_shrinks(kind: str, inputs: Path, tmp_path: Path) -> None:
     """While it is read, again and again."""
-    data = (inputs / f"a.{kind}").read_bytes()
+    data = (inputs / f"large.{kind}").read_bytes()
     changing = tmp_path / f"in.{kind}"
     changing.write_bytes(data)
     out = "out.tif" if kind == "tif" else "out.pbm" if kind == "pbm" else "out.png"
@@ -368,7 +409,7 @@ def test_input_that_grows_and_shrinks(kind: str, inputs: Path, tmp_path: Path) -
     thread = threading.Thread(target=change)
     thread.start()
     try:
-        for _ in range(8):
+        for _ in range(5):
             (tmp_path / out).unlink(missing_ok=True)
             result = run(words, tmp_path)
             made = files_in(tmp_path)
@@ -378,3 +419,50 @@ def test_input_that_grows_and_shrinks(kind: str, inputs: Path, tmp_path: Path) -
     finally:
         ended.set()
         thread.join()
+
+
+def test_truncated_plan(tmp_path: Path) -> None:
+    """Of the sampler."""
+    (tmp_path / "plan").write_text('{"groups": [')
+    with (tmp_path / "plan").open("rb") as plan:
+        result = run(["thinbench_sampler", "measure"], tmp_path, stdin=plan.fileno())
+    assert result.status == 1 and len(result.errors) == 1 and result.out == b"", result
+
+
+# The study, on a run that was measured before.
+
+STUDY = [str(ROOT / "study"), "--no-install"]
+
+
+@pytest.fixture(name="measured")
+def _measured(tmp_path: Path) -> Path:
+    """A copy of one that is in the repository."""
+    run_file = min((ROOT / "results").glob("*/*/run.json"))
+    return Path(shutil.copytree(run_file.parent, tmp_path / "run"))
+
+
+@pytest.mark.parametrize("fault, command, says", [
+    (FULL_OUT, "claims", "standard output cannot be written"),
+    (Fault("file size limit", limit(resource.RLIMIT_FSIZE, 1024)), "build", "cannot be written: File too large"),
+    (Fault("little memory", limit(resource.RLIMIT_AS, 60_000_000)), "build", "cannot be loaded|not enough memory")],
+    ids=str)
+def test_study(fault: Fault, command: str, says: str, measured: Path, tmp_path: Path) -> None:
+    """One line, nothing half-written, and the next run works."""
+    before = files_in(tmp_path)
+    result = run([*STUDY, command, "run"], tmp_path, fault)
+    assert result.status == 1 and len(result.errors) == 1, result
+    assert result.errors[0].startswith("study: ") and re.search(says, result.errors[0]), result
+    assert files_in(tmp_path) == before
+    if command == "build" and fault.name == "file size limit":  # takes seconds
+        assert run([*STUDY, command, "run"], tmp_path).status == 0
+        assert (measured / "index.html").stat().st_size > 10_000
+
+
+def test_study_of_a_truncated_run(measured: Path, tmp_path: Path) -> None:
+    """As a copy over a broken line leaves it."""
+    facts = measured / "run.json"
+    facts.write_bytes(facts.read_bytes()[:1000])
+    before = files_in(tmp_path)
+    result = run([*STUDY, "build", "run"], tmp_path)
+    assert result.status == 1 and len(result.errors) == 1 and "run.json" in result.errors[0], result
+    assert files_in(tmp_path) == before
