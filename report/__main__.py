@@ -53,24 +53,44 @@ def _commands(parser: argparse.ArgumentParser) -> None:
         add(name, what, declare, run, page.EPILOG.format(name))
 
 
-def main(arguments: list[str]) -> int:
-    """Runs the command and returns the exit status."""
+def _show(text: str) -> None:
+    """On standard output, whole."""
+    try:
+        print(text.rstrip("\n"), flush=True)
+    except OSError as error:
+        with open(os.devnull, "w", encoding="utf-8") as nothing:  # for what Python flushes at its end
+            os.dup2(nothing.fileno(), sys.stdout.fileno())
+        raise ReportError(f"standard output cannot be written: {error.strerror}") from None
+
+
+def _run(arguments: list[str]) -> int:
+    """Without a word on failures."""
     parser = argparse.ArgumentParser(prog="./study", description="Measurements and their report.")
     _commands(parser)
     options = parser.parse_args(arguments)
     # OpenCV rejects more than 2^30 pixels unless this is set before it is loaded.
     os.environ.setdefault("OPENCV_IO_MAX_IMAGE_PIXELS", "2147483648")
-    try:
-        found = options.run(options.parser, options)
-        text, status = found if isinstance(found, tuple) else (found, 0)
-        print(text.rstrip("\n"))
-    except ReportError as error:
-        print(f"study: {error}", file=sys.stderr)
-        return error.status
-    except KeyboardInterrupt:
-        print("study: interrupted", file=sys.stderr)
-        return 130
+    found = options.run(options.parser, options)
+    text, status = found if isinstance(found, tuple) else (found, 0)
+    _show(text)
     return int(status)
+
+
+def main(arguments: list[str]) -> int:
+    """Runs the command and returns the exit status."""
+    try:
+        return _run(arguments)
+    except ReportError as error:
+        why, status = str(error), error.status
+    except KeyboardInterrupt:
+        why, status = "interrupted", 130
+    except MemoryError:
+        why, status = "there is not enough memory", 1
+    except ImportError as error:
+        reason = " ".join(str(error).split())[-200:]
+        why, status = f"a Python package cannot be loaded: {reason}", 1
+    print(f"study: {why}", file=sys.stderr)
+    return status
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ namespace thinbench {
 Manifest::Manifest(std::string path, bool resumes)
     : path_(std::move(path)), format_(manifest_format(path_)), resumes_(resumes) {
   check_target(path_);
+  const bool is_new = access(path_.c_str(), F_OK) != 0;
   open_file();
   try {
     read_lines();
@@ -26,6 +27,7 @@ Manifest::Manifest(std::string path, bool resumes)
     if (size_ == 0) write_text(manifest_head(format_));
   } catch (...) {
     close(descriptor_);
+    if (is_new) unlink(path_.c_str());
     throw;
   }
 }

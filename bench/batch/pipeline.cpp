@@ -73,7 +73,6 @@ class Batch {
     const int arena_size = detail::startable_threads(settings_.threads);
     const auto threads = static_cast<std::size_t>(arena_size);
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
-    const OneThreadPerImage one_thread;
     tbb::task_arena(arena_size).execute([&] {
       tbb::parallel_pipeline(kJobsPerThread * threads, all_stages());
     });

@@ -37,9 +37,10 @@ int run(const EdgesOptions& options, const Console& console) {
   check_extension(options.out);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
-  const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
+  BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
   print_remarks(options.in, binary, options.binarise, remarks);
   const EdgeThresholds thresholds = prepare_for_edges(grey, binary, options.edges);
+  binary.image = {};  // its memory is for the edges
   const detail::EdgeVariant& variant = variant_for(operation, grey.width(), options.how);
   const auto state =
       make_state(operation, variant, grey.width(), grey.height(), thresholds, options.how);

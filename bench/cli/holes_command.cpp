@@ -2,6 +2,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -65,13 +66,15 @@ Regions found_in(const ByteImage& objects, const Options& options) {
 }
 
 int run(const HolesCommandOptions& options, const Console& console) {
-  if (!options.overlay.empty()) check_colour_extension(options.overlay);
+  const bool draws = !options.overlay.empty();
+  if (draws) check_colour_extension(options.overlay);
   std::ostringstream remarks;  // failures are one line, without them
-  const ByteImage grey = read_grey(options.in, options.binarise, remarks);
-  const BinaryImage binary = binarise(copy_of(grey.view()), options.binarise);
+  ByteImage grey = read_grey(options.in, options.binarise, remarks);
+  const ByteImage shown = draws ? copy_of(grey.view()) : ByteImage();
+  const BinaryImage binary = binarise(std::move(grey), options.binarise);
   const Regions all = found_in(binary.image, options.how);
-  if (!options.overlay.empty()) {
-    write_overlay(options.overlay, grey.view(), binary.image.view(), all, options.min_area);
+  if (draws) {
+    write_overlay(options.overlay, shown.view(), binary.image.view(), all, options.min_area);
   }
   print_remarks(options.in, binary, options.binarise, remarks);
   console.err << remarks.str();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <new>
 #include <vector>
 
 #include <unistd.h>
@@ -10,13 +9,12 @@
 #include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
-#include "support/text.hpp"
+#include "cli/reported.hpp"
+#include "images/image_file.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr const char* kProgramLeadIn = "thinbench: ";
 
 /// The program with all its commands, before and after parsing.
 class Program {
@@ -128,35 +126,19 @@ THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruc
   Console console_;
 };
 
-/// Calls `body`, which returns the status, and turns its exceptions into statuses and lines.
-template <class Body>
-int status_of(std::ostream& err, const Body& body) {
-  try {
-    return body();
-  } catch (const UsageError& error) {
-    err << kProgramLeadIn << one_line(error.what()) << '\n';
-    return kUsage;
-  } catch (const std::bad_alloc&) {
-    err << kProgramLeadIn << "there is not enough memory\n";
-  } catch (const std::exception& error) {
-    err << kProgramLeadIn << one_line(error.what()) << '\n';
-  }
-  return kFailure;
-}
-
 }  // namespace
 
 int run_program(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
   const bool err_is_terminal = &err == &std::cerr && isatty(STDERR_FILENO) != 0;
-  return status_of(err, [&] {
-    const int status = Program({out, err, err_is_terminal}).run(args);
-    if (!out.flush()) throw std::runtime_error("standard output cannot be written");
-    return status;
+  // Threads of OpenCV would need memory that may be short, and share no work that takes long.
+  const OneThreadPerImage one_thread;
+  return run_and_report("thinbench", out, err, [&] {
+    return Program({out, err, err_is_terminal}).run(args);
   });
 }
 
 int check_arguments(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  return status_of(err, [&] {
+  return run_and_report("thinbench", out, err, [&] {
     static_cast<void>(Program({out, err, false}).read(args));
     return kSuccess;
   });

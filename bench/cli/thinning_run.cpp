@@ -50,16 +50,17 @@ std::string thin_image_file(const Thinning& thinning, const ThinningFiles& files
                             const Console& console) {
   check_extension(files.out);
   std::ostringstream remarks;  // failures are one line, without them
-  const ByteImage objects = read_binary(files.in, binarise, &remarks);
-  const Index width = objects.width(), height = objects.height();
+  ByteImage image = read_binary(files.in, binarise, &remarks);
+  const Index width = image.width(), height = image.height();
   const Options used = with_useful_threads(thinning, how, width, height);
   const detail::ThinningVariant& variant = variant_for(thinning, width, used);
-  const auto state = thinning.make_state(variant, width, height, used);
-  ByteImage result(width, height);
-  RunSummary summary = thin_views(*state, objects.view(), result.view(), used.threads);
-  write_grey(files.out, result.view());
-  summary.foreground_before = foreground_pixels(objects.view());
-  summary.foreground_after = foreground_pixels(result.view());
+  auto state = thinning.make_state(variant, width, height, used);
+  const Index foreground_before = foreground_pixels(image.view());
+  RunSummary summary = thin_views(*state, image.view(), image.view(), used.threads);
+  summary.foreground_before = foreground_before;
+  summary.foreground_after = foreground_pixels(image.view());
+  state.reset();  // encoding takes memory, too
+  write_grey(files.out, image.view());
   console.err << remarks.str();
   return line_of(thinning, variant, used.threads, summary);
 }

@@ -173,8 +173,11 @@ std::string why_not(const Said& said, int status, std::size_t missing) {
   return missing == 0 ? "" : std::to_string(missing) + " rows failed under valgrind";
 }
 
+/// Empty where the system does not say where this program is.
 std::filesystem::path program_beside() {
-  return std::filesystem::read_symlink("/proc/self/exe").replace_filename(kCountedCallsProgram);
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? self : std::filesystem::path(self).replace_filename(kCountedCallsProgram);
 }
 
 bool is_installed(const std::string& program) {
@@ -191,6 +194,7 @@ bool is_installed(const std::string& program) {
 std::string why_no_callgrind() {
   if (!is_installed("valgrind")) return "valgrind is not installed";
   const std::filesystem::path program = program_beside();
+  if (program.empty()) return "/proc/self/exe cannot be read";
   if (std::filesystem::exists(program)) return {};
   return program.string() + " is missing, which is built where valgrind is installed";
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -24,27 +26,28 @@ namespace {
 struct Answer {
   std::uint64_t instructions = 0;
   bool finished = false;  // within the steps it had
+  std::array<char, 200> why_not{};
 };
 
 Answer answer_of(const TimedRow& row, std::uint64_t max_steps) {
   std::optional<std::uint64_t> instructions;
   with_warm_call(row,
                  [&](const CountedCall& call) { instructions = instructions_of(call, max_steps); });
-  return {instructions.value_or(0), instructions.has_value()};
+  return {instructions.value_or(0), instructions.has_value(), {}};
 }
 
 [[noreturn]] void throw_errno(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// What went wrong shows in the status.
 int answer_into(int pipe_end, const TimedRow& row, std::uint64_t max_steps) {
+  Answer answer;
   try {
-    const Answer answer = answer_of(row, max_steps);
-    return write(pipe_end, &answer, sizeof answer) == sizeof answer ? 0 : 1;
-  } catch (...) {
-    return 1;
+    answer = answer_of(row, max_steps);
+  } catch (const std::exception& error) {
+    std::strncpy(answer.why_not.data(), error.what(), answer.why_not.size() - 1);
   }
+  return write(pipe_end, &answer, sizeof answer) == sizeof answer ? 0 : 1;
 }
 
 /// Ends without the destructors and buffers of the parent, whose copies these are.
@@ -69,10 +72,11 @@ Answer answer_of_child(const TimedRow& row, std::uint64_t max_steps) {
   close(ends[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  if (whole && status == 0) return answer;
-  throw std::runtime_error("instructions of " + row.name +
-                           " cannot be counted: the process that counts ended with " +
-                           end_of(status));
+  const bool has_ended = whole && status == 0;
+  const std::string why_not =
+      has_ended ? answer.why_not.data() : "the process that counts ended with " + end_of(status);
+  if (why_not.empty()) return answer;
+  throw std::runtime_error("instructions of " + row.name + " cannot be counted: " + why_not);
 }
 
 /// Whether a call takes so many cycles that its steps need not be tried. The bound is far: a row

@@ -11,8 +11,10 @@
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "images/captured_stderr.hpp"
+#include "images/image_header.hpp"
 #include "images/mat_of.hpp"
 #include "images/pnm_file.hpp"
 #include "images/tiff_file.hpp"
@@ -38,18 +40,10 @@ std::string too_many_pixels() {
          " allows; at most 2^31 = 2147483648 can be read";
 }
 
-bool is_tiff(const std::string& path) {
-  const std::string bytes = beginning_of(path, 4);
-  using namespace std::string_view_literals;  // the last two are those of BigTIFF
-  const std::array marks = {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv};
-  return std::find(marks.begin(), marks.end(), bytes) != marks.end();
-}
-
 /// The decoder gave up without a reason.
 [[noreturn]] void cannot_decode(const std::string& path) {
   const std::string why = is_tiff(path) ? unreadable_tiff_reason(path) : "";
   if (!why.empty()) cannot_read(path, why);
-  if (!cv::haveImageReader(path)) cannot_read(path, "it is not an image of a known format");
   cannot_read(path, "it is damaged or has no pixels");
 }
 
@@ -69,6 +63,12 @@ std::string jpeg_warning(const std::string& path, const std::string& said) {
   return "its decoder says: " + one_line(said.substr(0, said.find('\n')));
 }
 
+/// Decoders say so, or throw, and OpenCV catches what is not its own without saying what it was.
+bool is_out_of_memory(const std::string& said) {
+  return said.find("memory") != std::string::npos ||
+         said.find("can't read data: unknown exception") != std::string::npos;
+}
+
 cv::Mat first_page(const std::string& path) {
   return is_pnm(path) ? read_pnm(path) : cv::imread(path, cv::IMREAD_GRAYSCALE);
 }
@@ -83,6 +83,7 @@ template <class Decode>
 cv::Mat decoded(const std::string& path, const Decode& decode, std::string* warning) {
   const CapturedStderr captured;
   cv::Mat image = decode();
+  if (image.empty() && is_out_of_memory(captured.text())) throw std::bad_alloc();
   if (image.empty()) cannot_decode(path);
   const std::string found = jpeg_warning(path, captured.text());
   if (!found.empty() && warning == nullptr) cannot_read(path, found);
@@ -90,15 +91,22 @@ cv::Mat decoded(const std::string& path, const Decode& decode, std::string* warn
   return image;
 }
 
+/// The image itself, not a copy.
+ByteImage image_of(const cv::Mat& mat) {
+  const ImageView pixels(mat.data, mat.cols, mat.rows, static_cast<Index>(mat.step[0]));
+  return {pixels, [mat](void*) {}};  // the last reference frees it
+}
+
 template <class Decode>
-ByteImage read_by(const std::string& path, const Decode& decode, std::string* warning) {
+ByteImage read_by(const std::string& path, int page, const Decode& decode, std::string* warning) {
   check_file(path);
   try {
+    check_header(path, page);
     const cv::Mat image = decoded(path, decode, warning);
     if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
       cannot_read(path, "it has more than 2^31 pixels");
     }
-    return copy_of({image.data, image.cols, image.rows, static_cast<Index>(image.step[0])});
+    return image_of(image);
   } catch (const cv::Exception& error) {
     cannot_read(path, error);
   } catch (const FileError& error) {
@@ -120,7 +128,7 @@ void check_file(const std::string& path) {
 
 ByteImage read_grey(const std::string& path, std::string* warning) {
   return read_by(
-      path, [&] { return first_page(path); }, warning);
+      path, 0, [&] { return first_page(path); }, warning);
 }
 
 int page_count(const std::string& path) {
@@ -136,7 +144,7 @@ int page_count(const std::string& path) {
 
 ByteImage read_grey_page(const std::string& path, int page) {
   return read_by(
-      path, [&] { return one_page(path, page); }, nullptr);
+      path, page, [&] { return one_page(path, page); }, nullptr);
 }
 
 namespace {
@@ -144,8 +152,9 @@ namespace {
 constexpr std::array<std::string_view, 5> kExtensions = {".png", ".pgm", ".bmp", ".tif", ".tiff"};
 constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
 
+template <class Error = ImageError>
 [[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
-  throw ImageError("cannot write '" + path + "': " + why);
+  throw Error("cannot write '" + path + "': " + why);
 }
 
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
@@ -166,12 +175,12 @@ void check_extension(const std::string& path) {
                            : extension == ".jpg" || extension == ".jpeg"
                                ? "JPEG would change pixels"
                                : "unknown extension '" + extension + "'";
-  cannot_write(path, what + "; known are " + kKnownExtensions);
+  cannot_write<ExtensionError>(path, what + "; known are " + kKnownExtensions);
 }
 
 void check_colour_extension(const std::string& path) {
   check_extension(path);
-  if (extension_of(path) == ".pgm") cannot_write(path, "PGM holds no colours");
+  if (extension_of(path) == ".pgm") cannot_write<ExtensionError>(path, "PGM holds no colours");
 }
 
 namespace {
@@ -185,8 +194,11 @@ void write_by(const std::string& path, const Write& write) {
     throw ImageError(error.what());
   } catch (const ImageError&) {
     throw;
-  } catch (const std::exception&) {  // OpenCV's own, or memory is short
-    cannot_write(path, "the image cannot be encoded");
+  } catch (const std::bad_alloc&) {
+    cannot_write(path, "there is not enough memory for it");
+  } catch (const cv::Exception& error) {
+    cannot_write(path, error.code == cv::Error::StsNoMem ? "there is not enough memory for it"
+                                                         : "the image cannot be encoded");
   }
 }
 
@@ -202,10 +214,50 @@ void check_writable(const std::string& path, const ConstImageView& image) {
   }
 }
 
+bool has_tiff_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".tif" || extension == ".tiff";
+}
+
+TiffFormat tiff_format_of(const cv::Mat& page) {
+  constexpr std::uint16_t lzw = 5;
+  return {.width = page.cols,
+          .height = page.rows,
+          .compression = lzw,
+          .bits = 8,
+          .samples = page.channels()};
+}
+
+void write_tiff_rows(TiffWriter& writer, const cv::Mat& page) {
+  cv::Mat row;
+  for (int y = 0; y < page.rows; ++y) {
+    row = page.row(y);
+    if (page.channels() == 3) cv::cvtColor(page.row(y), row, cv::COLOR_BGR2RGB);
+    writer.write(1, row.data);
+  }
+}
+
+/// Row by row: OpenCV's encoder ends the program if memory is short, and hides a full disk.
+void write_tiff_pages(const std::string& path, const std::vector<cv::Mat>& pages) {
+  write_whole_file(path, [&](const std::string& name) {
+    Index all_bytes = 0;
+    for (const cv::Mat& page : pages)
+      all_bytes += static_cast<Index>(page.total() * page.elemSize());
+    TiffWriter writer(name, path, tiff_format_of(pages.front()), all_bytes);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      if (i > 0) writer.begin_page(tiff_format_of(pages[i]));
+      write_tiff_rows(writer, pages[i]);
+    }
+    writer.finish();
+  });
+}
+
 }  // namespace
 
-void write_mat(const std::string& path, const cv::Mat& image) {
+void write_mat(const std::string& path, const std::function<cv::Mat()>& draw) {
   write_by(path, [&] {
+    const cv::Mat image = draw();
+    if (has_tiff_extension(path)) return write_tiff_pages(path, {image});
     const std::vector<std::uint8_t> bytes = encoded(path, image);
     write_whole_file(path,
                      std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
@@ -215,13 +267,13 @@ void write_mat(const std::string& path, const cv::Mat& image) {
 void write_grey(const std::string& path, const ConstImageView& image) {
   check_extension(path);
   check_writable(path, image);
-  write_mat(path, mat_of(image));
+  write_mat(path, [&] { return mat_of(image); });
 }
 
 void write_binary(const std::string& path, const ConstImageView& image) {
   if (extension_of(path) != ".pbm") check_extension(path);
   check_writable(path, image);
-  write_mat(path, mat_of(image));
+  write_mat(path, [&] { return mat_of(image); });
 }
 
 void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages) {
@@ -230,16 +282,7 @@ void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pag
     check_writable(path, page.view());
     mats.push_back(mat_of(page.view()));
   }
-  write_by(path, [&] {
-    write_whole_file(path, [&](const std::string& name) {
-      const CapturedStderr captured;
-      const bool is_written = cv::imwritemulti(name, mats);
-      // A full disk is no failure to the encoder.
-      if (!is_written || page_count(name) != static_cast<int>(mats.size())) {
-        cannot_write(path, "the pages cannot be encoded, or the disk is full");
-      }
-    });
-  });
+  write_by(path, [&] { write_tiff_pages(path, mats); });
 }
 
 OneThreadPerImage::OneThreadPerImage() : threads_(cv::getNumThreads()) {

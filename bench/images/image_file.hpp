@@ -50,7 +50,12 @@ void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pag
   return width <= (kMaxImagePixels - 1) / height;
 }
 
-/// Throws ImageError where the extension names no format that write_grey knows.
+/// The name of an image to write has an extension that stands for no format.
+struct ExtensionError : ImageError {
+  using ImageError::ImageError;
+};
+
+/// Throws ExtensionError where the extension names no format that write_grey knows.
 void check_extension(const std::string& path);
 
 /// The same for images with colours.

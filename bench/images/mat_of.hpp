@@ -1,6 +1,7 @@
 // Images as OpenCV has them. Includes OpenCV.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <opencv2/core.hpp>
@@ -15,8 +16,8 @@ namespace thinbench {
           const_cast<std::uint8_t*>(view.data), static_cast<std::size_t>(view.stride)};
 }
 
-/// Writes 8-bit grey or colour (blue, green, red) in the format that the extension names, as a
-/// whole or not at all. Throws ImageError.
-void write_mat(const std::string& path, const cv::Mat& image);
+/// Writes what `draw` gives, 8-bit grey or colour (blue, green, red), in the format that the
+/// extension names, as a whole or not at all. Throws ImageError, also where `draw` fails.
+void write_mat(const std::string& path, const std::function<cv::Mat()>& draw);
 
 }  // namespace thinbench

@@ -149,11 +149,8 @@ void draw_holes(cv::Mat& image, const std::vector<Region>& holes) {
   }
 }
 
-}  // namespace
-
-void write_overlay(const std::string& path, const ConstImageView& grey,
-                   const ConstImageView& objects, const Regions& found, std::int64_t min_area) {
-  check_colour_extension(path);
+cv::Mat overlay(const ConstImageView& grey, const ConstImageView& objects, const Regions& found,
+                std::int64_t min_area) {
   cv::Mat image;
   cv::cvtColor(mat_of(grey), image, cv::COLOR_GRAY2BGR);
   const Outlines outlines = outlines_of(objects);
@@ -163,7 +160,15 @@ void write_overlay(const std::string& path, const ConstImageView& grey,
   const Regions shown = selected(found, kept);
   draw_objects(image, shown.objects, outlines, kept);
   draw_holes(image, shown.holes);
-  write_mat(path, image);
+  return image;
+}
+
+}  // namespace
+
+void write_overlay(const std::string& path, const ConstImageView& grey,
+                   const ConstImageView& objects, const Regions& found, std::int64_t min_area) {
+  check_colour_extension(path);
+  write_mat(path, [&] { return overlay(grey, objects, found, min_area); });
 }
 
 }  // namespace thinbench

@@ -1,10 +1,9 @@
 #include "images/tiff_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdarg>
-#include <cstdio>
+#include <array>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -12,29 +11,19 @@
 #include <fmt/format.h>
 #include <tiffio.h>
 
-#include "support/text.hpp"
+#include "images/open_tiff.hpp"
+#include "support/regular_file.hpp"
 
 namespace thinbench {
 namespace {
 
 constexpr Index kMaxPixels = Index{1} << 40;
-constexpr Index kPartBytes = Index{1} << 18;     // of an image at once, and in strips written
-constexpr Index kBigTiffBytes = Index{1} << 30;  // from here on: offsets of 64 bits
-constexpr Index kCodecBytes = Index{1} << 28;    // for lists of a row, at most
-constexpr Index kCodecBytesPerPixel = 16;        // of a row: lists of runs in CCITT codecs
+constexpr Index kPartBytes = Index{1} << 18;  // of an image at once, and in strips written
+constexpr Index kMaxTileSide = 2048;          // of small images
+constexpr Index kCodecBytesPerPixel = 16;     // of a row: lists of runs in CCITT codecs
 
 [[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
   throw ImageError("cannot read '" + path + "': " + why);
-}
-
-Index size_of(const std::string& path) {
-  std::error_code ignored;
-  return static_cast<Index>(std::filesystem::file_size(path, ignored));
-}
-
-bool is_ccitt(std::uint16_t compression) {
-  return compression == COMPRESSION_CCITTRLE || compression == COMPRESSION_CCITTRLEW ||
-         compression == COMPRESSION_CCITTFAX3 || compression == COMPRESSION_CCITTFAX4;
 }
 
 bool is_known(std::uint16_t compression) {
@@ -43,16 +32,9 @@ bool is_known(std::uint16_t compression) {
          compression == COMPRESSION_DEFLATE || compression == COMPRESSION_ADOBE_DEFLATE;
 }
 
-/// The compression of the output: that of the input, or its successor.
-int written_compression(std::uint16_t compression) {
-  if (compression == COMPRESSION_DEFLATE) return COMPRESSION_ADOBE_DEFLATE;
-  return is_ccitt(compression) ? COMPRESSION_CCITTFAX4 : compression;
-}
-
-/// A lower bound of the bytes that a strip of so many rows takes.
-Index min_strip_bytes(const TiffFormat& format, Index rows) {
-  const Index bytes = rows * format.row_bytes();
-  switch (format.compression) {
+/// A lower bound of what rows of so many bytes take where they are compressed, 0 if unknown.
+Index min_bytes(std::uint16_t compression, Index bytes, Index rows) {
+  switch (compression) {
     case COMPRESSION_NONE:
       return bytes;
     case COMPRESSION_PACKBITS:
@@ -63,74 +45,13 @@ Index min_strip_bytes(const TiffFormat& format, Index rows) {
     case COMPRESSION_ADOBE_DEFLATE:
       return bytes / 1040;  // two bits for up to 258 bytes
     default:
-      return rows / 8;  // a bit for a row like the one before
+      return is_ccitt(compression) ? rows / 8 : 0;  // a bit for a row like the one before
   }
 }
 
-}  // namespace
-
-/// A file that libtiff has open, and the first thing that it complained of.
-class OpenTiff {
- public:
-  OpenTiff(const std::string& path, const char* mode) {
-    TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options, 2 * size_of(path) + kCodecBytes);
-    TIFFOpenOptionsSetErrorHandlerExtR(options, keep_complaint, this);
-    TIFFOpenOptionsSetWarningHandlerExtR(options, keep_warning, this);
-    tiff_ = TIFFOpenExt(path.c_str(), mode, options);
-    TIFFOpenOptionsFree(options);
-    warnings_count_ = true;
-  }
-  ~OpenTiff() {
-    if (tiff_ != nullptr) TIFFClose(tiff_);
-  }
-  OpenTiff(const OpenTiff&) = delete;
-  OpenTiff& operator=(const OpenTiff&) = delete;
-
-  /// Null if the file could not be opened.
-  [[nodiscard]] TIFF* get() const { return tiff_; }
-  /// Empty if there is none. Warnings count only once the file is open: before, they tell of tags.
-  [[nodiscard]] const std::string& complaint() const { return complaint_; }
-
-  /// The value of a tag, else its default; kNone and 0 if it has none.
-  static constexpr std::uint16_t kNone = 0xFFFF;
-  [[nodiscard]] std::uint16_t small_number(std::uint32_t tag) const {
-    std::uint16_t value = kNone;
-    TIFFGetFieldDefaulted(tiff_, tag, &value);
-    return value;
-  }
-  [[nodiscard]] Index number(std::uint32_t tag) const {
-    std::uint32_t value = 0;
-    TIFFGetFieldDefaulted(tiff_, tag, &value);
-    return value;
-  }
-  [[nodiscard]] float real_number(std::uint32_t tag) const {
-    float value = 0;
-    return TIFFGetField(tiff_, tag, &value) == 1 ? value : 0;
-  }
-
- private:
-  static int keep_complaint(TIFF* /*tiff*/, void* self, const char* /*function*/,
-                            const char* format, std::va_list values) {
-    std::array<char, 400> text{};
-    static_cast<void>(std::vsnprintf(text.data(), text.size(), format, values));
-    std::string& complaint = static_cast<OpenTiff*>(self)->complaint_;
-    if (complaint.empty()) complaint = one_line(text.data());
-    if (complaint.ends_with('.')) complaint.pop_back();
-    return 1;  // libtiff prints nothing
-  }
-  static int keep_warning(TIFF* tiff, void* self, const char* function, const char* format,
-                          std::va_list values) {
-    const bool counts = static_cast<OpenTiff*>(self)->warnings_count_;
-    return counts ? keep_complaint(tiff, self, function, format, values) : 1;
-  }
-
-  TIFF* tiff_ = nullptr;
-  std::string complaint_;
-  bool warnings_count_ = false;
-};
-
-namespace {
+Index min_strip_bytes(const TiffFormat& format, Index rows) {
+  return min_bytes(format.compression, rows * format.row_bytes(), rows);
+}
 
 bool is_bilevel(const OpenTiff& tiff) {
   const std::uint16_t photometric = tiff.small_number(TIFFTAG_PHOTOMETRIC);
@@ -164,11 +85,46 @@ Index TiffFormat::part_rows() const {
 // "m" keeps libtiff from mapping the file: who truncates a mapped file kills its readers.
 constexpr const char* kReadMode = "rm";
 
+}  // namespace thinbench
+
+/// In place of libtiff's function of this name, which OpenCV calls: without mapping the file, too.
+extern "C" [[gnu::visibility("default")]] TIFF* TIFFOpen(const char* name, const char* mode) {
+  return TIFFOpenExt(name, (std::string(mode) + 'm').c_str(), nullptr);
+}
+
+namespace thinbench {
+
 bool is_bilevel_tiff(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
   const OpenTiff tiff(path, kReadMode);
   return tiff.get() != nullptr && is_bilevel(tiff);
+}
+
+bool is_tiff(const std::string& path) {
+  const std::string bytes = beginning_of(path, 4);
+  using namespace std::string_view_literals;  // the last two are those of BigTIFF
+  const std::array marks = {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv};
+  return std::find(marks.begin(), marks.end(), bytes) != marks.end();
+}
+
+ImageClaim tiff_claim(const std::string& path, int page) {
+  const OpenTiff tiff(path, kReadMode);
+  if (tiff.get() == nullptr || TIFFSetDirectory(tiff.get(), static_cast<tdir_t>(page)) != 1) {
+    return {};
+  }
+  const Index width = tiff.number(TIFFTAG_IMAGEWIDTH), height = tiff.number(TIFFTAG_IMAGELENGTH);
+  const Index tile_width = tiff.number(TIFFTAG_TILEWIDTH), tile = tiff.number(TIFFTAG_TILELENGTH);
+  const bool is_large = tile_width > kMaxTileSide || tile > kMaxTileSide;
+  if (TIFFIsTiled(tiff.get()) != 0 && is_large && (tile_width > 2 * width || tile > 2 * height)) {
+    cannot_read(path, fmt::format("its tiles of {} x {} pixels are larger than its {} x {} pixels",
+                                  tile_width, tile, width, height));
+  }
+  const Index bits =
+      Index{tiff.small_number(TIFFTAG_BITSPERSAMPLE)} * tiff.small_number(TIFFTAG_SAMPLESPERPIXEL);
+  if (width > kMaxPixels / std::max<Index>(1, height)) return {width, height, 0};
+  const Index bytes = height * ((width * bits + 7) / 8);
+  return {width, height, min_bytes(tiff.small_number(TIFFTAG_COMPRESSION), bytes, height)};
 }
 
 std::string unreadable_tiff_reason(const std::string& path) {
@@ -199,7 +155,7 @@ TiffReader::~TiffReader() = default;
 
 void TiffReader::check_strips() const {
   const Index rows_per_strip = std::min(format_.height, tiff_->number(TIFFTAG_ROWSPERSTRIP));
-  const auto file_bytes = static_cast<std::uint64_t>(size_of(path_));
+  const auto file_bytes = static_cast<std::uint64_t>(file_size_or_0(path_));
   for (std::uint32_t strip = 0; strip < TIFFNumberOfStrips(tiff_->get()); ++strip) {
     const std::uint64_t offset = TIFFGetStrileOffset(tiff_->get(), strip);
     const std::uint64_t bytes = TIFFGetStrileByteCount(tiff_->get(), strip);
@@ -246,53 +202,6 @@ void read_tiff(const std::string& path,
     reader.read(rows, bytes.data());
     use({bytes.data(), format.width, rows, BitOrder::msb_first}, y);
   }
-}
-
-TiffWriter::TiffWriter(const std::string& name, std::string path, const TiffFormat& format)
-    : path_(std::move(path)), row_bytes_(format.row_bytes()) {
-  errno = 0;
-  const bool is_big = row_bytes_ * format.height >= kBigTiffBytes;
-  tiff_ = std::make_unique<OpenTiff>(name, is_big ? "w8" : "w");
-  check(tiff_->get() != nullptr);
-  set_tags(format);
-}
-
-TiffWriter::~TiffWriter() = default;
-
-void TiffWriter::set_tags(const TiffFormat& format) {
-  TIFF* const tiff = tiff_->get();
-  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(format.width));
-  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(format.height));
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 1);
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-  TIFFSetField(tiff, TIFFTAG_COMPRESSION, written_compression(format.compression));
-  TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, static_cast<std::uint32_t>(format.part_rows()));
-  if (format.resolution[0] <= 0 || format.resolution[1] <= 0) return;
-  TIFFSetField(tiff, TIFFTAG_XRESOLUTION, static_cast<double>(format.resolution[0]));
-  TIFFSetField(tiff, TIFFTAG_YRESOLUTION, static_cast<double>(format.resolution[1]));
-  TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, static_cast<int>(format.resolution_unit));
-}
-
-/// libtiff says that writing failed, the system why.
-void TiffWriter::check(bool is_written) const {
-  if (is_written && tiff_->complaint().empty()) return;
-  const std::string why = errno != 0 ? std::generic_category().message(errno) : tiff_->complaint();
-  throw ImageError("cannot write '" + path_ + "': " + why);
-}
-
-void TiffWriter::write(Index rows, const std::uint8_t* from) {
-  errno = 0;
-  for (Index y = 0; y < rows; ++y, ++next_, from += row_bytes_) {
-    auto* const row = const_cast<std::uint8_t*>(from);  // changed for wider samples alone
-    check(TIFFWriteScanline(tiff_->get(), row, static_cast<std::uint32_t>(next_)) >= 0);
-  }
-}
-
-void TiffWriter::finish() {
-  errno = 0;
-  check(TIFFFlush(tiff_->get()) == 1);
 }
 
 void invert(const PackedView& image) {

@@ -1,5 +1,5 @@
-// TIFF images of one bit per pixel in strips, read and written row by row. libtiff decodes and
-// encodes; nothing of it shows here.
+// TIFF images, written row by row, and those of one bit per pixel in strips read so, too. libtiff
+// decodes and encodes; nothing of it shows here.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "images/image_file.hpp"
+#include "images/image_header.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench {
@@ -19,11 +20,20 @@ struct TiffFormat {
   std::uint16_t compression = 1;  // the value of TIFF's tag
   std::uint16_t resolution_unit = 2;
   std::array<float, 2> resolution = {};  // in x and y, per unit; 0 if unknown
+  int bits = 1;                          // of a sample: 1, or 8 in what is written
+  int samples = 1;                       // of a pixel: 3 are red, green, blue
 
-  [[nodiscard]] Index row_bytes() const { return packed_row_bytes(width); }
+  [[nodiscard]] Index row_bytes() const { return packed_row_bytes(width * bits * samples); }
   /// How many rows are read or written at once: about 256 KiB.
   [[nodiscard]] Index part_rows() const;
 };
+
+/// By its first four bytes. Throws FileError.
+[[nodiscard]] bool is_tiff(const std::string& path);
+
+/// Of one image of a TIFF file, counted from 0. Throws ImageError for tiles that take far more
+/// memory than the image.
+[[nodiscard]] ImageClaim tiff_claim(const std::string& path, int page);
 
 /// Whether the first image of a file is one that TiffReader reads, though perhaps damaged: of one
 /// bit per pixel, black or white, in strips, with the first row on top, and uncompressed or with
@@ -68,18 +78,21 @@ class TiffReader {
 void read_tiff(const std::string& path,
                const std::function<void(const PackedView& rows, Index y)>& use);
 
-/// Writes an image to the file `name` row by row, in which 1 is bright. The format's compression is
+/// Writes images to the file `name` row by row, in which 1 is bright. The format's compression is
 /// kept, but any of CCITT becomes that of Group 4, and the old Deflate the new one. `path` is the
 /// file that messages name. Errors are ImageError.
 class TiffWriter {
  public:
-  TiffWriter(const std::string& name, std::string path, const TiffFormat& format);
+  /// Begins with the first image; `bytes` are those of the pixels of all, if there are several.
+  TiffWriter(const std::string& name, std::string path, const TiffFormat& format, Index bytes = 0);
   ~TiffWriter();
   TiffWriter(const TiffWriter&) = delete;
   TiffWriter& operator=(const TiffWriter&) = delete;
 
   /// Appends rows without gaps, most significant bit first.
   void write(Index rows, const std::uint8_t* from);
+  /// Begins the next image, after the last row of the one before.
+  void begin_page(const TiffFormat& format);
   /// Ends the file. Must be called after the last row.
   void finish();
 
@@ -89,7 +102,7 @@ class TiffWriter {
 
   std::string path_;
   std::unique_ptr<OpenTiff> tiff_;
-  Index row_bytes_;
+  Index row_bytes_ = 0;
   Index next_ = 0;
 };
 

@@ -171,7 +171,7 @@ std::string machine_fingerprint(const CpuFacts& cpu) {
 }
 
 std::string machine_fingerprint() {
-  return machine_fingerprint(cpu_facts_from(output_of("lscpu --json")));
+  return machine_fingerprint(cpu_facts_from(output_of("lscpu --json 2>/dev/null")));
 }
 
 Json compiler_json() {
@@ -182,12 +182,12 @@ Json compiler_json() {
 }
 
 Json machine_json(const std::string& commit, const Json& options) {
-  const CpuFacts cpu = cpu_facts_from(output_of("lscpu --json"));
+  const CpuFacts cpu = cpu_facts_from(output_of("lscpu --json 2>/dev/null"));
   return {{"schema", 1},
           {"fingerprint", machine_fingerprint(cpu)},
           {"cpu", cpu_json(cpu)},
           {"cores", std::thread::hardware_concurrency()},
-          {"caches", caches_from(output_of("lscpu --caches --bytes --json"))},
+          {"caches", caches_from(output_of("lscpu --caches --bytes --json 2>/dev/null"))},
           {"memory_gib", memory_gib()},
           {"kernel", kernel_text()},
           {"os", os_text()},

@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "cli/parse_errors.hpp"
+#include "cli/reported.hpp"
 #include "cli/usage.hpp"
 #include "measure/row_options.hpp"
 #include "measure/timed_call.hpp"
@@ -83,13 +84,7 @@ int run(std::vector<char*> arguments) {
 }  // namespace thinbench
 
 int main(int argc, char** argv) {
-  try {
+  return thinbench::run_and_report("thinbench_benchmarks", std::cout, std::cerr, [&] {
     return thinbench::run({argv, argv + argc});
-  } catch (const thinbench::UsageError& error) {
-    std::cerr << "thinbench_benchmarks: " << error.what() << '\n';
-    return thinbench::kUsage;
-  } catch (const std::exception& error) {
-    std::cerr << "thinbench_benchmarks: " << error.what() << '\n';
-    return thinbench::kFailure;
-  }
+  });
 }

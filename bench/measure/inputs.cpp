@@ -129,7 +129,7 @@ std::vector<TimedInput> timed_inputs(const InputChoice& choice, std::ostream* lo
   std::vector<TimedInput> inputs;
   for (const std::string& path : choice.pictures) {
     std::ostringstream remarks;
-    ByteImage grey = read_grey(path, choice.binarise, remarks);
+    ByteImage grey = copy_of(read_grey(path, choice.binarise, remarks).view());  // aligned rows
     BinaryImage binary = binarise(copy_of(grey.view()), choice.binarise);
     print_remarks(path, binary, choice.binarise, remarks);
     if (log != nullptr) *log << remarks.str();

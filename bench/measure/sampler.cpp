@@ -7,12 +7,13 @@
 
 #include "cli/arguments.hpp"
 #include "cli/parse_errors.hpp"
+#include "cli/reported.hpp"
 #include "cli/usage.hpp"
 #include "measure/measuring.hpp"
 #include "measure/plan_json.hpp"
-#include "support/progress.hpp"
 #include "measure/row_options.hpp"
 #include "peers/peers.hpp"
+#include "support/progress.hpp"
 
 namespace thinbench {
 namespace {
@@ -121,13 +122,7 @@ int run(const std::vector<std::string>& arguments) {
 }  // namespace thinbench
 
 int main(int argc, char** argv) {
-  try {
+  return thinbench::run_and_report("thinbench_sampler", std::cout, std::cerr, [&] {
     return thinbench::run({argv + (argc > 0 ? 1 : 0), argv + argc});
-  } catch (const thinbench::UsageError& error) {
-    std::cerr << "thinbench_sampler: " << error.what() << '\n';
-    return thinbench::kUsage;
-  } catch (const std::exception& error) {
-    std::cerr << "thinbench_sampler: " << error.what() << '\n';
-    return thinbench::kFailure;
-  }
+  });
 }

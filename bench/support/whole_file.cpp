@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <random>
 #include <system_error>
@@ -38,9 +39,21 @@ bool has_name(int descriptor) {
   return fstat(descriptor, &facts) == 0 && facts.st_nlink > 0;
 }
 
-std::string hidden_name_in(const std::filesystem::path& directory, const std::string& extension) {
-  const std::string number = std::to_string(std::random_device()());
-  return directory / (std::string(kHiddenPrefix) + number + extension);
+/// Unlinks a hidden file that no program is writing.
+void remove_if_abandoned(const std::string& name) {
+  const int descriptor = open(name.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(name.c_str());
+  close(descriptor);
+}
+
+/// For the first attempt the same name for each target, so that the next run removes what a killed
+/// one left.
+std::string hidden_name_for(const std::filesystem::path& target, bool is_first,
+                            const std::string& extension) {
+  const std::size_t number =
+      is_first ? std::hash<std::string>()(target.filename()) : std::random_device()();
+  return target.parent_path() / (std::string(kHiddenPrefix) + std::to_string(number) + extension);
 }
 
 /// A new hidden file beside the target, removed unless it was renamed. It is locked while this
@@ -52,11 +65,16 @@ class TemporaryFile {
     const std::string extension = std::filesystem::path(path).extension();
     struct stat old {};
     const mode_t mode = stat(target.c_str(), &old) == 0 ? old.st_mode & 0666 : 0666;
+    bool is_first = true;
     do {  // again if another program took it for an abandoned file before it was locked
       if (descriptor_ >= 0) close(descriptor_);
-      file_.emplace(hidden_name_in(target.parent_path(), extension));
+      const std::string hidden = hidden_name_for(target, is_first, extension);
+      if (is_first) remove_if_abandoned(hidden);
+      is_first = false;
+      file_.emplace(hidden);
       descriptor_ = create_new(name(), mode);
       if (descriptor_ < 0 && errno != EEXIST) fail_by_errno(path);
+      if (descriptor_ < 0) file_->keep();  // it is another program's
       flock(descriptor_, LOCK_EX);
     } while (descriptor_ < 0 || !has_name(descriptor_));
   }
@@ -151,10 +169,7 @@ void remove_abandoned_files(const std::string& directory) {
   for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
     const std::string name = entry.path().filename().string();
     if (name.rfind(kHiddenPrefix, 0) != 0) continue;
-    const int descriptor = open(entry.path().c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0) continue;
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(entry.path().c_str());
-    close(descriptor);
+    remove_if_abandoned(entry.path());
   }
 }
 

@@ -27,7 +27,8 @@ void check_target(const std::string& path);
 void replace_file(const std::string& path, const std::string& finished);
 
 /// Writes a hidden file beside the target, then replaces the target as replace_file does; nothing
-/// is left of the hidden file after a failure. Thread-safe. Throws FileError.
+/// is left of the hidden file after a failure; after a kill, the next call for this target removes
+/// it. Thread-safe. Throws FileError.
 void write_whole_file(const std::string& path, std::string_view bytes);
 
 /// The same with a function that writes the hidden file, whose extension is that of `path`.

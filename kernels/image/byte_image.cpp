@@ -1,6 +1,7 @@
 #include "image/byte_image.hpp"
 
 #include <cstring>
+#include <utility>
 
 #include "image/layout.hpp"
 
@@ -11,6 +12,12 @@ ByteImage::ByteImage(Index width, Index height)
       height_(height),
       stride_(padded_row_bytes(width)),
       data_(make_aligned<std::uint8_t>(static_cast<std::size_t>(stride_ * height))) {}
+
+ByteImage::ByteImage(const ImageView& pixels, std::function<void(void*)> release)
+    : width_(pixels.width),
+      height_(pixels.height),
+      stride_(pixels.stride),
+      data_(pixels.data, std::move(release)) {}
 
 ByteImage copy_of(ConstImageView source) {
   ByteImage copy(source.width, source.height);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <new>
 
@@ -27,11 +28,14 @@ template <class T>
   return AlignedArray<T>(new (memory) T[count]());
 }
 
-/// Owns an image, initially zero. The stride is padded_row_bytes(width).
+/// Owns an image.
 class ByteImage {
  public:
   ByteImage() = default;
+  /// Zero everywhere. The stride is padded_row_bytes(width).
   ByteImage(Index width, Index height);
+  /// Pixels that exist already, until `release` ends.
+  ByteImage(const ImageView& pixels, std::function<void(void*)> release);
 
   [[nodiscard]] Index width() const { return width_; }
   [[nodiscard]] Index height() const { return height_; }
@@ -48,7 +52,7 @@ class ByteImage {
   Index width_ = 0;
   Index height_ = 0;
   Index stride_ = 0;
-  AlignedArray<std::uint8_t> data_;
+  std::unique_ptr<std::uint8_t[], std::function<void(void*)>> data_;
 };
 
 [[nodiscard]] ByteImage copy_of(ConstImageView source);

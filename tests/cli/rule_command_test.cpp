@@ -262,7 +262,7 @@ TEST_F(RuleCommand, files_that_are_no_rules_are_rejected_with_the_field) {
 TEST_F(RuleCommand, unreadable_images_and_unwritable_targets_are_rejected) {
   EXPECT_EQ(failure_of({"rule", "majority", directory.file("absent.png"), out}, 1),
             "cannot read '" + directory.file("absent.png") + "': there is no such file");
-  EXPECT_EQ(failure_of({"rule", "majority", in, directory.file("a.gif")}, 1)
+  EXPECT_EQ(failure_of({"rule", "majority", in, directory.file("a.gif")}, 2)
                     .find("unknown extension '.gif'") != std::string::npos,
             true);
   EXPECT_EQ(failure_of({"rule", "majority", "--save", "/absent/rule.json"}, 1),

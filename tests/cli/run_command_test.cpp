@@ -228,7 +228,7 @@ TEST_F(RunCommand, unwritable_output_is_rejected) {
   const std::string absent = directory.file("absent");
   EXPECT_EQ(failure_of({"run", kOperation, in, absent + "/a.png"}, 1),
             "cannot write '" + absent + "/a.png': there is no directory '" + absent + "'");
-  EXPECT_EQ(failure_of({"run", kOperation, in, directory.file("a.gif")}, 1),
+  EXPECT_EQ(failure_of({"run", kOperation, in, directory.file("a.gif")}, 2),
             "cannot write '" + directory.file("a.gif") +
                 "': unknown extension '.gif'; known are .png, .pgm, "
                 ".bmp, .tif and .tiff");

@@ -1,0 +1,139 @@
+"""Starts the built programs, with and without a fault, and compares what they leave behind.
+
+THINBENCH_PROGRAMS is their directory, THINBENCH_FAULT_SHIM the library made of shim.c."""
+
+from __future__ import annotations
+
+import os
+import re
+import resource
+import signal
+import subprocess
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+from PIL import Image, ImageDraw
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
+SHIM = os.environ.get("THINBENCH_FAULT_SHIM", str(ROOT / "build/release/tests/faults/libfault_shim.so"))
+SECONDS = 60
+"""After so long a program counts as hanging."""
+
+REMARKS = re.compile(r"note: |wrote |\w+: \d+ images in |\d+ rows are skipped|\d{4}-\d\d-|Run(ning| on) |CPU Caches|"
+                     r"  L\d |Load Average|\*\*\*WARNING")
+"""Lines on standard error that are no failures, those of Google Benchmark included."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """Of a program that has ended."""
+
+    status: int
+    out: bytes
+    err: bytes
+    peak_bytes: int  # of resident memory
+
+    @property
+    def errors(self) -> list[str]:
+        """Lines on standard error that report a failure."""
+        lines = self.err.decode(errors="replace").splitlines()
+        return [line for line in lines if not REMARKS.match(line)]
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong while a program runs."""
+
+    name: str
+    in_child: Callable[[], None] = lambda: None  # before the program begins
+    environment: Mapping[str, str] = field(default_factory=dict)
+    prefix: Sequence[str] = ()  # of the command
+    out: str = os.devnull  # another file as standard output
+
+    def __str__(self) -> str:
+        return self.name
+
+
+NO_FAULT = Fault("none")
+
+
+def start(words: Sequence[str], directory: Path, fault: Fault = NO_FAULT,
+          stdin: int = subprocess.DEVNULL) -> subprocess.Popen[bytes]:
+    """In this directory. The first word is the program, of those that were built, or a path."""
+    program = words[0] if "/" in words[0] else str(PROGRAMS / words[0])
+    with open(fault.out, "wb") as out:
+        return subprocess.Popen(  # pylint: disable=subprocess-popen-preexec-fn
+            [*fault.prefix, program, *words[1:]], cwd=directory, stdin=stdin,
+            stdout=subprocess.PIPE if fault.out == os.devnull else out, stderr=subprocess.PIPE,
+            env={**os.environ, **fault.environment}, preexec_fn=fault.in_child)
+
+
+def finish(process: subprocess.Popen[bytes]) -> Result:
+    """Waits for the end. A program that hangs is killed."""
+    timer = threading.Timer(SECONDS, os.kill, (process.pid, signal.SIGKILL))
+    timer.start()
+    out = process.stdout.read() if process.stdout else b""
+    err = process.stderr.read() if process.stderr else b""  # little, so that no program waits
+    _, status, usage = os.wait4(process.pid, 0)
+    timer.cancel()
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return Result(process.returncode, out, err, usage.ru_maxrss * 1024)
+
+
+def run(words: Sequence[str], directory: Path, fault: Fault = NO_FAULT,
+        stdin: int = subprocess.DEVNULL) -> Result:
+    """From start to end."""
+    return finish(start(words, directory, fault, stdin))
+
+
+Files = dict[str, bytes]
+
+
+def files_in(directory: Path) -> Files:
+    """All files below a directory, hidden ones included, by name; directories end with a slash."""
+    return {str(path.relative_to(directory)) + "/" * path.is_dir():
+            b"" if path.is_dir() else path.read_bytes() for path in directory.rglob("*")}
+
+
+def parts(width: int = 300, height: int = 200) -> Image.Image:
+    """Two parts, one with a hole, in grey."""
+    image = Image.new("L", (300, 200), 10)
+    draw = ImageDraw.Draw(image)
+    draw.rectangle((20, 20, 120, 90), fill=220)
+    draw.rectangle((50, 40, 60, 50), fill=12)
+    draw.ellipse((150, 60, 280, 180), fill=200)
+    return image.resize((width, height), Image.Resampling.NEAREST)
+
+
+def binary(image: Image.Image) -> Image.Image:
+    """Of one bit per pixel."""
+    return image.point(lambda grey: 255 * (grey > 100)).convert("1")
+
+
+@pytest.fixture(scope="session", name="inputs")
+def _inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A directory of images."""
+    directory = tmp_path_factory.mktemp("inputs")
+    (directory / "many").mkdir()
+    for name in ("a.png", "a.pgm", "a.bmp", "a.jpg"):
+        parts().save(directory / name)
+    parts(1500, 1000).save(directory / "large.png")
+    for name in ("large.pgm", "large.grey.tif"):
+        parts(1500, 1000).save(directory / name)
+    parts(2, 2).save(directory / "tiny.pgm")
+    parts().save(directory / "a.grey.tif")
+    for name, image in (("a", binary(parts())), ("large", binary(parts(1500, 1000)))):
+        image.save(directory / f"{name}.pbm")
+        image.save(directory / f"{name}.tif", compression="group4")
+    for i in range(6):
+        parts(300 + i, 200).save(directory / "many" / f"{i}.png")
+    return directory
+
+
+def limit(number: int, value: int) -> Callable[[], None]:
+    """Sets a limit of the system in the child."""
+    return lambda: resource.setrlimit(number, (value, value))

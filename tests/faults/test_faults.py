@@ -1,0 +1,468 @@
+"""Programs under faults: they end with one clear line, a status other than 0 and nothing half-written, or do the
+work all the same; and the next run works."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import random
+import re
+import resource
+import shutil
+import signal
+import struct
+import subprocess
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import (NO_FAULT, ROOT, SHIM, Fault, Files, Result, files_in, finish, limit, run, start)
+
+ROWS = "^euler_number/bitpacked/baseline/1"
+COMMANDS = {
+    "run": "thinbench run thin_guo_hall {}/large.png out.png",
+    "run_pgm": "thinbench run thin_guo_hall {}/large.png out.pgm",
+    "run_grey_tiff": "thinbench run thin_guo_hall {}/large.pgm out.tif --threads 2",
+    "run_pbm": "thinbench run thin_guo_hall {}/a.pbm out.pbm",
+    "run_tiff": "thinbench run thin_guo_hall {}/a.tif out.tif",
+    "out_of_core": "thinbench run thin_guo_hall {}/a.pbm out.pbm --out-of-core --memory 1M",
+    "holes": "thinbench holes {}/large.png",
+    "overlay": "thinbench holes {}/large.png --overlay out.png",
+    "edges": "thinbench edges {}/large.png out.png",
+    "batch": "thinbench batch thin_guo_hall {}/many --out results --threads 2",
+    "batch_holes": "thinbench batch holes {}/many --out results --threads 1",
+    "rule": "thinbench rule majority {}/large.png out.png",
+    "rule_of_your_own": "thinbench rule B3/S23 {}/large.png out.png --max-iterations 3",
+    "save": "thinbench rule golay_l --save rule.json",
+    "train": "thinbench train cluster --out weights.json",
+    "verify": "thinbench verify --quick --filter " + ROWS,
+    "instructions": f"thinbench instructions --filter {ROWS} --out counts.json",
+    "scene": "thinbench scene out.png",
+    "sampler": "thinbench_sampler plan --input square_64 --max-rounds 1 --filter ^edges_sobel/autovec/baseline/1",
+    "benchmarks": "thinbench_benchmarks --input square_64 --filter ^edges_sobel/autovec/baseline/1 "
+                  "--benchmark_min_time=0.001",
+}
+VOLATILE = re.compile(rb"[0-9.]+ ms|(,[0-9.e-]+){3}(?=,,\n)|\"date\": .*")
+"""What differs from run to run: times."""
+PRINTS_TIMES = {"batch", "batch_holes", "sampler", "benchmarks"}
+
+
+def words_of(name: str, inputs: Path) -> list[str]:
+    """A command as a list."""
+    return COMMANDS[name].format(inputs).split()
+
+
+def without_times(files: Files) -> Files:
+    """What every run must give."""
+    return {name: VOLATILE.sub(b"", data) for name, data in files.items()}
+
+
+def made_by(name: str, result: Result, work: Path) -> Files:
+    """Files, and what it printed."""
+    assert result.status == 0, result
+    shown = {} if name in PRINTS_TIMES else {"standard output": result.out}
+    return without_times(files_in(work) | shown)
+
+
+@pytest.fixture(scope="session", name="expected")
+def _expected(inputs: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Files]:
+    """What a command makes where nothing is wrong."""
+    known: dict[str, Files] = {}
+
+    def of(name: str) -> Files:
+        if name not in known:
+            work = tmp_path_factory.mktemp(name) / "work"
+            work.mkdir()
+            known[name] = made_by(name, run(words_of(name, inputs), work), work)
+        return known[name]
+    return of
+
+
+Check = Callable[[str, Fault, str], None]
+
+
+@pytest.fixture(name="works")
+def _works(inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> Callable[..., None]:
+    """Runs a command that must do its work, and compares the result with the usual one."""
+    def check(name: str, fault: Fault = NO_FAULT) -> None:
+        result = run(words_of(name, inputs), tmp_path, fault)
+        assert made_by(name, result, tmp_path) == expected(name)
+    return check
+
+
+@pytest.fixture(name="fails")
+def _fails(inputs: Path, tmp_path: Path, works: Callable[..., None]) -> Check:
+    """Runs a command that must fail with one line and leave everything as it was, then without the fault."""
+    def check(name: str, fault: Fault, says: str) -> None:
+        before = files_in(tmp_path)
+        result = run(words_of(name, inputs), tmp_path, fault)
+        assert result.status == 1 and len(result.errors) == 1, result
+        assert re.search(says, result.errors[0]), result
+        assert files_in(tmp_path) == before
+        works(name)
+    return check
+
+
+# Full disks.
+
+FULL = Fault("file size limit", limit(resource.RLIMIT_FSIZE, 16))
+FULL_OUT = Fault("/dev/full", out="/dev/full")
+WRITERS = ["run", "run_pgm", "run_grey_tiff", "run_pbm", "run_tiff", "out_of_core", "overlay", "edges", "batch",
+           "batch_holes", "rule", "save", "train", "instructions", "scene"]
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_full_disk(name: str, fails: Check) -> None:
+    """Nothing of the file is left."""
+    fails(name, FULL, "File too large")
+
+
+@pytest.mark.parametrize("name", ["holes", "verify", "sampler", "benchmarks"])
+def test_full_standard_output(name: str, fails: Check) -> None:
+    """It holds the result."""
+    fails(name, FULL_OUT, "standard output cannot be written")
+
+
+SMALL_DISK = ("unshare", "-rm", "sh", "-c", 'mount -t tmpfs -o size=4k none "$PWD" && cd "$PWD" && "$@" >/dev/null; '
+              'status=$?; ls -A; exit $status', "sh")
+
+
+@pytest.mark.parametrize("name", ["run_pgm", "overlay", "scene", "out_of_core"])
+def test_disk_of_4_kilobytes(name: str, fails: Check, inputs: Path, tmp_path: Path) -> None:
+    """As test_full_disk, by a real file system."""
+    if subprocess.run([*SMALL_DISK[:4], "mount -t tmpfs none /mnt"], check=False, capture_output=True).returncode:
+        pytest.skip("mounting needs root or namespaces of users")
+    result = run(words_of(name, inputs), tmp_path, Fault("small disk", prefix=SMALL_DISK))
+    assert result.status == 1 and len(result.errors) == 1 and result.out == b"", result
+    assert re.search("No space left on device|has 0.0 MB free", result.errors[0]), result
+    fails(name, FULL, "cannot write")
+
+
+# Directories that cannot be written to, also where root runs the tests.
+
+def _without_override() -> None:
+    """From its start on, the program of root obeys modes of files as others do."""
+    ctypes.CDLL(None).prctl(24, 1, 0, 0, 0)  # PR_CAPBSET_DROP, CAP_DAC_OVERRIDE
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_read_only_directory(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None]) -> None:
+    """The directory is named or the file in it."""
+    tmp_path.chmod(0o555)
+    result = run(words_of(name, inputs), tmp_path, Fault("read-only", _without_override))
+    tmp_path.chmod(0o755)
+    assert result.status == 1 and len(result.errors) == 1 and "Permission denied" in result.errors[0], result
+    assert files_in(tmp_path) == {}
+    works(name)
+
+
+# Little memory.
+
+def _memory(inputs: Path) -> int:
+    """The address space that the libraries need before an image is read, in KiB."""
+    low, high = 0, 1 << 22
+    while high - low > 256:
+        middle = (low + high) // 2
+        starts = run(["thinbench", "holes", "tiny.pgm"], inputs, Fault("", limit(resource.RLIMIT_AS, middle << 10)))
+        low, high = (low, middle) if starts.status == 0 else (middle, high)
+    return high
+
+
+@pytest.fixture(scope="session", name="memory")
+def _memory_fixture(inputs: Path) -> int:
+    """Found once."""
+    return _memory(inputs)
+
+
+NO_MEMORY = "not enough memory|Cannot allocate memory|Resource temporarily unavailable"
+
+
+@pytest.mark.parametrize("name", ["run", "run_pgm", "run_grey_tiff", "holes", "overlay", "edges", "rule"])
+def test_little_memory(name: str, memory: int, inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
+    """Wherever it ends, with one line or with the right result."""
+    failures = 0
+    for more in [0, 700, 1500, 2200, 3000, 4000, 6000]:
+        directory = tmp_path / str(more)
+        directory.mkdir()
+        fault = Fault("", limit(resource.RLIMIT_AS, (memory + more) << 10))
+        result = run(words_of(name, inputs), directory, fault)
+        if result.status == 0:
+            assert made_by(name, result, directory) == expected(name)
+            continue
+        failures += 1
+        assert result.status == 1 and len(result.errors) == 1, (more, result)
+        assert re.search(NO_MEMORY, result.errors[0]), result
+        assert files_in(directory) == {}
+    assert failures > 0
+
+
+def test_batch_with_little_memory(memory: int, inputs: Path, tmp_path: Path, works: Callable[..., None],
+                                  expected: Callable[[str], Files]) -> None:
+    """Images fail one by one, though decoders do not always say why; what is there is right."""
+    says = NO_MEMORY + "|it is damaged|cannot be encoded"
+    failures = 0
+    for more in [0, 300, 600, 1200, 2000]:
+        result = run(words_of("batch", inputs), tmp_path, Fault("", limit(resource.RLIMIT_AS, (memory + more) << 10)))
+        assert result.status in (0, 1)
+        if result.status == 1:
+            head, *lines = [line for line in result.errors if not line.startswith("thinbench: ")] or [""]
+            assert re.fullmatch(r"\d failures?:|", head), result
+            assert all(re.search(says, line) for line in [*lines, *result.errors[1:]]), result
+            failures += 1
+        check_whole(without_times(files_in(tmp_path)), expected("batch"))
+    assert failures > 0
+    works("batch")
+
+
+# Killed programs.
+
+def check_whole(made: Files, expected: Files) -> None:
+    """Whatever has its name is complete; a manifest has whole lines."""
+    for name, data in made.items():
+        if name.endswith("manifest.csv"):
+            assert data == b"" or data.endswith(b"\n")
+        elif not Path(name).name.startswith("."):
+            assert data == expected[name], name
+
+
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "out_of_core", "batch", "train"])
+def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None],
+                                  expected: Callable[[str], Files]) -> None:
+    """SIGKILL, again and again; then a run that nobody kills."""
+    expected(name)
+    begin = time.monotonic()
+    works(name)
+    seconds = time.monotonic() - begin
+    chance = random.Random(name)
+    for _ in range(4):
+        process = start(words_of(name, inputs), tmp_path)
+        time.sleep(chance.uniform(0, seconds))
+        os.kill(process.pid, signal.SIGKILL)
+        assert finish(process).status in (-9, 0)
+        check_whole(without_times(files_in(tmp_path)), expected(name))
+    works(name)
+
+
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "out_of_core", "overlay", "save", "train", "scene"])
+def test_killed_before_the_result_has_its_name(name: str, inputs: Path, tmp_path: Path,
+                                               works: Callable[..., None]) -> None:
+    """The next run removes the hidden file, too."""
+    assert run(words_of(name, inputs), tmp_path, shim("kill")).status == -9
+    assert [path.name for path in tmp_path.iterdir() if not path.name.startswith(".")] == []
+    assert files_in(tmp_path) != {}
+    works(name)
+
+
+# What only a library in front of the system's can do.
+
+def shim(fault: str) -> Fault:
+    """See shim.c."""
+    assert Path(SHIM).is_file(), "build the target fault_shim"
+    return Fault(fault, environment={"LD_PRELOAD": SHIM, "FAULT": fault})
+
+
+MOST = ["run", "run_grey_tiff", "run_tiff", "out_of_core", "holes", "batch", "rule_of_your_own", "train", "sampler"]
+
+
+@pytest.mark.parametrize("name", [*MOST, "verify", "benchmarks"])
+def test_clock_that_jumps(name: str, works: Callable[..., None]) -> None:
+    """By two years, forwards and backwards, at every look."""
+    works(name, shim("clock"))
+
+
+@pytest.mark.parametrize("name", MOST)
+def test_denied_proc(name: str, works: Callable[..., None]) -> None:
+    """Nothing that the work needs is there."""
+    works(name, shim("proc"))
+
+
+def test_instructions_are_counted_without_proc(inputs: Path, tmp_path: Path) -> None:
+    """By single steps: the program does not find the one that valgrind runs."""
+    result = run(words_of("instructions", inputs), tmp_path, shim("proc"))
+    assert result.status == 0 and b"/proc/self/exe cannot be read: rows are counted by single steps" in result.err
+    assert set(files_in(tmp_path)) == {"counts.json"}
+
+
+@pytest.mark.parametrize("name", ["run", "rule_of_your_own", "batch"])
+def test_empty_proc(name: str, works: Callable[..., None]) -> None:
+    """As test_denied_proc, by a file system mounted on it."""
+    prefix = ("unshare", "-rm", "sh", "-c", 'mount -t tmpfs none /proc && exec "$@"', "sh")
+    if subprocess.run([*prefix, "true"], check=False, capture_output=True).returncode:
+        pytest.skip("mounting needs root or namespaces of users")
+    works(name, Fault("empty /proc", prefix=prefix))
+
+
+@pytest.mark.parametrize("name", MOST)
+def test_no_thread_can_be_started(name: str, works: Callable[..., None]) -> None:
+    """One thread does the work."""
+    works(name, shim("threads"))
+
+
+def test_instructions_without_threads(fails: Check) -> None:
+    """Rows are prepared on a thread of their own."""
+    fails("instructions", shim("threads"), "cannot be counted: .*Resource temporarily unavailable")
+
+
+# Processors and memory that can do less.
+
+def _one_processor() -> None:
+    """The first that is allowed."""
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+
+
+@pytest.mark.parametrize("name", ["run_grey_tiff", "out_of_core", "batch", "sampler"])
+def test_one_processor(name: str, works: Callable[..., None]) -> None:
+    """For several threads."""
+    works(name, Fault("one processor", _one_processor))
+
+
+def _without_executable_memory() -> None:
+    """From now on mprotect() cannot make memory executable: a filter of system calls, see seccomp(2)."""
+    load, equal, test, end = 0x20, 0x15, 0x45, 0x06
+    program = b"".join(struct.pack("<HBBI", *step) for step in (
+        (load, 0, 0, 0), (equal, 0, 3, 10), (load, 0, 0, 32), (test, 0, 1, 4), (end, 0, 0, 0x5000D),
+        (end, 0, 0, 0x7FFF0000)))
+    buffer = ctypes.create_string_buffer(program)
+    header = ctypes.create_string_buffer(struct.pack("<HxxxxxxQ", len(program) // 8, ctypes.addressof(buffer)))
+    prctl = ctypes.CDLL(None).prctl
+    if prctl(38, 1, 0, 0, 0) != 0 or prctl(22, 2, header) != 0:  # no new privileges; filter
+        raise OSError("no filter of system calls")
+
+
+@pytest.mark.skipif(os.uname().machine != "x86_64", reason="machine code and numbers of calls are those of x86-64")
+@pytest.mark.parametrize("name", ["rule", "rule_of_your_own", "batch", "verify"])
+def test_no_executable_memory(name: str, inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
+    """The interpreter does the work."""
+    result = run(words_of(name, inputs), tmp_path, Fault("no executable memory", _without_executable_memory))
+    assert made_by(name, result, tmp_path) == expected(name)
+
+
+@pytest.mark.parametrize("isa", ["baseline", "sse4.2"])
+@pytest.mark.parametrize("name", ["run", "holes", "edges", "rule", "batch"])
+def test_processor_without_avx(name: str, isa: str, inputs: Path, tmp_path: Path,
+                               expected: Callable[[str], Files]) -> None:
+    """The same pixels."""
+    fault = Fault(isa, environment={"THINBENCH_MAX_ISA": isa})
+    made = made_by(name, run(words_of(name, inputs), tmp_path, fault), tmp_path)
+    right = dict(expected(name))
+    if name != "holes":  # others print the ISA
+        made["standard output"] = right["standard output"] = b""
+    assert made == right
+
+
+@pytest.mark.parametrize("name", ["run", "sampler", "benchmarks"])
+def test_unknown_processor(name: str, inputs: Path, tmp_path: Path) -> None:
+    """A cap that does not exist is wrong usage."""
+    fault = Fault("", environment={"THINBENCH_MAX_ISA": "avx3"})
+    result = run(words_of(name, inputs), tmp_path, fault)
+    assert result.status == 2 and len(result.errors) == 1 and "avx3" in result.errors[0], result
+    assert files_in(tmp_path) == {}
+
+
+# Standard streams that are not there.
+
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "train"])
+def test_closed_streams(name: str, inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
+    """No text goes into a file that was opened in place of a stream."""
+    result = run(words_of(name, inputs), tmp_path, Fault("closed", lambda: os.closerange(0, 3)))
+    right = expected(name)
+    made = without_times(files_in(tmp_path))
+    assert made == {key: right[key] for key in made} and (made or result.status == 1), result
+
+
+# Input that is not what it was.
+
+@pytest.mark.parametrize("kind", ["png", "pgm", "bmp", "jpg", "pbm", "tif", "grey.tif"])
+def test_truncated_input(kind: str, inputs: Path, tmp_path: Path) -> None:
+    """At any length, for any command."""
+    data = (inputs / f"a.{kind}").read_bytes()
+    commands = ["run thin_guo_hall in out.tif", "holes in", "edges in out.png", "rule majority in out.png"]
+    for size, command in zip((1, 40, len(data) // 2, len(data) - 40), commands):
+        (tmp_path / f"in.{kind}").write_bytes(data[:size])
+        before = files_in(tmp_path)
+        result = run(["thinbench", *command.replace(" in", f" in.{kind}").split()], tmp_path)
+        assert result.status == 1 and len(result.errors) == 1, (size, result)
+        assert f"cannot read 'in.{kind}': " in result.errors[0]
+        assert files_in(tmp_path) == before
+
+
+@pytest.mark.parametrize("kind", ["png", "pgm", "pbm", "tif", "grey.tif"])
+def test_input_that_grows_and_shrinks(kind: str, inputs: Path, tmp_path: Path) -> None:
+    """While it is read, again and again."""
+    data = (inputs / f"large.{kind}").read_bytes()
+    changing = tmp_path / f"in.{kind}"
+    changing.write_bytes(data)
+    out = "out.tif" if kind == "tif" else "out.pbm" if kind == "pbm" else "out.png"
+    words = ["thinbench", "run", "thin_guo_hall", changing.name, out]
+    assert run(words, tmp_path).status == 0
+    right = (tmp_path / out).read_bytes()
+    ended = threading.Event()
+
+    def change() -> None:
+        chance = random.Random(kind)
+        while not ended.is_set():
+            os.truncate(changing, chance.randrange(len(data)))
+            changing.write_bytes(data)
+            ended.wait(chance.random() / 500)
+    thread = threading.Thread(target=change)
+    thread.start()
+    try:
+        for _ in range(5):
+            (tmp_path / out).unlink(missing_ok=True)
+            result = run(words, tmp_path)
+            made = files_in(tmp_path)
+            assert set(made) - {changing.name} == ({out} if result.status == 0 else set())
+            assert result.status == 0 or (result.status == 1 and len(result.errors) == 1), result
+            assert made.get(out, right) == right
+    finally:
+        ended.set()
+        thread.join()
+
+
+def test_truncated_plan(tmp_path: Path) -> None:
+    """Of the sampler."""
+    (tmp_path / "plan").write_text('{"groups": [')
+    with (tmp_path / "plan").open("rb") as plan:
+        result = run(["thinbench_sampler", "measure"], tmp_path, stdin=plan.fileno())
+    assert result.status == 1 and len(result.errors) == 1 and result.out == b"", result
+
+
+# The study, on a run that was measured before.
+
+STUDY = [str(ROOT / "study"), "--no-install"]
+
+
+@pytest.fixture(name="measured")
+def _measured(tmp_path: Path) -> Path:
+    """A copy of one that is in the repository."""
+    run_file = min((ROOT / "results").glob("*/*/run.json"))
+    return Path(shutil.copytree(run_file.parent, tmp_path / "run"))
+
+
+@pytest.mark.parametrize("fault, command, says", [
+    (FULL_OUT, "claims", "standard output cannot be written"),
+    (Fault("file size limit", limit(resource.RLIMIT_FSIZE, 1024)), "build", "cannot be written: File too large"),
+    (Fault("little memory", limit(resource.RLIMIT_AS, 60_000_000)), "build", "cannot be loaded|not enough memory")],
+    ids=str)
+def test_study(fault: Fault, command: str, says: str, measured: Path, tmp_path: Path) -> None:
+    """One line, nothing half-written, and the next run works."""
+    before = files_in(tmp_path)
+    result = run([*STUDY, command, "run"], tmp_path, fault)
+    assert result.status == 1 and len(result.errors) == 1, result
+    assert result.errors[0].startswith("study: ") and re.search(says, result.errors[0]), result
+    assert files_in(tmp_path) == before
+    if command == "build" and fault.name == "file size limit":  # takes seconds
+        assert run([*STUDY, command, "run"], tmp_path).status == 0
+        assert (measured / "index.html").stat().st_size > 10_000
+
+
+def test_study_of_a_truncated_run(measured: Path, tmp_path: Path) -> None:
+    """As a copy over a broken line leaves it."""
+    facts = measured / "run.json"
+    facts.write_bytes(facts.read_bytes()[:1000])
+    before = files_in(tmp_path)
+    result = run([*STUDY, "build", "run"], tmp_path)
+    assert result.status == 1 and len(result.errors) == 1 and "run.json" in result.errors[0], result
+    assert files_in(tmp_path) == before

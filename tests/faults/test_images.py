@@ -1,0 +1,275 @@
+"""What becomes of image files of every kind, and of hostile ones; docs/images.md says it in words."""
+
+from __future__ import annotations
+
+import functools
+import io
+import json
+import re
+import struct
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import Fault, binary, files_in, parts, run
+from PIL import Image, TiffImagePlugin
+
+GREY = parts()
+COLOUR = Image.merge("RGB", [GREY] * 3)
+DEEP = Image.fromarray(np.asarray(GREY).astype(np.uint16) * 257)
+CLEAR = COLOUR.copy()
+CLEAR.putalpha(0)
+
+
+def pnm_text(kind: str, head: str) -> bytes:
+    """Of the parts, as numbers."""
+    rows = np.asarray(binary(GREY) if kind == "P1" else GREY).astype(int)
+    return f"{kind}\n# parts\n300 200\n{head}".encode() + b"\n".join(
+        " ".join(map(str, row)).encode() for row in rows)
+
+
+def save(image: Image.Image, **how: object) -> Callable[[Path], None]:
+    """What writes a file."""
+    return lambda path: image.save(path, **how)
+
+
+KINDS: dict[str, Callable[[Path], None]] = {
+    "1 bit.png": save(binary(GREY)), "grey.png": save(GREY), "16 bits.png": save(DEEP), "colour.png": save(COLOUR),
+    "2 bits.png": save(GREY.quantize(4), bits=2), "palette.png": save(GREY.convert("P")), "transparent.png": save(CLEAR),
+    "transparent grey.png": save(Image.merge("LA", [GREY, Image.new("L", GREY.size)])),
+    "grey.jpg": save(GREY, quality=95), "colour.jpg": save(COLOUR, quality=95),
+    "progressive.jpg": save(COLOUR, quality=95, progressive=True),
+    "cmyk.jpg": save(COLOUR.convert("CMYK"), quality=95),
+    "1 bit.tif": save(binary(GREY)), "group 4.tif": save(binary(GREY), compression="group4"), "grey.tif": save(GREY),
+    "lzw.tif": save(GREY, compression="tiff_lzw"), "deflate.tif": save(GREY, compression="tiff_adobe_deflate"),
+    "16 bits.tif": save(DEEP), "colour.tif": save(COLOUR), "palette.tif": save(GREY.convert("P")),
+    "cmyk.tif": save(COLOUR.convert("CMYK")), "jpeg.tif": save(COLOUR, compression="jpeg"),
+    "pages.tif": save(GREY, save_all=True, append_images=[Image.new("L", (9, 9))]),
+    "1 bit.bmp": save(binary(GREY)), "palette.bmp": save(GREY.convert("P")), "grey.bmp": save(GREY),
+    "colour.bmp": save(COLOUR), "grey.pgm": save(GREY), "colour.ppm": save(COLOUR),
+    "text.pbm": lambda path: path.write_bytes(pnm_text("P1", "")) and None,
+    "text.pgm": lambda path: path.write_bytes(pnm_text("P2", "255\n")) and None,
+}
+
+
+@functools.cache
+def facts_of(name: str, directory: Path) -> dict[str, object]:
+    """What is found in an image."""
+    result = run(["thinbench", "holes", name, "--json"], directory)
+    assert result.status == 0, result
+    found: dict[str, object] = json.loads(result.out)
+    return found
+
+
+def objects_in(name: str, directory: Path) -> object:
+    """With their holes."""
+    return facts_of(name, directory)["objects"]
+
+
+def expect_one_line(words: list[str], directory: Path, says: str) -> None:
+    """And nothing new."""
+    before = files_in(directory)
+    result = run(["thinbench", *words], directory)
+    assert result.status == 1 and len(result.errors) == 1 and re.search(says, result.errors[0]), result
+    assert files_in(directory) == before
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_kinds_show_the_same_parts(kind: str, inputs: Path, tmp_path: Path) -> None:
+    """Colours become grey, 16 bits 8, transparency is left out."""
+    KINDS[kind](tmp_path / kind)
+    assert objects_in(kind, tmp_path) == objects_in("a.png", inputs)
+
+
+def test_black_bits_of_a_pbm_file_are_dark(tmp_path: Path) -> None:
+    """Where it is read as a grey image, though 1 is foreground where it stays packed."""
+    binary(GREY).save(tmp_path / "a.pbm")  # bright parts: 0
+    assert facts_of("a.pbm", tmp_path)["foreground"] == "bright"
+
+
+@pytest.mark.parametrize("kind, orientation", [
+    *(("jpg", orientation) for orientation in range(1, 9)), ("png", 6), ("png", 7), ("tif", 6), ("tif", 7)])
+def test_images_are_turned_as_they_say(kind: str, orientation: int, tmp_path: Path) -> None:
+    """EXIF of JPEG and PNG, the tag of TIFF."""
+    exif = Image.Exif()
+    exif[0x112] = orientation
+    more = {"tiffinfo": {0x112: orientation}} if kind == "tif" else {"exif": exif, "quality": 95}
+    GREY.save(tmp_path / f"a.{kind}", **more)
+    turns = [None, Image.Transpose.FLIP_LEFT_RIGHT, Image.Transpose.ROTATE_180, Image.Transpose.FLIP_TOP_BOTTOM,
+             Image.Transpose.TRANSPOSE, Image.Transpose.ROTATE_270, Image.Transpose.TRANSVERSE,
+             Image.Transpose.ROTATE_90]
+    turn = turns[orientation - 1]
+    (GREY if turn is None else GREY.transpose(turn)).save(tmp_path / "expected.png")
+    assert objects_in(f"a.{kind}", tmp_path) == objects_in("expected.png", tmp_path)
+
+
+def test_transparent_pixels_of_tiff_are_black(tmp_path: Path) -> None:
+    """Its decoder multiplies colours by the opacity."""
+    CLEAR.save(tmp_path / "a.tif")
+    assert objects_in("a.tif", tmp_path) == []
+
+
+@pytest.mark.parametrize("kind", ["gif", "webp", "jp2", "ico", "tga"])
+def test_other_kinds_are_refused(kind: str, tmp_path: Path) -> None:
+    """Whatever decoders are installed."""
+    GREY.save(tmp_path / f"a.{kind}")
+    expect_one_line(["holes", f"a.{kind}"], tmp_path, "not an image of a known format")
+
+
+# Hostile files.
+
+def chunk(kind: bytes, data: bytes) -> bytes:
+    """Of a PNG file."""
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def png(width: int, height: int, bits: int, colours: int, data: bytes) -> bytes:
+    """With any claims."""
+    head = struct.pack(">IIBBBBB", width, height, bits, colours, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+
+
+def jpeg(width: int, height: int, frame: int) -> bytes:
+    """A real one with another size and kind of frame."""
+    stream = io.BytesIO()
+    GREY.save(stream, "jpeg", progressive=frame == 0xC2)
+    data = bytearray(stream.getvalue())
+    at = data.index(b"\xff\xc2" if frame == 0xC2 else b"\xff\xc0")
+    data[at + 1] = frame
+    data[at + 5:at + 9] = struct.pack(">HH", height, width)
+    return bytes(data)
+
+
+def tiff(width: int, height: int, compression: int, tile: int = 0) -> bytes:
+    """Ten kilobytes that claim a size."""
+    place = [(322, tile), (323, tile), (324, 200), (325, 10000)] if tile else [(273, 200), (278, height), (279, 10000)]
+    tags = sorted([(256, width), (257, height), (258, 8), (259, compression), (262, 1), (277, 1), *place])
+    body = b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in tags)
+    head = b"II*\0\x08\0\0\0" + struct.pack("<H", len(tags)) + body + b"\0\0\0\0"
+    return head.ljust(200, b"\0") + zlib.compress(bytes(9_000_000), 9).ljust(10000, b"\0")
+
+
+NOTHING = zlib.compress(bytes(10_000_000), 9)
+BOMBS = {
+    "grey.png": png(30000, 30000, 8, 0, NOTHING), "1 bit.png": png(30000, 30000, 1, 0, NOTHING),
+    "16 bits.png": png(30000, 30000, 16, 6, NOTHING), "palette.png": png(30000, 30000, 4, 3, NOTHING),
+    "baseline.jpg": jpeg(30000, 30000, 0xC0), "progressive.jpg": jpeg(30000, 30000, 0xC2),
+    "plain.tif": tiff(30000, 30000, 1), "lzw.tif": tiff(30000, 30000, 5), "deflate.tif": tiff(30000, 30000, 8),
+    "packbits.tif": tiff(30000, 30000, 32773),
+    "a.bmp": b"BM" + struct.pack("<IIIIiiHHIIIIII", 10000, 0, 54, 40, 30000, -30000, 1, 24, 0, 0, 0, 0, 0, 0) + NOTHING,
+    "a.pgm": b"P5 30000 30000 255\n" + NOTHING, "text.pgm": b"P2 30000 30000 255\n" + b"1 " * 5000,
+    "a.pam": b"P7\nWIDTH 30000\nHEIGHT 30000\nDEPTH 3\nMAXVAL 255\nTUPLTYPE RGB\nENDHDR\n" + NOTHING,
+    "text.pbm": b"P1 30000 30000\n" + b"1" * 5000,
+}
+COMMANDS = ["run thin_guo_hall {} out.png", "holes {}", "edges {} out.png"]
+SLACK = 64 << 20
+
+
+@pytest.fixture(scope="session", name="idle_bytes")
+def _idle_bytes(inputs: Path) -> int:
+    """What the program takes with an image of a few pixels."""
+    return run(["thinbench", "holes", "tiny.pgm"], inputs).peak_bytes
+
+
+@pytest.mark.parametrize("kind", BOMBS)
+def test_bombs_are_refused_by_their_headers(kind: str, idle_bytes: int, tmp_path: Path) -> None:
+    """10 KB that claim 30,000 x 30,000 pixels take no memory."""
+    (tmp_path / kind).write_bytes(BOMBS[kind])
+    words = COMMANDS[len(kind) % len(COMMANDS)].split()
+    result = run(["thinbench", *(word.format(kind) for word in words)], tmp_path)
+    assert result.status == 1 and len(result.errors) == 1, result
+    assert re.search("bytes, too few for 30000 x 30000 pixels", result.errors[0]), result
+    assert result.peak_bytes < idle_bytes + (4 << 20)
+    assert list(files_in(tmp_path)) == [kind]
+
+
+def test_batch_refuses_bombs_and_does_the_rest(idle_bytes: int, tmp_path: Path) -> None:
+    """All at once."""
+    (tmp_path / "in").mkdir()
+    for kind, data in BOMBS.items():
+        (tmp_path / "in" / f"{kind.replace('.', ' ')}.png").write_bytes(data)
+    GREY.save(tmp_path / "in" / "right.png")
+    result = run(["thinbench", "batch", "holes", "in", "--out", "out", "--threads", "2"], tmp_path)
+    assert result.status == 1 and f"1 image done, {len(BOMBS)} failed".encode() in result.out, result
+    assert len(re.findall(b"too few for 30000 x 30000 pixels", result.err)) == len(BOMBS)
+    assert result.peak_bytes < idle_bytes + SLACK
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"right.json", "manifest.csv"}
+
+
+@pytest.mark.parametrize("name, data, says", [
+    ("arithmetic coding.jpg", jpeg(300, 200, 0xC9), "arithmetic coding"),
+    ("large tiles.tif", tiff(16, 16, 8, 16384), "its tiles of 16384 x 16384 pixels are larger than its 16 x 16"),
+    ("no pixels.png", png(0, 5, 8, 0, NOTHING), "damaged or has no pixels"),
+    ("colours.png", png(5, 5, 8, 7, NOTHING), "damaged or has no pixels"),
+    ("bits.png", png(5, 5, 3, 0, NOTHING), "damaged or has no pixels"),
+    ("wide.png", png(2_000_000, 1, 1, 0, NOTHING), "damaged"),
+    ("huge.png", png(2**31 - 1, 2**31 - 1, 1, 0, NOTHING), "2\\^20|pixels|damaged"),
+    ("huge.tif", tiff(2**32 - 1, 2**32 - 1, 8), "2\\^20|pixels|damaged"),
+    ("huge.pgm", b"P5 99999999999999999999 2 255\n", "damaged|pixels"),
+    ("negative.pgm", b"P5 -5 5 255\n" + b"1" * 99, "damaged"),
+    ("huge.pam", b"P7\nWIDTH 3\nHEIGHT 9223372036854775807\nDEPTH 3\nMAXVAL 255\nENDHDR\n", "damaged|pixels"),
+], ids=lambda value: value if isinstance(value, str) else "")
+def test_hostile_headers_give_one_line(name: str, data: bytes, says: str, tmp_path: Path) -> None:
+    """And take no time."""
+    (tmp_path / name).write_bytes(data)
+    expect_one_line(["holes", name], tmp_path, says)
+
+
+def test_limit_of_pixels_can_be_lowered(tmp_path: Path) -> None:
+    """By the variable that raises it."""
+    GREY.save(tmp_path / "a.png")
+    limit = Fault("", environment={"OPENCV_IO_MAX_IMAGE_PIXELS": "59999"})
+    result = run(["thinbench", "holes", "a.png"], tmp_path, limit)
+    assert result.status == 1 and len(result.errors) == 1, result
+    assert "it has more pixels than OPENCV_IO_MAX_IMAGE_PIXELS=59999 allows" in result.errors[0]
+
+
+def test_broken_chunks_give_one_line_or_the_image(tmp_path: Path) -> None:
+    """Every byte of a header changed, and some of the data."""
+    GREY.save(tmp_path / "a.png")
+    whole = (tmp_path / "a.png").read_bytes()
+    for at in [*range(0, 45, 4), len(whole) // 2, len(whole) - 6]:
+        (tmp_path / "b.png").write_bytes(whole[:at] + bytes([whole[at] ^ 0x55]) + whole[at + 1:])
+        result = run(["thinbench", "holes", "b.png"], tmp_path)
+        assert result.status == 0 or (result.status == 1 and len(result.errors) == 1), (at, result)
+
+
+# Memory: what the image and the operation need, 10 % and, to find more in images of this size, 8 MB instead of 64.
+
+SIDE = 6000
+
+
+def save_one_strip(path: Path) -> None:
+    """Compressed."""
+    size, TiffImagePlugin.STRIP_SIZE = TiffImagePlugin.STRIP_SIZE, 1 << 30
+    parts(SIDE, SIDE).save(path, compression="tiff_lzw")
+    TiffImagePlugin.STRIP_SIZE = size
+
+
+LARGE: dict[str, tuple[Callable[[Path], None], float]] = {
+    "large.png": (save(parts(SIDE, SIDE), compress_level=1), 0),
+    "large.jpg": (save(parts(SIDE, SIDE)), 0),
+    "large.pgm": (save(parts(SIDE, SIDE)), 0),
+    "large.tif": (save(parts(SIDE, SIDE)), 0),
+    "one strip.tif": (save_one_strip, 0),
+    "progressive.jpg": (save(parts(SIDE, SIDE), progressive=True), 2),
+    "black.png": (lambda path: path.write_bytes(
+        png(SIDE, SIDE, 1, 0, zlib.compress(bytes(SIDE * (SIDE // 8 + 1)), 9))) and None, 0),
+}
+NEEDED = {"run thin_guo_hall {} out.png": 1.25, "run thin_guo_hall {} out.tif": 1.25, "holes {}": 1.2,
+          "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25}
+"""Bytes per pixel: of the image, of edges beside it, of planes of bits and of runs."""
+
+
+@pytest.mark.parametrize("kind", LARGE)
+def test_memory(kind: str, idle_bytes: int, tmp_path: Path) -> None:
+    """The highest that a program ever held."""
+    write, decoder = LARGE[kind]
+    write(tmp_path / kind)
+    for command, needed in NEEDED.items():
+        result = run(["thinbench", *(word.format(kind) for word in command.split())], tmp_path)
+        assert result.status == 0, result
+        allowed = 1.1 * (needed + decoder) * SIDE * SIDE + (8 << 20)
+        assert result.peak_bytes - idle_bytes < allowed, (command, (result.peak_bytes - idle_bytes) / SIDE / SIDE)
