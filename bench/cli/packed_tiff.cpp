@@ -26,7 +26,8 @@ BinaryImage binarised(const BrightPixels& count, const BinariseOptions& options,
 
 int run_in_memory(const detail::ThinningOperation& operation, const BinariseOptions& binarise,
                   const ThinningFiles& files, const Options& how, const Console& console) {
-  const auto& [in, out] = files;
+  const std::string& in = files.in;  // Clang 14 passes no names of bindings to lambdas
+  const std::string& out = files.out;
   TiffReader reader(in);
   const TiffFormat format = reader.format();
   // Not initialised: memory is taken as rows are read, so that a damaged file takes little.
@@ -88,7 +89,8 @@ void check_memory(const TiffReader& reader, const std::string& in, Index memory)
 int run_out_of_core(const PackedOptions& options, const detail::ThinningOperation& operation,
                     const BinariseOptions& binarise, const ThinningFiles& files, const Options& how,
                     const Console& console) {
-  const auto& [in, out] = files;
+  const std::string& in = files.in;  // Clang 14 passes no names of bindings to lambdas
+  const std::string& out = files.out;
   if (binarise.threshold) {
     throw UsageError("--threshold does not apply to packed files, whose pixels are bright or dark");
   }
