@@ -88,8 +88,12 @@ constexpr const char* kReadMode = "rm";
 }  // namespace thinbench
 
 /// In place of libtiff's function of this name, which OpenCV calls: without mapping the file, too.
+/// But libtiff 4.5 reads tiles that do not fill kilobytes from mapped files alone.
 extern "C" [[gnu::visibility("default")]] TIFF* TIFFOpen(const char* name, const char* mode) {
-  return TIFFOpenExt(name, (std::string(mode) + 'm').c_str(), nullptr);
+  TIFF* const tiff = TIFFOpenExt(name, (std::string(mode) + 'm').c_str(), nullptr);
+  if (tiff == nullptr || TIFFIsTiled(tiff) == 0) return tiff;
+  TIFFClose(tiff);
+  return TIFFOpenExt(name, mode, nullptr);
 }
 
 namespace thinbench {

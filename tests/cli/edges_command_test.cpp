@@ -133,7 +133,7 @@ TEST_F(EdgesCommand, rejects_invalid_arguments_without_output) {
   EXPECT_EQ(
       failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not implemented by simd_8bit"),
       0U);
-  EXPECT_EQ(failure_of({"edges", in, directory.file("a.gif")}, 1).find("cannot write '"), 0U);
+  EXPECT_EQ(failure_of({"edges", in, directory.file("a.gif")}, 2).find("cannot write '"), 0U);
   EXPECT_EQ(failure_of({"edges", directory.file("absent.png"), out}, 1).find("cannot read '"), 0U);
 }
 

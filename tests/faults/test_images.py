@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import Fault, binary, files_in, parts, run
+from conftest import Fault, binary, files_in, measured_run, parts, run
 from PIL import Image, TiffImagePlugin
 
 GREY = parts()
@@ -32,12 +32,22 @@ def pnm_text(kind: str, head: str) -> bytes:
 
 def save(image: Image.Image, **how: object) -> Callable[[Path], None]:
     """What writes a file."""
-    return lambda path: image.save(path, **how)
+    def write(path: Path) -> None:
+        image.save(path, **how)
+    return write
+
+
+def save_bytes(data: bytes) -> Callable[[Path], None]:
+    """The same for what is there already."""
+    def write(path: Path) -> None:
+        path.write_bytes(data)
+    return write
 
 
 KINDS: dict[str, Callable[[Path], None]] = {
     "1 bit.png": save(binary(GREY)), "grey.png": save(GREY), "16 bits.png": save(DEEP), "colour.png": save(COLOUR),
-    "2 bits.png": save(GREY.quantize(4), bits=2), "palette.png": save(GREY.convert("P")), "transparent.png": save(CLEAR),
+    "2 bits.png": save(GREY.quantize(4), bits=2),
+    "palette.png": save(GREY.convert("P")), "transparent.png": save(CLEAR),
     "transparent grey.png": save(Image.merge("LA", [GREY, Image.new("L", GREY.size)])),
     "grey.jpg": save(GREY, quality=95), "colour.jpg": save(COLOUR, quality=95),
     "progressive.jpg": save(COLOUR, quality=95, progressive=True),
@@ -49,8 +59,8 @@ KINDS: dict[str, Callable[[Path], None]] = {
     "pages.tif": save(GREY, save_all=True, append_images=[Image.new("L", (9, 9))]),
     "1 bit.bmp": save(binary(GREY)), "palette.bmp": save(GREY.convert("P")), "grey.bmp": save(GREY),
     "colour.bmp": save(COLOUR), "grey.pgm": save(GREY), "colour.ppm": save(COLOUR),
-    "text.pbm": lambda path: path.write_bytes(pnm_text("P1", "")) and None,
-    "text.pgm": lambda path: path.write_bytes(pnm_text("P2", "255\n")) and None,
+    "text.pbm": save_bytes(pnm_text("P1", "")),
+    "text.pgm": save_bytes(pnm_text("P2", "255\n")),
 }
 
 
@@ -95,7 +105,7 @@ def test_images_are_turned_as_they_say(kind: str, orientation: int, tmp_path: Pa
     """EXIF of JPEG and PNG, the tag of TIFF."""
     exif = Image.Exif()
     exif[0x112] = orientation
-    more = {"tiffinfo": {0x112: orientation}} if kind == "tif" else {"exif": exif, "quality": 95}
+    more: dict[str, object] = {"tiffinfo": {0x112: orientation}} if kind == "tif" else {"exif": exif, "quality": 95}
     GREY.save(tmp_path / f"a.{kind}", **more)
     turns = [None, Image.Transpose.FLIP_LEFT_RIGHT, Image.Transpose.ROTATE_180, Image.Transpose.FLIP_TOP_BOTTOM,
              Image.Transpose.TRANSPOSE, Image.Transpose.ROTATE_270, Image.Transpose.TRANSVERSE,
@@ -164,13 +174,12 @@ BOMBS = {
     "text.pbm": b"P1 30000 30000\n" + b"1" * 5000,
 }
 COMMANDS = ["run thin_guo_hall {} out.png", "holes {}", "edges {} out.png"]
-SLACK = 64 << 20
 
 
 @pytest.fixture(scope="session", name="idle_bytes")
 def _idle_bytes(inputs: Path) -> int:
     """What the program takes with an image of a few pixels."""
-    return run(["thinbench", "holes", "tiny.pgm"], inputs).peak_bytes
+    return measured_run(["thinbench", "holes", "tiny.pgm"], inputs)[1]
 
 
 @pytest.mark.parametrize("kind", BOMBS)
@@ -178,10 +187,10 @@ def test_bombs_are_refused_by_their_headers(kind: str, idle_bytes: int, tmp_path
     """10 KB that claim 30,000 x 30,000 pixels take no memory."""
     (tmp_path / kind).write_bytes(BOMBS[kind])
     words = COMMANDS[len(kind) % len(COMMANDS)].split()
-    result = run(["thinbench", *(word.format(kind) for word in words)], tmp_path)
+    result, peak = measured_run(["thinbench", *(word.format(kind) for word in words)], tmp_path)
     assert result.status == 1 and len(result.errors) == 1, result
     assert re.search("bytes, too few for 30000 x 30000 pixels", result.errors[0]), result
-    assert result.peak_bytes < idle_bytes + (4 << 20)
+    assert peak < idle_bytes + (4 << 20)
     assert list(files_in(tmp_path)) == [kind]
 
 
@@ -191,10 +200,10 @@ def test_batch_refuses_bombs_and_does_the_rest(idle_bytes: int, tmp_path: Path) 
     for kind, data in BOMBS.items():
         (tmp_path / "in" / f"{kind.replace('.', ' ')}.png").write_bytes(data)
     GREY.save(tmp_path / "in" / "right.png")
-    result = run(["thinbench", "batch", "holes", "in", "--out", "out", "--threads", "2"], tmp_path)
+    result, peak = measured_run(["thinbench", "batch", "holes", "in", "--out", "out", "--threads", "2"], tmp_path)
     assert result.status == 1 and f"1 image done, {len(BOMBS)} failed".encode() in result.out, result
     assert len(re.findall(b"too few for 30000 x 30000 pixels", result.err)) == len(BOMBS)
-    assert result.peak_bytes < idle_bytes + SLACK
+    assert peak < idle_bytes + (16 << 20)
     assert {path.name for path in (tmp_path / "out").iterdir()} == {"right.json", "manifest.csv"}
 
 
@@ -230,15 +239,15 @@ def test_broken_chunks_give_one_line_or_the_image(tmp_path: Path) -> None:
     """Every byte of a header changed, and some of the data."""
     GREY.save(tmp_path / "a.png")
     whole = (tmp_path / "a.png").read_bytes()
-    for at in [*range(0, 45, 4), len(whole) // 2, len(whole) - 6]:
+    for at in [*range(0, 45, 7), len(whole) // 2, len(whole) - 6]:
         (tmp_path / "b.png").write_bytes(whole[:at] + bytes([whole[at] ^ 0x55]) + whole[at + 1:])
         result = run(["thinbench", "holes", "b.png"], tmp_path)
         assert result.status == 0 or (result.status == 1 and len(result.errors) == 1), (at, result)
 
 
-# Memory: what the image and the operation need, 10 % and, to find more in images of this size, 8 MB instead of 64.
+# Memory: what the image and the operation need, 10 % and, to find more in images of this size, 4 MB instead of 64.
 
-SIDE = 6000
+SIDE = 4000
 
 
 def save_one_strip(path: Path) -> None:
@@ -253,13 +262,14 @@ LARGE: dict[str, tuple[Callable[[Path], None], float]] = {
     "large.jpg": (save(parts(SIDE, SIDE)), 0),
     "large.pgm": (save(parts(SIDE, SIDE)), 0),
     "large.tif": (save(parts(SIDE, SIDE)), 0),
-    "one strip.tif": (save_one_strip, 0),
+    "one strip.tif": (save_one_strip, 4),
     "progressive.jpg": (save(parts(SIDE, SIDE), progressive=True), 2),
-    "black.png": (lambda path: path.write_bytes(
-        png(SIDE, SIDE, 1, 0, zlib.compress(bytes(SIDE * (SIDE // 8 + 1)), 9))) and None, 0),
+    "black.png": (save_bytes(png(SIDE, SIDE, 1, 0, zlib.compress(bytes(SIDE * (SIDE // 8 + 1)), 9))), 0),
 }
 NEEDED = {"run thin_guo_hall {} out.png": 1.25, "run thin_guo_hall {} out.tif": 1.25, "holes {}": 1.2,
           "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25}
+COMPRESSED = ("large.png", "black.png")
+"""All commands read them, "holes" reads the others."""
 """Bytes per pixel: of the image, of edges beside it, of planes of bits and of runs."""
 
 
@@ -269,7 +279,9 @@ def test_memory(kind: str, idle_bytes: int, tmp_path: Path) -> None:
     write, decoder = LARGE[kind]
     write(tmp_path / kind)
     for command, needed in NEEDED.items():
-        result = run(["thinbench", *(word.format(kind) for word in command.split())], tmp_path)
+        if kind not in COMPRESSED and not command.startswith("holes"):
+            continue
+        result, peak = measured_run(["thinbench", *(word.format(kind) for word in command.split())], tmp_path)
         assert result.status == 0, result
-        allowed = 1.1 * (needed + decoder) * SIDE * SIDE + (8 << 20)
-        assert result.peak_bytes - idle_bytes < allowed, (command, (result.peak_bytes - idle_bytes) / SIDE / SIDE)
+        allowed = 1.1 * (needed + decoder) * SIDE * SIDE + (4 << 20)
+        assert peak - idle_bytes < allowed, (command, (peak - idle_bytes) / SIDE / SIDE)
