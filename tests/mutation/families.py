@@ -35,21 +35,21 @@ APPLY = Check("custom_rules_test")
 API = Check("api_test")
 
 
-def crosscheck(operations: str, images: str = "*") -> Check:
+def crosscheck(*operations: str, images: str = "*") -> Check:
     """Every variant against its reference."""
-    return Check("crosscheck_test", f"*/{operations}_on_{images}")
+    return Check("crosscheck_test", ":".join(f"*/{operation}_on_{images}" for operation in operations))
 
 
-THINNING = (crosscheck("thin_*", "sheets"), crosscheck("thin_*", "shapes"), GOLDEN,
+THINNING = (crosscheck("thin_*", images="sheets"), crosscheck("thin_*", images="shapes"), GOLDEN,
             Check("thinning_test"), Check("batch_test"), crosscheck("thin_*"), APPLY, API)
-NETS = (crosscheck("net_*", "sheets"), crosscheck("net_*", "shapes"), Check("nets_test"), GOLDEN,
+NETS = (crosscheck("net_*", images="sheets"), crosscheck("net_*", images="shapes"), Check("nets_test"), GOLDEN,
         crosscheck("net_*"), API)
 BATCHES = (Check("batch_test"), crosscheck("batch_*"), API, APPLY)
-MIDPOINTS = (crosscheck("midpoint*", "sheets"), Check("scan_test"), GOLDEN, crosscheck("midpoint*"), API)
+MIDPOINTS = (crosscheck("skeleton_scan*", images="sheets"), Check("scan_test"), GOLDEN, crosscheck("skeleton_scan*"), API)
 EDGES = (crosscheck("edges_*"), Check("edges_test"), GOLDEN, API)
-REGIONS = (Check("regions_test"), GOLDEN, API)
+REGIONS = (Check("regions_test"), crosscheck("components", "euler_number*", "fill_holes", "holes"), GOLDEN, API)
 LOCALISE = (Check("localise_test"), crosscheck("localise_*"), GOLDEN, API)
-CUSTOM = (APPLY, Check("custom_tables_test"), crosscheck("custom_*"), GOLDEN)
+CUSTOM = (APPLY, Check("custom_tables_test"), crosscheck("apply_*"), GOLDEN)
 ENGINES = "thinning/engines/"
 ITERATION = "thinning/iteration/"
 

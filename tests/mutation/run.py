@@ -7,9 +7,11 @@ import argparse
 import sys
 import time
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from itertools import count
 from pathlib import Path
+from queue import Queue
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
@@ -17,18 +19,19 @@ sys.path.insert(0, str(ROOT))
 # pylint: disable=wrong-import-position
 from choice import (Candidate, Equivalent, Result, append_result, candidates, read_equivalents,  # noqa: E402
                     read_results, result_of, stale)
-from families import FAMILIES, Family  # noqa: E402
+from families import FAMILIES, Check, Family  # noqa: E402
 from report.progress import Progress  # noqa: E402
-from tree import Tree, TreeError  # noqa: E402
+from tree import Overlay, Tree, TreeError  # noqa: E402
 from trial import Trial  # noqa: E402
 
+RESULTS = "results.jsonl"
 EQUIVALENTS = Path(__file__).with_name("equivalent.json")
 REQUIRED = 98  # per cent of the mutants that count
 EXAMPLES = """Examples:
-  tests/mutation/run.py                      about 330 mutants, or the rest of them
-  tests/mutation/run.py --family edges -n 10
-  tests/mutation/run.py --again              those that survived, after a new test
-  tests/mutation/run.py -n 0                 the summary of what was done
+  python3 tests/mutation/run.py                      about 330 mutants, or the rest of them
+  python3 tests/mutation/run.py --family edges -n 10
+  python3 tests/mutation/run.py --again              those that survived, after a new test
+  python3 tests/mutation/run.py -n 0                 the summary of what was done
 
 The results are build/mutation/results.jsonl; delete the file to begin anew. A survivor needs a test, or an entry in
 tests/mutation/equivalent.json that says why none can notice it.
@@ -40,15 +43,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = _options(arguments)
     families = [family for family in FAMILIES if not options.family or family.name in options.family]
     options.directory.mkdir(parents=True, exist_ok=True)
-    results_file = options.directory / "results.jsonl"
-    results = read_results(results_file)
+    results = read_results(options.directory / RESULTS)
     equivalents = read_equivalents(EQUIVALENTS)
     try:
         wanted = -(-options.number // len(families))
         if options.number > 0 or options.again:
-            trial = Trial(Tree(options.directory), options.jobs)
-            trial.tree.prepare(options.jobs)
-            _try_all(trial, families, wanted, options, results, results_file)
+            _try_all(Trials(options.directory, options.jobs), families, wanted, options, results)
     except TreeError as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
@@ -59,7 +59,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tests/mutation/run.py", description=__doc__, epilog=EXAMPLES,
+    parser = argparse.ArgumentParser(prog="python3 tests/mutation/run.py", description=__doc__, epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-n", "--number", type=int, default=330,
                         help="mutants that count, over all families (default: 330)")
@@ -67,7 +67,7 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
                         help="only this one; may be repeated")
     parser.add_argument("--seed", type=int, default=1, help="of the choice (default: 1)")
     parser.add_argument("--again", action="store_true", help="try those that survived once more")
-    parser.add_argument("--jobs", type=int, default=1, help="compilations at a time (default: 1)")
+    parser.add_argument("--jobs", type=int, default=1, help="mutants at a time (default: 1)")
     parser.add_argument("--minutes", type=float, default=240, help="stop after this time (default: 240)")
     parser.add_argument("--directory", type=Path, default=ROOT / "build" / "mutation",
                         help="of the copy, its build and the results (default: build/mutation)")
@@ -77,36 +77,59 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     return options
 
 
-def _try_all(trial: Trial, families: Sequence[Family], wanted: int, options: argparse.Namespace,
-             results: dict[str, Result], results_file: Path) -> None:
-    """The families by turns, so that a run cut short is even."""
+class Trials:
+    """Several trials at a time, each in a directory of its own, and the file of results."""
+
+    def __init__(self, directory: Path, jobs: int) -> None:
+        tree = Tree(directory)
+        tree.prepare(jobs)
+        seconds: dict[tuple[Check, int], float] = {}
+        self.free: Queue[Trial] = Queue()
+        for job in range(jobs):
+            self.free.put(Trial(Overlay(tree, directory / f"mutant-{job}"), seconds))
+        self.pool = ThreadPoolExecutor(jobs)
+        self.file = directory / RESULTS
+
+    def results(self, chosen: Sequence[tuple[Family, Candidate]]) -> Iterator[Result]:
+        """In the same order; each is kept at once."""
+        for result in self.pool.map(self._result, chosen):
+            append_result(self.file, result)
+            if result.state == "survived":
+                print(f"survived: {_text(result)}", flush=True)
+            yield result
+
+    def _result(self, chosen: tuple[Family, Candidate]) -> Result:
+        family, candidate = chosen
+        trial = self.free.get()
+        try:
+            start = time.monotonic()
+            verdict = trial.judge(family, candidate.file, candidate.mutation)
+            return result_of(candidate, verdict.state, verdict.test, time.monotonic() - start)
+        finally:
+            self.free.put(trial)
+
+
+def _try_all(trials: Trials, families: Sequence[Family], wanted: int, options: argparse.Namespace,
+             results: dict[str, Result]) -> None:
+    """The families by turns, so that a run cut short is even and the choice depends on the seed alone."""
     end = time.monotonic() + 60 * options.minutes
-    queues = {family.name: candidates(family, ROOT / "kernels", options.seed) for family in families}
+    queues = {family: candidates(family, ROOT / "kernels", options.seed) for family in families}
     if options.again:
-        queues = {name: [one for one in queue if one.key in results and results[one.key].state == "survived"]
-                  for name, queue in queues.items()}
-    counted = Counter({family.name: 0 for family in families})
+        queues = {family: [one for one in queue if one.key in results and results[one.key].state == "survived"]
+                  for family, queue in queues.items()}
+    counted = Counter({family: 0 for family in families})
     progress = Progress("mutants", wanted * len(families))
     for turn in count():
-        open_families = [one for one in families if turn < len(queues[one.name]) and counted[one.name] < wanted]
-        if not open_families or time.monotonic() > end:
+        chosen = [(family, queues[family][turn]) for family in families
+                  if turn < len(queues[family]) and counted[family] < wanted]
+        if not chosen or time.monotonic() > end:
             return
-        for family in open_families:
-            candidate = queues[family.name][turn]
-            if options.again or candidate.key not in results:
-                results[candidate.key] = _try(trial, family, candidate)
-                append_result(results_file, results[candidate.key])
-            counted[family.name] += results[candidate.key].counts()
-            progress.set(sum(counted.values()), wanted * len(families))
-
-
-def _try(trial: Trial, family: Family, candidate: Candidate) -> Result:
-    start = time.monotonic()
-    verdict = trial.judge(family, candidate.file, candidate.mutation)
-    result = result_of(candidate, verdict.state, verdict.test, time.monotonic() - start)
-    if result.state == "survived":
-        print(f"survived: {_text(result)}", flush=True)
-    return result
+        new = [one for one in chosen if options.again or one[1].key not in results]
+        for result in trials.results(new):
+            results[result.key] = result
+        for family, candidate in chosen:
+            counted[family] += results[candidate.key].counts()
+        progress.set(sum(counted.values()), wanted * len(families))
 
 
 def _current(families: Sequence[Family], seed: int, results: dict[str, Result]) -> list[Result]:

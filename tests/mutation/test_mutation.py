@@ -16,7 +16,7 @@ from choice import (Candidate, append_result, candidates, read_equivalents, read
 from families import FAMILIES, Check, Family  # noqa: E402
 from operators import mutations  # noqa: E402
 from run import EQUIVALENTS, ROOT, main  # noqa: E402
-from tree import EDITS, Tree  # noqa: E402
+from tree import EDITS, Overlay, Tree  # noqa: E402
 from trial import Trial, Verdict  # noqa: E402
 
 
@@ -104,9 +104,7 @@ def toy_trial(tmp_path: Path) -> Trial:
     tree.inputs = {"toy_test": {"test.o", "toy.o"}}
     for command in (["g++", "-c", "test.cpp"], tree.commands["toy.o"], tree.links["toy_test"]):
         subprocess.run(command, cwd=tree.build, check=True)
-    trial = Trial(tree)
-    trial.seconds[Check("toy_test"), 0] = -1.9  # a limit of half a second
-    return trial
+    return Trial(Overlay(tree, tmp_path / "mutant"), {(Check("toy_test"), 0): -1.9})  # a limit of half a second
 
 
 FAMILY = Family("toy", ("toy.cpp",), (Check("toy_test"),))
@@ -116,9 +114,7 @@ def verdict(trial: Trial, before: str, after: str) -> Verdict:
     """Of the mutant that has `after` in place of `before`."""
     mutated = TOY.replace(before, after)
     mutation = next(one for one in mutations(TOY) if one.apply(TOY) == mutated)
-    result = trial.judge(FAMILY, "toy.cpp", mutation)
-    assert (trial.tree.kernels / "toy.cpp").read_text(encoding="utf-8") == TOY
-    return result
+    return trial.judge(FAMILY, "toy.cpp", mutation)
 
 
 def test_a_mutant_is_judged_by_its_code_and_its_tests(toy: Trial) -> None:
@@ -136,7 +132,7 @@ def test_a_mutant_that_never_ends_is_killed(toy: Trial) -> None:
 
 
 def test_what_the_compiler_rejects_does_not_count(toy: Trial) -> None:
-    toy.tree.commands["toy.o"][3] = str(toy.tree.kernels / "none.cpp")
+    toy.tree.commands["toy.o"].append("-no-such-option")
     assert verdict(toy, "i < n", "i <= n") == Verdict("not compiled")
 
 

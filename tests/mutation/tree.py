@@ -24,11 +24,9 @@ EDITS: tuple[tuple[str, str, str], ...] = (
      "thinbench_isas " + " ".join(ISAS)),
     ("kernels/CMakeLists.txt", '"-O3;', '"-O1;'),
     ("tests/CMakeLists.txt", "foreach(isa baseline sse42 avx2 avx512 avx512icl)", "foreach(isa ${thinbench_isas})"),
-    ("kernels/dispatch/exported.hpp", "  static const Kernels kKernels;",
-     "  [[gnu::weak]] static const Kernels kKernels;"),
-    ("kernels/dispatch/exported.hpp", "  return *table.at(static_cast<std::size_t>(isa));\n",
-     "  const Kernels* const built = table.at(static_cast<std::size_t>(isa));\n"
-     "  return built != nullptr ? *built : Exported<Kernels, Isa::baseline>::kKernels;\n"),
+    ("kernels/dispatch/exported.hpp", "kAllIsas[i]>::kKernels",
+     "(" + " || ".join(f"kAllIsas[i] == Isa::{isa}" for isa in ISAS) +
+     ") ? kAllIsas[i] : Isa::baseline>::kKernels"),
     ("kernels/dispatch/isa.cpp", "bool cpu_supports(Isa isa) {\n",
      "bool cpu_supports(Isa isa) {\n"
      f'  const char* const only = std::getenv("{ISAS_VARIABLE}");\n'
@@ -50,11 +48,11 @@ def _output(command: Sequence[str], cwd: Path) -> str:
 
 
 class Tree:
-    """The copy is `directory`/tree, its build `directory`/build, objects of mutants `directory`/mutant."""
+    """The copy is `directory`/tree, its build `directory`/build."""
 
     def __init__(self, directory: Path) -> None:
         self.sources, self.build = directory / "tree", directory / "build"
-        self.kernels, self.mutant = self.sources / "kernels", directory / "mutant"
+        self.kernels = self.sources / "kernels"
         self.objects: dict[str, list[str]] = {}  # by source or header, relative to the copy
         self.commands: dict[str, list[str]] = {}  # by object
         self.links: dict[str, list[str]] = {}  # by program
@@ -110,35 +108,55 @@ class Tree:
         match = OBJECT.match(name)
         return ISAS.index(match[1]) if match and match[1] in ISAS else 0
 
-    def compile(self, name: str) -> Path | None:
-        """The object of the sources as they are now, or none if the compiler rejects them."""
-        to = self.mutant / name
-        to.parent.mkdir(parents=True, exist_ok=True)
-        command = list(self.commands[name])
-        command[command.index("-o") + 1] = str(to)
-        run = subprocess.run(command, cwd=self.build, capture_output=True, check=False, timeout=300)
-        return to if run.returncode == 0 else None
-
-    def is_unchanged(self, name: str) -> bool:
-        """Whether the mutant's object is the same, byte by byte."""
-        return (self.build / name).read_bytes() == (self.mutant / name).read_bytes()
-
-    def link(self, program: str, changed: Sequence[str]) -> Path | None:
-        """The program with these objects replaced; they come before the libraries, which have old ones."""
-        to = self.mutant / program
-        command = list(self.links[program])
-        command[command.index("-o") + 1] = str(to)
-        command = [str(self.mutant / word) if word in changed else word for word in command]
-        first = next(i for i, word in enumerate(command) if word.endswith(".o"))
-        for name in changed:
-            if str(self.mutant / name) not in command and name in self.inputs[program]:
-                command.insert(first, str(self.mutant / name))
-        run = subprocess.run(command, cwd=self.build, capture_output=True, check=False)
-        return to if run.returncode == 0 else None
-
     def program(self, name: str) -> Path:
         """The unmutated program."""
         return self.build / "bin" / name
+
+
+class Overlay:
+    """A mutated file before the copy, and what is built with it. Includes name files from kernels/ on, so the
+    compiler finds the mutated one first."""
+
+    def __init__(self, tree: Tree, directory: Path) -> None:
+        self.tree, self.directory, self.file = tree, directory, ""
+
+    def mutate(self, file: str, text: str) -> None:
+        """From now on this file of kernels/ has this text; all others are as in the copy."""
+        shutil.rmtree(self.directory / "kernels", ignore_errors=True)
+        path = self.directory / "kernels" / file
+        path.parent.mkdir(parents=True)
+        path.write_text(text, encoding="utf-8")
+        self.file = file
+
+    def compile(self, name: str) -> bool:
+        """Whether the compiler accepts what the object is made of."""
+        to = self.directory / name
+        to.parent.mkdir(parents=True, exist_ok=True)
+        command = list(self.tree.commands[name])
+        command[command.index("-o") + 1] = str(to)
+        own, mine = str(self.tree.kernels / self.file), str(self.directory / "kernels" / self.file)
+        command = [mine if word == own else word for word in command]
+        command[1:1] = [f"-I{self.directory}/kernels", f"-I{self.directory}/kernels/include"]
+        run = subprocess.run(command, cwd=self.tree.build, capture_output=True, check=False, timeout=300)
+        return run.returncode == 0
+
+    def is_unchanged(self, name: str) -> bool:
+        """Whether the mutant's object is the same, byte by byte."""
+        return (self.tree.build / name).read_bytes() == (self.directory / name).read_bytes()
+
+    def link(self, program: str, changed: Sequence[str]) -> bool:
+        """Whether the program links with these objects. They come before the libraries, which have old ones."""
+        own = {name: str(self.directory / name) for name in changed if name in self.tree.inputs[program]}
+        command = list(self.tree.links[program])
+        command[command.index("-o") + 1] = str(self.program(program))
+        first = next(i for i, word in enumerate(command) if word.endswith(".o"))
+        command[first:first] = [path for name, path in own.items() if name not in command]
+        command = [own.get(word, word) for word in command]
+        return subprocess.run(command, cwd=self.tree.build, capture_output=True, check=False).returncode == 0
+
+    def program(self, name: str) -> Path:
+        """The mutated program."""
+        return self.directory / name
 
 
 def environment(isas: Sequence[str]) -> dict[str, str]:

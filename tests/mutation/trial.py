@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import os
 import re
 import resource
 import signal
 import subprocess
 import time
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from families import Check, Family
 from operators import Mutation
-from tree import ISAS, Tree, TreeError, environment
+from tree import ISAS, Overlay, TreeError, environment
 
 FAILED = re.compile(r"\[  FAILED  \] ([^\s,]+)")
 RUNNING = re.compile(r"\[ RUN      \] (\S+)")
@@ -30,27 +28,16 @@ class Verdict:
     test: str = ""
 
 
-@dataclass
 class Trial:
-    """Tries mutants on a tree; knows how long the unmutated programs take."""
+    """Tries mutants, one at a time. `seconds`, the times of the unmutated programs, can be shared."""
 
-    tree: Tree
-    jobs: int = 1
-    seconds: dict[tuple[Check, int], float] = field(default_factory=dict)
+    def __init__(self, overlay: Overlay, seconds: dict[tuple[Check, int], float]) -> None:
+        self.overlay, self.tree, self.seconds = overlay, overlay.tree, seconds
 
     def judge(self, family: Family, file: str, mutation: Mutation) -> Verdict:
-        """Mutates the copy for as long as it takes; afterwards the file is as old as before, for the next build."""
-        path = self.tree.kernels / file
-        status = path.stat()
-        text = path.read_text(encoding="utf-8")
-        try:
-            path.write_text(mutation.apply(text), encoding="utf-8")
-            return self._judge(family, file)
-        finally:
-            path.write_text(text, encoding="utf-8")
-            os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
-
-    def _judge(self, family: Family, file: str) -> Verdict:
+        """What becomes of a mutation of a file of kernels/."""
+        text = (self.tree.kernels / file).read_text(encoding="utf-8")
+        self.overlay.mutate(file, mutation.apply(text))
         wanted = set().union(*(self.tree.inputs[check.program] for check in family.checks))
         names = [name for name in self.tree.objects.get(f"kernels/{file}", []) if name in wanted]
         changed: list[str] = []
@@ -79,28 +66,23 @@ class Trial:
 
     def _changed(self, names: Sequence[str]) -> list[str] | None:
         """Those whose code differs; none if one is not accepted by the compiler."""
-        with ThreadPoolExecutor(self.jobs) as pool:
-            for start in range(0, len(names), self.jobs):
-                if None in pool.map(self.tree.compile, names[start:start + self.jobs]):
-                    return None
-        return [name for name in names if not self.tree.is_unchanged(name)]
+        if not all(self.overlay.compile(name) for name in names):
+            return None
+        return [name for name in names if not self.overlay.is_unchanged(name)]
 
     def _killer(self, family: Family, stage: int, changed: Sequence[str]) -> Verdict | None:
+        linked: set[str] = set()
         for check in family.checks:
             if not self.tree.inputs[check.program].intersection(changed):
                 continue
             limit = 5 * self._usual_seconds(check, stage) + 10
-            program = self.tree.mutant / check.program
-            if not program.exists() or program.stat().st_mtime < self._latest(changed):
-                if self.tree.link(check.program, changed) is None:
-                    return Verdict("not compiled", f"{check.program} does not link")
-            test = run(program, check, stage, limit)
+            if check.program not in linked and not self.overlay.link(check.program, changed):
+                return Verdict("not compiled", f"{check.program} does not link")
+            linked.add(check.program)
+            test = run(self.overlay.program(check.program), check, stage, limit)
             if test is not None:
                 return Verdict("killed", test)
         return None
-
-    def _latest(self, changed: Sequence[str]) -> float:
-        return max((self.tree.mutant / name).stat().st_mtime for name in changed)
 
     def _usual_seconds(self, check: Check, stage: int) -> float:
         if (check, stage) not in self.seconds:
