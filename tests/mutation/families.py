@@ -8,20 +8,26 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Check:
-    """A test program, or some of its tests."""
+    """A test program, or some of its tests; {stem} stands for the name of the mutated file."""
 
     program: str
     tests: str = "*"
 
+    def of(self, file: str) -> Check:
+        """The same for one file."""
+        return Check(self.program, self.tests.replace("{stem}", Path(file).stem))
+
 
 @dataclass(frozen=True)
 class Family:
-    """`sources` are patterns of files in kernels/. `first` are sources that are compiled and tested
-    before the other files that include a changed header, as they suffice for most mutants."""
+    """`sources` are patterns of files in kernels/. `checks` take seconds and notice most mutants; the
+    `thorough` ones are for those that survive. Of the files that include a changed header,
+    those in `first` are compiled and tested first."""
 
     name: str
     sources: tuple[str, ...]
     checks: tuple[Check, ...]
+    thorough: tuple[Check, ...]
     first: tuple[str, ...] = ()
 
     def files(self, kernels: Path) -> list[str]:
@@ -30,54 +36,64 @@ class Family:
         return sorted(str(path.relative_to(kernels)) for path in found)
 
 
-GOLDEN = Check("golden_test", "*outputs_equal*")
-APPLY = Check("custom_rules_test")
-API = Check("api_test")
-
-
 def crosscheck(*operations: str, images: str = "*") -> Check:
     """Every variant against its reference."""
     return Check("crosscheck_test", ":".join(f"*/{operation}_on_{images}" for operation in operations))
 
 
-THINNING = (crosscheck("thin_*", images="sheets"), crosscheck("thin_*", images="shapes"), GOLDEN,
-            Check("thinning_test"), Check("batch_test"), crosscheck("thin_*"), APPLY, API)
-NETS = (crosscheck("net_*", images="sheets"), crosscheck("net_*", images="shapes"), Check("nets_test"), GOLDEN,
-        crosscheck("net_*"), API)
-BATCHES = (Check("batch_test"), crosscheck("batch_*"), API, APPLY)
-MIDPOINTS = (crosscheck("skeleton_scan*", images="sheets"), Check("scan_test"), GOLDEN, crosscheck("skeleton_scan*"), API)
-EDGES = (crosscheck("edges_*"), Check("edges_test"), GOLDEN, API)
-REGIONS = (Check("regions_test"), crosscheck("components", "euler_number*", "fill_holes", "holes"), GOLDEN, API)
-LOCALISE = (Check("localise_test"), crosscheck("localise_*"), GOLDEN, API)
-CUSTOM = (APPLY, Check("custom_tables_test"), crosscheck("apply_*"), GOLDEN)
+# Rules of one and two stages, with and without borders, stand for all where the code is not a rule.
+SOME = ("thin_guo_hall", "thin_guo_hall_keep", "thin_mb2", "thin_mb2_keep")
+GOLDEN = Check("golden_test", "*outputs_equal*")
+API = Check("api_test")
+CORE = Check("core_test")
+EDGES = Check("edges_test")
+LOCALISE = Check("localise_test")
+NETS = Check("nets_test")
+SCAN = Check("scan_test")
+SOME_APPLY = Check("custom_rules_test", "*RandomRules*/0:BuiltIn*:Foreground*:Apply*")
+APPLY = Check("custom_rules_test")
+ITERATE = Check("thinning_test", "*Iterate*:*Tile*:*State*-*threads*")
+SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN)
+THINNING = (Check("thinning_test"), Check("batch_test"), crosscheck("thin_*"), APPLY, API)
 ENGINES = "thinning/engines/"
 ITERATION = "thinning/iteration/"
 
 FAMILIES = (
-    Family("rules", ("thinning/rules/*.hpp",), THINNING, first=(ENGINES + "bitpacked.cpp",)),
+    Family("rules", ("thinning/rules/*.hpp",),
+           (crosscheck("thin_{stem}", "thin_{stem}_keep", images="shapes"), GOLDEN), THINNING,
+           first=(ENGINES + "bitpacked.cpp", ENGINES + "simd.cpp")),
     Family("planes", (ENGINES + "word_scan.hpp", ENGINES + "lut.cpp", ENGINES + "autovec.cpp",
                       ENGINES + "passes.hpp", ENGINES + "rule_table.hpp", ITERATION + "iterate.*",
-                      ITERATION + "pass_state.hpp", ITERATION + "plane_state.hpp"), THINNING + NETS),
-    Family("rows", (ENGINES + "row_kernel.*", ITERATION + "row_state.hpp"), THINNING + NETS),
-    Family("tiles", (ENGINES + "tile_*", ITERATION + "iterate_tiles.*", ITERATION + "tile_state.*"), THINNING),
-    Family("lanes", (ENGINES + "lane_*", ENGINES + "layouts.hpp", "api/batch.cpp"), BATCHES),
-    Family("spta", (ENGINES + "spta*",), THINNING),
-    Family("midpoints", ("midpoints/*",), MIDPOINTS),
-    Family("nets", ("nets/*",), NETS),
-    Family("edges", ("edges/*",), EDGES),
-    Family("regions", ("regions/*",), REGIONS),
-    Family("localise", ("localise/*",), LOCALISE),
-    Family("custom", ("custom/*",), CUSTOM),
+                      ITERATION + "pass_state.hpp", ITERATION + "plane_state.hpp"),
+           SOME_THINNING + (ITERATE,), THINNING + (crosscheck("net_*"),),
+           first=(ENGINES + "bitpacked.cpp", ITERATION + "iterate.cpp", "thinning/variants.cpp")),
+    Family("rows", (ENGINES + "row_kernel.*", ITERATION + "row_state.hpp"), SOME_THINNING,
+           THINNING + (crosscheck("net_*"),)),
+    Family("tiles", (ENGINES + "tile_*", ITERATION + "iterate_tiles.*", ITERATION + "tile_state.*"),
+           (*SOME_THINNING, ITERATE, crosscheck(*SOME, images="tiles")), THINNING),
+    Family("lanes", (ENGINES + "lane_*", ENGINES + "layouts.hpp", "api/batch.cpp"),
+           (crosscheck("batch_*"), Check("batch_test")), (API, APPLY)),
+    Family("spta", (ENGINES + "spta*",), (crosscheck("thin_spta", "thin_spta_keep"), GOLDEN), THINNING),
+    Family("midpoints", ("midpoints/*",), (crosscheck("skeleton_scan*", images="sheets"), SCAN, GOLDEN),
+           (crosscheck("skeleton_scan*"), API)),
+    Family("nets", ("nets/*",), (NETS, crosscheck("net_*", images="shapes"), GOLDEN), (crosscheck("net_*"), API)),
+    Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN), (API,)),
+    Family("regions", ("regions/*",), (Check("regions_test"), GOLDEN, LOCALISE),
+           (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),
+    Family("localise", ("localise/*",), (LOCALISE, crosscheck("localise_*"), GOLDEN), (API,)),
+    Family("custom", ("custom/*",), (Check("custom_tables_test"), SOME_APPLY), (APPLY, crosscheck("apply_*"), GOLDEN)),
     Family("image", ("image/byte_image.*", "image/layout.hpp", "image/packed_rows.cpp", "image/packing.cpp",
-                     "image/plane*"), (Check("core_test"),) + THINNING + EDGES + REGIONS),
-    Family("simd", ("simd/*",), (Check("core_test"),) + THINNING + EDGES + REGIONS + MIDPOINTS + NETS + CUSTOM,
+                     "image/plane*"), (CORE, LOCALISE, GOLDEN, Check("api_test", "*Pack*:*pack*")),
+           (*THINNING, EDGES, SCAN)),
+    Family("simd", ("simd/*",), (CORE, EDGES, NETS, SCAN, LOCALISE, *SOME_THINNING),
+           (*THINNING, Check("regions_test"), crosscheck("net_*")),
            first=("image/packing.cpp", ENGINES + "simd.cpp", "edges/simd.cpp")),
     Family("api", ("api/canvases.*", "api/catalogue.cpp", "api/custom_rule.cpp", "api/edges.cpp", "api/labels.cpp",
                    "api/localise.cpp", "api/many.cpp", "api/packed.cpp", "api/regions.cpp", "api/thinning.cpp"),
-           (API, Check("custom_rules_test"), GOLDEN)),
+           (API,), (SOME_APPLY, Check("batch_test"), LOCALISE, GOLDEN)),
 )
 
 
 def programs() -> list[str]:
     """All test programs."""
-    return sorted({check.program for family in FAMILIES for check in family.checks})
+    return sorted({check.program for family in FAMILIES for check in family.checks + family.thorough})

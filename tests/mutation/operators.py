@@ -59,11 +59,13 @@ class Mutation:
 def mutations(text: str) -> list[Mutation]:
     """All mutations of a file, by position."""
     found: list[Mutation] = []
+    originals = text.split("\n")
     before = ";"
     for number, line in enumerate(_code(text).split("\n"), 1):
         if not SKIPPED.search(line):
             changes = list(_of_line(line)) + (_dropped_statement(line) if before[-1] in ";{}:)" else [])
-            found += [Mutation(operator, number, *change) for operator, change in changes]
+            found += [Mutation(operator, number, *change) for operator, change in changes
+                      if originals[number - 1].startswith(change[1], change[0])]  # nothing hidden within
         before = line.rstrip() or before
     return found
 

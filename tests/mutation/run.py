@@ -8,7 +8,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from itertools import count
 from pathlib import Path
 from queue import Queue
@@ -19,10 +19,10 @@ sys.path.insert(0, str(ROOT))
 # pylint: disable=wrong-import-position
 from choice import (Candidate, Equivalent, Result, append_result, candidates, read_equivalents,  # noqa: E402
                     read_results, result_of, stale)
-from families import FAMILIES, Check, Family  # noqa: E402
+from families import FAMILIES, Family  # noqa: E402
 from report.progress import Progress  # noqa: E402
 from tree import Overlay, Tree, TreeError  # noqa: E402
-from trial import Trial  # noqa: E402
+from trial import Trial, Usual  # noqa: E402
 
 RESULTS = "results.jsonl"
 EQUIVALENTS = Path(__file__).with_name("equivalent.json")
@@ -48,7 +48,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         wanted = -(-options.number // len(families))
         if options.number > 0 or options.again:
-            _try_all(Trials(options.directory, options.jobs), families, wanted, options, results)
+            end = time.monotonic() + 60 * options.minutes
+            trials = Trials(options.directory, options.jobs)
+            if not options.again:
+                _try_all(trials, _queues(families, options.seed), wanted, end, results)
+            if not options.quick:
+                _try_survivors(trials, _queues(families, options.seed), end, results)
     except TreeError as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
@@ -66,7 +71,8 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--family", action="append", choices=[family.name for family in FAMILIES],
                         help="only this one; may be repeated")
     parser.add_argument("--seed", type=int, default=1, help="of the choice (default: 1)")
-    parser.add_argument("--again", action="store_true", help="try those that survived once more")
+    parser.add_argument("--again", action="store_true", help="only try those that survived once more")
+    parser.add_argument("--quick", action="store_true", help="leave out the thorough tests of those that survive")
     parser.add_argument("--jobs", type=int, default=1, help="mutants at a time (default: 1)")
     parser.add_argument("--minutes", type=float, default=240, help="stop after this time (default: 240)")
     parser.add_argument("--directory", type=Path, default=ROOT / "build" / "mutation",
@@ -83,53 +89,67 @@ class Trials:
     def __init__(self, directory: Path, jobs: int) -> None:
         tree = Tree(directory)
         tree.prepare(jobs)
-        seconds: dict[tuple[Check, int], float] = {}
-        self.free: Queue[Trial] = Queue()
+        usual = Usual(tree, directory / "seconds.json")
+        self.jobs, self.free = jobs, Queue[Trial]()
         for job in range(jobs):
-            self.free.put(Trial(Overlay(tree, directory / f"mutant-{job}"), seconds))
+            self.free.put(Trial(Overlay(tree, directory / f"mutant-{job}"), usual))
         self.pool = ThreadPoolExecutor(jobs)
         self.file = directory / RESULTS
 
-    def results(self, chosen: Sequence[tuple[Family, Candidate]]) -> Iterator[Result]:
-        """In the same order; each is kept at once."""
-        for result in self.pool.map(self._result, chosen):
+    def results(self, chosen: Sequence[tuple[Family, Candidate]], thorough: bool) -> Iterator[Result]:
+        """Each is kept at once."""
+        waiting = [self.pool.submit(self._result, family, candidate, thorough) for family, candidate in chosen]
+        for future in as_completed(waiting):
+            result = future.result()
             append_result(self.file, result)
             if result.state == "survived":
                 print(f"survived: {_text(result)}", flush=True)
             yield result
 
-    def _result(self, chosen: tuple[Family, Candidate]) -> Result:
-        family, candidate = chosen
+    def _result(self, family: Family, candidate: Candidate, thorough: bool) -> Result:
         trial = self.free.get()
         try:
             start = time.monotonic()
-            verdict = trial.judge(family, candidate.file, candidate.mutation)
+            verdict = trial.judge(family, candidate.file, candidate.mutation, thorough)
             return result_of(candidate, verdict.state, verdict.test, time.monotonic() - start)
         finally:
             self.free.put(trial)
 
 
-def _try_all(trials: Trials, families: Sequence[Family], wanted: int, options: argparse.Namespace,
-             results: dict[str, Result]) -> None:
+Queues = dict[Family, list[Candidate]]
+
+
+def _queues(families: Sequence[Family], seed: int) -> Queues:
+    return {family: candidates(family, ROOT / "kernels", seed) for family in families}
+
+
+def _try_all(trials: Trials, queues: Queues, wanted: int, end: float, results: dict[str, Result]) -> None:
     """The families by turns, so that a run cut short is even and the choice depends on the seed alone."""
-    end = time.monotonic() + 60 * options.minutes
-    queues = {family: candidates(family, ROOT / "kernels", options.seed) for family in families}
-    if options.again:
-        queues = {family: [one for one in queue if one.key in results and results[one.key].state == "survived"]
-                  for family, queue in queues.items()}
-    counted = Counter({family: 0 for family in families})
-    progress = Progress("mutants", wanted * len(families))
+    counted = Counter({family: 0 for family in queues})
+    progress = Progress("mutants", wanted * len(queues))
     for turn in count():
-        chosen = [(family, queues[family][turn]) for family in families
-                  if turn < len(queues[family]) and counted[family] < wanted]
+        chosen = [(family, queue[turn]) for family, queue in queues.items()
+                  if turn < len(queue) and counted[family] < wanted]
         if not chosen or time.monotonic() > end:
             return
-        new = [one for one in chosen if options.again or one[1].key not in results]
-        for result in trials.results(new):
+        for result in trials.results([one for one in chosen if one[1].key not in results], thorough=False):
             results[result.key] = result
         for family, candidate in chosen:
             counted[family] += results[candidate.key].counts()
-        progress.set(sum(counted.values()), wanted * len(families))
+        progress.set(sum(counted.values()), wanted * len(queues))
+
+
+def _try_survivors(trials: Trials, queues: Queues, end: float, results: dict[str, Result]) -> None:
+    """Those that survived the quick checks, by the thorough ones."""
+    chosen = [(family, one) for family, queue in queues.items() for one in queue
+              if one.key in results and results[one.key].state == "survived"]
+    progress = Progress("survivors", len(chosen))
+    for start in range(0, len(chosen), trials.jobs):
+        if time.monotonic() > end:
+            return
+        for result in trials.results(chosen[start:start + trials.jobs], thorough=True):
+            results[result.key] = result
+            progress.advance(1)
 
 
 def _current(families: Sequence[Family], seed: int, results: dict[str, Result]) -> list[Result]:

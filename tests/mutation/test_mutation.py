@@ -17,7 +17,7 @@ from families import FAMILIES, Check, Family  # noqa: E402
 from operators import mutations  # noqa: E402
 from run import EQUIVALENTS, ROOT, main  # noqa: E402
 from tree import EDITS, Overlay, Tree  # noqa: E402
-from trial import Trial, Verdict  # noqa: E402
+from trial import Trial, Usual, Verdict  # noqa: E402
 
 
 def changes(line: str) -> set[tuple[str, str]]:
@@ -95,19 +95,20 @@ def toy_trial(tmp_path: Path) -> Trial:
     """A trial of a file with a function and of a program that tests it."""
     tree = Tree(tmp_path)
     tree.kernels.mkdir(parents=True)
-    tree.build.joinpath("bin").mkdir(parents=True)
+    for name in ("bin", "kernels"):
+        (tree.build / name).mkdir(parents=True)
     (tree.kernels / "toy.cpp").write_text(TOY, encoding="utf-8")
     (tree.build / "test.cpp").write_text(TOY_TEST, encoding="utf-8")
-    tree.objects = {"kernels/toy.cpp": ["toy.o"]}
-    tree.commands = {"toy.o": ["g++", "-O1", "-c", str(tree.kernels / "toy.cpp"), "-o", "toy.o"]}
-    tree.links = {"toy_test": ["g++", "test.o", "toy.o", "-o", "bin/toy_test"]}
-    tree.inputs = {"toy_test": {"test.o", "toy.o"}}
-    for command in (["g++", "-c", "test.cpp"], tree.commands["toy.o"], tree.links["toy_test"]):
+    tree.objects = {"kernels/toy.cpp": ["kernels/toy.o"]}
+    tree.commands = {"kernels/toy.o": ["g++", "-O1", "-c", str(tree.kernels / "toy.cpp"), "-o", "kernels/toy.o"]}
+    tree.links = {"toy_test": ["g++", "test.o", "kernels/toy.o", "-o", "bin/toy_test"]}
+    tree.inputs = {"toy_test": {"test.o", "kernels/toy.o"}}
+    for command in (["g++", "-c", "test.cpp"], tree.commands["kernels/toy.o"], tree.links["toy_test"]):
         subprocess.run(command, cwd=tree.build, check=True)
-    return Trial(Overlay(tree, tmp_path / "mutant"), {(Check("toy_test"), 0): -1.9})  # a limit of half a second
+    return Trial(Overlay(tree, tmp_path / "mutant"), Usual(tree, tmp_path / "seconds.json"))
 
 
-FAMILY = Family("toy", ("toy.cpp",), (Check("toy_test"),))
+FAMILY = Family("toy", ("toy.cpp",), (Check("toy_test"),), ())
 
 
 def verdict(trial: Trial, before: str, after: str) -> Verdict:
@@ -132,7 +133,7 @@ def test_a_mutant_that_never_ends_is_killed(toy: Trial) -> None:
 
 
 def test_what_the_compiler_rejects_does_not_count(toy: Trial) -> None:
-    toy.tree.commands["toy.o"].append("-no-such-option")
+    toy.tree.commands["kernels/toy.o"].append("-no-such-option")
     assert verdict(toy, "i < n", "i <= n") == Verdict("not compiled")
 
 

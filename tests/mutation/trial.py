@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+import json
 import re
 import resource
 import signal
 import subprocess
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from families import Check, Family
 from operators import Mutation
-from tree import ISAS, Overlay, TreeError, environment
+from tree import ISAS, Overlay, Tree, TreeError, environment
 
 FAILED = re.compile(r"\[  FAILED  \] ([^\s,]+)")
 RUNNING = re.compile(r"\[ RUN      \] (\S+)")
 MEMORY = 8 << 30
+ALONE = 2  # files
 
 
 @dataclass(frozen=True)
@@ -28,41 +31,66 @@ class Verdict:
     test: str = ""
 
 
+class Usual:
+    """The seconds that tests of the unmutated programs take; kept in a file."""
+
+    def __init__(self, tree: Tree, file: Path) -> None:
+        self.tree, self.file = tree, file
+        self.known: dict[str, float] = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+
+    def seconds(self, check: Check, stage: int) -> float:
+        """With the ISA of a stage."""
+        key = f"{check.program} {check.tests} {ISAS[stage]}"
+        if key not in self.known:
+            start = time.monotonic()
+            test = run(self.tree.program(check.program), check, stage, 600)
+            if test is not None:
+                raise TreeError(f"{check.program} {check.tests} fails without a mutation: {test}")
+            self.known[key] = round(time.monotonic() - start, 1)
+            self.file.write_text(json.dumps(self.known, indent=1), encoding="utf-8")
+        return self.known[key]
+
+
 class Trial:
-    """Tries mutants, one at a time. `seconds`, the times of the unmutated programs, can be shared."""
+    """Tries mutants, one at a time. `usual`, the seconds of the unmutated programs, can be shared."""
 
-    def __init__(self, overlay: Overlay, seconds: dict[tuple[Check, int], float]) -> None:
-        self.overlay, self.tree, self.seconds = overlay, overlay.tree, seconds
+    def __init__(self, overlay: Overlay, usual: Usual) -> None:
+        self.overlay, self.tree, self.usual = overlay, overlay.tree, usual
 
-    def judge(self, family: Family, file: str, mutation: Mutation) -> Verdict:
+    def judge(self, family: Family, file: str, mutation: Mutation, thorough: bool = False) -> Verdict:
         """What becomes of a mutation of a file of kernels/."""
+        checks = [check.of(file) for check in family.checks + (family.thorough if thorough else ())]
         text = (self.tree.kernels / file).read_text(encoding="utf-8")
         self.overlay.mutate(file, mutation.apply(text))
-        wanted = set().union(*(self.tree.inputs[check.program] for check in family.checks))
-        names = [name for name in self.tree.objects.get(f"kernels/{file}", []) if name in wanted]
+        # Several files may agree on a constant of a header: all of them are compiled before the tests run.
+        shared = file.endswith(".hpp") and "constexpr" in text.split("\n")[mutation.line - 1]
+        wanted = set().union(*(self.tree.inputs[check.program] for check in checks))
+        names = [name for name in self.tree.objects.get(f"kernels/{file}", []) if name in wanted and
+                 (shared or thorough or self.tree.is_kernel(name))]
         changed: list[str] = []
-        for stage, part in self._stages(family, names):
+        for stage, part in self._stages(family, names, shared):
             new = self._changed(part)
             if new is None:
                 return Verdict("not compiled")
             changed += new
-            if not new:
-                continue
-            killer = self._killer(family, stage, changed)
+            killer = self._killer(checks, stage, changed) if new else None
             if killer is not None:
                 return killer
         return Verdict("survived" if changed else "same code")
 
-    def _stages(self, family: Family, names: Sequence[str]) -> list[tuple[int, list[str]]]:
-        """What to compile before the tests run: first a few files, then the baseline's and common ones,
-        then those of each further ISA. Until then that ISA is not available."""
-        first = [name for name in names if self.tree.stage_of(name) == 0 and
-                 any(name.endswith(f"/{source}.o") for source in family.first)]
-        stages = [(0, first)]
+    def _stages(self, family: Family, names: Sequence[str], together: bool) -> Iterator[tuple[int, list[str]]]:
+        """What to compile before the tests run, and the ISA that is available then. Unless all are needed together,
+        the first files come alone, as they suffice for most mutants."""
+        def order(name: str) -> tuple[bool, float]:
+            return not any(name.endswith(f"/{source}.o") for source in family.first), self.tree.cost(name)
+
         for stage in range(len(ISAS)):
-            stages.append((stage, [name for name in names if self.tree.stage_of(name) == stage and
-                                   name not in first]))
-        return [(stage, part) for stage, part in stages if part]
+            part = sorted((name for name in names if self.tree.stage_of(name) == stage), key=order)
+            alone = 0 if together else max(0, min(ALONE, len(part) - 1))
+            for name in part[:alone]:
+                yield stage, [name]
+            if part:
+                yield stage, part[alone:]
 
     def _changed(self, names: Sequence[str]) -> list[str] | None:
         """Those whose code differs; none if one is not accepted by the compiler."""
@@ -70,12 +98,12 @@ class Trial:
             return None
         return [name for name in names if not self.overlay.is_unchanged(name)]
 
-    def _killer(self, family: Family, stage: int, changed: Sequence[str]) -> Verdict | None:
+    def _killer(self, checks: Sequence[Check], stage: int, changed: Sequence[str]) -> Verdict | None:
         linked: set[str] = set()
-        for check in family.checks:
+        for check in checks:
             if not self.tree.inputs[check.program].intersection(changed):
                 continue
-            limit = 5 * self._usual_seconds(check, stage) + 10
+            limit = 3 * self.usual.seconds(check, stage) + 2
             if check.program not in linked and not self.overlay.link(check.program, changed):
                 return Verdict("not compiled", f"{check.program} does not link")
             linked.add(check.program)
@@ -84,41 +112,34 @@ class Trial:
                 return Verdict("killed", test)
         return None
 
-    def _usual_seconds(self, check: Check, stage: int) -> float:
-        if (check, stage) not in self.seconds:
-            start = time.monotonic()
-            test = run(self.tree.program(check.program), check, stage, 600)
-            if test is not None:
-                raise TreeError(f"{check.program} {check.tests} fails without a mutation: {test}")
-            self.seconds[check, stage] = time.monotonic() - start
-        return self.seconds[check, stage]
-
 
 def run(program: Path, check: Check, stage: int, limit: float) -> str | None:
-    """The first test that fails, or none."""
+    """The first test that fails, or none. The limit is of seconds of the processor; a test that waits has more."""
     isas = sorted({ISAS[0], ISAS[stage]})
     command = [str(program), f"--gtest_filter={check.tests}"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment(isas),
-                          preexec_fn=_limit_memory) as process:
+                          preexec_fn=partial(_limit, int(limit) + 1)) as process:
         try:
-            output = process.communicate(timeout=limit)[0].decode(errors="replace")
+            output = process.communicate(timeout=60 + 5 * limit)[0].decode(errors="replace")
         except subprocess.TimeoutExpired:
             process.kill()
-            return f"{_last(process.communicate()[0].decode(errors='replace'), check)} (time limit)"
+            output = process.communicate()[0].decode(errors="replace")
     if process.returncode == 0:
         return None
     failed = FAILED.search(output)
     if failed:
         return failed[1]
-    end = signal.Signals(-process.returncode).name if process.returncode < 0 else f"status {process.returncode}"
-    return f"{_last(output, check)} ({end})"
+    started = RUNNING.findall(output) or [check.program]
+    return f"{started[-1]} ({_end(process.returncode)})"
 
 
-def _last(output: str, check: Check) -> str:
-    started: list[str] = RUNNING.findall(output)
-    return started[-1] if started else check.program
+def _end(status: int) -> str:
+    if status in (-signal.SIGXCPU, -signal.SIGKILL):
+        return "time limit"
+    return signal.Signals(-status).name if status < 0 else f"status {status}"
 
 
-def _limit_memory() -> None:
+def _limit(seconds: int) -> None:
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
