@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 
@@ -12,10 +12,11 @@ class Check:
 
     program: str
     tests: str = "*"
+    variables: tuple[tuple[str, str], ...] = ()  # of the environment
 
     def of(self, file: str) -> Check:
         """The same for one file."""
-        return Check(self.program, self.tests.replace("{stem}", Path(file).stem))
+        return replace(self, tests=self.tests.replace("{stem}", Path(file).stem))
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,7 @@ LOCALISE = Check("localise_test")
 NETS = Check("nets_test")
 SCAN = Check("scan_test")
 SOME_APPLY = Check("custom_rules_test", "*RandomRules*/0:BuiltIn*:Foreground*:Apply*")
+INTERPRETED = Check("custom_rules_test", "*RandomRules*/0:BuiltIn*", (("THINBENCH_MACHINE_CODE", "off"),))
 APPLY = Check("custom_rules_test")
 ITERATE = Check("thinning_test", "*Iterate*:*Tile*:*State*-*threads*")
 SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN)
@@ -81,7 +83,7 @@ FAMILIES = (
     Family("regions", ("regions/*",), (Check("regions_test"), GOLDEN, LOCALISE),
            (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),
     Family("localise", ("localise/*",), (LOCALISE, crosscheck("localise_*"), GOLDEN), (API,)),
-    Family("custom", ("custom/*",), (Check("custom_tables_test"), SOME_APPLY), (APPLY, crosscheck("apply_*"), GOLDEN)),
+    Family("custom", ("custom/*",), (Check("custom_tables_test"), SOME_APPLY, INTERPRETED), (APPLY, crosscheck("apply_*"), GOLDEN)),
     Family("image", ("image/byte_image.*", "image/layout.hpp", "image/packed_rows.cpp", "image/packing.cpp",
                      "image/plane*"), (CORE, LOCALISE, GOLDEN, Check("api_test", "*Pack*:*pack*")),
            (*THINNING, EDGES, SCAN)),

@@ -9,7 +9,6 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from itertools import count
 from pathlib import Path
 from queue import Queue
 
@@ -26,6 +25,7 @@ from trial import Trial, Usual  # noqa: E402
 
 RESULTS = "results.jsonl"
 EQUIVALENTS = Path(__file__).with_name("equivalent.json")
+BY_TURNS = 4
 REQUIRED = 98  # per cent of the mutants that count
 EXAMPLES = """Examples:
   python3 tests/mutation/run.py                      about 330 mutants, or the rest of them
@@ -124,16 +124,21 @@ def _queues(families: Sequence[Family], seed: int) -> Queues:
 
 
 def _try_all(trials: Trials, queues: Queues, wanted: int, end: float, results: dict[str, Result]) -> None:
-    """The families by turns, so that a run cut short is even and the choice depends on the seed alone."""
+    """A few of each family by turns, so that a run cut short is even and the choice depends on the seed alone."""
     counted = Counter({family: 0 for family in queues})
+    tried = Counter({family: 0 for family in queues})
     progress = Progress("mutants", wanted * len(queues))
-    for turn in count():
-        chosen = [(family, queue[turn]) for family, queue in queues.items()
-                  if turn < len(queue) and counted[family] < wanted]
-        if not chosen or time.monotonic() > end:
+    while time.monotonic() < end:
+        chosen = []
+        for family, queue in queues.items():
+            few = queue[tried[family]:][:min(BY_TURNS, wanted - counted[family])]
+            tried[family] += len(few)
+            chosen += [(family, one) for one in few]
+        if not chosen:
             return
         for result in trials.results([one for one in chosen if one[1].key not in results], thorough=False):
             results[result.key] = result
+            progress.advance(result.counts())
         for family, candidate in chosen:
             counted[family] += results[candidate.key].counts()
         progress.set(sum(counted.values()), wanted * len(queues))

@@ -19,6 +19,7 @@ from tree import ISAS, Overlay, Tree, TreeError, environment
 
 FAILED = re.compile(r"\[  FAILED  \] ([^\s,]+)")
 RUNNING = re.compile(r"\[ RUN      \] (\S+)")
+SHARED = re.compile(r"^(  static|inline) constexpr .*\bk[A-Z]\w+ =")
 MEMORY = 8 << 30
 ALONE = 2  # files
 
@@ -40,7 +41,7 @@ class Usual:
 
     def seconds(self, check: Check, stage: int) -> float:
         """With the ISA of a stage."""
-        key = f"{check.program} {check.tests} {ISAS[stage]}"
+        key = " ".join([check.program, check.tests, ISAS[stage], *map("=".join, check.variables)])
         if key not in self.known:
             start = time.monotonic()
             test = run(self.tree.program(check.program), check, stage, 600)
@@ -63,7 +64,7 @@ class Trial:
         text = (self.tree.kernels / file).read_text(encoding="utf-8")
         self.overlay.mutate(file, mutation.apply(text))
         # Several files may agree on a constant of a header: all of them are compiled before the tests run.
-        shared = file.endswith(".hpp") and "constexpr" in text.split("\n")[mutation.line - 1]
+        shared = file.endswith(".hpp") and SHARED.search(text.split("\n")[mutation.line - 1]) is not None
         wanted = set().union(*(self.tree.inputs[check.program] for check in checks))
         names = [name for name in self.tree.objects.get(f"kernels/{file}", []) if name in wanted and
                  (shared or thorough or self.tree.is_kernel(name))]
@@ -117,7 +118,7 @@ def run(program: Path, check: Check, stage: int, limit: float) -> str | None:
     """The first test that fails, or none. The limit is of seconds of the processor; a test that waits has more."""
     isas = sorted({ISAS[0], ISAS[stage]})
     command = [str(program), f"--gtest_filter={check.tests}"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment(isas),
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**environment(isas), **dict(check.variables)},
                           preexec_fn=partial(_limit, int(limit) + 1)) as process:
         try:
             output = process.communicate(timeout=60 + 5 * limit)[0].decode(errors="replace")
