@@ -51,9 +51,9 @@ EDGES = Check("edges_test")
 LOCALISE = Check("localise_test")
 NETS = Check("nets_test")
 SCAN = Check("scan_test")
-SOME_APPLY = Check("custom_rules_test", "*RandomRules*/0:BuiltIn*:Foreground*:Apply*")
-INTERPRETED = Check("custom_rules_test", "*RandomRules*/0:BuiltIn*", (("THINBENCH_MACHINE_CODE", "off"),))
-APPLY = Check("custom_rules_test")
+SOME_APPLY = Check("custom_rules_test", "*RandomRules*variant/1:*lanes/1:BuiltIn*:Apply*")
+INTERPRETED = Check("custom_rules_test", "*RandomRules*variant/1:BuiltIn*", (("THINBENCH_MACHINE_CODE", "off"),))
+APPLY = Check("custom_rules_test", "-ThoroughSearch*")
 ITERATE = Check("thinning_test", "*Iterate*:*Tile*:*State*-*threads*")
 SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN)
 THINNING = (Check("thinning_test"), Check("batch_test"), crosscheck("thin_*"), APPLY, API)
@@ -63,7 +63,7 @@ ITERATION = "thinning/iteration/"
 FAMILIES = (
     Family("rules", ("thinning/rules/*.hpp",),
            (crosscheck("thin_{stem}", "thin_{stem}_keep", images="shapes"), GOLDEN), THINNING,
-           first=(ENGINES + "bitpacked.cpp", ENGINES + "simd.cpp")),
+           first=(ENGINES + "bitpacked.cpp", ENGINES + "autovec.cpp", ENGINES + "simd.cpp")),
     Family("planes", (ENGINES + "word_scan.hpp", ENGINES + "lut.cpp", ENGINES + "autovec.cpp",
                       ENGINES + "passes.hpp", ENGINES + "rule_table.hpp", ITERATION + "iterate.*",
                       ITERATION + "pass_state.hpp", ITERATION + "plane_state.hpp"),
@@ -72,13 +72,13 @@ FAMILIES = (
     Family("rows", (ENGINES + "row_kernel.*", ITERATION + "row_state.hpp"), SOME_THINNING,
            THINNING + (crosscheck("net_*"),)),
     Family("tiles", (ENGINES + "tile_*", ITERATION + "iterate_tiles.*", ITERATION + "tile_state.*"),
-           (*SOME_THINNING, ITERATE, crosscheck(*SOME, images="tiles")), THINNING),
+           (*SOME_THINNING, ITERATE), THINNING),
     Family("lanes", (ENGINES + "lane_*", ENGINES + "layouts.hpp", "api/batch.cpp"),
-           (crosscheck("batch_*"), Check("batch_test")), (API, APPLY)),
-    Family("spta", (ENGINES + "spta*",), (crosscheck("thin_spta", "thin_spta_keep"), GOLDEN), THINNING),
+           (crosscheck("batch_*"), Check("batch_test"), SOME_APPLY), (API, APPLY)),
+    Family("spta", (ENGINES + "spta*",), (crosscheck("thin_spta", "thin_spta_keep", images="sh*"), GOLDEN), THINNING),
     Family("midpoints", ("midpoints/*",), (crosscheck("skeleton_scan*", images="sheets"), SCAN, GOLDEN),
            (crosscheck("skeleton_scan*"), API)),
-    Family("nets", ("nets/*",), (NETS, crosscheck("net_*", images="shapes"), GOLDEN), (crosscheck("net_*"), API)),
+    Family("nets", ("nets/*",), (NETS, GOLDEN, crosscheck("net_*_1", images="sheets")), (crosscheck("net_*"), API)),
     Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN), (API,)),
     Family("regions", ("regions/*",), (Check("regions_test"), GOLDEN, LOCALISE),
            (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),

@@ -85,6 +85,7 @@ TOY = """int toy(int n) {
   return sum + 0;
 }
 """
+OBJECT = "kernels/CMakeFiles/thinbench_common.dir/toy.cpp.o"
 TOY_TEST = """int toy(int);
 int main() { return toy(3) == 3 && toy(0) == 0 ? 0 : 1; }
 """
@@ -95,15 +96,15 @@ def toy_trial(tmp_path: Path) -> Trial:
     """A trial of a file with a function and of a program that tests it."""
     tree = Tree(tmp_path)
     tree.kernels.mkdir(parents=True)
-    for name in ("bin", "kernels"):
+    for name in ("bin", "kernels/CMakeFiles/thinbench_common.dir"):
         (tree.build / name).mkdir(parents=True)
     (tree.kernels / "toy.cpp").write_text(TOY, encoding="utf-8")
     (tree.build / "test.cpp").write_text(TOY_TEST, encoding="utf-8")
-    tree.objects = {"kernels/toy.cpp": ["kernels/toy.o"]}
-    tree.commands = {"kernels/toy.o": ["g++", "-O1", "-c", str(tree.kernels / "toy.cpp"), "-o", "kernels/toy.o"]}
-    tree.links = {"toy_test": ["g++", "test.o", "kernels/toy.o", "-o", "bin/toy_test"]}
-    tree.inputs = {"toy_test": {"test.o", "kernels/toy.o"}}
-    for command in (["g++", "-c", "test.cpp"], tree.commands["kernels/toy.o"], tree.links["toy_test"]):
+    tree.objects = {"kernels/toy.cpp": [OBJECT]}
+    tree.commands = {OBJECT: ["g++", "-O1", "-c", str(tree.kernels / "toy.cpp"), "-o", OBJECT]}
+    tree.links = {"toy_test": ["g++", "test.o", OBJECT, "-o", "bin/toy_test"]}
+    tree.inputs = {"toy_test": {"test.o", OBJECT}}
+    for command in (["g++", "-c", "test.cpp"], tree.commands[OBJECT], tree.links["toy_test"]):
         subprocess.run(command, cwd=tree.build, check=True)
     return Trial(Overlay(tree, tmp_path / "mutant"), Usual(tree, tmp_path / "seconds.json"))
 
@@ -133,7 +134,7 @@ def test_a_mutant_that_never_ends_is_killed(toy: Trial) -> None:
 
 
 def test_what_the_compiler_rejects_does_not_count(toy: Trial) -> None:
-    toy.tree.commands["kernels/toy.o"].append("-no-such-option")
+    toy.tree.commands[OBJECT].append("-no-such-option")
     assert verdict(toy, "i < n", "i <= n") == Verdict("not compiled")
 
 

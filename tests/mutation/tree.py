@@ -112,9 +112,10 @@ class Tree:
         """Not an object of a test or of what tests use."""
         return name.startswith("kernels/")
 
-    def cost(self, name: str) -> float:
-        """Of compiling an object, as its size tells."""
-        return (self.build / name).stat().st_size
+    def source_of(self, name: str) -> str:
+        """The source of an object, relative to kernels/; empty if it is not there."""
+        match = OBJECT.match(name)
+        return match[2] if match else ""
 
     def program(self, name: str) -> Path:
         """The unmutated program."""

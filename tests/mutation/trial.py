@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from threading import Lock
 
 from families import Check, Family
 from operators import Mutation
@@ -21,7 +22,6 @@ FAILED = re.compile(r"\[  FAILED  \] ([^\s,]+)")
 RUNNING = re.compile(r"\[ RUN      \] (\S+)")
 SHARED = re.compile(r"^(  static|inline) constexpr .*\bk[A-Z]\w+ =")
 MEMORY = 8 << 30
-ALONE = 2  # files
 
 
 @dataclass(frozen=True)
@@ -32,24 +32,34 @@ class Verdict:
     test: str = ""
 
 
+@dataclass(frozen=True)
+class Step:
+    """What is compiled before the tests run, with the ISA of the stage; the last step of an ISA ends a quick trial."""
+
+    stage: int
+    names: list[str]
+    is_last: bool
+
+
 class Usual:
     """The seconds that tests of the unmutated programs take; kept in a file."""
 
     def __init__(self, tree: Tree, file: Path) -> None:
-        self.tree, self.file = tree, file
+        self.tree, self.file, self.lock = tree, file, Lock()
         self.known: dict[str, float] = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
 
     def seconds(self, check: Check, stage: int) -> float:
         """With the ISA of a stage."""
         key = " ".join([check.program, check.tests, ISAS[stage], *map("=".join, check.variables)])
-        if key not in self.known:
-            start = time.monotonic()
-            test = run(self.tree.program(check.program), check, stage, 600)
-            if test is not None:
-                raise TreeError(f"{check.program} {check.tests} fails without a mutation: {test}")
-            self.known[key] = round(time.monotonic() - start, 1)
-            self.file.write_text(json.dumps(self.known, indent=1), encoding="utf-8")
-        return self.known[key]
+        with self.lock:
+            if key not in self.known:
+                start = time.monotonic()
+                test = run(self.tree.program(check.program), check, stage, 600)
+                if test is not None:
+                    raise TreeError(f"{check.program} {check.tests} fails without a mutation: {test}")
+                self.known[key] = round(time.monotonic() - start, 1)
+                self.file.write_text(json.dumps(self.known, indent=1), encoding="utf-8")
+            return self.known[key]
 
 
 class Trial:
@@ -68,30 +78,34 @@ class Trial:
         wanted = set().union(*(self.tree.inputs[check.program] for check in checks))
         names = [name for name in self.tree.objects.get(f"kernels/{file}", []) if name in wanted and
                  (shared or thorough or self.tree.is_kernel(name))]
+        near = names if shared else [name for name in names if self._is_near(name, family, file)]
+        far = [name for name in names if name not in near]
         changed: list[str] = []
-        for stage, part in self._stages(family, names, shared):
-            new = self._changed(part)
+        for step in [*self._steps(family, near, shared), *self._steps(family, far, shared)]:
+            new = self._changed(step.names)
             if new is None:
                 return Verdict("not compiled")
             changed += new
-            killer = self._killer(checks, stage, changed) if new else None
+            killer = self._killer(checks, step.stage, changed) if new else None
             if killer is not None:
                 return killer
+            if changed and step.is_last and not thorough:
+                break
         return Verdict("survived" if changed else "same code")
 
-    def _stages(self, family: Family, names: Sequence[str], together: bool) -> Iterator[tuple[int, list[str]]]:
-        """What to compile before the tests run, and the ISA that is available then. Unless all are needed together,
-        the first files come alone, as they suffice for most mutants."""
-        def order(name: str) -> tuple[bool, float]:
-            return not any(name.endswith(f"/{source}.o") for source in family.first), self.tree.cost(name)
+    def _is_near(self, name: str, family: Family, file: str) -> bool:
+        """Of the same directory, or one of the family's first: enough for most mutants of a header."""
+        source = self.tree.source_of(name)
+        return source.split("/")[0] == file.split("/")[0] or source in family.first
 
+    def _steps(self, family: Family, names: Sequence[str], together: bool) -> Iterator[Step]:
+        """Unless all are needed together, the first files come alone."""
         for stage in range(len(ISAS)):
-            part = sorted((name for name in names if self.tree.stage_of(name) == stage), key=order)
-            alone = 0 if together else max(0, min(ALONE, len(part) - 1))
-            for name in part[:alone]:
-                yield stage, [name]
-            if part:
-                yield stage, part[alone:]
+            part = [name for name in names if self.tree.stage_of(name) == stage]
+            alone = [] if together else [name for name in part if self.tree.source_of(name) in family.first]
+            for name in sorted(alone, key=lambda one: family.first.index(self.tree.source_of(one))):
+                yield Step(stage, [name], False)
+            yield Step(stage, [name for name in part if name not in alone], True)
 
     def _changed(self, names: Sequence[str]) -> list[str] | None:
         """Those whose code differs; none if one is not accepted by the compiler."""
