@@ -79,7 +79,7 @@ FAMILIES = (
     Family("midpoints", ("midpoints/*",), (crosscheck("skeleton_scan*", images="sheets"), SCAN, GOLDEN),
            (crosscheck("skeleton_scan*"), API)),
     Family("nets", ("nets/*",), (NETS, GOLDEN, crosscheck("net_*_1", images="sheets")), (crosscheck("net_*"), API)),
-    Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN), (API,)),
+    Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN, Check("api_test", "*dges*")), (API,)),
     Family("regions", ("regions/*",), (Check("regions_test"), GOLDEN, LOCALISE),
            (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),
     Family("localise", ("localise/*",), (LOCALISE, crosscheck("localise_*"), GOLDEN), (API,)),

@@ -53,7 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if not options.again:
                 _try_all(trials, _queues(families, options.seed), wanted, end, results)
             if not options.quick:
-                _try_survivors(trials, _queues(families, options.seed), end, results)
+                _try_survivors(trials, _queues(families, options.seed), end, results, equivalents)
     except TreeError as error:
         print(f"run.py: {error}", file=sys.stderr)
         return 2
@@ -144,10 +144,13 @@ def _try_all(trials: Trials, queues: Queues, wanted: int, end: float, results: d
         progress.set(sum(counted.values()), wanted * len(queues))
 
 
-def _try_survivors(trials: Trials, queues: Queues, end: float, results: dict[str, Result]) -> None:
-    """Those that survived the quick checks, by the thorough ones."""
+def _try_survivors(trials: Trials, queues: Queues, end: float, results: dict[str, Result],
+                   equivalents: Sequence[Equivalent]) -> None:
+    """Those that survived the quick checks, by the thorough ones; not those that are explained."""
+    listed = {(one.file, one.before, one.after) for one in equivalents}
     chosen = [(family, one) for family, queue in queues.items() for one in queue
-              if one.key in results and results[one.key].state == "survived"]
+              if one.key in results and results[one.key].state == "survived" and
+              (one.file, one.before, one.after) not in listed]
     progress = Progress("survivors", len(chosen))
     for start in range(0, len(chosen), trials.jobs):
         if time.monotonic() > end:

@@ -118,7 +118,7 @@ class Trial:
         for check in checks:
             if not self.tree.inputs[check.program].intersection(changed):
                 continue
-            limit = 3 * self.usual.seconds(check, stage) + 2
+            limit = 1.5 * self.usual.seconds(check, stage) + 2
             if check.program not in linked and not self.overlay.link(check.program, changed):
                 return Verdict("not compiled", f"{check.program} does not link")
             linked.add(check.program)
