@@ -112,6 +112,11 @@ class Tree:
         """Not an object of a test or of what tests use."""
         return name.startswith("kernels/")
 
+    def is_common(self, name: str) -> bool:
+        """Not compiled for each ISA."""
+        match = OBJECT.match(name)
+        return match is None or match[1] not in ISAS
+
     def source_of(self, name: str) -> str:
         """The source of an object, relative to kernels/; empty if it is not there."""
         match = OBJECT.match(name)

@@ -79,9 +79,9 @@ class Trial:
         names = [name for name in self.tree.objects.get(f"kernels/{file}", []) if name in wanted and
                  (shared or thorough or self.tree.is_kernel(name))]
         near = names if shared else [name for name in names if self._is_near(name, family, file)]
-        far = [name for name in names if name not in near]
+        far = sorted((name for name in names if name not in near), key=self.tree.is_common)
         changed: list[str] = []
-        for step in [*self._steps(family, near, shared), *self._steps(family, far, shared)]:
+        for step in [*self._steps(near, shared, family.first), *self._steps(far, shared, far)]:
             new = self._changed(step.names)
             if new is None:
                 return Verdict("not compiled")
@@ -98,12 +98,13 @@ class Trial:
         source = self.tree.source_of(name)
         return source.split("/")[0] == file.split("/")[0] or source in family.first
 
-    def _steps(self, family: Family, names: Sequence[str], together: bool) -> Iterator[Step]:
-        """Unless all are needed together, the first files come alone."""
+    def _steps(self, names: Sequence[str], together: bool, first: Sequence[str]) -> Iterator[Step]:
+        """Unless all are needed together, the first files, named by object or source, come alone."""
         for stage in range(len(ISAS)):
             part = [name for name in names if self.tree.stage_of(name) == stage]
-            alone = [] if together else [name for name in part if self.tree.source_of(name) in family.first]
-            for name in sorted(alone, key=lambda one: family.first.index(self.tree.source_of(one))):
+            alone = [] if together else [name for one in first for name in part
+                                         if one in (name, self.tree.source_of(name))]
+            for name in alone:
                 yield Step(stage, [name], False)
             yield Step(stage, [name for name in part if name not in alone], True)
 
