@@ -138,7 +138,7 @@ def main() -> int:
     if not arguments.report_only:
         build("coverage")
         shutil.rmtree(profiles, ignore_errors=True)
-        environment = os.environ | {"LLVM_PROFILE_FILE": f"{profiles}/%m_%2m.profraw"}
+        environment = os.environ | {"LLVM_PROFILE_FILE": f"{profiles}/%2m.profraw"}
         tests = subprocess.run(["ctest", "--preset", "coverage", "--parallel", str(os.cpu_count())], cwd=ROOT,
                                env=environment, check=False)
         if tests.returncode != 0:
