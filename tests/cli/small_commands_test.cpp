@@ -165,7 +165,7 @@ TEST(SceneCommand, rejects_what_it_cannot_draw) {
             "--noise: expected a number in [0, 255], got 'nan'" + see);
   EXPECT_EQ(failure_of({"scene", "a.png", "--seed", "-5"}, 2),
             "--seed: expected an integer in [0, 18446744073709551615], got '-5'" + see);
-  EXPECT_EQ(failure_of({"scene", "a.xyz"}, 1).find("cannot write 'a.xyz'"), 0U);
+  EXPECT_EQ(failure_of({"scene", "a.xyz"}, 2).find("cannot write 'a.xyz'"), 0U);
 }
 
 TEST(MachineCommand, prints_json_with_commit_and_options) {
