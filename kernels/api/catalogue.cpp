@@ -107,7 +107,7 @@ const RegionsOperation& operation_of(RegionsTask task) {
 Options with_useful_threads(const Options& options, bool can_share, Index width, Index height) {
   require_threads(options.threads);
   Options useful = options;
-  const bool is_small = height <= 0 || width < (kMinPixelsForThreads + height - 1) / height;
+  const bool is_small = height <= 0 || width <= (kMinPixelsForThreads - 1) / height;
   if (!options.technique && (is_small || !can_share)) useful.threads = 1;
   return useful;
 }

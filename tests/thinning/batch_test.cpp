@@ -170,7 +170,7 @@ TEST_P(BatchOf, all_images_of_four_by_four_equals_the_reference) {
     for (int i = 0; i < count; ++i) {
       // The odd factor permutes the images, so that each quarter has all values of the upper
       // pixels.
-      const auto bits = static_cast<std::uint64_t>((count * quarter + i) * 40503 & 0xFFFF);
+      const auto bits = static_cast<std::uint64_t>(count * quarter + i) * 40503 & 0xFFFF;
       source.set(i, image_of_bits(4, 4, bits).view());
     }
     expect_batch_at_every_isa(rule(), source, {border(), limits[quarter]}, 1);
