@@ -54,6 +54,7 @@ SCAN = Check("scan_test")
 SOME_APPLY = Check("custom_rules_test", "*RandomRules*variant/1:*lanes/1:BuiltIn*:Apply*")
 INTERPRETED = Check("custom_rules_test", "*RandomRules*variant/1:BuiltIn*", (("THINBENCH_MACHINE_CODE", "off"),))
 APPLY = Check("custom_rules_test", "-ThoroughSearch*")
+TILE_GRID = Check("thinning_test", "TileGrid*")
 ITERATE = Check("thinning_test", "*Iterate*:*Tile*:*State*-*threads*")
 SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN)
 THINNING = (Check("thinning_test"), Check("batch_test"), crosscheck("thin_*"), APPLY, API)
@@ -87,9 +88,9 @@ FAMILIES = (
            (APPLY, crosscheck("apply_*"), GOLDEN)),
     Family("image", ("image/byte_image.cpp", "image/packed_rows.cpp", "image/packing.cpp"),
            (CORE, LOCALISE, GOLDEN, Check("api_test", "*Pack*:*pack*")), (*THINNING, EDGES, SCAN)),
-    Family("simd", ("simd/*",), (CORE, EDGES, NETS, SCAN, LOCALISE, *SOME_THINNING),
+    Family("simd", ("simd/*",), (CORE, EDGES, NETS, SCAN, LOCALISE, TILE_GRID, *SOME_THINNING),
            (*THINNING, Check("regions_test"), crosscheck("net_*")),
-           first=("image/packing.cpp", ENGINES + "simd.cpp", "edges/simd.cpp")),
+           first=("image/packing.cpp", ENGINES + "simd.cpp", ENGINES + "tile_layout.cpp", "edges/simd.cpp")),
     Family("api", ("api/canvases.*", "api/catalogue.cpp", "api/custom_rule.cpp", "api/edges.cpp", "api/labels.cpp",
                    "api/localise.cpp", "api/many.cpp", "api/packed.cpp", "api/regions.cpp", "api/thinning.cpp"),
            (API,), (SOME_APPLY, Check("batch_test"), LOCALISE, GOLDEN)),

@@ -34,8 +34,9 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Step:
-    """What is compiled before the tests run; the last step of an ISA ends a quick trial."""
+    """What is compiled before the tests run, for an ISA; its last step ends a quick trial."""
 
+    stage: int
     names: list[str]
     is_last: bool
 
@@ -87,19 +88,23 @@ class Trial:
                 return Verdict("not compiled")
             changed += new
             waiting -= set(step.names)
-            killer = self._killer(checks, self._isas(waiting, thorough), changed) if new else None
+            if not new and not (step.is_last and changed):
+                continue
+            killer = self._killer(checks, self._isas(step.stage, waiting, thorough), changed)
             if killer is not None:
                 return killer
-            if changed and step.is_last and not thorough:
+            if step.is_last and not thorough:
                 break
         return Verdict("survived" if changed else "same code")
 
-    def _isas(self, waiting: set[str], thorough: bool) -> list[str]:
-        """The baseline and those of which nothing is to be compiled yet, as the others would run old code; if not
-        thorough, two of them."""
-        stages = {self.tree.stage_of(name) for name in waiting if not self.tree.is_common(name)}
-        others = [isa for stage, isa in enumerate(ISAS) if stage > 0 and stage not in stages]
-        return [ISAS[0], *(others if thorough else others[-1:])]
+    def _isas(self, stage: int, waiting: set[str], thorough: bool) -> list[str]:
+        """The baseline, the ISA of the stage, and those of which nothing is to be compiled yet, as they would run old
+        code; if not thorough, two of them."""
+        stages = {self.tree.stage_of(name) for name in waiting if not self.tree.is_common(name)} - {stage}
+        others = [one for one in range(1, len(ISAS)) if one not in stages]
+        if not thorough:
+            others = [stage] if stage > 0 else others[-1:]
+        return [ISAS[0], *(ISAS[one] for one in others)]
 
     def _is_near(self, name: str, family: Family, file: str) -> bool:
         """Of the same directory, or one of the family's first: enough for most mutants of a header."""
@@ -113,8 +118,8 @@ class Trial:
             alone = [] if together else [name for one in first for name in part
                                          if one in (name, self.tree.source_of(name))]
             for name in alone:
-                yield Step([name], False)
-            yield Step([name for name in part if name not in alone], True)
+                yield Step(stage, [name], False)
+            yield Step(stage, [name for name in part if name not in alone], True)
 
     def _changed(self, names: Sequence[str]) -> list[str] | None:
         """Those whose code differs; none if one is not accepted by the compiler."""
