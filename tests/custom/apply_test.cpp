@@ -242,6 +242,21 @@ TEST(BuiltInRules, given_as_tables_equal_themselves) {
   });
 }
 
+/// Heights and widths of which a kept border leaves nothing, or one row or column.
+TEST(SmallImages, equal_the_reference_in_every_variant) {
+  Random random(10);
+  for (const Kind& kind : kKinds) {
+    for (const Border border : {Border::background, Border::keep}) {
+      const Rules rule = {{kind.make(random)}, {border, 6}};
+      for (const Index height : {1, 2, 3, 4}) {
+        for (const Index width : {1, 3, 65}) {
+          expect_all_variants_equal(rule, random_image(random, width, height));
+        }
+      }
+    }
+  }
+}
+
 /// Tiles shared among threads, and more rows than the row kernel has bands of eight.
 TEST(LargeImages, equal_the_reference_in_every_variant) {
   Random random(8);

@@ -50,12 +50,15 @@ CORE = Check("core_test", "-Isa*")  # those tests need every ISA
 EDGES = Check("edges_test")
 LOCALISE = Check("localise_test")
 NETS = Check("nets_test")
+REGIONS = Check("regions_test")
 SCAN = Check("scan_test")
-SOME_APPLY = Check("custom_rules_test", "*RandomRules*variant/1:*lanes/1:BuiltIn*:Apply*")
+SOME_APPLY = Check("custom_rules_test", "*RandomRules*variant/1:*lanes/1:BuiltIn*:Apply*:SmallImages*")
 INTERPRETED = Check("custom_rules_test", "*RandomRules*variant/1:BuiltIn*", (("THINBENCH_MACHINE_CODE", "off"),))
 APPLY = Check("custom_rules_test", "-ThoroughSearch*")
+TILE_GRID = Check("thinning_test", "TileGrid*")
 ITERATE = Check("thinning_test", "*Iterate*:*Tile*:*State*-*threads*")
-SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN)
+SIZES = Check("thinning_test", "*at_every_size*/guo_hall_border_keep:*at_every_size*/mb2_border_background")
+SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN, SIZES)
 THINNING = (Check("thinning_test"), Check("batch_test"), crosscheck("thin_*"), APPLY, API)
 ENGINES = "thinning/engines/"
 ITERATION = "thinning/iteration/"
@@ -69,29 +72,32 @@ FAMILIES = (
                       ITERATION + "pass_state.hpp", ITERATION + "plane_state.hpp"),
            SOME_THINNING + (ITERATE,), THINNING + (crosscheck("net_*"),),
            first=(ENGINES + "bitpacked.cpp", ITERATION + "iterate.cpp", "thinning/variants.cpp")),
-    Family("rows", (ENGINES + "row_kernel.*", ITERATION + "row_state.hpp"), SOME_THINNING,
+    Family("rows", (ENGINES + "row_kernel.*", ITERATION + "row_state.hpp"), (*SOME_THINNING, SOME_APPLY),
            THINNING + (crosscheck("net_*"),)),
     Family("tiles", (ENGINES + "tile_*", ITERATION + "iterate_tiles.*", ITERATION + "tile_state.*"),
            (*SOME_THINNING, ITERATE), THINNING),
     Family("lanes", (ENGINES + "lane_*", ENGINES + "layouts.hpp", "api/batch.cpp"),
            (crosscheck("batch_*"), Check("batch_test"), SOME_APPLY), (API, APPLY)),
-    Family("spta", (ENGINES + "spta*",), (crosscheck("thin_spta", "thin_spta_keep", images="sh*"), GOLDEN), THINNING),
+    Family("spta", (ENGINES + "spta*",), (crosscheck("thin_spta", "thin_spta_keep", images="sh*"), GOLDEN,
+                                              Check("thinning_test", "*/spta_border*")), THINNING),
     Family("midpoints", ("midpoints/*",), (crosscheck("skeleton_scan*", images="sheets"), SCAN, GOLDEN),
            (crosscheck("skeleton_scan*"), API)),
     Family("nets", ("nets/*",), (NETS, GOLDEN, crosscheck("net_*_1", images="sheets")), (crosscheck("net_*"), API)),
-    Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN, Check("api_test", "*dges*")), (API,)),
-    Family("regions", ("regions/*",), (Check("regions_test"), GOLDEN, LOCALISE),
+    Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN, Check("api_test", "*dges*")),
+           (API,)),
+    Family("regions", ("regions/*",), (REGIONS, GOLDEN, LOCALISE),
            (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),
     Family("localise", ("localise/*",), (LOCALISE, crosscheck("localise_*"), GOLDEN), (API,)),
-    Family("custom", ("custom/*",), (Check("custom_tables_test"), SOME_APPLY, INTERPRETED), (APPLY, crosscheck("apply_*"), GOLDEN)),
-    Family("image", ("image/byte_image.cpp", "image/packed_rows.cpp", "image/packing.cpp"), (CORE, LOCALISE, GOLDEN, Check("api_test", "*Pack*:*pack*")),
-           (*THINNING, EDGES, SCAN)),
-    Family("simd", ("simd/*",), (CORE, EDGES, NETS, SCAN, LOCALISE, *SOME_THINNING),
-           (*THINNING, Check("regions_test"), crosscheck("net_*")),
-           first=("image/packing.cpp", ENGINES + "simd.cpp", "edges/simd.cpp")),
+    Family("custom", ("custom/*",), (Check("custom_tables_test"), SOME_APPLY, INTERPRETED),
+           (APPLY, crosscheck("apply_*"), GOLDEN)),
+    Family("image", ("image/byte_image.cpp", "image/packed_rows.cpp", "image/packing.cpp"),
+           (CORE, LOCALISE, GOLDEN, Check("api_test", "*Pack*:*pack*"), SIZES), (*THINNING, EDGES, SCAN)),
+    Family("simd", ("simd/*",), (CORE, EDGES, NETS, SCAN, LOCALISE, TILE_GRID, *SOME_THINNING),
+           (*THINNING, REGIONS, crosscheck("net_*")),
+           first=("image/packing.cpp", ENGINES + "simd.cpp", ENGINES + "tile_layout.cpp", "edges/simd.cpp")),
     Family("api", ("api/canvases.*", "api/catalogue.cpp", "api/custom_rule.cpp", "api/edges.cpp", "api/labels.cpp",
                    "api/localise.cpp", "api/many.cpp", "api/packed.cpp", "api/regions.cpp", "api/thinning.cpp"),
-           (API,), (SOME_APPLY, Check("batch_test"), LOCALISE, GOLDEN)),
+           (API, REGIONS), (SOME_APPLY, Check("batch_test"), LOCALISE, GOLDEN)),
 )
 
 

@@ -87,7 +87,7 @@ def _of_line(line: str) -> Iterator[tuple[str, Change]]:
         yield "neighbour", (match.start(), match[0], f"n{(int(match[1]) + 2) % 8}")
     for match in re.finditer(r"\b(west|east|above|below|north|south)(?=\b|_|\d)", line):
         yield "neighbour", (match.start(), match[0], NEIGHBOURS[match[0]])
-    for match in re.finditer(r"(?<![\w.<])(0x)?([0-9A-Fa-f]+)(?=U?\b)(?![\w]*\.\d)", line):
+    for match in re.finditer(r"(?<![\w.<'])(0x)?([0-9A-Fa-f]+)(?=U?\b)(?![\w]*\.\d|')", line):
         yield from _of_literal(match)
     yield from _negated_condition(line)
 

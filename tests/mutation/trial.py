@@ -34,7 +34,7 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Step:
-    """What is compiled before the tests run, with the ISA of the stage; the last step of an ISA ends a quick trial."""
+    """What is compiled before the tests run, for an ISA; its last step ends a quick trial."""
 
     stage: int
     names: list[str]
@@ -48,13 +48,13 @@ class Usual:
         self.tree, self.file, self.lock = tree, file, Lock()
         self.known: dict[str, float] = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
 
-    def seconds(self, check: Check, stage: int) -> float:
-        """With the ISA of a stage."""
-        key = " ".join([check.program, check.tests, ISAS[stage], *map("=".join, check.variables)])
+    def seconds(self, check: Check, isas: Sequence[str]) -> float:
+        """With these ISAs."""
+        key = " ".join([check.program, check.tests, *isas, *map("=".join, check.variables)])
         with self.lock:
             if key not in self.known:
                 start = time.monotonic()
-                test = run(self.tree.program(check.program), check, stage, 600)
+                test = run(self.tree.program(check.program), check, isas, 600)
                 if test is not None:
                     raise TreeError(f"{check.program} {check.tests} fails without a mutation: {test}")
                 self.known[key] = round(time.monotonic() - start, 1)
@@ -81,17 +81,30 @@ class Trial:
         near = names if shared else [name for name in names if self._is_near(name, family, file)]
         far = sorted((name for name in names if name not in near), key=self.tree.is_common)
         changed: list[str] = []
+        waiting = set(names)
         for step in [*self._steps(near, shared, family.first), *self._steps(far, shared, far)]:
             new = self._changed(step.names)
             if new is None:
                 return Verdict("not compiled")
             changed += new
-            killer = self._killer(checks, step.stage, changed) if new else None
+            waiting -= set(step.names)
+            if not new and not (step.is_last and changed):
+                continue
+            killer = self._killer(checks, self._isas(step.stage, waiting, thorough), changed)
             if killer is not None:
                 return killer
-            if changed and step.is_last and not thorough:
+            if step.is_last and not thorough:
                 break
         return Verdict("survived" if changed else "same code")
+
+    def _isas(self, stage: int, waiting: set[str], thorough: bool) -> list[str]:
+        """The baseline, the ISA of the stage, and those of which nothing is to be compiled yet, as they would run old
+        code; if not thorough, two of them."""
+        stages = {self.tree.stage_of(name) for name in waiting if not self.tree.is_common(name)} - {stage}
+        others = [one for one in range(1, len(ISAS)) if one not in stages]
+        if not thorough:
+            others = [stage] if stage > 0 else others[-1:]
+        return [ISAS[0], *(ISAS[one] for one in others)]
 
     def _is_near(self, name: str, family: Family, file: str) -> bool:
         """Of the same directory, or one of the family's first: enough for most mutants of a header."""
@@ -114,24 +127,23 @@ class Trial:
             return None
         return [name for name in names if not self.overlay.is_unchanged(name)]
 
-    def _killer(self, checks: Sequence[Check], stage: int, changed: Sequence[str]) -> Verdict | None:
+    def _killer(self, checks: Sequence[Check], isas: Sequence[str], changed: Sequence[str]) -> Verdict | None:
         linked: set[str] = set()
         for check in checks:
             if not self.tree.inputs[check.program].intersection(changed):
                 continue
-            limit = 1.5 * self.usual.seconds(check, stage) + 2
+            limit = 1.5 * self.usual.seconds(check, isas) + 2
             if check.program not in linked and not self.overlay.link(check.program, changed):
                 return Verdict("not compiled", f"{check.program} does not link")
             linked.add(check.program)
-            test = run(self.overlay.program(check.program), check, stage, limit)
+            test = run(self.overlay.program(check.program), check, isas, limit)
             if test is not None:
                 return Verdict("killed", test)
         return None
 
 
-def run(program: Path, check: Check, stage: int, limit: float) -> str | None:
+def run(program: Path, check: Check, isas: Sequence[str], limit: float) -> str | None:
     """The first test that fails, or none. The limit is of seconds of the processor; a test that waits has more."""
-    isas = sorted({ISAS[0], ISAS[stage]})
     command = [str(program), f"--gtest_filter={check.tests}"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**environment(isas), **dict(check.variables)},
                           preexec_fn=partial(_limit, int(limit) + 1)) as process:
