@@ -118,6 +118,22 @@ TEST(ThinLabels, keeps_the_image_border_and_no_other) {
   EXPECT_EQ(result.at(10, 6), 0);
 }
 
+/// A run must not be taken for a part of the one that ends the row above.
+TEST(ThinLabels, needs_no_gap_between_rows) {
+  LabelImage image = noise_labels(24, 37, 85, 140, 9);
+  std::vector<std::int32_t> labels;
+  for (Index y = 0; y < image.height; ++y) {
+    labels.insert(labels.end(), image.view().row(y), image.view().row(y) + image.width);
+  }
+  const LabelView dense = {labels.data(), image.width, image.height, image.width};
+  thin_labels(Rule::guo_hall, dense, dense);
+  thin_labels(Rule::guo_hall, image.view(), image.view());
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x)
+      ASSERT_EQ(dense.row(y)[x], image.at(x, y)) << x << ", " << y;
+  }
+}
+
 TEST(ThinLabels, takes_no_iteration_without_labels) {
   LabelImage image = {50, 4};
   std::fill(image.labels.begin(), image.labels.end(), 0);

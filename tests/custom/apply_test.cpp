@@ -322,6 +322,17 @@ TEST(Apply, takes_stacks_and_packed_images_and_every_border) {
   }
 }
 
+/// Foreground everywhere: images of foreground take one iteration, empty ones would take two.
+TEST(Apply, places_of_a_register_without_an_image_take_no_iteration) {
+  const CustomRule fill({make_window_table([](std::size_t) { return true; })});
+  for (const Index width : {20, 40, 100}) {
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(3 * width * width), 255);
+    const StackView images = {pixels.data(), 3, width, width, width, width * width};
+    EXPECT_EQ(apply(fill, images, images), 1) << width;
+    EXPECT_EQ(std::count(pixels.begin(), pixels.end(), 255), 3 * width * width) << width;
+  }
+}
+
 TEST(Apply, is_safe_from_several_threads) {
   Random random(7);
   const Rules rule = {{kKinds[0].make(random)}, {Border::background, 9}};

@@ -75,7 +75,7 @@ FAMILIES = (
     Family("rows", (ENGINES + "row_kernel.*", ITERATION + "row_state.hpp"), (*SOME_THINNING, SOME_APPLY),
            THINNING + (crosscheck("net_*"),)),
     Family("tiles", (ENGINES + "tile_*", ITERATION + "iterate_tiles.*", ITERATION + "tile_state.*"),
-           (*SOME_THINNING, ITERATE), THINNING),
+           (*SOME_THINNING, ITERATE, SOME_APPLY), THINNING),
     Family("lanes", (ENGINES + "lane_*", ENGINES + "layouts.hpp", "api/batch.cpp"),
            (crosscheck("batch_*"), Check("batch_test"), SOME_APPLY), (API, APPLY)),
     Family("spta", (ENGINES + "spta*",), (crosscheck("thin_spta", "thin_spta_keep", images="sh*"), GOLDEN,
