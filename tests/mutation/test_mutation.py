@@ -48,7 +48,8 @@ def test_an_operator_changes_one_place(line: str, operator: str, mutant: str) ->
 
 
 @pytest.mark.parametrize("line", [
-    "// n.n1 & 1", "Thinner::~Thinner() = default;", "virtual ~State() = default;", "#if 1 < 2", 'throw Error("1 < 2");', "template <int sub>", "static_assert(1 < 2);",
+    "// n.n1 & 1", "Thinner::~Thinner() = default;", "virtual ~State() = default;", "#if 1 < 2",
+    'throw Error("1 < 2");', "template <int sub>", "static_assert(1 < 2);",
     "/* 1 < 2 */", "const auto text = \"a & b\";", "__builtin_prefetch(from + 64);"])
 def test_what_decides_no_pixel_is_left_alone(line: str) -> None:
     assert not mutations(line)
