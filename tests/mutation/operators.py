@@ -21,8 +21,8 @@ NO_STATEMENT = re.compile(r"^\s*(return|break|continue|case|default|static_cast<
 # Operator, what to find, and what to put in its place; the first group is replaced, if there is one.
 PATTERNS: tuple[tuple[str, str, str], ...] = (
     ("gate", r"(?<= )&(?= )", "|"), ("gate", r"(?<= )\|(?= )", "&"), ("gate", r"(?<= )\^(?= )", "|"),
-    ("gate", r"(?<!::)~(?=[\w(])(?!\w+\(\) (?:= default|override|\{))", ""), ("gate", r"(?<= )&=", "|="), ("gate", r"(?<= )\|=", "&="),
-    ("gate", r"(?<= )\^=", "|="),
+    ("gate", r"(?<!::)~(?=[\w(])(?!\w+\(\) (?:= default|override|\{))", ""),
+    ("gate", r"(?<= )&=", "|="), ("gate", r"(?<= )\|=", "&="), ("gate", r"(?<= )\^=", "|="),
     ("shift", r"(?<= )<<(?= )", ">>"), ("shift", r"(?<= )>>(?= )", "<<"), ("shift", r"(?<= )<<=", ">>="),
     ("shift", r"(?<= )>>=", "<<="),
     ("comparison", r"(?<= )<(?= )", "<="), ("comparison", r"(?<= )<=(?= )", "<"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,8 +12,8 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 # pylint: disable=wrong-import-position
-from choice import (Candidate, append_result, candidates, read_equivalents, read_results, result_of,  # noqa: E402
-                    stale)
+from choice import (Candidate, Equivalent, append_result, candidates, read_equivalents,  # noqa: E402
+                    read_results, result_of, stale)
 from families import FAMILIES, Check, Family  # noqa: E402
 from operators import mutations  # noqa: E402
 from run import EQUIVALENTS, ROOT, main  # noqa: E402
@@ -48,7 +49,8 @@ def test_an_operator_changes_one_place(line: str, operator: str, mutant: str) ->
 
 
 @pytest.mark.parametrize("line", [
-    "// n.n1 & 1", "Thinner::~Thinner() = default;", "virtual ~State() = default;", "#if 1 < 2", 'throw Error("1 < 2");', "template <int sub>", "static_assert(1 < 2);",
+    "// n.n1 & 1", "Thinner::~Thinner() = default;", "virtual ~State() = default;", "#if 1 < 2",
+    'throw Error("1 < 2");', "template <int sub>", "static_assert(1 < 2);",
     "/* 1 < 2 */", "const auto text = \"a & b\";", "__builtin_prefetch(from + 64);"])
 def test_what_decides_no_pixel_is_left_alone(line: str) -> None:
     assert not mutations(line)
@@ -75,8 +77,17 @@ def test_every_family_has_sources_and_every_edit_of_the_copy_finds_its_text() ->
         assert before in (ROOT / name).read_text(encoding="utf-8")
 
 
-def test_no_entry_of_the_list_of_equivalent_mutants_is_stale() -> None:
-    assert not list(stale(read_equivalents(EQUIVALENTS), ROOT / "kernels"))
+def test_an_equivalent_mutant_is_stale_if_its_line_is_gone_or_no_operator_makes_it(tmp_path: Path) -> None:
+    (tmp_path / "toy.cpp").write_text("  return a + 1;\n", encoding="utf-8")
+    fresh = Equivalent("toy.cpp", "return a + 1;", "return a + 2;", "a reason")
+    gone, unmade = replace(fresh, before="return b + 1;"), replace(fresh, after="return b;")
+    assert list(stale([fresh, gone, unmade], tmp_path)) == [gone, unmade]
+
+
+def test_every_entry_of_the_list_has_a_reason_and_occurs_once() -> None:
+    entries = read_equivalents(EQUIVALENTS)
+    assert all(one.reason.endswith(".") for one in entries)
+    assert len({(one.file, one.before, one.after) for one in entries}) == len(entries)
 
 
 TOY = """int toy(int n) {

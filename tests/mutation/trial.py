@@ -145,7 +145,8 @@ class Trial:
 def run(program: Path, check: Check, isas: Sequence[str], limit: float) -> str | None:
     """The first test that fails, or none. The limit is of seconds of the processor; a test that waits has more."""
     command = [str(program), f"--gtest_filter={check.tests}"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**environment(isas), **dict(check.variables)},
+    variables = {**environment(isas), **dict(check.variables)}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=variables,
                           preexec_fn=partial(_limit, int(limit) + 1)) as process:
         try:
             output = process.communicate(timeout=60 + 5 * limit)[0].decode(errors="replace")
