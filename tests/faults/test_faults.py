@@ -231,7 +231,7 @@ def check_whole(made: Files, expected: Files) -> None:
 @pytest.mark.parametrize("name", ["run", "run_grey_tiff", "out_of_core", "batch", "train"])
 def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None],
                                   expected: Callable[[str], Files]) -> None:
-    """SIGKILL, again and again; then a run that nobody kills."""
+    """SIGKILL several times; then an undisturbed run."""
     expected(name)
     begin = time.monotonic()
     works(name)

@@ -25,7 +25,7 @@ class Candidate:
 
 
 def candidates(family: Family, kernels: Path, seed: int) -> list[Candidate]:
-    """In an order drawn by `seed`, the operators by turns."""
+    """In an order drawn by `seed`, one of each operator in rotation."""
     by_operator: dict[str, list[Candidate]] = {}
     for file in family.files(kernels):
         text = (kernels / file).read_text(encoding="utf-8")
@@ -77,7 +77,7 @@ def result_of(candidate: Candidate, state: str, test: str, seconds: float) -> Re
 
 
 def read_results(path: Path) -> dict[str, Result]:
-    """By key; the last line of a key holds. A line cut short, by a stop, is not a result."""
+    """By key; the last line of a key holds. An incomplete line, of an interrupted run, is ignored."""
     results: dict[str, Result] = {}
     for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:
         try:

@@ -33,7 +33,7 @@ EXAMPLES = """Examples:
   python3 tests/mutation/run.py --again              those that survived, after a new test
   python3 tests/mutation/run.py -n 0                 the summary of what was done
 
-The results are build/mutation/results.jsonl; delete the file to begin anew. A survivor needs a test, or an entry in
+The results are build/mutation/results.jsonl; delete the file to start again. A survivor needs a test, or an entry in
 tests/mutation/equivalent.json that says why none can notice it.
 Exit status 0: enough were killed; 1: too many survived; 2: wrong use, or the copy cannot be built."""
 
@@ -124,7 +124,7 @@ def _queues(families: Sequence[Family], seed: int) -> Queues:
 
 
 def _try_all(trials: Trials, queues: Queues, wanted: int, end: float, results: dict[str, Result]) -> None:
-    """A few of each family by turns, so that a run cut short is even and the choice depends on the seed alone."""
+    """A few of each family in rotation, so that an interrupted run covers all evenly, and the choice depends on the seed alone."""
     counted = Counter({family: 0 for family in queues})
     tried = Counter({family: 0 for family in queues})
     progress = Progress("mutants", wanted * len(queues))

@@ -62,7 +62,7 @@ def test_the_rest_of_a_text_remains() -> None:
                                                             text.replace("a + 1", "a - 1")}
 
 
-def test_the_choice_depends_on_the_seed_alone_and_takes_operators_by_turns() -> None:
+def test_the_choice_depends_on_the_seed_alone_and_rotates_operators() -> None:
     family = next(one for one in FAMILIES if one.name == "rules")
     kernels = ROOT / "kernels"
     order = candidates(family, kernels, 1)
