@@ -124,7 +124,7 @@ def _queues(families: Sequence[Family], seed: int) -> Queues:
 
 
 def _try_all(trials: Trials, queues: Queues, wanted: int, end: float, results: dict[str, Result]) -> None:
-    """A few of each family in rotation, so that an interrupted run covers all evenly, and the choice depends on the seed alone."""
+    """A few of each family in rotation: an interrupted run covers all evenly; the choice depends on the seed alone."""
     counted = Counter({family: 0 for family in queues})
     tried = Counter({family: 0 for family in queues})
     progress = Progress("mutants", wanted * len(queues))
