@@ -80,7 +80,7 @@ Technique technique_named(std::string_view name) {
 }
 
 Isa isa_named(std::string_view name) {
-  return named("instruction set", name, kAllIsas, isa_name);
+  return named("instruction set", name, all_isas(), isa_name);
 }
 
 Border border_named(std::string_view name) {

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 std::string processor_level() {
   Isa highest = Isa::baseline;
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (cpu_supports(isa)) highest = isa;
   }
   return std::string(isa_name(highest));

@@ -1,5 +1,6 @@
 #include "counts/single_steps.hpp"
 
+#if defined(__x86_64__)
 #include <csignal>
 #include <system_error>
 
@@ -71,3 +72,15 @@ std::optional<std::uint64_t> instructions_of(const std::function<void()>& call,
 }
 
 }  // namespace thinbench
+
+#else
+
+namespace thinbench {
+
+std::optional<std::uint64_t> instructions_of(const std::function<void()>&, std::uint64_t) {
+  return std::nullopt;
+}
+
+}  // namespace thinbench
+
+#endif

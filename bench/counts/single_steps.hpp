@@ -10,7 +10,7 @@
 namespace thinbench {
 
 /// How many instructions `call` executes in this thread, or none where that takes more than
-/// `max_steps`; the call is finished either way. An instruction that repeats itself (rep movsb)
+/// `max_steps`; the call is finished either way. Elsewhere than on x86-64 always none, without a call. An instruction that repeats itself (rep movsb)
 /// counts once, and takes a step for each repetition. The call must block no signals and set no
 /// handler for SIGTRAP; two threads must not count at the same time.
 [[nodiscard]] std::optional<std::uint64_t> instructions_of(const std::function<void()>& call,

@@ -132,7 +132,7 @@ Operation operation_of(const BatchRule& batch_rule) {
                          InputKind::binary,
                          {},
                          reference_of(rule)};
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     operation.variants.push_back(
         variant_of("one_by_one", "image after image by the library's choice for one image", isa,
                    detail::kAnyWidth, 0, one_by_one(rule, isa)));

@@ -127,7 +127,7 @@ Json isa_cap_json() {
 
 Json available_isas() {
   Json names = Json::array();
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (isa_available(isa)) names.push_back(isa_name(isa));
   }
   return names;

@@ -49,7 +49,7 @@ std::string text_of(const char* name) {
 Isa isa_of(const char* name) {
   return named("isa", name, isa_from_name(view_of(name)), [] {
     std::string names;
-    for (const Isa isa : kAllIsas) names.append(names.empty() ? "" : ", ").append(isa_name(isa));
+    for (const Isa isa : all_isas()) names.append(names.empty() ? "" : ", ").append(isa_name(isa));
     return names;
   });
 }

@@ -257,7 +257,7 @@ const char* thinbench_edge_operator_name(size_t index) {
 }
 
 const char* thinbench_isa_name(size_t index) {
-  return index < kAllIsas.size() ? isa_name(kAllIsas[index]).data() : nullptr;
+  return index < all_isas().size() ? isa_name(all_isas()[index]).data() : nullptr;
 }
 
 int32_t thinbench_isa_available(const char* isa) {

@@ -108,7 +108,7 @@ State make_custom_tiles(const ThinningSetting& setting) {
 std::vector<ThinningVariant> custom_variants(bool adds_pixels) {
   ThinningVariants list;
   list.add_with_threads(bitpacked, Isa::baseline, &make_custom_bitpacked, {kBitpackedPriority});
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     list.add_with_threads(simd_bitpacked, isa, &make_custom_simd_bitpacked,
                           {kSimdBitpackedPriority});
     if (!adds_pixels && MachineCode::is_available(isa)) {

@@ -1,10 +1,10 @@
 // Access from baseline code to kernels that are compiled for every ISA.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
+#include "dispatch/isas.hpp"  // generated: kIsas
 #include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
@@ -18,14 +18,15 @@ struct Exported {
   static const Kernels kKernels;
 };
 
-/// The kernels for an ISA chosen at run time.
+/// The kernels for one of kIsas, chosen at run time.
 template <class Kernels>
 [[nodiscard]] const Kernels& kernels_of(Isa isa) {
-  static constexpr auto table = []<std::size_t... i>(std::index_sequence<i...>) {
-    return std::array{&Exported<Kernels, kAllIsas[i]>::kKernels...};
+  return [isa]<std::size_t... i>(std::index_sequence<i...>)->const Kernels& {
+    const Kernels* found = nullptr;
+    ((kIsas[i] == isa ? void(found = &Exported<Kernels, kIsas[i]>::kKernels) : void()), ...);
+    return *found;
   }
-  (std::make_index_sequence<kAllIsas.size()>{});
-  return *table.at(static_cast<std::size_t>(isa));
+  (std::make_index_sequence<kIsas.size()>{});
 }
 
 }  // namespace thinbench::detail

@@ -60,7 +60,9 @@ std::string available_options(std::span<const VariantInfo> variants, const Optio
 }  // namespace
 
 std::string unavailable_reason(const VariantInfo& variant, Index width, Border border) {
-  if (!cpu_supports(variant.isa)) return "this machine lacks the instruction set";
+  if (const std::string missing = missing_features(variant.isa); !missing.empty()) {
+    return "this machine lacks " + missing;
+  }
   if (!isa_available(variant.isa)) return "above the ISA cap";
   if (width > variant.max_width) {
     return "wider than this variant's limit of " + std::to_string(variant.max_width) + " pixels";

@@ -7,6 +7,9 @@
 // of the image stays in the L1 or L2 cache between strips, and their pages in the TLB.
 #pragma once
 
+#include <bit>
+#include <type_traits>
+
 #include "edges/kernels.hpp"
 #include "simd/vector.hpp"
 
@@ -14,6 +17,11 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 
 inline constexpr Index kLanes = static_cast<Index>(ByteBatch::size);
+
+/// The bits of a batch, a part of a word of the result.
+using Part = std::conditional_t<kLanes == 16, std::uint16_t,
+                                std::conditional_t<kLanes == 32, std::uint32_t, std::uint64_t>>;
+inline constexpr bool kFirstPartIsLowest = std::endian::native == std::endian::little;
 
 /// Each band also loads 2 or 4 adjacent rows; 32 rows make that cheap.
 inline constexpr Index kStripRows = 32;
@@ -70,10 +78,10 @@ struct Brightest {
 
   template <int reach>
   [[gnu::always_inline]] ByteBatch advance(const Columns<reach>& row) {
-    const ByteBatch across = xsimd::max(xsimd::max(row.at(-1), row.at(1)), row.at(0));
+    const ByteBatch across = simd::max(simd::max(row.at(-1), row.at(1)), row.at(0));
     const ByteBatch before = triple;
-    triple = xsimd::max(pair, across);
-    pair = xsimd::max(latest, across);
+    triple = simd::max(pair, across);
+    pair = simd::max(latest, across);
     latest = across;
     return delay == 0 ? triple : before;
   }
@@ -110,8 +118,12 @@ struct BitSink {
 
   [[gnu::always_inline]] void put(Index x, Index y, ByteBatch edges) const {
     const std::uint64_t bits = (nonzero_bits(edges) & mask) >> dropped;
-    auto* bytes = reinterpret_cast<unsigned char*>(target.row(y));
-    __builtin_memcpy(bytes + (x + dropped) / 8, &bits, static_cast<std::size_t>(kLanes / 8));
+    constexpr Index last = kWordBits / kLanes - 1;  // part of a word
+    const Index part = (x + dropped) / kLanes;
+    const auto lanes = static_cast<Part>(bits);
+    auto* parts = reinterpret_cast<unsigned char*>(target.row(y));
+    parts += (kFirstPartIsLowest ? part : part ^ last) * Index{sizeof(Part)};
+    __builtin_memcpy(parts, &lanes, sizeof(Part));
   }
 };
 
@@ -136,7 +148,7 @@ void scan_strip(EdgeThresholds thresholds, StripSource source, Index x, EdgeRows
     const Columns<reach> row = columns(y + reach);
     __builtin_prefetch(source.row(y + reach) + kPrefetchColumns);
     const ByteBatch steep = gradient.advance(row);
-    sink.put(x, y, xsimd::min(steep, excess(brightest.advance(row), brightness_threshold)));
+    sink.put(x, y, simd::min(steep, excess(brightest.advance(row), brightness_threshold)));
   }
 }
 

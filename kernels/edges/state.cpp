@@ -56,7 +56,7 @@ void check_thresholds(const EdgeThresholds& thresholds) {
 
 std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
   EdgeVariants list;
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (isa == Isa::avx512icl) continue;  // adds no instruction that these kernels use
     list.add(autovec, isa, &make<AutovecEdgeKernels, &AutovecEdgeKernels::bytes>, {0});
     constexpr auto make_16bit = &make<EdgeKernels, &EdgeKernels::simd_16bit>;

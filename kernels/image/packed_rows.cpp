@@ -3,13 +3,12 @@
 // of thinning it, so one compilation serves all ISAs.
 #include "image/packed_rows.hpp"
 
-#include <bit>
 #include <cstring>
+
+#include "image/byte_order.hpp"
 
 namespace thinbench::detail {
 namespace {
-
-static_assert(std::endian::native == std::endian::little);
 
 constexpr Index kWordBytes = kWordBits / 8;
 
@@ -30,13 +29,11 @@ void read_row(const std::uint8_t* bytes, Index width, std::uint64_t* row) {
   const Index words = width / kWordBits;
   const Index tail = width % kWordBits;
   for (Index i = 0; i < words; ++i) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes + i * kWordBytes, sizeof(word));
-    row[i] = reordered<order>(word);
+    row[i] = reordered<order>(load_bytes(bytes + i * kWordBytes));
   }
   if (tail == 0) return;
-  std::uint64_t word = 0;
-  std::memcpy(&word, bytes + words * kWordBytes, static_cast<std::size_t>(packed_row_bytes(tail)));
+  const auto tail_bytes = static_cast<std::size_t>(packed_row_bytes(tail));
+  const std::uint64_t word = load_bytes(bytes + words * kWordBytes, tail_bytes);
   row[words] = reordered<order>(word) & ((std::uint64_t{1} << tail) - 1);
 }
 
@@ -45,12 +42,11 @@ void write_row(const std::uint64_t* row, Index width, std::uint8_t* bytes) {
   const Index words = width / kWordBits;
   const Index tail = width % kWordBits;
   for (Index i = 0; i < words; ++i) {
-    const std::uint64_t word = reordered<order>(row[i]);
-    std::memcpy(bytes + i * kWordBytes, &word, sizeof(word));
+    store_bytes(bytes + i * kWordBytes, reordered<order>(row[i]));
   }
   if (tail == 0) return;
-  const std::uint64_t word = reordered<order>(row[words]);
-  std::memcpy(bytes + words * kWordBytes, &word, static_cast<std::size_t>(packed_row_bytes(tail)));
+  const auto tail_bytes = static_cast<std::size_t>(packed_row_bytes(tail));
+  store_bytes(bytes + words * kWordBytes, reordered<order>(row[words]), tail_bytes);
 }
 
 /// The bit of pixel x in its byte.

@@ -31,7 +31,7 @@ RegionLists LocaliseState::run(const ConstImageView& source) {
 std::vector<LocaliseVariant> localise_variants() {
   VariantList<LocaliseState> list;
   list.add_with_threads(Technique::bitpacked_runs, Isa::baseline, &make_bitpacked, {0});
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     list.add_with_threads(Technique::simd_runs, isa, &make_simd, {1, kSimdRunsWidth});
   }
   return list.take();

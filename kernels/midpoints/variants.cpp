@@ -172,7 +172,7 @@ State make_byte_scan(const ThinningSetting& setting) {
 std::vector<ThinningVariant> midpoint_variants() {
   ThinningVariants list;
   list.add_with_threads(bitpacked, Isa::baseline, &make_bitpacked_scan, {1});
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     list.add(autovec, isa, &make_byte_scan, {0});
     list.add_with_threads(simd_bitpacked, isa, &make_simd_scan, {2});
   }

@@ -30,7 +30,7 @@ struct ByteInputs {
   }
   const SignedByteBatch limit(net.limit);
   const SignedByteBatch min_sum = SignedByteBatch(std::int8_t{0}) - limit;
-  return reinterpreted<ByteBatch>(xsimd::min(xsimd::max(sum, min_sum), limit) + limit);
+  return reinterpreted<ByteBatch>(simd::min(simd::max(sum, min_sum), limit) + limit);
 }
 
 [[gnu::always_inline]] inline std::uint64_t decide(const FixedPointNet& net,

@@ -17,14 +17,14 @@ template <>
 struct RealOps<FloatBatch> {
   [[gnu::always_inline]] static FloatBatch constant(float value) { return FloatBatch(value); }
   [[gnu::always_inline]] static FloatBatch clamped(FloatBatch x, float low, float high) {
-    return xsimd::min(xsimd::max(x, FloatBatch(low)), FloatBatch(high));
+    return simd::min(simd::max(x, FloatBatch(low)), FloatBatch(high));
   }
   [[gnu::always_inline]] static FloatBatch rounded(FloatBatch x) {
     const FloatBatch magic(12582912.0F);
     return (x + magic) - magic;
   }
   [[gnu::always_inline]] static FloatBatch power_of_two(FloatBatch n) {
-    const IntBatch bits = (xsimd::to_int(n) + IntBatch(127)) << 23;
+    const IntBatch bits = (simd::to_int(n) + IntBatch(127)) << 23;
     return reinterpreted<FloatBatch>(bits);
   }
 };

@@ -37,8 +37,8 @@ template <Activation activation>
     return sigmoid(x);
   } else {
     const FloatBatch inside = FloatBatch(0.166F) * x + FloatBatch(0.5F);
-    const FloatBatch at_least_0 = xsimd::select(x < FloatBatch(-3.0F), FloatBatch(0.0F), inside);
-    return xsimd::select(x > FloatBatch(3.0F), FloatBatch(1.0F), at_least_0);
+    const FloatBatch at_least_0 = simd::select(x < FloatBatch(-3.0F), FloatBatch(0.0F), inside);
+    return simd::select(x > FloatBatch(3.0F), FloatBatch(1.0F), at_least_0);
   }
 }
 
@@ -86,7 +86,7 @@ struct ClusterOfNets {
     FloatBatch net(0.0F);
     const int runs = model.cluster.count;
     for (int run = 0; run + 1 < runs; ++run) {
-      net = net + xsimd::select(descriptor > FloatBatch(model.cluster_last[run]), FloatBatch(1.0F),
+      net = net + simd::select(descriptor > FloatBatch(model.cluster_last[run]), FloatBatch(1.0F),
                                 FloatBatch(0.0F));
     }
     FloatBatch sum = look_up_16(model.cluster_column[kNetInputs], net);

@@ -107,7 +107,7 @@ std::vector<ThinningVariant> net_variants(Rule rule) {
   list.add_with_threads(lut, Isa::baseline, &make_net_lut, {kLutPriority});
   list.add(lut_sliding, Isa::baseline, &make_net_lut_sliding, {kLutSlidingPriority});
   list.add_with_threads(bitpacked, Isa::baseline, &make_net_bitpacked, {kBitpackedPriority});
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     add_arithmetic(list, rule, isa);
     list.add_with_threads(simd_bitpacked, isa, &make_net_simd_bitpacked, {kSimdBitpackedPriority});
     if (kernels_of<RowKernels>(isa).custom != nullptr) {

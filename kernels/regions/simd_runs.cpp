@@ -29,7 +29,7 @@ static_assert(kLanes <= kKeyPadding);
     const auto here_end = KeyBatch::load_unaligned(here + i);
     disjoint = disjoint | (here_begin > above_end) | (above_begin > here_end);
   }
-  return !xsimd::any(disjoint);
+  return !simd::any(disjoint);
 }
 
 [[gnu::always_inline]] inline bool matches(const Key* above, const Key* here) {
@@ -88,8 +88,8 @@ struct Matching {
     (load(accumulators.squares) + product(length, begin + end))
         .store_unaligned(accumulators.squares + i);
     (load(accumulators.rows) + product(length, row)).store_unaligned(accumulators.rows + i);
-    xsimd::min(load(accumulators.min_begin), begin_key).store_unaligned(accumulators.min_begin + i);
-    xsimd::max(load(accumulators.max_end), end_key).store_unaligned(accumulators.max_end + i);
+    simd::min(load(accumulators.min_begin), begin_key).store_unaligned(accumulators.min_begin + i);
+    simd::max(load(accumulators.max_end), end_key).store_unaligned(accumulators.max_end + i);
   }
 }
 

@@ -136,7 +136,7 @@ State make_euler_lut(const RegionsSetting& setting) {
 void add_list_variants(RegionsVariants& list) {
   list.add(union_find, Isa::baseline, &make_union_find, {0});
   list.add_with_threads(bitpacked_runs, Isa::baseline, &make_bitpacked_runs, {1});
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     list.add_with_threads(simd_runs, isa, &make_simd_runs, {2, kSimdRunsWidth});
   }
 }
@@ -144,7 +144,7 @@ void add_list_variants(RegionsVariants& list) {
 void add_euler_variants(RegionsVariants& list) {
   list.add(lut, Isa::baseline, &make_euler_lut, {0});
   list.add_with_threads(bitpacked, Isa::baseline, &make_euler_bitpacked, {1});
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (isa == Isa::baseline) continue;  // the same as `bitpacked`
     list.add_with_threads(simd_bitpacked, isa, &make_euler_simd, {2});
   }

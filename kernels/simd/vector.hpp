@@ -6,12 +6,16 @@
 #include "simd/vocabulary.hpp"
 #include "simd/word.hpp"
 
-#if defined(__AVX512BW__)
+#if defined(THINBENCH_NO_SIMD)
+#include "simd/portable.hpp"
+#elif defined(__AVX512BW__)
 #include "simd/avx512.hpp"
 #elif defined(__AVX2__)
 #include "simd/avx2.hpp"
 #elif defined(__SSE2__)
 #include "simd/sse2.hpp"
+#elif defined(__aarch64__)
+#include "simd/neon.hpp"
 #else
 #error "no file of kernels/simd/ defines the vocabulary for this architecture"
 #endif
@@ -27,15 +31,15 @@ template <class To, class From>
 }
 
 template <class T, class A>
-[[gnu::always_inline]] inline bool any_bit(const xsimd::batch<T, A>& batch) {
-  return xsimd::any(batch != xsimd::batch<T, A>(T{0}));
+[[gnu::always_inline]] inline bool any_bit(const simd::batch<T, A>& batch) {
+  return simd::any(batch != simd::batch<T, A>(T{0}));
 }
 
 /// The west neighbours of packed pixels: each lane shifted by `pixels` towards high bits, filled
 /// with the highest bits of `before`.
 template <int pixels, class T, class A>
-[[gnu::always_inline]] inline xsimd::batch<T, A> west_neighbour(const xsimd::batch<T, A>& centre,
-                                                                const xsimd::batch<T, A>& before) {
+[[gnu::always_inline]] inline simd::batch<T, A> west_neighbour(const simd::batch<T, A>& centre,
+                                                                const simd::batch<T, A>& before) {
   if constexpr (kHasFunnelShift) {
     return funnel_left<pixels>(centre, before);
   } else {
@@ -45,8 +49,8 @@ template <int pixels, class T, class A>
 
 /// The east neighbours: shifted towards low bits, filled with the lowest bits of `after`.
 template <int pixels, class T, class A>
-[[gnu::always_inline]] inline xsimd::batch<T, A> east_neighbour(const xsimd::batch<T, A>& centre,
-                                                                const xsimd::batch<T, A>& after) {
+[[gnu::always_inline]] inline simd::batch<T, A> east_neighbour(const simd::batch<T, A>& centre,
+                                                                const simd::batch<T, A>& after) {
   if constexpr (kHasFunnelShift) {
     return funnel_right<pixels>(centre, after);
   } else {
@@ -63,26 +67,26 @@ template <int pixels, class T, class A>
 }
 
 [[gnu::always_inline]] inline Halves absolute(const Halves& a) {
-  return {xsimd::abs(a.low), xsimd::abs(a.high)};
+  return {simd::abs(a.low), simd::abs(a.high)};
 }
 
 [[gnu::always_inline]] inline Halves maximum(const Halves& a, const Halves& b) {
-  return {xsimd::max(a.low, b.low), xsimd::max(a.high, b.high)};
+  return {simd::max(a.low, b.low), simd::max(a.high, b.high)};
 }
 
 /// a - b for values from 0 to 32767; `pack` saturates negative results to 0.
 [[gnu::always_inline]] inline Halves excess(const Halves& a, WideBatch b) {
-  return {xsimd::ssub(a.low, b), xsimd::ssub(a.high, b)};
+  return {simd::ssub(a.low, b), simd::ssub(a.high, b)};
 }
 
 /// max(a - b, 0).
 [[gnu::always_inline]] inline ByteBatch excess(ByteBatch a, ByteBatch b) {
-  return xsimd::ssub(a, b);
+  return simd::ssub(a, b);
 }
 
 /// |a - b|.
 [[gnu::always_inline]] inline ByteBatch distance(ByteBatch a, ByteBatch b) {
-  return xsimd::ssub(a, b) | xsimd::ssub(b, a);
+  return simd::ssub(a, b) | simd::ssub(b, a);
 }
 
 /// a + b.

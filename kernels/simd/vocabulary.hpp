@@ -1,5 +1,5 @@
-// The vocabulary of vector operations. Each architecture file (sse2.hpp, avx2.hpp, avx512.hpp)
-// defines the functions declared here; only this directory uses intrinsics or tests for an
+// The vocabulary of vector operations. Each architecture file (sse2.hpp, avx2.hpp, avx512.hpp,
+// neon.hpp) and portable.hpp define the functions declared here; only this directory uses intrinsics or tests for an
 // architecture. Kernels include vector.hpp. For ISA files only.
 //
 // Types and functions have the same name but another meaning in each ISA, so they are in an inline
@@ -10,7 +10,7 @@
 //
 // An architecture file also defines these constants. A function marked with one of them exists only
 // where it is true; kernels use it in `if constexpr`, with another algorithm as the alternative.
-//   kHasFunnelShift   west_neighbour and east_neighbour in one instruction
+//   kHasFunnelShift   west_neighbour and east_neighbour in fewer instructions than two shifts and OR
 //   kHasMaskedBytes   masked loads and stores of bytes
 //   kHasCompress      compress-store of 32-bit lanes
 //   kHasByteCompress  compress of bytes
@@ -23,22 +23,38 @@
 #include <cstddef>
 #include <cstdint>
 
+#if defined(THINBENCH_NO_SIMD)
+#include "simd/portable_batch.hpp"
+#else
 #include <xsimd/xsimd.hpp>
+#endif
 
 #include "thinbench/image_view.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench::detail {
+
+// Batches: xsimd's, or a stand-in for it.
+#if defined(THINBENCH_NO_SIMD)
+namespace simd = portable;
+using BaselineArchitecture = portable::Registers;
+#elif defined(__aarch64__)
+namespace simd = xsimd;
+using BaselineArchitecture = xsimd::neon64;
+#else
+namespace simd = xsimd;
+using BaselineArchitecture = xsimd::sse2;
+#endif
+
 inline namespace THINBENCH_ISA {
 
 inline constexpr Isa kThisIsa = Isa::THINBENCH_ISA;
 
 template <Isa isa>
-struct ArchitectureOf;
-template <>
-struct ArchitectureOf<Isa::baseline> {
-  using Type = xsimd::sse2;
+struct ArchitectureOf {
+  using Type = BaselineArchitecture;
 };
+#if !defined(THINBENCH_NO_SIMD)
 template <>
 struct ArchitectureOf<Isa::sse42> {
   using Type = xsimd::sse4_2;
@@ -55,10 +71,11 @@ template <>
 struct ArchitectureOf<Isa::avx512icl> {
   using Type = xsimd::avx512bw;
 };
+#endif
 
 using Architecture = ArchitectureOf<kThisIsa>::Type;
 template <class T>
-using BatchOf = xsimd::batch<T, Architecture>;
+using BatchOf = simd::batch<T, Architecture>;
 
 using WordBatch = BatchOf<std::uint64_t>;  // 64 packed pixels per lane
 using ByteBatch = BatchOf<std::uint8_t>;
@@ -70,8 +87,8 @@ using Lanes16 = BatchOf<std::uint16_t>;
 using Lanes32 = BatchOf<std::uint32_t>;
 
 /// Masks of lanes: a mask register where the ISA has them, else lanes of all ones.
-using LaneMask = xsimd::batch_bool<float, Architecture>;
-using ByteMask = xsimd::batch_bool<std::uint8_t, Architecture>;
+using LaneMask = simd::batch_bool<float, Architecture>;
+using ByteMask = simd::batch_bool<std::uint8_t, Architecture>;
 
 /// Bytes widened to 16 bits, in two halves, in the order of the unpack instructions (within 128
 /// bits on AVX2 and AVX-512). `pack` restores the order; code in between must not depend on it.

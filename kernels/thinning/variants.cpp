@@ -86,7 +86,7 @@ std::vector<ThinningVariant> parallel_rule_variants(Rule rule) {
     list.add(lut_sliding, Isa::baseline, &make_lut_sliding, {kLutSlidingPriority});
   }
   list.add_with_threads(bitpacked, Isa::baseline, &make_bitpacked, {kBitpackedPriority});
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     list.add(autovec, isa, &make_autovec, {kAutovecPriority});
     list.add(simd_bytes, isa, &make_bytes, {kBytesPriority});
     list.add_with_threads(simd_bitpacked, isa, &make_simd_bitpacked, {kSimdBitpackedPriority});

@@ -191,7 +191,7 @@ TEST_F(RunCommand, explains_that_a_variant_does_not_exist) {
 
 TEST_F(RunCommand, isa_above_the_cap_is_rejected) {
   const IsaCap cap("baseline");
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (isa == Isa::baseline) continue;
     const std::string name(isa_name(isa));
     const std::string reason =

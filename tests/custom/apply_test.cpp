@@ -198,7 +198,7 @@ TEST_P(RandomRules, equal_the_reference_in_lanes) {
         std::copy_n(result.image.view().row(y), width, want.data() + at + y * width);
       }
     }
-    for (const Isa isa : kAllIsas) {
+    for (const Isa isa : all_isas()) {
       if (!isa_available(isa)) continue;
       const BoundRule bound = compiled->bind(isa, lane_layout(width), true);
       std::vector<std::uint8_t> result(source.size(), kUnwritten);

@@ -80,7 +80,7 @@ TEST(PackedEdges, equal_the_reference_and_leave_the_margin_zero) {
   for (const EdgeOperatorInfo& info : kEdgeOperators) {
     ByteImage expected(131, 20);
     reference::edges(info.op)({}, image.view(), expected.view());
-    for (const Isa isa : kAllIsas) {
+    for (const Isa isa : all_isas()) {
       if (!isa_available(isa)) continue;
       detail::PackedEdges packed({info.op, {}, isa, 131, 20, 3});
       const detail::ConstBitPlaneView bits = packed.run(image.view());

@@ -17,14 +17,14 @@ namespace {
 
 constexpr const char* kTable = THINBENCH_SOURCE_DIR "/tests/harness/variants.txt";
 
-/// Numbers of variants, in the order of kAllIsas.
-using Counts = std::array<std::size_t, kAllIsas.size()>;
+/// Numbers of variants, in the order of all_isas().
+using Counts = std::array<std::size_t, detail::kIsas.size()>;
 /// By case.
 using Table = std::map<std::string, Counts>;
 
 std::string header() {
   std::string text = "case";
-  for (const Isa isa : kAllIsas) text.append("\t").append(isa_name(isa));
+  for (const Isa isa : all_isas()) text.append("\t").append(isa_name(isa));
   return text;
 }
 
@@ -41,8 +41,8 @@ std::vector<std::string> variants_of(const Operation& operation, Isa isa) {
 Table table_of_operations() {
   Table table;
   for (const Operation& operation : all_operations()) {
-    for (std::size_t i = 0; i < kAllIsas.size(); ++i) {
-      table[operation.name][i] = variants_of(operation, kAllIsas[i]).size();
+    for (std::size_t i = 0; i < all_isas().size(); ++i) {
+      table[operation.name][i] = variants_of(operation, all_isas()[i]).size();
     }
   }
   return table;
@@ -85,13 +85,13 @@ std::string joined(const std::vector<std::string>& names) {
 /// The variants that a case has lost or gained against the record; empty if none.
 std::string difference(const Operation& operation, const Counts& recorded) {
   std::string text;
-  for (std::size_t i = 0; i < kAllIsas.size(); ++i) {
-    const std::vector<std::string> names = variants_of(operation, kAllIsas[i]);
+  for (std::size_t i = 0; i < all_isas().size(); ++i) {
+    const std::vector<std::string> names = variants_of(operation, all_isas()[i]);
     if (names.size() == recorded[i]) continue;
     const bool lost = names.size() < recorded[i];
     const std::size_t number = lost ? recorded[i] - names.size() : names.size() - recorded[i];
     text += operation.name + (lost ? " has lost " : " has gained ") + std::to_string(number) +
-            " at " + std::string(isa_name(kAllIsas[i])) + ", there are " + joined(names) + "\n";
+            " at " + std::string(isa_name(all_isas()[i])) + ", there are " + joined(names) + "\n";
   }
   return text;
 }

@@ -80,7 +80,7 @@ TEST_P(PlaneConversion, round_trip_keeps_images_larger_than_caches_with_and_with
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, PlaneConversion, testing::ValuesIn(kAllIsas), isa_test_name);
+INSTANTIATE_TEST_SUITE_P(Isas, PlaneConversion, testing::ValuesIn(detail::kIsas), isa_test_name);
 
 }  // namespace
 }  // namespace thinbench::detail

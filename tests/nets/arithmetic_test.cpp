@@ -82,7 +82,7 @@ TEST_P(NetArithmetic, is_close_to_the_reference_with_the_sigmoid) {
   RecordProperty("output_ulps", output);
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, NetArithmetic, testing::ValuesIn(kAllIsas), isa_test_name);
+INSTANTIATE_TEST_SUITE_P(Isas, NetArithmetic, testing::ValuesIn(detail::kIsas), isa_test_name);
 
 TEST(Exponential, differs_from_the_true_value_by_at_most_one_ulp) {
   int max_ulps = 0;

@@ -1,7 +1,6 @@
 // Tests that run once for every ISA; skipped where the ISA is not available.
 #pragma once
 
-#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -19,7 +18,7 @@ class IsaTest : public testing::TestWithParam<Isa> {
 
 inline std::string isa_test_name(const testing::TestParamInfo<Isa>& tested) {
   std::string name(isa_name(tested.param));
-  name.erase(std::remove(name.begin(), name.end(), '.'), name.end());  // not allowed in test names
+  std::erase_if(name, [](char c) { return c == '.' || c == '-'; });  // not allowed in test names
   return name;
 }
 

@@ -117,7 +117,7 @@ void expect_batch_at_every_isa(Rule rule, Stack& source, const reference::Repeti
   Expected expected = expected_of(rule, repetition, source);
   Options options = {
       .border = repetition.border, .max_iterations = repetition.max_iterations, .threads = threads};
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
     if (detail::is_parallel_rule(rule)) options.isa = isa;
     expect_batch(rule, source, options, expected);

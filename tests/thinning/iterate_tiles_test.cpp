@@ -119,7 +119,7 @@ void expect_near_minimum(FindDelay find_delay, const std::vector<std::uint32_t>&
 }
 
 TEST(FindDelay, result_suffices_and_is_close_to_the_minimum) {
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
     for (const std::uint32_t reach : {70U, 261U}) {
       for (const std::size_t count : {0U, 1U, 30U, 400U, 3000U}) {

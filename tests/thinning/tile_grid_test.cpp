@@ -73,7 +73,7 @@ TEST(TileGrid, every_isa_has_the_same_layout) {
     std::fill_n(plane.view().row(y) + 3, 7, 0);  // some tiles without foreground
   LoadedGrid expected(width, height);
   const Index tiles = expected.load(plane);
-  for (const Isa isa : kAllIsas) {
+  for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
     LoadedGrid loaded(width, height, isa);
     ASSERT_EQ(loaded.load(plane), tiles);

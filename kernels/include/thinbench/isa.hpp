@@ -2,9 +2,10 @@
 // cap for tests. All functions are thread-safe.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "thinbench/export.h"
@@ -13,33 +14,38 @@ namespace thinbench {
 
 /// A named set of processor features. `avx512` is F, CD, DQ, BW and VL; `avx512icl` adds VBMI,
 /// VBMI2, GFNI, VNNI, BITALG and VPOPCNTDQ (Ice Lake and later, Zen 4 and later). On x86-64 each of
-/// these sets contains the ones before it.
-enum class Isa : std::uint8_t { baseline, sse42, avx2, avx512, avx512icl };
+/// these sets contains the ones before it. On AArch64 `baseline` is Advanced SIMD (NEON), which every
+/// processor has; `neon_sha3` adds FEAT_SHA3 (Apple M1, Neoverse V1 and N2, and later).
+enum class Isa : std::uint8_t { baseline, sse42, avx2, avx512, avx512icl, neon_sha3 };
 
-/// Every ISA that kernels are compiled for.
-inline constexpr std::array kAllIsas = {Isa::baseline, Isa::sse42, Isa::avx2, Isa::avx512,
-                                        Isa::avx512icl};
+/// Every ISA that this library's kernels are compiled for: those of its architecture, in the order of
+/// the enumeration, `baseline` first; `baseline` alone without SIMD.
+[[nodiscard]] THINBENCH_API std::span<const Isa> all_isas();
 
 /// The environment variable that caps the available ISAs: with `THINBENCH_MAX_ISA=avx2` only avx2
 /// and the ISAs it contains are available. Read once, on first use.
 inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 
-/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl". All functions that take an Isa throw
-/// std::invalid_argument for a value outside the enumeration.
+/// "baseline", "sse4.2", "avx2", "avx512", "avx512icl", "neon-sha3". All functions that take an Isa
+/// throw std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] THINBENCH_API std::string_view isa_name(Isa isa);
+/// One of all_isas().
 [[nodiscard]] THINBENCH_API std::optional<Isa> isa_from_name(std::string_view name);
 
 /// Whether processor and operating system support every feature of the set, regardless of the cap.
 [[nodiscard]] THINBENCH_API bool cpu_supports(Isa isa);
 
+/// The features of the set that processor or operating system lack, as "avx2, bmi2"; empty if none.
+[[nodiscard]] THINBENCH_API std::string missing_features(Isa isa);
+
 /// The ISA in the environment variable, or nullopt if it is unset or empty. Throws
 /// std::invalid_argument for an unknown name.
 [[nodiscard]] THINBENCH_API std::optional<Isa> isa_cap();
 
-/// Whether the processor supports the set and the cap contains it. Throws as isa_cap does.
+/// Whether kernels are compiled for the set, the processor supports it and the cap contains it. Throws as isa_cap does.
 [[nodiscard]] THINBENCH_API bool isa_available(Isa isa);
 
-/// The last of kAllIsas that is available. Throws as isa_cap does.
+/// The last of all_isas() that is available. Throws as isa_cap does.
 [[nodiscard]] THINBENCH_API Isa best_isa();
 
 }  // namespace thinbench

@@ -17,7 +17,7 @@ template <class Word>
 /// Images up to 32 or 64 pixels wide, in lanes of T.
 template <class T>
 struct PlainLanes {
-  using Word = xsimd::batch<T, Architecture>;
+  using Word = simd::batch<T, Architecture>;
   using Element = T;
   static constexpr Index kImages = static_cast<Index>(Word::size);
   static constexpr Index kElements = 1;  // per image

@@ -9,24 +9,12 @@
 // operations per pixel, without branches or a dependency chain.
 //
 // Measured, not adopted: docs/experiments.md#one-column-per-pixel.
-#include <cstring>
-
+#include "image/byte_order.hpp"
 #include "thinning/engines/passes.hpp"
 #include "thinning/engines/rule_table.hpp"
 
 namespace thinbench::detail {
 namespace {
-
-/// Eight pixels, the first in the low byte.
-std::uint64_t load_word(const std::uint8_t* from) {
-  std::uint64_t word = 0;
-  std::memcpy(&word, from, sizeof word);
-  return word;
-}
-
-void store_word(std::uint8_t* to, std::uint64_t word) {
-  std::memcpy(to, &word, sizeof word);
-}
 
 unsigned descriptor(const std::uint8_t* above, const std::uint8_t* here,
                     const std::uint8_t* below) {
@@ -41,8 +29,8 @@ bool lut_row(const std::uint8_t* table, [[maybe_unused]] const std::uint8_t* fix
   constexpr Index group = 8;
   bool changed = false;
   for (Index x = 0; x < count; x += group) {
-    if (load_word(here + x) == 0) {
-      store_word(target + x, 0);
+    if (load_bytes(here + x) == 0) {
+      store_bytes(target + x, 0);
       continue;
     }
     for (Index i = x; i < x + group; ++i) {
@@ -60,7 +48,7 @@ bool lut_row(const std::uint8_t* table, [[maybe_unused]] const std::uint8_t* fix
 /// Columns x to x + 7 as four pairs, 6 bits in each 16-bit lane.
 std::uint64_t column_pairs(const std::uint8_t* here, Index stride) {
   const std::uint64_t columns =
-      load_word(here - stride) << 2 | load_word(here) << 1 | load_word(here + stride);
+      load_bytes(here - stride) << 2 | load_bytes(here) << 1 | load_bytes(here + stride);
   return (columns | columns >> 5) & 0x003F003F003F003F;
 }
 
@@ -78,9 +66,9 @@ bool sliding_row(const std::uint16_t* table, [[maybe_unused]] const std::uint8_t
                          std::uint64_t{table[windows >> 16 & 4095]} << 16 |
                          std::uint64_t{table[windows >> 32 & 4095]} << 32 |
                          std::uint64_t{table[windows >> 48]} << 48;
-    if constexpr (has_fixed) next |= load_word(here + x) & load_word(fixed + x);
-    changed |= next ^ load_word(here + x);
-    store_word(target + x, next);
+    if constexpr (has_fixed) next |= load_bytes(here + x) & load_bytes(fixed + x);
+    changed |= next ^ load_bytes(here + x);
+    store_bytes(target + x, next);
     pairs = following;
   }
   return changed != 0;

@@ -1,0 +1,219 @@
+// The vocabulary on AArch64's 128-bit registers (NEON, Advanced SIMD). With FEAT_SHA3 the compiler
+// itself joins gates into EOR3 and BCAX, so nothing here depends on it.
+#pragma once
+
+#include <arm_neon.h>
+
+#include "simd/vocabulary.hpp"
+#include "simd/word.hpp"
+
+namespace thinbench::detail {
+
+/// BSL: one instruction for every gate that selects one of two inputs by the third. Compilers
+/// recognise it in some forms only.
+template <class T>
+struct TernaryGate<xsimd::batch<T, xsimd::neon64>> {
+  using Word = xsimd::batch<T, xsimd::neon64>;
+  static constexpr bool kOneInstruction = false;
+
+  template <class Gate>
+  [[gnu::always_inline]] static Word apply(Word a, Word b, Word c, Gate gate) {
+    constexpr std::uint8_t table = truth_table(gate);
+    if constexpr (table == 0xCA) return select(a, b, c);
+    if constexpr (table == 0xAC) return select(a, c, b);
+    if constexpr (table == 0xE2) return select(b, a, c);
+    if constexpr (table == 0xB8) return select(b, c, a);
+    if constexpr (table == 0xE4) return select(c, a, b);
+    if constexpr (table == 0xD8) return select(c, b, a);
+    return gate(a, b, c);
+  }
+
+ private:
+  /// a ? b : c.
+  [[gnu::always_inline]] static Word select(Word a, Word b, Word c) {
+    const auto bytes = [](Word word) {
+      return __builtin_bit_cast(uint8x16_t, static_cast<typename Word::register_type>(word));
+    };
+    return __builtin_bit_cast(typename Word::register_type,
+                              vbslq_u8(bytes(a), bytes(b), bytes(c)));
+  }
+};
+
+inline namespace THINBENCH_ISA {
+
+inline constexpr bool kHasFunnelShift = true;
+inline constexpr bool kHasMaskedBytes = false;
+inline constexpr bool kHasCompress = false;
+inline constexpr bool kHasByteCompress = false;
+inline constexpr bool kHasTranspose = false;
+inline constexpr bool kHasPopcount = true;
+inline constexpr bool kHasByteLookUp = false;
+inline constexpr bool kHasBitGather = false;
+
+// SHL or USHR, then SRI or SLI, which shifts and inserts.
+template <int count>
+inline WordBatch funnel_left(WordBatch a, WordBatch low) {
+  return vsriq_n_u64(vshlq_n_u64(a, count), low, 64 - count);
+}
+template <int count>
+inline Lanes32 funnel_left(Lanes32 a, Lanes32 low) {
+  return vsriq_n_u32(vshlq_n_u32(a, count), low, 32 - count);
+}
+
+template <int count>
+inline WordBatch funnel_right(WordBatch a, WordBatch high) {
+  return vsliq_n_u64(vshrq_n_u64(a, count), high, 64 - count);
+}
+template <int count>
+inline Lanes32 funnel_right(Lanes32 a, Lanes32 high) {
+  return vsliq_n_u32(vshrq_n_u32(a, count), high, 32 - count);
+}
+
+/// Byte i is bit i % 8.
+[[gnu::always_inline]] inline uint8x16_t bit_of_byte() {
+  return vreinterpretq_u8_u64(vdupq_n_u64(0x8040201008040201));
+}
+
+/// Bit i is set where byte i is 255; other bytes are 0. Three additions of neighbours gather eight
+/// bytes in one.
+[[gnu::always_inline]] inline std::uint64_t bits_of_bytes(uint8x16_t bytes) {
+  uint8x16_t sums = vandq_u8(bytes, bit_of_byte());
+  for (int i = 0; i < 3; ++i) sums = vpaddq_u8(sums, sums);
+  return vgetq_lane_u16(vreinterpretq_u16_u8(sums), 0);
+}
+
+inline std::uint64_t nonzero_bits(ByteBatch a) {
+  return bits_of_bytes(vtstq_u8(a, a));
+}
+
+inline ByteBatch nonzero_bytes(ByteBatch a) {
+  return vtstq_u8(a, a);
+}
+
+inline ByteBatch spread_bits(std::uint64_t bits) {
+  const uint8x8_t low = vdup_n_u8(static_cast<std::uint8_t>(bits));
+  const uint8x8_t high = vdup_n_u8(static_cast<std::uint8_t>(bits >> 8));
+  return vtstq_u8(vcombine_u8(low, high), bit_of_byte());
+}
+
+inline std::uint64_t load_16_nonzero_bits(const std::uint8_t* from) {
+  return nonzero_bits(vld1q_u8(from));
+}
+
+inline void store_16_spread_bits(std::uint8_t* to, std::uint64_t bits) {
+  vst1q_u8(to, spread_bits(bits));
+}
+
+// NEON has no intrinsic for non-temporal stores.
+inline void store_non_temporal(std::uint8_t* to, ByteBatch a) {
+  vst1q_u8(to, a);
+}
+
+inline void finish_non_temporal_stores() {}
+
+inline std::uint32_t nonzero_lanes(Lanes16 a) {
+  constexpr std::uint16_t bit[] = {1, 2, 4, 8, 16, 32, 64, 128};
+  return vaddvq_u16(vandq_u16(vtstq_u16(a, a), vld1q_u16(bit)));
+}
+
+/// Bit i is set where lane i is all ones; other lanes are 0.
+[[gnu::always_inline]] inline std::uint32_t bits_of_lanes(uint32x4_t lanes) {
+  constexpr std::uint32_t bit[] = {1, 2, 4, 8};
+  return vaddvq_u32(vandq_u32(lanes, vld1q_u32(bit)));
+}
+
+inline std::uint32_t nonzero_lanes(Lanes32 a) {
+  return bits_of_lanes(vtstq_u32(a, a));
+}
+
+inline std::uint32_t highest_bits(Lanes32 a) {
+  return bits_of_lanes(vcltzq_s32(vreinterpretq_s32_u32(a)));
+}
+
+inline std::uint32_t lowest_bits(Lanes32 a) {
+  return bits_of_lanes(vtstq_u32(a, vdupq_n_u32(1)));
+}
+
+inline WordBatch previous_in_pair(WordBatch a) {
+  return vextq_u64(vdupq_n_u64(0), a, 1);
+}
+
+inline WordBatch next_in_pair(WordBatch a) {
+  return vextq_u64(a, vdupq_n_u64(0), 1);
+}
+
+inline WordBatch popcounts(WordBatch a) {
+  return vpaddlq_u32(vpaddlq_u16(vpaddlq_u8(vcntq_u8(vreinterpretq_u8_u64(a)))));
+}
+
+inline std::int64_t sum_of_lanes(WordBatch a) {
+  return static_cast<std::int64_t>(vaddvq_u64(a));
+}
+
+inline ByteBatch average(ByteBatch a, ByteBatch b) {
+  return vrhaddq_u8(a, b);
+}
+
+inline Halves interleaved(ByteBatch a, ByteBatch b) {
+  return {WideBatch(vreinterpretq_s16_u8(vzip1q_u8(a, b))),
+          WideBatch(vreinterpretq_s16_u8(vzip2q_u8(a, b)))};
+}
+
+// Lower and upper bytes separately; shifts extend the signs of weights.
+inline WideBatch weighted_pairs(WideBatch pairs, WideBatch weights) {
+  const int16x8_t lower = vandq_s16(pairs, vdupq_n_s16(0xFF));
+  const int16x8_t upper =
+      vreinterpretq_s16_u16(vshrq_n_u16(vreinterpretq_u16_s16(pairs), 8));
+  const int16x8_t lower_weight = vshrq_n_s16(vshlq_n_s16(weights, 8), 8);
+  const int16x8_t upper_weight = vshrq_n_s16(weights, 8);
+  return vmlaq_s16(vmulq_s16(lower, lower_weight), upper, upper_weight);
+}
+
+inline ByteBatch pack(const Halves& a) {
+  return vqmovun_high_s16(vqmovun_s16(a.low), a.high);
+}
+
+inline std::uint64_t nonnegative_bits(const Halves& a) {
+  return bits_of_bytes(vcgezq_s8(vqmovn_high_s16(vqmovn_s16(a.low), a.high)));
+}
+
+inline ByteBatch first_repeated(ByteBatch a) {
+  return vextq_u8(vdupq_laneq_u8(a, 0), a, 15);
+}
+
+inline ByteBatch last_repeated(ByteBatch a) {
+  return vextq_u8(a, vdupq_laneq_u8(a, 15), 1);
+}
+
+inline ByteMask byte_mask(std::uint64_t bits) {
+  return ByteMask(static_cast<uint8x16_t>(spread_bits(bits)));
+}
+
+inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum, SignedByteBatch value) {
+  return vaddq_s8(sum, vandq_s8(vreinterpretq_s8_u8(mask), value));
+}
+
+inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {
+  const uint32x4_t selected = vandq_u32(mask, vreinterpretq_u32_f32(value));
+  return vaddq_f32(sum, vreinterpretq_f32_u32(selected));
+}
+
+inline LaneMask lane_mask(std::uint64_t bits) {
+  constexpr std::uint32_t bit[] = {1, 2, 4, 8};
+  return LaneMask(vtstq_u32(vdupq_n_u32(static_cast<std::uint32_t>(bits)), vld1q_u32(bit)));
+}
+
+inline std::uint64_t bits_of(LaneMask lanes) {
+  return bits_of_lanes(lanes);
+}
+
+// 64 bytes are one table: lane i selects bytes 4 index to 4 index + 3.
+inline FloatBatch look_up_16(const float* table, FloatBatch index) {
+  const uint8x16x4_t bytes = vld1q_u8_x4(reinterpret_cast<const std::uint8_t*>(table));
+  const uint32x4_t first = vmulq_n_u32(vcvtq_u32_f32(index), 0x04040404);
+  const uint32x4_t places = vaddq_u32(first, vdupq_n_u32(0x03020100));
+  return vreinterpretq_f32_u8(vqtbl4q_u8(bytes, vreinterpretq_u8_u32(places)));
+}
+
+}  // namespace THINBENCH_ISA
+}  // namespace thinbench::detail
