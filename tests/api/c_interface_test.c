@@ -160,12 +160,15 @@ static void thinner_equals_thin(void) {
   const thinbench_output output = destination();
   thinbench_thinner* thinner = NULL;
   uint8_t expected[HEIGHT][WIDTH];
+  int32_t iterations = 0;
   draw();
   CHECK(thinbench_thin("zhang_suen", &one, &output, NULL, NULL) == THINBENCH_OK);
   memcpy(expected, results[0], sizeof(expected));
   memset(results, 77, sizeof(results));
   CHECK(thinbench_thinner_create("zhang_suen", WIDTH, HEIGHT, NULL, &thinner) == THINBENCH_OK);
   CHECK(thinbench_thinner_run(thinner, &one, &output, NULL) == THINBENCH_OK);
+  CHECK(thinbench_thinner_run(thinner, &one, &output, &iterations) == THINBENCH_OK);
+  CHECK(iterations > 1);
   CHECK(memcmp(expected, results[0], sizeof(expected)) == 0);
   CHECK(strlen(thinbench_thinner_technique(thinner)) > 0);
   CHECK(thinbench_isa_available(thinbench_thinner_isa(thinner)) == 1);
@@ -191,13 +194,36 @@ static void finds_regions_and_labels(void) {
   hole = thinbench_regions_holes(regions, &count, sizeof(thinbench_region));
   CHECK(count == 1 && hole->area == 1 && hole->left == 7 && hole->bottom == 5);
   CHECK(hole->enclosing_object == 1);
+  CHECK(thinbench_regions_holes(regions, NULL, sizeof(thinbench_region)) == hole);
   CHECK(thinbench_regions_holes(regions, &count, sizeof(thinbench_region) + 8) == NULL);
   CHECK(labels[0][0] == 0 && labels[2][2] == 1 && labels[5][7] == 2);
   thinbench_regions_destroy(regions);
   CHECK(thinbench_localise(&one, 0, 0, NULL, &regions) == THINBENCH_OK);
   thinbench_regions_destroy(regions);
   thinbench_regions_destroy(NULL);
+  thinbench_regions_objects(NULL, &count, sizeof(thinbench_region));
+  CHECK(count == 0);
+  thinbench_regions_holes(NULL, &count, sizeof(thinbench_region));
+  CHECK(count == 0);
   CHECK(thinbench_euler_number(&one, 8, NULL, &number) == THINBENCH_OK && number == 0);
+  CHECK(thinbench_euler_number(&one, 4, NULL, &number) == THINBENCH_OK && number == 0);
+}
+
+static void labels_take_no_options(void) {
+  const thinbench_stack one = source(1);
+  int32_t labels[HEIGHT][WIDTH];
+  thinbench_regions* regions = NULL;
+  thinbench_options options[4] = {THINBENCH_OPTIONS_INIT, THINBENCH_OPTIONS_INIT,
+                                  THINBENCH_OPTIONS_INIT, THINBENCH_OPTIONS_INIT};
+  int i;
+  options[0].max_iterations = 1;
+  options[1].threads = 2;
+  options[2].isa = "baseline";
+  options[3].technique = "lut";
+  for (i = 0; i < 4; ++i) {
+    rejects(thinbench_find_regions(&one, &labels[0][0], WIDTH, &options[i], &regions),
+            "with labels none may be set");
+  }
 }
 
 static void fills_holes_and_finds_edges(void) {
@@ -305,12 +331,15 @@ static void custom_rules_apply_to_packed_images(void) {
   const uint8_t image[3] = {0, 0x38, 0};
   const thinbench_packed packed = {image, 3, 7, 1, 0};
   uint8_t result[3] = {1, 1, 1};
+  int32_t iterations = 0;
   thinbench_named_rule life = {sizeof(thinbench_named_rule), NULL, NULL, NULL, NULL, 0, NULL, 0};
   thinbench_custom_rule* rule = NULL;
   CHECK(thinbench_find_named_rule("life", &life) == THINBENCH_OK);
   CHECK(thinbench_custom_rule_create(life.tables, life.sub_iterations, life.border,
                                      life.max_iterations, 0, &rule) == THINBENCH_OK);
   CHECK(thinbench_apply_packed(rule, &packed, result, 1, NULL, NULL) == THINBENCH_OK);
+  CHECK(thinbench_apply_packed(rule, &packed, result, 1, NULL, &iterations) == THINBENCH_OK);
+  CHECK(iterations == 1);
   CHECK(result[0] == 0x10 && result[1] == 0x10 && result[2] == 0x10);
   thinbench_custom_rule_destroy(rule);
 }
@@ -480,6 +509,7 @@ int main(void) {
   thins_labels_each_alone();
   thinner_equals_thin();
   finds_regions_and_labels();
+  labels_take_no_options();
   fills_holes_and_finds_edges();
   packed_equals_bytes();
   custom_rules_apply_tables();

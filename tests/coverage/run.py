@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -71,6 +72,30 @@ def parse_branches(exported: Any, files: dict[str, FileCoverage]) -> None:
             branches[line, column] = (before[0] + taken, before[1] + not_taken)
 
 
+def drop_compile_time(exported: Any, files: dict[str, FileCoverage]) -> None:
+    """Forgets constexpr and consteval functions that never ran: the compiler has evaluated them."""
+    counts: dict[tuple[str, int, int], int] = defaultdict(int)
+    for function in exported["data"][0]["functions"]:
+        first, _, last, *_ = function["regions"][0]
+        counts[function["filenames"][0], first, last] += function["count"]
+    for (name, first, last), count in counts.items():
+        if count > 0 or name not in files or not is_for_compilers(Path(name).read_text(encoding="utf-8"), first):
+            continue
+        found = files[name]
+        found.lines = {line: n for line, n in found.lines.items() if not first <= line <= last}
+        found.branches = {at: n for at, n in found.branches.items() if not first <= at[0] <= last}
+
+
+def is_for_compilers(source: str, line: int) -> bool:
+    """Whether the function whose body begins in this line, counted from 1, is declared constexpr or consteval."""
+    declaration = []
+    for text in reversed(source.splitlines()[:line]):
+        if declaration and (not text.strip() or text.rstrip().endswith((";", "}", "{", ":"))):
+            break
+        declaration.append(text.partition("//")[0])
+    return re.search(r"\bconst(expr|eval)\b", "\n".join(reversed(declaration))) is not None
+
+
 def explanations(text: str) -> dict[str, str]:
     """Of lines `file: reason`."""
     pairs = (line.partition(": ") for line in text.splitlines() if line and not line.startswith("#"))
@@ -122,12 +147,14 @@ def export(programs: Path, library: Path, profiles: Path) -> dict[str, FileCover
     objects = [argument for path in sorted(programs.iterdir()) if path.is_file() and os.access(path, os.X_OK)
                for argument in ("-object", str(path))]
     command = ["llvm-cov", "export", f"-instr-profile={merged}", str(library), *objects]
-    sources = ["-sources", str(ROOT / "kernels")]
+    sources = [str(ROOT / "kernels")]
     found: dict[str, FileCoverage] = defaultdict(FileCoverage)
     parse_lcov(subprocess.run([*command, "-format=lcov", *sources], check=True, capture_output=True, text=True).stdout,
                found)
-    parse_branches(json.loads(subprocess.run([*command, *sources], check=True, capture_output=True).stdout), found)
-    return {str(Path(name).relative_to(ROOT)): files for name, files in found.items()}
+    exported = json.loads(subprocess.run([*command, *sources], check=True, capture_output=True).stdout)
+    parse_branches(exported, found)
+    drop_compile_time(exported, found)
+    return {str(Path(name).resolve().relative_to(ROOT)): files for name, files in found.items()}
 
 
 def main() -> int:

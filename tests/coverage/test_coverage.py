@@ -9,7 +9,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 # pylint: disable=wrong-import-position
-from tests.coverage.run import FileCoverage, explanations, gaps, parse_branches, parse_lcov, summary  # noqa: E402
+from tests.coverage.run import (  # noqa: E402
+    FileCoverage, explanations, gaps, is_for_compilers, parse_branches, parse_lcov, summary)
 
 NAME = "kernels/api/edges.cpp"
 
@@ -47,3 +48,23 @@ def test_a_gap_without_a_reason_and_a_reason_without_a_gap_are_wrong() -> None:
     assert wrong == ["explained.txt names kernels/api/many.cpp, which has no gap",
                      f"{NAME} has a gap that explained.txt does not explain"]
     assert gaps(coverage(), {NAME: "out of memory"})[1] == []
+
+
+SOURCE = """int used() {
+  return 1;
+}
+
+template <class T>
+constexpr T table(
+    T from) {
+  return from;
+}
+
+constexpr int kCount = 3;
+int count() { return kCount; }
+"""
+
+
+def test_functions_that_the_compiler_evaluates_are_known_by_their_declaration() -> None:
+    found = [line for line in (1, 7, 12) if is_for_compilers(SOURCE, line)]
+    assert found == [7]
