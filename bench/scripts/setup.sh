@@ -30,7 +30,7 @@ missing_packages() {
 install_packages() {
   command -v dpkg-query >/dev/null || fail 1 "needs Debian's packages (dpkg-query not found); install \
 by hand and use --no-install: ${packages[*]}"
-  local missing
+  local missing package
   mapfile -t missing < <(missing_packages)
   [ ${#missing[@]} -gt 0 ] || return 0
   say "installing ${#missing[@]} packages: ${missing[*]}"
@@ -41,6 +41,9 @@ by hand and use --no-install: ${packages[*]}"
       fail 1 "packages are missing and this user may not install them; run: $command"
     as_root=(sudo)
   fi
+  for package in "${missing[@]}"; do
+    case "$package" in *:*) "${as_root[@]}" dpkg --add-architecture "${package#*:}" ;; esac
+  done
   "${as_root[@]}" apt-get update -qq || fail 1 "apt-get update failed"
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq \
     --no-install-recommends "${missing[@]}" >/dev/null || fail 1 "apt-get could not install: ${missing[*]}"
