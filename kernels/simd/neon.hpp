@@ -1,43 +1,12 @@
-// The vocabulary on AArch64's 128-bit registers (NEON, Advanced SIMD). With FEAT_SHA3 the compiler
-// itself joins gates into EOR3 and BCAX, so nothing here depends on it.
+// The vocabulary on AArch64's 128-bit registers (NEON, Advanced SIMD). Compilers themselves make BSL of
+// gates and, with FEAT_SHA3, EOR3 and BCAX.
 #pragma once
 
 #include <arm_neon.h>
 
 #include "simd/vocabulary.hpp"
-#include "simd/word.hpp"
 
 namespace thinbench::detail {
-
-/// BSL: one instruction for every gate that selects one of two inputs by the third. Compilers
-/// recognise it in some forms only.
-template <class T>
-struct TernaryGate<xsimd::batch<T, xsimd::neon64>> {
-  using Word = xsimd::batch<T, xsimd::neon64>;
-  static constexpr bool kOneInstruction = false;
-
-  template <class Gate>
-  [[gnu::always_inline]] static Word apply(Word a, Word b, Word c, Gate gate) {
-    constexpr std::uint8_t table = truth_table(gate);
-    if constexpr (table == 0xCA) return select(a, b, c);
-    if constexpr (table == 0xAC) return select(a, c, b);
-    if constexpr (table == 0xE2) return select(b, a, c);
-    if constexpr (table == 0xB8) return select(b, c, a);
-    if constexpr (table == 0xE4) return select(c, a, b);
-    if constexpr (table == 0xD8) return select(c, b, a);
-    return gate(a, b, c);
-  }
-
- private:
-  /// a ? b : c.
-  [[gnu::always_inline]] static Word select(Word a, Word b, Word c) {
-    const auto bytes = [](Word word) {
-      return __builtin_bit_cast(uint8x16_t, static_cast<typename Word::register_type>(word));
-    };
-    return __builtin_bit_cast(typename Word::register_type,
-                              vbslq_u8(bytes(a), bytes(b), bytes(c)));
-  }
-};
 
 inline namespace THINBENCH_ISA {
 

@@ -1,0 +1,114 @@
+// Images at the limits of sizes. Their memory takes pages only where it is written.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include "thinbench/packed.hpp"
+#include "thinbench/regions.hpp"
+#include "thinbench/thinning.hpp"
+
+namespace thinbench {
+namespace {
+
+constexpr Index k2To31 = Index{1} << 31;
+
+/// Zeros that the system provides when they are touched.
+class SparseMemory {
+ public:
+  explicit SparseMemory(Index bytes)
+      : bytes_(static_cast<std::size_t>(bytes)),
+        data_(mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
+                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)) {
+    if (data_ == MAP_FAILED) throw std::runtime_error("no address space");
+  }
+  ~SparseMemory() { munmap(data_, bytes_); }
+  SparseMemory(const SparseMemory&) = delete;
+  SparseMemory& operator=(const SparseMemory&) = delete;
+  SparseMemory(SparseMemory&&) = delete;
+  SparseMemory& operator=(SparseMemory&&) = delete;
+
+  [[nodiscard]] std::uint8_t* data() const { return static_cast<std::uint8_t*>(data_); }
+
+ private:
+  std::size_t bytes_;
+  void* data_;
+};
+
+constexpr Index kBlockBytes = 2;  // across
+constexpr Index kBlock = 8 * kBlockBytes;
+
+/// Fills the lowest 16 rows at most in the first and in the last 16 columns.
+void draw_blocks(const PackedView& image) {
+  for (Index y = std::max<Index>(0, image.height - kBlock); y < image.height; ++y) {
+    for (Index i = 0; i < kBlockBytes; ++i) {
+      image.row(y)[i] = 0xFF;
+      image.row(y)[image.width / 8 - 1 - i] = 0xFF;
+    }
+  }
+}
+
+/// Thins in place, and compares both lower corners with those of a small image that is thinned
+/// alone.
+void expect_right(Index width, Index height, const Options& options) {
+  const Index small_width = 4 * kBlock;
+  const Index rows = std::min<Index>(height, 2 * kBlock);
+  std::array<std::uint8_t, std::size_t{8 * kBlockBytes * kBlock}> small{};
+  const PackedView expected(small.data(), small_width, rows, BitOrder::msb_first);
+  draw_blocks(expected);
+  thin(Rule::guo_hall, expected, expected);
+
+  const SparseMemory memory(packed_row_bytes(width) * height);
+  const PackedView image(memory.data(), width, height, BitOrder::msb_first);
+  draw_blocks(image);
+  thin(Rule::guo_hall, image, image, options);
+  for (Index y = 0; y < rows; ++y) {
+    const std::uint8_t* found = image.row(height - rows + y);
+    for (Index i = 0; i < 2 * kBlockBytes; ++i) {
+      EXPECT_EQ(found[i], expected.row(y)[i]) << i << ", " << y;
+      EXPECT_EQ(found[width / 8 - 1 - i], expected.row(y)[small_width / 8 - 1 - i])
+          << i << ", " << y;
+    }
+  }
+}
+
+TEST(Sizes, thin_is_right_on_more_than_2_to_31_pixels) {
+  static_assert(Index{65600} * 32800 > k2To31);
+  expect_right(65600, 32800, {.technique = Technique::simd_bitpacked});
+  expect_right(65600, 32800, {.threads = 2, .technique = Technique::simd_bitpacked_tiles});
+}
+
+TEST(Sizes, thin_is_right_on_one_row_of_nearly_2_to_31_pixels) {
+  expect_right(k2To31 - 8, 1, {.technique = Technique::simd_bitpacked});
+}
+
+TEST(Sizes, thin_is_right_on_one_column_of_millions_of_pixels) {
+  const SparseMemory memory(Index{1} << 23);
+  const ImageView image(memory.data(), 1, Index{1} << 23);
+  for (Index y = 5; y < image.height - 5; ++y) image.row(y)[0] = 255;
+  thin(Rule::zhang_suen, image, image);
+  EXPECT_EQ(image.row(4)[0], 0);
+  EXPECT_EQ(image.row(image.height / 2)[0], 255);
+}
+
+TEST(Sizes, images_without_rows_or_columns_of_any_width_and_height_are_thinned_at_once) {
+  EXPECT_EQ(thin(Rule::guo_hall, ConstImageView(nullptr, k2To31 - 1, 0), {nullptr, k2To31 - 1, 0}),
+            0);
+  EXPECT_EQ(thin(Rule::guo_hall, ConstImageView(nullptr, 0, k2To31 - 1), {nullptr, 0, k2To31 - 1}),
+            0);
+}
+
+TEST(Sizes, regions_reject_what_exceeds_their_coordinates_before_they_allocate) {
+  const SparseMemory memory(k2To31);
+  const ConstImageView wide(memory.data(), k2To31 - 1, 1);
+  EXPECT_THROW(static_cast<void>(find_regions(wide)), std::invalid_argument);
+  const ConstImageView high(memory.data(), 1, k2To31 - 1);
+  EXPECT_THROW(static_cast<void>(find_regions(high)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace thinbench
