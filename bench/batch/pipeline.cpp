@@ -4,7 +4,6 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <new>
 
 #include <tbb/enumerable_thread_specific.h>
@@ -31,11 +30,10 @@ struct Page {
 
 /// A job on its way.
 struct Work {
-  const BatchJob* job;
+  const BatchJob* job = nullptr;
   std::vector<Page> pages;
   std::string error;
 };
-using WorkPtr = std::shared_ptr<Work>;
 
 /// Adds the time until it ends.
 class Stopwatch {
@@ -73,8 +71,9 @@ class Batch {
     const int arena_size = detail::startable_threads(settings_.threads);
     const auto threads = static_cast<std::size_t>(arena_size);
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
+    works_.resize(kJobsPerThread * threads);
     tbb::task_arena(arena_size).execute([&] {
-      tbb::parallel_pipeline(kJobsPerThread * threads, all_stages());
+      tbb::parallel_pipeline(works_.size(), all_stages());
     });
     totals_.not_started = jobs_.size() - next_;
     return std::move(totals_);
@@ -84,37 +83,36 @@ class Batch {
   tbb::filter<void, void> all_stages() {
     using tbb::filter_mode;
     const auto stage = [this](void (Batch::*step)(Work&)) {
-      return tbb::make_filter<WorkPtr, WorkPtr>(filter_mode::parallel,
-                                                [this, step](const WorkPtr& work) {
-                                                  attempt(*work, step);
-                                                  return work;
-                                                });
+      return tbb::make_filter<Work*, Work*>(filter_mode::parallel, [this, step](Work* work) {
+        attempt(*work, step);
+        return work;
+      });
     };
-    return tbb::make_filter<void, WorkPtr>(
+    return tbb::make_filter<void, Work*>(
                filter_mode::serial_in_order,
                [this](tbb::flow_control& control) { return next(control); }) &
            stage(&Batch::decode) & stage(&Batch::compute) & stage(&Batch::encode) &
-           tbb::make_filter<WorkPtr, void>(filter_mode::serial_in_order,
-                                           [this](const WorkPtr& work) { record(*work); });
+           tbb::make_filter<Work*, void>(filter_mode::serial_in_order,
+                                         [this](const Work* work) { record(*work); });
   }
 
-  WorkPtr next(tbb::flow_control& control) {
+  /// Places are free again in the order in which they were taken: the last stage is in order, too.
+  Work* next(tbb::flow_control& control) {
     if (next_ == jobs_.size() || stops_) {
       control.stop();
       return nullptr;
     }
+    Work& work = works_[next_ % works_.size()];
     const BatchJob& job = jobs_[next_++];
-    auto work = std::make_shared<Work>();
-    work->job = &job;
-    work->pages.resize(static_cast<std::size_t>(job.pages));
+    work = {&job, std::vector<Page>(static_cast<std::size_t>(job.pages)), {}};
     for (int i = 0; i < job.pages; ++i) {
-      BatchRecord& record = work->pages[static_cast<std::size_t>(i)].record;
+      BatchRecord& record = work.pages[static_cast<std::size_t>(i)].record;
       record.file = job.path;
       record.page = job.first_page + i + 1;
       record.output = job.output;
       record.operation = operation_.name;
     }
-    return work;
+    return &work;
   }
 
   /// A failed job skips its remaining stages.
@@ -193,6 +191,7 @@ class Batch {
   Manifest& manifest_;
   tbb::enumerable_thread_specific<BatchCompute> computes_;
   Progress progress_;
+  std::vector<Work> works_;  // on their way; oneTBB loses what it would own when a stage throws
   std::size_t next_ = 0;
   std::atomic<bool> stops_ = false;
   BatchTotals totals_;

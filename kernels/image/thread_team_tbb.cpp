@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <map>
+#include <mutex>
+#include <vector>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -36,11 +39,54 @@ int arena_size(int threads) {
   return startable_threads(std::min(threads, static_cast<int>(limit)));
 }
 
+using Arena = std::unique_ptr<tbb::task_arena>;
+
+/// Arenas that no team uses, by size. oneTBB may keep the memory of arenas that are destroyed while
+/// its workers are busy elsewhere, without a bound; those that are used again are as many as teams
+/// at once.
+class ArenaPool {
+ public:
+  [[nodiscard]] Arena take(int size) {
+    const std::lock_guard lock(mutex_);
+    std::vector<Arena>& unused = unused_[size];
+    if (unused.empty()) return std::make_unique<tbb::task_arena>(size);
+    Arena arena = std::move(unused.back());
+    unused.pop_back();
+    return arena;
+  }
+
+  void give_back(int size, Arena arena) noexcept {
+    try {
+      const std::lock_guard lock(mutex_);
+      unused_[size].push_back(std::move(arena));
+    } catch (const std::bad_alloc&) {
+      // The arena is destroyed instead.
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<int, std::vector<Arena>> unused_;
+};
+
+/// Never destroyed: teams in static variables may outlive other static variables.
+ArenaPool& arena_pool() {
+  static auto& pool = *new ArenaPool;
+  return pool;
+}
+
 }  // namespace
 
 struct ThreadTeam::Workers {
-  explicit Workers(int size) : arena(size) {}
-  tbb::task_arena arena;
+  explicit Workers(int threads) : size(threads), arena(arena_pool().take(threads)) {}
+  ~Workers() { arena_pool().give_back(size, std::move(arena)); }
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  Workers(Workers&&) = delete;
+  Workers& operator=(Workers&&) = delete;
+
+  int size;
+  Arena arena;
 };
 
 // Without workers, the calling thread does all parts.
@@ -65,7 +111,9 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
   }
   const void* finished = workers_.get();
   publish(body);
-  workers_->arena.execute([=] {
+  workers_->arena->execute([=] {
+    // Not static_partitioner: it leaves a message for the worker of each part, and where workers
+    // are busy elsewhere messages stay in memory.
     tbb::parallel_for(
         Index{0}, parts,
         [=](Index part) {
@@ -73,7 +121,7 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
           invoke_body(body, count * part / parts, count * (part + 1) / parts);
           publish(finished);
         },
-        tbb::static_partitioner{});
+        tbb::simple_partitioner{});
   });
   receive(finished);
 }

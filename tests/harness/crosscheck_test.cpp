@@ -49,18 +49,17 @@ std::string filter_of(const Operation& operation) {
   return "^" + operation.name + (isa.empty() ? "/" : "/[^/]+/" + isa + "/");
 }
 
-/// For slow builds and emulators: 7 means that each operation gets every seventh image of the sets of sizes.
-int images_per_shown() {
+/// For slow builds and emulators: 7 means that each operation gets every seventh image of a set.
+std::size_t images_per_shown() {
   const char* number = std::getenv("THINBENCH_CROSSCHECK_EVERY");
-  return number == nullptr ? 1 : std::atoi(number);
+  return number == nullptr ? 1 : static_cast<std::size_t>(std::atoi(number));
 }
 
 /// Shows a set to a verifier. Operations begin with different images, so that together they see all.
 void show(const TestImageSet& set, std::size_t first, Verifier& verifier) {
-  const std::size_t step = set.name.ends_with("sizes") ? static_cast<std::size_t>(images_per_shown()) : 1;
   std::size_t number = first;
   set.generate([&](const TestImage& image) {
-    if (number++ % step == 0) verifier.show(image);
+    if (number++ % images_per_shown() == 0) verifier.show(image);
   });
 }
 
