@@ -1,4 +1,4 @@
-"""Files and directories that the documents name exist."""
+"""Files and directories that documents and suppressions name exist."""
 
 from __future__ import annotations
 
@@ -32,3 +32,10 @@ def test_paths_and_links_of_documents_exist(document: Path) -> None:
 def test_a_path_and_a_link_that_lead_nowhere_are_found() -> None:
     text = "See `bench/gone.cpp`, [there](absent.md#a) and [here](design.md#layers)."
     assert missing(ROOT / "docs" / "x.md", text) == ["bench/gone.cpp", "absent.md"]
+
+
+def test_sources_of_suppressions_exist() -> None:
+    """One that names a file that was moved hides nothing, which shows in another build only."""
+    lines = (ROOT / "tests" / "tsan.supp").read_text(encoding="utf-8").splitlines()
+    named = [line.partition(":")[2] for line in lines if line.endswith(".cpp")]
+    assert named and [name for name in named if not (ROOT / "kernels" / name).exists()] == []
