@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dispatch/features.hpp"
 #include "dispatch/isas.hpp"
-#include "simd/features.hpp"
 
 namespace thinbench {
 

@@ -1,5 +1,5 @@
-// The vocabulary on AArch64's 128-bit registers (NEON, Advanced SIMD). Compilers themselves make BSL of
-// gates and, with FEAT_SHA3, EOR3 and BCAX.
+// The vocabulary on AArch64's 128-bit registers (NEON, Advanced SIMD). Compilers themselves make
+// BSL of gates and, with FEAT_SHA3, EOR3 and BCAX.
 #pragma once
 
 #include <arm_neon.h>
@@ -131,8 +131,7 @@ inline Halves interleaved(ByteBatch a, ByteBatch b) {
 // Lower and upper bytes separately; shifts extend the signs of weights.
 inline WideBatch weighted_pairs(WideBatch pairs, WideBatch weights) {
   const int16x8_t lower = vandq_s16(pairs, vdupq_n_s16(0xFF));
-  const int16x8_t upper =
-      vreinterpretq_s16_u16(vshrq_n_u16(vreinterpretq_u16_s16(pairs), 8));
+  const int16x8_t upper = vreinterpretq_s16_u16(vshrq_n_u16(vreinterpretq_u16_s16(pairs), 8));
   const int16x8_t lower_weight = vshrq_n_s16(vshlq_n_s16(weights, 8), 8);
   const int16x8_t upper_weight = vshrq_n_s16(weights, 8);
   return vmlaq_s16(vmulq_s16(lower, lower_weight), upper, upper_weight);

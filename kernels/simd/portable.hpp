@@ -124,7 +124,8 @@ inline ByteMask byte_mask(std::uint64_t bits) {
 
 inline SignedByteBatch add_where(ByteMask mask, SignedByteBatch sum, SignedByteBatch value) {
   const ByteMask::register_type lanes = mask;
-  return SignedByteBatch::lanes([&](std::size_t i) { return lanes[i] ? sum[i] + value[i] : sum[i]; });
+  return SignedByteBatch::lanes(
+      [&](std::size_t i) { return lanes[i] ? sum[i] + value[i] : sum[i]; });
 }
 
 inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {

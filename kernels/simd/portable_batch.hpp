@@ -107,7 +107,8 @@ class batch {
   friend batch_bool_type operator>(const batch& a, const batch& b) { return b < a; }
 
  private:
-  /// Integers wrap around: as unsigned, and at least as wide as int, to which narrow ones would grow.
+  /// Integers wrap around: as unsigned, and at least as wide as int, to which narrow ones would
+  /// grow.
   static auto arithmetic(T value) {
     if constexpr (std::is_floating_point_v<T>) {
       return value;

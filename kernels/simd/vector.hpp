@@ -39,7 +39,7 @@ template <class T, class A>
 /// with the highest bits of `before`.
 template <int pixels, class T, class A>
 [[gnu::always_inline]] inline simd::batch<T, A> west_neighbour(const simd::batch<T, A>& centre,
-                                                                const simd::batch<T, A>& before) {
+                                                               const simd::batch<T, A>& before) {
   if constexpr (kHasFunnelShift) {
     return funnel_left<pixels>(centre, before);
   } else {
@@ -50,7 +50,7 @@ template <int pixels, class T, class A>
 /// The east neighbours: shifted towards low bits, filled with the lowest bits of `after`.
 template <int pixels, class T, class A>
 [[gnu::always_inline]] inline simd::batch<T, A> east_neighbour(const simd::batch<T, A>& centre,
-                                                                const simd::batch<T, A>& after) {
+                                                               const simd::batch<T, A>& after) {
   if constexpr (kHasFunnelShift) {
     return funnel_right<pixels>(centre, after);
   } else {

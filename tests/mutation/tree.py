@@ -20,13 +20,11 @@ OBJECT = re.compile(r"^kernels/CMakeFiles/thinbench_(\w+)\.dir/(.+)\.o$")
 
 # In the copy other instruction sets are neither built nor available, and the variable says which are.
 EDITS: tuple[tuple[str, str, str], ...] = (
-    ("kernels/CMakeLists.txt", "thinbench_isas baseline sse42 avx2 avx512 avx512icl",
-     "thinbench_isas " + " ".join(ISAS)),
+    ("kernels/CMakeLists.txt", "set(thinbench_isas ${isas}", "set(thinbench_isas " + " ".join(ISAS)),
     ("kernels/CMakeLists.txt", '"-O3;', '"-O1;'),
-    ("tests/CMakeLists.txt", "foreach(isa baseline sse42 avx2 avx512 avx512icl)", "foreach(isa ${thinbench_isas})"),
-    ("kernels/dispatch/exported.hpp", "kAllIsas[i]>::kKernels",
-     "(" + " || ".join(f"kAllIsas[i] == Isa::{isa}" for isa in ISAS) +
-     ") ? kAllIsas[i] : Isa::baseline>::kKernels"),
+    ("kernels/dispatch/exported.hpp", "kIsas[i]>::kKernels",
+     "(" + " || ".join(f"kIsas[i] == Isa::{isa}" for isa in ISAS) +
+     ") ? kIsas[i] : Isa::baseline>::kKernels"),
     ("kernels/dispatch/isa.cpp", "bool cpu_supports(Isa isa) {\n",
      "bool cpu_supports(Isa isa) {\n"
      f'  const char* const only = std::getenv("{ISAS_VARIABLE}");\n'

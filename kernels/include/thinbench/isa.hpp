@@ -14,12 +14,12 @@ namespace thinbench {
 
 /// A named set of processor features. `avx512` is F, CD, DQ, BW and VL; `avx512icl` adds VBMI,
 /// VBMI2, GFNI, VNNI, BITALG and VPOPCNTDQ (Ice Lake and later, Zen 4 and later). On x86-64 each of
-/// these sets contains the ones before it. On AArch64 `baseline` is Advanced SIMD (NEON), which every
-/// processor has; `neon_sha3` adds FEAT_SHA3 (Apple M1, Neoverse V1 and N2, and later).
+/// these sets contains the ones before it. On AArch64 `baseline` is Advanced SIMD (NEON), which
+/// every processor has; `neon_sha3` adds FEAT_SHA3 (Apple M1, Neoverse V1 and N2, and later).
 enum class Isa : std::uint8_t { baseline, sse42, avx2, avx512, avx512icl, neon_sha3 };
 
-/// Every ISA that this library's kernels are compiled for: those of its architecture, in the order of
-/// the enumeration, `baseline` first; `baseline` alone without SIMD.
+/// Every ISA that this library's kernels are compiled for: those of its architecture, in the order
+/// of the enumeration, `baseline` first; `baseline` alone without SIMD.
 [[nodiscard]] THINBENCH_API std::span<const Isa> all_isas();
 
 /// The environment variable that caps the available ISAs: with `THINBENCH_MAX_ISA=avx2` only avx2
@@ -42,7 +42,8 @@ inline constexpr const char* kIsaCapVariable = "THINBENCH_MAX_ISA";
 /// std::invalid_argument for an unknown name.
 [[nodiscard]] THINBENCH_API std::optional<Isa> isa_cap();
 
-/// Whether kernels are compiled for the set, the processor supports it and the cap contains it. Throws as isa_cap does.
+/// Whether kernels are compiled for the set, the processor supports it and the cap contains it.
+/// Throws as isa_cap does.
 [[nodiscard]] THINBENCH_API bool isa_available(Isa isa);
 
 /// The last of all_isas() that is available. Throws as isa_cap does.

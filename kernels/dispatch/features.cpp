@@ -1,4 +1,4 @@
-#include "simd/features.hpp"
+#include "dispatch/features.hpp"
 
 #if defined(__aarch64__)
 #include <sys/auxv.h>

@@ -11,9 +11,10 @@ namespace thinbench::detail {
 using Features = std::uint32_t;
 
 inline constexpr std::array<std::string_view, 17> kFeatureNames = {
-    "sse4.2",     "popcnt",      "avx2",       "bmi",          "bmi2",            "avx512f",
-    "avx512cd",   "avx512dq",    "avx512bw",   "avx512vl",     "avx512vbmi",      "avx512vbmi2",
-    "avx512vnni", "avx512bitalg", "avx512vpopcntdq", "gfni", "sha3"};
+    "sse4.2",     "popcnt",      "avx2",       "bmi",          "bmi2",
+    "avx512f",    "avx512cd",    "avx512dq",   "avx512bw",     "avx512vl",
+    "avx512vbmi", "avx512vbmi2", "avx512vnni", "avx512bitalg", "avx512vpopcntdq",
+    "gfni",       "sha3"};
 
 /// The set of one feature. `name` must be one of kFeatureNames.
 consteval Features feature(std::string_view name) {
