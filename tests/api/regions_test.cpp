@@ -124,6 +124,11 @@ TEST(FindRegions, rejects_unsuitable_options) {
             "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
 }
 
+TEST(EulerNumber, of_one_row_takes_any_stride) {
+  const std::array<std::uint8_t, 5> row = {0, 255, 0, 255, 255};
+  EXPECT_EQ(euler_number({row.data(), 5, 1, PTRDIFF_MAX}), 2);
+}
+
 TEST(FindRegions, rejects_options_of_thinning) {
   EXPECT_EQ(rejected_options({.border = Border::keep}), "holes takes no border");
   EXPECT_EQ(rejected_options({.border = static_cast<Border>(7)}), "holes takes no border");
