@@ -1,6 +1,7 @@
 // find_regions(), find_components(), fill_holes() and the Euler numbers.
 #include "thinbench/regions.hpp"
 
+#include <array>
 #include <cstdint>
 
 #include <gtest/gtest.h>
