@@ -39,10 +39,15 @@ Index number_at(std::string_view bytes, std::size_t at, std::size_t count, bool 
   return value;
 }
 
-/// The bytes of rows that are padded to whole bytes. No overflow: sides are below 2^32.
+/// Of numbers that are not negative; the largest number where it is larger.
+Index product(Index a, Index b) {
+  return b > 0 && a > INT64_MAX / b ? INT64_MAX : a * b;
+}
+
+/// The bytes of rows that are padded to whole bytes.
 Index bytes_of_rows(Index width, Index height, Index bits_per_pixel) {
-  const Index row = (width * bits_per_pixel + 7) / 8;
-  return height > 0 && row > INT64_MAX / height ? INT64_MAX : row * height;
+  const Index bits = product(width, bits_per_pixel);
+  return product(bits / 8 + (bits % 8 != 0 ? 1 : 0), height);
 }
 
 ImageClaim png_claim(std::string_view bytes) {
@@ -99,7 +104,8 @@ ImageClaim pnm_claim(std::string_view header) {
   if (kind == '7') {
     const Index width = pam_number(header, "\nWIDTH"), height = pam_number(header, "\nHEIGHT");
     const Index bits = pam_number(header, "\nMAXVAL") > 255 ? 16 : 8;
-    return {width, height, bytes_of_rows(width, height, bits * pam_number(header, "\nDEPTH"))};
+    return {width, height,
+            bytes_of_rows(width, height, product(bits, pam_number(header, "\nDEPTH")))};
   }
   PnmHeader numbers(header);
   const Index width = numbers.number().value_or(0), height = numbers.number().value_or(0);

@@ -75,7 +75,9 @@ void read_bits(const ConstImageView& source, const BitPlaneView& target) {
   const Index tail = source.width % kWordBits;
   // Whole rows ahead, to skip the bytes between the rows of a view of a wider image. Prefetching
   // past the image is harmless.
-  const Index ahead = source.width == 0 ? 0 : (kPrefetchBytes / source.width + 1) * source.stride;
+  const Index rows_ahead = source.width == 0 ? 0 : kPrefetchBytes / source.width + 1;
+  // Fewer rows than the image has: any stride is valid where there is one row.
+  const Index ahead = rows_ahead < height ? rows_ahead * source.stride : 0;
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* bytes = source.row(y);
     std::uint64_t* row = target.row(y);

@@ -1,6 +1,7 @@
 // find_regions(), find_components(), fill_holes() and the Euler numbers.
 #include "thinbench/regions.hpp"
 
+#include <array>
 #include <cstdint>
 
 #include <gtest/gtest.h>
@@ -122,6 +123,11 @@ TEST(FindRegions, rejects_unsuitable_options) {
             "technique: expected one of the enumeration, got number 99");
   EXPECT_EQ(rejected_options({.isa = static_cast<Isa>(99)}),
             "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
+}
+
+TEST(EulerNumber, of_one_row_takes_any_stride) {
+  const std::array<std::uint8_t, 5> row = {0, 255, 0, 255, 255};
+  EXPECT_EQ(euler_number({row.data(), 5, 1, PTRDIFF_MAX}), 2);
 }
 
 TEST(FindRegions, rejects_options_of_thinning) {

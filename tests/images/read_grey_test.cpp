@@ -275,5 +275,11 @@ TEST(ReadGrey, width_beyond_the_decoder_is_rejected) {
                "it is wider or higher than 2^20 pixels");
 }
 
+TEST(ReadGrey, sides_whose_bytes_overflow_are_rejected) {
+  const TemporaryDirectory directory;
+  expect_error(directory.with("a.pgm", "P2 1544444444444444444 4 255\n0 1"),
+               "it is damaged or has no pixels");
+}
+
 }  // namespace
 }  // namespace thinbench
