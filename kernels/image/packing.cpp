@@ -73,10 +73,10 @@ void read_bits(const ConstImageView& source, const BitPlaneView& target) {
   const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
-  // Whole rows ahead, to skip the bytes between the rows of a view of a wider image. Prefetching
-  // past the image is harmless.
+  // Whole rows ahead, to skip the bytes between the rows of a view of a wider image; none where the
+  // image has fewer, whose stride may be so large that the product overflows. Prefetching past the
+  // image is harmless.
   const Index rows_ahead = source.width == 0 ? 0 : kPrefetchBytes / source.width + 1;
-  // Fewer rows than the image has: any stride is valid where there is one row.
   const Index ahead = rows_ahead < height ? rows_ahead * source.stride : 0;
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* bytes = source.row(y);

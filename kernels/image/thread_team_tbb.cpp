@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
-#include <vector>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -39,34 +38,29 @@ int arena_size(int threads) {
   return startable_threads(std::min(threads, static_cast<int>(limit)));
 }
 
-using Arena = std::unique_ptr<tbb::task_arena>;
+/// Arenas by size. What a team takes and gives back is the node, so neither needs memory twice.
+using Arenas = std::multimap<int, tbb::task_arena>;
 
-/// Arenas that no team uses, by size. oneTBB may keep the memory of arenas that are destroyed while
-/// its workers are busy elsewhere, without a bound; those that are used again are as many as teams
-/// at once.
+/// Arenas that no team uses. oneTBB may keep the memory of arenas that are destroyed while its
+/// workers are busy elsewhere, without a bound; those that are used again are as many as teams at
+/// once.
 class ArenaPool {
  public:
-  [[nodiscard]] Arena take(int size) {
+  [[nodiscard]] Arenas::node_type take(int size) {
     const std::lock_guard lock(mutex_);
-    std::vector<Arena>& unused = unused_[size];
-    if (unused.empty()) return std::make_unique<tbb::task_arena>(size);
-    Arena arena = std::move(unused.back());
-    unused.pop_back();
-    return arena;
+    auto place = unused_.find(size);
+    if (place == unused_.end()) place = unused_.emplace(size, size);
+    return unused_.extract(place);
   }
 
-  void give_back(int size, Arena arena) noexcept {
-    try {
-      const std::lock_guard lock(mutex_);
-      unused_[size].push_back(std::move(arena));
-    } catch (const std::bad_alloc&) {
-      // The arena is destroyed instead.
-    }
+  void give_back(Arenas::node_type arena) {
+    const std::lock_guard lock(mutex_);
+    unused_.insert(std::move(arena));
   }
 
  private:
   std::mutex mutex_;
-  std::map<int, std::vector<Arena>> unused_;
+  Arenas unused_;
 };
 
 /// Never destroyed: teams in static variables may outlive other static variables.
@@ -78,15 +72,14 @@ ArenaPool& arena_pool() {
 }  // namespace
 
 struct ThreadTeam::Workers {
-  explicit Workers(int threads) : size(threads), arena(arena_pool().take(threads)) {}
-  ~Workers() { arena_pool().give_back(size, std::move(arena)); }
+  explicit Workers(int size) : arena(arena_pool().take(size)) {}
+  ~Workers() { arena_pool().give_back(std::move(arena)); }
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
   Workers(Workers&&) = delete;
   Workers& operator=(Workers&&) = delete;
 
-  int size;
-  Arena arena;
+  Arenas::node_type arena;
 };
 
 // Without workers, the calling thread does all parts.
@@ -111,7 +104,7 @@ void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
   }
   const void* finished = workers_.get();
   publish(body);
-  workers_->arena->execute([=] {
+  workers_->arena.mapped().execute([=] {
     // Not static_partitioner: it leaves a message for the worker of each part, and where workers
     // are busy elsewhere messages stay in memory.
     tbb::parallel_for(

@@ -52,7 +52,7 @@ std::string filter_of(const Operation& operation) {
 /// For slow builds and emulators: 7 means that each operation gets every seventh image of a set.
 std::size_t images_per_shown() {
   const char* number = std::getenv("THINBENCH_CROSSCHECK_EVERY");
-  return number == nullptr ? 1 : static_cast<std::size_t>(std::atoi(number));
+  return number == nullptr ? 1 : static_cast<std::size_t>(std::max(1, std::atoi(number)));
 }
 
 /// Shows a set to a verifier. Operations begin with different images, so that together they see all.
