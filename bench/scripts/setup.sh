@@ -19,10 +19,12 @@ fail() {
 }
 
 missing_packages() {
-  local package
+  local package architectures
+  architectures="all|$(dpkg --print-architecture)"
   for package in "${packages[@]}"; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' ||
-      printf '%s\n' "$package"
+    case "$package" in *:*) architectures=${package#*:} ;; esac
+    dpkg-query -W -f '${Status} ${Architecture}\n' "$package" 2>/dev/null |
+      grep -Eqx "install ok installed ($architectures)" || printf '%s\n' "$package"
   done
 }
 

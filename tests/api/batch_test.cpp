@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/nets.hpp"
 
@@ -102,7 +103,7 @@ TEST(ThinningBatch, rejects_invalid_enumerators) {
   EXPECT_EQ(rejected_options(Rule::mb2, {.technique = static_cast<Technique>(99)}),
             "technique: expected one of the enumeration, got number 99");
   EXPECT_EQ(rejected_options(Rule::mb2, {.isa = static_cast<Isa>(99)}),
-            "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
+            "isa: expected one of " + all_isa_names() + ", got number 99");
   EXPECT_EQ(rejected_options(Rule::mb2, {.border = static_cast<Border>(2)}),
             "border: expected background or keep, got 2");
 }

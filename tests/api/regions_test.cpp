@@ -8,6 +8,7 @@
 
 #include "harness/test_images.hpp"
 #include "holes.hpp"
+#include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
 #include "thinbench/nets.hpp"
@@ -122,7 +123,7 @@ TEST(FindRegions, rejects_unsuitable_options) {
   EXPECT_EQ(rejected_options({.technique = static_cast<Technique>(99)}),
             "technique: expected one of the enumeration, got number 99");
   EXPECT_EQ(rejected_options({.isa = static_cast<Isa>(99)}),
-            "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 99");
+            "isa: expected one of " + all_isa_names() + ", got number 99");
 }
 
 TEST(EulerNumber, of_one_row_takes_any_stride) {

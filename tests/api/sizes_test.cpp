@@ -97,9 +97,9 @@ TEST(Sizes, thin_is_right_on_one_column_of_millions_of_pixels) {
 
 TEST(Sizes, images_without_rows_or_columns_of_any_width_and_height_are_thinned_at_once) {
   EXPECT_EQ(thin(Rule::guo_hall, ConstImageView(nullptr, k2To31 - 1, 0), {nullptr, k2To31 - 1, 0}),
-            0);
+            1);
   EXPECT_EQ(thin(Rule::guo_hall, ConstImageView(nullptr, 0, k2To31 - 1), {nullptr, 0, k2To31 - 1}),
-            0);
+            1);
 }
 
 TEST(Sizes, regions_reject_what_exceeds_their_coordinates_before_they_allocate) {

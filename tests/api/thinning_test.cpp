@@ -12,6 +12,7 @@
 
 #include "harness/test_images.hpp"
 #include "support/filled_image.hpp"
+#include "support/isa_parameters.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/edges.hpp"
@@ -197,8 +198,7 @@ TEST(Thin, rejects_invalid_enumerators) {
   }
   for (const int value : {static_cast<int>(Isa::neon_sha3) + 1, 99, 255}) {
     EXPECT_EQ(rejected_options(Rule::mb2, {.isa = number(Isa{}, value)}),
-              "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number " +
-                  std::to_string(value));
+              "isa: expected one of " + all_isa_names() + ", got number " + std::to_string(value));
   }
   for (const int value : {2, 99, 255}) {
     for (const RuleInfo& info : kRules) {

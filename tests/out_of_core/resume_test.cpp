@@ -12,6 +12,7 @@
 #include "harness/test_images.hpp"
 #include "out_of_core/checkpoint.hpp"
 #include "out_of_core/packed_files.hpp"
+#include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "support/unfinished_file.hpp"
 
@@ -239,7 +240,7 @@ TEST(Resume, invalid_enumerators_and_limits_are_rejected_before_there_is_a_file)
   EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.border = static_cast<Border>(9); }),
             "border: expected background or keep, got 9");
   EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.isa = static_cast<Isa>(9); }),
-            "isa: expected one of baseline, sse4.2, avx2, avx512, avx512icl, got number 9");
+            "isa: expected one of " + all_isa_names() + ", got number 9");
   EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.max_iterations = 0; }),
             "max_iterations: expected an integer of at least 1, got 0");
   EXPECT_EQ(prepared.directory.names(), Names{"in"});

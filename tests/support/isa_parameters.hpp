@@ -1,4 +1,5 @@
-// Tests that run once for every ISA; skipped where the ISA is not available.
+// Instruction sets: tests that run once for each, skipped where it is not available, and their
+// names.
 #pragma once
 
 #include <string>
@@ -20,6 +21,13 @@ inline std::string isa_test_name(const testing::TestParamInfo<Isa>& tested) {
   std::string name(isa_name(tested.param));
   std::erase_if(name, [](char c) { return c == '.' || c == '-'; });  // not allowed in test names
   return name;
+}
+
+/// What messages list as the instruction sets of this architecture.
+inline std::string all_isa_names() {
+  std::string names;
+  for (const Isa isa : all_isas()) names.append(names.empty() ? "" : ", ").append(isa_name(isa));
+  return names;
 }
 
 }  // namespace thinbench
