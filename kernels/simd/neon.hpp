@@ -6,6 +6,13 @@
 
 #include "simd/vocabulary.hpp"
 
+// xsimd 8 complements 64-bit lanes as 32-bit lanes; GCC makes BIC and ORN only of lanes of one
+// size.
+template <>
+inline auto xsimd::batch<std::uint64_t, xsimd::neon64>::operator~() const -> batch {
+  return ~data;
+}
+
 namespace thinbench::detail {
 
 inline namespace THINBENCH_ISA {

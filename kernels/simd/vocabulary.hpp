@@ -10,12 +10,14 @@
 //
 // An architecture file also defines these constants. A function marked with one of them exists only
 // where it is true; kernels use it in `if constexpr`, with another algorithm as the alternative.
-//   kHasFunnelShift   west_neighbour and east_neighbour in fewer instructions than two shifts and
-//   OR kHasMaskedBytes   masked loads and stores of bytes kHasCompress      compress-store of
-//   32-bit lanes kHasByteCompress  compress of bytes kHasTranspose     transposition of a square of
-//   32-bit lanes in registers kHasPopcount      population count of each 64-bit lane kHasByteLookUp
-//   16-byte tables and horizontal sums of bytes, faster than scalar popcnt kHasBitGather     gather
-//   and scatter of the bits of a 64-bit word (PEXT, PDEP)
+// - kHasFunnelShift: west_neighbour and east_neighbour in fewer instructions than two shifts and OR
+// - kHasMaskedBytes: masked loads and stores of bytes
+// - kHasCompress: compress-store of 32-bit lanes
+// - kHasByteCompress: compress of bytes
+// - kHasTranspose: transposition of a square of 32-bit lanes in registers
+// - kHasPopcount: population count of each 64-bit lane
+// - kHasByteLookUp: 16-byte tables and horizontal sums of bytes, faster than scalar popcnt
+// - kHasBitGather: gather and scatter of the bits of a 64-bit word (PEXT, PDEP)
 #pragma once
 
 #include <cstddef>
