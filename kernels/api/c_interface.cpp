@@ -8,6 +8,7 @@
 #include "api/many.hpp"
 #include "image/checks.hpp"
 #include "thinbench.h"
+#include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
@@ -168,6 +169,14 @@ thinbench_status thinbench_edges(const char* edge_operator, const thinbench_stac
     for_images(source, destination, [&](const ConstImageView& from, const ImageView& to) {
       detect_edges(op, from, to, thresholds, given);
     });
+  });
+}
+
+thinbench_status thinbench_squared_distances(const thinbench_stack* source, int32_t* distances,
+                                             ptrdiff_t stride, const thinbench_options* options) {
+  return guarded([&] {
+    const ConstImageView image = image_of(source);
+    squared_distances(image, {distances, image.width, image.height, stride}, options_of(options));
   });
 }
 

@@ -74,9 +74,9 @@ THINBENCH_API thinbench_status thinbench_thin(const char* rule, const thinbench_
                                               const thinbench_options* options,
                                               int32_t* iterations);
 
-/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes to
- * destinations[i]. The same result as thinbench_thin for each, but faster for many small images. A
- * destination is its source or shares no byte with any image of the lists. `options` and
+/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes
+ * to destinations[i]. The same result as thinbench_thin for each, but faster for many small images.
+ * A destination is its source or shares no byte with any image of the lists. `options` and
  * `iterations` as above. */
 THINBENCH_API thinbench_status thinbench_thin_many(const char* rule, const thinbench_stack* sources,
                                                    const thinbench_output* destinations,
@@ -206,6 +206,14 @@ THINBENCH_API thinbench_status thinbench_apply_packed(
 THINBENCH_API thinbench_status thinbench_edges(
     const char* edge_operator, const thinbench_stack* source, const thinbench_output* destination,
     int32_t gradient_threshold, int32_t brightness_threshold, const thinbench_options* options);
+
+/* The square of the Euclidean distance from each pixel of one image to its nearest background
+ * pixel, with `stride` numbers from row to row; INT32_MAX in an image without background. What is
+ * outside the image does not count. Sides are at most 32767. Of `options`, threads, isa and
+ * technique may be set. Source and distances must not overlap. */
+THINBENCH_API thinbench_status thinbench_squared_distances(const thinbench_stack* source,
+                                                           int32_t* distances, ptrdiff_t stride,
+                                                           const thinbench_options* options);
 
 /* An object (8-connected) or a hole (4-connected background that does not touch the border). */
 typedef struct thinbench_region {

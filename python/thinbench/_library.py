@@ -57,6 +57,8 @@ thin_packed = _checked(
 thin_labels = _checked("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t,
                        ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
+squared_distances = _checked(
+    "squared_distances", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES)
 find_regions = _checked(
     "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
