@@ -8,6 +8,7 @@
 
 #include "distance/state.hpp"
 #include "edges/state.hpp"
+#include "graph/state.hpp"
 #include "localise/state.hpp"
 #include "regions/state.hpp"
 #include "thinbench/custom_rule.hpp"
@@ -50,12 +51,19 @@ struct DistanceOperation {
   std::vector<DistanceVariant> variants;
 };
 
+struct GraphOperation {
+  std::string_view name;
+  std::string_view description;
+  std::vector<GraphVariant> variants;
+};
+
 // All live as long as the program.
 [[nodiscard]] std::span<const ThinningOperation> thinning_operations();
 [[nodiscard]] std::span<const EdgeOperation> edge_operations();
 [[nodiscard]] std::span<const RegionsOperation> regions_operations();
 [[nodiscard]] const LocaliseOperation& localise_operation();
 [[nodiscard]] const DistanceOperation& distance_operation();
+[[nodiscard]] const GraphOperation& graph_operation();
 
 [[nodiscard]] const ThinningOperation& operation_of(Rule rule);
 [[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
@@ -93,6 +101,10 @@ struct DistanceOperation {
 [[nodiscard]] std::unique_ptr<DistanceState> make_state(const DistanceOperation& operation,
                                                         const DistanceVariant& variant, Index width,
                                                         Index height, const Options& options);
+
+[[nodiscard]] std::unique_ptr<GraphState> make_state(const GraphOperation& operation,
+                                                     const GraphVariant& variant, Index width,
+                                                     Index height, const Options& options);
 
 /// The options, but with one thread if they name no technique and the image is below 2^20 pixels or
 /// no variant uses threads (`can_share` is false).

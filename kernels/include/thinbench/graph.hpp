@@ -1,0 +1,103 @@
+// The graph of a skeleton: ends, junctions and the lines between them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "thinbench/export.h"
+#include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
+
+namespace thinbench {
+
+// Two foreground pixels are joined if they are 4-neighbours, or diagonal neighbours without a
+// common 4-neighbour in the foreground. So a corner has one way round, not two:
+//
+//   # #        joined: each 4-neighbour, and the two steps            # .  joined diagonally
+//   # .        between them; the diagonal of this corner is not      . #
+//
+// The degree of a pixel is its number of joined neighbours, at most 4. By degree a pixel is
+//   0  isolated     1  an end     2  a line pixel     3, 4  a junction pixel
+// and every pixel of a full block of 2 x 2 is a junction pixel, which thin images hardly have.
+// Junction pixels that are joined form one junction.
+
+struct Pixel {
+  std::int32_t x;
+  std::int32_t y;
+
+  friend constexpr bool operator==(Pixel, Pixel) = default;
+};
+
+enum class NodeKind : std::uint8_t {
+  isolated,  // a pixel alone
+  end,
+  junction,  // one pixel or several
+  cycle,     // the first pixel of a closed line without junctions
+};
+
+inline constexpr std::array<std::string_view, 4> kNodeKindNames = {"isolated", "end", "junction",
+                                                                   "cycle"};
+
+struct GraphNode {
+  NodeKind kind;
+  std::uint32_t first_pixel;  // of its pixels in Graph::node_pixels
+  std::uint32_t pixel_count;
+
+  friend constexpr bool operator==(const GraphNode&, const GraphNode&) = default;
+};
+
+/// A line between two nodes, or from a node to itself: from `start`, a pixel of node `from`, by the
+/// pixels of the line to `stop`, a pixel of node `to`. Its length is straight_steps +
+/// diagonal_steps * sqrt(2). A loop within a junction, round a hole that its pixels enclose, has no
+/// pixels and no steps.
+struct GraphEdge {
+  std::uint32_t from;
+  std::uint32_t to;  // at least `from`
+  Pixel start;
+  Pixel stop;
+  std::uint32_t first_pixel;  // of its pixels in Graph::edge_pixels
+  std::uint32_t pixel_count;
+  std::uint32_t straight_steps;
+  std::uint32_t diagonal_steps;
+
+  friend constexpr bool operator==(const GraphEdge&, const GraphEdge&) = default;
+};
+
+/// Every foreground pixel is in one of both lists of pixels, once. The number of nodes minus that
+/// of edges is the 8-connected Euler number of the image.
+///
+/// Order: nodes but cycles by their first pixels in raster order, then cycles likewise; pixels of a
+/// node in raster order; edges by `from`, then by `start`, then by the direction of the first step:
+/// east, south-east, south and so on; loops within a junction come last. Pixels of an edge from
+/// `start` to `stop`.
+struct Graph {
+  std::vector<GraphNode> nodes;
+  std::vector<GraphEdge> edges;
+  std::vector<Pixel> node_pixels;
+  std::vector<Pixel> edge_pixels;
+
+  [[nodiscard]] std::span<const Pixel> pixels_of(const GraphNode& node) const {
+    return {node_pixels.data() + node.first_pixel, node.pixel_count};
+  }
+  [[nodiscard]] std::span<const Pixel> pixels_of(const GraphEdge& edge) const {
+    return {edge_pixels.data() + edge.first_pixel, edge.pixel_count};
+  }
+
+  friend bool operator==(const Graph&, const Graph&) = default;
+};
+
+/// The graph of a binary image, as a rule a skeleton: 0 is background, anything else foreground,
+/// everything outside the image background. A thick image is no error; its full blocks become
+/// junctions.
+///
+/// Of `options`, only technique, ISA and threads may be set. Takes 4 bytes of memory per pixel
+/// beside the result. Thread-safe. Throws std::invalid_argument for a negative size, a stride below
+/// the width, a null image, a side above 2^29 or more than 2^31 pixels, and options that no variant
+/// fits, and std::bad_alloc.
+[[nodiscard]] THINBENCH_API Graph skeleton_graph(ConstImageView skeleton,
+                                                 const Options& options = {});
+
+}  // namespace thinbench
