@@ -100,4 +100,49 @@ struct Graph {
 [[nodiscard]] THINBENCH_API Graph skeleton_graph(ConstImageView skeleton,
                                                  const Options& options = {});
 
+/// straight_steps + diagonal_steps * sqrt(2).
+[[nodiscard]] THINBENCH_API double length_of(const GraphEdge& edge);
+
+/// Which branches prune() removes.
+struct Pruning {
+  double min_length = 0;  // branches below it
+  /// And branches below this many times the width of the image at their junction, which is twice
+  /// the distance to the background there. Needs `squared_distances`.
+  double min_widths = 0;
+  ConstLabelView squared_distances = {};  // of the image before it was thinned
+  /// Also components that are a line or a pixel below min_length. By default one branch remains.
+  bool removes_components = false;
+};
+
+/// Removes short branches from a skeleton: lines from an end to a junction, with the end but
+/// without the junction. Each round removes the shortest short branch of every junction, of equal
+/// ones the first, until none is left; what is left of a junction with two branches is a line, and
+/// may be long. Holes remain, and so do components unless Pruning says otherwise. Returns the graph
+/// of the result.
+///
+/// `destination` gets 0 and 255. Views must have the same size and be the same image or share no
+/// pixel. Options, memory and errors as skeleton_graph; std::invalid_argument also for a negative
+/// or infinite limit and for distances that are missing or of another size. Nothing is written if
+/// it throws.
+THINBENCH_API Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
+                          const Options& options = {});
+
+/// The widths along a line, from its start to its stop: twice the distance to the background.
+struct EdgeWidths {
+  double mean;
+  double least;
+  double greatest;
+};
+
+/// `squared_distances` is that of the image before it was thinned. Throws std::invalid_argument if
+/// it is smaller than the graph's image.
+[[nodiscard]] THINBENCH_API std::vector<EdgeWidths> edge_widths(const Graph& graph,
+                                                                ConstLabelView squared_distances);
+
+/// The line of an edge with fewer points: start and stop, and between them the points of the line
+/// that are needed so that no pixel of it is farther than `tolerance` from the polyline (Douglas
+/// and Peucker 1973). Throws std::invalid_argument for a negative or infinite tolerance.
+[[nodiscard]] THINBENCH_API std::vector<Pixel> polyline(const Graph& graph, const GraphEdge& edge,
+                                                        double tolerance);
+
 }  // namespace thinbench

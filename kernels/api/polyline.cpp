@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "image/checks.hpp"
+#include "thinbench/graph.hpp"
+
+namespace thinbench {
+namespace {
+
+/// The square of the distance from p to the segment from a to b.
+double squared_distance(Pixel p, Pixel a, Pixel b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double squared_length = dx * dx + dy * dy;
+  double px = p.x - a.x;
+  double py = p.y - a.y;
+  if (squared_length > 0) {
+    const double along = std::clamp((px * dx + py * dy) / squared_length, 0.0, 1.0);
+    px -= along * dx;
+    py -= along * dy;
+  }
+  return px * px + py * py;
+}
+
+/// Marks the points to keep between each pair that is already kept.
+std::vector<bool> kept_points(const std::vector<Pixel>& points, double tolerance) {
+  std::vector<bool> kept(points.size());
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> to_split = {{0, points.size() - 1}};
+  while (!to_split.empty()) {
+    const auto [first, last] = to_split.back();
+    to_split.pop_back();
+    std::size_t farthest = first;
+    double greatest = tolerance * tolerance;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double distance = squared_distance(points[i], points[first], points[last]);
+      if (distance <= greatest) continue;
+      greatest = distance;
+      farthest = i;
+    }
+    if (farthest == first) continue;
+    kept[farthest] = true;
+    to_split.emplace_back(first, farthest);
+    to_split.emplace_back(farthest, last);
+  }
+  return kept;
+}
+
+}  // namespace
+
+double length_of(const GraphEdge& edge) {
+  return edge.straight_steps + edge.diagonal_steps * std::sqrt(2.0);
+}
+
+std::vector<Pixel> polyline(const Graph& graph, const GraphEdge& edge, double tolerance) {
+  detail::require(tolerance >= 0 && std::isfinite(tolerance),
+                  "tolerance: expected a number of at least 0, got " + std::to_string(tolerance));
+  std::vector<Pixel> points = {edge.start};
+  const std::span<const Pixel> line = graph.pixels_of(edge);
+  points.insert(points.end(), line.begin(), line.end());
+  points.push_back(edge.stop);
+  const std::vector<bool> kept = kept_points(points, tolerance);
+  std::vector<Pixel> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kept[i]) result.push_back(points[i]);
+  }
+  return result;
+}
+
+}  // namespace thinbench
