@@ -253,6 +253,72 @@ THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_re
 /* NULL is allowed. */
 THINBENCH_API void thinbench_regions_destroy(thinbench_regions* regions);
 
+/* The graph of a skeleton: nodes joined by lines. */
+typedef struct thinbench_graph thinbench_graph;
+
+typedef struct thinbench_pixel {
+  int32_t x;
+  int32_t y;
+} thinbench_pixel;
+
+typedef struct thinbench_graph_node {
+  int32_t kind; /* 0: isolated pixel, 1: end, 2: junction, 3: first pixel of a closed line */
+  uint32_t first_pixel; /* in the list of the pixels of nodes */
+  uint32_t pixel_count;
+} thinbench_graph_node;
+
+/* From `start`, a pixel of node `from`, by the pixels of the line to `stop`, a pixel of node `to`.
+ * The length is straight_steps + diagonal_steps * sqrt(2). A loop within a junction has no pixels
+ * and no steps. */
+typedef struct thinbench_graph_edge {
+  uint32_t from;
+  uint32_t to; /* at least `from` */
+  thinbench_pixel start;
+  thinbench_pixel stop;
+  uint32_t first_pixel; /* in the list of the pixels of edges */
+  uint32_t pixel_count;
+  uint32_t straight_steps;
+  uint32_t diagonal_steps;
+} thinbench_graph_edge;
+
+/* What the parts are, and their order: thinbench/graph.hpp. Of `options`, threads, isa and
+ * technique may be set. *graph must be destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
+                                                        const thinbench_options* options,
+                                                        thinbench_graph** graph);
+
+typedef struct thinbench_pruning {
+  size_t size;       /* sizeof(thinbench_pruning) */
+  double min_length; /* removes end branches below it */
+  double min_widths; /* and those below so many times the width at their junction */
+  const int32_t*
+      squared_distances;      /* of the image before it was thinned; NULL without min_widths */
+  ptrdiff_t distances_stride; /* in numbers */
+  int32_t removes_components; /* nonzero: also short lines and pixels on their own */
+} thinbench_pruning;
+
+/* Removes short branches of one skeleton, of equal ones the first, until none is left. Destination
+ * may be the source. `graph` may be NULL; otherwise *graph is that of the result and must be
+ * destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_prune(const thinbench_stack* skeleton,
+                                               const thinbench_output* destination,
+                                               const thinbench_pruning* pruning,
+                                               const thinbench_options* options,
+                                               thinbench_graph** graph);
+
+/* Arrays that live as long as the handle; `size` is that of an element. NULL, and a count of 0,
+ * without elements, for a NULL handle, and if this library's struct has another size. */
+THINBENCH_API const thinbench_graph_node* thinbench_graph_nodes(const thinbench_graph* graph,
+                                                                size_t* count, size_t size);
+THINBENCH_API const thinbench_graph_edge* thinbench_graph_edges(const thinbench_graph* graph,
+                                                                size_t* count, size_t size);
+THINBENCH_API const thinbench_pixel* thinbench_graph_node_pixels(const thinbench_graph* graph,
+                                                                 size_t* count, size_t size);
+THINBENCH_API const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph,
+                                                                 size_t* count, size_t size);
+/* NULL is allowed. */
+THINBENCH_API void thinbench_graph_destroy(thinbench_graph* graph);
+
 /* Sets objects and what they enclose to 255; destination may be the source. */
 THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* source,
                                                     const thinbench_output* destination,

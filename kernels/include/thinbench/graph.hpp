@@ -31,7 +31,7 @@ struct Pixel {
   friend constexpr bool operator==(Pixel, Pixel) = default;
 };
 
-enum class NodeKind : std::uint8_t {
+enum class NodeKind : std::int32_t {
   isolated,  // a pixel alone
   end,
   junction,  // one pixel or several

@@ -1,0 +1,98 @@
+// The C interface of graphs.
+#include <cstddef>
+#include <string>
+
+#include "api/c_arguments.hpp"
+#include "image/checks.hpp"
+#include "thinbench.h"
+#include "thinbench/graph.hpp"
+
+static_assert(sizeof(thinbench_graph_node) == sizeof(thinbench::GraphNode));
+static_assert(sizeof(thinbench_graph_edge) == sizeof(thinbench::GraphEdge));
+static_assert(sizeof(thinbench_pixel) == sizeof(thinbench::Pixel));
+static_assert(offsetof(thinbench_graph_node, pixel_count) ==
+              offsetof(thinbench::GraphNode, pixel_count));
+static_assert(offsetof(thinbench_graph_edge, diagonal_steps) ==
+              offsetof(thinbench::GraphEdge, diagonal_steps));
+
+struct thinbench_graph {
+  thinbench::Graph found;
+};
+
+namespace {
+
+using namespace thinbench;
+using namespace thinbench::detail;
+
+/// A list of the graph as C structs.
+template <class Struct, class T>
+const Struct* list_of(const thinbench_graph* graph, std::vector<T> Graph::*list, size_t* count,
+                      size_t size) {
+  const bool is_there = graph != nullptr && size == sizeof(Struct);
+  if (count != nullptr) *count = is_there ? (graph->found.*list).size() : 0;
+  return is_there ? reinterpret_cast<const Struct*>((graph->found.*list).data()) : nullptr;
+}
+
+Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image) {
+  require_pointer(pruning, "pruning");
+  require(pruning->size == sizeof(thinbench_pruning),
+          "pruning: expected a size of " + std::to_string(sizeof(thinbench_pruning)) + ", got " +
+              std::to_string(pruning->size));
+  Pruning result = {.min_length = pruning->min_length, .min_widths = pruning->min_widths};
+  result.removes_components = pruning->removes_components != 0;
+  if (pruning->squared_distances != nullptr) {
+    result.squared_distances = {pruning->squared_distances, image.width, image.height,
+                                pruning->distances_stride};
+  }
+  return result;
+}
+
+}  // namespace
+
+thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
+                                          const thinbench_options* options,
+                                          thinbench_graph** graph) {
+  return guarded([&] {
+    require_pointer(graph, "graph");
+    *graph = nullptr;
+    *graph = new thinbench_graph{skeleton_graph(image_of(skeleton), options_of(options))};
+  });
+}
+
+thinbench_status thinbench_prune(const thinbench_stack* skeleton,
+                                 const thinbench_output* destination,
+                                 const thinbench_pruning* pruning, const thinbench_options* options,
+                                 thinbench_graph** graph) {
+  return guarded([&] {
+    if (graph != nullptr) *graph = nullptr;
+    const ConstImageView image = image_of(skeleton);
+    const StackView target = destination_of(destination, source_of(skeleton));
+    Graph found = prune(image, target.image(0), pruning_of(pruning, image), options_of(options));
+    set_foreground(destination, target);
+    if (graph != nullptr) *graph = new thinbench_graph{std::move(found)};
+  });
+}
+
+const thinbench_graph_node* thinbench_graph_nodes(const thinbench_graph* graph, size_t* count,
+                                                  size_t size) {
+  return list_of<thinbench_graph_node>(graph, &Graph::nodes, count, size);
+}
+
+const thinbench_graph_edge* thinbench_graph_edges(const thinbench_graph* graph, size_t* count,
+                                                  size_t size) {
+  return list_of<thinbench_graph_edge>(graph, &Graph::edges, count, size);
+}
+
+const thinbench_pixel* thinbench_graph_node_pixels(const thinbench_graph* graph, size_t* count,
+                                                   size_t size) {
+  return list_of<thinbench_pixel>(graph, &Graph::node_pixels, count, size);
+}
+
+const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph, size_t* count,
+                                                   size_t size) {
+  return list_of<thinbench_pixel>(graph, &Graph::edge_pixels, count, size);
+}
+
+void thinbench_graph_destroy(thinbench_graph* graph) {
+  delete graph;
+}
