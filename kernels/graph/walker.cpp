@@ -196,12 +196,12 @@ class GraphWalker::Walk {
   /// From a node pixel to the next one.
   void walk_line(std::uint32_t node, Pixel start, int direction) {
     const std::uint32_t begin = number(graph_.edge_pixels.size());
-    std::uint32_t diagonal = is_diagonal(direction) ? 1 : 0;
+    std::uint32_t diagonal = is_diagonal(direction) ? 1U : 0U;
     Pixel p = moved(start, direction);
     while (!is_node(p) && p != start) {
       take_line(p);
       direction = std::countr_zero(joined(p) & ~(1U << opposite(direction)));
-      diagonal += is_diagonal(direction) ? 1 : 0;
+      diagonal += is_diagonal(direction) ? 1U : 0U;
       p = moved(p, direction);
     }
     const std::uint32_t count = number(graph_.edge_pixels.size()) - begin;
