@@ -1,0 +1,247 @@
+"""Graphs of skeletons, pruning."""
+
+from __future__ import annotations
+
+import ctypes
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from thinbench import _arrays, _images, _library
+
+KINDS = np.array(["isolated", "end", "junction", "cycle"])
+_PIXEL = np.dtype([("x", "i4"), ("y", "i4")])
+_NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
+_EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", _PIXEL), ("stop", _PIXEL), ("first_pixel", "u4"),
+                  ("pixel_count", "u4"), ("straight_steps", "u4"), ("diagonal_steps", "u4")])
+_PRUNING = struct.Struct("NddPni4x")
+
+Array = npt.NDArray[Any]
+Columns = dict[str, Array]
+
+
+@dataclass(frozen=True, eq=False)
+class Graph:
+    """A skeleton as nodes and the lines between them.
+
+    Two pixels are joined if they are 4-neighbours, or diagonal neighbours without a common
+    4-neighbour in the skeleton. A pixel with one joined neighbour is an end, with none isolated,
+    with three or four part of a junction, as is every pixel of a block of 2 x 2. Joined junction
+    pixels are one node. A closed line without junctions has a node of one pixel.
+
+    Attributes
+    ----------
+    nodes : dict of arrays, one element per node
+        "kind": "isolated", "end", "junction" or "cycle"; "row" and "column" of the centre of its
+        pixels; "degree": how many ends of edges it has.
+    edges : dict of arrays, one element per edge
+        "from" and "to": numbers of nodes; "length": steps along rows and columns count 1, diagonal
+        ones the square root of 2; "chord": the distance between its ends; with an image also
+        "width-mean", "width-min" and "width-max", twice the distance to the background. A loop
+        within a junction, round a hole that its pixels enclose, has length 0.
+    """
+
+    nodes: Columns
+    edges: Columns
+    _node_pixels: list[Array]
+    _edge_pixels: list[Array]
+
+    def node_pixels(self, node: int) -> Array:
+        """Rows and columns of the pixels of a node: an array of int32, shape (N, 2)."""
+        return self._node_pixels[node]
+
+    def edge_pixels(self, edge: int) -> Array:
+        """Rows and columns along an edge, from a pixel of one node to one of the other: shape (N, 2)."""
+        return self._edge_pixels[edge]
+
+    def to_networkx(self) -> Any:
+        """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""
+        import networkx
+
+        graph = networkx.MultiGraph()
+        for node in range(len(self.nodes["kind"])):
+            graph.add_node(node, **{name: column[node].item() for name, column in self.nodes.items()})
+        for edge in range(len(self.edges["from"])):
+            values = {name: column[edge].item() for name, column in self.edges.items()}
+            graph.add_edge(values.pop("from"), values.pop("to"), pixels=self._edge_pixels[edge], **values)
+        return graph
+
+    def to_csgraph(self, weight: str = "length") -> Any:
+        """A symmetric scipy.sparse.csr_array of a column of the edges, for scipy.sparse.csgraph.
+
+        Of parallel edges the one with the least weight remains; loops are left out.
+        """
+        from scipy import sparse
+
+        ends = np.sort(np.stack([self.edges["from"], self.edges["to"]]), axis=0)
+        order = np.lexsort((self.edges[weight], ends[1], ends[0]))
+        order = order[ends[0, order] != ends[1, order]]
+        first = np.ones(len(order), bool)
+        first[1:] = (np.diff(ends[:, order]) != 0).any(axis=0)
+        order = order[first]
+        rows, columns = ends[:, order].astype(np.int64)
+        count = len(self.nodes["kind"])
+        upper = sparse.coo_matrix((self.edges[weight][order], (rows, columns)), (count, count))
+        return sparse.csr_matrix(upper + upper.T)
+
+
+def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, threads: int = 1) -> Graph:
+    """Find the nodes of a skeleton and the lines between them.
+
+    Parameters
+    ----------
+    skeleton : array of bool or uint8, shape (H, W)
+        Nonzero is foreground; thin lines, such as `thin` makes.
+    image : array of bool or uint8, shape (H, W), optional
+        What was thinned, for the widths of edges.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
+
+    Returns
+    -------
+    Graph
+        The number of its nodes minus that of its edges is `euler_number(skeleton)`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    References
+    ----------
+    docs/graphs.md: the definition of nodes and edges.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> cross = np.array([[0, 1, 0, 0], [1, 1, 1, 1], [0, 1, 0, 0]], bool)
+    >>> found = thinbench.graph(cross)
+    >>> print(found.nodes["kind"], found.edges["length"])
+    ['end' 'end' 'junction' 'end' 'end'] [1. 1. 2. 1.]
+    """
+    array = _arrays.binary(skeleton)
+    options = _library.options(threads=_arrays.integer("threads", threads))
+    stack, kept_alive = _arrays.source(array)
+    handle = ctypes.c_void_p()
+    _library.skeleton_graph(stack, options, ctypes.byref(handle))
+    del kept_alive
+    return _taken(handle, None if image is None else _squares_of(image, array.shape, threads))
+
+
+def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
+          image: npt.ArrayLike | None = None, remove_components: bool = False,
+          out: npt.NDArray[Any] | None = None, threads: int = 1) -> npt.NDArray[Any]:
+    """Remove short branches from a skeleton.
+
+    A branch is a line from an end to a junction. Each round removes the shortest of the short
+    branches of every junction, until none is left. Holes remain.
+
+    Parameters
+    ----------
+    skeleton : array of bool or uint8, shape (H, W)
+        Nonzero is foreground. Never modified.
+    min_length : float
+        Branches below it are removed. Diagonal steps count the square root of 2.
+    min_widths : float
+        So are branches below this many times the width of `image` at their junction, which is twice
+        the distance to the background.
+    image : array of bool or uint8, shape (H, W), optional
+        What was thinned; needed with `min_widths`.
+    remove_components : bool
+        Also remove lines and pixels on their own that are shorter than `min_length`.
+    out : array, optional
+        Receives the result: same shape and dtype as the skeleton, C-contiguous. May be the skeleton.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
+
+    Returns
+    -------
+    array of the shape and dtype of the skeleton
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is written.
+
+    References
+    ----------
+    docs/graphs.md: the definition of branches.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> line = np.zeros((3, 9), bool)
+    >>> line[2, :] = line[1, 4] = True
+    >>> print(thinbench.prune(line, 2).astype(int)[1])
+    [0 0 0 0 0 0 0 0 0]
+    """
+    array = _arrays.binary(skeleton)
+    options = _library.options(threads=_arrays.integer("threads", threads))
+    squares = None if image is None else _squares_of(image, array.shape, threads)
+    pruning = _PRUNING.pack(_PRUNING.size, min_length, min_widths, 0 if squares is None else squares.ctypes.data,
+                            array.shape[1], bool(remove_components))
+    result = _arrays.result_for(array, out)
+    stack, kept_alive = _arrays.source(array)
+    _library.prune(stack, _arrays.destination(result), pruning, options, None)
+    del kept_alive
+    return result
+
+
+def _squares_of(image: npt.ArrayLike, shape: tuple[int, ...], threads: int) -> npt.NDArray[np.int32]:
+    squares = _images.distance(image, squared=True, threads=threads)
+    if squares.shape != shape:
+        raise ValueError(f"image: expected the skeleton's shape {shape}, got {squares.shape}")
+    return squares
+
+
+def _taken(handle: ctypes.c_void_p, squares: npt.NDArray[np.int32] | None) -> Graph:
+    """The graph of a handle, which is destroyed."""
+    try:
+        nodes, edges, node_pixels, edge_pixels = (
+            _copied(handle, list_of, dtype) for list_of, dtype in (
+                (_library.graph_nodes, _NODE), (_library.graph_edges, _EDGE),
+                (_library.graph_node_pixels, _PIXEL), (_library.graph_edge_pixels, _PIXEL)))
+    finally:
+        _library.graph_destroy(handle)
+    pixels_of_nodes = np.split(_rows_and_columns(node_pixels), nodes["first_pixel"][1:])
+    lines = np.split(_rows_and_columns(edge_pixels), edges["first_pixel"][1:])
+    starts, stops = _rows_and_columns(edges["start"]), _rows_and_columns(edges["stop"])
+    chains = [np.concatenate([starts[i:i + 1], lines[i], stops[i:i + 1]]) for i in range(len(edges))]
+    return Graph(_node_columns(nodes, edges, pixels_of_nodes), _edge_columns(edges, chains, squares),
+                 pixels_of_nodes[:len(nodes)], chains)
+
+
+def _copied(handle: ctypes.c_void_p, list_of: Any, dtype: np.dtype[Any]) -> Array:
+    count = ctypes.c_size_t()
+    address = list_of(handle, ctypes.byref(count), dtype.itemsize)
+    copy = np.empty(count.value, dtype)
+    if count.value:
+        ctypes.memmove(copy.ctypes.data, address, copy.nbytes)
+    return copy
+
+
+def _rows_and_columns(pixels: Array) -> Array:
+    return np.stack([pixels["y"], pixels["x"]], axis=-1)
+
+
+def _node_columns(nodes: Array, edges: Array, pixels: list[Array]) -> Columns:
+    centres = np.array([group.mean(axis=0) for group in pixels[:len(nodes)]]).reshape(-1, 2)
+    degree = np.bincount(edges["from"], minlength=len(nodes)) + np.bincount(edges["to"], minlength=len(nodes))
+    return {"kind": KINDS[nodes["kind"]], "row": centres[:, 0], "column": centres[:, 1], "degree": degree}
+
+
+def _edge_columns(edges: Array, chains: list[Array], squares: npt.NDArray[np.int32] | None) -> Columns:
+    difference = _rows_and_columns(edges["stop"]) - _rows_and_columns(edges["start"])
+    columns = {"from": edges["from"].astype(np.int64), "to": edges["to"].astype(np.int64),
+               "length": edges["straight_steps"] + edges["diagonal_steps"] * np.sqrt(2),
+               "chord": np.hypot(difference[:, 0], difference[:, 1])}
+    if squares is not None:
+        widths = [2 * np.sqrt(squares[chain[:, 0], chain[:, 1]]) for chain in chains]
+        for name, of in (("mean", np.mean), ("min", np.min), ("max", np.max)):
+            columns["width-" + name] = np.array([of(width) for width in widths], float)
+    return columns
