@@ -9,11 +9,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "api/catalogue.hpp"
 #include "api/option_checks.hpp"
 #include "image/checks.hpp"
+#include "image/thread_team.hpp"
 #include "out_of_core/tile_worker.hpp"
 #include "out_of_core/work_files.hpp"
 #include "thinning/variants.hpp"
@@ -58,10 +58,9 @@ class OutOfCore {
         options_{.border = run.border,
                  .isa = run.isa,
                  .technique = Technique::simd_bitpacked_tiles},  // takes the least memory
-        files_(run.in, run.out, run.format, run.conversion, number_of_files(run),
-               identity_of(run)) {
-    const Index workers = std::min<Index>(run.threads, run.tiling.count());
-    for (Index i = 0; i < workers; ++i) {
+        files_(run.in, run.out, run.format, run.conversion, number_of_files(run), identity_of(run)),
+        team_(static_cast<int>(std::min<Index>(run.threads, run.tiling.count()))) {
+    for (int i = 0; i < team_.threads(); ++i) {
       workers_.push_back(
           std::make_unique<TileWorker>(operation_, options_, run_.tiling, run_.format.order));
     }
@@ -109,11 +108,14 @@ class OutOfCore {
     active_ = active_tiles();
     outcomes_.assign(state_.tiles.size(), {});
     std::atomic<Index> next = 0;
-    tbb::parallel_for(std::size_t{0}, workers_.size(), [&](std::size_t worker) {
+    const auto run_tiles = [&](TileWorker& worker) {
       for (Index tile = next++; tile < run_.tiling.count(); tile = next++) {
         if (run_.on_tile) run_.on_tile(state_.passes, tile);
-        run_tile(*workers_[worker], tile, iterations);
+        run_tile(worker, tile, iterations);
       }
+    };
+    team_.for_ranges(team_.threads(), [&](Index first, Index last) {
+      for (Index i = first; i < last; ++i) run_tiles(*workers_[static_cast<std::size_t>(i)]);
     });
   }
 
@@ -167,7 +169,8 @@ class OutOfCore {
   Checkpoint state_;
   std::vector<bool> active_;
   std::vector<TileOutcome> outcomes_;
-  std::vector<std::unique_ptr<TileWorker>> workers_;
+  detail::ThreadTeam team_;
+  std::vector<std::unique_ptr<TileWorker>> workers_;  // one per thread
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ float number(const JsonField& field) {
   if (std::abs(value) > kLargestWeight) {
     field.fail("is " + field.json().dump() + "; the largest is 1e30");
   }
-  return static_cast<float>(value);
+  return static_cast<float>(value) + 0.0F;  // -0 becomes 0, which is written without a sign
 }
 
 Neuron read_neuron(const JsonField& field) {

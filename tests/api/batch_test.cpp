@@ -120,6 +120,8 @@ TEST(ThinningBatch, rejects_images_of_another_size) {
   const StackView stack = {pixels.data(), 2, 5, 6};
   ThinningBatch batch(Rule::guo_hall, 28, 28);
   EXPECT_EQ(rejection_of([&] { batch(stack, stack); }), "expected images of 28 x 28, got 5 x 6");
+  const StackView lower = {pixels.data(), 1, 28, 2};
+  EXPECT_EQ(rejection_of([&] { batch(lower, lower); }), "expected images of 28 x 28, got 28 x 2");
   EXPECT_TRUE(std::all_of(pixels.begin(), pixels.end(),
                           [](std::uint8_t byte) { return byte == kUntouched; }));
 }

@@ -374,6 +374,7 @@ static void rejects_invalid_tables(void) {
   rejects(thinbench_table_from_patterns(patterns, 1, tables), "column 7");
   rejects(thinbench_table_from_patterns(patterns + 1, 1, tables), "a pattern is NULL");
   rejects(thinbench_table_from_patterns(NULL, 1, tables), "patterns is NULL");
+  CHECK(thinbench_table_from_patterns(NULL, 0, tables) == THINBENCH_OK); /* keeps every pixel */
   rejects(thinbench_table_from_values(values, "raster", tables), "value 8 of 512");
   rejects(thinbench_table_from_values(values, "columns", tables), "'columns'");
   rejects(thinbench_table_from_removals(values, "raster", tables), "value 8 of 256");

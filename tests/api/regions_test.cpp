@@ -79,6 +79,8 @@ TEST(FindRegions, rejects_invalid_views) {
   const Index side = Index{1} << 29;
   EXPECT_EQ(rejected_view({data, side + 1, 0}),
             "image size 536870913 x 0 has a side above 2^29 pixels");
+  EXPECT_EQ(rejected_view({data, 0, side + 1}),
+            "image size 0 x 536870913 has a side above 2^29 pixels");
   EXPECT_EQ(rejected_view({data, 1 << 17, 1 << 17}),
             "image size 131072 x 131072 is larger than 2^32 pixels");
 }

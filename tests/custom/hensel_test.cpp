@@ -158,6 +158,8 @@ TEST(Hensel, errors_name_the_column_and_what_was_expected) {
             "rule 'B3/S2x', column 6: expected a letter of cekain after 2, got 'x'");
   EXPECT_EQ(error("B3/S2y"),
             "rule 'B3/S2y', column 6: expected a letter of cekain after 2, got 'y'");
+  EXPECT_EQ(error("B2{/S"), "rule 'B2{/S', column 3: expected S, got '{'");
+  EXPECT_EQ(error("B2\x7F/S"), "rule 'B2?/S', column 3: expected S, got '?'");
   EXPECT_EQ(error("B0c/S"), "rule 'B0c/S', column 3: expected no letter after 0, got 'c'");
   EXPECT_EQ(error("B8-/S"), "rule 'B8-/S', column 4: expected no letter after 8, got '/'");
   EXPECT_EQ(error("B2-/S"), "rule 'B2-/S', column 4: expected a letter of cekain after 2, got '/'");

@@ -64,7 +64,7 @@ TEST(Patterns, later_ones_override_earlier_ones) {
 }
 
 TEST(Patterns, whitespace_does_not_matter) {
-  EXPECT_EQ(table_from_patterns(Patterns{" 4: (...\n   .1.\n\t111 ) -> 1\n"}),
+  EXPECT_EQ(table_from_patterns(Patterns{" 4: (...\r\n   .1.\n\t111 ) -> 1\n"}),
             table_from_patterns(Patterns{"4:(....1.111)->1"}));
 }
 

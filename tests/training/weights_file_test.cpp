@@ -1,5 +1,6 @@
 #include "training/weights_file.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -69,6 +70,16 @@ TEST(WeightsFile, awkward_floats_read_back_bit_for_bit) {
                     std::numeric_limits<float>::epsilon()};
   const AnyWeights read = parse_weights(weights_json(weights, ""), "weights.json");
   expect_equal(std::get<TwoLayerWeights>(read).output, weights.output);
+}
+
+TEST(WeightsFile, negative_zeros_become_zeros_that_read_back) {
+  Json json = Json::parse(weights_json(kPaperTwoLayer, ""));
+  json["output"]["bias"] = -0.0;
+  const AnyWeights read = parse_weights(json.dump(), "weights.json");
+  const std::string written = weights_json(std::get<TwoLayerWeights>(read), "");
+  const AnyWeights again = parse_weights(written, "weights.json");
+  EXPECT_EQ(weights_json(std::get<TwoLayerWeights>(again), ""), written);
+  EXPECT_FALSE(std::signbit(std::get<TwoLayerWeights>(read).output.bias));
 }
 
 TEST(WeightsFile, malformed_two_layer_weights_are_rejected_with_the_field_named) {
