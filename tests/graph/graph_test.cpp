@@ -1,0 +1,282 @@
+#include "thinbench/graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "graph.hpp"
+#include "support/rejection.hpp"
+#include "support/text_image.hpp"
+#include "thinbench/distance.hpp"
+#include "thinbench/regions.hpp"
+
+namespace thinbench {
+namespace {
+
+using Kinds = std::vector<NodeKind>;
+using enum NodeKind;
+
+Kinds kinds_of(const Graph& graph) {
+  Kinds kinds;
+  for (const GraphNode& node : graph.nodes) kinds.push_back(node.kind);
+  return kinds;
+}
+
+Graph graph_of(const TextImage& lines) {
+  const ByteImage image = image_of(lines);
+  const Graph graph = skeleton_graph(image.view());
+  EXPECT_TRUE(graph == reference::skeleton_graph(image.view()));
+  return graph;
+}
+
+ByteImage random_image(std::mt19937& random) {
+  ByteImage image(1 + static_cast<Index>(random() % 80), 1 + static_cast<Index>(random() % 12));
+  const unsigned rarity = 2 + random() % 6;
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) {
+      if (random() % rarity == 0) image.at(x, y) = 255;
+    }
+  }
+  return image;
+}
+
+ByteImage transposed(const ByteImage& image) {
+  ByteImage result(image.height(), image.width());
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) result.at(y, x) = image.at(x, y);
+  }
+  return result;
+}
+
+TEST(SkeletonGraph, of_a_line_has_two_ends_and_an_edge) {
+  const Graph graph = graph_of({"#....",  //
+                                ".###.",  //
+                                "....#"});
+  EXPECT_EQ(kinds_of(graph), (Kinds{end, end}));
+  ASSERT_EQ(graph.edges.size(), 1U);
+  EXPECT_EQ(graph.edges[0], (GraphEdge{0, 1, {0, 0}, {4, 2}, 0, 3, 2, 2}));
+  EXPECT_DOUBLE_EQ(length_of(graph.edges[0]), 2 + 2 * std::sqrt(2.0));
+}
+
+TEST(SkeletonGraph, a_corner_is_no_junction) {
+  EXPECT_EQ(kinds_of(graph_of({"##.",  //
+                               ".##",  //
+                               "..#"})),
+            (Kinds{end, end}));
+}
+
+TEST(SkeletonGraph, joined_junction_pixels_are_one_node) {
+  const Graph graph = graph_of({"#...#",  //
+                                ".#.#.",  //
+                                "..#..",  //
+                                "..#..",  //
+                                ".#.#.",  //
+                                "#...#"});
+  EXPECT_EQ(kinds_of(graph), (Kinds{end, end, junction, end, end}));
+  EXPECT_EQ(graph.pixels_of(graph.nodes[2]).size(), 2U);
+  EXPECT_EQ(graph.edges.size(), 4U);
+}
+
+TEST(SkeletonGraph, single_pixels_and_closed_lines_are_nodes) {
+  const Graph graph = graph_of({".#....",  //
+                                "#.#..#",  //
+                                ".#...."});
+  EXPECT_EQ(kinds_of(graph), (Kinds{isolated, cycle}));
+  ASSERT_EQ(graph.edges.size(), 1U);
+  EXPECT_EQ(graph.edges[0], (GraphEdge{1, 1, {1, 0}, {1, 0}, 0, 3, 0, 4}));
+}
+
+TEST(SkeletonGraph, parallel_edges_and_loops_are_kept) {
+  const Graph ring_with_tails = graph_of({"...##...",  //
+                                          "###..###",  //
+                                          "...##..."});
+  EXPECT_EQ(kinds_of(ring_with_tails), (Kinds{end, junction, junction, end}));
+  EXPECT_EQ(ring_with_tails.edges.size(), 4U);
+  const Graph loop = graph_of({"....##.",  //
+                               "####..#",  //
+                               "....##."});
+  EXPECT_EQ(kinds_of(loop), (Kinds{end, junction}));
+  ASSERT_EQ(loop.edges.size(), 2U);
+  EXPECT_EQ(loop.edges[1].from, loop.edges[1].to);
+}
+
+TEST(SkeletonGraph, a_hole_within_a_junction_is_a_loop_without_pixels) {
+  const Graph graph = graph_of({"..#..",  //
+                                "..#..",  //
+                                "##.##",  //
+                                "..#..",  //
+                                "..#.."});
+  EXPECT_EQ(kinds_of(graph), (Kinds{end, end, junction, end, end}));
+  EXPECT_EQ(graph.edges.size(), 5U);
+  EXPECT_EQ(graph.edges.back().pixel_count, 0U);
+}
+
+TEST(SkeletonGraph, a_full_block_is_a_junction) {
+  const Graph graph = graph_of({"##..",  //
+                                "####"});
+  EXPECT_EQ(kinds_of(graph), (Kinds{junction, end}));
+  EXPECT_EQ(graph.nodes[0].pixel_count, 4U);
+}
+
+TEST(SkeletonGraph, of_empty_images_is_empty) {
+  EXPECT_EQ(skeleton_graph({nullptr, 0, 5}), Graph{});
+  EXPECT_EQ(skeleton_graph({nullptr, 5, 0}), Graph{});
+  EXPECT_EQ(graph_of({"...", "..."}), Graph{});
+}
+
+TEST(SkeletonGraph, has_every_pixel_once_and_the_euler_number_on_20000_random_images) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const ByteImage image = random_image(random);
+    const Graph graph = skeleton_graph(image.view());
+    ByteImage drawn(image.width(), image.height());
+    for (const std::vector<Pixel>& list : {graph.node_pixels, graph.edge_pixels}) {
+      for (const Pixel p : list) {
+        ASSERT_EQ(drawn.at(p.x, p.y), 0);
+        drawn.at(p.x, p.y) = 255;
+      }
+    }
+    ASSERT_TRUE(equal(drawn.view(), image.view()));
+    ASSERT_EQ(static_cast<std::int64_t>(graph.nodes.size()) -
+                  static_cast<std::int64_t>(graph.edges.size()),
+              euler_number(image.view()));
+  }
+}
+
+/// What does not depend on the order: kinds and sizes of nodes, ends and lengths of edges.
+auto summary_of(const Graph& graph, bool transposed) {
+  std::multiset<std::tuple<int, std::int32_t, std::int32_t>> nodes;
+  for (const GraphNode& node : graph.nodes) {
+    if (node.kind == cycle) continue;  // its pixel depends on the order
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    for (const Pixel p : graph.pixels_of(node)) {
+      x += p.x;
+      y += p.y;
+    }
+    if (transposed) std::swap(x, y);
+    nodes.emplace(static_cast<int>(node.kind), x, y);
+  }
+  std::multiset<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges;
+  for (const GraphEdge& edge : graph.edges) {
+    edges.emplace(edge.pixel_count, edge.straight_steps, edge.diagonal_steps);
+  }
+  return std::pair(nodes, edges);
+}
+
+TEST(SkeletonGraph, of_a_transposed_image_is_the_same_up_to_order) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const ByteImage image = random_image(random);
+    ASSERT_EQ(summary_of(skeleton_graph(image.view()), false),
+              summary_of(skeleton_graph(transposed(image).view()), true));
+  }
+}
+
+ByteImage pruned(const TextImage& lines, const Pruning& pruning) {
+  ByteImage image = image_of(lines);
+  const Graph graph = prune(image.view(), image.view(), pruning);
+  EXPECT_EQ(graph, skeleton_graph(image.view()));
+  return image;
+}
+
+const TextImage kSpurs = {"....#.......",  //
+                          "....#....#..",  //
+                          "############",  //
+                          "............",  //
+                          "#......##..."};
+
+TEST(Prune, removes_branches_below_the_length) {
+  EXPECT_EQ(text_of(pruned(kSpurs, {.min_length = 2})), (TextImage{"....#.......",  //
+                                                                   "....#.......",  //
+                                                                   "############",  //
+                                                                   "............",  //
+                                                                   "#......##..."}));
+  EXPECT_EQ(text_of(pruned(kSpurs, {.min_length = 3})), (TextImage{"............",  //
+                                                                   "............",  //
+                                                                   "############",  //
+                                                                   "............",  //
+                                                                   "#......##..."}));
+}
+
+TEST(Prune, keeps_a_branch_of_every_component_unless_asked) {
+  EXPECT_EQ(text_of(pruned(kSpurs, {.min_length = 100}))[2], "############");
+  EXPECT_EQ(text_of(pruned(kSpurs, {.min_length = 3, .removes_components = true}))[4],
+            "............");
+  EXPECT_EQ(text_of(pruned(kSpurs, {.min_length = 100, .removes_components = true})),
+            TextImage(5, std::string(12, '.')));
+}
+
+TEST(Prune, takes_limits_in_widths) {
+  std::vector<std::int32_t> squares(60, 1);  // a width of 2 everywhere
+  Pruning pruning = {.min_widths = 0.9};
+  pruning.squared_distances = {squares.data(), 12, 5};
+  EXPECT_EQ(text_of(pruned(kSpurs, pruning))[1], "....#.......");
+  squares[2 * 12 + 4] = 9;
+  EXPECT_EQ(text_of(pruned(kSpurs, pruning))[1], "............");
+}
+
+TEST(Prune, keeps_components_and_holes) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const ByteImage image = random_image(random);
+    ByteImage result(image.width(), image.height());
+    const Graph graph = prune(image.view(), result.view(), {.min_length = 1.0 + i % 7});
+    ASSERT_EQ(graph, skeleton_graph(result.view()));
+    ASSERT_EQ(euler_number(image.view()), euler_number(result.view()));
+    ASSERT_EQ(find_components(image.view()).size(), find_components(result.view()).size());
+  }
+}
+
+TEST(Prune, rejects_unsuitable_arguments) {
+  ByteImage image = image_of(kSpurs);
+  const auto rejected = [&](const Pruning& pruning) {
+    return rejection_of([&] { prune(image.view(), image.view(), pruning); });
+  };
+  EXPECT_EQ(rejected({.min_length = -1}),
+            "min_length: expected a number of at least 0, got -1.000000");
+  EXPECT_EQ(rejected({.min_length = std::nan("")}),
+            "min_length: expected a number of at least 0, got nan");
+  EXPECT_EQ(rejected({.min_widths = 1}), "min_widths: expected squared_distances of size 12 x 5");
+  EXPECT_EQ(text_of(image), kSpurs);
+}
+
+TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
+  const Graph graph = graph_of({"###"});
+  const std::vector<std::int32_t> squares = {1, 4, 9};
+  const std::vector<EdgeWidths> widths = edge_widths(graph, {squares.data(), 3, 1});
+  ASSERT_EQ(widths.size(), 1U);
+  EXPECT_DOUBLE_EQ(widths[0].mean, 4);
+  EXPECT_DOUBLE_EQ(widths[0].least, 2);
+  EXPECT_DOUBLE_EQ(widths[0].greatest, 6);
+  EXPECT_NE(rejection_of([&] {
+              static_cast<void>(edge_widths(graph, {squares.data(), 2, 1}));
+            }),
+            "");
+}
+
+TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
+  const Graph graph = graph_of({"#.....#",  //
+                                ".#...#.",  //
+                                "..#.#..",  //
+                                "...#..."});
+  const GraphEdge& edge = graph.edges.at(0);
+  EXPECT_EQ(polyline(graph, edge, 1), (std::vector<Pixel>{{0, 0}, {3, 3}, {6, 0}}));
+  EXPECT_EQ(polyline(graph, edge, 3), (std::vector<Pixel>{{0, 0}, {6, 0}}));
+  EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(graph, edge, -1)); }), "");
+}
+
+TEST(Polyline, of_a_closed_line_keeps_what_is_far_from_its_start) {
+  const Graph graph = graph_of({".###.",  //
+                                "#...#",  //
+                                ".###."});
+  EXPECT_GE(polyline(graph, graph.edges.at(0), 0.5).size(), 4U);
+}
+
+}  // namespace
+}  // namespace thinbench
