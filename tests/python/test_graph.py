@@ -1,0 +1,113 @@
+"""Distances, graphs and pruning: equal to SciPy's where it has them, to what is known otherwise."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from scipy.sparse import csgraph
+
+import thinbench
+from images import random_image
+
+RING_WITH_TAILS = np.array([[0, 0, 0, 1, 1, 0, 0, 0],
+                            [1, 1, 1, 0, 0, 1, 1, 1],
+                            [0, 0, 0, 1, 1, 0, 0, 0]], bool)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.9, 0.999])
+def test_distances_equal_scipys(share):
+    image = np.random.RandomState(1).rand(150, 200) < share
+    image[70, 90] = False
+    np.testing.assert_array_equal(thinbench.distance(image), ndimage.distance_transform_edt(image))
+    np.testing.assert_array_equal(thinbench.distance(image, threads=2, squared=True),
+                                  np.rint(ndimage.distance_transform_edt(image) ** 2))
+
+
+def test_without_background_distances_are_infinite():
+    assert (thinbench.distance(np.ones((3, 4), bool)) == np.inf).all()
+    assert (thinbench.distance(np.ones((3, 4), bool), squared=True) == 2**31 - 1).all()
+
+
+def test_distances_of_views_of_any_strides_equal_those_of_copies():
+    image = np.random.RandomState(2).rand(40, 60) < 0.9
+    for view in (image[::2, ::3], image.T, image[::-1]):
+        np.testing.assert_array_equal(thinbench.distance(view), thinbench.distance(view.copy()))
+
+
+def test_a_ring_with_tails_has_parallel_edges():
+    graph = thinbench.graph(RING_WITH_TAILS)
+    assert list(graph.nodes["kind"]) == ["end", "junction", "junction", "end"]
+    assert list(graph.nodes["degree"]) == [1, 3, 3, 1]
+    assert sorted(zip(graph.edges["from"], graph.edges["to"], strict=True)) == [(0, 1), (1, 2), (1, 2), (2, 3)]
+    np.testing.assert_allclose(graph.edges["length"], [2, 1 + 2 * 2**0.5, 1 + 2 * 2**0.5, 2])
+    np.testing.assert_allclose(graph.edges["chord"], [2, 3, 3, 2])
+    assert graph.edge_pixels(0).tolist() == [[1, 0], [1, 1], [1, 2]]
+    assert graph.node_pixels(1).tolist() == [[1, 2]]
+
+
+def test_nodes_minus_edges_is_the_euler_number_and_every_pixel_is_once():
+    for seed in range(20):
+        skeleton = thinbench.thin(random_image(seed))
+        graph = thinbench.graph(skeleton)
+        edges = graph.edges["from"]
+        assert len(graph.nodes["kind"]) - len(edges) == thinbench.euler_number(skeleton)
+        pixels = [graph.node_pixels(n) for n in range(len(graph.nodes["kind"]))]
+        pixels += [graph.edge_pixels(e)[1:-1] for e in range(len(edges))]
+        drawn = np.zeros(skeleton.shape, int)
+        np.add.at(drawn, tuple(np.concatenate(pixels).T), 1)
+        np.testing.assert_array_equal(drawn, skeleton != 0)
+
+
+def test_widths_are_those_of_the_image():
+    image = np.zeros((9, 30), bool)
+    image[1:8, 1:29] = True
+    skeleton = np.zeros_like(image)
+    skeleton[4, 5:25] = True
+    graph = thinbench.graph(skeleton, image)
+    assert [graph.edges[f"width-{name}"].tolist() for name in ("mean", "min", "max")] == [[8], [8], [8]]
+
+
+def test_shortest_paths_by_scipy():
+    graph = thinbench.graph(RING_WITH_TAILS)
+    distances = csgraph.shortest_path(graph.to_csgraph())
+    assert distances[0, 3] == pytest.approx(4 + 1 + 2 * 2**0.5)
+
+
+def test_networkx_graph_has_the_columns():
+    pytest.importorskip("networkx")
+    graph = thinbench.graph(RING_WITH_TAILS).to_networkx()
+    assert (graph.number_of_nodes(), graph.number_of_edges()) == (4, 4)
+    assert graph.nodes[1]["kind"] == "junction"
+    assert len(graph[1][2]) == 2 and graph[0][1][0]["pixels"].shape == (3, 2)
+
+
+def test_empty_images_have_empty_graphs():
+    for shape in ((0, 5), (5, 0), (3, 3)):
+        graph = thinbench.graph(np.zeros(shape, bool))
+        assert len(graph.nodes["kind"]) == len(graph.edges["from"]) == 0
+
+
+def test_pruning_removes_spurs():
+    line = np.zeros((4, 20), np.uint8)
+    line[3, :] = 255
+    line[1:3, 10] = 255
+    expected = line.copy()
+    expected[1:3, 10] = 0
+    np.testing.assert_array_equal(thinbench.prune(line, 2.5), expected)
+    np.testing.assert_array_equal(thinbench.prune(line, 2), line)
+    image = np.ones_like(line)
+    image[0] = 0
+    np.testing.assert_array_equal(thinbench.prune(line, min_widths=1, image=image), expected)
+
+
+def test_unsuitable_arguments_are_named():
+    line = np.ones((1, 5), bool)
+    with pytest.raises(ValueError, match="min_length"):
+        thinbench.prune(line, -1)
+    with pytest.raises(ValueError, match="min_widths"):
+        thinbench.prune(line, min_widths=1)
+    with pytest.raises(ValueError, match="image: expected the skeleton's shape"):
+        thinbench.graph(line, np.ones((2, 5), bool))
+    with pytest.raises(ValueError, match="32767"):
+        thinbench.distance(np.ones((1, 40000), bool))
