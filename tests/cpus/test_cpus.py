@@ -21,7 +21,8 @@ CPUS: dict[str, tuple[set[str], dict[str, str]]] = {
     "max,-xsave": ({"baseline", "sse4.2"}, {"avx2": "avx2"}),  # the system does not keep wide registers
 }
 """By processor: the instruction sets that run, and what is said to be missing for others. The emulator has no AVX-512."""
-QUICK = "simd_bitpacked|simd_bytes|simd_8bit|simd_runs|autovec"
+QUICK = "^(thin_guo_hall|thin_mb2|edges_sobel|euler_number|skeleton_scan|net_two_layer_linear:1)/simd"
+"""A few seconds of work without an emulator."""
 
 
 def emulated(cpu: str, *arguments: str) -> str:
@@ -58,4 +59,4 @@ def test_all_that_runs_equals_the_reference(variants):
     cpu, _ = variants
     last = emulated(cpu, "verify", "--quick", "--threads", "2", "--filter", QUICK).splitlines()[-1]
     found = re.fullmatch(r"(\d+) passed, 0 failed, (\d+) skipped", last)
-    assert found and int(found[1]) > 50, f"{cpu}: {last}"
+    assert found and int(found[1]) > 15, f"{cpu}: {last}"

@@ -29,9 +29,9 @@ COMMANDS = {
     "run_pbm": "thinbench run thin_guo_hall {}/a.pbm out.pbm",
     "run_tiff": "thinbench run thin_guo_hall {}/a.tif out.tif",
     "out_of_core": "thinbench run thin_guo_hall {}/a.pbm out.pbm --out-of-core --memory 1M",
-    "holes": "thinbench holes {}/large.png",
+    "holes": "thinbench holes {}/large.png --threads 2",
     "overlay": "thinbench holes {}/large.png --overlay out.png",
-    "edges": "thinbench edges {}/large.png out.png",
+    "edges": "thinbench edges {}/large.png out.png --threads 2",
     "batch": "thinbench batch thin_guo_hall {}/many --out results --threads 2",
     "batch_holes": "thinbench batch holes {}/many --out results --threads 1",
     "rule": "thinbench rule majority {}/large.png out.png",
@@ -265,7 +265,8 @@ def shim(fault: str) -> Fault:
     return Fault(fault, environment={"LD_PRELOAD": SHIM, "FAULT": fault})
 
 
-MOST = ["run", "run_grey_tiff", "run_tiff", "out_of_core", "holes", "batch", "rule_of_your_own", "train", "sampler"]
+MOST = ["run", "run_grey_tiff", "run_tiff", "out_of_core", "holes", "edges", "batch", "rule_of_your_own", "train",
+        "sampler"]
 
 
 @pytest.mark.parametrize("name", [*MOST, "verify", "benchmarks"])

@@ -1,6 +1,7 @@
 // variants_<processor>.txt records the number of variants per case and ISA, whether or not this
 // machine can run them, so that none appears or disappears unnoticed. With
 // THINBENCH_RECORD_VARIANTS=PATH in the environment, the numbers are written to PATH instead.
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dispatch/isas.hpp"
 #include "harness/operation.hpp"
 
 namespace thinbench {
