@@ -36,7 +36,7 @@ Graph graph_of(const TextImage& lines) {
 
 ByteImage random_image(std::mt19937& random) {
   ByteImage image(1 + static_cast<Index>(random() % 80), 1 + static_cast<Index>(random() % 12));
-  const unsigned rarity = 2 + random() % 6;
+  const auto rarity = static_cast<unsigned>(2 + random() % 6);
   for (Index y = 0; y < image.height(); ++y) {
     for (Index x = 0; x < image.width(); ++x) {
       if (random() % rarity == 0) image.at(x, y) = 255;
