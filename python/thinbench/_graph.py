@@ -72,7 +72,7 @@ class Graph:
         `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f. The centre of the
         first pixel is at x = 0.5, y = 0.5.
         """
-        a, b, c, d, e, f = (_finite(number) for number in transform)
+        a, b, c, d, e, f = _finite(transform)
 
         def position(row: float, column: float) -> list[float]:
             x, y = float(column) + 0.5, float(row) + 0.5
@@ -285,10 +285,13 @@ def _check_thin(stack: bytes, not_thin: str) -> None:
     warnings.warn(message, stacklevel=3)
 
 
-def _finite(number: float) -> float:
-    if not math.isfinite(number):
-        raise ValueError(f"transform: expected six finite numbers, got {number}")
-    return float(number)
+def _finite(transform: Sequence[float]) -> list[float]:
+    for number in transform:
+        if not math.isfinite(number):
+            raise ValueError(f"transform: expected six finite numbers, got {number}")
+    if len(transform) != 6:
+        raise ValueError(f"transform: expected six finite numbers, got {len(transform)} of them")
+    return [float(number) for number in transform]
 
 
 def _polyline(chain: Array, tolerance: float) -> Array:
