@@ -241,7 +241,7 @@ def _edge_columns(edges: Array, chains: list[Array], squares: npt.NDArray[np.int
                "length": edges["straight_steps"] + edges["diagonal_steps"] * np.sqrt(2),
                "chord": np.hypot(difference[:, 0], difference[:, 1])}
     if squares is not None:
-        widths = [2 * np.sqrt(squares[chain[:, 0], chain[:, 1]]) for chain in chains]
+        widths = [2 * _images.roots(squares[chain[:, 0], chain[:, 1]]) for chain in chains]
         columns["width-mean"] = np.array([width.mean() for width in widths], float)
         columns["width-min"] = np.array([width.min() for width in widths], float)
         columns["width-max"] = np.array([width.max() for width in widths], float)
