@@ -71,6 +71,12 @@ def test_widths_are_those_of_the_image():
     assert [graph.edges[f"width-{name}"].tolist() for name in ("mean", "min", "max")] == [[8], [8], [8]]
 
 
+def test_without_background_widths_are_infinite():
+    line = np.ones((1, 5), bool)
+    edges = thinbench.graph(line, line).edges
+    assert [edges[f"width-{name}"].tolist() for name in ("mean", "min", "max")] == [[np.inf]] * 3
+
+
 def test_shortest_paths_by_scipy():
     graph = thinbench.graph(RING_WITH_TAILS)
     distances = csgraph.shortest_path(graph.to_csgraph())
