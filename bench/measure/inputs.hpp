@@ -8,6 +8,7 @@
 
 #include "harness/operation.hpp"
 #include "images/binarise.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 
@@ -19,7 +20,15 @@ struct TimedInput {
   [[nodiscard]] Index width() const { return binary.width(); }
   [[nodiscard]] Index height() const { return binary.height(); }
   /// What an operation is measured on. For one thread at a time.
-  [[nodiscard]] ConstImageView view(const Operation& operation) const;
+  [[nodiscard]] ConstImageView view(const Operation& operation) const {
+    if (operation.takes == InputKind::grey) return grey.view();
+    if (!operation.measured_on_skeletons) return binary.view();
+    if (skeleton.width() == 0) {
+      skeleton = ByteImage(width(), height());
+      thin(Rule::guo_hall, binary.view(), skeleton.view());
+    }
+    return skeleton.view();
+  }
 
   mutable ByteImage skeleton = {};  // of the binary image, once it is needed
 };
