@@ -1,4 +1,5 @@
 // The C interface of graphs.
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -49,6 +50,26 @@ Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image
 
 }  // namespace
 
+thinbench_status thinbench_classify_pixels(const thinbench_stack* image, uint8_t* classes,
+                                           ptrdiff_t classes_stride, uint8_t* degrees,
+                                           ptrdiff_t degrees_stride) {
+  return guarded([&] {
+    const ConstImageView source = image_of(image);
+    classify_pixels(source, {classes, source.width, source.height, classes_stride},
+                    {degrees, source.width, source.height, degrees_stride});
+  });
+}
+
+thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* count,
+                                       thinbench_pixel* first) {
+  return guarded([&] {
+    require_pointer(count, "count");
+    const FullBlocks found = full_blocks(image_of(image));
+    *count = found.count;
+    if (first != nullptr) *first = {found.first.x, found.first.y};
+  });
+}
+
 thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
                                           const thinbench_options* options,
                                           thinbench_graph** graph) {
@@ -95,4 +116,19 @@ const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph,
 
 void thinbench_graph_destroy(thinbench_graph* graph) {
   delete graph;
+}
+
+thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count, double tolerance,
+                                    thinbench_pixel* kept, size_t* kept_count) {
+  return guarded([&] {
+    require_pointer(kept_count, "kept_count");
+    if (count > 0) {
+      require_pointer(points, "points");
+      require_pointer(kept, "kept");
+    }
+    const std::vector<Pixel> result =
+        polyline({reinterpret_cast<const Pixel*>(points), count}, tolerance);
+    std::copy(result.begin(), result.end(), reinterpret_cast<Pixel*>(kept));
+    *kept_count = result.size();
+  });
 }

@@ -25,7 +25,7 @@ double squared_distance(Pixel p, Pixel a, Pixel b) {
 }
 
 /// Marks the points to keep between each pair that is already kept.
-std::vector<bool> kept_points(const std::vector<Pixel>& points, double tolerance) {
+std::vector<bool> kept_points(std::span<const Pixel> points, double tolerance) {
   std::vector<bool> kept(points.size());
   kept.front() = kept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> to_split = {{0, points.size() - 1}};
@@ -54,15 +54,20 @@ double length_of(const GraphEdge& edge) {
   return edge.straight_steps + edge.diagonal_steps * std::sqrt(2.0);
 }
 
-std::vector<Pixel> polyline(const Graph& graph, const GraphEdge& edge, double tolerance) {
-  detail::require(tolerance >= 0 && std::isfinite(tolerance),
-                  "tolerance: expected a number of at least 0, got " + std::to_string(tolerance));
+std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge) {
   std::vector<Pixel> points = {edge.start};
   const std::span<const Pixel> line = graph.pixels_of(edge);
   points.insert(points.end(), line.begin(), line.end());
   points.push_back(edge.stop);
-  const std::vector<bool> kept = kept_points(points, tolerance);
+  return points;
+}
+
+std::vector<Pixel> polyline(std::span<const Pixel> points, double tolerance) {
+  detail::require(tolerance >= 0 && std::isfinite(tolerance),
+                  "tolerance: expected a number of at least 0, got " + std::to_string(tolerance));
   std::vector<Pixel> result;
+  if (points.empty()) return result;
+  const std::vector<bool> kept = kept_points(points, tolerance);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (kept[i]) result.push_back(points[i]);
   }

@@ -32,15 +32,26 @@ struct NeighbourRow {
   }
 };
 
-/// Foreground pixels with exactly two joined neighbours, outside full blocks of 2 x 2. The number
-/// of joined neighbours, at most 4, is ones + 2 * twos; of the four carries, at most two are set.
+/// For every pixel of a word, foreground or not, how many foreground pixels would be joined to it:
+/// the bits of a number that is at most 4. And whether it completes a block of 2 x 2.
 template <class Word>
-[[gnu::always_inline]] constexpr Word line_pixels(const NeighbourRow<Word>& above,
-                                                  const NeighbourRow<Word>& row,
-                                                  const NeighbourRow<Word>& below) {
+struct Degrees {
+  Word ones;
+  Word twos;
+  Word fours;
+  Word in_block;
+};
+
+/// Of the four carries from ones to twos, at most two are set.
+template <class Word>
+[[gnu::always_inline]] constexpr Degrees<Word> degrees(const NeighbourRow<Word>& above,
+                                                       const NeighbourRow<Word>& row,
+                                                       const NeighbourRow<Word>& below) {
   const auto none_of = [](auto a, auto b, auto c) { return a & ~(b | c); };
   const auto parity = [](auto a, auto b, auto c) { return a ^ b ^ c; };
   const auto majority = [](auto a, auto b, auto c) { return (a & b) | (c & (a | b)); };
+  const auto all = [](auto a, auto b, auto c) { return a & b & c; };
+  const auto any = [](auto a, auto b, auto c) { return a | b | c; };
   const Word north_east = ternary(above.east, above.here, row.east, none_of);
   const Word north_west = ternary(above.west, above.here, row.west, none_of);
   const Word south_east = ternary(below.east, below.here, row.east, none_of);
@@ -52,20 +63,25 @@ template <class Word>
   const Word mixed_carry = ternary(row.west, north_east, north_west, majority);
   const Word corners = south_east ^ south_west;
   const Word corner_carry = south_east & south_west;
-  const Word ones = ternary(sides, mixed, corners, parity);
   const Word last_carry = ternary(sides, mixed, corners, majority);
-  const Word carries = ternary(side_carry, mixed_carry, corner_carry, parity);
-  const Word two =
-      ternary(carries, last_carry, ones, [](auto a, auto b, auto c) { return (a ^ b) & ~c; });
+  const Word twos = ternary(side_carry, mixed_carry, corner_carry, parity) ^ last_carry;
+  const Word carry = ternary(side_carry, mixed_carry, corner_carry, any) | last_carry;
 
-  const auto all = [](auto a, auto b, auto c) { return a & b & c; };
-  const auto any = [](auto a, auto b, auto c) { return a | b | c; };
   const Word upper = ternary(above.here, above.east, row.east, all) |
                      ternary(above.here, above.west, row.west, all);
   const Word lower_east = ternary(below.here, below.east, row.east, all);
   const Word lower_west = ternary(below.here, below.west, row.west, all);
-  const Word in_block = ternary(upper, lower_east, lower_west, any);
-  return ternary(row.here, two, in_block, [](auto a, auto b, auto c) { return a & b & ~c; });
+  return {.ones = ternary(sides, mixed, corners, parity),
+          .twos = twos,
+          .fours = carry & ~twos,
+          .in_block = ternary(upper, lower_east, lower_west, any)};
+}
+
+/// Foreground pixels with exactly two joined neighbours, outside full blocks of 2 x 2.
+template <class Word>
+[[gnu::always_inline]] constexpr Word line_pixels(const Word& foreground, const Degrees<Word>& at) {
+  const Word two = at.twos & ~at.ones;
+  return ternary(foreground, two, at.in_block, [](auto a, auto b, auto c) { return a & b & ~c; });
 }
 
 /// The loop of every kernel.
@@ -80,8 +96,9 @@ template <class Word>
   for (Index y = first; y < last; ++y) {
     for (Index i = 0; i < words; i += Traits::kElements) {
       const Row row = Row::load(image.row(y) + i);
-      const Word line =
-          line_pixels(Row::load(image.row(y - 1) + i), row, Row::load(image.row(y + 1) + i));
+      const Degrees<Word> at =
+          degrees(Row::load(image.row(y - 1) + i), row, Row::load(image.row(y + 1) + i));
+      const Word line = line_pixels(row.here, at);
       Traits::store(lines.row(y) + i, line);
       Traits::store(nodes.row(y) + i, row.here & ~line);
     }

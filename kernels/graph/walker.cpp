@@ -34,7 +34,8 @@ consteval auto neighbour_table(bool only_joined) {
     };
     for (int d = 0; d < kDirections; ++d) {
       const bool has_way_round = is_diagonal(d) && (has(d + 1) || has(d + kDirections - 1));
-      if (has(d) && !(only_joined && has_way_round)) table[window] |= static_cast<std::uint8_t>(1U << d);
+      if (has(d) && !(only_joined && has_way_round))
+        table[window] |= static_cast<std::uint8_t>(1U << d);
     }
   }
   return table;

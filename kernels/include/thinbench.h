@@ -281,6 +281,19 @@ typedef struct thinbench_graph_edge {
   uint32_t diagonal_steps;
 } thinbench_graph_edge;
 
+/* What each pixel of one image is (0: background, 1: isolated, 2: end, 3: line, 4: junction), and
+ * to how many neighbours it is joined: thinbench/graph.hpp. Either may be NULL. Image, classes and
+ * degrees must not overlap. */
+THINBENCH_API thinbench_status thinbench_classify_pixels(const thinbench_stack* image,
+                                                         uint8_t* classes, ptrdiff_t classes_stride,
+                                                         uint8_t* degrees,
+                                                         ptrdiff_t degrees_stride);
+
+/* How many blocks of 2 x 2 foreground pixels one image has, by which it is not thin, and the upper
+ * left pixel of the first. `first` may be NULL. */
+THINBENCH_API thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* count,
+                                                     thinbench_pixel* first);
+
 /* What the parts are, and their order: thinbench/graph.hpp. Of `options`, threads, isa and
  * technique may be set. *graph must be destroyed; NULL on failure. */
 THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
@@ -318,6 +331,13 @@ THINBENCH_API const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench
                                                                  size_t* count, size_t size);
 /* NULL is allowed. */
 THINBENCH_API void thinbench_graph_destroy(thinbench_graph* graph);
+
+/* Keeps the first point of a line, the last and those between them that are needed so that no point
+ * is farther than `tolerance` from the polyline. `kept` has room for `count` points and may be
+ * `points`; *kept_count becomes their number. */
+THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
+                                                  double tolerance, thinbench_pixel* kept,
+                                                  size_t* kept_count);
 
 /* Sets objects and what they enclose to 255; destination may be the source. */
 THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* source,

@@ -1,11 +1,14 @@
-"""Graphs of skeletons, pruning."""
+"""Graphs of skeletons, pruning, classes of pixels."""
 
 from __future__ import annotations
 
 import ctypes
+import math
 import struct
+import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +16,7 @@ import numpy.typing as npt
 from thinbench import _arrays, _images, _library
 
 KINDS = np.array(["isolated", "end", "junction", "cycle"])
+PIXEL_CLASSES = ("background", "isolated", "end", "line", "junction")
 _PIXEL = np.dtype([("x", "i4"), ("y", "i4")])
 _NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
 _EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", _PIXEL), ("stop", _PIXEL), ("first_pixel", "u4"),
@@ -57,6 +61,33 @@ class Graph:
         """Rows and columns along an edge, from a pixel of one node to one of the other: shape (N, 2)."""
         return self._edge_pixels[edge]
 
+    def polylines(self, tolerance: float = 1) -> list[Array]:
+        """Rows and columns of the points of each edge that are needed so that none of its pixels is farther
+        than `tolerance` from the line through them (Douglas and Peucker 1973): arrays of shape (N, 2)."""
+        return [_polyline(chain, tolerance) for chain in self._edge_pixels]
+
+    def to_geojson(self, tolerance: float = 1, transform: Sequence[float] = (1, 0, 0, 0, 1, 0)) -> dict[str, Any]:
+        """A GeoJSON FeatureCollection: a LineString for each edge and a Point for each node.
+
+        `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f. The centre of the
+        first pixel is at x = 0.5, y = 0.5.
+        """
+        a, b, c, d, e, f = (_finite(number) for number in transform)
+
+        def position(row: float, column: float) -> list[float]:
+            x, y = float(column) + 0.5, float(row) + 0.5
+            return [a * x + b * y + c, d * x + e * y + f]
+
+        def feature(kind: str, coordinates: Any, number: int, columns: Columns) -> dict[str, Any]:
+            values = {name: column[number].item() for name, column in columns.items()}
+            return {"type": "Feature", "geometry": {"type": kind, "coordinates": coordinates}, "properties": values}
+
+        nodes = [feature("Point", position(self.nodes["row"][i], self.nodes["column"][i]), i, self.nodes)
+                 for i in range(len(self.nodes["kind"]))]
+        edges = [feature("LineString", [position(*point) for point in line], i, self.edges)
+                 for i, line in enumerate(self.polylines(tolerance))]
+        return {"type": "FeatureCollection", "features": nodes + edges}
+
     def to_networkx(self) -> Any:
         """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""
         import networkx
@@ -88,7 +119,8 @@ class Graph:
         return sparse.csr_matrix(upper + upper.T)
 
 
-def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, threads: int = 1) -> Graph:
+def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *,
+          not_thin: Literal["warn", "raise", "ignore"] = "warn", threads: int = 1) -> Graph:
     """Find the nodes of a skeleton and the lines between them.
 
     Parameters
@@ -97,6 +129,9 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, thread
         Nonzero is foreground; thin lines, such as `thin` makes.
     image : array of bool or uint8, shape (H, W), optional
         What was thinned, for the widths of edges.
+    not_thin : str
+        What to do about blocks of 2 x 2 foreground pixels: "warn" and "raise" name their number and
+        the first. They become junctions.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
 
@@ -126,6 +161,7 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, thread
     array = _arrays.binary(skeleton)
     options = _library.options(threads=_arrays.integer("threads", threads))
     stack, kept_alive = _arrays.source(array)
+    _check_thin(stack, not_thin)
     handle = ctypes.c_void_p()
     _library.skeleton_graph(stack, options, ctypes.byref(handle))
     del kept_alive
@@ -190,6 +226,78 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     _library.prune(stack, _arrays.destination(result), pruning, options, None)
     del kept_alive
     return result
+
+
+def classify_pixels(image: npt.ArrayLike) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.uint8]]:
+    """Say what each pixel of a skeleton is, and to how many neighbours it is joined.
+
+    Parameters
+    ----------
+    image : array of bool or uint8, shape (H, W)
+        Nonzero is foreground.
+
+    Returns
+    -------
+    classes : array of uint8, shape (H, W)
+        Positions in `PIXEL_CLASSES`: "background", "isolated", "end", "line", "junction".
+    degrees : array of uint8, shape (H, W)
+        0 to 4; 0 on background.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the image does not fit.
+
+    References
+    ----------
+    docs/graphs.md: the definition.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> classes, degrees = thinbench.classify_pixels(np.array([[1, 0, 1, 1, 1]], bool))
+    >>> print(classes, degrees)
+    [[1 0 2 3 2]] [[0 0 1 2 1]]
+    """
+    array = _arrays.binary(image)
+    stack, kept_alive = _arrays.source(array)
+    classes, degrees = np.empty(array.shape, np.uint8), np.empty(array.shape, np.uint8)
+    stride = array.shape[1]
+    _library.classify_pixels(stack, classes.ctypes.data, stride, degrees.ctypes.data, stride)
+    del kept_alive
+    return classes, degrees
+
+
+def _check_thin(stack: bytes, not_thin: str) -> None:
+    if not_thin not in ("warn", "raise", "ignore"):
+        raise ValueError(f"not_thin: expected 'warn', 'raise' or 'ignore', got {not_thin!r}")
+    count, first = ctypes.c_int64(), (ctypes.c_int32 * 2)()
+    if not_thin == "ignore":
+        return
+    _library.full_blocks(stack, ctypes.byref(count), first)
+    if count.value == 0:
+        return
+    blocks = "block of 2 x 2 pixels" if count.value == 1 else "blocks of 2 x 2 pixels, the first"
+    message = f"skeleton: not thin: {count.value} {blocks} at row {first[1]}, column {first[0]}"
+    if not_thin == "raise":
+        raise ValueError(message)
+    warnings.warn(message, stacklevel=3)
+
+
+def _finite(number: float) -> float:
+    if not math.isfinite(number):
+        raise ValueError(f"transform: expected six finite numbers, got {number}")
+    return float(number)
+
+
+def _polyline(chain: Array, tolerance: float) -> Array:
+    """The distances do not depend on the order of the two columns."""
+    kept = np.empty(chain.shape, np.int32)
+    points = np.ascontiguousarray(chain, np.int32)
+    count = ctypes.c_size_t()
+    _library.polyline(points.ctypes.data, len(points), tolerance, kept.ctypes.data, ctypes.byref(count))
+    return kept[:count.value].copy()
 
 
 def _squares_of(image: npt.ArrayLike, shape: tuple[int, ...], threads: int) -> npt.NDArray[np.int32]:

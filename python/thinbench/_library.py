@@ -59,6 +59,11 @@ thin_labels = _checked("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINT
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 squared_distances = _checked(
     "squared_distances", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES)
+classify_pixels = _checked(
+    "classify_pixels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t)
+full_blocks = _checked("full_blocks", _BYTES, _POINTER, _POINTER)
+polyline = _checked(
+    "polyline", _POINTER, ctypes.c_size_t, ctypes.c_double, _POINTER, _POINTER)
 skeleton_graph = _checked("skeleton_graph", _BYTES, _BYTES, _POINTER)
 prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 find_regions = _checked(

@@ -1,6 +1,7 @@
 #include "thinbench/graph.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -111,7 +112,7 @@ TEST(SkeletonGraph, a_hole_within_a_junction_is_a_loop_without_pixels) {
                                 "##.##",  //
                                 "..#..",  //
                                 "..#.."});
-  EXPECT_EQ(kinds_of(graph), (Kinds{end, end, junction, end, end}));
+  EXPECT_EQ(kinds_of(graph), (Kinds{end, junction, end, end, end}));
   EXPECT_EQ(graph.edges.size(), 5U);
   EXPECT_EQ(graph.edges.back().pixel_count, 0U);
 }
@@ -121,6 +122,67 @@ TEST(SkeletonGraph, a_full_block_is_a_junction) {
                                 "####"});
   EXPECT_EQ(kinds_of(graph), (Kinds{junction, end}));
   EXPECT_EQ(graph.nodes[0].pixel_count, 4U);
+}
+
+TEST(ClassifyPixels, follows_the_definition_of_degrees) {
+  const ByteImage image = image_of({"#.###..",  //
+                                    "....#.#",  //
+                                    "##..###",  //
+                                    "##....#"});
+  ByteImage classes(7, 4), degrees(7, 4);
+  classify_pixels(image.view(), classes.view(), degrees.view());
+  const auto lines = [](const ByteImage& values) {
+    TextImage text;
+    for (Index y = 0; y < values.height(); ++y) {
+      text.emplace_back();
+      for (Index x = 0; x < values.width(); ++x)
+        text.back() += static_cast<char>('0' + values.at(x, y));
+    }
+    return text;
+  };
+  EXPECT_EQ(lines(classes), (TextImage{"1023300",  //
+                                       "0000302",  //
+                                       "4400334",  //
+                                       "4400002"}));
+  EXPECT_EQ(lines(degrees), (TextImage{"0012200",  //
+                                       "0000201",  //
+                                       "2200223",  //
+                                       "2200001"}));
+}
+
+TEST(ClassifyPixels, agrees_with_the_nodes_of_the_graph) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 2000; ++i) {
+    const ByteImage image = random_image(random);
+    ByteImage classes(image.width(), image.height());
+    classify_pixels(image.view(), classes.view(), {});
+    const Graph graph = skeleton_graph(image.view());
+    ByteImage expected(image.width(), image.height());
+    for (const Pixel p : graph.edge_pixels) expected.at(p.x, p.y) = 3;
+    for (const GraphNode& node : graph.nodes) {
+      constexpr std::array<std::uint8_t, 4> class_of_kind = {1, 2, 4, 3};
+      for (const Pixel p : graph.pixels_of(node)) {
+        expected.at(p.x, p.y) = class_of_kind[static_cast<std::size_t>(node.kind)];
+      }
+    }
+    ASSERT_TRUE(equal(classes.view(), expected.view()));
+  }
+}
+
+TEST(ClassifyPixels, rejects_unsuitable_views) {
+  ByteImage image(8, 4), small(7, 4);
+  EXPECT_NE(rejection_of([&] { classify_pixels(image.view(), small.view(), {}); }), "");
+  EXPECT_NE(rejection_of([&] { classify_pixels(image.view(), {}, image.view()); }), "");
+  ByteImage both(8, 4);
+  EXPECT_NE(rejection_of([&] { classify_pixels(image.view(), both.view(), both.view()); }), "");
+}
+
+TEST(FullBlocks, are_counted_and_the_first_is_named) {
+  ByteImage image(130, 3);
+  EXPECT_EQ(full_blocks(image.view()), FullBlocks{});
+  for (const Index x : {63, 64, 65, 129}) image.at(x, 1) = image.at(x, 2) = 1;
+  EXPECT_EQ(full_blocks(image.view()), (FullBlocks{2, {63, 1}}));
+  EXPECT_EQ(full_blocks({nullptr, 0, 5}), FullBlocks{});
 }
 
 TEST(SkeletonGraph, of_empty_images_is_empty) {
@@ -265,17 +327,21 @@ TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
                                 ".#...#.",  //
                                 "..#.#..",  //
                                 "...#..."});
-  const GraphEdge& edge = graph.edges.at(0);
-  EXPECT_EQ(polyline(graph, edge, 1), (std::vector<Pixel>{{0, 0}, {3, 3}, {6, 0}}));
-  EXPECT_EQ(polyline(graph, edge, 3), (std::vector<Pixel>{{0, 0}, {6, 0}}));
-  EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(graph, edge, -1)); }), "");
+  const std::vector<Pixel> points = points_of(graph, graph.edges.at(0));
+  EXPECT_EQ(polyline(points, 1), (std::vector<Pixel>{{0, 0}, {3, 3}, {6, 0}}));
+  EXPECT_EQ(polyline(points, 3), (std::vector<Pixel>{{0, 0}, {6, 0}}));
+  EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(points, -1)); }), "");
+}
+
+TEST(Polyline, of_no_points_is_empty) {
+  EXPECT_EQ(polyline({}, 1), std::vector<Pixel>());
 }
 
 TEST(Polyline, of_a_closed_line_keeps_what_is_far_from_its_start) {
   const Graph graph = graph_of({".###.",  //
                                 "#...#",  //
                                 ".###."});
-  EXPECT_GE(polyline(graph, graph.edges.at(0), 0.5).size(), 4U);
+  EXPECT_GE(polyline(points_of(graph, graph.edges.at(0)), 0.5).size(), 4U);
 }
 
 }  // namespace

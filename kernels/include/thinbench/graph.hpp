@@ -41,6 +41,28 @@ enum class NodeKind : std::int32_t {
 inline constexpr std::array<std::string_view, 4> kNodeKindNames = {"isolated", "end", "junction",
                                                                    "cycle"};
 
+/// What a pixel is. Ends and isolated pixels are nodes; joined junction pixels are one.
+enum class PixelClass : std::uint8_t { background, isolated, end, line, junction };
+
+/// Writes the PixelClass of every pixel of a binary image (0 is background) and its degree: how
+/// many neighbours it is joined to, 0 to 4, and 0 on background. A view without data is left out.
+///
+/// Views with data must have the size of the image and share no pixel with another. Thread-safe for
+/// different destinations. Throws std::invalid_argument for unsuitable views, and std::bad_alloc;
+/// then nothing is written.
+THINBENCH_API void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees);
+
+/// Blocks of 2 x 2 foreground pixels, by which an image is not thin.
+struct FullBlocks {
+  std::int64_t count = 0;
+  Pixel first = {0, 0};  // the upper left pixel of the first in raster order
+
+  friend bool operator==(const FullBlocks&, const FullBlocks&) = default;
+};
+
+/// Counts them; they may overlap. Thread-safe. Throws std::invalid_argument as skeleton_graph does.
+[[nodiscard]] THINBENCH_API FullBlocks full_blocks(ConstImageView image);
+
 struct GraphNode {
   NodeKind kind;
   std::uint32_t first_pixel;  // of its pixels in Graph::node_pixels
@@ -96,7 +118,7 @@ struct Graph {
 /// Of `options`, only technique, ISA and threads may be set. Takes 4 bytes of memory per pixel
 /// beside the result. Thread-safe. Throws std::invalid_argument for a negative size, a stride below
 /// the width, a null image, a side above 2^29 or more than 2^31 pixels, and options that no variant
-/// fits, and std::bad_alloc.
+/// fits, and std::bad_alloc. Use full_blocks() to reject images that are not thin.
 [[nodiscard]] THINBENCH_API Graph skeleton_graph(ConstImageView skeleton,
                                                  const Options& options = {});
 
@@ -122,8 +144,8 @@ struct Pruning {
 ///
 /// `destination` gets 0 and 255. Views must have the same size and be the same image or share no
 /// pixel. Options, memory and errors as skeleton_graph; std::invalid_argument also for a negative
-/// or infinite limit and for distances that are missing or of another size. Nothing is written if
-/// it throws.
+/// or infinite limit and for distances that are missing or of another size; then nothing is
+/// written.
 THINBENCH_API Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
                           const Options& options = {});
 
@@ -139,10 +161,13 @@ struct EdgeWidths {
 [[nodiscard]] THINBENCH_API std::vector<EdgeWidths> edge_widths(const Graph& graph,
                                                                 ConstLabelView squared_distances);
 
-/// The line of an edge with fewer points: start and stop, and between them the points of the line
-/// that are needed so that no pixel of it is farther than `tolerance` from the polyline (Douglas
-/// and Peucker 1973). Throws std::invalid_argument for a negative or infinite tolerance.
-[[nodiscard]] THINBENCH_API std::vector<Pixel> polyline(const Graph& graph, const GraphEdge& edge,
+/// The pixels along an edge: start, those of the line, stop.
+[[nodiscard]] THINBENCH_API std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge);
+
+/// Of the points of a line, the first, the last and those between them that are needed so that no
+/// point is farther than `tolerance` from the polyline (Douglas and Peucker 1973). Throws
+/// std::invalid_argument for a negative or infinite tolerance.
+[[nodiscard]] THINBENCH_API std::vector<Pixel> polyline(std::span<const Pixel> points,
                                                         double tolerance);
 
 }  // namespace thinbench
