@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -169,6 +171,18 @@ TEST(ClassifyPixels, agrees_with_the_nodes_of_the_graph) {
   }
 }
 
+TEST(ClassifyPixels, leaves_gaps_between_rows_alone) {
+  const ByteImage image(70, 2);
+  std::vector<std::uint8_t> bytes(std::size_t{2 * 150}, 77);
+  classify_pixels(image.view(), {bytes.data(), 70, 2, 150}, {});
+  const std::vector<std::uint8_t> of_row(70, 0);
+  const std::vector<std::uint8_t> gap(80, 77);
+  for (const std::ptrdiff_t row : {0, 150}) {
+    EXPECT_TRUE(std::equal(of_row.begin(), of_row.end(), bytes.begin() + row));
+    EXPECT_TRUE(std::equal(gap.begin(), gap.end(), bytes.begin() + row + 70));
+  }
+}
+
 TEST(ClassifyPixels, rejects_unsuitable_views) {
   ByteImage image(8, 4), small(7, 4);
   EXPECT_NE(rejection_of([&] { classify_pixels(image.view(), small.view(), {}); }), "");
@@ -308,6 +322,19 @@ TEST(Prune, rejects_unsuitable_arguments) {
   EXPECT_EQ(text_of(image), kSpurs);
 }
 
+TEST(Prune, rejects_distances_whose_rows_overlap) {
+  ByteImage image = image_of(kSpurs);
+  const std::vector<std::int32_t> squares(60, 1);
+  for (const Index stride : {Index{-12}, Index{11}}) {
+    Pruning pruning = {.min_widths = 1};
+    pruning.squared_distances = {squares.data(), 12, 5, stride};
+    EXPECT_EQ(
+        rejection_of([&] { prune(image.view(), image.view(), pruning); }),
+        "squared_distances has a stride of " + std::to_string(stride) + ", below its width of 12");
+  }
+  EXPECT_EQ(text_of(image), kSpurs);
+}
+
 TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
   const Graph graph = graph_of({"###"});
   const std::vector<std::int32_t> squares = {1, 4, 9};
@@ -320,6 +347,26 @@ TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
               static_cast<void>(edge_widths(graph, {squares.data(), 2, 1}));
             }),
             "");
+}
+
+TEST(EdgeWidths, are_least_and_greatest_anywhere_on_the_line) {
+  const Graph graph = graph_of({"#####"});
+  const std::vector<std::int32_t> squares = {4, 16, 9, 1, 4};
+  const std::vector<EdgeWidths> widths = edge_widths(graph, {squares.data(), 5, 1});
+  EXPECT_DOUBLE_EQ(widths.at(0).mean, 4.8);
+  EXPECT_DOUBLE_EQ(widths.at(0).least, 2);
+  EXPECT_DOUBLE_EQ(widths.at(0).greatest, 8);
+}
+
+TEST(EdgeWidths, reject_distances_without_data_or_with_rows_that_overlap) {
+  const Graph graph = graph_of({"###", "###"});
+  const std::vector<std::int32_t> squares(6, 1);
+  const auto rejected = [&](const ConstLabelView& distances) {
+    return rejection_of([&] { static_cast<void>(edge_widths(graph, distances)); });
+  };
+  EXPECT_EQ(rejected({nullptr, 3, 2}), "squared_distances has no data");
+  EXPECT_EQ(rejected({squares.data(), 3, 2, -3}),
+            "squared_distances has a stride of -3, below its width of 3");
 }
 
 TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
@@ -335,6 +382,13 @@ TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
 
 TEST(Polyline, of_no_points_is_empty) {
   EXPECT_EQ(polyline({}, 1), std::vector<Pixel>());
+}
+
+TEST(Polyline, takes_points_as_far_apart_as_numbers_allow) {
+  constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+  const std::vector<Pixel> points = {{-far - 1, 0}, {0, 3}, {far, 0}};
+  EXPECT_EQ(polyline(points, 3.5), (std::vector<Pixel>{points[0], points[2]}));
+  EXPECT_EQ(polyline(points, 2.5), points);
 }
 
 TEST(Polyline, of_a_closed_line_keeps_what_is_far_from_its_start) {
