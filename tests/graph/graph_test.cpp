@@ -205,6 +205,20 @@ TEST(SkeletonGraph, of_empty_images_is_empty) {
   EXPECT_EQ(graph_of({"...", "..."}), Graph{});
 }
 
+TEST(SkeletonGraph, rejects_unsuitable_images) {
+  const std::vector<std::uint8_t> pixels(6);
+  const Index too_wide = (Index{1} << 29) + 1;
+  const std::vector<ConstImageView> unsuitable = {{pixels.data(), -1, 2},
+                                                  {pixels.data(), 3, 2, 2},
+                                                  {nullptr, 3, 2},
+                                                  {pixels.data(), too_wide, 1}};
+  for (const ConstImageView& image : unsuitable) {
+    EXPECT_NE(rejection_of([&] { static_cast<void>(skeleton_graph(image)); }), "");
+    EXPECT_NE(rejection_of([&] { static_cast<void>(full_blocks(image)); }), "");
+    EXPECT_NE(rejection_of([&] { classify_pixels(image, {}, {}); }), "");
+  }
+}
+
 TEST(SkeletonGraph, has_every_pixel_once_and_the_euler_number_on_20000_random_images) {
   std::mt19937 random(1);
   for (int i = 0; i < 20000; ++i) {
@@ -288,6 +302,11 @@ TEST(Prune, keeps_a_branch_of_every_component_unless_asked) {
             TextImage(5, std::string(12, '.')));
 }
 
+TEST(Prune, keeps_lines_of_the_length) {
+  const Pruning pruning = {.min_length = 1, .removes_components = true};
+  EXPECT_EQ(text_of(pruned({"##.#"}, pruning)), (TextImage{"##.."}));
+}
+
 TEST(Prune, takes_limits_in_widths) {
   std::vector<std::int32_t> squares(60, 1);  // a width of 2 everywhere
   Pruning pruning = {.min_widths = 0.9};
@@ -365,6 +384,7 @@ TEST(EdgeWidths, reject_distances_without_data_or_with_rows_that_overlap) {
     return rejection_of([&] { static_cast<void>(edge_widths(graph, distances)); });
   };
   EXPECT_EQ(rejected({nullptr, 3, 2}), "squared_distances has no data");
+  EXPECT_TRUE(edge_widths({}, {nullptr, 3, 0}).empty());
   EXPECT_EQ(rejected({squares.data(), 3, 2, -3}),
             "squared_distances has a stride of -3, below its width of 3");
 }
@@ -378,6 +398,11 @@ TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
   EXPECT_EQ(polyline(points, 1), (std::vector<Pixel>{{0, 0}, {3, 3}, {6, 0}}));
   EXPECT_EQ(polyline(points, 3), (std::vector<Pixel>{{0, 0}, {6, 0}}));
   EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(points, -1)); }), "");
+}
+
+TEST(Polyline, measures_from_lines_of_one_step_too) {
+  const std::vector<Pixel> points = {{0, 0}, {4, 0}, {1, 0}};
+  EXPECT_EQ(polyline(points, 3), (std::vector<Pixel>{{0, 0}, {1, 0}}));
 }
 
 TEST(Polyline, of_no_points_is_empty) {
