@@ -171,6 +171,14 @@ TEST(ClassifyPixels, agrees_with_the_nodes_of_the_graph) {
   }
 }
 
+TEST(ClassifyPixels, counts_four_neighbours) {
+  for (const TextImage& crossing : {TextImage{".#.", "###", ".#."}, {"#.#", ".#.", "#.#"}}) {
+    ByteImage degrees(3, 3);
+    classify_pixels(image_of(crossing).view(), {}, degrees.view());
+    EXPECT_EQ(degrees.at(1, 1), 4);
+  }
+}
+
 TEST(ClassifyPixels, leaves_gaps_between_rows_alone) {
   const ByteImage image(70, 2);
   std::vector<std::uint8_t> bytes(std::size_t{2 * 150}, 77);
