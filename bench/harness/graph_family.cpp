@@ -82,6 +82,7 @@ std::vector<Operation> graph_family() {
   }
   result.reference = [](Index, Index, int) { return std::make_unique<ReferenceJob>(); };
   result.operation = operation.name;
+  result.measured_on_skeletons = true;
   return {result};
 }
 

@@ -11,6 +11,7 @@
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "support/image_names.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -107,6 +108,16 @@ bool in_limits(const DrawnName& name) {
 }
 
 }  // namespace
+
+ConstImageView TimedInput::view(const Operation& operation) const {
+  if (operation.takes == InputKind::grey) return grey.view();
+  if (!operation.measured_on_skeletons) return binary.view();
+  if (skeleton.width() == 0) {
+    skeleton = ByteImage(width(), height());
+    thin(Rule::guo_hall, binary.view(), skeleton.view());
+  }
+  return skeleton.view();
+}
 
 TimedInput drawn_input(const std::string& name) {
   const auto [kind, numbers] = parse_name(name);

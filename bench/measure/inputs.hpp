@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/job.hpp"
+#include "harness/operation.hpp"
 #include "images/binarise.hpp"
 
 namespace thinbench {
@@ -18,9 +18,10 @@ struct TimedInput {
 
   [[nodiscard]] Index width() const { return binary.width(); }
   [[nodiscard]] Index height() const { return binary.height(); }
-  [[nodiscard]] ConstImageView view(InputKind kind) const {
-    return kind == InputKind::grey ? grey.view() : binary.view();
-  }
+  /// What an operation is measured on. For one thread at a time.
+  [[nodiscard]] ConstImageView view(const Operation& operation) const;
+
+  mutable ByteImage skeleton = {};  // of the binary image, once it is needed
 };
 
 struct InputChoice {

@@ -72,7 +72,7 @@ class Graph:
         `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f. The centre of the
         first pixel is at x = 0.5, y = 0.5.
         """
-        a, b, c, d, e, f = (_finite(number) for number in transform)
+        a, b, c, d, e, f = _finite(transform)
 
         def position(row: float, column: float) -> list[float]:
             x, y = float(column) + 0.5, float(row) + 0.5
@@ -90,7 +90,7 @@ class Graph:
 
     def to_networkx(self) -> Any:
         """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""
-        import networkx
+        import networkx  # type: ignore[import]
 
         graph = networkx.MultiGraph()
         for node in range(len(self.nodes["kind"])):
@@ -101,11 +101,11 @@ class Graph:
         return graph
 
     def to_csgraph(self, weight: str = "length") -> Any:
-        """A symmetric scipy.sparse.csr_array of a column of the edges, for scipy.sparse.csgraph.
+        """A symmetric scipy.sparse.csr_matrix of a column of the edges, for scipy.sparse.csgraph.
 
         Of parallel edges the one with the least weight remains; loops are left out.
         """
-        from scipy import sparse
+        from scipy import sparse  # type: ignore[import]
 
         ends = np.sort(np.stack([self.edges["from"], self.edges["to"]]), axis=0)
         order = np.lexsort((self.edges[weight], ends[1], ends[0]))
@@ -285,10 +285,13 @@ def _check_thin(stack: bytes, not_thin: str) -> None:
     warnings.warn(message, stacklevel=3)
 
 
-def _finite(number: float) -> float:
-    if not math.isfinite(number):
-        raise ValueError(f"transform: expected six finite numbers, got {number}")
-    return float(number)
+def _finite(transform: Sequence[float]) -> list[float]:
+    for number in transform:
+        if not math.isfinite(number):
+            raise ValueError(f"transform: expected six finite numbers, got {number}")
+    if len(transform) != 6:
+        raise ValueError(f"transform: expected six finite numbers, got {len(transform)} of them")
+    return [float(number) for number in transform]
 
 
 def _polyline(chain: Array, tolerance: float) -> Array:
@@ -349,7 +352,8 @@ def _edge_columns(edges: Array, chains: list[Array], squares: npt.NDArray[np.int
                "length": edges["straight_steps"] + edges["diagonal_steps"] * np.sqrt(2),
                "chord": np.hypot(difference[:, 0], difference[:, 1])}
     if squares is not None:
-        widths = [2 * np.sqrt(squares[chain[:, 0], chain[:, 1]]) for chain in chains]
-        for name, of in (("mean", np.mean), ("min", np.min), ("max", np.max)):
-            columns["width-" + name] = np.array([of(width) for width in widths], float)
+        widths = [2 * _images.roots(squares[chain[:, 0], chain[:, 1]]) for chain in chains]
+        columns["width-mean"] = np.array([width.mean() for width in widths], float)
+        columns["width-min"] = np.array([width.min() for width in widths], float)
+        columns["width-max"] = np.array([width.max() for width in widths], float)
     return columns

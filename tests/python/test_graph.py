@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import warnings
+
 import numpy as np
 import pytest
 from scipy import ndimage
@@ -49,7 +52,7 @@ def test_a_ring_with_tails_has_parallel_edges():
 def test_nodes_minus_edges_is_the_euler_number_and_every_pixel_is_once():
     for seed in range(20):
         skeleton = thinbench.thin(random_image(seed))
-        graph = thinbench.graph(skeleton)
+        graph = thinbench.graph(skeleton, not_thin="ignore")
         edges = graph.edges["from"]
         assert len(graph.nodes["kind"]) - len(edges) == thinbench.euler_number(skeleton)
         pixels = [graph.node_pixels(n) for n in range(len(graph.nodes["kind"]))]
@@ -66,6 +69,12 @@ def test_widths_are_those_of_the_image():
     skeleton[4, 5:25] = True
     graph = thinbench.graph(skeleton, image)
     assert [graph.edges[f"width-{name}"].tolist() for name in ("mean", "min", "max")] == [[8], [8], [8]]
+
+
+def test_without_background_widths_are_infinite():
+    line = np.ones((1, 5), bool)
+    edges = thinbench.graph(line, line).edges
+    assert [edges[f"width-{name}"].tolist() for name in ("mean", "min", "max")] == [[np.inf]] * 3
 
 
 def test_shortest_paths_by_scipy():
@@ -111,3 +120,55 @@ def test_unsuitable_arguments_are_named():
         thinbench.graph(line, np.ones((2, 5), bool))
     with pytest.raises(ValueError, match="32767"):
         thinbench.distance(np.ones((1, 40000), bool))
+
+
+def test_classes_and_degrees_of_pixels_follow_the_definition():
+    image = np.array([[1, 0, 1, 1, 1, 0, 0],
+                      [0, 0, 0, 0, 1, 0, 1],
+                      [1, 1, 0, 0, 1, 1, 1],
+                      [1, 1, 0, 0, 0, 0, 1]], bool)
+    classes, degrees = thinbench.classify_pixels(image)
+    assert [thinbench.PIXEL_CLASSES[c] for c in classes[0, :4]] == ["isolated", "background", "end", "line"]
+    assert [thinbench.PIXEL_CLASSES[c] for c in classes[2, 4:]] == ["line", "line", "junction"]
+    assert thinbench.PIXEL_CLASSES[classes[3, 1]] == "junction"
+    assert degrees[2].tolist() == [2, 2, 0, 0, 2, 2, 3]
+
+
+def test_polylines_keep_what_is_farther_than_the_tolerance():
+    skeleton = np.zeros((4, 7), bool)
+    skeleton[[0, 1, 2, 3, 2, 1, 0], range(7)] = True
+    graph = thinbench.graph(skeleton)
+    assert [line.tolist() for line in graph.polylines(1)] == [[[0, 0], [3, 3], [0, 6]]]
+    assert [line.tolist() for line in graph.polylines(3)] == [[[0, 0], [0, 6]]]
+    with pytest.raises(ValueError, match="tolerance: expected a number of at least 0, got nan"):
+        graph.polylines(np.nan)
+
+
+def test_geojson_has_transformed_points_and_lines():
+    found = thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(2, 0, 100, 0, -2, 50))
+    points = [f for f in found["features"] if f["geometry"]["type"] == "Point"]
+    lines = [f for f in found["features"] if f["geometry"]["type"] == "LineString"]
+    assert json.loads(json.dumps(found)) == found
+    assert len(points) == len(lines) == 4
+    assert points[0]["geometry"]["coordinates"] == [101, 47]
+    assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
+    assert lines[0]["properties"]["length"] == 2
+    with pytest.raises(ValueError, match="transform: expected six finite numbers, got nan"):
+        thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1, 0, 0, 0, np.nan, 0))
+    with pytest.raises(ValueError, match="transform: expected six finite numbers, got 5 of them"):
+        thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1, 0, 0, 0, 1))
+
+
+def test_blocks_of_an_image_that_is_not_thin_are_reported():
+    thick = np.zeros((5, 9), bool)
+    thick[1:3, 4:7] = True
+    message = "skeleton: not thin: 2 blocks of 2 x 2 pixels, the first at row 1, column 4"
+    with pytest.warns(UserWarning, match=message):
+        thinbench.graph(thick)
+    with pytest.raises(ValueError, match=message):
+        thinbench.graph(thick, not_thin="raise")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert thinbench.graph(thick, not_thin="ignore").nodes["kind"].tolist() == ["junction"]
+    with pytest.raises(ValueError, match="not_thin: expected 'warn', 'raise' or 'ignore', got 'stop'"):
+        thinbench.graph(thick, not_thin="stop")
