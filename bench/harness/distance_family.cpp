@@ -58,6 +58,14 @@ class ReferenceJob final : public DistanceJob {
   }
 };
 
+/// The limit of all variants, beside their own.
+std::string unavailable_reason(const detail::DistanceVariant& variant, Index width) {
+  if (width > kMaxDistanceSide) {
+    return "wider than the limit for distances, " + std::to_string(kMaxDistanceSide) + " pixels";
+  }
+  return detail::unavailable_reason(variant, width);
+}
+
 }  // namespace
 
 std::vector<Operation> distance_family() {
@@ -70,6 +78,9 @@ std::vector<Operation> distance_family() {
           return std::make_unique<StateJob>(
               width, height, make_state(operation, variant, width, height, {.threads = threads}));
         }));
+    result.variants.back().unavailable_reason = [&variant](Index width) {
+      return unavailable_reason(variant, width);
+    };
   }
   result.reference = [](Index width, Index height, int) {
     return std::make_unique<ReferenceJob>(width, height);

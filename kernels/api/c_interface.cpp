@@ -41,13 +41,17 @@ constexpr size_t kFirstVariant =
     offsetof(thinbench_variant, unavailable_reason) + sizeof(const char*);
 
 /// Calls `body(source, destination)` for every image, after a check of the whole stack. Without
-/// images it does so once for an image without rows, so that `body` checks the other arguments.
+/// pixels, where there may be no memory, it does so once for an image without rows, so that `body`
+/// checks the other arguments.
 template <class Body>
 void for_images(const thinbench_stack* stack, const thinbench_output* output, const Body& body) {
   const ConstStackView source = source_of(stack);
   const StackView destination = destination_of(output, source);
   check_stacks(source, destination);
-  if (source.count == 0) body({nullptr, source.width, 0}, {nullptr, source.width, 0});
+  if (source.count == 0 || source.width == 0 || source.height == 0) {
+    body({nullptr, source.width, 0}, {nullptr, source.width, 0});
+    return;
+  }
   for (Index i = 0; i < source.count; ++i) body(source.image(i), destination.image(i));
   set_foreground(output, destination);
 }

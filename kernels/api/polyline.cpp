@@ -11,11 +11,12 @@ namespace {
 
 /// The square of the distance from p to the segment from a to b.
 double squared_distance(Pixel p, Pixel a, Pixel b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
+  const auto difference = [](double to, double from) { return to - from; };  // beyond 32 bits
+  const double dx = difference(b.x, a.x);
+  const double dy = difference(b.y, a.y);
   const double squared_length = dx * dx + dy * dy;
-  double px = p.x - a.x;
-  double py = p.y - a.y;
+  double px = difference(p.x, a.x);
+  double py = difference(p.y, a.y);
   if (squared_length > 0) {
     const double along = std::clamp((px * dx + py * dy) / squared_length, 0.0, 1.0);
     px -= along * dx;

@@ -11,6 +11,13 @@ namespace {
 
 using detail::require;
 
+void check_distances(const ConstLabelView& squared_distances) {
+  const auto [data, width, height, stride] = squared_distances;
+  require(data != nullptr || width == 0 || height == 0, "squared_distances has no data");
+  require(stride >= width, "squared_distances has a stride of " + std::to_string(stride) +
+                               ", below its width of " + std::to_string(width));
+}
+
 void check(const Pruning& pruning, const ConstImageView& skeleton) {
   const auto check_limit = [](const char* name, double value) {
     require(value >= 0 && std::isfinite(value),
@@ -24,6 +31,7 @@ void check(const Pruning& pruning, const ConstImageView& skeleton) {
                                   distances.height == skeleton.height),
       "min_widths: expected squared_distances of size " +
           detail::size_text(skeleton.width, skeleton.height));
+  if (pruning.min_widths != 0) check_distances(distances);
 }
 
 double width_at(const ConstLabelView& squared_distances, Pixel p) {
@@ -127,6 +135,7 @@ Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruni
 }
 
 std::vector<EdgeWidths> edge_widths(const Graph& graph, ConstLabelView squared_distances) {
+  check_distances(squared_distances);
   const auto width_of = [&](Pixel p) {
     require(p.x < squared_distances.width && p.y < squared_distances.height,
             "squared_distances: smaller than the image of the graph");

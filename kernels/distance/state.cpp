@@ -34,6 +34,7 @@ DistanceState::DistanceState(const DistanceKernels& kernels, const DistanceSetti
       rows_(static_cast<std::size_t>(setting.threads), DistanceRow(setting.width)) {}
 
 void DistanceState::run(const ConstImageView& source, const LabelView& distances) {
+  if (source.width == 0) return;  // such rows need no memory
   const VerticalDistances vertical = {vertical_.get(), stride_of(source.width)};
   team_.for_ranges((source.width + kColumns - 1) / kColumns, [&](Index first, Index last) {
     kernels_.columns(source, vertical, first * kColumns, std::min(last * kColumns, source.width));

@@ -442,6 +442,24 @@ static void rejects_invalid_arguments_without_images(void) {
   rejects(thinbench_edges("sobel", &none, &output, 0, 0, &options), "simd_runs");
 }
 
+/* For the sanitizers: nothing is added to NULL. */
+static void takes_images_without_pixels(void) {
+  const thinbench_stack two = {NULL, 2, 5, 0, 3, 16};
+  const thinbench_stack one = {NULL, 1, 5, 0, 3, 16};
+  const thinbench_output output = {NULL, 3, 16, 1};
+  thinbench_pruning pruning = {.size = sizeof(pruning)};
+  thinbench_graph* graph = NULL;
+  int64_t blocks = -1;
+  CHECK(thinbench_thin("guo_hall", &two, &output, NULL, NULL) == THINBENCH_OK);
+  CHECK(thinbench_fill_holes(&two, &output, NULL) == THINBENCH_OK);
+  CHECK(thinbench_edges("sobel", &two, &output, 0, 0, NULL) == THINBENCH_OK);
+  CHECK(thinbench_prune(&one, &output, &pruning, NULL, NULL) == THINBENCH_OK);
+  CHECK(thinbench_squared_distances(&one, NULL, 3, NULL) == THINBENCH_OK);
+  CHECK(thinbench_full_blocks(&one, &blocks, NULL) == THINBENCH_OK && blocks == 0);
+  CHECK(thinbench_skeleton_graph(&one, NULL, &graph) == THINBENCH_OK);
+  thinbench_graph_destroy(graph);
+}
+
 static void rejects_invalid_arguments(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
@@ -517,6 +535,7 @@ int main(void) {
   custom_rules_have_sub_iterations_and_borders();
   custom_rules_apply_to_packed_images();
   lists_named_rules();
+  takes_images_without_pixels();
   rejects_invalid_arguments();
   rejects_invalid_tables();
   rejects_invalid_applications();

@@ -49,9 +49,9 @@ std::vector<std::uint8_t> random_pixels(Index count, int rarity, std::mt19937& r
 
 TEST(SquaredDistances, of_a_small_image_are_as_worked_by_hand) {
   const ByteImage image = image_of({"#####",  //
-                                      "##.##",  //
-                                      "#####",  //
-                                      "#####"});
+                                    "##.##",  //
+                                    "#####",  //
+                                    "#####"});
   EXPECT_EQ(distances_of(image.view()), (Numbers{5, 2, 1, 2, 5,  //
                                                  4, 1, 0, 1, 4,  //
                                                  5, 2, 1, 2, 5,  //
@@ -97,6 +97,12 @@ TEST(SquaredDistances, are_exact_at_the_greatest_distance) {
     EXPECT_EQ(found.back(), square(kMaxDistanceSide - 1));
     EXPECT_EQ(found[1000], square(1000));
   }
+}
+
+TEST(SquaredDistances, know_no_background_in_the_longest_column) {
+  const std::vector<std::uint8_t> pixels(kMaxDistanceSide, 1);
+  const Numbers found = distances_of({pixels.data(), 1, kMaxDistanceSide});
+  EXPECT_EQ(found, Numbers(pixels.size(), kNoBackground));
 }
 
 TEST(SquaredDistances, ignore_what_is_outside_the_image) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -169,6 +171,26 @@ TEST(ClassifyPixels, agrees_with_the_nodes_of_the_graph) {
   }
 }
 
+TEST(ClassifyPixels, counts_four_neighbours) {
+  for (const TextImage& crossing : {TextImage{".#.", "###", ".#."}, {"#.#", ".#.", "#.#"}}) {
+    ByteImage degrees(3, 3);
+    classify_pixels(image_of(crossing).view(), {}, degrees.view());
+    EXPECT_EQ(degrees.at(1, 1), 4);
+  }
+}
+
+TEST(ClassifyPixels, leaves_gaps_between_rows_alone) {
+  const ByteImage image(70, 2);
+  std::vector<std::uint8_t> bytes(std::size_t{2 * 150}, 77);
+  classify_pixels(image.view(), {bytes.data(), 70, 2, 150}, {});
+  const std::vector<std::uint8_t> of_row(70, 0);
+  const std::vector<std::uint8_t> gap(80, 77);
+  for (const std::ptrdiff_t row : {0, 150}) {
+    EXPECT_TRUE(std::equal(of_row.begin(), of_row.end(), bytes.begin() + row));
+    EXPECT_TRUE(std::equal(gap.begin(), gap.end(), bytes.begin() + row + 70));
+  }
+}
+
 TEST(ClassifyPixels, rejects_unsuitable_views) {
   ByteImage image(8, 4), small(7, 4);
   EXPECT_NE(rejection_of([&] { classify_pixels(image.view(), small.view(), {}); }), "");
@@ -189,6 +211,20 @@ TEST(SkeletonGraph, of_empty_images_is_empty) {
   EXPECT_EQ(skeleton_graph({nullptr, 0, 5}), Graph{});
   EXPECT_EQ(skeleton_graph({nullptr, 5, 0}), Graph{});
   EXPECT_EQ(graph_of({"...", "..."}), Graph{});
+}
+
+TEST(SkeletonGraph, rejects_unsuitable_images) {
+  const std::vector<std::uint8_t> pixels(6);
+  const Index too_wide = (Index{1} << 29) + 1;
+  const std::vector<ConstImageView> unsuitable = {{pixels.data(), -1, 2},
+                                                  {pixels.data(), 3, 2, 2},
+                                                  {nullptr, 3, 2},
+                                                  {pixels.data(), too_wide, 1}};
+  for (const ConstImageView& image : unsuitable) {
+    EXPECT_NE(rejection_of([&] { static_cast<void>(skeleton_graph(image)); }), "");
+    EXPECT_NE(rejection_of([&] { static_cast<void>(full_blocks(image)); }), "");
+    EXPECT_NE(rejection_of([&] { classify_pixels(image, {}, {}); }), "");
+  }
 }
 
 TEST(SkeletonGraph, has_every_pixel_once_and_the_euler_number_on_20000_random_images) {
@@ -274,6 +310,11 @@ TEST(Prune, keeps_a_branch_of_every_component_unless_asked) {
             TextImage(5, std::string(12, '.')));
 }
 
+TEST(Prune, keeps_lines_of_the_length) {
+  const Pruning pruning = {.min_length = 1, .removes_components = true};
+  EXPECT_EQ(text_of(pruned({"##.#"}, pruning)), (TextImage{"##.."}));
+}
+
 TEST(Prune, takes_limits_in_widths) {
   std::vector<std::int32_t> squares(60, 1);  // a width of 2 everywhere
   Pruning pruning = {.min_widths = 0.9};
@@ -308,6 +349,19 @@ TEST(Prune, rejects_unsuitable_arguments) {
   EXPECT_EQ(text_of(image), kSpurs);
 }
 
+TEST(Prune, rejects_distances_whose_rows_overlap) {
+  ByteImage image = image_of(kSpurs);
+  const std::vector<std::int32_t> squares(60, 1);
+  for (const Index stride : {Index{-12}, Index{11}}) {
+    Pruning pruning = {.min_widths = 1};
+    pruning.squared_distances = {squares.data(), 12, 5, stride};
+    EXPECT_EQ(
+        rejection_of([&] { prune(image.view(), image.view(), pruning); }),
+        "squared_distances has a stride of " + std::to_string(stride) + ", below its width of 12");
+  }
+  EXPECT_EQ(text_of(image), kSpurs);
+}
+
 TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
   const Graph graph = graph_of({"###"});
   const std::vector<std::int32_t> squares = {1, 4, 9};
@@ -322,6 +376,27 @@ TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
             "");
 }
 
+TEST(EdgeWidths, are_least_and_greatest_anywhere_on_the_line) {
+  const Graph graph = graph_of({"#####"});
+  const std::vector<std::int32_t> squares = {4, 16, 9, 1, 4};
+  const std::vector<EdgeWidths> widths = edge_widths(graph, {squares.data(), 5, 1});
+  EXPECT_DOUBLE_EQ(widths.at(0).mean, 4.8);
+  EXPECT_DOUBLE_EQ(widths.at(0).least, 2);
+  EXPECT_DOUBLE_EQ(widths.at(0).greatest, 8);
+}
+
+TEST(EdgeWidths, reject_distances_without_data_or_with_rows_that_overlap) {
+  const Graph graph = graph_of({"###", "###"});
+  const std::vector<std::int32_t> squares(6, 1);
+  const auto rejected = [&](const ConstLabelView& distances) {
+    return rejection_of([&] { static_cast<void>(edge_widths(graph, distances)); });
+  };
+  EXPECT_EQ(rejected({nullptr, 3, 2}), "squared_distances has no data");
+  EXPECT_TRUE(edge_widths({}, {nullptr, 3, 0}).empty());
+  EXPECT_EQ(rejected({squares.data(), 3, 2, -3}),
+            "squared_distances has a stride of -3, below its width of 3");
+}
+
 TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
   const Graph graph = graph_of({"#.....#",  //
                                 ".#...#.",  //
@@ -333,8 +408,20 @@ TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
   EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(points, -1)); }), "");
 }
 
+TEST(Polyline, measures_from_lines_of_one_step_too) {
+  const std::vector<Pixel> points = {{0, 0}, {4, 0}, {1, 0}};
+  EXPECT_EQ(polyline(points, 3), (std::vector<Pixel>{{0, 0}, {1, 0}}));
+}
+
 TEST(Polyline, of_no_points_is_empty) {
   EXPECT_EQ(polyline({}, 1), std::vector<Pixel>());
+}
+
+TEST(Polyline, takes_points_as_far_apart_as_numbers_allow) {
+  constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+  const std::vector<Pixel> points = {{-far - 1, 0}, {0, 3}, {far, 0}};
+  EXPECT_EQ(polyline(points, 3.5), (std::vector<Pixel>{points[0], points[2]}));
+  EXPECT_EQ(polyline(points, 2.5), points);
 }
 
 TEST(Polyline, of_a_closed_line_keeps_what_is_far_from_its_start) {
