@@ -447,7 +447,7 @@ static void takes_images_without_pixels(void) {
   const thinbench_stack two = {NULL, 2, 5, 0, 3, 16};
   const thinbench_stack one = {NULL, 1, 5, 0, 3, 16};
   const thinbench_output output = {NULL, 3, 16, 1};
-  thinbench_pruning pruning = {.size = sizeof(pruning)};
+  const thinbench_pruning pruning = {sizeof(thinbench_pruning), 0, 0, NULL, 0, 0};
   thinbench_graph* graph = NULL;
   int64_t blocks = -1;
   CHECK(thinbench_thin("guo_hall", &two, &output, NULL, NULL) == THINBENCH_OK);
