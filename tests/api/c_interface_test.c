@@ -450,6 +450,8 @@ static void takes_images_without_pixels(void) {
   thinbench_pruning pruning = {.size = sizeof(pruning)};
   thinbench_graph* graph = NULL;
   thinbench_regions* regions = NULL;
+  const thinbench_packed packed = {NULL, 5, 0, 3, 0};
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
   int64_t blocks = -1;
   CHECK(thinbench_thin("guo_hall", &two, &output, NULL, NULL) == THINBENCH_OK);
   CHECK(thinbench_fill_holes(&two, &output, NULL) == THINBENCH_OK);
@@ -462,6 +464,9 @@ static void takes_images_without_pixels(void) {
   thinbench_graph_destroy(graph);
   CHECK(thinbench_find_regions(&one, NULL, 3, NULL, &regions) == THINBENCH_OK);
   thinbench_regions_destroy(regions);
+  CHECK(thinbench_thin_packed("guo_hall", &packed, NULL, 3, NULL, NULL) == THINBENCH_OK);
+  options.technique = "lut";
+  CHECK(thinbench_thin_packed("guo_hall", &packed, NULL, 3, &options, NULL) == THINBENCH_OK);
 }
 
 static void rejects_invalid_arguments(void) {
