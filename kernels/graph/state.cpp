@@ -25,7 +25,6 @@ GraphState::GraphState(const GraphKernels& kernels, const GraphSetting& setting)
       walker_(setting.width, setting.height) {}
 
 void GraphState::load(const ConstImageView& source) {
-  if (source.width == 0) return;  // such rows need no memory
   conversion_.read(source, image_.view());
 }
 

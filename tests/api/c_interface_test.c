@@ -449,15 +449,24 @@ static void takes_images_without_pixels(void) {
   const thinbench_output output = {NULL, 3, 16, 1};
   const thinbench_pruning pruning = {sizeof(thinbench_pruning), 0, 0, NULL, 0, 0};
   thinbench_graph* graph = NULL;
+  thinbench_regions* regions = NULL;
+  const thinbench_packed packed = {NULL, 5, 0, 3, 0};
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
   int64_t blocks = -1;
   CHECK(thinbench_thin("guo_hall", &two, &output, NULL, NULL) == THINBENCH_OK);
   CHECK(thinbench_fill_holes(&two, &output, NULL) == THINBENCH_OK);
   CHECK(thinbench_edges("sobel", &two, &output, 0, 0, NULL) == THINBENCH_OK);
   CHECK(thinbench_prune(&one, &output, &pruning, NULL, NULL) == THINBENCH_OK);
   CHECK(thinbench_squared_distances(&one, NULL, 3, NULL) == THINBENCH_OK);
+  CHECK(thinbench_euler_number(&one, 8, NULL, &blocks) == THINBENCH_OK && blocks == 0);
   CHECK(thinbench_full_blocks(&one, &blocks, NULL) == THINBENCH_OK && blocks == 0);
   CHECK(thinbench_skeleton_graph(&one, NULL, &graph) == THINBENCH_OK);
   thinbench_graph_destroy(graph);
+  CHECK(thinbench_find_regions(&one, NULL, 3, NULL, &regions) == THINBENCH_OK);
+  thinbench_regions_destroy(regions);
+  CHECK(thinbench_thin_packed("guo_hall", &packed, NULL, 3, NULL, NULL) == THINBENCH_OK);
+  options.technique = "lut";
+  CHECK(thinbench_thin_packed("guo_hall", &packed, NULL, 3, &options, NULL) == THINBENCH_OK);
 }
 
 static void rejects_invalid_arguments(void) {
