@@ -199,7 +199,7 @@ class GraphWalker::Walk {
     const std::uint32_t begin = number(graph_.edge_pixels.size());
     std::uint32_t diagonal = is_diagonal(direction) ? 1U : 0U;
     Pixel p = moved(start, direction);
-    while (!is_node(p) && p != start) {
+    while (is_line(p)) {
       take_line(p);
       direction = std::countr_zero(joined(p) & ~(1U << opposite(direction)));
       diagonal += is_diagonal(direction) ? 1U : 0U;
