@@ -128,6 +128,7 @@ Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruni
   check(pruning, skeleton);
   const detail::GraphOperation& operation = detail::graph_operation();
   const auto& variant = detail::choose(operation, skeleton.width, skeleton.height, options);
+  if (skeleton.width == 0 || skeleton.height == 0) return {};  // such rows need no memory
   const auto state =
       detail::make_state(operation, variant, skeleton.width, skeleton.height, options);
   copy_binary(skeleton, destination);

@@ -210,6 +210,9 @@ TEST(FullBlocks, are_counted_and_the_first_is_named) {
 TEST(SkeletonGraph, of_empty_images_is_empty) {
   EXPECT_EQ(skeleton_graph({nullptr, 0, 5}), Graph{});
   EXPECT_EQ(skeleton_graph({nullptr, 5, 0}), Graph{});
+  constexpr Index highest = Index{1} << 29;
+  EXPECT_EQ(skeleton_graph({nullptr, 0, highest}), Graph{});
+  EXPECT_EQ(prune({nullptr, 0, highest}, {nullptr, 0, highest}, {.min_length = 2}), Graph{});
   EXPECT_EQ(graph_of({"...", "..."}), Graph{});
 }
 
