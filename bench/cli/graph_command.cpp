@@ -1,6 +1,8 @@
 // thinbench graph: the skeleton of an image as a graph.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -29,6 +31,7 @@ constexpr const char* kNoThinning = "none";
 
 struct GraphCommandOptions {
   std::string in;
+  std::string image;  // with the widths, instead of `in`
   std::string thinning = "thin_guo_hall";
   int threads = 1;
   BinariseOptions binarise;
@@ -65,8 +68,37 @@ void check_names(const GraphCommandOptions& options) {
   if (!options.overlay.empty() && extension_of(options.overlay) != ".svg") {
     throw UsageError("--overlay: expected a name that ends in .svg, got '" + options.overlay + "'");
   }
-  for (const std::string& path : {options.out, options.csv, options.geojson, options.overlay}) {
-    if (!path.empty()) check_target(path);
+  const auto place_of = [](const std::string& path) {
+    return std::filesystem::weakly_canonical(target_of(path));
+  };
+  std::vector<std::filesystem::path> known = {place_of(options.in)};
+  for (const std::string& path : {options.csv, options.geojson, options.overlay, options.out}) {
+    if (path.empty()) continue;
+    check_target(path);
+    const bool is_in = path == options.out && place_of(path) == known.front();  // read before
+    if (!is_in && std::ranges::find(known, place_of(path)) != known.end()) {
+      throw UsageError("'" + path + "' is read or written as another file, too; give each its own");
+    }
+    known.push_back(place_of(path));
+  }
+}
+
+void check_size(const GraphCommandOptions& options, Index width, Index height) {
+  if (std::max(width, height) <= kMaxDistanceSide) return;
+  throw ImageError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
+                               kMaxDistanceSide, width, height));
+}
+
+/// Positions of an image of this size must be numbers.
+void check_transform(const AffineTransform& transform, const GraphCommandOptions& options,
+                     Index width, Index height) {
+  const auto& [a, b, c, d, e, f] = transform;
+  for (const auto x : {0.0, static_cast<double>(width)}) {
+    for (const auto y : {0.0, static_cast<double>(height)}) {
+      if (std::isfinite(a * x + b * y + c) && std::isfinite(d * x + e * y + f)) continue;
+      throw UsageError("--transform: expected numbers that give finite positions, got '" +
+                       options.transform + "'");
+    }
   }
 }
 
@@ -98,6 +130,17 @@ void check_thin(const ByteImage& skeleton, const GraphCommandOptions& options,
   }
 }
 
+/// The image whose distances to the background give the widths.
+ByteImage image_of_widths(ByteImage binary, const GraphCommandOptions& options,
+                          std::ostream& remarks) {
+  if (options.image.empty()) return binary;
+  ByteImage image = read_binary(options.image, options.binarise, &remarks);
+  if (image.width() == binary.width() && image.height() == binary.height()) return image;
+  throw ImageError(fmt::format("{}: expected {} x {} pixels as in {}, got {} x {}", options.image,
+                               binary.width(), binary.height(), options.in, image.width(),
+                               image.height()));
+}
+
 FoundGraph graph_of(const ByteImage& image, ByteImage& skeleton,
                     const GraphCommandOptions& options) {
   const Index width = image.width();
@@ -122,11 +165,14 @@ int run(const GraphCommandOptions& options, const Console& console) {
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const std::string png = options.overlay.empty() ? "" : png_of(grey.view());
-  const BinaryImage binary = binarise(std::move(grey), options.binarise);
+  check_size(options, grey.width(), grey.height());
+  check_transform(transform, options, grey.width(), grey.height());
+  BinaryImage binary = binarise(std::move(grey), options.binarise);
   print_remarks(options.in, binary, options.binarise, remarks);
   ByteImage skeleton = skeleton_of(binary.image, options);
   check_thin(skeleton, options, remarks);
-  const FoundGraph found = graph_of(binary.image, skeleton, options);
+  const ByteImage image = image_of_widths(std::move(binary.image), options, remarks);
+  const FoundGraph found = graph_of(image, skeleton, options);
   if (!options.out.empty()) write_grey(options.out, skeleton.view());
   if (!options.csv.empty()) write_whole_file(options.csv, graph_csv(found));
   if (!options.geojson.empty()) write_whole_file(options.geojson, graph_geojson(found, transform));
@@ -153,15 +199,17 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
 
 void add_pruning(CLI::App& app, GraphCommandOptions& options) {
   constexpr double no_limit = 1e9;
-  app.add_option("--prune", options.pruning.min_length, "Remove branches shorter than LENGTH")
-      ->check(real_number(0, no_limit))
-      ->type_name("LENGTH");
+  CLI::Option* const prune =
+      app.add_option("--prune", options.pruning.min_length, "Remove branches shorter than LENGTH")
+          ->check(real_number(0, no_limit))
+          ->type_name("LENGTH");
   app.add_option("--prune-widths", options.pruning.min_widths,
-                 "Remove branches shorter than N times the width at their junction")
+                 "Remove branches shorter than N times the object's width at their junction")
       ->check(real_number(0, no_limit))
       ->type_name("N");
   app.add_flag("--remove-components", options.pruning.removes_components,
-               "Also remove lines and pixels on their own below LENGTH");
+               "Also remove lines and pixels on their own below LENGTH")
+      ->needs(prune);
   app.add_option("--tolerance", options.tolerance,
                  "How far, in pixels, a line may be from the points that are listed for it")
       ->check(real_number(0, no_limit))
@@ -182,6 +230,10 @@ Command add_graph_command(CLI::App& program) {
       ->capture_default_str();
   app->add_flag("--only-thin", options->only_thin,
                 "Fail if the skeleton has blocks of 2 x 2 pixels");
+  app->add_option("--image", options->image,
+                  "Image that gives the widths, where IN is a skeleton made from it")
+      ->check(not_empty())
+      ->type_name("FILE");
   add_pruning(*app, *options);
   add_files(*app, *options);
   add_threads_option(*app, options->threads);
@@ -190,12 +242,13 @@ Command add_graph_command(CLI::App& program) {
   thinbench graph roads.png
   thinbench graph roads.png --prune 10 --overlay roads.svg --csv roads.csv
   thinbench graph roads.tif --geojson roads.json --transform 0.5,0,4500000,0,-0.5,5400000
-  thinbench graph skeleton.png --thinning none --only-thin --json > graph.json
+  thinbench graph skeleton.png --thinning none --image roads.png --only-thin --json > graph.json
 
 Ends, junctions and isolated pixels are nodes; lines between them are edges. A closed line without
 junctions has a node of its own. Along rows and columns a step has length 1, diagonally sqrt(2). The
 width of a line is twice the distance to the background of the image that was thinned; what is
-outside the image does not count as background. Sides are at most 32767 pixels.)");
+outside the image does not count as background. Sides are at most 32767 pixels. Files are written one
+after the other, each whole or not at all.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

@@ -152,8 +152,9 @@ std::string graph_json(const FoundGraph& found) {
 
 std::string graph_csv(const FoundGraph& found) {
   const Graph& graph = found.graph;
+  const auto cell = [](double width) { return std::isfinite(width) ? fmt::to_string(width) : ""; };
   std::string text =
-      "edge,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,chord,width_mean,"
+      "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,chord,width_mean,"
       "width_min,width_max\n";
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const GraphEdge& edge = graph.edges[i];
@@ -161,8 +162,8 @@ std::string graph_csv(const FoundGraph& found) {
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                    i + 1, edge.from + 1, edge.to + 1, kind_of(graph.nodes[edge.from]),
                    kind_of(graph.nodes[edge.to]), edge.start.x, edge.start.y, edge.stop.x,
-                   edge.stop.y, edge.pixel_count, length_of(edge), chord_of(edge), width.mean,
-                   width.least, width.greatest);
+                   edge.stop.y, edge.pixel_count, length_of(edge), chord_of(edge), cell(width.mean),
+                   cell(width.least), cell(width.greatest));
   }
   return text;
 }

@@ -20,7 +20,8 @@ struct FoundGraph {
   std::vector<std::vector<Pixel>> lines;  // polylines of the edges
 };
 
-/// Nodes and edges have the ids 1, 2, 3, ... everywhere.
+/// Nodes and edges have the ids 1, 2, 3, ... everywhere. Infinite widths are null in JSON and empty
+/// in CSV.
 [[nodiscard]] std::string graph_list(const FoundGraph& found);
 [[nodiscard]] std::string graph_json(const FoundGraph& found);
 /// A row for each edge.

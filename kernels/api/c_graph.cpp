@@ -1,6 +1,7 @@
 // The C interface of graphs.
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 #include "api/c_arguments.hpp"
@@ -36,14 +37,13 @@ const Struct* list_of(const thinbench_graph* graph, std::vector<T> Graph::*list,
 
 Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image) {
   require_pointer(pruning, "pruning");
-  require(pruning->size == sizeof(thinbench_pruning),
-          "pruning: expected a size of " + std::to_string(sizeof(thinbench_pruning)) + ", got " +
-              std::to_string(pruning->size));
-  Pruning result = {.min_length = pruning->min_length, .min_widths = pruning->min_widths};
-  result.removes_components = pruning->removes_components != 0;
-  if (pruning->squared_distances != nullptr) {
-    result.squared_distances = {pruning->squared_distances, image.width, image.height,
-                                pruning->distances_stride};
+  constexpr size_t first_version = sizeof(thinbench_pruning);
+  const thinbench_pruning given = versioned(pruning, first_version, thinbench_pruning{}, "pruning");
+  Pruning result = {.min_length = given.min_length, .min_widths = given.min_widths};
+  result.removes_components = given.removes_components != 0;
+  if (given.squared_distances != nullptr) {
+    result.squared_distances = {given.squared_distances, image.width, image.height,
+                                given.distances_stride};
   }
   return result;
 }
@@ -88,9 +88,10 @@ thinbench_status thinbench_prune(const thinbench_stack* skeleton,
     if (graph != nullptr) *graph = nullptr;
     const ConstImageView image = image_of(skeleton);
     const StackView target = destination_of(destination, source_of(skeleton));
-    Graph found = prune(image, target.image(0), pruning_of(pruning, image), options_of(options));
+    auto found = std::make_unique<thinbench_graph>();
+    found->found = prune(image, target.image(0), pruning_of(pruning, image), options_of(options));
     set_foreground(destination, target);
-    if (graph != nullptr) *graph = new thinbench_graph{std::move(found)};
+    if (graph != nullptr) *graph = found.release();
   });
 }
 
@@ -116,6 +117,19 @@ const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph,
 
 void thinbench_graph_destroy(thinbench_graph* graph) {
   delete graph;
+}
+
+thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
+                                             const int32_t* squared_distances, ptrdiff_t height,
+                                             ptrdiff_t width, ptrdiff_t stride,
+                                             thinbench_edge_widths* widths) {
+  return guarded([&] {
+    require_pointer(graph, "graph");
+    if (graph->found.edges.empty()) return;
+    require_pointer(widths, "widths");
+    const auto found = edge_widths(graph->found, {squared_distances, width, height, stride});
+    for (const auto& [mean, least, greatest] : found) *widths++ = {mean, least, greatest};
+  });
 }
 
 thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count, double tolerance,

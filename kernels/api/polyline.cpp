@@ -9,20 +9,30 @@
 namespace thinbench {
 namespace {
 
-/// The square of the distance from p to the segment from a to b.
+/// From one pixel to another; coordinates may be farther apart than 32 bits.
+struct Step {
+  double x;
+  double y;
+
+  Step(Pixel from, Pixel to)
+      : x(static_cast<double>(to.x) - from.x), y(static_cast<double>(to.y) - from.y) {}
+};
+
+double product(const Step& a, const Step& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// The square of the distance from p to the segment from a to b. Exactly 0 on it: sums of products
+/// of coordinates of images have no rounding error.
 double squared_distance(Pixel p, Pixel a, Pixel b) {
-  const auto difference = [](double to, double from) { return to - from; };  // beyond 32 bits
-  const double dx = difference(b.x, a.x);
-  const double dy = difference(b.y, a.y);
-  const double squared_length = dx * dx + dy * dy;
-  double px = difference(p.x, a.x);
-  double py = difference(p.y, a.y);
-  if (squared_length > 0) {
-    const double along = std::clamp((px * dx + py * dy) / squared_length, 0.0, 1.0);
-    px -= along * dx;
-    py -= along * dy;
-  }
-  return px * px + py * py;
+  const Step line(a, b);
+  const Step to_p(a, p);
+  const double along = product(line, to_p);
+  const double squared_length = product(line, line);
+  if (along <= 0) return product(to_p, to_p);
+  if (along >= squared_length) return product(Step(b, p), Step(b, p));
+  const double across = line.x * to_p.y - line.y * to_p.x;
+  return across * across / squared_length;
 }
 
 /// Marks the points to keep between each pair that is already kept.

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "api/catalogue.hpp"
+#include "image/byte_image.hpp"
 #include "image/checks.hpp"
+#include "thinbench/distance.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench {
@@ -35,7 +38,8 @@ void check(const Pruning& pruning, const ConstImageView& skeleton) {
 }
 
 double width_at(const ConstLabelView& squared_distances, Pixel p) {
-  return 2 * std::sqrt(squared_distances.row(p.y)[p.x]);
+  const std::int32_t square = squared_distances.row(p.y)[p.x];
+  return square == kNoBackground ? std::numeric_limits<double>::infinity() : 2 * std::sqrt(square);
 }
 
 /// Removes branches from an image, round after round.
@@ -131,8 +135,11 @@ Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruni
   if (skeleton.width == 0 || skeleton.height == 0) return {};  // such rows need no memory
   const auto state =
       detail::make_state(operation, variant, skeleton.width, skeleton.height, options);
-  copy_binary(skeleton, destination);
-  return Pruner(destination, pruning, *state).run();
+  detail::ByteImage image(skeleton.width, skeleton.height);
+  copy_binary(skeleton, image.view());
+  Graph graph = Pruner(image.view(), pruning, *state).run();
+  copy_binary(image.view(), destination);
+  return graph;
 }
 
 std::vector<EdgeWidths> edge_widths(const Graph& graph, ConstLabelView squared_distances) {
@@ -153,7 +160,7 @@ std::vector<EdgeWidths> edge_widths(const Graph& graph, ConstLabelView squared_d
       found.least = std::min(found.least, width);
       found.greatest = std::max(found.greatest, width);
     }
-    found.mean /= edge.pixel_count + 2.0;
+    found.mean = std::clamp(found.mean / (edge.pixel_count + 2.0), found.least, found.greatest);
     widths.push_back(found);
   }
   return widths;

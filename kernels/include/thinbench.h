@@ -5,9 +5,9 @@
  * "avx2") are those of the C++ interface and of the command-line program. No function throws. All
  * functions are thread-safe for different destinations and handles.
  *
- * thinbench_options, thinbench_variant and thinbench_named_rule begin with their size, so that
- * later versions can add members at the end and still serve programs compiled before. The other
- * structs never change. */
+ * thinbench_options, thinbench_variant, thinbench_named_rule and thinbench_pruning begin with their
+ * size, so that later versions can add members at the end and still serve programs compiled before.
+ * The other structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -303,7 +303,7 @@ THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* s
 typedef struct thinbench_pruning {
   size_t size;       /* sizeof(thinbench_pruning) */
   double min_length; /* removes end branches below it */
-  double min_widths; /* and those below so many times the width at their junction */
+  double min_widths; /* and those below so many times the object's width at their junction */
   const int32_t*
       squared_distances;      /* of the image before it was thinned; NULL without min_widths */
   ptrdiff_t distances_stride; /* in numbers */
@@ -332,8 +332,24 @@ THINBENCH_API const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench
 /* NULL is allowed. */
 THINBENCH_API void thinbench_graph_destroy(thinbench_graph* graph);
 
-/* Keeps the first point of a line, the last and those between them that are needed so that no point
- * is farther than `tolerance` from the polyline. `kept` has room for `count` points and may be
+/* Twice the distance to the background along an edge, both ends included; infinity without
+ * background. */
+typedef struct thinbench_edge_widths {
+  double mean;
+  double least;
+  double greatest;
+} thinbench_edge_widths;
+
+/* Those of every edge, in the order of the edges, for which `widths` has room. The distances are
+ * those of the image before it was thinned, `stride` numbers from row to row. */
+THINBENCH_API thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
+                                                           const int32_t* squared_distances,
+                                                           ptrdiff_t height, ptrdiff_t width,
+                                                           ptrdiff_t stride,
+                                                           thinbench_edge_widths* widths);
+
+/* Keeps the first point of a line, the last and some between them, chosen so that no point is
+ * farther than `tolerance` from the polyline. `kept` has room for `count` points and may be
  * `points`; *kept_count becomes their number. */
 THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
                                                   double tolerance, thinbench_pixel* kept,

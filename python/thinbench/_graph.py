@@ -67,26 +67,35 @@ class Graph:
         return [_polyline(chain, tolerance) for chain in self._edge_pixels]
 
     def to_geojson(self, tolerance: float = 1, transform: Sequence[float] = (1, 0, 0, 0, 1, 0)) -> dict[str, Any]:
-        """A GeoJSON FeatureCollection: a LineString for each edge and a Point for each node.
+        """What `thinbench graph --geojson` writes: a Point for each node, a LineString for each edge.
 
         `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f. The centre of the
-        first pixel is at x = 0.5, y = 0.5.
+        first pixel is at x = 0.5, y = 0.5. Ids count from 1. A width without background is None.
         """
-        a, b, c, d, e, f = _finite(transform)
+        a, b, c, d, e, f = _finite("transform", transform)
 
         def position(row: float, column: float) -> list[float]:
             x, y = float(column) + 0.5, float(row) + 0.5
-            return [a * x + b * y + c, d * x + e * y + f]
+            return _finite("transform", [a * x + b * y + c, d * x + e * y + f], 2)
 
-        def feature(kind: str, coordinates: Any, number: int, columns: Columns) -> dict[str, Any]:
-            values = {name: column[number].item() for name, column in columns.items()}
-            return {"type": "Feature", "geometry": {"type": kind, "coordinates": coordinates}, "properties": values}
+        def feature(kind: str, coordinates: Any, properties: dict[str, Any]) -> dict[str, Any]:
+            return {"type": "Feature", "geometry": {"type": kind, "coordinates": coordinates}, "properties": properties}
 
-        nodes = [feature("Point", position(self.nodes["row"][i], self.nodes["column"][i]), i, self.nodes)
-                 for i in range(len(self.nodes["kind"]))]
-        edges = [feature("LineString", [position(*point) for point in line], i, self.edges)
-                 for i, line in enumerate(self.polylines(tolerance))]
-        return {"type": "FeatureCollection", "features": nodes + edges}
+        nodes, edges = self.nodes, self.edges
+        widths = {name: name.replace("-", "_") for name in edges if name.startswith("width-")}
+        features = []
+        for i in range(len(nodes["kind"])):
+            properties = {"id": i + 1, "kind": str(nodes["kind"][i]), "degree": int(nodes["degree"][i])}
+            features.append(feature("Point", position(nodes["row"][i], nodes["column"][i]), properties))
+        for i, line in enumerate(self.polylines(tolerance)):
+            properties = {"id": i + 1, "from": int(edges["from"][i]) + 1, "to": int(edges["to"][i]) + 1,
+                          "pixels": len(self._edge_pixels[i]) - 2,
+                          "length": float(edges["length"][i]), "chord": float(edges["chord"][i])}
+            for column, name in widths.items():
+                width = float(edges[column][i])
+                properties[name] = width if math.isfinite(width) else None
+            features.append(feature("LineString", [position(*point) for point in line], properties))
+        return {"type": "FeatureCollection", "features": features}
 
     def to_networkx(self) -> Any:
         """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""
@@ -113,10 +122,11 @@ class Graph:
         first = np.ones(len(order), bool)
         first[1:] = (np.diff(ends[:, order]) != 0).any(axis=0)
         order = order[first]
-        rows, columns = ends[:, order].astype(np.int64)
+        one, other = ends[:, order].astype(np.int64)
+        weights = np.tile(self.edges[weight][order], 2)
+        places = np.concatenate([one, other]), np.concatenate([other, one])
         count = len(self.nodes["kind"])
-        upper = sparse.coo_matrix((self.edges[weight][order], (rows, columns)), (count, count))
-        return sparse.csr_matrix(upper + upper.T)
+        return sparse.coo_matrix((weights, places), (count, count)).tocsr()
 
 
 def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *,
@@ -219,7 +229,8 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     array = _arrays.binary(skeleton)
     options = _library.options(threads=_arrays.integer("threads", threads))
     squares = None if image is None else _squares_of(image, array.shape, threads)
-    pruning = _PRUNING.pack(_PRUNING.size, min_length, min_widths, 0 if squares is None else squares.ctypes.data,
+    pruning = _PRUNING.pack(_PRUNING.size, _arrays.real("min_length", min_length),
+                            _arrays.real("min_widths", min_widths), 0 if squares is None else squares.ctypes.data,
                             array.shape[1], bool(remove_components))
     result = _arrays.result_for(array, out)
     stack, kept_alive = _arrays.source(array)
@@ -285,13 +296,14 @@ def _check_thin(stack: bytes, not_thin: str) -> None:
     warnings.warn(message, stacklevel=3)
 
 
-def _finite(transform: Sequence[float]) -> list[float]:
-    for number in transform:
+def _finite(name: str, numbers: Sequence[float], count: int = 6) -> list[float]:
+    found = [_arrays.real(name, number) for number in numbers]
+    for number in found:
         if not math.isfinite(number):
-            raise ValueError(f"transform: expected six finite numbers, got {number}")
-    if len(transform) != 6:
-        raise ValueError(f"transform: expected six finite numbers, got {len(transform)} of them")
-    return [float(number) for number in transform]
+            raise ValueError(f"{name}: expected finite numbers, got {number}")
+    if len(found) != count:
+        raise ValueError(f"{name}: expected {count} numbers, got {len(found)}")
+    return found
 
 
 def _polyline(chain: Array, tolerance: float) -> Array:
@@ -299,7 +311,7 @@ def _polyline(chain: Array, tolerance: float) -> Array:
     kept = np.empty(chain.shape, np.int32)
     points = np.ascontiguousarray(chain, np.int32)
     count = ctypes.c_size_t()
-    _library.polyline(points.ctypes.data, len(points), tolerance, kept.ctypes.data, ctypes.byref(count))
+    _library.polyline(points.ctypes.data, len(points), _arrays.real("tolerance", tolerance), kept.ctypes.data, ctypes.byref(count))
     return kept[:count.value].copy()
 
 

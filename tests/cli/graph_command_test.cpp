@@ -156,5 +156,49 @@ TEST_F(GraphCommand, rejects_unsuitable_options) {
   }
 }
 
+TEST_F(GraphCommand, rejects_files_that_would_replace_each_other) {
+  const std::string same = directory.file("./edges.csv");
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--csv", csv, "--geojson", same}, {"--csv", in}}) {
+    const ProgramRun run = graph(options);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("give each its own"), std::string::npos) << run.err;
+  }
+  EXPECT_FALSE(std::ifstream(csv).is_open());
+  EXPECT_EQ(text_of(read_grey(in)), kLines);
+  EXPECT_EQ(graph({"--out", in, "--prune", "3"}).status, 0) << "the skeleton may replace IN";
+}
+
+TEST_F(GraphCommand, takes_widths_from_another_image) {
+  const std::string image = directory.file("image.png");
+  TextImage thick(8, "############");
+  thick[0] = thick[7] = "............";
+  write_grey(image, image_of(thick).view());
+  const ProgramRun run = graph({"--image", image});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("edge 2: node 2 to 3, length 4.00, width 6.00 (6.00 to 6.00)\n"),
+            std::string::npos)
+      << run.out;
+  EXPECT_EQ(graph({"--image", image, "--prune-widths", "0.5"}).out.substr(0, 7), "3 nodes");
+  write_grey(image, ByteImage(3, 4).view());
+  EXPECT_NE(graph({"--image", image}).err.find("expected 12 x 8 pixels"), std::string::npos);
+}
+
+TEST_F(GraphCommand, removes_components_only_with_a_length) {
+  EXPECT_EQ(graph({"--remove-components"}).status, 2);
+  const ProgramRun run = graph({"--remove-components", "--prune", "2"});
+  EXPECT_EQ(run.out.substr(0, run.out.find('\n')), "4 nodes (3 ends, 1 junction), 3 edges");
+}
+
+TEST_F(GraphCommand, widths_without_background_are_null_and_empty) {
+  ByteImage line(9, 1);
+  for (Index x = 0; x < 9; ++x) line.at(x, 0) = 255;
+  write_grey(in, line.view());
+  const ProgramRun run = graph({"--foreground", "bright", "--json", "--csv", csv});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(Json::parse(run.out).at("edges")[0].at("width_min").is_null()) << run.out;
+  EXPECT_NE(text_in(csv).find(",8,8,,,\n"), std::string::npos) << text_in(csv);
+}
+
 }  // namespace
 }  // namespace thinbench

@@ -416,6 +416,25 @@ TEST(Polyline, measures_from_lines_of_one_step_too) {
   EXPECT_EQ(polyline(points, 3), (std::vector<Pixel>{{0, 0}, {1, 0}}));
 }
 
+TEST(Polyline, of_straight_lines_has_two_points_without_any_tolerance) {
+  for (std::int32_t length = 2; length <= 500; ++length) {
+    std::vector<Pixel> row, diagonal;
+    for (std::int32_t i = 0; i < length; ++i) {
+      row.push_back({7, 3 + i});
+      diagonal.push_back({1 + i, 9 - i});
+    }
+    ASSERT_EQ(polyline(row, 0).size(), 2U);
+    ASSERT_EQ(polyline(diagonal, 0).size(), 2U);
+  }
+}
+
+TEST(EdgeWidths, without_background_are_infinite) {
+  const Graph graph = graph_of({"###"});
+  const std::vector<std::int32_t> squares(3, kNoBackground);
+  const EdgeWidths width = edge_widths(graph, {squares.data(), 3, 1}).at(0);
+  EXPECT_TRUE(std::isinf(width.mean) && std::isinf(width.least) && std::isinf(width.greatest));
+}
+
 TEST(Polyline, of_no_points_is_empty) {
   EXPECT_EQ(polyline({}, 1), std::vector<Pixel>());
 }

@@ -152,10 +152,13 @@ def test_geojson_has_transformed_points_and_lines():
     assert len(points) == len(lines) == 4
     assert points[0]["geometry"]["coordinates"] == [101, 47]
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
-    assert lines[0]["properties"]["length"] == 2
-    with pytest.raises(ValueError, match="transform: expected six finite numbers, got nan"):
+    assert points[1]["properties"] == {"id": 2, "kind": "junction", "degree": 3}
+    assert lines[0]["properties"] == {"id": 1, "from": 1, "to": 2, "pixels": 1, "length": 2, "chord": 2}
+    with pytest.raises(ValueError, match="transform: expected finite numbers, got inf"):
+        thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1e308, 1e308, 1e308, 0, 1, 0))
+    with pytest.raises(ValueError, match="transform: expected finite numbers, got nan"):
         thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1, 0, 0, 0, np.nan, 0))
-    with pytest.raises(ValueError, match="transform: expected six finite numbers, got 5 of them"):
+    with pytest.raises(ValueError, match="transform: expected 6 numbers, got 5"):
         thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1, 0, 0, 0, 1))
 
 
@@ -172,3 +175,25 @@ def test_blocks_of_an_image_that_is_not_thin_are_reported():
         assert thinbench.graph(thick, not_thin="ignore").nodes["kind"].tolist() == ["junction"]
     with pytest.raises(ValueError, match="not_thin: expected 'warn', 'raise' or 'ignore', got 'stop'"):
         thinbench.graph(thick, not_thin="stop")
+
+
+def test_geojson_of_widths_without_background_is_json():
+    line = np.ones((1, 9), bool)
+    found = thinbench.graph(line, line).to_geojson()
+    assert found["features"][2]["properties"]["width_min"] is None
+    json.dumps(found, allow_nan=False)
+
+
+def test_edges_without_cost_remain_in_csgraph():
+    graph = thinbench.graph(RING_WITH_TAILS)
+    graph.edges["cost"] = np.arange(4.0)
+    costs = csgraph.shortest_path(graph.to_csgraph("cost"), directed=False)
+    assert costs[0].tolist() == [0, 0, 1, 4]
+
+
+@pytest.mark.parametrize("value", ["a", None, [1, 2]])
+def test_what_is_no_number_is_named(value):
+    with pytest.raises(TypeError, match="min_length: expected a number, got"):
+        thinbench.prune(RING_WITH_TAILS, value)
+    with pytest.raises(TypeError, match="tolerance: expected a number, got"):
+        thinbench.graph(RING_WITH_TAILS).polylines(value)

@@ -48,8 +48,8 @@ enum class PixelClass : std::uint8_t { background, isolated, end, line, junction
 /// many neighbours it is joined to, 0 to 4, and 0 on background. A view without data is left out.
 ///
 /// Views with data must have the size of the image and share no pixel with another. Thread-safe for
-/// different destinations. Throws std::invalid_argument for unsuitable views, and std::bad_alloc;
-/// then nothing is written.
+/// different destinations. Throws std::invalid_argument for unsuitable views, a side above 2^29 or
+/// more than 2^31 pixels, and std::bad_alloc; then nothing is written.
 THINBENCH_API void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees);
 
 /// Blocks of 2 x 2 foreground pixels, by which an image is not thin.
@@ -116,9 +116,9 @@ struct Graph {
 /// junctions.
 ///
 /// Of `options`, only technique, ISA and threads may be set. Takes 4 bytes of memory per pixel
-/// beside the result. Thread-safe. Throws std::invalid_argument for a negative size, a stride below
-/// the width, a null image, a side above 2^29 or more than 2^31 pixels, and options that no variant
-/// fits, and std::bad_alloc. Use full_blocks() to reject images that are not thin.
+/// beside twice the result. Thread-safe. Throws std::invalid_argument for a negative size, a stride
+/// below the width, a null image, a side above 2^29 or more than 2^31 pixels, and options that no
+/// variant fits, and std::bad_alloc. Use full_blocks() to reject images that are not thin.
 [[nodiscard]] THINBENCH_API Graph skeleton_graph(ConstImageView skeleton,
                                                  const Options& options = {});
 
@@ -128,11 +128,13 @@ struct Graph {
 /// Which branches prune() removes.
 struct Pruning {
   double min_length = 0;  // branches below it
-  /// And branches below this many times the width of the image at their junction, which is twice
-  /// the distance to the background there. Needs `squared_distances`.
+  /// And branches below this many times the object's width at their junction, which is twice the
+  /// distance to the background there.
   double min_widths = 0;
-  ConstLabelView squared_distances = {};  // of the image before it was thinned
-  /// Also components that are a line or a pixel below min_length. By default one branch remains.
+  /// Of the image before it was thinned. Used with min_widths only.
+  ConstLabelView squared_distances = {};
+  /// Also components that are a line or a pixel below min_length. Otherwise no component
+  /// disappears.
   bool removes_components = false;
 };
 
@@ -142,14 +144,18 @@ struct Pruning {
 /// may be long. Holes remain, and so do components unless Pruning says otherwise. Returns the graph
 /// of the result.
 ///
+/// A round takes the time of skeleton_graph(). There are few for skeletons, but as many as a
+/// junction has short branches: thousands for combs and noise that are not thin.
+///
 /// `destination` gets 0 and 255. Views must have the same size and be the same image or share no
-/// pixel. Options, memory and errors as skeleton_graph; std::invalid_argument also for a negative
-/// or infinite limit and for distances that are missing or of another size; then nothing is
-/// written.
+/// pixel. Options and errors as skeleton_graph, which takes a byte per pixel less;
+/// std::invalid_argument also for a negative or infinite limit and for distances that are missing
+/// or of another size. Nothing is written if it throws.
 THINBENCH_API Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
                           const Options& options = {});
 
-/// The widths along a line, from its start to its stop: twice the distance to the background.
+/// The widths along a line, from its start to its stop, both included: twice the distance to the
+/// background; infinite in an image without background.
 struct EdgeWidths {
   double mean;
   double least;
@@ -157,15 +163,15 @@ struct EdgeWidths {
 };
 
 /// `squared_distances` is that of the image before it was thinned. Throws std::invalid_argument if
-/// it is smaller than the graph's image.
+/// it has no data or a stride below its width, or lacks a pixel of an edge.
 [[nodiscard]] THINBENCH_API std::vector<EdgeWidths> edge_widths(const Graph& graph,
                                                                 ConstLabelView squared_distances);
 
 /// The pixels along an edge: start, those of the line, stop.
 [[nodiscard]] THINBENCH_API std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge);
 
-/// Of the points of a line, the first, the last and those between them that are needed so that no
-/// point is farther than `tolerance` from the polyline (Douglas and Peucker 1973). Throws
+/// Of the points of a line, the first, the last and some between them, chosen so that no point is
+/// farther than `tolerance` from the polyline (Douglas and Peucker 1973). Throws
 /// std::invalid_argument for a negative or infinite tolerance.
 [[nodiscard]] THINBENCH_API std::vector<Pixel> polyline(std::span<const Pixel> points,
                                                         double tolerance);
