@@ -128,4 +128,9 @@ using EdgeDetection = void (*)(const EdgeThresholds& thresholds, ConstImageView 
 ///   mero_vassy_5x5  the same in a window of 5 x 5; scale 12
 [[nodiscard]] EdgeDetection edges(EdgeOperator op);
 
+/// The squared distance of every pixel to the nearest background pixel: distances along columns
+/// first, then the minimum of all columns, (x - u)^2 + distance(u, y)^2. kNoBackground everywhere
+/// in an image without background.
+void squared_distances(ConstImageView source, LabelView distances);
+
 }  // namespace thinbench::reference

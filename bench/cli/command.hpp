@@ -33,6 +33,7 @@ struct Command {
 [[nodiscard]] Command add_batch_command(CLI::App& program);
 [[nodiscard]] Command add_edges_command(CLI::App& program);
 [[nodiscard]] Command add_holes_command(CLI::App& program);
+[[nodiscard]] Command add_graph_command(CLI::App& program);
 [[nodiscard]] Command add_scene_command(CLI::App& program);
 [[nodiscard]] Command add_machine_command(CLI::App& program);
 [[nodiscard]] Command add_train_command(CLI::App& program);

@@ -21,7 +21,7 @@ struct PicturesOptions {
 void write_results(const std::string& stem, const TimedInput& input) {
   for (const Operation& operation : all_operations()) {
     if (operation.is_net || !operation.timed) continue;
-    const ConstImageView view = input.view(operation.takes);
+    const ConstImageView view = input.view(operation);
     const auto reference = operation.reference(view.width, view.height, 1);
     if (!reference->gives_image()) continue;
     std::string name = operation.name;

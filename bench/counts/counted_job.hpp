@@ -50,7 +50,7 @@ void with_warm_call(const TimedRow& row, const Count& count) {
   std::exception_ptr failure;
   std::thread([&] {
     try {
-      const ByteImage input = copy_of(row.input->view(row.operation->takes));
+      const ByteImage input = copy_of(row.input->view(*row.operation));
       ByteImage output(input.width(), input.height());
       TimedCall call(row, input.view(), output.view());
       call();

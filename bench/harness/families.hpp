@@ -61,6 +61,12 @@ struct ThinningCase {
 /// One operation, with the default thresholds.
 [[nodiscard]] std::vector<Operation> localise_family();
 
+/// Numbers: the squared distance of every pixel.
+[[nodiscard]] std::vector<Operation> distance_family();
+
+/// Numbers: nodes and edges with their pixels.
+[[nodiscard]] std::vector<Operation> graph_family();
+
 /// An input of width W and height H holds H / W images of W x W pixels, one below the other; rows
 /// that are left over become background. Variants take the images one by one or as a batch.
 [[nodiscard]] std::vector<Operation> batch_family();

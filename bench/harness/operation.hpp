@@ -62,6 +62,8 @@ struct Operation {
   /// Thinning only.
   std::optional<Border> border = std::nullopt;
   std::optional<int> max_iterations = std::nullopt;
+  /// Measured on skeletons of the inputs, as that is what it is for; verified on any image.
+  bool measured_on_skeletons = false;
   /// False for cases that are verified, but timed, counted and compared only where a filter spells
   /// their name out, see is_requested().
   bool timed = true;

@@ -276,6 +276,15 @@ void write_binary(const std::string& path, const ConstImageView& image) {
   write_mat(path, [&] { return mat_of(image); });
 }
 
+std::string png_of(const ConstImageView& image) {
+  std::string png;
+  write_by("the image", [&] {
+    const std::vector<std::uint8_t> bytes = encoded("image.png", mat_of(image));
+    png.assign(bytes.begin(), bytes.end());
+  });
+  return png;
+}
+
 void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages) {
   std::vector<cv::Mat> mats;
   for (const ByteImage& page : pages) {

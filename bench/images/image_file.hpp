@@ -42,6 +42,9 @@ void write_grey(const std::string& path, const ConstImageView& image);
 /// The same for an image of 0 and 255 alone; .pbm is known, too.
 void write_binary(const std::string& path, const ConstImageView& image);
 
+/// The bytes of a PNG file. Throws ImageError.
+[[nodiscard]] std::string png_of(const ConstImageView& image);
+
 /// As write_grey, with several images in one TIFF file.
 void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages);
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/job.hpp"
+#include "harness/operation.hpp"
 #include "images/binarise.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 
@@ -18,9 +19,18 @@ struct TimedInput {
 
   [[nodiscard]] Index width() const { return binary.width(); }
   [[nodiscard]] Index height() const { return binary.height(); }
-  [[nodiscard]] ConstImageView view(InputKind kind) const {
-    return kind == InputKind::grey ? grey.view() : binary.view();
+  /// What an operation is measured on. For one thread at a time.
+  [[nodiscard]] ConstImageView view(const Operation& operation) const {
+    if (operation.takes == InputKind::grey) return grey.view();
+    if (!operation.measured_on_skeletons) return binary.view();
+    if (skeleton.width() == 0) {
+      skeleton = ByteImage(width(), height());
+      thin(Rule::guo_hall, binary.view(), skeleton.view());
+    }
+    return skeleton.view();
   }
+
+  mutable ByteImage skeleton = {};  // of the binary image, once it is needed
 };
 
 struct InputChoice {

@@ -12,7 +12,7 @@ namespace thinbench {
 class TimedCall {
  public:
   explicit TimedCall(const TimedRow& row)
-      : TimedCall(row, row.input->view(row.operation->takes),
+      : TimedCall(row, row.input->view(*row.operation),
                   ByteImage(row.input->width(), row.input->height())) {}
 
   /// For who lays out input and output: copies of the row's input and somewhere to write.

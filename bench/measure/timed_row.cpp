@@ -135,7 +135,7 @@ class Selector {
   void carry_out(const Task& task, Progress& progress) {
     if (!task.reference) return;
     const TimedInput& input = *task.input;
-    const ConstImageView view = input.view(task.operation->takes);
+    const ConstImageView view = input.view(*task.operation);
     const double share = task.pixels() / static_cast<double>(task.rows.size() + 1);
     const Outcome expected =
         outcome_of(*task.operation->reference(view.width, view.height, 1), view);

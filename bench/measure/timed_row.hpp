@@ -34,7 +34,7 @@ struct TimedRow {
   [[nodiscard]] const JobMaker& maker() const {
     return variant != nullptr ? variant->make_job : operation->reference;
   }
-  [[nodiscard]] ConstImageView view() const { return input->view(operation->takes); }
+  [[nodiscard]] ConstImageView view() const { return input->view(*operation); }
   [[nodiscard]] bool is_peer() const { return variant != nullptr && variant->is_peer; }
 };
 

@@ -107,6 +107,7 @@ void set_foreground(const thinbench_output* output, const StackView& written) {
   const std::uint8_t value = foreground_of(*output);
   if (value == 255) return;
   const Index pixels = written.width * written.height;
+  if (pixels == 0) return;
   const bool contiguous =
       written.stride == written.width && (written.count == 1 || written.image_stride == pixels);
   if (contiguous) {

@@ -8,6 +8,7 @@
 #include "api/many.hpp"
 #include "image/checks.hpp"
 #include "thinbench.h"
+#include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
@@ -40,13 +41,17 @@ constexpr size_t kFirstVariant =
     offsetof(thinbench_variant, unavailable_reason) + sizeof(const char*);
 
 /// Calls `body(source, destination)` for every image, after a check of the whole stack. Without
-/// images it does so once for an image without rows, so that `body` checks the other arguments.
+/// pixels, where there may be no memory, it does so once for an image without rows, so that `body`
+/// checks the other arguments.
 template <class Body>
 void for_images(const thinbench_stack* stack, const thinbench_output* output, const Body& body) {
   const ConstStackView source = source_of(stack);
   const StackView destination = destination_of(output, source);
   check_stacks(source, destination);
-  if (source.count == 0) body({nullptr, source.width, 0}, {nullptr, source.width, 0});
+  if (source.count == 0 || source.width == 0 || source.height == 0) {
+    body({nullptr, source.width, 0}, {nullptr, source.width, 0});
+    return;
+  }
   for (Index i = 0; i < source.count; ++i) body(source.image(i), destination.image(i));
   set_foreground(output, destination);
 }
@@ -168,6 +173,14 @@ thinbench_status thinbench_edges(const char* edge_operator, const thinbench_stac
     for_images(source, destination, [&](const ConstImageView& from, const ImageView& to) {
       detect_edges(op, from, to, thresholds, given);
     });
+  });
+}
+
+thinbench_status thinbench_squared_distances(const thinbench_stack* source, int32_t* distances,
+                                             ptrdiff_t stride, const thinbench_options* options) {
+  return guarded([&] {
+    const ConstImageView image = image_of(source);
+    squared_distances(image, {distances, image.width, image.height, stride}, options_of(options));
   });
 }
 

@@ -92,6 +92,18 @@ const LocaliseOperation& localise_operation() {
   return operation;
 }
 
+const DistanceOperation& distance_operation() {
+  static const DistanceOperation operation = {
+      "squared_distances", "squares of Euclidean distances to the background", distance_variants()};
+  return operation;
+}
+
+const GraphOperation& graph_operation() {
+  static const GraphOperation operation = {
+      "skeleton_graph", "ends, junctions and the lines between them", graph_variants()};
+  return operation;
+}
+
 const ThinningOperation& operation_of(Rule rule) {
   return operation_with(thinning_operations(), &ThinningOperation::rule, rule, "rule");
 }
@@ -214,6 +226,24 @@ std::unique_ptr<LocaliseState> make_state(const LocaliseOperation& operation,
   check_thresholds(thresholds);
   return variant.make({EdgeOperator::sobel, thresholds, variant.isa, width, height,
                        variant.threaded ? options.threads : 1});
+}
+
+std::unique_ptr<DistanceState> make_state(const DistanceOperation& operation,
+                                          const DistanceVariant& variant, Index width, Index height,
+                                          const Options& options) {
+  require_size(width, height);
+  check_distance_size(width, height);
+  check_variant(variant, width, options);
+  check_no_thinning_options(operation.name, options);
+  return variant.make({variant.isa, width, height, variant.threaded ? options.threads : 1});
+}
+
+std::unique_ptr<GraphState> make_state(const GraphOperation& operation, const GraphVariant& variant,
+                                       Index width, Index height, const Options& options) {
+  check_label_size(width, height);
+  check_variant(variant, width, options);
+  check_no_thinning_options(operation.name, options);
+  return variant.make({variant.isa, width, height, variant.threaded ? options.threads : 1});
 }
 
 }  // namespace thinbench::detail

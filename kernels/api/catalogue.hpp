@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "distance/state.hpp"
 #include "edges/state.hpp"
+#include "graph/state.hpp"
 #include "localise/state.hpp"
 #include "regions/state.hpp"
 #include "thinbench/custom_rule.hpp"
@@ -43,11 +45,25 @@ struct LocaliseOperation {
   std::vector<LocaliseVariant> variants;
 };
 
+struct DistanceOperation {
+  std::string_view name;
+  std::string_view description;
+  std::vector<DistanceVariant> variants;
+};
+
+struct GraphOperation {
+  std::string_view name;
+  std::string_view description;
+  std::vector<GraphVariant> variants;
+};
+
 // All live as long as the program.
 [[nodiscard]] std::span<const ThinningOperation> thinning_operations();
 [[nodiscard]] std::span<const EdgeOperation> edge_operations();
 [[nodiscard]] std::span<const RegionsOperation> regions_operations();
 [[nodiscard]] const LocaliseOperation& localise_operation();
+[[nodiscard]] const DistanceOperation& distance_operation();
+[[nodiscard]] const GraphOperation& graph_operation();
 
 [[nodiscard]] const ThinningOperation& operation_of(Rule rule);
 [[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
@@ -81,6 +97,14 @@ struct LocaliseOperation {
                                                         Index height,
                                                         const EdgeThresholds& thresholds,
                                                         const Options& options);
+
+[[nodiscard]] std::unique_ptr<DistanceState> make_state(const DistanceOperation& operation,
+                                                        const DistanceVariant& variant, Index width,
+                                                        Index height, const Options& options);
+
+[[nodiscard]] std::unique_ptr<GraphState> make_state(const GraphOperation& operation,
+                                                     const GraphVariant& variant, Index width,
+                                                     Index height, const Options& options);
 
 /// The options, but with one thread if they name no technique and the image is below 2^20 pixels or
 /// no variant uses threads (`can_share` is false).

@@ -2,6 +2,7 @@
 
 #include "image/checks.hpp"
 #include "nets/model.hpp"
+#include "thinbench/distance.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -44,6 +45,12 @@ void check_label_size(Index width, Index height) {
   require(width == 0 || height <= max_pixels / width,
           "image size " + size_text(width, height) +
               " is larger than 2^31 pixels, the limit for labels");
+}
+
+void check_distance_size(Index width, Index height) {
+  require(width <= kMaxDistanceSide && height <= kMaxDistanceSide,
+          "image size " + size_text(width, height) + " has a side above " +
+              std::to_string(kMaxDistanceSide) + " pixels, the limit for distances");
 }
 
 void check_thinning_options(const ThinningOperation& operation, const Options& options) {

@@ -15,6 +15,9 @@ void check_regions_size(Index width, Index height);
 /// The same for images of labels: at most 2^31 pixels.
 void check_label_size(Index width, Index height);
 
+/// Rejects a side above kMaxDistanceSide.
+void check_distance_size(Index width, Index height);
+
 /// Rejects a border, max_iterations, directions or net that is out of range or not for this
 /// operation.
 void check_thinning_options(const ThinningOperation& operation, const Options& options);

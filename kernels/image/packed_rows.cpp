@@ -57,19 +57,24 @@ int bit_of(Index x, BitOrder order) {
 
 }  // namespace
 
+// Rows without pixels may have no memory.
+
 void read_packed(const ConstPackedView& source, const BitPlaneView& target) {
+  if (source.width == 0) return;
   const auto read = source.order == BitOrder::msb_first ? &read_row<BitOrder::msb_first>
                                                         : &read_row<BitOrder::lsb_first>;
   for (Index y = 0; y < source.height; ++y) read(source.row(y), source.width, target.row(y));
 }
 
 void write_packed(const ConstBitPlaneView& source, const PackedView& target) {
+  if (source.width == 0) return;
   const auto write = target.order == BitOrder::msb_first ? &write_row<BitOrder::msb_first>
                                                          : &write_row<BitOrder::lsb_first>;
   for (Index y = 0; y < source.height; ++y) write(source.row(y), source.width, target.row(y));
 }
 
 void read_packed(const ConstPackedView& source, const BytePlaneView& target) {
+  if (source.width == 0) return;
   for (Index y = 0; y < source.height; ++y) {
     const std::uint8_t* bytes = source.row(y);
     std::uint8_t* row = target.row(y);
@@ -78,6 +83,7 @@ void read_packed(const ConstPackedView& source, const BytePlaneView& target) {
 }
 
 void write_packed(const ConstBytePlaneView& source, const PackedView& target) {
+  if (source.width == 0) return;
   for (Index y = 0; y < source.height; ++y) {
     const std::uint8_t* row = source.row(y);
     std::uint8_t* bytes = target.row(y);

@@ -68,9 +68,15 @@ void unpack_tail(const std::uint64_t* word, std::uint8_t* row, Index width, Inde
   unpack_some(*word, row, tail);
 }
 
+/// Rows without pixels may have no memory.
+template <class View>
+Index rows_with_pixels(const View& view) {
+  return view.width == 0 ? 0 : view.height;
+}
+
 // Sizes are copied to locals because byte stores could alias them.
 void read_bits(const ConstImageView& source, const BitPlaneView& target) {
-  const Index height = source.height;
+  const Index height = rows_with_pixels(source);
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
   // Whole rows ahead, to skip the bytes between the rows of a view of a wider image; none where the
@@ -90,7 +96,7 @@ void read_bits(const ConstImageView& source, const BitPlaneView& target) {
 }
 
 void write_bits(const ConstBitPlaneView& source, const ImageView& target, bool non_temporal) {
-  const Index height = source.height;
+  const Index height = rows_with_pixels(source);
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
   for (Index y = 0; y < height; ++y) {
@@ -121,7 +127,7 @@ void write_bits_by_size(const ConstBitPlaneView& source, const ImageView& target
 
 void read_bytes(const ConstImageView& source, const BytePlaneView& target) {
   const Index width = source.width;
-  const Index height = source.height;
+  const Index height = rows_with_pixels(source);
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* __restrict from = source.row(y);
     std::uint8_t* __restrict to = target.row(y);
@@ -131,7 +137,7 @@ void read_bytes(const ConstImageView& source, const BytePlaneView& target) {
 
 void write_bytes(const ConstBytePlaneView& source, const ImageView& target) {
   const Index width = source.width;
-  const Index height = source.height;
+  const Index height = rows_with_pixels(source);
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* __restrict from = source.row(y);
     std::uint8_t* __restrict to = target.row(y);

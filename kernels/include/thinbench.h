@@ -5,9 +5,9 @@
  * "avx2") are those of the C++ interface and of the command-line program. No function throws. All
  * functions are thread-safe for different destinations and handles.
  *
- * thinbench_options, thinbench_variant and thinbench_named_rule begin with their size, so that
- * later versions can add members at the end and still serve programs compiled before. The other
- * structs never change. */
+ * thinbench_options, thinbench_variant, thinbench_named_rule and thinbench_pruning begin with their
+ * size, so that later versions can add members at the end and still serve programs compiled before.
+ * The other structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -74,9 +74,9 @@ THINBENCH_API thinbench_status thinbench_thin(const char* rule, const thinbench_
                                               const thinbench_options* options,
                                               int32_t* iterations);
 
-/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes to
- * destinations[i]. The same result as thinbench_thin for each, but faster for many small images. A
- * destination is its source or shares no byte with any image of the lists. `options` and
+/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes
+ * to destinations[i]. The same result as thinbench_thin for each, but faster for many small images.
+ * A destination is its source or shares no byte with any image of the lists. `options` and
  * `iterations` as above. */
 THINBENCH_API thinbench_status thinbench_thin_many(const char* rule, const thinbench_stack* sources,
                                                    const thinbench_output* destinations,
@@ -207,6 +207,14 @@ THINBENCH_API thinbench_status thinbench_edges(
     const char* edge_operator, const thinbench_stack* source, const thinbench_output* destination,
     int32_t gradient_threshold, int32_t brightness_threshold, const thinbench_options* options);
 
+/* The square of the Euclidean distance from each pixel of one image to its nearest background
+ * pixel, with `stride` numbers from row to row; INT32_MAX in an image without background. What is
+ * outside the image does not count. Sides are at most 32767. Of `options`, threads, isa and
+ * technique may be set. Source and distances must not overlap. */
+THINBENCH_API thinbench_status thinbench_squared_distances(const thinbench_stack* source,
+                                                           int32_t* distances, ptrdiff_t stride,
+                                                           const thinbench_options* options);
+
 /* An object (8-connected) or a hole (4-connected background that does not touch the border). */
 typedef struct thinbench_region {
   int64_t area;
@@ -244,6 +252,108 @@ THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_re
                                                               size_t* count, size_t size);
 /* NULL is allowed. */
 THINBENCH_API void thinbench_regions_destroy(thinbench_regions* regions);
+
+/* The graph of a skeleton: nodes joined by lines. */
+typedef struct thinbench_graph thinbench_graph;
+
+typedef struct thinbench_pixel {
+  int32_t x;
+  int32_t y;
+} thinbench_pixel;
+
+typedef struct thinbench_graph_node {
+  int32_t kind; /* 0: isolated pixel, 1: end, 2: junction, 3: first pixel of a closed line */
+  uint32_t first_pixel; /* in the list of the pixels of nodes */
+  uint32_t pixel_count;
+} thinbench_graph_node;
+
+/* From `start`, a pixel of node `from`, by the pixels of the line to `stop`, a pixel of node `to`.
+ * The length is straight_steps + diagonal_steps * sqrt(2). A loop within a junction has no pixels
+ * and no steps. */
+typedef struct thinbench_graph_edge {
+  uint32_t from;
+  uint32_t to; /* at least `from` */
+  thinbench_pixel start;
+  thinbench_pixel stop;
+  uint32_t first_pixel; /* in the list of the pixels of edges */
+  uint32_t pixel_count;
+  uint32_t straight_steps;
+  uint32_t diagonal_steps;
+} thinbench_graph_edge;
+
+/* What each pixel of one image is (0: background, 1: isolated, 2: end, 3: line, 4: junction), and
+ * to how many neighbours it is joined: thinbench/graph.hpp. Either may be NULL. Image, classes and
+ * degrees must not overlap. */
+THINBENCH_API thinbench_status thinbench_classify_pixels(const thinbench_stack* image,
+                                                         uint8_t* classes, ptrdiff_t classes_stride,
+                                                         uint8_t* degrees,
+                                                         ptrdiff_t degrees_stride);
+
+/* How many blocks of 2 x 2 foreground pixels one image has, by which it is not thin, and the upper
+ * left pixel of the first. `first` may be NULL. */
+THINBENCH_API thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* count,
+                                                     thinbench_pixel* first);
+
+/* What the parts are, and their order: thinbench/graph.hpp. Of `options`, threads, isa and
+ * technique may be set. *graph must be destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
+                                                        const thinbench_options* options,
+                                                        thinbench_graph** graph);
+
+typedef struct thinbench_pruning {
+  size_t size;       /* sizeof(thinbench_pruning) */
+  double min_length; /* removes end branches below it */
+  double min_widths; /* and those below so many times the object's width at their junction */
+  const int32_t*
+      squared_distances;      /* of the image before it was thinned; NULL without min_widths */
+  ptrdiff_t distances_stride; /* in numbers */
+  int32_t removes_components; /* nonzero: also short lines and pixels on their own */
+} thinbench_pruning;
+
+/* Removes short branches of one skeleton, of equal ones the first, until none is left. Destination
+ * may be the source. `graph` may be NULL; otherwise *graph is that of the result and must be
+ * destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_prune(const thinbench_stack* skeleton,
+                                               const thinbench_output* destination,
+                                               const thinbench_pruning* pruning,
+                                               const thinbench_options* options,
+                                               thinbench_graph** graph);
+
+/* Arrays that live as long as the handle; `size` is that of an element. NULL, and a count of 0,
+ * without elements, for a NULL handle, and if this library's struct has another size. */
+THINBENCH_API const thinbench_graph_node* thinbench_graph_nodes(const thinbench_graph* graph,
+                                                                size_t* count, size_t size);
+THINBENCH_API const thinbench_graph_edge* thinbench_graph_edges(const thinbench_graph* graph,
+                                                                size_t* count, size_t size);
+THINBENCH_API const thinbench_pixel* thinbench_graph_node_pixels(const thinbench_graph* graph,
+                                                                 size_t* count, size_t size);
+THINBENCH_API const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph,
+                                                                 size_t* count, size_t size);
+/* NULL is allowed. */
+THINBENCH_API void thinbench_graph_destroy(thinbench_graph* graph);
+
+/* Twice the distance to the background along an edge, both ends included; infinity without
+ * background. */
+typedef struct thinbench_edge_widths {
+  double mean;
+  double least;
+  double greatest;
+} thinbench_edge_widths;
+
+/* Those of every edge, in the order of the edges, for which `widths` has room. The distances are
+ * those of the image before it was thinned, `stride` numbers from row to row. */
+THINBENCH_API thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
+                                                           const int32_t* squared_distances,
+                                                           ptrdiff_t height, ptrdiff_t width,
+                                                           ptrdiff_t stride,
+                                                           thinbench_edge_widths* widths);
+
+/* Keeps the first point of a line, the last and some between them, chosen so that no point is
+ * farther than `tolerance` from the polyline. `kept` has room for `count` points and may be
+ * `points`; *kept_count becomes their number. */
+THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
+                                                  double tolerance, thinbench_pixel* kept,
+                                                  size_t* kept_count);
 
 /* Sets objects and what they enclose to 255; destination may be the source. */
 THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* source,

@@ -13,6 +13,14 @@ inline auto xsimd::batch<std::uint64_t, xsimd::neon64>::operator~() const -> bat
   return ~data;
 }
 
+// xsimd 8 divides by an estimate of the reciprocal, which is not exact.
+template <>
+inline auto xsimd::batch<float, xsimd::neon64>::operator/=(const batch& divisor) noexcept
+    -> batch& {
+  data = vdivq_f32(data, divisor.data);
+  return *this;
+}
+
 namespace thinbench::detail {
 
 inline namespace THINBENCH_ISA {

@@ -117,6 +117,14 @@ def integer(name: str, value: Any) -> int:
     return number
 
 
+def real(name: str, value: Any) -> float:
+    """A number, which may be infinite or NaN."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected a number, got {value!r}") from None
+
+
 def one_of(name: str, value: Any, allowed: dict[str, bytes]) -> bytes:
     """The name as the C interface takes it."""
     if not isinstance(value, str):

@@ -57,6 +57,15 @@ thin_packed = _checked(
 thin_labels = _checked("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t,
                        ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
+squared_distances = _checked(
+    "squared_distances", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES)
+classify_pixels = _checked(
+    "classify_pixels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t)
+full_blocks = _checked("full_blocks", _BYTES, _POINTER, _POINTER)
+polyline = _checked(
+    "polyline", _POINTER, ctypes.c_size_t, ctypes.c_double, _POINTER, _POINTER)
+skeleton_graph = _checked("skeleton_graph", _BYTES, _BYTES, _POINTER)
+prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 find_regions = _checked(
     "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
@@ -66,6 +75,10 @@ regions_objects = _function(
     "regions_objects", _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
 regions_holes = _function(
     "regions_holes", _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
+graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels = (
+    _function("graph_" + part, _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
+    for part in ("nodes", "edges", "node_pixels", "edge_pixels"))
+graph_destroy = _function("graph_destroy", _POINTER, result=None)
 regions_destroy = _function("regions_destroy", _POINTER, result=None)
 rule_name = _function("rule_name", ctypes.c_size_t, result=_BYTES)
 rule_description = _function("rule_description", ctypes.c_size_t, result=_BYTES)

@@ -442,6 +442,78 @@ static void rejects_invalid_arguments_without_images(void) {
   rejects(thinbench_edges("sobel", &none, &output, 0, 0, &options), "simd_runs");
 }
 
+/* For the sanitizers: nothing is added to NULL. */
+static void takes_images_without_pixels(void) {
+  const thinbench_stack two = {NULL, 2, 5, 0, 3, 16};
+  const thinbench_stack one = {NULL, 1, 5, 0, 3, 16};
+  const thinbench_output output = {NULL, 3, 16, 1};
+  const thinbench_pruning pruning = {sizeof(thinbench_pruning), 0, 0, NULL, 0, 0};
+  thinbench_graph* graph = NULL;
+  thinbench_regions* regions = NULL;
+  const thinbench_packed packed = {NULL, 5, 0, 3, 0};
+  thinbench_options options = THINBENCH_OPTIONS_INIT;
+  int64_t blocks = -1;
+  CHECK(thinbench_thin("guo_hall", &two, &output, NULL, NULL) == THINBENCH_OK);
+  CHECK(thinbench_fill_holes(&two, &output, NULL) == THINBENCH_OK);
+  CHECK(thinbench_edges("sobel", &two, &output, 0, 0, NULL) == THINBENCH_OK);
+  CHECK(thinbench_prune(&one, &output, &pruning, NULL, NULL) == THINBENCH_OK);
+  CHECK(thinbench_squared_distances(&one, NULL, 3, NULL) == THINBENCH_OK);
+  CHECK(thinbench_euler_number(&one, 8, NULL, &blocks) == THINBENCH_OK && blocks == 0);
+  CHECK(thinbench_full_blocks(&one, &blocks, NULL) == THINBENCH_OK && blocks == 0);
+  CHECK(thinbench_skeleton_graph(&one, NULL, &graph) == THINBENCH_OK);
+  thinbench_graph_destroy(graph);
+  CHECK(thinbench_find_regions(&one, NULL, 3, NULL, &regions) == THINBENCH_OK);
+  thinbench_regions_destroy(regions);
+  CHECK(thinbench_thin_packed("guo_hall", &packed, NULL, 3, NULL, NULL) == THINBENCH_OK);
+  options.technique = "lut";
+  CHECK(thinbench_thin_packed("guo_hall", &packed, NULL, 3, &options, NULL) == THINBENCH_OK);
+}
+
+/* Three lines that meet. */
+static const uint8_t tee[3][5] = {{0, 0, 1, 0, 0}, {0, 0, 1, 0, 0}, {1, 1, 1, 1, 1}};
+
+static void finds_the_graph_of_a_skeleton(void) {
+  const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
+  uint8_t classes[15];
+  int32_t squares[15];
+  int64_t blocks = -1;
+  size_t count = 0;
+  thinbench_edge_widths widths[3];
+  thinbench_graph* graph = NULL;
+  CHECK(thinbench_classify_pixels(&image, classes, 5, NULL, 0) == THINBENCH_OK);
+  CHECK(classes[2] == 2 && classes[7] == 3 && classes[12] == 4 && classes[0] == 0);
+  CHECK(thinbench_full_blocks(&image, &blocks, NULL) == THINBENCH_OK && blocks == 0);
+  CHECK(thinbench_squared_distances(&image, squares, 5, NULL) == THINBENCH_OK);
+  CHECK(thinbench_skeleton_graph(&image, NULL, &graph) == THINBENCH_OK);
+  CHECK(thinbench_graph_nodes(graph, &count, sizeof(thinbench_graph_node)) != NULL && count == 4);
+  CHECK(thinbench_graph_nodes(graph, &count, 1) == NULL && count == 0);
+  CHECK(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)) != NULL && count == 3);
+  CHECK(thinbench_graph_edge_widths(graph, squares, 3, 5, 5, widths) == THINBENCH_OK);
+  CHECK(widths[0].least == 2 && widths[0].greatest > 2.8 && widths[0].greatest < 2.9);
+  CHECK(thinbench_graph_edge_widths(graph, squares, 1, 5, 5, widths) == THINBENCH_INVALID_ARGUMENT);
+  CHECK(strstr(thinbench_last_error(), "squared_distances") != NULL);
+  thinbench_graph_destroy(graph);
+}
+
+static void prunes_and_simplifies(void) {
+  const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
+  uint8_t pruned[15];
+  const thinbench_output output = {pruned, 5, 15, 1};
+  thinbench_pruning pruning = {sizeof(thinbench_pruning), 2.5, 0, NULL, 0, 0};
+  thinbench_pixel points[3] = {{0, 0}, {1, 1}, {2, 0}};
+  size_t count = 0;
+  CHECK(thinbench_prune(&image, &output, &pruning, NULL, NULL) == THINBENCH_OK);
+  CHECK(pruned[2] + pruned[7] + pruned[10] + pruned[12] + pruned[14] == 3);
+  pruning.size = 3;
+  CHECK(thinbench_prune(&image, &output, &pruning, NULL, NULL) == THINBENCH_INVALID_ARGUMENT);
+  CHECK(strstr(thinbench_last_error(), "pruning.size") != NULL);
+  CHECK(thinbench_polyline(points, 3, 0.5, points, &count) == THINBENCH_OK && count == 3);
+  CHECK(thinbench_polyline(points, 3, 1, points, &count) == THINBENCH_OK && count == 2);
+  CHECK(points[1].x == 2 && points[1].y == 0);
+  CHECK(thinbench_polyline(points, 2, -1, points, &count) == THINBENCH_INVALID_ARGUMENT);
+  CHECK(strstr(thinbench_last_error(), "tolerance") != NULL);
+}
+
 static void rejects_invalid_arguments(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
@@ -517,6 +589,9 @@ int main(void) {
   custom_rules_have_sub_iterations_and_borders();
   custom_rules_apply_to_packed_images();
   lists_named_rules();
+  takes_images_without_pixels();
+  finds_the_graph_of_a_skeleton();
+  prunes_and_simplifies();
   rejects_invalid_arguments();
   rejects_invalid_tables();
   rejects_invalid_applications();

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "drawn_image.hpp"
+#include "graph.hpp"
 #include "holes.hpp"
 #include "reference.hpp"
 #include "support/packed_image.hpp"
 #include "thinbench.h"
+#include "thinbench/graph.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench {
@@ -198,6 +200,21 @@ class Caller {
         return find_regions();
       case 10:
         return fill();
+      default:
+        return call_more();
+    }
+  }
+
+  void call_more() {
+    switch (input_.number(0, 4)) {
+      case 0:
+        return find_distances();
+      case 1:
+        return find_graph();
+      case 2:
+        return prune_skeleton();
+      case 3:
+        return simplify();
       default:
         return ask_names();
     }
@@ -539,6 +556,163 @@ class Caller {
     check_status(thinbench_localise(&from, static_cast<std::int32_t>(input_.number(-1, 256)), 128,
                                     options.pointer(), &regions));
     thinbench_regions_destroy(regions);
+  }
+
+  /// Where an image is read, memory for a number per pixel with gaps between rows, and its stride;
+  /// or a stride that must be rejected.
+  std::vector<std::int32_t> draw_numbers(const Stack& source, Index& stride) {
+    constexpr std::array<Index, 4> rejected = {-1, std::numeric_limits<Index>::min(), kMost / 2,
+                                               kMost};
+    if (!source.is_readable()) return std::vector<std::int32_t>(1, -7);
+    const thinbench_stack from = source.source();
+    stride = from.width + (input_.once_in(3) ? input_.number(1, 9) : 0);
+    const auto count = static_cast<std::size_t>((from.height - 1) * stride + from.width);
+    const bool is_spoiled = input_.once_in(16) && from.height > 4;
+    if (is_spoiled) stride = input_.pick(rejected);
+    return std::vector<std::int32_t>(count, -7);
+  }
+
+  void find_distances() {
+    const DrawnOptions options = draw_options(input_, false);
+    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    if (!source.is_safe()) return;
+    source.draw(input_);
+    const thinbench_stack from = source.source();
+    Index stride = 0;
+    std::vector<std::int32_t> found = draw_numbers(source, stride);
+    std::vector<std::int32_t> expected = found;
+    const bool is_null = input_.once_in(32);
+    const bool is_accepted_call = is_accepted(thinbench_squared_distances(
+        &from, is_null ? nullptr : found.data(), stride, options.pointer()));
+    if (is_accepted_call && source.is_readable()) {
+      must(!is_null, "NULL was accepted");
+      reference::squared_distances(source.image(0),
+                                   {expected.data(), from.width, from.height, stride});
+    }
+    must(found == expected, "distances differ");
+  }
+
+  template <class Struct, class T, class List>
+  static void compare_list(const thinbench_graph* graph, List list,
+                           const std::vector<T>& expected) {
+    std::size_t count = 1;
+    const Struct* const found = list(graph, &count, sizeof(Struct));
+    must(count == expected.size() &&
+             std::equal(expected.begin(), expected.end(), reinterpret_cast<const T*>(found)),
+         "a list of a graph differs");
+    must(list(graph, &count, sizeof(Struct) - 1) == nullptr && count == 0, "another struct");
+    must(list(nullptr, &count, sizeof(Struct)) == nullptr && count == 0, "a list of no graph");
+  }
+
+  static void compare_graph(const thinbench_graph* graph, const ConstImageView& image) {
+    const Graph expected = reference::skeleton_graph(image);
+    compare_list<thinbench_graph_node>(graph, thinbench_graph_nodes, expected.nodes);
+    compare_list<thinbench_graph_edge>(graph, thinbench_graph_edges, expected.edges);
+    compare_list<thinbench_pixel>(graph, thinbench_graph_node_pixels, expected.node_pixels);
+    compare_list<thinbench_pixel>(graph, thinbench_graph_edge_pixels, expected.edge_pixels);
+  }
+
+  void find_graph() {
+    const DrawnOptions options = draw_options(input_, false);
+    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    if (!source.is_safe()) return;
+    source.draw(input_);
+    const thinbench_stack from = source.source();
+    thinbench_graph* graph = nullptr;
+    const bool is_found = is_accepted(
+        thinbench_skeleton_graph(&from, options.pointer(), input_.once_in(32) ? nullptr : &graph));
+    must(is_found == (graph != nullptr), "a handle without a graph");
+    if (is_found && source.is_readable()) compare_graph(graph, source.image(0));
+    thinbench_graph_destroy(graph);
+    std::int64_t blocks = -1;
+    thinbench_pixel first = {};
+    check_status(thinbench_full_blocks(&from, input_.once_in(32) ? nullptr : &blocks,
+                                       input_.once_in(2) ? nullptr : &first));
+    const auto bytes =
+        source.is_readable() ? static_cast<std::size_t>(from.width * from.height) : 0;
+    std::vector<std::uint8_t> classes(bytes);
+    std::vector<std::uint8_t> degrees(bytes);
+    check_status(thinbench_classify_pixels(
+        &from, input_.once_in(4) ? nullptr : classes.data(), input_.once_in(16) ? -1 : from.width,
+        input_.once_in(4) ? nullptr : degrees.data(), from.width));
+  }
+
+  thinbench_pruning draw_pruning() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr std::array<double, 8> lengths = {0, 1, 2.5, 6, 1e300, -1, infinity, nan};
+    constexpr std::array<double, 8> widths = {0, 0, -0.0, 0.5, 2, 1e308, -1, nan};
+    thinbench_pruning pruning{};
+    pruning.size = input_.once_in(32) ? input_.byte() : sizeof(pruning);
+    pruning.min_length = input_.pick(lengths);
+    pruning.min_widths = input_.pick(widths);
+    pruning.removes_components = input_.once_in(2) ? 1 : 0;
+    return pruning;
+  }
+
+  /// The distances are those of the skeleton itself.
+  void prune_skeleton() {
+    const DrawnOptions options = draw_options(input_, false);
+    thinbench_pruning pruning = draw_pruning();
+    const bool with_distances = input_.once_in(2);
+    std::vector<std::int32_t> distances;
+    thinbench_graph* graph = nullptr;
+    check_stacks(
+        true,
+        [&](const thinbench_stack* source, const thinbench_output* destination) {
+          const bool has_pixels = source != nullptr && source->data != nullptr &&
+                                  source->width > 0 && source->height > 0 &&
+                                  source->width <= 1 << 12 && source->height <= 1 << 12;
+          distances.resize(has_pixels ? static_cast<std::size_t>(source->width * source->height)
+                                      : 1);
+          if (has_pixels && source->count == 1 && source->stride >= source->width) {
+            check_status(
+                thinbench_squared_distances(source, distances.data(), source->width, nullptr));
+          }
+          if (with_distances) pruning.squared_distances = distances.data();
+          pruning.distances_stride = source == nullptr || input_.once_in(16) ? -1 : source->width;
+          return thinbench_prune(source, destination, input_.once_in(32) ? nullptr : &pruning,
+                                 options.pointer(), input_.once_in(4) ? nullptr : &graph);
+        },
+        [&](const ConstImageView& source, const ImageView& destination) {
+          Pruning same = {.min_length = pruning.min_length, .min_widths = pruning.min_widths};
+          same.removes_components = pruning.removes_components != 0;
+          same.squared_distances = {distances.data(), source.width, source.height};
+          prune(source, destination, same);
+          if (graph != nullptr) compare_graph(graph, destination);
+        });
+    thinbench_graph_destroy(graph);
+  }
+
+  /// Points anywhere: what is kept is a part that begins and ends like all of them.
+  void simplify() {
+    constexpr std::array<std::int32_t, 8> far = {INT32_MIN, INT32_MAX, -1, 0, 1, 2, 1 << 16, -99};
+    constexpr std::array<double, 6> tolerances = {
+        0, 0.5, 3, 1e300, -1, std::numeric_limits<double>::quiet_NaN()};
+    const double tolerance = input_.pick(tolerances);
+    std::vector<thinbench_pixel> points(static_cast<std::size_t>(input_.number(0, 40)));
+    for (thinbench_pixel& p : points) {
+      const bool is_near = !input_.once_in(8);
+      p.x = is_near ? input_.byte() : input_.pick(far);
+      p.y = is_near ? input_.byte() : input_.pick(far);
+    }
+    std::vector<thinbench_pixel> kept(points.size());
+    std::size_t count = 0;
+    if (!is_accepted(thinbench_polyline(points.data(), points.size(), tolerance,
+                                        input_.once_in(32) ? nullptr : kept.data(), &count))) {
+      return;
+    }
+    kept.resize(count);
+    const auto same = [](const thinbench_pixel& p, const thinbench_pixel& q) {
+      return p.x == q.x && p.y == q.y;
+    };
+    auto next = kept.begin();
+    for (const thinbench_pixel& p : points) {
+      if (next != kept.end() && same(p, *next)) ++next;
+    }
+    must(next == kept.end() && (count == 0) == points.empty(), "points that were not given");
+    must(count == 0 || (same(kept.front(), points.front()) && same(kept.back(), points.back())),
+         "other ends");
   }
 
   void ask_names() {

@@ -31,6 +31,8 @@ std::vector<Operation> make_operations() {
   }
   append(all, regions_family());
   append(all, localise_family());
+  append(all, distance_family());
+  append(all, graph_family());
   append(all, batch_family());
   return all;
 }

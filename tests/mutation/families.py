@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -47,7 +48,9 @@ SOME = ("thin_guo_hall", "thin_guo_hall_keep", "thin_mb2", "thin_mb2_keep")
 GOLDEN = Check("golden_test", "*outputs_equal*")
 API = Check("api_test")
 CORE = Check("core_test", "-Isa*")  # those tests need every ISA
+DISTANCE = Check("distance_test")
 EDGES = Check("edges_test")
+GRAPH = Check("graph_test")
 LOCALISE = Check("localise_test")
 NETS = Check("nets_test")
 REGIONS = Check("regions_test")
@@ -88,6 +91,11 @@ FAMILIES = (
     Family("regions", ("regions/*",), (REGIONS, GOLDEN, LOCALISE),
            (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),
     Family("localise", ("localise/*",), (LOCALISE, crosscheck("localise_*"), GOLDEN), (API,)),
+    Family("distance", ("distance/*", "api/distance.cpp"), (DISTANCE, crosscheck("squared_distances", images="sh*")),
+           (crosscheck("squared_distances"), API)),
+    Family("graph", ("graph/*", "api/graph.cpp", "api/pixel_classes.cpp", "api/polyline.cpp", "api/prune.cpp"),
+           (GRAPH, crosscheck("skeleton_graph", images="sh*")), (crosscheck("skeleton_graph"), API),
+           first=("graph/bitpacked.cpp",)),
     Family("custom", ("custom/*",), (Check("custom_tables_test"), SOME_APPLY, INTERPRETED),
            (APPLY, crosscheck("apply_*"), GOLDEN)),
     Family("image", ("image/byte_image.cpp", "image/packed_rows.cpp", "image/packing.cpp"),
@@ -101,6 +109,6 @@ FAMILIES = (
 )
 
 
-def programs() -> list[str]:
-    """All test programs."""
-    return sorted({check.program for family in FAMILIES for check in family.checks + family.thorough})
+def programs(families: Iterable[Family]) -> list[str]:
+    """Their test programs."""
+    return sorted({check.program for family in families for check in family.checks + family.thorough})

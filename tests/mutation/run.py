@@ -18,7 +18,7 @@ sys.path.insert(0, str(ROOT))
 # pylint: disable=wrong-import-position
 from choice import (Candidate, Equivalent, Result, append_result, candidates, read_equivalents,  # noqa: E402
                     read_results, result_of, stale)
-from families import FAMILIES, Family  # noqa: E402
+from families import FAMILIES, Family, programs  # noqa: E402
 from report.progress import Progress  # noqa: E402
 from tree import Overlay, Tree, TreeError  # noqa: E402
 from trial import Trial, Usual  # noqa: E402
@@ -49,7 +49,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         wanted = -(-options.number // len(families))
         if options.number > 0 or options.again:
             end = time.monotonic() + 60 * options.minutes
-            trials = Trials(options.directory, options.jobs)
+            trials = Trials(options.directory, options.jobs, programs(families))
             if not options.again:
                 _try_all(trials, _queues(families, options.seed), wanted, end, results)
             if not options.quick:
@@ -86,9 +86,9 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
 class Trials:
     """Several trials at a time, each in a directory of its own, and the file of results."""
 
-    def __init__(self, directory: Path, jobs: int) -> None:
+    def __init__(self, directory: Path, jobs: int, tested: Sequence[str]) -> None:
         tree = Tree(directory)
-        tree.prepare(jobs)
+        tree.prepare(jobs, tested)
         usual = Usual(tree, directory / "seconds.json")
         self.jobs, self.free = jobs, Queue[Trial]()
         for job in range(jobs):

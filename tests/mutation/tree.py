@@ -11,8 +11,6 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from families import programs
-
 ROOT = Path(__file__).resolve().parents[2]
 ISAS = ("baseline", "avx2", "avx512icl")  # 128, 256 and 512 bits
 ISAS_VARIABLE = "THINBENCH_MUTATION_ISAS"
@@ -56,14 +54,14 @@ class Tree:
         self.links: dict[str, list[str]] = {}  # by program
         self.inputs: dict[str, set[str]] = {}  # objects, by program
 
-    def prepare(self, jobs: int) -> None:
-        """Copies and builds what is not yet built, and reads what depends on what."""
+    def prepare(self, jobs: int, programs: Sequence[str]) -> None:
+        """Copies and builds what is not yet built of these programs, and reads what depends on what."""
         self._copy()
         if not (self.build / "build.ninja").exists():
             _output(["cmake", "-S", str(self.sources), "-B", str(self.build), "-G", "Ninja", *FLAGS], ROOT)
-        if subprocess.run(["ninja", f"-j{jobs}", "-C", str(self.build), *programs()], check=False).returncode:
+        if subprocess.run(["ninja", f"-j{jobs}", "-C", str(self.build), *programs], check=False).returncode:
             raise TreeError(f"the unmutated copy cannot be built; run: ninja -C {self.build}")
-        self._read_graph()
+        self._read_graph(programs)
 
     def _copy(self) -> None:
         tracked = _output(["git", "ls-files", "--", "CMakeLists.txt", "kernels", "reference", "bench", "tests", "cmake",
@@ -85,7 +83,7 @@ class Tree:
                 copy.write_bytes(text)
                 shutil.copymode(path, copy)
 
-    def _read_graph(self) -> None:
+    def _read_graph(self, programs: Sequence[str]) -> None:
         for entry in json.loads((self.build / "compile_commands.json").read_text(encoding="utf-8")):
             command = shlex.split(entry["command"])
             self.commands[command[command.index("-o") + 1]] = command
@@ -95,7 +93,7 @@ class Tree:
                 found = line.split(":")[0]
             elif line.strip().startswith(str(self.sources)) and found in self.commands:
                 self.objects.setdefault(line.strip()[len(str(self.sources)) + 1:], []).append(found)
-        for program in programs():
+        for program in programs:
             link = _output(["ninja", "-t", "commands", "-s", f"bin/{program}"], self.build)
             self.links[program] = shlex.split(next(part for part in link.split("&&") if " -o " in part))
             inputs = _output(["ninja", "-t", "inputs", f"bin/{program}"], self.build).split("\n")

@@ -19,8 +19,8 @@ from images import random_image
 from thinbench._thinning import RULES
 from waiting import longest_wait_during
 
-MODULES = ["thinbench", "thinbench._thinning", "thinbench._custom_rules", "thinbench._images", "thinbench._catalogue",
-           "thinbench.compat", "thinbench.compat.cv2", "thinbench.compat.skimage"]
+MODULES = ["thinbench", "thinbench._thinning", "thinbench._custom_rules", "thinbench._images", "thinbench._graph",
+           "thinbench._catalogue", "thinbench.compat", "thinbench.compat.cv2", "thinbench.compat.skimage"]
 
 
 @pytest.mark.parametrize("name", MODULES)

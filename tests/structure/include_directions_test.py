@@ -23,6 +23,8 @@ ALLOWED = {
     "edges": BASE | {"image"},
     "regions": BASE | {"image"},
     "localise": BASE | {"image", "edges", "regions"},
+    "distance": BASE | {"image"},
+    "graph": BASE | {"image"},
 }
 ALLOWED["api"] = set(ALLOWED)
 

@@ -47,6 +47,8 @@ enum class Technique : std::uint8_t {
   simd_16bit,
   simd_8bit,
   simd_runs,
+  envelope,
+  simd_32bit,
 };
 
 struct TechniqueInfo {
@@ -83,6 +85,10 @@ inline constexpr std::array kTechniques = {
                   "gradients in saturating 8-bit lanes, where these are exact"},
     TechniqueInfo{Technique::simd_runs, "simd_runs",
                   "xsimd, one run per lane; union-find for runs that change"},
+    TechniqueInfo{Technique::envelope, "envelope",
+                  "the lower envelope of parabolas, in time linear in the width"},
+    TechniqueInfo{Technique::simd_32bit, "simd_32bit",
+                  "xsimd, distances in 32-bit lanes, searched as far as needed"},
 };
 
 /// This and technique_name throw std::invalid_argument for a value outside the enumeration.

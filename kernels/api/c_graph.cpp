@@ -1,0 +1,148 @@
+// The C interface of graphs.
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "api/c_arguments.hpp"
+#include "image/checks.hpp"
+#include "thinbench.h"
+#include "thinbench/graph.hpp"
+
+static_assert(sizeof(thinbench_graph_node) == sizeof(thinbench::GraphNode));
+static_assert(sizeof(thinbench_graph_edge) == sizeof(thinbench::GraphEdge));
+static_assert(sizeof(thinbench_pixel) == sizeof(thinbench::Pixel));
+static_assert(offsetof(thinbench_graph_node, pixel_count) ==
+              offsetof(thinbench::GraphNode, pixel_count));
+static_assert(offsetof(thinbench_graph_edge, diagonal_steps) ==
+              offsetof(thinbench::GraphEdge, diagonal_steps));
+
+struct thinbench_graph {
+  thinbench::Graph found;
+};
+
+namespace {
+
+using namespace thinbench;
+using namespace thinbench::detail;
+
+/// A list of the graph as C structs.
+template <class Struct, class T>
+const Struct* list_of(const thinbench_graph* graph, std::vector<T> Graph::*list, size_t* count,
+                      size_t size) {
+  const bool is_there = graph != nullptr && size == sizeof(Struct);
+  if (count != nullptr) *count = is_there ? (graph->found.*list).size() : 0;
+  return is_there ? reinterpret_cast<const Struct*>((graph->found.*list).data()) : nullptr;
+}
+
+Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image) {
+  require_pointer(pruning, "pruning");
+  constexpr size_t first_version = sizeof(thinbench_pruning);
+  const thinbench_pruning given = versioned(pruning, first_version, thinbench_pruning{}, "pruning");
+  Pruning result = {.min_length = given.min_length, .min_widths = given.min_widths};
+  result.removes_components = given.removes_components != 0;
+  if (given.squared_distances != nullptr) {
+    result.squared_distances = {given.squared_distances, image.width, image.height,
+                                given.distances_stride};
+  }
+  return result;
+}
+
+}  // namespace
+
+thinbench_status thinbench_classify_pixels(const thinbench_stack* image, uint8_t* classes,
+                                           ptrdiff_t classes_stride, uint8_t* degrees,
+                                           ptrdiff_t degrees_stride) {
+  return guarded([&] {
+    const ConstImageView source = image_of(image);
+    classify_pixels(source, {classes, source.width, source.height, classes_stride},
+                    {degrees, source.width, source.height, degrees_stride});
+  });
+}
+
+thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* count,
+                                       thinbench_pixel* first) {
+  return guarded([&] {
+    require_pointer(count, "count");
+    const FullBlocks found = full_blocks(image_of(image));
+    *count = found.count;
+    if (first != nullptr) *first = {found.first.x, found.first.y};
+  });
+}
+
+thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
+                                          const thinbench_options* options,
+                                          thinbench_graph** graph) {
+  return guarded([&] {
+    require_pointer(graph, "graph");
+    *graph = nullptr;
+    *graph = new thinbench_graph{skeleton_graph(image_of(skeleton), options_of(options))};
+  });
+}
+
+thinbench_status thinbench_prune(const thinbench_stack* skeleton,
+                                 const thinbench_output* destination,
+                                 const thinbench_pruning* pruning, const thinbench_options* options,
+                                 thinbench_graph** graph) {
+  return guarded([&] {
+    if (graph != nullptr) *graph = nullptr;
+    const ConstImageView image = image_of(skeleton);
+    const StackView target = destination_of(destination, source_of(skeleton));
+    auto found = std::make_unique<thinbench_graph>();
+    found->found = prune(image, target.image(0), pruning_of(pruning, image), options_of(options));
+    set_foreground(destination, target);
+    if (graph != nullptr) *graph = found.release();
+  });
+}
+
+const thinbench_graph_node* thinbench_graph_nodes(const thinbench_graph* graph, size_t* count,
+                                                  size_t size) {
+  return list_of<thinbench_graph_node>(graph, &Graph::nodes, count, size);
+}
+
+const thinbench_graph_edge* thinbench_graph_edges(const thinbench_graph* graph, size_t* count,
+                                                  size_t size) {
+  return list_of<thinbench_graph_edge>(graph, &Graph::edges, count, size);
+}
+
+const thinbench_pixel* thinbench_graph_node_pixels(const thinbench_graph* graph, size_t* count,
+                                                   size_t size) {
+  return list_of<thinbench_pixel>(graph, &Graph::node_pixels, count, size);
+}
+
+const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph, size_t* count,
+                                                   size_t size) {
+  return list_of<thinbench_pixel>(graph, &Graph::edge_pixels, count, size);
+}
+
+void thinbench_graph_destroy(thinbench_graph* graph) {
+  delete graph;
+}
+
+thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
+                                             const int32_t* squared_distances, ptrdiff_t height,
+                                             ptrdiff_t width, ptrdiff_t stride,
+                                             thinbench_edge_widths* widths) {
+  return guarded([&] {
+    require_pointer(graph, "graph");
+    if (graph->found.edges.empty()) return;
+    require_pointer(widths, "widths");
+    const auto found = edge_widths(graph->found, {squared_distances, width, height, stride});
+    for (const auto& [mean, least, greatest] : found) *widths++ = {mean, least, greatest};
+  });
+}
+
+thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count, double tolerance,
+                                    thinbench_pixel* kept, size_t* kept_count) {
+  return guarded([&] {
+    require_pointer(kept_count, "kept_count");
+    if (count > 0) {
+      require_pointer(points, "points");
+      require_pointer(kept, "kept");
+    }
+    const std::vector<Pixel> result =
+        polyline({reinterpret_cast<const Pixel*>(points), count}, tolerance);
+    std::copy(result.begin(), result.end(), reinterpret_cast<Pixel*>(kept));
+    *kept_count = result.size();
+  });
+}

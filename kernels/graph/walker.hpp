@@ -1,0 +1,30 @@
+// Nodes and edges from node pixels and line pixels.
+#pragma once
+
+#include <vector>
+
+#include "image/plane_view.hpp"
+#include "thinbench/graph.hpp"
+
+namespace thinbench::detail {
+
+/// Walks along lines pixel by pixel. Cost per line pixel: three bits from each of three rows, a
+/// look-up of the joined neighbours, and the pixel's entry in the list.
+class GraphWalker {
+ public:
+  GraphWalker(Index width, Index height);
+
+  /// `lines` becomes empty. The planes have the size given before. Valid until the next call.
+  const Graph& walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
+                    const BitPlaneView& lines);
+
+ private:
+  class Walk;
+
+  Index width_;
+  std::vector<std::uint32_t> node_at_;  // of every pixel: 1 + its node, 0 between calls
+  std::vector<Pixel> to_visit_;
+  Graph graph_;
+};
+
+}  // namespace thinbench::detail

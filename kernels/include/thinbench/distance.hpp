@@ -1,0 +1,35 @@
+// The exact Euclidean distance transform.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "thinbench/export.h"
+#include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
+
+namespace thinbench {
+
+/// The maximum width and height.
+inline constexpr Index kMaxDistanceSide = 32767;
+/// The value of every pixel of an image without background.
+inline constexpr std::int32_t kNoBackground = std::numeric_limits<std::int32_t>::max();
+
+/// The square of the Euclidean distance between the centres of each pixel and of the nearest
+/// background pixel of the image:
+///   distances(x, y) = min { (x - u)^2 + (y - v)^2 : source(u, v) = 0 }
+/// Background has 0. What is outside the image does not count, as in SciPy's
+/// distance_transform_edt; surround the image with background where it should. Exact integers.
+///
+/// Views must have the same size and share no byte; the stride of `distances` is in numbers. Of
+/// `options`, only technique, ISA and threads may be set. Takes 2 bytes of memory per pixel beside
+/// the views. Thread-safe for different destinations. Throws std::invalid_argument for a side above
+/// kMaxDistanceSide, unsuitable views and options that no variant fits, and std::bad_alloc. Nothing
+/// is written if it throws.
+///
+/// Source: A. Meijster, J. Roerdink and W. Hesselink 2000, "A general algorithm for computing
+/// distance transforms in linear time".
+THINBENCH_API void squared_distances(ConstImageView source, LabelView distances,
+                                     const Options& options = {});
+
+}  // namespace thinbench

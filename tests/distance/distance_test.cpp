@@ -1,0 +1,141 @@
+#include "thinbench/distance.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/isa_parameters.hpp"
+#include "support/rejection.hpp"
+#include "support/text_image.hpp"
+
+namespace thinbench {
+namespace {
+
+using Numbers = std::vector<std::int32_t>;
+
+Numbers distances_of(const ConstImageView& image, const Options& options = {}) {
+  Numbers numbers(static_cast<std::size_t>(image.width * image.height));
+  squared_distances(image, {numbers.data(), image.width, image.height}, options);
+  return numbers;
+}
+
+/// From every background pixel.
+Numbers brute_force(const ConstImageView& image) {
+  Numbers numbers;
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) {
+      Index lowest = kNoBackground;
+      for (Index v = 0; v < image.height; ++v) {
+        for (Index u = 0; u < image.width; ++u) {
+          if (image.row(v)[u] != 0) continue;
+          lowest = std::min(lowest, (x - u) * (x - u) + (y - v) * (y - v));
+        }
+      }
+      numbers.push_back(static_cast<std::int32_t>(lowest));
+    }
+  }
+  return numbers;
+}
+
+/// Foreground but for one pixel in `rarity`.
+std::vector<std::uint8_t> random_pixels(Index count, int rarity, std::mt19937& random) {
+  std::vector<std::uint8_t> pixels(static_cast<std::size_t>(count));
+  for (std::uint8_t& pixel : pixels) pixel = random() % static_cast<unsigned>(rarity) == 0 ? 0 : 9;
+  return pixels;
+}
+
+TEST(SquaredDistances, of_a_small_image_are_as_worked_by_hand) {
+  const ByteImage image = image_of({"#####",  //
+                                    "##.##",  //
+                                    "#####",  //
+                                    "#####"});
+  EXPECT_EQ(distances_of(image.view()), (Numbers{5, 2, 1, 2, 5,  //
+                                                 4, 1, 0, 1, 4,  //
+                                                 5, 2, 1, 2, 5,  //
+                                                 8, 5, 4, 5, 8}));
+}
+
+class Distances : public IsaTest {};
+
+TEST_P(Distances, equal_brute_force_by_every_technique) {
+  std::mt19937 random(1);
+  for (const int rarity : {2, 20, 500, 1'000'000}) {
+    for (const auto& [width, height] :
+         {std::pair<Index, Index>{1, 1}, {7, 5}, {33, 20}, {150, 9}}) {
+      const auto pixels = random_pixels(width * height, rarity, random);
+      const ConstImageView image(pixels.data(), width, height);
+      const Numbers expected = brute_force(image);
+      for (const Technique technique : {Technique::envelope, Technique::simd_32bit}) {
+        if (technique == Technique::envelope && GetParam() != Isa::baseline) continue;
+        for (const int threads : {1, 3}) {
+          EXPECT_EQ(
+              distances_of(image, {.threads = threads, .isa = GetParam(), .technique = technique}),
+              expected)
+              << width << " x " << height;
+        }
+      }
+    }
+  }
+}
+
+// The last instruction sets of both architectures have no variant of their own.
+INSTANTIATE_TEST_SUITE_P(
+    All, Distances,
+    testing::ValuesIn(all_isas().first(std::max<std::size_t>(1, all_isas().size() - 1))),
+    isa_test_name);
+
+TEST(SquaredDistances, are_exact_at_the_greatest_distance) {
+  std::vector<std::uint8_t> pixels(kMaxDistanceSide, 1);
+  pixels.front() = 0;
+  const auto square = [](Index a) { return static_cast<std::int32_t>(a * a); };
+  for (const bool is_row : {true, false}) {
+    const Index width = is_row ? kMaxDistanceSide : 1;
+    const Numbers found = distances_of({pixels.data(), width, kMaxDistanceSide / width});
+    EXPECT_EQ(found.back(), square(kMaxDistanceSide - 1));
+    EXPECT_EQ(found[1000], square(1000));
+  }
+}
+
+TEST(SquaredDistances, know_no_background_in_the_longest_column) {
+  const std::vector<std::uint8_t> pixels(kMaxDistanceSide, 1);
+  const Numbers found = distances_of({pixels.data(), 1, kMaxDistanceSide});
+  EXPECT_EQ(found, Numbers(pixels.size(), kNoBackground));
+}
+
+TEST(SquaredDistances, ignore_what_is_outside_the_image) {
+  const ByteImage image = image_of({"###", "###"});
+  EXPECT_EQ(distances_of(image.view()), Numbers(6, kNoBackground));
+}
+
+TEST(SquaredDistances, leave_gaps_between_rows_alone) {
+  const ByteImage image = image_of({"#.", "##"});
+  Numbers numbers(10, -1);
+  squared_distances(image.view(), {numbers.data(), 2, 2, 5});
+  EXPECT_EQ(numbers, (Numbers{1, 0, -1, -1, -1, 2, 1, -1, -1, -1}));
+}
+
+TEST(SquaredDistances, of_empty_images_are_none) {
+  EXPECT_EQ(distances_of({nullptr, 0, 3}), Numbers{});
+  EXPECT_EQ(distances_of({nullptr, 3, 0}), Numbers{});
+}
+
+TEST(SquaredDistances, reject_unsuitable_arguments) {
+  const std::vector<std::uint8_t> pixels(kMaxDistanceSide + 1);
+  Numbers numbers(pixels.size());
+  const auto rejected = [&](const ConstImageView& source, const LabelView& distances,
+                            const Options& options = {}) {
+    return rejection_of([&] { squared_distances(source, distances, options); });
+  };
+  EXPECT_EQ(
+      rejected({pixels.data(), kMaxDistanceSide + 1, 1}, {numbers.data(), kMaxDistanceSide + 1, 1}),
+      "image size 32768 x 1 has a side above 32767 pixels, the limit for distances");
+  EXPECT_EQ(rejected({pixels.data(), 3, 2}, {numbers.data(), 3, 2}, {.border = Border::keep}),
+            "squared_distances takes no border");
+  EXPECT_NE(rejected({pixels.data(), 3, 2}, {numbers.data(), 2, 3}), "");
+}
+
+}  // namespace
+}  // namespace thinbench

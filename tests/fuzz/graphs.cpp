@@ -1,0 +1,160 @@
+// Graphs of any image: equal to the reference, every pixel once, as many nodes more than edges as
+// the Euler number says. Pruning keeps holes and components, and leaves no short branch. Polylines
+// stay near their lines.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "drawn_image.hpp"
+#include "graph.hpp"
+#include "holes.hpp"
+#include "reference.hpp"
+#include "thinbench/distance.hpp"
+#include "thinbench/graph.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Of techniques that are not for graphs, the call is rejected.
+Options draw_options(ByteSource& input) {
+  Options options;
+  if (input.once_in(2)) options.isa = static_cast<Isa>(input.number(0, 4));
+  if (input.once_in(4)) options.technique = input.pick(kTechniques).technique;
+  if (input.once_in(16)) options.threads = 2;
+  return options;
+}
+
+void check_pixels(const Graph& graph, const ConstImageView& image) {
+  ByteImage classes(image.width, image.height);
+  classify_pixels(image, classes.view(), {});
+  ByteImage drawn(image.width, image.height);
+  const auto take = [&](Pixel p, bool may_be_line) {
+    must(std::exchange(drawn.at(p.x, p.y), std::uint8_t{255}) == 0, "a pixel twice");
+    const bool is_line = static_cast<PixelClass>(classes.at(p.x, p.y)) == PixelClass::line;
+    must(may_be_line || !is_line, "a line pixel in a node");
+  };
+  for (const GraphNode& node : graph.nodes) {
+    for (const Pixel p : graph.pixels_of(node)) take(p, node.kind == NodeKind::cycle);
+  }
+  for (const Pixel p : graph.edge_pixels) take(p, true);
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) {
+      must((image.row(y)[x] != 0) == (drawn.at(x, y) != 0), "not the pixels of the image");
+    }
+  }
+}
+
+double distance(Pixel p, Pixel a, Pixel b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const double along = square == 0 ? 0 : ((p.x - a.x) * dx + (p.y - a.y) * dy) / square;
+  const double at = std::clamp(along, 0.0, 1.0);
+  return std::hypot(p.x - a.x - at * dx, p.y - a.y - at * dy);
+}
+
+/// Each point lies between two that are kept, and near the line from one to the other.
+void check_polyline(const std::vector<Pixel>& points, double tolerance) {
+  const std::vector<Pixel> kept = polyline(points, tolerance);
+  must(kept.front() == points.front() && kept.back() == points.back(), "other ends");
+  for (const Pixel p : points) {
+    bool is_near = false;
+    for (std::size_t i = 1; i < kept.size() && !is_near; ++i) {
+      is_near = distance(p, kept[i - 1], kept[i]) <= tolerance + 1e-9;
+    }
+    must(is_near, "a point far from the polyline");
+  }
+}
+
+void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& distances) {
+  constexpr std::array<double, 5> tolerances = {0, 0.5, 1, 2.5, 100};
+  const double tolerance = input.pick(tolerances);
+  const std::vector<EdgeWidths> widths = edge_widths(graph, distances);
+  must(widths.size() == graph.edges.size(), "widths of other edges");
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const std::vector<Pixel> points = points_of(graph, graph.edges[i]);
+    check_polyline(points, tolerance);
+    for (const Pixel p : points) {
+      const double width = 2 * std::sqrt(distances.row(p.y)[p.x]);
+      must(widths[i].least <= width && width <= widths[i].greatest, "a width beyond the others");
+    }
+    must(widths[i].least <= widths[i].mean + 1e-6 && widths[i].mean <= widths[i].greatest + 1e-6,
+         "a mean beyond the widths");
+  }
+}
+
+double limit_at(const Pruning& pruning, Pixel junction) {
+  if (pruning.min_widths == 0) return pruning.min_length;
+  const double width = 2 * std::sqrt(pruning.squared_distances.row(junction.y)[junction.x]);
+  return std::max(pruning.min_length, pruning.min_widths * width);
+}
+
+void must_have_no_short_branch(const Graph& graph, const Pruning& pruning) {
+  for (const GraphEdge& edge : graph.edges) {
+    const bool starts = graph.nodes[edge.from].kind == NodeKind::end;
+    const bool stops = graph.nodes[edge.to].kind == NodeKind::end;
+    if (starts == stops) continue;
+    must(length_of(edge) >= limit_at(pruning, starts ? edge.stop : edge.start), "a short branch");
+  }
+}
+
+void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelView& distances,
+                   const Options& options) {
+  constexpr std::array<double, 6> lengths = {0, 1, 2, 4.5, 10, 1000};
+  constexpr std::array<double, 4> widths = {0, 0, 0.6, 3};
+  Pruning pruning = {.min_length = input.pick(lengths), .min_widths = input.pick(widths)};
+  pruning.squared_distances = distances;
+  pruning.removes_components = input.once_in(4);
+  DrawnImage source(input, {image.width(), image.height()});
+  DrawnImage destination(input, {image.width(), image.height()});
+  source.copy_from(image.view());
+  const ImageView to = input.once_in(4) ? source.view() : destination.view();
+  const Graph graph = prune(source.view(), to, pruning, options);
+  source.must_be_intact();
+  destination.must_be_intact();
+  must(graph == reference::skeleton_graph(to), "not the graph of the pruned image");
+  must_have_no_short_branch(graph, pruning);
+  for (Index y = 0; y < to.height; ++y) {
+    for (Index x = 0; x < to.width; ++x) {
+      must(to.row(y)[x] == 0 || (to.row(y)[x] == 255 && image.at(x, y) != 0), "a new pixel");
+    }
+  }
+  const reference::Regions before = reference::holes(image.view());
+  const reference::Regions after = reference::holes(to);
+  must(before.holes.size() == after.holes.size(), "another number of holes");
+  must(pruning.removes_components ? after.objects.size() <= before.objects.size()
+                                  : after.objects.size() == before.objects.size(),
+       "another number of components");
+}
+
+void check_graph(ByteSource& input) {
+  const DrawnSize size = draw_size(input);
+  const Options options = draw_options(input);
+  const ByteImage image = draw_binary(input, size);
+  const Graph graph = skeleton_graph(image.view(), options);
+  must(graph == reference::skeleton_graph(image.view()), "another graph");
+  must(std::ssize(graph.nodes) - std::ssize(graph.edges) == reference::euler_number(image.view()),
+       "another Euler number");
+  check_pixels(graph, image.view());
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(size.width * size.height) + 1);
+  const LabelView distances = {numbers.data(), size.width, size.height};
+  squared_distances(image.view(), distances);
+  check_edges(input, graph, distances);
+  check_pruning(input, image, distances, options);
+}
+
+}  // namespace
+}  // namespace thinbench
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  thinbench::ByteSource input(data, size);
+  try {
+    thinbench::check_graph(input);
+  } catch (const std::invalid_argument& error) {
+    thinbench::must_be_one_line(error.what());
+  }
+  return 0;
+}

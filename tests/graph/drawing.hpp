@@ -1,0 +1,259 @@
+// Drawings of graphs, one pixel thin, of which nodes, edges and lengths are known from what was
+// drawn; nothing of the library is used to find them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+#include <vector>
+
+#include "thinbench/graph.hpp"
+
+namespace thinbench {
+
+/// A node of a drawing. `within` is 0 where the raster leaves no doubt; otherwise the centre of the
+/// node that is found may be so far away, and lines that end there may be so much longer or
+/// shorter.
+struct TrueNode {
+  NodeKind kind;
+  double x;
+  double y;
+  double within;
+};
+
+struct TrueEdge {
+  std::size_t from;
+  std::size_t to;
+  int straight;
+  int diagonal;
+  Pixel first;  // in raster order, ends included
+
+  [[nodiscard]] double length() const { return straight + diagonal * std::sqrt(2.0); }
+};
+
+struct Truth {
+  std::vector<TrueNode> nodes;
+  std::vector<TrueEdge> edges;
+};
+
+using Path = std::vector<Pixel>;
+
+inline int across(Pixel a, Pixel b) {
+  return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
+}
+
+/// The line from a to b: one pixel for each step of the longer side, the nearest to the true line.
+inline Path line_between(Pixel a, Pixel b) {
+  const int steps = across(a, b);
+  Path path = {a};
+  for (int i = 1; i <= steps; ++i) {
+    const auto between = [&](int from, int to) {
+      const double exact = from + (to - from) * static_cast<double>(i) / steps;
+      return static_cast<std::int32_t>(std::floor(exact + 0.5));
+    };
+    path.push_back({between(a.x, b.x), between(a.y, b.y)});
+  }
+  return path;
+}
+
+inline Pixel first_of(const Path& path) {
+  return *std::min_element(path.begin(), path.end(), [](Pixel a, Pixel b) {
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+  });
+}
+
+/// Points and lines between them. Where a point has two lines it is a bend; what it is otherwise
+/// follows from their number.
+class Drawing {
+ public:
+  Drawing(int width, int height)
+      : width_(width),
+        height_(height),
+        pixels_(static_cast<std::size_t>(width * height)),
+        linked_(pixels_.size()),
+        point_at_(pixels_.size(), kNone) {}
+
+  std::size_t point(Pixel p) {
+    std::size_t& at = point_at_[place(p)];
+    if (at == kNone) {
+      if (is_drawn(p)) overlaps_ = true;
+      at = points_.size();
+      points_.push_back({NodeKind::isolated, double(p.x), double(p.y), 0});
+      pixels_[place(p)] = 255;
+    }
+    return at;
+  }
+
+  /// A point of four pixels, as where two diagonals cross between pixels.
+  void block(Pixel top_left) {
+    const auto [x, y] = top_left;
+    points_.push_back({NodeKind::isolated, x + 0.5, y + 0.5, 0});
+    const Path ring = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}, {x, y}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      point_at_[place(ring[i])] = points_.size() - 1;
+      pixels_[place(ring[i])] = 255;
+      link(ring[i], ring[i + 1]);
+    }
+  }
+
+  /// For a point whose lines are so close that their first pixels touch.
+  void allow_touching(Pixel at, double within) {
+    points_[point(at)].within = within;
+    touching_.push_back(at);
+  }
+
+  /// Only its ends are points; it may not pass others.
+  void line(Pixel a, Pixel b) { add(line_between(a, b)); }
+
+  /// Every pixel of the path is a point, so that other lines may meet it anywhere.
+  void path(const Path& pixels) {
+    for (std::size_t i = 1; i < pixels.size(); ++i) {
+      if (point(pixels[i - 1]) != point(pixels[i])) add({pixels[i - 1], pixels[i]});
+    }
+  }
+
+  /// Whether the raster holds the drawing: pixels are joined if and only if they were drawn one
+  /// after the other, but for first pixels that may touch. Then the graph of the image must be that
+  /// of the drawing, with every length exact.
+  [[nodiscard]] bool is_held() const {
+    for (std::int32_t y = 0; y < height_; ++y) {
+      for (std::int32_t x = 0; x < width_; ++x) {
+        if (is_drawn({x, y}) && !holds({x, y})) return false;
+      }
+    }
+    return !overlaps_;
+  }
+
+  [[nodiscard]] ConstImageView image() const { return {pixels_.data(), width_, height_}; }
+  [[nodiscard]] std::size_t points() const { return points_.size(); }
+
+  /// Points become nodes, but for bends: their two lines become one, or a cycle.
+  [[nodiscard]] Truth truth() const {
+    Truth truth = {points_, edges_};
+    std::vector<bool> is_bend(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto lines = lines_of(truth, i);
+      TrueNode& node = truth.nodes[i];
+      if (lines > 0) node.kind = lines == 1 ? NodeKind::end : NodeKind::junction;
+      is_bend[i] = lines == 2 && !straighten(truth, i);
+    }
+    return without(truth, is_bend);
+  }
+
+ private:
+  static constexpr auto kNone = static_cast<std::size_t>(-1);
+  static constexpr std::array<Pixel, 8> kSteps = {
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+  static Pixel moved(Pixel p, unsigned direction) {
+    const Pixel step = kSteps[direction % 8];
+    return {p.x + step.x, p.y + step.y};
+  }
+
+  [[nodiscard]] std::size_t place(Pixel p) const {
+    return static_cast<std::size_t>(p.y * width_ + p.x);
+  }
+
+  [[nodiscard]] bool is_drawn(Pixel p) const {
+    const bool is_inside = p.x >= 0 && p.y >= 0 && p.x < width_ && p.y < height_;
+    return is_inside && pixels_[place(p)] != 0;
+  }
+
+  void add(const Path& path) {
+    TrueEdge edge = {point(path.front()), point(path.back()), 0, 0, first_of(path)};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Pixel p = path[i];
+      const bool is_diagonal = p.x != path[i - 1].x && p.y != path[i - 1].y;
+      ++(is_diagonal ? edge.diagonal : edge.straight);
+      if (i + 1 < path.size() && is_drawn(p)) overlaps_ = true;
+      pixels_[place(p)] = 255;
+      link(path[i - 1], p);
+    }
+    edges_.push_back(edge);
+  }
+
+  void link(Pixel a, Pixel b) {
+    for (unsigned d = 0; d < 8; ++d) {
+      if (moved(a, d) != b) continue;
+      if (are_linked(a, d)) overlaps_ = true;
+      linked_[place(a)] |= static_cast<std::uint8_t>(1U << d);
+      linked_[place(b)] |= static_cast<std::uint8_t>(1U << (d + 4) % 8);
+    }
+  }
+
+  [[nodiscard]] bool are_linked(Pixel p, unsigned d) const {
+    return (linked_[place(p)] >> d % 8 & 1) != 0;
+  }
+
+  /// Of a pixel and its neighbours.
+  [[nodiscard]] bool holds(Pixel p) const {
+    for (unsigned d = 0; d < 8; ++d) {
+      const Pixel q = moved(p, d);
+      if (!is_drawn(q) || may_touch(p, q)) continue;
+      const bool has_way_round = is_drawn(moved(p, d + 1)) || is_drawn(moved(p, d + 7));
+      const bool is_joined = d % 2 == 0 || !has_way_round;
+      if (is_joined != are_linked(p, d)) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool may_touch(Pixel p, Pixel q) const {
+    return std::any_of(touching_.begin(), touching_.end(),
+                       [=](Pixel at) { return across(p, at) <= 1 && across(q, at) <= 1; });
+  }
+
+  static std::ptrdiff_t lines_of(const Truth& truth, std::size_t point) {
+    std::ptrdiff_t lines = 0;
+    for (const TrueEdge& edge : truth.edges) {
+      lines += (edge.from == point ? 1 : 0) + (edge.to == point ? 1 : 0);
+    }
+    return lines;
+  }
+
+  /// Makes one line of the two at a bend. True if these are one already: a cycle, whose node is the
+  /// first pixel.
+  static bool straighten(Truth& truth, std::size_t bend) {
+    const auto ends_here = [=](const TrueEdge& edge) {
+      return edge.from == bend || edge.to == bend;
+    };
+    const auto one = std::find_if(truth.edges.begin(), truth.edges.end(), ends_here);
+    if (one->from == one->to) {
+      truth.nodes[bend] = {NodeKind::cycle, double(one->first.x), double(one->first.y), 0};
+      return true;
+    }
+    const auto other = std::find_if(one + 1, truth.edges.end(), ends_here);
+    const auto far = [=](const TrueEdge& edge) { return edge.from == bend ? edge.to : edge.from; };
+    *one = {far(*one), far(*other), one->straight + other->straight,
+            one->diagonal + other->diagonal, first_of({one->first, other->first})};
+    truth.edges.erase(other);
+    return false;
+  }
+
+  static Truth without(const Truth& all, const std::vector<bool>& is_bend) {
+    Truth left = {{}, all.edges};
+    std::vector<std::size_t> place(all.nodes.size());
+    for (std::size_t i = 0; i < all.nodes.size(); ++i) {
+      place[i] = left.nodes.size();
+      if (!is_bend[i]) left.nodes.push_back(all.nodes[i]);
+    }
+    for (TrueEdge& edge : left.edges) {
+      edge.from = place[edge.from];
+      edge.to = place[edge.to];
+    }
+    return left;
+  }
+
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> pixels_;
+  std::vector<std::uint8_t> linked_;  // bit d: drawn before or after the neighbour in direction d
+  std::vector<std::size_t> point_at_;
+  std::vector<TrueNode> points_;
+  std::vector<TrueEdge> edges_;
+  Path touching_;
+  bool overlaps_ = false;  // a line runs over another one
+};
+
+}  // namespace thinbench
