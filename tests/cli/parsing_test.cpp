@@ -54,7 +54,7 @@ std::vector<Words> all_commands() {
 
 TEST(Program, every_help_has_examples) {
   const std::vector<Words> commands = all_commands();
-  EXPECT_EQ(commands.size(), 1 + 13 + 2 + 7U);
+  EXPECT_EQ(commands.size(), 1 + 14 + 2 + 7U);
   for (Words words : commands) {
     std::string command = "thinbench";
     for (const std::string& word : words) command += " " + word;
@@ -79,7 +79,7 @@ TEST(Program, unknown_command_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(
       failure_of({"frobnicate"}, 2),
       "no command is named 'frobnicate'; known: list, verify, run, rule, batch, edges, holes, "
-      "scene, machine, train, experiment, instructions and pictures");
+      "graph, scene, machine, train, experiment, instructions and pictures");
 }
 
 TEST(Program, unknown_subcommand_is_rejected_with_the_nearest_name) {
@@ -223,12 +223,12 @@ TEST(Program, every_command_rejects_a_malformed_cap) {
     if (words.front() == "run") words.insert(words.end(), {kOperation, "in.png", "out.png"});
     if (words.front() == "batch") words.insert(words.end(), {kOperation, "in", "--out", "out"});
     if (words.front() == "pictures") words.insert(words.end(), {"--out", "pictures"});
-    if (words.front() == "holes") words.emplace_back("in.png");
+    if (words.front() == "holes" || words.front() == "graph") words.emplace_back("in.png");
     if (words.front() == "edges") words.insert(words.end(), {"in.png", "out.png"});
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
     ++tested;
   }
-  EXPECT_EQ(tested, 11 + 2 + 7);
+  EXPECT_EQ(tested, 12 + 2 + 7);
   EXPECT_EQ(run_with({"--help"}).status, 0);
 }
 
