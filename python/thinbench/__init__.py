@@ -1,4 +1,4 @@
-"""Thinning, edges, objects and holes of images, exact to the pixel and fast.
+"""Thinning, edges, objects, holes and graphs of images, exact to the pixel and fast.
 
 >>> import numpy as np
 >>> import thinbench
