@@ -118,9 +118,9 @@ TimedInput drawn_input(const std::string& name) {
   }
   if (kind == "squares") return of_binary(name, squares(n, numbers[1]));
   if (kind == "strokes") return of_binary(name, stroke_images(numbers[1], n, kNoiseSeed));
-  return of_scene(name, [kind = kind, n](const ByteImage& image) {
-    if (kind == "square") return tiled(image, n, n);
-    if (kind == "enlarged") return enlarged(image, n);
+  return of_scene(name, [drawn = kind, n](const ByteImage& image) {
+    if (drawn == "square") return tiled(image, n, n);
+    if (drawn == "enlarged") return enlarged(image, n);
     return tiled(image, n * image.width(), n * image.height());
   });
 }
