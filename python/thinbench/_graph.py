@@ -329,13 +329,14 @@ def _taken(handle: ctypes.c_void_p, squares: npt.NDArray[np.int32] | None) -> Gr
             _copied(handle, list_of, dtype) for list_of, dtype in (
                 (_library.graph_nodes, _NODE), (_library.graph_edges, _EDGE),
                 (_library.graph_node_pixels, _PIXEL), (_library.graph_edge_pixels, _PIXEL)))
+        widths = {} if squares is None else _width_columns(handle, squares, len(edges))
     finally:
         _library.graph_destroy(handle)
     pixels_of_nodes = np.split(_rows_and_columns(node_pixels), nodes["first_pixel"][1:])
     lines = np.split(_rows_and_columns(edge_pixels), edges["first_pixel"][1:])
     starts, stops = _rows_and_columns(edges["start"]), _rows_and_columns(edges["stop"])
     chains = [np.concatenate([starts[i:i + 1], lines[i], stops[i:i + 1]]) for i in range(len(edges))]
-    return Graph(_node_columns(nodes, edges, pixels_of_nodes), _edge_columns(edges, chains, squares),
+    return Graph(_node_columns(nodes, edges, pixels_of_nodes), {**_edge_columns(edges), **widths},
                  pixels_of_nodes[:len(nodes)], chains)
 
 
@@ -358,14 +359,15 @@ def _node_columns(nodes: Array, edges: Array, pixels: list[Array]) -> Columns:
     return {"kind": KINDS[nodes["kind"]], "row": centres[:, 0], "column": centres[:, 1], "degree": degree}
 
 
-def _edge_columns(edges: Array, chains: list[Array], squares: npt.NDArray[np.int32] | None) -> Columns:
+def _edge_columns(edges: Array) -> Columns:
     difference = _rows_and_columns(edges["stop"]) - _rows_and_columns(edges["start"])
-    columns = {"from": edges["from"].astype(np.int64), "to": edges["to"].astype(np.int64),
-               "length": edges["straight_steps"] + edges["diagonal_steps"] * np.sqrt(2),
-               "chord": np.hypot(difference[:, 0], difference[:, 1])}
-    if squares is not None:
-        widths = [2 * _images.roots(squares[chain[:, 0], chain[:, 1]]) for chain in chains]
-        columns["width-mean"] = np.array([width.mean() for width in widths], float)
-        columns["width-min"] = np.array([width.min() for width in widths], float)
-        columns["width-max"] = np.array([width.max() for width in widths], float)
-    return columns
+    return {"from": edges["from"].astype(np.int64), "to": edges["to"].astype(np.int64),
+            "length": edges["straight_steps"] + edges["diagonal_steps"] * np.sqrt(2),
+            "chord": np.hypot(difference[:, 0], difference[:, 1])}
+
+
+def _width_columns(handle: ctypes.c_void_p, squares: npt.NDArray[np.int32], count: int) -> Columns:
+    widths = np.empty((count, 3))
+    height, width = squares.shape
+    _library.graph_edge_widths(handle, squares.ctypes.data, height, width, width, widths.ctypes.data)
+    return {"width-" + name: widths[:, i] for i, name in enumerate(("mean", "min", "max"))}

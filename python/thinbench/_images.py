@@ -214,11 +214,8 @@ def distance(image: npt.ArrayLike, *, squared: bool = False, threads: int = 1,
     _library.squared_distances(stack, squares.ctypes.data, array.shape[1],
                                _library.options(threads=_arrays.integer("threads", threads)))
     del kept_alive
-    return squares if squared else roots(squares)
-
-
-def roots(squares: npt.NDArray[np.int32]) -> npt.NDArray[np.float64]:
-    """Distances from their squares; without background, infinity."""
+    if squared:
+        return squares
     distances = np.sqrt(squares, dtype=np.float64)
     distances[squares == np.iinfo(np.int32).max] = np.inf
     return distances

@@ -78,6 +78,8 @@ regions_holes = _function(
 graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels = (
     _function("graph_" + part, _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
     for part in ("nodes", "edges", "node_pixels", "edge_pixels"))
+graph_edge_widths = _checked("graph_edge_widths", _POINTER, _POINTER, ctypes.c_ssize_t, ctypes.c_ssize_t,
+                             ctypes.c_ssize_t, _POINTER)
 graph_destroy = _function("graph_destroy", _POINTER, result=None)
 regions_destroy = _function("regions_destroy", _POINTER, result=None)
 rule_name = _function("rule_name", ctypes.c_size_t, result=_BYTES)

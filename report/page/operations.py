@@ -29,9 +29,10 @@ LABELS = {
     "holes": "objects and holes", "components": "objects", "fill_holes": "filled holes",
     "euler_number": "Euler number, 8-conn.", "euler_number_4": "Euler number, 4-conn.",
     "localise_objects": "grey image to centres",
+    "skeleton_graph": "skeleton to graph", "squared_distances": "squared distances",
     "net_two_layer_linear": "two-layer net, linear", "net_two_layer_sigmoid": "two-layer net, sigmoid",
     "net_two_layer_rounded": "two-layer net, rounded", "net_single_layer_cluster": "cluster of nets"}
-"""In the order of the page: useful rules, the paper's, edges, regions, nets."""
+"""In the order of the page: useful rules, the paper's, edges, regions, graphs, nets."""
 
 HEADLINES = (
     "thin_guo_hall", "thin_guo_hall:keep", "thin_zhang_suen", "thin_zhang_suen:keep", "thin_mb2",
