@@ -28,14 +28,14 @@ constexpr auto kRemoved = [](const Matrix& image, Index x, Index y, int sub) {
 }  // namespace
 
 template <>
-int thin<Rule::guo_hall>(const Repetition& repetition, ConstImageView source,
-                         ImageView destination) {
+int thin<BuiltInRule::guo_hall>(const Repetition& repetition, ConstImageView source,
+                                ImageView destination) {
   return repeat(2, repetition, source, destination, kRemoved);
 }
 
 template <>
-int thin<Rule::guo_hall_skimage>(const Repetition& repetition, ConstImageView source,
-                                 ImageView destination) {
+int thin<BuiltInRule::guo_hall_skimage>(const Repetition& repetition, ConstImageView source,
+                                        ImageView destination) {
   const auto exchanged = [](const Matrix& image, Index x, Index y, int sub) {
     return kRemoved(image, x, y, 1 - sub);
   };

@@ -4,8 +4,8 @@
 namespace thinbench::reference {
 
 template <>
-int thin<Rule::lu_wang>(const Repetition& repetition, ConstImageView source,
-                        ImageView destination) {
+int thin<BuiltInRule::lu_wang>(const Repetition& repetition, ConstImageView source,
+                               ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int sub) {
     const auto& n = neighbours_at(image, x, y).n;  // anticlockwise from the east
     int neighbours = 0;

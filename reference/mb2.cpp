@@ -28,7 +28,8 @@ bool is_removed(const Matrix& image, Index x, Index y) {
 }  // namespace
 
 template <>
-int thin<Rule::mb2>(const Repetition& repetition, ConstImageView source, ImageView destination) {
+int thin<BuiltInRule::mb2>(const Repetition& repetition, ConstImageView source,
+                           ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int) {
     return is_removed(image, x, y);
   };

@@ -58,8 +58,8 @@ int midpoint_scan(Directions directions, Border border, ConstImageView source,
 }
 
 template <>
-int thin<Rule::midpoint_scan>(const Repetition& repetition, ConstImageView source,
-                              ImageView destination) {
+int thin<BuiltInRule::midpoint_scan>(const Repetition& repetition, ConstImageView source,
+                                     ImageView destination) {
   return midpoint_scan(Directions{}, repetition.border, source, destination);
 }
 

@@ -5,8 +5,8 @@
 namespace thinbench::reference {
 
 template <>
-int thin<Rule::naccache_shinghal>(const Repetition& repetition, ConstImageView source,
-                                  ImageView destination) {
+int thin<BuiltInRule::naccache_shinghal>(const Repetition& repetition, ConstImageView source,
+                                         ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int) {
     return !keeps_with(false_count<int>(expressions_of(neighbours_at(image, x, y).n)));
   };

@@ -1,7 +1,7 @@
 #include "decisions.hpp"
-#include "nets/trained_cluster.hpp"
 #include "reference.hpp"
 #include "repeat.hpp"
+#include "rules/trained_cluster.hpp"
 
 namespace thinbench::reference {
 namespace {
@@ -61,26 +61,26 @@ int net_single_layer_cluster(const ClusterWeights& cluster, const Repetition& re
 }
 
 template <>
-int thin<Rule::net_two_layer_sigmoid>(const Repetition& repetition, ConstImageView source,
-                                      ImageView destination) {
+int thin<BuiltInRule::net_two_layer_sigmoid>(const Repetition& repetition, ConstImageView source,
+                                             ImageView destination) {
   return net_two_layer(kPaperTwoLayer, Activation::sigmoid, repetition, source, destination);
 }
 
 template <>
-int thin<Rule::net_two_layer_rounded>(const Repetition& repetition, ConstImageView source,
-                                      ImageView destination) {
+int thin<BuiltInRule::net_two_layer_rounded>(const Repetition& repetition, ConstImageView source,
+                                             ImageView destination) {
   return net_two_layer(kRoundedTwoLayer, Activation::sigmoid, repetition, source, destination);
 }
 
 template <>
-int thin<Rule::net_two_layer_linear>(const Repetition& repetition, ConstImageView source,
-                                     ImageView destination) {
+int thin<BuiltInRule::net_two_layer_linear>(const Repetition& repetition, ConstImageView source,
+                                            ImageView destination) {
   return net_two_layer(kPaperTwoLayer, Activation::linear, repetition, source, destination);
 }
 
 template <>
-int thin<Rule::net_single_layer_cluster>(const Repetition& repetition, ConstImageView source,
-                                         ImageView destination) {
+int thin<BuiltInRule::net_single_layer_cluster>(const Repetition& repetition, ConstImageView source,
+                                                ImageView destination) {
   return net_single_layer_cluster(detail::kTrainedCluster, repetition, source, destination);
 }
 

@@ -6,7 +6,7 @@
 namespace thinbench::reference {
 
 // A rule without a reference does not link.
-Thinning thinning(Rule rule) {
+Thinning thinning(BuiltInRule rule) {
   static constexpr auto kTable = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::array<Thinning, sizeof...(i)>{&thin<kRules[i].rule>...};
   }

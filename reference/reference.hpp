@@ -5,12 +5,12 @@
 #include <span>
 #include <string_view>
 
-#include "thinbench/custom_rule.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/image_view.hpp"
 #include "thinbench/nets.hpp"
 #include "thinbench/options.hpp"
 #include "thinbench/rule.hpp"
+#include "thinbench/window_table.hpp"
 
 namespace thinbench::reference {
 
@@ -60,14 +60,14 @@ struct Repetition {
 /// Outside the image everything is background; with Border::keep the outermost pixels never change.
 /// `source`: 0 is background, anything else foreground; `destination`: 0 and 255, same size, may be
 /// the source. Returns the number of iterations, including the last, which changed nothing.
-template <Rule rule>
+template <BuiltInRule rule>
 int thin(const Repetition& repetition, ConstImageView source, ImageView destination);
 
 using Thinning = int (*)(const Repetition& repetition, ConstImageView source,
                          ImageView destination);
 
 /// The reference of a rule chosen at run time.
-[[nodiscard]] Thinning thinning(Rule rule);
+[[nodiscard]] Thinning thinning(BuiltInRule rule);
 
 /// A rule given as tables, one per sub-iteration: the new value of every pixel is the table's bit
 /// for the pixel's 3 x 3 window, which may add pixels. An iteration changes nothing if none of its

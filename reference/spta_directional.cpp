@@ -5,8 +5,8 @@
 namespace thinbench::reference {
 
 template <>
-int thin<Rule::spta_directional>(const Repetition& repetition, ConstImageView source,
-                                 ImageView destination) {
+int thin<BuiltInRule::spta_directional>(const Repetition& repetition, ConstImageView source,
+                                        ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int sub) {
     const auto side = static_cast<Side>(sub);
     const Neighbours at = neighbours_at(image, x, y);

@@ -4,8 +4,8 @@
 namespace thinbench::reference {
 
 template <>
-int thin<Rule::zhang_suen>(const Repetition& repetition, ConstImageView source,
-                           ImageView destination) {
+int thin<BuiltInRule::zhang_suen>(const Repetition& repetition, ConstImageView source,
+                                  ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int sub) {
     const bool p2 = image.at(x, y - 1);
     const bool p3 = image.at(x + 1, y - 1);

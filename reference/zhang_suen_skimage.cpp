@@ -15,8 +15,8 @@ constexpr char kTable[] =
 }  // namespace
 
 template <>
-int thin<Rule::zhang_suen_skimage>(const Repetition& repetition, ConstImageView source,
-                                   ImageView destination) {
+int thin<BuiltInRule::zhang_suen_skimage>(const Repetition& repetition, ConstImageView source,
+                                          ImageView destination) {
   const auto removed = [](const Matrix& image, Index x, Index y, int sub) {
     const Neighbours neighbours = neighbours_at(image, x, y);
     int descriptor = 0;

@@ -11,7 +11,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-#include "image/startable_threads.hpp"
+#include "core/startable_threads.hpp"
 #include "images/image_file.hpp"
 #include "support/progress.hpp"
 #include "support/whole_file.hpp"

@@ -8,7 +8,7 @@
 
 #include "cli/aligned.hpp"
 #include "cli/command.hpp"
-#include "image/thread_team.hpp"
+#include "core/thread_team.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {

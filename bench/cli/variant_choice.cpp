@@ -13,7 +13,7 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/names.hpp"
-#include "image/startable_threads.hpp"
+#include "core/startable_threads.hpp"
 
 namespace thinbench {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
+#include "core/startable_threads.hpp"
 #include "harness/verify.hpp"
-#include "image/startable_threads.hpp"
 #include "images/image_file.hpp"
 #include "peers/peers.hpp"
 #include "scene/scene.hpp"

@@ -3,11 +3,11 @@
 #include <functional>
 #include <utility>
 
-#include "api/catalogue.hpp"
+#include "engines/lanes.hpp"
 #include "harness/families.hpp"
 #include "reference.hpp"
+#include "techniques/variants.hpp"
 #include "thinbench/batch.hpp"
-#include "thinning/engines/lane_kernels.hpp"
 
 namespace thinbench {
 namespace {
@@ -15,12 +15,13 @@ namespace {
 using detail::ThinningVariant;
 
 struct BatchRule {
-  Rule rule;
+  BuiltInRule rule;
   std::string_view name;
 };
-constexpr std::array kBatchRules = {BatchRule{Rule::guo_hall, "batch_guo_hall"},
-                                    BatchRule{Rule::zhang_suen, "batch_zhang_suen"},
-                                    BatchRule{Rule::naccache_shinghal, "batch_naccache_shinghal"}};
+constexpr std::array kBatchRules = {
+    BatchRule{BuiltInRule::guo_hall, "batch_guo_hall"},
+    BatchRule{BuiltInRule::zhang_suen, "batch_zhang_suen"},
+    BatchRule{BuiltInRule::naccache_shinghal, "batch_naccache_shinghal"}};
 
 /// The square images of an input; `View` is that of one image.
 template <class Stack, class View>
@@ -68,7 +69,7 @@ ThinStack one_by_one(ThinImage thin) {
   };
 }
 
-JobMaker reference_of(Rule rule) {
+JobMaker reference_of(BuiltInRule rule) {
   return [function = reference::thinning(rule)](Index, Index, int) {
     return std::make_unique<StackJob>(
         one_by_one([function](const ConstImageView& source, const ImageView& destination) {
@@ -78,9 +79,9 @@ JobMaker reference_of(Rule rule) {
 }
 
 /// The library's choice on one thread where `cap` is the highest ISA.
-const ThinningVariant& best_variant(Rule rule, Isa cap, Index width) {
+const ThinningVariant& best_variant(BuiltInRule rule, Isa cap, Index width) {
   const ThinningVariant* best = nullptr;
-  for (const ThinningVariant& variant : detail::operation_of(rule).variants) {
+  for (const ThinningVariant& variant : detail::study::operation_of(rule).variants) {
     if (variant.threaded || variant.isa > cap || !unavailable_reason(variant, width).empty()) {
       continue;
     }
@@ -89,11 +90,11 @@ const ThinningVariant& best_variant(Rule rule, Isa cap, Index width) {
   return *best;  // scalar code takes every width
 }
 
-JobMaker one_by_one(Rule rule, Isa cap) {
+JobMaker one_by_one(BuiltInRule rule, Isa cap) {
   return [rule, cap](Index width, Index height, int) {
     const Index side = side_of(width, height);
-    const std::shared_ptr<detail::ThinningState> state =
-        make_state(detail::operation_of(rule), best_variant(rule, cap, side), side, side, {});
+    const std::shared_ptr<detail::ThinningState> state = make_state(
+        best_variant(rule, cap, side), side, side, detail::thinning_parameters(rule, {}), 1);
     return std::make_unique<StackJob>(
         one_by_one([state](const ConstImageView& source, const ImageView& destination) {
           return state->run(source, destination);
@@ -101,10 +102,11 @@ JobMaker one_by_one(Rule rule, Isa cap) {
   };
 }
 
-JobMaker batch(Rule rule, Isa isa) {
+JobMaker batch(BuiltInRule rule, Isa isa) {
   return [rule, isa](Index width, Index height, int) {
     const Index side = side_of(width, height);
-    const auto batch = std::make_shared<ThinningBatch>(rule, side, side, Options{.isa = isa});
+    const auto batch =
+        std::make_shared<ThinningBatch>(rule, side, side, Thinning{}, Execution{.isa = isa});
     return std::make_unique<StackJob>(
         [batch](const ConstStackView& source, const StackView& destination) {
           return (*batch)(source, destination);
@@ -114,7 +116,7 @@ JobMaker batch(Rule rule, Isa isa) {
 
 Variant variant_of(std::string_view technique, std::string_view description, Isa isa,
                    Index max_width, int priority, JobMaker make_job) {
-  const detail::VariantInfo info = {Technique::lut, isa, false, max_width};
+  const detail::VariantInfo info = {technique, isa, false, max_width};
   return {technique,
           description,
           isa,

@@ -3,10 +3,10 @@
 
 #include "harness/families.hpp"
 #include "reference.hpp"
+#include "rules/rule_table.hpp"
 #include "support/splitmix64.hpp"
+#include "techniques/variants.hpp"
 #include "thinbench/named_rules.hpp"
-#include "thinbench/thinning.hpp"
-#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench {
 namespace {
@@ -56,12 +56,12 @@ constexpr std::array kCases = {
 };
 
 /// Compiled when first needed: a thorough search takes a second.
-const CustomRule& rule_of(std::size_t index) {
-  static std::array<std::optional<CustomRule>, kCases.size()> rules;
+const Rule& rule_of(std::size_t index) {
+  static std::array<std::optional<Rule>, kCases.size()> rules;
   if (!rules[index]) {
     const CustomCase& custom = kCases[index];
-    rules[index].emplace(custom.tables(), CustomRuleOptions{.max_iterations = custom.max_iterations,
-                                                            .optimise = true});
+    rules[index].emplace(custom.tables(),
+                         RuleOptions{.max_iterations = custom.max_iterations, .optimise = true});
   }
   return *rules[index];
 }
@@ -70,11 +70,13 @@ Operation operation_of_case(std::size_t index) {
   const CustomCase& custom = kCases[index];
   Operation operation = {std::string(custom.name), custom.description, InputKind::binary, {}, {}};
   const bool adds_pixels = custom.max_iterations != kUnlimited;
-  for (const detail::ThinningVariant& variant : detail::custom_rule_variants(adds_pixels)) {
+  const auto variants =
+      detail::study::thinning_variants(Rule(custom.tables(), {.max_iterations = 1}));
+  for (const detail::ThinningVariant& variant : variants) {
     operation.variants.push_back(
-        library_variant(variant, true, [index, &variant](Index width, Index height, int threads) {
-          return thinning_job(detail::make_custom_state(rule_of(index), variant, width, height,
-                                                        {.threads = threads}));
+        library_variant(variant, true, [index, variant](Index width, Index height, int threads) {
+          const auto parameters = detail::thinning_parameters(rule_of(index), {});
+          return thinning_job(detail::make_state(variant, width, height, parameters, threads));
         }));
   }
   operation.reference = [index](Index, Index, int) {

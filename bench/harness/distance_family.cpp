@@ -1,9 +1,9 @@
 #include <utility>
 #include <vector>
 
-#include "api/catalogue.hpp"
 #include "harness/families.hpp"
 #include "reference.hpp"
+#include "techniques/variants.hpp"
 #include "thinbench/distance.hpp"
 
 namespace thinbench {
@@ -59,7 +59,7 @@ class ReferenceJob final : public DistanceJob {
 };
 
 /// The limit of all variants, beside their own.
-std::string unavailable_reason(const detail::DistanceVariant& variant, Index width) {
+std::string unavailable_reason(const detail::Variant<detail::DistanceState>& variant, Index width) {
   if (width > kMaxDistanceSide) {
     return "wider than the limit for distances, " + std::to_string(kMaxDistanceSide) + " pixels";
   }
@@ -69,14 +69,14 @@ std::string unavailable_reason(const detail::DistanceVariant& variant, Index wid
 }  // namespace
 
 std::vector<Operation> distance_family() {
-  const detail::DistanceOperation& operation = detail::distance_operation();
+  const detail::DistanceOperation& operation = detail::study::distance_operation();
   Operation result = {
       std::string(operation.name), operation.description, InputKind::binary, {}, {}};
-  for (const detail::DistanceVariant& variant : operation.variants) {
-    result.variants.push_back(library_variant(
-        variant, false, [&operation, &variant](Index width, Index height, int threads) {
+  for (const detail::Variant<detail::DistanceState>& variant : operation.variants) {
+    result.variants.push_back(
+        library_variant(variant, false, [&variant](Index width, Index height, int threads) {
           return std::make_unique<StateJob>(
-              width, height, make_state(operation, variant, width, height, {.threads = threads}));
+              width, height, detail::make_state(variant, width, height, {}, threads));
         }));
     result.variants.back().unavailable_reason = [&variant](Index width) {
       return unavailable_reason(variant, width);

@@ -45,19 +45,20 @@ Operation edges_operation(const detail::EdgeOperation& operation,
   Operation result = {std::string(operation.name), operation.description, InputKind::grey, {}, {}};
   for (const detail::EdgeVariant& variant : operation.variants) {
     result.variants.push_back(library_variant(
-        variant, false, [&operation, &variant, thresholds](Index width, Index height, int threads) {
+        variant, false,
+        [op = operation.key, &variant, thresholds](Index width, Index height, int threads) {
           return std::make_unique<StateJob>(
-              make_state(operation, variant, width, height, thresholds, {.threads = threads}));
+              detail::make_state(variant, width, height, {op, thresholds}, threads));
         }));
   }
-  result.reference = edges_reference(operation.op, thresholds);
+  result.reference = edges_reference(operation.key, thresholds);
   result.operation = operation.name;
   return result;
 }
 
 std::vector<Operation> edges_family() {
   std::vector<Operation> family;
-  for (const detail::EdgeOperation& operation : detail::edge_operations()) {
+  for (const detail::EdgeOperation& operation : detail::study::edge_operations()) {
     family.push_back(edges_operation(operation, {}));
   }
   return family;

@@ -5,28 +5,27 @@
 #include <memory>
 #include <vector>
 
-#include "api/catalogue.hpp"
 #include "harness/operation.hpp"
 #include "regions/label_store.hpp"
+#include "techniques/variants.hpp"
 
 namespace thinbench {
 
-/// A variant of a table of the library, which outlives the result.
+/// A variant of the library.
 [[nodiscard]] Variant library_variant(const detail::VariantInfo& variant, bool has_kernel_scope,
                                       JobMaker make_job);
 
-/// Every rule with both borders, and the nets limited to one iteration.
+/// Every rule with all borders that it can have, and the nets limited to one iteration.
 [[nodiscard]] std::vector<Operation> thinning_family();
 
 /// What changes the result of an operation.
 struct ThinningCase {
   Border border = Border::background;
   int max_iterations = kUnlimited;
-  std::shared_ptr<const NetModel> net = nullptr;  // instead of the rule's own
 };
 
-/// One operation; the table that it points to must outlive the result. With another net it has no
-/// reference of its own.
+/// One operation; it must outlive the result. A net with other weights than the rule's own has no
+/// reference.
 [[nodiscard]] Operation thinning_operation(const detail::ThinningOperation& operation,
                                            const ThinningCase& options = {});
 

@@ -1,9 +1,9 @@
 #include <utility>
 #include <vector>
 
-#include "api/catalogue.hpp"
 #include "graph.hpp"
 #include "harness/families.hpp"
+#include "techniques/variants.hpp"
 
 namespace thinbench {
 namespace {
@@ -70,14 +70,14 @@ class ReferenceJob final : public GraphJob {
 }  // namespace
 
 std::vector<Operation> graph_family() {
-  const detail::GraphOperation& operation = detail::graph_operation();
+  const detail::GraphOperation& operation = detail::study::graph_operation();
   Operation result = {
       std::string(operation.name), operation.description, InputKind::binary, {}, {}};
-  for (const detail::GraphVariant& variant : operation.variants) {
-    result.variants.push_back(library_variant(
-        variant, true, [&operation, &variant](Index width, Index height, int threads) {
+  for (const detail::Variant<detail::GraphState>& variant : operation.variants) {
+    result.variants.push_back(
+        library_variant(variant, true, [&variant](Index width, Index height, int threads) {
           return std::make_unique<StateJob>(
-              make_state(operation, variant, width, height, {.threads = threads}));
+              detail::make_state(variant, width, height, {}, threads));
         }));
   }
   result.reference = [](Index, Index, int) { return std::make_unique<ReferenceJob>(); };

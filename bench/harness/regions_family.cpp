@@ -1,10 +1,10 @@
 #include <array>
 #include <memory>
 
-#include "api/catalogue.hpp"
 #include "harness/families.hpp"
 #include "holes.hpp"
 #include "localise.hpp"
+#include "techniques/variants.hpp"
 
 namespace thinbench {
 namespace {
@@ -151,13 +151,13 @@ Operation operation_of_table(const RegionsOperation& operation) {
       std::string(operation.name), operation.description, InputKind::binary, {}, {}};
   for (const RegionsVariant& variant : operation.variants) {
     result.variants.push_back(library_variant(
-        variant, true, [&operation, &variant](Index width, Index height, int threads) {
+        variant, true, [task = operation.key, &variant](Index width, Index height, int threads) {
           return std::make_unique<StateJob>(
-              operation.task, make_state(operation, variant, width, height, {.threads = threads}));
+              task, detail::make_state(variant, width, height, {task}, threads));
         }));
   }
   result.operation = operation.name;
-  result.reference = [task = operation.task](Index, Index, int) {
+  result.reference = [task = operation.key](Index, Index, int) {
     return std::make_unique<ReferenceJob>(task);
   };
   return result;
@@ -182,7 +182,7 @@ std::string name_of_region_number(std::size_t index) {
 
 std::vector<Operation> regions_family() {
   std::vector<Operation> family;
-  for (const RegionsOperation& operation : detail::regions_operations()) {
+  for (const RegionsOperation& operation : detail::study::regions_operations()) {
     family.push_back(operation_of_table(operation));
   }
   return family;
@@ -193,9 +193,9 @@ std::vector<Operation> localise_family() {
   Operation result = {std::string(chain.name), chain.description, InputKind::grey, {}, {}};
   for (const detail::LocaliseVariant& variant : chain.variants) {
     result.variants.push_back(
-        library_variant(variant, false, [&chain, &variant](Index width, Index height, int threads) {
+        library_variant(variant, false, [&variant](Index width, Index height, int threads) {
           return std::make_unique<ChainJob>(
-              make_state(chain, variant, width, height, {}, {.threads = threads}));
+              detail::make_state(variant, width, height, {EdgeOperator::sobel, {}}, threads));
         }));
   }
   result.reference = [](Index, Index, int) { return std::make_unique<ChainReference>(); };

@@ -50,7 +50,7 @@ class FunctionJob final : public CountingJob {
 
 std::string case_name(std::string_view operation, const ThinningCase& options) {
   std::string name(operation);
-  if (options.border == Border::keep) name += ":keep";
+  if (options.border != Border::background) name.append(":").append(border_name(options.border));
   if (options.max_iterations != kUnlimited) {
     name.append(":").append(std::to_string(options.max_iterations));
   }
@@ -58,22 +58,22 @@ std::string case_name(std::string_view operation, const ThinningCase& options) {
 }
 
 /// OpenCV keeps the border, by these two rules.
-bool has_peer_with_border(Rule rule) {
-  return rule == Rule::zhang_suen || rule == Rule::guo_hall;
+bool has_peer_with_border(const Rule& rule) {
+  return rule.name() == "zhang_suen" || rule.name() == "guo_hall";
 }
 
 }  // namespace
 
 Variant library_variant(const detail::VariantInfo& variant, bool has_kernel_scope,
                         JobMaker make_job) {
-  const TechniqueInfo& info = technique_info(variant.technique);
+  const detail::study::TechniqueInfo& info = detail::study::technique_info(variant.technique);
   return {info.name,
           info.description,
           variant.isa,
           variant.threaded,
           has_kernel_scope,
           std::move(make_job),
-          [&variant](Index width) { return detail::unavailable_reason(variant, width); },
+          [variant](Index width) { return detail::unavailable_reason(variant, width); },
           variant.priority};
 }
 
@@ -86,49 +86,72 @@ std::unique_ptr<Job> counting_job(
   return std::make_unique<FunctionJob>(std::move(function));
 }
 
-Operation thinning_operation(const detail::ThinningOperation& operation,
-                             const ThinningCase& options) {
-  Operation result = {
-      case_name(operation.name, options), operation.description, InputKind::binary, {}, {}};
-  for (const ThinningVariant& variant : operation.variants) {
-    Variant one = library_variant(
-        variant, true, [&operation, &variant, options](Index width, Index height, int threads) {
-          return thinning_job(make_state(operation, variant, width, height,
-                                         {.border = options.border,
-                                          .max_iterations = options.max_iterations,
-                                          .threads = threads,
-                                          .net = options.net}));
-        });
-    one.unavailable_reason = [&variant, options](Index width) {
-      return detail::unavailable_reason(variant, width, options.border);
+namespace {
+
+/// The variants of a case; those of the complement where everything outside is foreground.
+std::vector<ThinningVariant> variants_of(const detail::ThinningOperation& operation,
+                                         const detail::ThinningParameters& parameters) {
+  return parameters.complemented ? detail::thinning_variants(*parameters.rule) : operation.variants;
+}
+
+/// A reference by the name of the rule or, with foreground outside, by its tables.
+JobMaker reference_of(const Rule& rule, const ThinningCase& options) {
+  const reference::Repetition repetition = {options.border, options.max_iterations};
+  if (options.border != Border::foreground) {
+    return [repetition, name = rule_from_name(rule.name())](Index, Index, int) {
+      return counting_job([repetition, function = reference::thinning(name.value())](
+                              const ConstImageView& input, const ImageView& output) {
+        return function(repetition, input, output);
+      });
     };
-    result.variants.push_back(std::move(one));
   }
-  result.reference = [rule = operation.rule, options](Index, Index, int) {
-    const reference::Repetition repetition = {options.border, options.max_iterations};
-    return counting_job([repetition, function = reference::thinning(rule)](
-                            const ConstImageView& input, const ImageView& output) {
-      return function(repetition, input, output);
+  return [repetition, rule](Index, Index, int) {
+    return counting_job([repetition, rule](const ConstImageView& input, const ImageView& output) {
+      return reference::apply_tables(rule.sub_iterations(), repetition, input, output);
     });
   };
+}
+
+}  // namespace
+
+Operation thinning_operation(const detail::ThinningOperation& operation,
+                             const ThinningCase& options) {
+  const Rule& rule = operation.key;
+  const bool is_net = !std::holds_alternative<std::monostate>(rule.body()->net);
+  const detail::ThinningParameters parameters =
+      detail::thinning_parameters(rule, {options.border, options.max_iterations});
+  Operation result = {
+      case_name(operation.name, options), operation.description, InputKind::binary, {}, {}};
+  for (const ThinningVariant& variant : variants_of(operation, parameters)) {
+    result.variants.push_back(library_variant(
+        variant, true, [variant, parameters](Index width, Index height, int threads) {
+          return thinning_job(make_state(variant, width, height, parameters, threads));
+        }));
+  }
+  result.reference = reference_of(rule, options);
   result.counter = "iterations";
-  result.is_net = operation.is_net;
+  result.is_net = is_net;
   result.operation = operation.name;
   result.border = options.border;
   if (options.max_iterations != kUnlimited) result.max_iterations = options.max_iterations;
-  result.small_sets_only = operation.is_net && !result.max_iterations;
-  result.timed = options.border == Border::background || has_peer_with_border(operation.rule);
+  result.small_sets_only =
+      (is_net && !result.max_iterations) || options.border == Border::foreground;
+  result.timed = options.border == Border::background ||
+                 (options.border == Border::keep && has_peer_with_border(rule));
   return result;
 }
 
 std::vector<Operation> thinning_family() {
   std::vector<Operation> family;
-  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
+  for (const detail::ThinningOperation& operation : detail::study::thinning_operations()) {
+    const bool is_net = !std::holds_alternative<std::monostate>(operation.key.body()->net);
     for (const Border border : {Border::background, Border::keep}) {
       family.push_back(thinning_operation(operation, {border}));
-      const bool has_single = operation.is_net && operation.rule != Rule::net_two_layer_rounded;
+      const bool has_single = is_net && operation.key.name() != "net_two_layer_rounded";
       if (has_single) family.push_back(thinning_operation(operation, {border, 1}));
     }
+    if (operation.key.body()->complement == nullptr) continue;
+    family.push_back(thinning_operation(operation, {Border::foreground}));
   }
   return family;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "image/layout.hpp"
+#include "core/layout.hpp"
 #include "support/byte_image.hpp"
 
 namespace thinbench {

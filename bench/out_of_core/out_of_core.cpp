@@ -12,11 +12,11 @@
 
 #include "api/catalogue.hpp"
 #include "api/option_checks.hpp"
-#include "image/checks.hpp"
-#include "image/thread_team.hpp"
+#include "core/checks.hpp"
+#include "core/thread_team.hpp"
+#include "engines/variants.hpp"
 #include "out_of_core/tile_worker.hpp"
 #include "out_of_core/work_files.hpp"
-#include "thinning/variants.hpp"
 
 namespace thinbench {
 namespace {

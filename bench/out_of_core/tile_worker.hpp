@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "api/catalogue.hpp"
-#include "image/byte_image.hpp"
+#include "core/byte_image.hpp"
 #include "images/packed_file.hpp"
 #include "out_of_core/checkpoint.hpp"
 #include "out_of_core/tiling.hpp"

@@ -3,8 +3,8 @@
 // gives numbers.
 #include <cstring>
 
-#include "image/packing.hpp"
-#include "image/planes.hpp"
+#include "core/packing.hpp"
+#include "core/planes.hpp"
 #include "peers/peers.hpp"
 
 namespace thinbench {

@@ -1,7 +1,7 @@
 // The library's own image owner, under a short name: inputs and outputs of benchmarks and tests.
 #pragma once
 
-#include "image/byte_image.hpp"
+#include "core/byte_image.hpp"
 
 namespace thinbench {
 

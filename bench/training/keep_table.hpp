@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "rules/rule_table.hpp"
 #include "thinbench/nets.hpp"
-#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "custom/notation_reader.hpp"
+#include "rules/notation_reader.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -54,23 +54,41 @@ Isa isa_of(const char* name) {
   });
 }
 
-Options options_of(const thinbench_options* given) {
-  constexpr size_t first_version = offsetof(thinbench_options, technique) + sizeof(const char*);
-  Options options;
-  if (given == nullptr) return options;
-  const thinbench_options defaults = THINBENCH_OPTIONS_INIT;
-  const auto from = versioned(given, first_version, defaults, "options");
-  require(from.max_iterations >= 0, "max_iterations: expected 0 (unlimited) or more, got " +
-                                        std::to_string(from.max_iterations));
-  options.border = from.keep_border != 0 ? Border::keep : Border::background;
-  if (from.max_iterations > 0) options.max_iterations = from.max_iterations;
-  options.threads = from.threads;
-  if (from.isa != nullptr) options.isa = isa_of(from.isa);
-  if (from.technique != nullptr) {
-    options.technique = named("technique", from.technique, technique_from_name(from.technique),
-                              [] { return names_of(kTechniques); });
-  }
-  return options;
+Border border_of(const char* name) {
+  const auto found = std::find(kBorderNames.begin(), kBorderNames.end(), view_of(name));
+  require(found != kBorderNames.end(),
+          "border: expected one of background, keep, foreground; got " + text_of(name));
+  return static_cast<Border>(found - kBorderNames.begin());
+}
+
+Thinning thinning_of(const thinbench_thinning* given) {
+  constexpr size_t first_version = offsetof(thinbench_thinning, max_iterations) + sizeof(int32_t);
+  Thinning thinning;
+  if (given == nullptr) return thinning;
+  const thinbench_thinning defaults = THINBENCH_THINNING_INIT;
+  const auto from = versioned(given, first_version, defaults, "thinning");
+  require(from.max_iterations >= 0,
+          "max_iterations: expected 1 or more, or 0 for the rule's own limit, got " +
+              std::to_string(from.max_iterations));
+  if (from.max_iterations > 0) thinning.max_iterations = from.max_iterations;
+  if (from.border != nullptr) thinning.border = border_of(from.border);
+  return thinning;
+}
+
+Execution execution_of(const thinbench_execution* given) {
+  constexpr size_t first_version = offsetof(thinbench_execution, isa) + sizeof(const char*);
+  Execution execution;
+  if (given == nullptr) return execution;
+  const thinbench_execution defaults = THINBENCH_EXECUTION_INIT;
+  const auto from = versioned(given, first_version, defaults, "execution");
+  execution.threads = from.threads;
+  if (from.isa != nullptr) execution.isa = isa_of(from.isa);
+  return execution;
+}
+
+ThinningCall call_of(const thinbench_rule* rule, const thinbench_thinning* thinning,
+                     const thinbench_execution* execution) {
+  return {rule_of(rule), thinning_of(thinning), execution_of(execution)};
 }
 
 ConstStackView source_of(const thinbench_stack* stack) {
@@ -119,12 +137,6 @@ void set_foreground(const thinbench_output* output, const StackView& written) {
       and_with(written.image(i).row(y), written.width, value);
     }
   }
-}
-
-int useful_threads(Index images, int threads) {
-  constexpr Index images_per_thread = 16;
-  return static_cast<int>(
-      std::clamp<Index>((images + images_per_thread - 1) / images_per_thread, 1, threads));
 }
 
 }  // namespace thinbench::detail

@@ -10,11 +10,12 @@
 #include <string>
 #include <string_view>
 
-#include "image/checks.hpp"
+#include "core/checks.hpp"
 #include "thinbench.h"
 #include "thinbench/batch.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/thinning.hpp"
+#include "thinning/operations.hpp"
 
 namespace thinbench::detail {
 
@@ -83,8 +84,17 @@ Struct versioned(const Struct* given, size_t first_version, Struct defaults, con
   return defaults;
 }
 
+/// NULL: as the rule says.
+[[nodiscard]] Thinning thinning_of(const thinbench_thinning* given);
+
 /// NULL: the defaults.
-[[nodiscard]] Options options_of(const thinbench_options* given);
+[[nodiscard]] Execution execution_of(const thinbench_execution* given);
+
+/// What a handle has.
+[[nodiscard]] const Rule& rule_of(const thinbench_rule* handle);
+
+[[nodiscard]] ThinningCall call_of(const thinbench_rule* rule, const thinbench_thinning* thinning,
+                                   const thinbench_execution* execution);
 
 [[nodiscard]] ConstStackView source_of(const thinbench_stack* stack);
 [[nodiscard]] StackView destination_of(const thinbench_output* output,
@@ -104,57 +114,5 @@ struct PackedViews {
 
 /// Replaces 255 by the value that the caller wants for foreground.
 void set_foreground(const thinbench_output* output, const StackView& written);
-
-/// A number of threads for which each has enough images.
-[[nodiscard]] int useful_threads(Index images, int threads);
-
-/// Images [first, last) of a stack.
-template <class Stack>
-Stack part_of(Stack stack, Index first, Index last) {
-  stack.data += first * stack.image_stride;
-  stack.count = last - first;
-  return stack;
-}
-
-/// Applies a rule to a stack in parts that stay in the cache until their foreground has its value.
-template <class AnyRule>
-int run_stack(const AnyRule& rule, const ConstStackView& source, const StackView& destination,
-              const Options& options, const thinbench_output* output) {
-  constexpr Index part_bytes = Index{1} << 18;
-  check_stacks(source, destination);
-  require_threads(options.threads);
-  Options useful = options;
-  useful.threads = useful_threads(source.count, options.threads);
-  ThinningBatch batch(rule, source.width, source.height, useful);
-  const Index image_bytes = std::max<Index>(1, source.height * source.stride);
-  const Index part = std::max<Index>(16, part_bytes / image_bytes * options.threads);
-  int iterations = 0;
-  for (Index first = 0; first < source.count; first += part) {
-    const Index last = std::min(first + part, source.count);
-    const StackView written = part_of(destination, first, last);
-    iterations = std::max(iterations, batch(part_of(source, first, last), written));
-    set_foreground(output, written);
-  }
-  return iterations;
-}
-
-/// Applies a rule to an image or a stack and sets `iterations` if it is not NULL.
-template <class AnyRule>
-void run_images(const AnyRule& rule, const thinbench_stack* source,
-                const thinbench_output* destination, const thinbench_options* options,
-                int32_t* iterations) {
-  const ConstStackView from = source_of(source);
-  const StackView to = destination_of(destination, from);
-  const Options given = options_of(options);
-  int count = 0;
-  if (from.count == 1) {
-    check_views(from.image(0), to.image(0), InPlace::allowed);
-    count = Thinner(rule, from.width, from.height, given)(from.image(0), to.image(0));
-    set_foreground(destination, to);
-  } else {
-    count = run_stack(rule, from, to, given, destination);
-  }
-  if (iterations != nullptr) *iterations = count;
-}
 
 }  // namespace thinbench::detail

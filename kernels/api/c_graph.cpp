@@ -5,7 +5,7 @@
 #include <string>
 
 #include "api/c_arguments.hpp"
-#include "image/checks.hpp"
+#include "core/checks.hpp"
 #include "thinbench.h"
 #include "thinbench/graph.hpp"
 
@@ -71,25 +71,26 @@ thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* co
 }
 
 thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
-                                          const thinbench_options* options,
+                                          const thinbench_execution* execution,
                                           thinbench_graph** graph) {
   return guarded([&] {
     require_pointer(graph, "graph");
     *graph = nullptr;
-    *graph = new thinbench_graph{skeleton_graph(image_of(skeleton), options_of(options))};
+    *graph = new thinbench_graph{skeleton_graph(image_of(skeleton), execution_of(execution))};
   });
 }
 
 thinbench_status thinbench_prune(const thinbench_stack* skeleton,
                                  const thinbench_output* destination,
-                                 const thinbench_pruning* pruning, const thinbench_options* options,
-                                 thinbench_graph** graph) {
+                                 const thinbench_pruning* pruning,
+                                 const thinbench_execution* execution, thinbench_graph** graph) {
   return guarded([&] {
     if (graph != nullptr) *graph = nullptr;
     const ConstImageView image = image_of(skeleton);
     const StackView target = destination_of(destination, source_of(skeleton));
     auto found = std::make_unique<thinbench_graph>();
-    found->found = prune(image, target.image(0), pruning_of(pruning, image), options_of(options));
+    found->found =
+        prune(image, target.image(0), pruning_of(pruning, image), execution_of(execution));
     set_foreground(destination, target);
     if (graph != nullptr) *graph = found.release();
   });

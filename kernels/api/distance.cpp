@@ -1,15 +1,13 @@
 #include "thinbench/distance.hpp"
 
-#include "api/catalogue.hpp"
-#include "image/checks.hpp"
+#include "core/checks.hpp"
+#include "distance/state.hpp"
 
 namespace thinbench {
 
-void squared_distances(ConstImageView source, LabelView distances, const Options& options) {
+void squared_distances(ConstImageView source, LabelView distances, const Execution& execution) {
   detail::check_views(source, distances);
-  const detail::DistanceOperation& operation = detail::distance_operation();
-  const auto& variant = detail::choose(operation, source.width, source.height, options);
-  detail::make_state(operation, variant, source.width, source.height, options)
+  detail::make_best_state(detail::distance_operation(), source.width, source.height, {}, execution)
       ->run(source, distances);
 }
 

@@ -1,16 +1,15 @@
 #include "thinbench/edges.hpp"
 
-#include "api/catalogue.hpp"
-#include "image/checks.hpp"
+#include "core/checks.hpp"
+#include "edges/state.hpp"
 
 namespace thinbench {
 
 void detect_edges(EdgeOperator op, ConstImageView source, ImageView destination,
-                  const EdgeThresholds& thresholds, const Options& options) {
+                  const EdgeThresholds& thresholds, const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::rejected);
-  const detail::EdgeOperation& operation = detail::operation_of(op);
-  const auto& variant = detail::choose(operation, source.width, source.height, options);
-  detail::make_state(operation, variant, source.width, source.height, thresholds, options)
+  detail::make_best_state(detail::operation_of(op), source.width, source.height, {op, thresholds},
+                          execution)
       ->run(source, destination);
 }
 

@@ -1,17 +1,14 @@
 #include "thinbench/graph.hpp"
 
-#include "api/catalogue.hpp"
-#include "image/checks.hpp"
+#include "core/checks.hpp"
+#include "graph/state.hpp"
 
 namespace thinbench {
 
-Graph skeleton_graph(ConstImageView skeleton, const Options& options) {
+Graph skeleton_graph(ConstImageView skeleton, const Execution& execution) {
   detail::check_views(skeleton, skeleton, detail::InPlace::allowed);
-  const detail::GraphOperation& operation = detail::graph_operation();
-  const auto& variant = detail::choose(operation, skeleton.width, skeleton.height, options);
-  if (skeleton.width == 0 || skeleton.height == 0) return {};  // such rows need no memory
-  const auto state =
-      detail::make_state(operation, variant, skeleton.width, skeleton.height, options);
+  const auto state = detail::make_best_state(detail::graph_operation(), skeleton.width,
+                                             skeleton.height, {}, execution);
   state->load(skeleton);
   return state->compute();
 }

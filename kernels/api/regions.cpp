@@ -1,9 +1,8 @@
 #include "thinbench/regions.hpp"
 
-#include "api/catalogue.hpp"
-#include "api/option_checks.hpp"
-#include "image/checks.hpp"
+#include "core/checks.hpp"
 #include "regions/label_image.hpp"
+#include "regions/state.hpp"
 
 namespace thinbench {
 namespace {
@@ -13,11 +12,10 @@ using detail::RegionsTask;
 
 /// A state that holds the result.
 std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& source,
-                                       const Options& options) {
+                                       const Execution& execution) {
   detail::check_views(source, source, detail::InPlace::allowed);
-  const detail::RegionsOperation& operation = detail::operation_of(task);
-  const auto& variant = detail::choose(operation, source.width, source.height, options);
-  auto state = detail::make_state(operation, variant, source.width, source.height, options);
+  auto state = detail::make_best_state(detail::operation_of(task), source.width, source.height,
+                                       {task}, execution);
   state->load(source);
   state->compute();
   return state;
@@ -25,21 +23,21 @@ std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& s
 
 /// Rejects views that label images cannot be made of; returns whether there are pixels.
 bool check_labels(const ConstImageView& source, const LabelView& labels) {
-  detail::check_label_size(source.width, source.height);
+  detail::require_label_size(source.width, source.height);
   detail::check_views(source, labels);
   return source.width > 0 && source.height > 0;
 }
 
 }  // namespace
 
-Regions find_regions(ConstImageView source, const Options& options) {
-  const auto state = computed(RegionsTask::holes, source, options);
+Regions find_regions(ConstImageView source, const Execution& execution) {
+  const auto state = computed(RegionsTask::holes, source, execution);
   const detail::RegionLists lists = state->regions();
   return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
 }
 
-std::vector<Region> find_components(ConstImageView source, const Options& options) {
-  const auto state = computed(RegionsTask::components, source, options);
+std::vector<Region> find_components(ConstImageView source, const Execution& execution) {
+  const auto state = computed(RegionsTask::components, source, execution);
   const detail::RegionLists lists = state->regions();
   return {lists.objects.begin(), lists.objects.end()};
 }
@@ -58,17 +56,17 @@ std::vector<Region> label_components(ConstImageView source, LabelView labels,
                                             : detail::paint_eight_connected(source, labels);
 }
 
-std::int64_t euler_number(ConstImageView source, const Options& options) {
-  return computed(RegionsTask::euler_eight, source, options)->number();
+std::int64_t euler_number(ConstImageView source, const Execution& execution) {
+  return computed(RegionsTask::euler_eight, source, execution)->number();
 }
 
-std::int64_t euler_number_4(ConstImageView source, const Options& options) {
-  return computed(RegionsTask::euler_four, source, options)->number();
+std::int64_t euler_number_4(ConstImageView source, const Execution& execution) {
+  return computed(RegionsTask::euler_four, source, execution)->number();
 }
 
-void fill_holes(ConstImageView source, ImageView destination, const Options& options) {
+void fill_holes(ConstImageView source, ImageView destination, const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
-  computed(RegionsTask::fill, source, options)->store(destination);
+  computed(RegionsTask::fill, source, execution)->store(destination);
 }
 
 }  // namespace thinbench

@@ -1,28 +1,36 @@
 #include "thinbench/thinning.hpp"
 
-#include "api/catalogue.hpp"
-#include "image/checks.hpp"
+#include "core/checks.hpp"
+#include "thinbench/packed.hpp"
+#include "thinning/operations.hpp"
 
 namespace thinbench {
+namespace {
 
-Thinner::Thinner(Rule rule, Index width, Index height, const Options& options)
-    : width_(width), height_(height) {
-  detail::require_size(width, height);
-  const detail::ThinningOperation& operation = detail::operation_of(rule);
-  const detail::ThinningVariant& variant = detail::choose(operation, width, height, options);
-  const Index rows = width == 0 ? 0 : height;  // margins of rows without pixels would take memory
-  state_ = detail::make_state(operation, variant, rows == 0 ? 0 : width, rows, options);
-  technique_ = variant.technique;
-  isa_ = variant.isa;
+using detail::ThinningState;
+using detail::ThinningVariant;
+
+struct Chosen {
+  const ThinningVariant& variant;
+  std::unique_ptr<ThinningState> state;
+};
+
+Chosen choose(const Rule& rule, Index width, Index height, const Thinning& thinning,
+              const Execution& execution) {
+  const detail::ThinningParameters parameters = detail::thinning_parameters(rule, thinning);
+  const ThinningVariant& variant = detail::choose_thinning(parameters, width, height, execution);
+  return {variant, detail::make_state(variant, width, height, parameters, execution.threads)};
 }
 
-Thinner::Thinner(const CustomRule& rule, Index width, Index height, const Options& options)
+}  // namespace
+
+Thinner::Thinner(const Rule& rule, Index width, Index height, const Thinning& thinning,
+                 const Execution& execution)
     : width_(width), height_(height) {
-  const detail::ThinningVariant& variant = detail::choose_custom(rule, width, height, options);
-  const Index rows = width == 0 ? 0 : height;
-  state_ = detail::make_custom_state(rule, variant, rows == 0 ? 0 : width, rows, options);
-  technique_ = variant.technique;
-  isa_ = variant.isa;
+  Chosen chosen = choose(rule, width, height, thinning, execution);
+  state_ = std::move(chosen.state);
+  technique_ = chosen.variant.technique;
+  isa_ = chosen.variant.isa;
 }
 
 Thinner::~Thinner() = default;
@@ -35,13 +43,21 @@ int Thinner::operator()(ConstImageView source, ImageView destination) {
     throw std::invalid_argument("expected images of " + detail::size_text(width_, height_) +
                                 ", got " + detail::size_text(source.width, source.height));
   }
-  if (width_ == 0 || height_ == 0) return 1;
   return state_->run(source, destination);
 }
 
-int thin(Rule rule, ConstImageView source, ImageView destination, const Options& options) {
+int thin(const Rule& rule, ConstImageView source, ImageView destination, const Thinning& thinning,
+         const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
-  return Thinner(rule, source.width, source.height, options)(source, destination);
+  return choose(rule, source.width, source.height, thinning, execution)
+      .state->run(source, destination);
+}
+
+int thin(const Rule& rule, ConstPackedView source, PackedView destination, const Thinning& thinning,
+         const Execution& execution) {
+  detail::check_views(source, destination);
+  return choose(rule, source.width, source.height, thinning, execution)
+      .state->run(source, destination);
 }
 
 }  // namespace thinbench

@@ -8,7 +8,7 @@
 // to the lower envelope, whose time does not depend on distances.
 #include <algorithm>
 
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 #include "distance/kernels.hpp"
 #include "simd/vector.hpp"
 #include "thinbench/distance.hpp"

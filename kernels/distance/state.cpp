@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
-#include "dispatch/exported.hpp"
-#include "image/layout.hpp"
+#include "core/exported.hpp"
+#include "core/features.hpp"
+#include "core/layout.hpp"
+#include "thinbench/distance.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -13,11 +15,6 @@ constexpr Index kColumns = 64;
 
 Index stride_of(Index width) {
   return padded_row_bytes(width * 2) / 2;
-}
-
-std::unique_ptr<DistanceState> make_envelope(const DistanceSetting& setting) {
-  const DistanceColumns columns = kernels_of<DistanceKernels>(setting.isa).columns;
-  return std::make_unique<DistanceState>(DistanceKernels{columns, &envelope_row}, setting);
 }
 
 std::unique_ptr<DistanceState> make_simd(const DistanceSetting& setting) {
@@ -50,14 +47,22 @@ void DistanceState::run(const ConstImageView& source, const LabelView& distances
   });
 }
 
-std::vector<DistanceVariant> distance_variants() {
-  DistanceVariants list;
-  list.add_with_threads(Technique::envelope, Isa::baseline, &make_envelope, {0});
-  for (const Isa isa : all_isas()) {
-    if (isa == Isa::avx512icl || isa == Isa::neon_sha3) continue;  // add no instruction used here
-    list.add_with_threads(Technique::simd_32bit, isa, &make_simd, {1});
-  }
-  return list.take();
+void DistanceState::check(const DistanceParameters&, Index width, Index height) {
+  require(width <= kMaxDistanceSide && height <= kMaxDistanceSide,
+          "image size " + size_text(width, height) + " has a side above " +
+              std::to_string(kMaxDistanceSide) + " pixels, the limit for distances");
+}
+
+const DistanceOperation& distance_operation() {
+  static const DistanceOperation operation = {
+      {}, "squared_distances", "squares of Euclidean distances to the background", [] {
+        VariantList<DistanceState> list;
+        for (const Isa isa : isas_with(feature("sse4.2") | feature("avx2") | feature("avx512bw"))) {
+          list.add_with_threads("simd_32bit", isa, &make_simd, {1});
+        }
+        return list.take();
+      }()};
+  return operation;
 }
 
 }  // namespace thinbench::detail

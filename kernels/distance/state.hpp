@@ -2,26 +2,26 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
-#include "dispatch/variant.hpp"
+#include "core/byte_image.hpp"
+#include "core/thread_team.hpp"
+#include "core/variant.hpp"
 #include "distance/kernels.hpp"
-#include "image/byte_image.hpp"
-#include "image/thread_team.hpp"
 
 namespace thinbench::detail {
 
-struct DistanceSetting {
-  Isa isa;
-  Index width;
-  Index height;
-  int threads;
-};
+struct DistanceParameters {};
+using DistanceSetting = Setting<DistanceParameters>;
 
 /// Owns 2 bytes per pixel, and a row of numbers per thread. Threads share columns, then rows.
 class DistanceState {
  public:
-  using Setting = DistanceSetting;
+  using Parameters = DistanceParameters;
+
+  /// Rejects a side above kMaxDistanceSide.
+  static void check(const DistanceParameters& parameters, Index width, Index height);
 
   DistanceState(const DistanceKernels& kernels, const DistanceSetting& setting);
 
@@ -35,9 +35,8 @@ class DistanceState {
   std::vector<DistanceRow> rows_;
 };
 
-using DistanceVariant = Variant<DistanceState>;
-using DistanceVariants = VariantList<DistanceState>;
+using DistanceOperation = Operation<std::monostate, DistanceState>;
 
-[[nodiscard]] std::vector<DistanceVariant> distance_variants();
+[[nodiscard]] const DistanceOperation& distance_operation();
 
 }  // namespace thinbench::detail

@@ -1,10 +1,15 @@
 // The kernels of the edge operators, in tables by operator.
 #pragma once
 
-#include "image/plane_view.hpp"
+#include "core/features.hpp"
+#include "core/plane_view.hpp"
 #include "thinbench/edges.hpp"
 
 namespace thinbench::detail {
+
+/// What the kernels use of an ISA.
+inline constexpr Features kEdgeFeatures =
+    feature("sse4.2") | feature("avx2") | feature("avx512bw") | feature("sha3");
 
 /// The operator's scale: kernels multiply the gradient threshold by it.
 [[nodiscard]] constexpr int edge_scale(EdgeOperator op) {
@@ -43,8 +48,4 @@ struct EdgeKernels {
   EdgeTable<EdgesToBytes> simd_8bit;
   EdgeTable<EdgesToBits> to_bits;
 };
-struct AutovecEdgeKernels {
-  EdgeTable<EdgesToBytes> bytes;
-};
-
 }  // namespace thinbench::detail

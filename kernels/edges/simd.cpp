@@ -10,7 +10,7 @@
 // to_bits: the faster of the two, but stores bits: 1/8 of the bytes written.
 //
 // Measured, not adopted: docs/experiments.md#sobel-in-8-bits.
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 #include "edges/gradients.hpp"
 
 namespace thinbench::detail {

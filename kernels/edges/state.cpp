@@ -1,12 +1,11 @@
 #include "edges/state.hpp"
 
-#include "dispatch/exported.hpp"
-#include "image/checks.hpp"
+#include "core/exported.hpp"
+#include "core/features.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-using enum Technique;
 using State = std::unique_ptr<EdgeState>;
 
 template <class Kernel, class Target>
@@ -24,7 +23,7 @@ State make(const EdgeSetting& setting) {
                                      setting);
 }
 
-void check_threshold(const char* name, int value) {
+void require_threshold(const char* name, int value) {
   require(0 <= value && value <= kMaxThreshold,
           std::string(name) + ": expected an integer in [0, 255], got " + std::to_string(value));
 }
@@ -49,25 +48,42 @@ ConstBitPlaneView PackedEdges::run(const ConstImageView& source) {
   return bits_.view();
 }
 
-void check_thresholds(const EdgeThresholds& thresholds) {
-  check_threshold("gradient_threshold", thresholds.gradient_threshold);
-  check_threshold("brightness_threshold", thresholds.brightness_threshold);
+void require_thresholds(const EdgeThresholds& thresholds) {
+  require_threshold("gradient_threshold", thresholds.gradient_threshold);
+  require_threshold("brightness_threshold", thresholds.brightness_threshold);
 }
 
+namespace {
+
 std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
+  constexpr auto make_16bit = &make<EdgeKernels, &EdgeKernels::simd_16bit>;
   EdgeVariants list;
-  for (const Isa isa : all_isas()) {
-    if (isa == Isa::avx512icl) continue;  // adds no instruction that these kernels use
-    list.add(autovec, isa, &make<AutovecEdgeKernels, &AutovecEdgeKernels::bytes>, {0});
-    constexpr auto make_16bit = &make<EdgeKernels, &EdgeKernels::simd_16bit>;
-    list.add(simd_16bit, isa, make_16bit, {1});
+  for (const Isa isa : isas_with(kEdgeFeatures)) {
+    list.add("simd_16bit", isa, make_16bit, {1});
     if (kernels_of<EdgeKernels>(isa).simd_8bit[op] != nullptr) {
-      list.add_with_threads(simd_8bit, isa, &make<EdgeKernels, &EdgeKernels::simd_8bit>, {2});
+      list.add_with_threads("simd_8bit", isa, &make<EdgeKernels, &EdgeKernels::simd_8bit>, {2});
     } else {
-      list.add(simd_16bit, isa, make_16bit, {1}, true);
+      list.add("simd_16bit", isa, make_16bit, {1}, true);
     }
   }
   return list.take();
+}
+
+}  // namespace
+
+std::span<const EdgeOperation> edge_operations() {
+  static const std::vector<EdgeOperation> all = [] {
+    std::vector<EdgeOperation> operations;
+    for (const EdgeOperatorInfo& info : kEdgeOperators) {
+      operations.push_back({info.op, info.operation, info.description, edge_variants(info.op)});
+    }
+    return operations;
+  }();
+  return all;
+}
+
+const EdgeOperation& operation_of(EdgeOperator op) {
+  return operation_with(op, edge_operations(), "operator");
 }
 
 }  // namespace thinbench::detail

@@ -4,26 +4,31 @@
 #include <memory>
 #include <vector>
 
-#include "dispatch/variant.hpp"
+#include "core/planes.hpp"
+#include "core/thread_team.hpp"
+#include "core/variant.hpp"
 #include "edges/kernels.hpp"
-#include "image/planes.hpp"
-#include "image/thread_team.hpp"
 
 namespace thinbench::detail {
 
-struct EdgeSetting {
+struct EdgeParameters {
   EdgeOperator op;
   EdgeThresholds thresholds;
-  Isa isa;
-  Index width;
-  Index height;
-  int threads;
 };
+using EdgeSetting = Setting<EdgeParameters>;
+
+/// Rejects a threshold outside [0, 255].
+void require_thresholds(const EdgeThresholds& thresholds);
 
 /// Edges as bytes. Threads share bands of rows.
 class EdgeState {
  public:
-  using Setting = EdgeSetting;
+  using Parameters = EdgeParameters;
+
+  static void check(const EdgeParameters& parameters, Index width, Index height) {
+    require_max_pixels(width, height);
+    require_thresholds(parameters.thresholds);
+  }
 
   EdgeState(EdgesToBytes kernel, const EdgeSetting& setting);
 
@@ -38,11 +43,11 @@ class EdgeState {
 
 using EdgeVariant = Variant<EdgeState>;
 using EdgeVariants = VariantList<EdgeState>;
+using EdgeOperation = Operation<EdgeOperator, EdgeState>;
 
-[[nodiscard]] std::vector<EdgeVariant> edge_variants(EdgeOperator op);
-
-/// Throws std::invalid_argument for a threshold outside [0, 255].
-void check_thresholds(const EdgeThresholds& thresholds);
+/// They live as long as the program.
+[[nodiscard]] std::span<const EdgeOperation> edge_operations();
+[[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
 
 /// Edges as packed bits. Threads share bands of rows.
 class PackedEdges {

@@ -1,7 +1,7 @@
 // Which pixels are nodes and which are lines, on words: see thinbench/graph.hpp for what these are.
 #pragma once
 
-#include "image/plane_view.hpp"
+#include "core/plane_view.hpp"
 #include "simd/word.hpp"
 
 namespace thinbench::detail {

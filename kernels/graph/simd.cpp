@@ -1,6 +1,6 @@
 // Node and line pixels on vectors of words, compiled for every ISA: bitpacked.cpp on more pixels at
 // a time.
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 #include "graph/node_pixels.hpp"
 #include "simd/vector.hpp"
 

@@ -1,13 +1,9 @@
 #include "graph/state.hpp"
 
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 
 namespace thinbench::detail {
 namespace {
-
-std::unique_ptr<GraphState> make_bitpacked(const GraphSetting& setting) {
-  return std::make_unique<GraphState>(kBitpackedGraph, setting);
-}
 
 std::unique_ptr<GraphState> make_simd(const GraphSetting& setting) {
   return std::make_unique<GraphState>(kernels_of<GraphKernels>(setting.isa), setting);
@@ -35,13 +31,16 @@ const Graph& GraphState::compute() {
   return walker_.walk(image_.view(), nodes_.view(), lines_.view());
 }
 
-std::vector<GraphVariant> graph_variants() {
-  GraphVariants list;
-  list.add_with_threads(Technique::bitpacked, Isa::baseline, &make_bitpacked, {0});
-  for (const Isa isa : all_isas()) {
-    list.add_with_threads(Technique::simd_bitpacked, isa, &make_simd, {1});
-  }
-  return list.take();
+const GraphOperation& graph_operation() {
+  static const GraphOperation operation = {
+      {}, "skeleton_graph", "ends, junctions and the lines between them", [] {
+        VariantList<GraphState> list;
+        for (const Isa isa : all_isas()) {
+          list.add_with_threads("simd_bitpacked", isa, &make_simd, {1});
+        }
+        return list.take();
+      }()};
+  return operation;
 }
 
 }  // namespace thinbench::detail

@@ -2,29 +2,30 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
-#include "dispatch/variant.hpp"
+#include "core/packing.hpp"
+#include "core/planes.hpp"
+#include "core/thread_team.hpp"
+#include "core/variant.hpp"
 #include "graph/node_pixels.hpp"
 #include "graph/walker.hpp"
-#include "image/packing.hpp"
-#include "image/planes.hpp"
-#include "image/thread_team.hpp"
 
 namespace thinbench::detail {
 
-struct GraphSetting {
-  Isa isa;
-  Index width;
-  Index height;
-  int threads;
-};
+struct GraphParameters {};
+using GraphSetting = Setting<GraphParameters>;
 
 /// Owns three bits and four bytes per pixel, and the graph. Threads share the search for node
 /// pixels; one walks.
 class GraphState {
  public:
-  using Setting = GraphSetting;
+  using Parameters = GraphParameters;
+
+  static void check(const GraphParameters&, Index width, Index height) {
+    require_label_size(width, height);
+  }
 
   GraphState(const GraphKernels& kernels, const GraphSetting& setting);
 
@@ -42,9 +43,8 @@ class GraphState {
   GraphWalker walker_;
 };
 
-using GraphVariant = Variant<GraphState>;
-using GraphVariants = VariantList<GraphState>;
+using GraphOperation = Operation<std::monostate, GraphState>;
 
-[[nodiscard]] std::vector<GraphVariant> graph_variants();
+[[nodiscard]] const GraphOperation& graph_operation();
 
 }  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "image/plane_view.hpp"
+#include "core/plane_view.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench::detail {

@@ -5,9 +5,9 @@
  * "avx2") are those of the C++ interface and of the command-line program. No function throws. All
  * functions are thread-safe for different destinations and handles.
  *
- * thinbench_options, thinbench_variant, thinbench_named_rule and thinbench_pruning begin with their
- * size, so that later versions can add members at the end and still serve programs compiled before.
- * The other structs never change. */
+ * thinbench_thinning, thinbench_execution, thinbench_rule_info and thinbench_pruning begin with
+ * their size, so that later versions can add members at the end and still serve programs compiled
+ * before. The other structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -54,83 +54,36 @@ typedef struct thinbench_output {
   uint8_t foreground; /* what is written instead of 255; 0 stands for 255 */
 } thinbench_output;
 
-typedef struct thinbench_options {
+/* What a call may change about a rule. */
+typedef struct thinbench_thinning {
   size_t size;            /* of this struct */
-  int32_t keep_border;    /* thinning: nonzero if the outermost pixels never change */
-  int32_t max_iterations; /* thinning: at least 1; 0 is unlimited */
-  int32_t threads;        /* 1 to 1024 */
-  const char* isa;        /* NULL: the best that this machine has */
-  const char* technique;  /* NULL: the fastest */
-} thinbench_options;
+  const char* border;     /* "background", "keep" or "foreground"; NULL: as the rule says */
+  int32_t max_iterations; /* at least 1, INT32_MAX for no limit; 0: as the rule says */
+} thinbench_thinning;
 
-#define THINBENCH_OPTIONS_INIT \
-  { sizeof(thinbench_options), 0, 0, 1, NULL, NULL }
+#define THINBENCH_THINNING_INIT \
+  { sizeof(thinbench_thinning), NULL, 0 }
 
-/* Thins every image of a stack by a rule; destination may be the source. `options` may be NULL, and
- * so may `iterations`, which gets the maximum over all images, including the last iteration, which
- * changed nothing. */
-THINBENCH_API thinbench_status thinbench_thin(const char* rule, const thinbench_stack* source,
-                                              const thinbench_output* destination,
-                                              const thinbench_options* options,
-                                              int32_t* iterations);
+/* How a result is computed, which never changes a pixel. */
+typedef struct thinbench_execution {
+  size_t size;     /* of this struct */
+  int32_t threads; /* 1 to 1024 */
+  const char* isa; /* NULL: the best that this machine has */
+} thinbench_execution;
 
-/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes
- * to destinations[i]. The same result as thinbench_thin for each, but faster for many small images.
- * A destination is its source or shares no byte with any image of the lists. `options` and
- * `iterations` as above. */
-THINBENCH_API thinbench_status thinbench_thin_many(const char* rule, const thinbench_stack* sources,
-                                                   const thinbench_output* destinations,
-                                                   size_t count, const thinbench_options* options,
-                                                   int32_t* iterations);
+#define THINBENCH_EXECUTION_INIT \
+  { sizeof(thinbench_execution), 1, NULL }
 
-/* A binary image of 8 pixels per byte; every row starts with a new byte, and the stride is in
- * bytes. 1 is foreground. Unused bits of a row's last byte have no meaning. */
-typedef struct thinbench_packed {
-  const uint8_t* data;
-  ptrdiff_t height;
-  ptrdiff_t width;
-  ptrdiff_t stride;
-  int32_t lsb_first; /* nonzero: the first pixel is the lowest bit; 0: the highest, as in PBM */
-} thinbench_packed;
+/* A rule, as in thinbench/rule.hpp: what thinning computes. All functions that take a rule take
+ * every rule. Immutable: threads may use it at the same time. */
+typedef struct thinbench_rule thinbench_rule;
 
-/* The same as thinbench_thin for one packed image. The destination has the source's size and bit
- * order; its unused bits are set to 0. It is the source, with the same stride, or shares no byte
- * with it. */
-THINBENCH_API thinbench_status thinbench_thin_packed(
-    const char* rule, const thinbench_packed* source, uint8_t* destination,
-    ptrdiff_t destination_stride, const thinbench_options* options, int32_t* iterations);
+/* The functions that make a rule set *rule, which must be destroyed; NULL on failure. */
 
-/* Thins every label of a height x width image of labels as if it were alone in the image: a pixel
- * keeps its label where the label's skeleton has it, else it becomes 0. 0 is background; negative
- * labels are rejected. Strides are in labels; destination may be the source. `options` and
- * `iterations` as above. */
-THINBENCH_API thinbench_status thinbench_thin_labels(const char* rule, const int32_t* source,
-                                                     ptrdiff_t source_stride, int32_t* destination,
-                                                     ptrdiff_t destination_stride, ptrdiff_t height,
-                                                     ptrdiff_t width,
-                                                     const thinbench_options* options,
-                                                     int32_t* iterations);
+/* By the name of a built-in rule, of its operation ("thin_guo_hall"), or of a named rule. */
+THINBENCH_API thinbench_status thinbench_rule_named(const char* name, thinbench_rule** rule);
 
-/* A thinner for images of one size, with memory allocated once. One call at a time. */
-typedef struct thinbench_thinner thinbench_thinner;
-
-/* *thinner must be destroyed; NULL on failure. */
-THINBENCH_API thinbench_status thinbench_thinner_create(const char* rule, ptrdiff_t width,
-                                                        ptrdiff_t height,
-                                                        const thinbench_options* options,
-                                                        thinbench_thinner** thinner);
-/* Thins one image of this size. */
-THINBENCH_API thinbench_status thinbench_thinner_run(thinbench_thinner* thinner,
-                                                     const thinbench_stack* source,
-                                                     const thinbench_output* destination,
-                                                     int32_t* iterations);
-/* What was chosen; valid as long as the program. */
-THINBENCH_API const char* thinbench_thinner_technique(const thinbench_thinner* thinner);
-THINBENCH_API const char* thinbench_thinner_isa(const thinbench_thinner* thinner);
-/* NULL is allowed. */
-THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
-
-/* A table of a custom rule: 512 bits, the new value of a pixel for each of the 512 values of its
+/* A table of a rule: 512 bits, the new value of a pixel for each of the 512 values of its
  * 3 x 3 window. Bit k of a window is its pixel k in raster order, so bit 0 is the north-west
  * neighbour, bit 4 the pixel itself and bit 8 the south-east neighbour; 1 is foreground. The bit of
  * window w is bit w % 64 of word w / 64. */
@@ -153,67 +106,132 @@ THINBENCH_API thinbench_status thinbench_table_from_values(const uint8_t* values
 THINBENCH_API thinbench_status thinbench_table_from_removals(const uint8_t* removed,
                                                              const char* order, uint64_t* table);
 
-/* A rule with a name, listed in thinbench/named_rules.hpp. Its strings and tables are valid as long
- * as the program. */
-typedef struct thinbench_named_rule {
-  size_t size; /* of this struct */
-  const char* name;
-  const char* description;
-  const char* source;
-  const uint64_t* tables; /* one after the other */
-  size_t sub_iterations;
-  const char* border;
-  int32_t max_iterations; /* 0: unlimited */
-} thinbench_named_rule;
-
-/* Names, sorted; NULL past the end. Valid as long as the program. */
-THINBENCH_API const char* thinbench_named_rule_name(size_t index);
-THINBENCH_API thinbench_status thinbench_find_named_rule(const char* name,
-                                                         thinbench_named_rule* rule);
-
 /* A rule of 1 to 8 sub-iterations, each a table. All pixels of a sub-iteration are computed from
- * the same image. Immutable: threads may use it at the same time. */
-typedef struct thinbench_custom_rule thinbench_custom_rule;
-
-/* `tables` has sub_iterations * THINBENCH_TABLE_WORDS words, which are copied. Border: "background"
- * or "foreground" outside the image, or "keep": background, and the outermost pixels never change.
- * max_iterations: at least 1, or 0: until nothing changes, which is only for rules whose tables all
- * add no pixels or all remove none. `optimise` nonzero: search for fewer gates, up to 2 s per
- * table. *rule must be destroyed; NULL on failure. */
-THINBENCH_API thinbench_status thinbench_custom_rule_create(
-    const uint64_t* tables, size_t sub_iterations, const char* border, int32_t max_iterations,
-    int32_t optimise, thinbench_custom_rule** rule);
-/* The number of three-input gates of a sub-iteration's circuit. */
-THINBENCH_API thinbench_status thinbench_custom_rule_gates(const thinbench_custom_rule* rule,
-                                                           size_t sub_iteration, int32_t* gates);
+ * the same image. `tables` has sub_iterations * THINBENCH_TABLE_WORDS words, which are copied.
+ * `defaults` may be NULL: background outside, no limit. A rule that both adds and removes pixels
+ * needs a limit, here or in each call. `optimise` nonzero: search for fewer gates, up to 2 s per
+ * table. */
+THINBENCH_API thinbench_status thinbench_rule_from_tables(const uint64_t* tables,
+                                                          size_t sub_iterations,
+                                                          const thinbench_thinning* defaults,
+                                                          int32_t optimise, thinbench_rule** rule);
+/* The two-layer net of the paper with other weights: 9 neurons of 8 weights and a bias, the output
+ * neuron last. The activation is "sigmoid" or "linear". */
+THINBENCH_API thinbench_status thinbench_rule_from_two_layer_net(const float* weights,
+                                                                 const char* activation,
+                                                                 thinbench_rule** rule);
+/* The cluster of nets with other weights: net i has the descriptors up to last[i], and 8 weights
+ * and a bias at weights + 9 * i. */
+THINBENCH_API thinbench_status thinbench_rule_from_cluster(const int32_t* last,
+                                                           const float* weights, size_t count,
+                                                           thinbench_rule** rule);
 /* NULL is allowed. */
-THINBENCH_API void thinbench_custom_rule_destroy(thinbench_custom_rule* rule);
+THINBENCH_API void thinbench_rule_destroy(thinbench_rule* rule);
 
-/* As thinbench_thin and thinbench_thin_packed. Border and limit are those of the rule; of the
- * options only threads, isa and technique may be set. */
-THINBENCH_API thinbench_status thinbench_apply(const thinbench_custom_rule* rule,
-                                               const thinbench_stack* source,
-                                               const thinbench_output* destination,
-                                               const thinbench_options* options,
-                                               int32_t* iterations);
-THINBENCH_API thinbench_status thinbench_apply_packed(
-    const thinbench_custom_rule* rule, const thinbench_packed* source, uint8_t* destination,
-    ptrdiff_t destination_stride, const thinbench_options* options, int32_t* iterations);
+/* Valid as long as the rule; strings of built-in and named rules as long as the program. */
+typedef struct thinbench_rule_info {
+  size_t size;             /* of this struct */
+  const char* name;        /* "custom" for tables, "net" for weights */
+  const char* description; /* NULL for these */
+  const char* source;      /* of named rules; else NULL */
+  int32_t built_in;        /* nonzero: one of the catalogue */
+  const uint64_t* tables;  /* one after the other; NULL if it is no function of 3 x 3 pixels */
+  size_t sub_iterations;   /* number of tables */
+  const char* border;
+  int32_t max_iterations; /* INT32_MAX: no limit */
+  /* How far the effect of a pixel advances in an iteration, in pixels along rows and columns; 0
+   * without a bound. What is farther than iterations * reach from a pixel does not change it. */
+  int32_t reach;
+} thinbench_rule_info;
+
+THINBENCH_API thinbench_status thinbench_rule_describe(const thinbench_rule* rule,
+                                                       thinbench_rule_info* info);
+/* The number of three-input gates of a sub-iteration's circuit. */
+THINBENCH_API thinbench_status thinbench_rule_gates(const thinbench_rule* rule,
+                                                    size_t sub_iteration, int32_t* gates);
+/* Names, first of all built-in rules, then of all named rules; NULL past the end. Valid as long as
+ * the program. */
+THINBENCH_API const char* thinbench_rule_name(size_t index);
+
+/* Applies a rule to every image of a stack; destination may be the source. `thinning` and
+ * `execution` may be NULL, and so may `iterations`, which gets the maximum over all images,
+ * including the last iteration if it changed nothing. */
+THINBENCH_API thinbench_status thinbench_thin(
+    const thinbench_rule* rule, const thinbench_stack* source, const thinbench_output* destination,
+    const thinbench_thinning* thinning, const thinbench_execution* execution, int32_t* iterations);
+
+/* Thins `count` images of any sizes: image i is sources[i], a stack of one, and its skeleton goes
+ * to destinations[i]. The same result as thinbench_thin for each, but faster for many small images.
+ * A destination is its source or shares no byte with any image of the lists. The other
+ * arguments as above. */
+THINBENCH_API thinbench_status thinbench_thin_many(const thinbench_rule* rule,
+                                                   const thinbench_stack* sources,
+                                                   const thinbench_output* destinations,
+                                                   size_t count, const thinbench_thinning* thinning,
+                                                   const thinbench_execution* execution,
+                                                   int32_t* iterations);
+
+/* A binary image of 8 pixels per byte; every row starts with a new byte, and the stride is in
+ * bytes. 1 is foreground. Unused bits of a row's last byte have no meaning. */
+typedef struct thinbench_packed {
+  const uint8_t* data;
+  ptrdiff_t height;
+  ptrdiff_t width;
+  ptrdiff_t stride;
+  int32_t lsb_first; /* nonzero: the first pixel is the lowest bit; 0: the highest, as in PBM */
+} thinbench_packed;
+
+/* The same as thinbench_thin for one packed image. The destination has the source's size and bit
+ * order; its unused bits are set to 0. It is the source, with the same stride, or shares no byte
+ * with it. */
+THINBENCH_API thinbench_status thinbench_thin_packed(
+    const thinbench_rule* rule, const thinbench_packed* source, uint8_t* destination,
+    ptrdiff_t destination_stride, const thinbench_thinning* thinning,
+    const thinbench_execution* execution, int32_t* iterations);
+
+/* Thins every label of a height x width image of labels as if it were alone in the image: a pixel
+ * keeps its label where the label's skeleton has it, else it becomes 0. 0 is background; negative
+ * labels are rejected. Strides are in labels; destination may be the source. The other
+ * arguments as above. */
+THINBENCH_API thinbench_status thinbench_thin_labels(
+    const thinbench_rule* rule, const int32_t* source, ptrdiff_t source_stride,
+    int32_t* destination, ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width,
+    const thinbench_thinning* thinning, const thinbench_execution* execution, int32_t* iterations);
+
+/* A thinner for images of one size, with memory allocated once. One call at a time. */
+typedef struct thinbench_thinner thinbench_thinner;
+
+/* *thinner must be destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_thinner_create(const thinbench_rule* rule, ptrdiff_t width,
+                                                        ptrdiff_t height,
+                                                        const thinbench_thinning* thinning,
+                                                        const thinbench_execution* execution,
+                                                        thinbench_thinner** thinner);
+/* Thins one image of this size. */
+THINBENCH_API thinbench_status thinbench_thinner_run(thinbench_thinner* thinner,
+                                                     const thinbench_stack* source,
+                                                     const thinbench_output* destination,
+                                                     int32_t* iterations);
+/* What was chosen; valid as long as the program. */
+THINBENCH_API const char* thinbench_thinner_technique(const thinbench_thinner* thinner);
+THINBENCH_API const char* thinbench_thinner_isa(const thinbench_thinner* thinner);
+/* NULL is allowed. */
+THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
 
 /* Edges of grey images by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
- * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Of the options only threads,
- * isa and technique may be set. Source and destination must not overlap. */
+ * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Source and destination must
+ * not overlap. */
 THINBENCH_API thinbench_status thinbench_edges(
     const char* edge_operator, const thinbench_stack* source, const thinbench_output* destination,
-    int32_t gradient_threshold, int32_t brightness_threshold, const thinbench_options* options);
+    int32_t gradient_threshold, int32_t brightness_threshold, const thinbench_execution* execution);
 
 /* The square of the Euclidean distance from each pixel of one image to its nearest background
  * pixel, with `stride` numbers from row to row; INT32_MAX in an image without background. What is
- * outside the image does not count. Sides are at most 32767. Of `options`, threads, isa and
- * technique may be set. Source and distances must not overlap. */
+ * outside the image does not count. Sides are at most 32767. Source and distances must not overlap.
+ */
 THINBENCH_API thinbench_status thinbench_squared_distances(const thinbench_stack* source,
                                                            int32_t* distances, ptrdiff_t stride,
-                                                           const thinbench_options* options);
+                                                           const thinbench_execution* execution);
 
 /* An object (8-connected) or a hole (4-connected background that does not touch the border). */
 typedef struct thinbench_region {
@@ -232,16 +250,16 @@ typedef struct thinbench_regions thinbench_regions;
 
 /* Of one image; *regions must be destroyed; NULL on failure. With `labels`, int32_t values with
  * `labels_stride` values from row to row, every pixel gets the number of its object from 1, or the
- * number of objects plus that of its hole, or 0. Then no option may be set. */
+ * number of objects plus that of its hole, or 0. Then `execution` must be NULL. */
 THINBENCH_API thinbench_status thinbench_find_regions(const thinbench_stack* source,
                                                       int32_t* labels, ptrdiff_t labels_stride,
-                                                      const thinbench_options* options,
+                                                      const thinbench_execution* execution,
                                                       thinbench_regions** regions);
 /* Sobel's edges of a grey image, filled, and the regions of the result. */
 THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
                                                   int32_t gradient_threshold,
                                                   int32_t brightness_threshold,
-                                                  const thinbench_options* options,
+                                                  const thinbench_execution* execution,
                                                   thinbench_regions** regions);
 /* `size` is sizeof(thinbench_region): thinbench_regions_objects(r, &count, sizeof(...)). The array
  * lives as long as the handle. NULL, and a count of 0, without regions, for a NULL handle, and if
@@ -294,10 +312,10 @@ THINBENCH_API thinbench_status thinbench_classify_pixels(const thinbench_stack* 
 THINBENCH_API thinbench_status thinbench_full_blocks(const thinbench_stack* image, int64_t* count,
                                                      thinbench_pixel* first);
 
-/* What the parts are, and their order: thinbench/graph.hpp. Of `options`, threads, isa and
- * technique may be set. *graph must be destroyed; NULL on failure. */
+/* What the parts are, and their order: thinbench/graph.hpp. *graph must be destroyed; NULL on
+ * failure. */
 THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
-                                                        const thinbench_options* options,
+                                                        const thinbench_execution* execution,
                                                         thinbench_graph** graph);
 
 typedef struct thinbench_pruning {
@@ -316,7 +334,7 @@ typedef struct thinbench_pruning {
 THINBENCH_API thinbench_status thinbench_prune(const thinbench_stack* skeleton,
                                                const thinbench_output* destination,
                                                const thinbench_pruning* pruning,
-                                               const thinbench_options* options,
+                                               const thinbench_execution* execution,
                                                thinbench_graph** graph);
 
 /* Arrays that live as long as the handle; `size` is that of an element. NULL, and a count of 0,
@@ -358,41 +376,21 @@ THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points,
 /* Sets objects and what they enclose to 255; destination may be the source. */
 THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* source,
                                                     const thinbench_output* destination,
-                                                    const thinbench_options* options);
+                                                    const thinbench_execution* execution);
 
 /* Objects minus holes of one image; connectivity 8 or 4 is that of the objects. */
 THINBENCH_API thinbench_status thinbench_euler_number(const thinbench_stack* source,
                                                       int32_t connectivity,
-                                                      const thinbench_options* options,
+                                                      const thinbench_execution* execution,
                                                       int64_t* number);
 
 /* Names, in the order of the catalogue; NULL past the end. Valid as long as the program. */
-THINBENCH_API const char* thinbench_rule_name(size_t index);
-THINBENCH_API const char* thinbench_rule_description(size_t index);
 THINBENCH_API const char* thinbench_edge_operator_name(size_t index);
 THINBENCH_API const char* thinbench_isa_name(size_t index);
-
-/* How far the effect of a pixel advances in an iteration of a rule, in pixels along rows and
- * columns; 0 without a bound. What is farther than iterations * reach from a pixel does not change
- * it. -1 past the end of the catalogue. */
-THINBENCH_API int32_t thinbench_rule_reach(size_t index);
 
 /* Whether the processor has this ISA and THINBENCH_MAX_ISA allows it: 1, 0, or -1 for an unknown
  * name. */
 THINBENCH_API int32_t thinbench_isa_available(const char* isa);
-
-/* Variant number `index` of a rule: its technique and ISA, whether it takes several threads, and
- * why it cannot run on this machine (NULL: it can). Valid until this thread's next call of this
- * function. THINBENCH_INVALID_ARGUMENT past the last variant. */
-typedef struct thinbench_variant {
-  size_t size; /* of this struct */
-  const char* technique;
-  const char* isa;
-  int32_t threaded;
-  const char* unavailable_reason;
-} thinbench_variant;
-THINBENCH_API thinbench_status thinbench_rule_variant(const char* rule, size_t index,
-                                                      thinbench_variant* variant);
 
 #ifdef __cplusplus
 }

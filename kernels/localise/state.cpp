@@ -1,6 +1,6 @@
 #include "localise/state.hpp"
 
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 #include "regions/variants.hpp"
 
 namespace thinbench::detail {
@@ -17,8 +17,7 @@ std::unique_ptr<LocaliseState> make_simd(const LocaliseSetting& setting) {
 }  // namespace
 
 LocaliseState::LocaliseState(LabelRows label_rows, const LocaliseSetting& setting)
-    : edges_({setting.op, setting.thresholds, setting.isa, setting.width, setting.height,
-              setting.threads}),
+    : edges_(setting),
       outlined_(setting.width, setting.height),
       objects_(setting.width, setting.height),
       regions_(label_rows, setting.width, setting.height, setting.threads) {}
@@ -28,13 +27,19 @@ RegionLists LocaliseState::run(const ConstImageView& source) {
   return regions_.label(objects_.view());
 }
 
-std::vector<LocaliseVariant> localise_variants() {
-  VariantList<LocaliseState> list;
-  list.add_with_threads(Technique::bitpacked_runs, Isa::baseline, &make_bitpacked, {0});
-  for (const Isa isa : all_isas()) {
-    list.add_with_threads(Technique::simd_runs, isa, &make_simd, {1, kSimdRunsWidth});
-  }
-  return list.take();
+const LocaliseOperation& localise_operation() {
+  static const LocaliseOperation operation = {
+      EdgeOperator::sobel, "localise_objects",
+      "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
+      [] {
+        VariantList<LocaliseState> list;
+        list.add_with_threads("bitpacked_runs", Isa::baseline, &make_bitpacked, {0});
+        for (const Isa isa : all_isas()) {
+          list.add_with_threads("simd_runs", isa, &make_simd, {1, kSimdRunsWidth});
+        }
+        return list.take();
+      }()};
+  return operation;
 }
 
 }  // namespace thinbench::detail

@@ -4,22 +4,15 @@
 
 #include <vector>
 
-#include "dispatch/variant.hpp"
+#include "core/planes.hpp"
+#include "core/variant.hpp"
 #include "edges/state.hpp"
-#include "image/planes.hpp"
 #include "localise/outlined_objects.hpp"
 #include "regions/run_labeller.hpp"
 
 namespace thinbench::detail {
 
-struct LocaliseSetting {
-  EdgeOperator op;
-  EdgeThresholds thresholds;
-  Isa isa;
-  Index width;
-  Index height;
-  int threads;
-};
+using LocaliseSetting = Setting<EdgeParameters>;
 
 /// Everything stays packed: two bits per pixel, 8 bytes per run of the edges and 52 bytes per
 /// provisional label. Memory for runs and labels grows on demand: run() allocates only when an
@@ -27,7 +20,12 @@ struct LocaliseSetting {
 /// found on one thread.
 class LocaliseState {
  public:
-  using Setting = LocaliseSetting;
+  using Parameters = EdgeParameters;
+
+  static void check(const EdgeParameters& parameters, Index width, Index height) {
+    require_regions_size(width, height);
+    require_thresholds(parameters.thresholds);
+  }
 
   LocaliseState(LabelRows label_rows, const LocaliseSetting& setting);
 
@@ -42,8 +40,9 @@ class LocaliseState {
 };
 
 using LocaliseVariant = Variant<LocaliseState>;
+using LocaliseOperation = Operation<EdgeOperator, LocaliseState>;
 
-/// Named after the technique that finds the regions.
-[[nodiscard]] std::vector<LocaliseVariant> localise_variants();
+/// Its variants are named after the technique that finds the regions.
+[[nodiscard]] const LocaliseOperation& localise_operation();
 
 }  // namespace thinbench::detail

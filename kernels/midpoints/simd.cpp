@@ -3,7 +3,7 @@
 // they are compared with stay in registers.
 #include <concepts>
 
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 #include "midpoints/engine.hpp"
 #include "simd/vector.hpp"
 

@@ -3,39 +3,15 @@
 #include <algorithm>
 #include <vector>
 
-#include "dispatch/exported.hpp"
-#include "image/layout.hpp"
-#include "midpoints/work.hpp"
-#include "thinning/iteration/plane_state.hpp"
+#include "core/exported.hpp"
+#include "core/layout.hpp"
+#include "engines/plane_state.hpp"
+#include "midpoints/border.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-using enum Technique;
 using State = std::unique_ptr<ThinningState>;
-
-void copy_pixel(const std::uint8_t* from, std::uint8_t* to, Index x) {
-  to[x] = from[x];
-}
-
-void copy_pixel(const std::uint64_t* from, std::uint64_t* to, Index x) {
-  const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
-  std::uint64_t& word = to[x / kWordBits];
-  word ^= (word ^ from[x / kWordBits]) & bit;
-}
-
-/// With Border::keep, copies the outermost rows and columns.
-template <class T>
-void apply_border(Border border, const ConstPlaneView<T>& source, const PlaneView<T>& target) {
-  if (border == Border::background || source.width == 0) return;
-  for (Index y = 0; y < source.height; ++y) {
-    if (y == 0 || y == source.height - 1) {
-      std::copy_n(source.row(y), source.row_elements, target.row(y));
-    }
-    copy_pixel(source.row(y), target.row(y), 0);
-    copy_pixel(source.row(y), target.row(y), source.width - 1);
-  }
-}
 
 Index groups_of(Index rows) {
   return (rows + kGroupRows - 1) / kGroupRows;
@@ -47,7 +23,7 @@ class ScanState final : public PlaneState<std::uint64_t> {
  public:
   ScanState(const ScanKernels& kernels, const ThinningSetting& setting)
       : PlaneState(setting), kernels_(kernels), border_(setting.border) {
-    work_.directions = setting.directions;
+    work_.directions = setting.rule->directions;
     if (setting.width == 0 || setting.height == 0) work_.directions = kNoDirections;
     for (const Direction direction : kAllDirections) {
       if (work_.directions.has(direction)) add_direction(direction, setting);
@@ -56,7 +32,7 @@ class ScanState final : public PlaneState<std::uint64_t> {
     work_.target = planes.result.view();
   }
 
-  int thin() override {
+  int compute() override {
     const Index groups = groups_of(work_.source.height);
     team.for_ranges(groups, [&](Index first, Index last) { kernels_.prepare(work_, first, last); });
     team.for_ranges(static_cast<Index>(tasks_.size()), [&](Index first, Index last) {
@@ -129,40 +105,16 @@ class ScanState final : public PlaneState<std::uint64_t> {
   std::vector<Task> tasks_;
 };
 
-State make_bitpacked_scan(const ThinningSetting& setting) {
-  return std::make_unique<ScanState>(kBitpackedScan, setting);
+}  // namespace
+
+State make_midpoint_scan(const ScanKernels& kernels, const ThinningSetting& setting) {
+  return std::make_unique<ScanState>(kernels, setting);
 }
+
+namespace {
 
 State make_simd_scan(const ThinningSetting& setting) {
-  return std::make_unique<ScanState>(kernels_of<ScanKernels>(setting.isa), setting);
-}
-
-/// The scan on bytes.
-class ByteScanState final : public PlaneState<std::uint8_t> {
- public:
-  explicit ByteScanState(const ThinningSetting& setting)
-      : PlaneState(setting),
-        kernels_(kernels_of<ByteScanKernels>(setting.isa)),
-        directions_(setting.directions),
-        border_(setting.border),
-        scratch_(make_aligned<std::uint64_t>(
-            static_cast<std::size_t>(kernels_.scratch_words(setting.width, setting.height)))) {}
-
-  int thin() override {
-    kernels_.run(directions_, source(), planes.result.view(), scratch_.get());
-    apply_border(border_, source(), planes.result.view());
-    return 1;
-  }
-
- private:
-  const ByteScanKernels& kernels_;
-  Directions directions_;
-  Border border_;
-  AlignedArray<std::uint64_t> scratch_;
-};
-
-State make_byte_scan(const ThinningSetting& setting) {
-  return std::make_unique<ByteScanState>(setting);
+  return make_midpoint_scan(kernels_of<ScanKernels>(setting.isa), setting);
 }
 
 }  // namespace
@@ -171,10 +123,8 @@ State make_byte_scan(const ThinningSetting& setting) {
 // docs/experiments.md#other-techniques-for-the-scan.
 std::vector<ThinningVariant> midpoint_variants() {
   ThinningVariants list;
-  list.add_with_threads(bitpacked, Isa::baseline, &make_bitpacked_scan, {1});
   for (const Isa isa : all_isas()) {
-    list.add(autovec, isa, &make_byte_scan, {0});
-    list.add_with_threads(simd_bitpacked, isa, &make_simd_scan, {2});
+    list.add_with_threads("simd_bitpacked", isa, &make_simd_scan, {2});
   }
   return list.take();
 }

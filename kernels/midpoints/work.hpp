@@ -1,9 +1,9 @@
 // The data of the midpoint scan: every direction as columns of words.
 #pragma once
 
-#include "image/plane_view.hpp"
+#include "core/plane_view.hpp"
 #include "thinbench/isa.hpp"
-#include "thinbench/options.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench::detail {
 
@@ -63,17 +63,6 @@ struct ScanKernels {
   void (*prepare)(const ScanWork& work, Index first_group, Index last_group);
   void (*scan)(const ScanWork& work, Direction direction, Index first_word);
   void (*merge)(const ScanWork& work, Index first_group, Index last_group);
-};
-
-/// Compiled once, for the baseline.
-extern const ScanKernels kBitpackedScan;
-
-/// The same on byte planes, in loops that compilers vectorise. `scratch` has
-/// `scratch_words(width, height)` words, aligned to a cache line; its contents do not matter.
-struct ByteScanKernels {
-  void (*run)(Directions directions, const ConstBytePlaneView& source, const BytePlaneView& target,
-              std::uint64_t* scratch);
-  Index (*scratch_words)(Index width, Index height);
 };
 
 }  // namespace thinbench::detail

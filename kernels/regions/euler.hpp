@@ -1,7 +1,7 @@
 // The Euler number of a packed image by two population counts.
 #pragma once
 
-#include "image/plane_view.hpp"
+#include "core/plane_view.hpp"
 #include "simd/word.hpp"
 #include "thinbench/isa.hpp"
 
@@ -10,9 +10,6 @@ namespace thinbench::detail {
 /// The contribution of rows [first, last). The Euler number is the sum over rows 0 to `height`, one
 /// row past the image.
 using EulerKernel = std::int64_t (*)(const ConstBitPlaneView& image, Index first, Index last);
-
-/// The Euler number of a byte plane, by a table of the 16 quads of pixels.
-using EulerQuadKernel = std::int64_t (*)(const ConstBytePlaneView& image);
 
 /// Kernels by connectivity of the objects; the background has the other connectivity.
 template <class Kernel>
@@ -26,7 +23,6 @@ using EulerKernels = EulerPair<EulerKernel>;
 
 /// On 64-bit words, with the baseline's population count.
 extern const EulerKernels kBitpackedEuler;
-extern const EulerPair<EulerQuadKernel> kEulerByQuads;
 
 /// Pixels that add 1 to the Euler number, and pixels that subtract 1; disjoint.
 template <class Word>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "image/packing.hpp"
-#include "image/planes.hpp"
+#include "core/packing.hpp"
+#include "core/planes.hpp"
 
 namespace thinbench::detail {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "image/byte_image.hpp"
+#include "core/byte_image.hpp"
 #include "regions/label_table.hpp"
 
 namespace thinbench::detail {

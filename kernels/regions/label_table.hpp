@@ -2,7 +2,7 @@
 // functions, safe to include in ISA files.
 #pragma once
 
-#include "image/plane_view.hpp"
+#include "core/plane_view.hpp"
 #include "thinbench/region.hpp"
 
 namespace thinbench::detail {

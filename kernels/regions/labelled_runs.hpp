@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "image/byte_image.hpp"
+#include "core/byte_image.hpp"
 #include "regions/label_store.hpp"
 #include "regions/run_rows.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "image/layout.hpp"
+#include "core/layout.hpp"
 
 namespace thinbench::detail {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <deque>
 
-#include "image/thread_team.hpp"
+#include "core/thread_team.hpp"
 #include "regions/label_store.hpp"
 #include "regions/run_engine.hpp"
 

@@ -7,7 +7,7 @@
 // words.
 #include <type_traits>
 
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 #include "regions/euler.hpp"
 #include "simd/vector.hpp"
 

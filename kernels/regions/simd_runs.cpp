@@ -6,7 +6,7 @@
 // minima, 8 loads and 5 stores, where bitpacked_runs takes about 30 instructions per run. Finding
 // boundaries costs the same as there, except that AVX-512 skips eight words without boundaries at
 // once, and with VBMI2 one compress lists all boundaries of a word.
-#include "dispatch/exported.hpp"
+#include "core/exported.hpp"
 #include "regions/run_engine.hpp"
 #include "regions/simd_keys.hpp"
 #include "simd/vector.hpp"

@@ -5,9 +5,9 @@
 #include <span>
 #include <stdexcept>
 
-#include "dispatch/variant.hpp"
-#include "image/packing.hpp"
-#include "image/planes.hpp"
+#include "core/packing.hpp"
+#include "core/planes.hpp"
+#include "core/variant.hpp"
 #include "regions/label_store.hpp"
 
 namespace thinbench::detail {
@@ -16,13 +16,10 @@ namespace thinbench::detail {
 /// objects, or an image (fill).
 enum class RegionsTask : std::uint8_t { holes, components, euler_eight, euler_four, fill };
 
-struct RegionsSetting {
+struct RegionsParameters {
   RegionsTask task;
-  Isa isa;
-  Index width;
-  Index height;
-  int threads;
 };
+using RegionsSetting = Setting<RegionsParameters>;
 
 /// Owns all memory for images of one size: one bit per pixel for packed images, one byte for `lut`,
 /// five bytes for `union_find`. Filling takes another bit or byte per pixel, and 8 bytes per run
@@ -31,7 +28,11 @@ struct RegionsSetting {
 /// allocates only when an image has more of them than all before.
 class RegionsState {
  public:
-  using Setting = RegionsSetting;
+  using Parameters = RegionsParameters;
+
+  static void check(const RegionsParameters&, Index width, Index height) {
+    require_regions_size(width, height);
+  }
 
   RegionsState() = default;
   virtual ~RegionsState() = default;
@@ -74,10 +75,10 @@ class RegionsPlaneState : public RegionsState {
 
 using RegionsVariant = Variant<RegionsState>;
 using RegionsVariants = VariantList<RegionsState>;
+using RegionsOperation = Operation<RegionsTask, RegionsState>;
 
-/// The maximum width and height: keys are 32-bit numbers.
-inline constexpr Index kMaxRegionsSide = Index{1} << 29;
-/// The maximum number of pixels: labels are 32-bit numbers, sums of coordinates 64-bit ones.
-inline constexpr Index kMaxRegionsPixels = Index{1} << 32;
+/// They live as long as the program.
+[[nodiscard]] std::span<const RegionsOperation> regions_operations();
+[[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
 }  // namespace thinbench::detail

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <cstring>
 
-#include "dispatch/exported.hpp"
-#include "image/thread_team.hpp"
+#include "core/exported.hpp"
+#include "core/thread_team.hpp"
 #include "regions/euler.hpp"
 #include "regions/labelled_runs.hpp"
 #include "regions/run_labeller.hpp"
@@ -12,7 +12,6 @@
 namespace thinbench::detail {
 namespace {
 
-using enum Technique;
 using State = std::unique_ptr<RegionsState>;
 
 class RunState final : public RegionsPlaneState<std::uint64_t> {
@@ -116,53 +115,58 @@ State make_euler_simd(const RegionsSetting& setting) {
   return std::make_unique<EulerState>(kernels_of<EulerKernels>(setting.isa), setting);
 }
 
-class EulerQuadState final : public RegionsPlaneState<std::uint8_t> {
- public:
-  explicit EulerQuadState(const RegionsSetting& setting)
-      : RegionsPlaneState(setting), kernel_(euler_kernel(kEulerByQuads, setting.task)) {}
-
-  void compute() override { number_ = kernel_(image()); }
-  [[nodiscard]] std::int64_t number() const override { return number_; }
-
- private:
-  EulerQuadKernel kernel_;
-  std::int64_t number_ = 0;
-};
-
-State make_euler_lut(const RegionsSetting& setting) {
-  return std::make_unique<EulerQuadState>(setting);
-}
-
 void add_list_variants(RegionsVariants& list) {
-  list.add(union_find, Isa::baseline, &make_union_find, {0});
-  list.add_with_threads(bitpacked_runs, Isa::baseline, &make_bitpacked_runs, {1});
+  list.add_with_threads("bitpacked_runs", Isa::baseline, &make_bitpacked_runs, {1});
   for (const Isa isa : all_isas()) {
-    list.add_with_threads(simd_runs, isa, &make_simd_runs, {2, kSimdRunsWidth});
+    list.add_with_threads("simd_runs", isa, &make_simd_runs, {2, kSimdRunsWidth});
   }
 }
 
 void add_euler_variants(RegionsVariants& list) {
-  list.add(lut, Isa::baseline, &make_euler_lut, {0});
-  list.add_with_threads(bitpacked, Isa::baseline, &make_euler_bitpacked, {1});
+  list.add_with_threads("bitpacked", Isa::baseline, &make_euler_bitpacked, {1});
   for (const Isa isa : all_isas()) {
     if (isa == Isa::baseline) continue;  // the same as `bitpacked`
-    list.add_with_threads(simd_bitpacked, isa, &make_euler_simd, {2});
+    list.add_with_threads("simd_bitpacked", isa, &make_euler_simd, {2});
   }
 }
-
-}  // namespace
 
 std::vector<RegionsVariant> regions_variants(RegionsTask task) {
   RegionsVariants list;
   if (task == RegionsTask::holes || task == RegionsTask::components) {
     add_list_variants(list);
   } else if (task == RegionsTask::fill) {
-    list.add(union_find, Isa::baseline, &make_union_find_fill, {0});
-    list.add(bitpacked_runs, Isa::baseline, &make_bitpacked_fill, {1});
+    list.add("bitpacked_runs", Isa::baseline, &make_bitpacked_fill, {1});
   } else {
     add_euler_variants(list);
   }
   return list.take();
+}
+
+std::vector<RegionsOperation> make_regions_operations() {
+  const auto operation = [](RegionsTask task, std::string_view name, std::string_view description) {
+    return RegionsOperation{task, name, description, regions_variants(task)};
+  };
+  return {operation(RegionsTask::holes, "holes",
+                    "objects (8-connected) and their holes, with areas and centres"),
+          operation(RegionsTask::components, "components",
+                    "objects (8-connected) alone, with areas and centres"),
+          operation(RegionsTask::fill, "fill_holes",
+                    "objects with all that they enclose, interior contours filled"),
+          operation(RegionsTask::euler_eight, "euler_number",
+                    "8-connected objects minus 4-connected holes"),
+          operation(RegionsTask::euler_four, "euler_number_4",
+                    "4-connected objects minus 8-connected holes")};
+}
+
+}  // namespace
+
+std::span<const RegionsOperation> regions_operations() {
+  static const std::vector<RegionsOperation> operations = make_regions_operations();
+  return operations;
+}
+
+const RegionsOperation& operation_of(RegionsTask task) {
+  return operation_with(task, regions_operations(), "task");
 }
 
 }  // namespace thinbench::detail

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "image/thread_team.hpp"
+#include "core/thread_team.hpp"
 #include "images/image_file.hpp"
 #include "peers/peers.hpp"
 #include "program_run.hpp"

@@ -7,18 +7,18 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
-#include "custom/compiled_rule.hpp"
-#include "custom/variants.hpp"
-#include "dispatch/exported.hpp"
+#include "compile/compiled_rule.hpp"
+#include "compile/variants.hpp"
+#include "core/exported.hpp"
+#include "engines/lanes.hpp"
 #include "reference.hpp"
+#include "rules/rule_table.hpp"
 #include "support/rejection.hpp"
 #include "support/splitmix64.hpp"
 #include "thinbench/batch.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/rule_notation.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/engines/lane_kernels.hpp"
-#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench::detail {
 namespace {

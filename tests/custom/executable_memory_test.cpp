@@ -13,8 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "custom/machine_code.hpp"
-#include "image/byte_image.hpp"
+#include "compile/machine_code.hpp"
+#include "core/byte_image.hpp"
 #include "reference.hpp"
 #include "thinbench/rule_notation.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "custom/recorded_tables.hpp"
+#include "compile/recorded_tables.hpp"
 #include "harness/test_images.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/text_image.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "custom/recorded_tables.hpp"
+#include "compile/recorded_tables.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/rule_notation.hpp"
 

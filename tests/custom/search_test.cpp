@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "custom/compiled_rule.hpp"
-#include "custom/gate_search.hpp"
-#include "custom/program.hpp"
-#include "custom/two_input.hpp"
+#include "compile/compiled_rule.hpp"
+#include "compile/gate_search.hpp"
+#include "compile/program.hpp"
+#include "compile/two_input.hpp"
+#include "rules/rule_table.hpp"
 #include "support/splitmix64.hpp"
 #include "support/temporary_directory.hpp"
 #include "thinbench/named_rules.hpp"
-#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench::detail {
 namespace {

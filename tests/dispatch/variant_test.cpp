@@ -1,5 +1,5 @@
 // The choice among variants, on synthetic lists.
-#include "dispatch/variant.hpp"
+#include "core/variant.hpp"
 
 #include <vector>
 

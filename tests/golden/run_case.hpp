@@ -36,7 +36,7 @@ inline Result run_thinning(const Case& one, const ByteImage& image, int threads)
   ByteImage output = unwritten(image.width(), image.height());
   const int iterations =
       thin(rule_from_name(one.operation).value(), image.view(), output.view(),
-           {.border = border_of(one), .max_iterations = limit_of(one), .threads = threads});
+           {.border = border_of(one), .max_iterations = limit_of(one)}, {.threads = threads});
   return {hash_of(output), std::to_string(iterations)};
 }
 
@@ -58,12 +58,12 @@ inline std::vector<std::int64_t> lists_of(const Regions& found) {
 /// Throws std::invalid_argument for an unknown name.
 inline std::vector<std::int64_t> numbers_found(std::string_view operation, ConstImageView image,
                                                int threads) {
-  const Options options = {.threads = threads};
-  if (operation == "holes") return lists_of(find_regions(image, options));
-  if (operation == "components") return lists_of({find_components(image, options), {}});
-  if (operation == "euler_number") return {euler_number(image, options)};
-  if (operation == "euler_number_4") return {euler_number_4(image, options)};
-  if (operation == "localise_objects") return lists_of(localise_objects(image, {}, options));
+  const Execution execution = {.threads = threads};
+  if (operation == "holes") return lists_of(find_regions(image, execution));
+  if (operation == "components") return lists_of({find_components(image, execution), {}});
+  if (operation == "euler_number") return {euler_number(image, execution)};
+  if (operation == "euler_number_4") return {euler_number_4(image, execution)};
+  if (operation == "localise_objects") return lists_of(localise_objects(image, {}, execution));
   throw std::invalid_argument("no operation is named " + std::string(operation));
 }
 

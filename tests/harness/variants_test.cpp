@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dispatch/isas.hpp"
+#include "core/isas.hpp"
 #include "harness/operation.hpp"
 
 namespace thinbench {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
+#include "techniques/variants.hpp"
 
 namespace thinbench {
 namespace {

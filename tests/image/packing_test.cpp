@@ -1,9 +1,9 @@
-#include "image/packing.hpp"
+#include "core/packing.hpp"
 
 #include <gtest/gtest.h>
 
+#include "core/planes.hpp"
 #include "harness/test_images.hpp"
-#include "image/planes.hpp"
 #include "support/filled_image.hpp"
 #include "support/isa_parameters.hpp"
 #include "support/margins.hpp"

@@ -1,8 +1,8 @@
-#include "image/planes.hpp"
+#include "core/planes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "image/layout.hpp"
+#include "core/layout.hpp"
 #include "support/margins.hpp"
 
 namespace thinbench::detail {

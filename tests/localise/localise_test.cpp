@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
+#include "core/packing.hpp"
 #include "harness/test_images.hpp"
-#include "image/packing.hpp"
 #include "localise/state.hpp"
 #include "scene/scene.hpp"
 #include "support/margins.hpp"

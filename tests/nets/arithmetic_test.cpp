@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "dispatch/exported.hpp"
-#include "nets/exponential.hpp"
+#include "core/exported.hpp"
 #include "nets/neuron_values.hpp"
 #include "nets/variants.hpp"
 #include "reference.hpp"
+#include "rules/exponential.hpp"
 #include "support/isa_parameters.hpp"
 
 namespace thinbench::detail {

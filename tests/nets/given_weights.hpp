@@ -7,8 +7,8 @@
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
 #include "harness/verify.hpp"
-#include "nets/model.hpp"
 #include "reference.hpp"
+#include "techniques/net_model.hpp"
 
 namespace thinbench {
 

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "nets/given_weights.hpp"
-#include "nets/trained_cluster.hpp"
 #include "nets/variants.hpp"
+#include "rules/rule_table.hpp"
+#include "rules/trained_cluster.hpp"
 #include "support/rejection.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench {
 namespace {

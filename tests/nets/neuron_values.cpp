@@ -1,8 +1,8 @@
 // Compiled once for every ISA.
 #include "nets/neuron_values.hpp"
 
-#include "dispatch/exported.hpp"
-#include "nets/float_nets.hpp"
+#include "core/exported.hpp"
+#include "techniques/float_nets.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {

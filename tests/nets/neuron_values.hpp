@@ -1,7 +1,7 @@
 // The output of every neuron of a two-layer net, computed by the vector code of the kernels.
 #pragma once
 
-#include "nets/model.hpp"
+#include "techniques/net_model.hpp"
 
 namespace thinbench::detail {
 

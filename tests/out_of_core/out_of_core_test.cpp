@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "engines/variants.hpp"
 #include "harness/test_images.hpp"
 #include "out_of_core/packed_files.hpp"
 #include "scene/scene.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
-#include "thinning/variants.hpp"
 
 namespace thinbench {
 namespace {

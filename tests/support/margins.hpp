@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "image/plane_view.hpp"
-#include "thinning/engines/tile_grid.hpp"
+#include "core/plane_view.hpp"
+#include "engines/tile_grid.hpp"
 
 namespace thinbench {
 

@@ -12,7 +12,7 @@ struct Thinned {
 };
 
 /// The destination is filled beforehand with a value that no reference writes.
-inline Thinned thinned_by_reference(Rule rule, const ByteImage& image,
+inline Thinned thinned_by_reference(BuiltInRule rule, const ByteImage& image,
                                     const reference::Repetition& repetition = {}) {
   Thinned result = {filled_image(image.width(), image.height(), 77), 0};
   result.iterations = reference::thinning(rule)(repetition, image.view(), result.image.view());

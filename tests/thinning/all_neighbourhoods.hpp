@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "thinning/engines/rule_table.hpp"
+#include "rules/rule_table.hpp"
 
 namespace thinbench::detail {
 

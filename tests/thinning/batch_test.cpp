@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "engines/lanes.hpp"
+#include "engines/variants.hpp"
 #include "harness/test_images.hpp"
 #include "reference.hpp"
 #include "support/filled_image.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/splitmix64.hpp"
 #include "thinning/edge_case_images.hpp"
-#include "thinning/engines/lane_kernels.hpp"
-#include "thinning/variants.hpp"
 
 namespace thinbench {
 namespace {

@@ -1,6 +1,6 @@
-#include "thinning/iteration/iterate.hpp"
-
 #include <gtest/gtest.h>
+
+#include "engines/band_activity.hpp"
 
 namespace thinbench::detail {
 namespace {

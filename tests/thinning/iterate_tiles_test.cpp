@@ -1,11 +1,11 @@
-#include "thinning/iteration/iterate_tiles.hpp"
+#include "engines/iterate_tiles.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "dispatch/exported.hpp"
-#include "image/packing.hpp"
+#include "core/exported.hpp"
+#include "core/packing.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/splitmix64.hpp"
 #include "thinbench/thinning.hpp"

@@ -1,9 +1,9 @@
 // The difference between Lü and Wang's rule and Zhang and Suen's.
 #include <gtest/gtest.h>
 
+#include "rules/rule_table.hpp"
 #include "support/byte_image.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench {
 namespace {

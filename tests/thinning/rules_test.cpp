@@ -1,16 +1,15 @@
 // Rules against independent sources: the published expressions, written out again here, and the
 // keep table, which was computed from the paper before the code was written.
-#include "thinning/rules.hpp"
-
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "engines/variants.hpp"
+#include "rules/parallel_rules.hpp"
+#include "rules/rule_table.hpp"
 #include "thinning/all_neighbourhoods.hpp"
-#include "thinning/engines/rule_table.hpp"
-#include "thinning/variants.hpp"
 
 namespace thinbench::detail {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
+#include "rules/rule_table.hpp"
 #include "thinbench/thinning.hpp"
-#include "thinning/engines/rule_table.hpp"
 
 namespace thinbench {
 namespace {

@@ -1,16 +1,16 @@
 // Requirements on the states of all variants of all rules, besides the correct result.
-#include "thinning/state.hpp"
+#include "engines/state.hpp"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
+#include "engines/row_state.hpp"
 #include "harness/test_images.hpp"
 #include "support/filled_image.hpp"
 #include "support/margins.hpp"
-#include "thinning/iteration/pass_state.hpp"
-#include "thinning/iteration/row_state.hpp"
+#include "techniques/pass_state.hpp"
 
 namespace thinbench::detail {
 namespace {

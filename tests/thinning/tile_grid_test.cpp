@@ -1,4 +1,4 @@
-#include "thinning/engines/tile_grid.hpp"
+#include "engines/tile_grid.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "dispatch/exported.hpp"
-#include "image/planes.hpp"
+#include "core/exported.hpp"
+#include "core/planes.hpp"
+#include "engines/plane_state.hpp"
+#include "engines/tile_passes.hpp"
 #include "support/margins.hpp"
 #include "support/splitmix64.hpp"
-#include "thinning/engines/tile_passes.hpp"
-#include "thinning/iteration/plane_state.hpp"
 
 namespace thinbench::detail {
 namespace {

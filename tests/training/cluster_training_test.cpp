@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nets/trained_cluster.hpp"
+#include "rules/trained_cluster.hpp"
 #include "training/cluster.hpp"
 
 namespace thinbench {

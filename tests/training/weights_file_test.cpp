@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "nets/trained_cluster.hpp"
+#include "rules/trained_cluster.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {

@@ -11,19 +11,15 @@
 
 namespace thinbench {
 
-class CustomRule;
-
 /// Thins stacks of images of one size. Parallel rules on images up to 128 pixels wide thin many
 /// images at once, one per lane of a vector register; other rules and wider images are thinned one
 /// by one, with the same result. Not thread-safe, but threads may use different batches
 /// concurrently.
 class THINBENCH_API ThinningBatch {
  public:
-  /// `options` as in thin(), except that threads share the images of a stack. If a technique is
-  /// set, images are thinned one by one. Throws as thin() does for sizes and options.
-  ThinningBatch(Rule rule, Index width, Index height, const Options& options = {});
-  /// The same for a custom rule; `options` as in apply().
-  ThinningBatch(const CustomRule& rule, Index width, Index height, const Options& options = {});
+  /// Threads share the images of a stack. Throws as thin() does for sizes and options.
+  ThinningBatch(const Rule& rule, Index width, Index height, const Thinning& thinning = {},
+                const Execution& execution = {});
   ~ThinningBatch();
   ThinningBatch(ThinningBatch&&) noexcept;
   ThinningBatch& operator=(ThinningBatch&&) noexcept;
@@ -48,36 +44,31 @@ class THINBENCH_API ThinningBatch {
  private:
   class Engine;
 
-  template <class HasLanes, class MakeState, class MakeLanes>
-  void make_engine(const Options& options, const HasLanes& has_lanes, const MakeState& make_state,
-                   const MakeLanes& make_lanes);
-
   Index width_;
   Index height_;
   std::unique_ptr<Engine> engine_;
 };
 
 /// Thins one stack. Thread-safe for different destinations.
-THINBENCH_API int thin_batch(Rule rule, const ConstStackView& source, const StackView& destination,
-                             const Options& options = {});
-/// The same for a custom rule.
-THINBENCH_API int apply(const CustomRule& rule, const ConstStackView& source,
-                        const StackView& destination, const Options& options = {});
+THINBENCH_API int thin_batch(const Rule& rule, const ConstStackView& source,
+                             const StackView& destination, const Thinning& thinning = {},
+                             const Execution& execution = {});
 
 /// Thins sources[i] into destinations[i] for every i, images of any sizes, with the same result as
 /// thin() for each. Images of up to 2^14 pixels and up to 128 pixels wide are thinned many at once,
-/// as in a ThinningBatch; with Border::keep only those whose size recurs in the list.
+/// as in a ThinningBatch; with Border::keep and Border::foreground, and by rules that add pixels,
+/// only those whose size recurs in the list.
 ///
 /// Returns the maximum number of iterations over all images, including the last iteration, which
-/// changed nothing; 0 without images. `options` as in thin(), except that threads share the images;
-/// if no technique is set, images of 2^20 pixels and more are thinned one after another, each on
-/// all threads. Takes memory for the largest image, per thread.
+/// changed nothing; 0 without images. Threads share the images; those of 2^20 pixels and more are
+/// thinned one after another, each on all threads. Takes memory for the largest image, per thread.
 ///
 /// A destination is its source or shares no byte with any image of the list; sources may overlap
 /// each other. Thread-safe for different destinations. Throws as thin() does, and
 /// std::invalid_argument for lists of different lengths; then nothing is written. If it throws
 /// std::bad_alloc, some destinations may be written.
-THINBENCH_API int thin_many(Rule rule, std::span<const ConstImageView> sources,
-                            std::span<const ImageView> destinations, const Options& options = {});
+THINBENCH_API int thin_many(const Rule& rule, std::span<const ConstImageView> sources,
+                            std::span<const ImageView> destinations, const Thinning& thinning = {},
+                            const Execution& execution = {});
 
 }  // namespace thinbench

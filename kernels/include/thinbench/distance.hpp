@@ -21,15 +21,14 @@ inline constexpr std::int32_t kNoBackground = std::numeric_limits<std::int32_t>:
 /// Background has 0. What is outside the image does not count, as in SciPy's
 /// distance_transform_edt; surround the image with background where it should. Exact integers.
 ///
-/// Views must have the same size and share no byte; the stride of `distances` is in numbers. Of
-/// `options`, only technique, ISA and threads may be set. Takes 2 bytes of memory per pixel beside
-/// the views. Thread-safe for different destinations. Throws std::invalid_argument for a side above
-/// kMaxDistanceSide, unsuitable views and options that no variant fits, and std::bad_alloc. Nothing
-/// is written if it throws.
+/// Views must have the same size and share no byte; the stride of `distances` is in numbers. Takes
+/// 2 bytes of memory per pixel beside the views. Thread-safe for different destinations. Throws
+/// std::invalid_argument for a side above kMaxDistanceSide, unsuitable views, threads out of range
+/// and an ISA that is not available, and std::bad_alloc. Nothing is written if it throws.
 ///
 /// Source: A. Meijster, J. Roerdink and W. Hesselink 2000, "A general algorithm for computing
 /// distance transforms in linear time".
 THINBENCH_API void squared_distances(ConstImageView source, LabelView distances,
-                                     const Options& options = {});
+                                     const Execution& execution = {});
 
 }  // namespace thinbench

@@ -87,14 +87,15 @@ inline constexpr int kMaxThreshold = 255;
 /// threshold requires a bright background next to the edge, so invert images of bright objects on a
 /// dark background first. Both views must have the same size and must not overlap.
 ///
-/// Of `options`, only technique, ISA and threads may be set. Thread-safe for different
-/// destinations. Throws std::invalid_argument for a threshold outside [0, 255], sizes that differ
-/// or are negative, a stride below the width, a null image, an overlap, or options that no variant
-/// fits, and std::bad_alloc if memory runs out. Nothing is written if it throws.
+/// Thread-safe for different destinations. Throws std::invalid_argument for a threshold outside [0,
+/// 255], sizes that differ or are negative, a stride below the width, a null image, an overlap,
+/// threads out of range, or an ISA that is not available, and std::bad_alloc if memory runs out.
+/// Nothing is written if it throws.
 ///
 /// Not guaranteed: contours that are closed or one pixel wide. At a step edge they are at least two
 /// pixels wide, except with roberts4. Source: section 2.1 of the paper, steps a) to d).
 THINBENCH_API void detect_edges(EdgeOperator op, ConstImageView source, ImageView destination,
-                                const EdgeThresholds& thresholds = {}, const Options& options = {});
+                                const EdgeThresholds& thresholds = {},
+                                const Execution& execution = {});
 
 }  // namespace thinbench

@@ -115,12 +115,13 @@ struct Graph {
 /// everything outside the image background. A thick image is no error; its full blocks become
 /// junctions.
 ///
-/// Of `options`, only technique, ISA and threads may be set. Takes 4 bytes of memory per pixel
+/// Takes 4 bytes of memory per pixel
 /// beside twice the result. Thread-safe. Throws std::invalid_argument for a negative size, a stride
-/// below the width, a null image, a side above 2^29 or more than 2^31 pixels, and options that no
-/// variant fits, and std::bad_alloc. Use full_blocks() to reject images that are not thin.
+/// below the width, a null image, a side above 2^29 or more than 2^31 pixels, threads out of range
+/// and an ISA that is not available, and std::bad_alloc. Use full_blocks() to reject images that
+/// are not thin.
 [[nodiscard]] THINBENCH_API Graph skeleton_graph(ConstImageView skeleton,
-                                                 const Options& options = {});
+                                                 const Execution& execution = {});
 
 /// straight_steps + diagonal_steps * sqrt(2).
 [[nodiscard]] THINBENCH_API double length_of(const GraphEdge& edge);
@@ -148,11 +149,11 @@ struct Pruning {
 /// junction has short branches: thousands for combs and noise that are not thin.
 ///
 /// `destination` gets 0 and 255. Views must have the same size and be the same image or share no
-/// pixel. Options and errors as skeleton_graph, which takes a byte per pixel less;
+/// pixel. Errors as skeleton_graph, which takes a byte per pixel less;
 /// std::invalid_argument also for a negative or infinite limit and for distances that are missing
 /// or of another size. Nothing is written if it throws.
 THINBENCH_API Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
-                          const Options& options = {});
+                          const Execution& execution = {});
 
 /// The widths along a line, from its start to its stop, both included: twice the distance to the
 /// background; infinite in an image without background.

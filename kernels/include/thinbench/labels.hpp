@@ -14,15 +14,16 @@ namespace thinbench {
 /// have several components. Border::keep refers to the image border.
 ///
 /// Returns the maximum number of iterations over all labels, including the last iteration, which
-/// changed nothing; 0 without labels. `options` as in thin(), except that threads share the labels.
+/// changed nothing; 0 without labels. Threads share the labels.
 /// Takes 32 bytes of memory per run of equal labels in a row, and per thread an image of the size
 /// of the largest label.
 ///
 /// Both views must have the same size and be the same image or share no pixel. Thread-safe for
-/// different destinations. Throws as thin() does, and std::invalid_argument for a negative label, a
+/// different destinations. Throws as thin() does, and std::invalid_argument for a rule that adds
+/// pixels, which would belong to no label, for Border::foreground, for a negative label, a
 /// side above 2^29 and more than 2^31 pixels; then nothing is written. If it throws std::bad_alloc,
 /// the destination may be written in part.
-THINBENCH_API int thin_labels(Rule rule, ConstLabelView source, LabelView destination,
-                              const Options& options = {});
+THINBENCH_API int thin_labels(const Rule& rule, ConstLabelView source, LabelView destination,
+                              const Thinning& thinning = {}, const Execution& execution = {});
 
 }  // namespace thinbench

@@ -19,10 +19,10 @@ namespace thinbench {
 /// noise counts as an object or a hole. Objects must be dark on a bright background; see
 /// detect_edges, also for the border.
 ///
-/// Options, thread-safety and errors as in find_regions; also throws std::invalid_argument for a
+/// Thread-safety and errors as in find_regions; also throws std::invalid_argument for a
 /// threshold outside [0, 255].
 [[nodiscard]] THINBENCH_API Regions localise_objects(ConstImageView grey,
                                                      const EdgeThresholds& thresholds = {},
-                                                     const Options& options = {});
+                                                     const Execution& execution = {});
 
 }  // namespace thinbench

@@ -1,11 +1,11 @@
-// Custom rules under the names by which they are known.
+// Rules given by tables, under the names by which they are known.
 #pragma once
 
 #include <span>
 #include <string_view>
 
-#include "thinbench/custom_rule.hpp"
 #include "thinbench/export.h"
+#include "thinbench/rule.hpp"
 
 namespace thinbench {
 
@@ -18,8 +18,6 @@ struct NamedRule {
   Border border = Border::background;
   /// kUnlimited for rules that repeat until nothing changes, otherwise 1.
   int max_iterations = 1;
-
-  [[nodiscard]] CustomRuleOptions options() const { return {border, max_iterations, false}; }
 };
 
 /// All named rules, sorted by name:

@@ -1,10 +1,5 @@
-// The paper's nets: weights as plain data, the published weights, and nets with other weights.
+// The weights of the paper's nets as plain data. A Rule can be made of them.
 #pragma once
-
-#include <memory>
-
-#include "thinbench/export.h"
-#include "thinbench/options.hpp"
 
 namespace thinbench {
 
@@ -78,16 +73,5 @@ constexpr TwoLayerWeights rounded_weights(TwoLayerWeights net) {
 /// Table 1 rounded to integers, as the paper does for integer arithmetic: correct on 251 of the 256
 /// descriptors with the sigmoid and on 252 with the linear threshold.
 inline constexpr TwoLayerWeights kRoundedTwoLayer = rounded_weights(kPaperTwoLayer);
-
-/// A net for Options::net. With Activation::sigmoid use it with the rules net_two_layer_sigmoid and
-/// net_two_layer_rounded, with Activation::linear with net_two_layer_linear. Thinners and threads
-/// may share it. Throws std::invalid_argument for a weight outside [-1e30, 1e30].
-[[nodiscard]] THINBENCH_API std::shared_ptr<const NetModel> two_layer_net(
-    const TwoLayerWeights& weights, Activation activation);
-
-/// The same for the rule net_single_layer_cluster. Also throws if the nets do not cover the
-/// descriptors 0 to 255 in order.
-[[nodiscard]] THINBENCH_API std::shared_ptr<const NetModel> cluster_net(
-    const ClusterWeights& weights);
 
 }  // namespace thinbench

@@ -98,23 +98,21 @@ enum ThinningTypes { THINNING_ZHANGSUEN = 0, THINNING_GUOHALL = 1 };
 /// and 255, and the outermost pixels are never removed. The destination may be the source or a part
 /// of an image, and is written where it has the right size and type, even if it shares pixels with
 /// the source, where OpenCV allocates another one.
-/// `options.border` has no effect.
 ///
 /// Throws cv::Exception for an empty source, another type than CV_8UC1, and a thinning type that is
 /// neither of the two, which OpenCV 4.6 accepts without thinning.
 inline void thinning(cv::InputArray source, cv::OutputArray destination,
-                     int thinning_type = THINNING_ZHANGSUEN, Options options = {}) {
+                     int thinning_type = THINNING_ZHANGSUEN, const Execution& execution = {}) {
   const cv::Mat image = opencv_detail::byte_image(source);
   if (thinning_type != THINNING_ZHANGSUEN && thinning_type != THINNING_GUOHALL) {
     CV_Error(cv::Error::StsBadArg, "thinningType: expected 0 (Zhang-Suen) or 1 (Guo-Hall), got " +
                                        std::to_string(thinning_type));
   }
-  options.border = Border::keep;
   const Rule rule = thinning_type == THINNING_ZHANGSUEN ? Rule::zhang_suen : Rule::guo_hall;
   cv::Mat foreground = image >= 128;
   opencv_detail::with_opencv_errors([&] {
     const ImageView view = opencv_detail::mutable_view_of(foreground);
-    return thin(rule, view, view, options);
+    return thin(rule, view, view, {.border = Border::keep}, execution);
   });
   opencv_detail::give(foreground, destination);
 }
@@ -151,12 +149,12 @@ inline int connectedComponentsWithStats(cv::InputArray source, cv::OutputArray l
 /// As detect_edges(), for a grey image of type CV_8UC1; the destination may be the source. Throws
 /// cv::Exception where detect_edges() throws std::invalid_argument.
 inline void detect_edges(EdgeOperator op, cv::InputArray source, cv::OutputArray destination,
-                         const EdgeThresholds& thresholds = {}, const Options& options = {}) {
+                         const EdgeThresholds& thresholds = {}, const Execution& execution = {}) {
   const cv::Mat image = opencv_detail::byte_image(source);
   cv::Mat edges(image.size(), CV_8UC1);
   opencv_detail::with_opencv_errors([&] {
     detect_edges(op, opencv_detail::view_of(image), opencv_detail::mutable_view_of(edges),
-                 thresholds, options);
+                 thresholds, execution);
   });
   opencv_detail::give(edges, destination);
 }

@@ -10,8 +10,6 @@
 
 namespace thinbench {
 
-class CustomRule;
-
 /// Which bit of a byte is its first pixel, the one in the west.
 enum class BitOrder : std::uint8_t {
   msb_first,  // the highest bit: PBM (P4), TIFF's usual order, NumPy's "big"
@@ -66,17 +64,13 @@ struct PackedView {
 };
 
 /// Thins a packed image into another: the same pixels and number of iterations as thin() of
-/// thinbench/thinning.hpp, without a byte image in between. Techniques on packed pixels copy rows
-/// or reverse the bits of bytes; techniques on bytes unpack them.
+/// thinbench/thinning.hpp, without a byte image in between: rows are copied, with the bits of bytes
+/// reversed where their order differs.
 ///
 /// Both views must have the same size and be the same image or share no byte; their bit orders may
 /// differ. Border, options, thread safety and errors as thin(); a stride below the bytes of a row
 /// and an order outside the enumeration are rejected, too. Nothing is written if it throws.
-THINBENCH_API int thin(Rule rule, ConstPackedView source, PackedView destination,
-                       const Options& options = {});
-
-/// The same for a custom rule, see apply() of thinbench/custom_rule.hpp.
-THINBENCH_API int apply(const CustomRule& rule, ConstPackedView source, PackedView destination,
-                        const Options& options = {});
+THINBENCH_API int thin(const Rule& rule, ConstPackedView source, PackedView destination,
+                       const Thinning& thinning = {}, const Execution& execution = {});
 
 }  // namespace thinbench

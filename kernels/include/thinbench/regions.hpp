@@ -18,10 +18,10 @@ struct Regions {
 };
 
 // In all functions 0 is background and anything else is foreground; everything outside the image is
-// background; objects are 8-connected and holes 4-connected. Of `options`, only technique, ISA and
-// threads may be set. All functions are thread-safe. They throw std::invalid_argument for a
-// negative size, a stride below the width, a null image, a side above 2^29 or more than 2^32
-// pixels, and options that no variant fits, and std::bad_alloc if memory runs out.
+// background; objects are 8-connected and holes 4-connected. All functions are thread-safe. They
+// throw std::invalid_argument for a negative size, a stride below the width, a null image, a side
+// above 2^29 or more than 2^32 pixels, threads out of range and an ISA that is not available, and
+// std::bad_alloc if memory runs out.
 //
 // Source: section 2.2 of the paper, for the task but not the method. The paper's relabelling scan
 // has 254 labels and is correct only for a single object with thick walls. reference/holes.hpp has
@@ -29,11 +29,11 @@ struct Regions {
 
 /// All objects and all holes.
 [[nodiscard]] THINBENCH_API Regions find_regions(ConstImageView source,
-                                                 const Options& options = {});
+                                                 const Execution& execution = {});
 
 /// All objects. Faster than find_regions, as it skips holes.
 [[nodiscard]] THINBENCH_API std::vector<Region> find_components(ConstImageView source,
-                                                                const Options& options = {});
+                                                                const Execution& execution = {});
 
 /// Finds objects and holes and writes the label of each pixel's region: the id of its object, or
 /// the number of objects plus the id of its hole, or 0 outside. Takes 8 bytes of memory per run of
@@ -50,14 +50,14 @@ THINBENCH_API std::vector<Region> label_components(ConstImageView source, LabelV
 /// Number of objects minus number of holes. euler_number_4 uses 4-connected objects and 8-connected
 /// holes.
 [[nodiscard]] THINBENCH_API std::int64_t euler_number(ConstImageView source,
-                                                      const Options& options = {});
+                                                      const Execution& execution = {});
 [[nodiscard]] THINBENCH_API std::int64_t euler_number_4(ConstImageView source,
-                                                        const Options& options = {});
+                                                        const Execution& execution = {});
 
 /// Fills holes: writes 255 for objects and everything they enclose, else 0. Thread-safe for
 /// different destinations. Both views must have the same size and be the same image or share no
 /// pixel; throws std::invalid_argument otherwise. Nothing is written if it throws.
 THINBENCH_API void fill_holes(ConstImageView source, ImageView destination,
-                              const Options& options = {});
+                              const Execution& execution = {});
 
 }  // namespace thinbench

@@ -1,4 +1,4 @@
-// Tables of custom rules from notations that are in use: Hensel's, Pillow's, and tables in other
+// Tables of rules from notations that are in use: Hensel's, Pillow's, and tables in other
 // orders. All functions throw std::invalid_argument with one line that names the value, its
 // position and what was expected.
 #pragma once
@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "thinbench/custom_rule.hpp"
 #include "thinbench/export.h"
+#include "thinbench/window_table.hpp"
 
 namespace thinbench {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
@@ -10,36 +11,34 @@
 
 namespace thinbench {
 
-class CustomRule;
-
 namespace detail {
 class ThinningState;
 }  // namespace detail
 
-/// Thins `source` (0 is background, anything else is foreground) into `destination` (0 and 255) by
-/// a rule. Returns the number of iterations, including the last one, which changed nothing.
-/// Everything outside the image is background; for the outermost pixels see Border.
+/// Applies a rule to `source` (0 is background, anything else is foreground) and writes the result
+/// to `destination` (0 and 255). Returns the number of iterations, including the last one if it
+/// changed nothing. What is outside the image: see Border.
 ///
 /// Both views must have the same size and be the same image or share no pixel. Views side by side
 /// in one buffer must have equal strides. Thread-safe for different destinations.
 ///
 /// Throws std::invalid_argument for sizes that differ or are negative, more than 2^40 pixels, a
-/// stride below the width, a null image, a partial overlap, an option that is out of range or does
-/// not apply to the rule, and if no variant fits; std::bad_alloc if memory runs out. Messages are
-/// one line and name the value. Nothing is written if it throws.
+/// stride below the width, a null image, a partial overlap, an option that is out of range, a rule
+/// that may never end and has no limit, Border::foreground for a rule that is no function of 3 x 3
+/// pixels, and an ISA that is not available; std::bad_alloc if memory runs out. Messages are one
+/// line and name the value. Nothing is written if it throws.
 ///
-/// docs/thinning.md has the formulas, connectivity, invariants and sources of the rules.
-THINBENCH_API int thin(Rule rule, ConstImageView source, ImageView destination,
-                       const Options& options = {});
+/// docs/thinning.md has the formulas, connectivity, invariants and sources of the built-in rules.
+THINBENCH_API int thin(const Rule& rule, ConstImageView source, ImageView destination,
+                       const Thinning& thinning = {}, const Execution& execution = {});
 
 /// Thins images of one size with memory allocated once. Not thread-safe, but threads may use
 /// different thinners concurrently.
 class THINBENCH_API Thinner {
  public:
   /// Throws as thin() does for sizes and options.
-  Thinner(Rule rule, Index width, Index height, const Options& options = {});
-  /// For apply(): `options` as there.
-  Thinner(const CustomRule& rule, Index width, Index height, const Options& options = {});
+  Thinner(const Rule& rule, Index width, Index height, const Thinning& thinning = {},
+          const Execution& execution = {});
   ~Thinner();
   Thinner(Thinner&&) noexcept;
   Thinner& operator=(Thinner&&) noexcept;
@@ -50,14 +49,14 @@ class THINBENCH_API Thinner {
   int operator()(ConstImageView source, ImageView destination);
 
   /// The chosen variant.
-  [[nodiscard]] Technique technique() const { return technique_; }
+  [[nodiscard]] std::string_view technique() const { return technique_; }
   [[nodiscard]] Isa isa() const { return isa_; }
 
  private:
   std::unique_ptr<detail::ThinningState> state_;
   Index width_;
   Index height_;
-  Technique technique_;
+  std::string_view technique_;
   Isa isa_;
 };
 

@@ -1,0 +1,237 @@
+// The C interface of rules.
+#include <cstddef>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "api/c_arguments.hpp"
+#include "thinbench/named_rules.hpp"
+#include "thinbench/rule.hpp"
+#include "thinbench/rule_notation.hpp"
+
+static_assert(sizeof(thinbench::WindowTable) == THINBENCH_TABLE_WORDS * sizeof(uint64_t));
+
+struct thinbench_rule {
+  thinbench::Rule rule;
+};
+
+namespace {
+
+using namespace thinbench;
+using namespace thinbench::detail;
+
+template <class T>
+struct NamedValue {
+  std::string_view name;
+  T value;
+};
+
+constexpr NamedValue<WindowOrder> kWindowOrders[] = {{"raster", WindowOrder::raster},
+                                                     {"matlab", WindowOrder::matlab},
+                                                     {"octave", WindowOrder::octave}};
+constexpr NamedValue<NeighbourOrder> kNeighbourOrders[] = {
+    {"descriptor", kDescriptorOrder}, {"clockwise", kClockwiseOrder}, {"raster", kRasterOrder}};
+constexpr NamedValue<Activation> kActivations[] = {{"sigmoid", Activation::sigmoid},
+                                                   {"linear", Activation::linear}};
+
+/// The value of this name in a list.
+template <class Values>
+auto value_named(const char* what, const char* name, const Values& values) {
+  std::optional<decltype(values[0].value)> found;
+  for (const auto& entry : values) {
+    if (entry.name == view_of(name)) found = entry.value;
+  }
+  return named(what, name, found, [&] { return names_of(values); });
+}
+
+/// Hands over the table that `make` returns.
+template <class Make>
+thinbench_status give_table(uint64_t* table, const Make& make) noexcept {
+  return guarded([&] {
+    require_pointer(table, "table");
+    const WindowTable made = make();
+    std::memcpy(table, &made.words, sizeof(made.words));
+  });
+}
+
+std::vector<std::string> patterns_of(const char* const* patterns, size_t count) {
+  if (count > 0) require_pointer(patterns, "patterns");
+  std::vector<std::string> list;
+  for (size_t i = 0; i < count; ++i) {
+    require_pointer(patterns[i], "a pattern");
+    list.emplace_back(patterns[i]);
+  }
+  return list;
+}
+
+std::vector<WindowTable> tables_of(const uint64_t* words, size_t count) {
+  require(1 <= count && count <= Rule::kMaxSubIterations,
+          "sub_iterations: expected 1 to " + std::to_string(Rule::kMaxSubIterations) + ", got " +
+              std::to_string(count));
+  require_pointer(words, "tables");
+  std::vector<WindowTable> tables(count);
+  for (size_t i = 0; i < count; ++i) {
+    std::memcpy(&tables[i].words, words + i * THINBENCH_TABLE_WORDS, sizeof(tables[i].words));
+  }
+  return tables;
+}
+
+Neuron neuron_of(const float* weights) {
+  Neuron neuron;
+  std::copy_n(weights, kNetInputs, neuron.weight);
+  neuron.bias = weights[kNetInputs];
+  return neuron;
+}
+
+TwoLayerWeights two_layer_weights(const float* weights) {
+  TwoLayerWeights net;
+  for (Neuron& hidden : net.hidden) {
+    hidden = neuron_of(weights);
+    weights += kNetInputs + 1;
+  }
+  net.output = neuron_of(weights);
+  return net;
+}
+
+ClusterWeights cluster_weights(const int32_t* last, const float* weights, size_t count) {
+  require(1 <= count && count <= kMaxClusterNets, "count: expected an integer in [1, " +
+                                                      std::to_string(kMaxClusterNets) + "], got " +
+                                                      std::to_string(count));
+  ClusterWeights cluster = {static_cast<int>(count), {}};
+  for (size_t i = 0; i < count; ++i) {
+    cluster.nets[i] = {last[i], neuron_of(weights + i * (kNetInputs + 1))};
+  }
+  return cluster;
+}
+
+/// Hands over the rule that `make` returns.
+template <class Make>
+thinbench_status give_rule(thinbench_rule** rule, const Make& make) noexcept {
+  return guarded([&] {
+    require_pointer(rule, "rule");
+    *rule = nullptr;
+    *rule = new thinbench_rule{make()};
+  });
+}
+
+/// What is listed of built-in and named rules.
+void set_texts(std::string_view name, thinbench_rule_info& info) {
+  if (const auto built_in = rule_from_name(name)) {
+    info.built_in = 1;
+    info.description = rule_info(*built_in).description.data();
+  } else if (const NamedRule* const found = find_named_rule(name)) {
+    info.description = found->description.data();
+    info.source = found->source.data();
+  }
+}
+
+}  // namespace
+
+namespace thinbench::detail {
+
+const Rule& rule_of(const thinbench_rule* handle) {
+  require_pointer(handle, "rule");
+  return handle->rule;
+}
+
+}  // namespace thinbench::detail
+
+thinbench_status thinbench_rule_named(const char* name, thinbench_rule** rule) {
+  return give_rule(rule, [&] {
+    require_pointer(name, "name");
+    return Rule::named(name);
+  });
+}
+
+thinbench_status thinbench_rule_from_tables(const uint64_t* tables, size_t sub_iterations,
+                                            const thinbench_thinning* defaults, int32_t optimise,
+                                            thinbench_rule** rule) {
+  return give_rule(rule, [&] {
+    const Thinning given = thinning_of(defaults);
+    return Rule(tables_of(tables, sub_iterations),
+                {given.border.value_or(Border::background),
+                 given.max_iterations.value_or(kUnlimited), optimise != 0});
+  });
+}
+
+thinbench_status thinbench_rule_from_two_layer_net(const float* weights, const char* activation,
+                                                   thinbench_rule** rule) {
+  return give_rule(rule, [&] {
+    require_pointer(weights, "weights");
+    return Rule(two_layer_weights(weights), value_named("activation", activation, kActivations));
+  });
+}
+
+thinbench_status thinbench_rule_from_cluster(const int32_t* last, const float* weights,
+                                             size_t count, thinbench_rule** rule) {
+  return give_rule(rule, [&] {
+    require_pointer(last, "last");
+    require_pointer(weights, "weights");
+    return Rule(cluster_weights(last, weights, count));
+  });
+}
+
+void thinbench_rule_destroy(thinbench_rule* rule) {
+  delete rule;
+}
+
+thinbench_status thinbench_rule_describe(const thinbench_rule* rule, thinbench_rule_info* info) {
+  return guarded([&] {
+    constexpr size_t first_version = offsetof(thinbench_rule_info, reach) + sizeof(int32_t);
+    require_pointer(info, "info");
+    const Rule& described = rule_of(rule);
+    thinbench_rule_info found = {};
+    found.size = versioned(info, first_version, thinbench_rule_info{}, "info").size;
+    found.name = described.name().data();
+    set_texts(described.name(), found);
+    const auto tables = described.sub_iterations();
+    if (!tables.empty()) found.tables = tables.front().words.data();
+    found.sub_iterations = tables.size();
+    found.border = border_name(described.border()).data();
+    found.max_iterations = described.max_iterations();
+    found.reach = described.reach();
+    std::memcpy(info, &found, found.size);
+  });
+}
+
+thinbench_status thinbench_rule_gates(const thinbench_rule* rule, size_t sub_iteration,
+                                      int32_t* gates) {
+  return guarded([&] {
+    require_pointer(gates, "gates");
+    *gates = rule_of(rule).gates(sub_iteration);
+  });
+}
+
+const char* thinbench_rule_name(size_t index) {
+  if (index < kRules.size()) return kRules[index].name.data();
+  return name_at(named_rules(), index - kRules.size());
+}
+
+thinbench_status thinbench_table_from_hensel(const char* notation, uint64_t* table) {
+  return give_table(table, [&] {
+    require_pointer(notation, "notation");
+    return table_from_hensel(notation);
+  });
+}
+
+thinbench_status thinbench_table_from_patterns(const char* const* patterns, size_t count,
+                                               uint64_t* table) {
+  return give_table(table, [&] { return table_from_patterns(patterns_of(patterns, count)); });
+}
+
+thinbench_status thinbench_table_from_values(const uint8_t* values, const char* order,
+                                             uint64_t* table) {
+  return give_table(table, [&] {
+    require_pointer(values, "values");
+    return table_from_values({values, WindowTable::kWindows},
+                             value_named("order", order, kWindowOrders));
+  });
+}
+
+thinbench_status thinbench_table_from_removals(const uint8_t* removed, const char* order,
+                                               uint64_t* table) {
+  return give_table(table, [&] {
+    require_pointer(removed, "removed");
+    return table_from_removals({removed, 256}, value_named("order", order, kNeighbourOrders));
+  });
+}

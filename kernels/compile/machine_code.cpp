@@ -1,0 +1,78 @@
+#include "compile/machine_code.hpp"
+
+#include "compile/emitter.hpp"
+#include "core/features.hpp"
+
+#ifdef THINBENCH_WITH_XBYAK
+
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include <sys/mman.h>
+
+namespace thinbench::detail {
+namespace {
+
+bool is_allowed() {
+  static const bool allowed = [] {
+    const char* const value = std::getenv(kMachineCodeVariable);
+    return value == nullptr || std::string_view(value) != "off";
+  }();
+  return allowed;
+}
+
+}  // namespace
+
+std::shared_ptr<const MachineCode> MachineCode::make(const Program& program, Isa isa, Layout layout,
+                                                     bool fixed) {
+  if (!is_allowed() || !has(isa, feature("avx2"))) return nullptr;
+  if (layout == Layout::row && !has(isa, feature("avx512f"))) return nullptr;
+  std::vector<std::uint8_t> buffer(Emitter::kMaxCodeBytes);
+  const std::size_t bytes = Emitter(program, isa, layout, fixed, buffer.data()).bytes();
+  void* const memory =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return nullptr;
+  std::shared_ptr<const MachineCode> code(new MachineCode(memory, bytes));
+  std::memcpy(memory, buffer.data(), bytes);
+  if (mprotect(memory, bytes, PROT_READ | PROT_EXEC) != 0) return nullptr;
+  return code;
+}
+
+bool MachineCode::is_available(Isa isa) {
+  static const bool available = [] {
+    const Program identity = {.ternary = false, .instructions = {}, .output = 4};
+    return make(identity, Isa::avx2, Layout::words, false) != nullptr;
+  }();
+  return available && has(isa, feature("avx2"));
+}
+
+MachineCode::~MachineCode() {
+  munmap(memory_, bytes_);
+}
+
+ScanFunction MachineCode::function() const {
+  return reinterpret_cast<ScanFunction>(memory_);
+}
+
+}  // namespace thinbench::detail
+
+#else
+
+namespace thinbench::detail {
+
+std::shared_ptr<const MachineCode> MachineCode::make(const Program&, Isa, Layout, bool) {
+  return nullptr;
+}
+bool MachineCode::is_available(Isa) {
+  return false;
+}
+MachineCode::~MachineCode() = default;
+ScanFunction MachineCode::function() const {
+  return nullptr;
+}
+
+}  // namespace thinbench::detail
+
+#endif

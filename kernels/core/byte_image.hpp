@@ -1,0 +1,63 @@
+// Byte images in aligned memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <new>
+
+#include "core/plane_view.hpp"
+
+namespace thinbench::detail {
+
+/// The size of a cache line. Every row that this library allocates starts on one.
+inline constexpr std::size_t kAlignment = 64;
+
+struct AlignedDelete {
+  void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{kAlignment}); }
+};
+
+template <class T>
+using AlignedArray = std::unique_ptr<T[], AlignedDelete>;
+
+/// `count` zeroed elements of a trivial type, aligned to a cache line. Throws std::bad_alloc.
+template <class T>
+[[nodiscard]] AlignedArray<T> make_aligned(std::size_t count) {
+  void* memory = ::operator new (count * sizeof(T), std::align_val_t{kAlignment});
+  return AlignedArray<T>(new (memory) T[count]());
+}
+
+/// Owns an image.
+class ByteImage {
+ public:
+  ByteImage() = default;
+  /// Zero everywhere. The stride is padded_row_bytes(width).
+  ByteImage(Index width, Index height);
+  /// Pixels that exist already, until `release` ends.
+  ByteImage(const ImageView& pixels, std::function<void(void*)> release);
+
+  [[nodiscard]] Index width() const { return width_; }
+  [[nodiscard]] Index height() const { return height_; }
+  [[nodiscard]] ImageView view() { return {data_.get(), width_, height_, stride_}; }
+  [[nodiscard]] ConstImageView view() const { return {data_.get(), width_, height_, stride_}; }
+  [[nodiscard]] std::uint8_t& at(Index x, Index y) { return data_[offset(x, y)]; }
+  [[nodiscard]] std::uint8_t at(Index x, Index y) const { return data_[offset(x, y)]; }
+
+ private:
+  [[nodiscard]] std::size_t offset(Index x, Index y) const {
+    return static_cast<std::size_t>(y * stride_ + x);
+  }
+
+  Index width_ = 0;
+  Index height_ = 0;
+  Index stride_ = 0;
+  std::unique_ptr<std::uint8_t[], std::function<void(void*)>> data_;
+};
+
+[[nodiscard]] ByteImage copy_of(ConstImageView source);
+
+/// Whether sizes and pixels are equal; strides do not matter.
+[[nodiscard]] bool equal(ConstImageView a, ConstImageView b);
+
+}  // namespace thinbench::detail

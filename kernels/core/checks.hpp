@@ -1,0 +1,56 @@
+// Checks of arguments at the public interface, before anything is allocated or written. All throw
+// std::invalid_argument.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "thinbench/image_view.hpp"
+#include "thinbench/packed.hpp"
+
+namespace thinbench::detail {
+
+/// Throws with this message unless the condition holds.
+void require(bool condition, const std::string& message);
+
+/// "510 x 412", for messages.
+[[nodiscard]] std::string size_text(Index width, Index height);
+
+// Each rejects what it names: a negative size, more than 2^40 pixels, threads outside [1,
+// kMaxThreads].
+void require_size(Index width, Index height);
+void require_max_pixels(Index width, Index height);
+void require_threads(int threads);
+
+// Limits of labels and keys, which are 32-bit numbers: a side of 2^29, 2^32 pixels with regions and
+// 2^31 with labels.
+void require_regions_size(Index width, Index height);
+void require_label_size(Index width, Index height);
+
+enum class InPlace : bool { rejected, allowed };
+
+/// Rejects a negative size, a stride below the width, a view that exceeds the address space, a null
+/// image, sizes that differ, or an overlap. `in_place`: whether both may be the same image.
+void check_views(const ConstImageView& source, const ConstImageView& destination, InPlace in_place);
+
+/// The same for packed images, which may be the same image; views side by side count as
+/// overlapping.
+void check_views(const ConstPackedView& source, const ConstPackedView& destination);
+
+/// The same for an image of labels; rejects any overlap.
+void check_views(const ConstImageView& source, const LabelView& labels);
+
+/// The same for two images of labels, which may be the same image.
+void check_views(const ConstLabelView& source, const LabelView& destination);
+
+/// The same for lists of images of any sizes, and rejects more than 2^40 pixels and lists of
+/// different lengths. Each destination is its source or shares no byte with any image of the lists.
+void check_lists(std::span<const ConstImageView> sources, std::span<const ImageView> destinations);
+
+/// Rejects a negative count or size, a row or an image that does not fit its stride, a stack that
+/// exceeds the address space or has no data, counts or sizes that differ, or a partial overlap.
+/// Stacks with interleaved images in one buffer count as overlapping. Allocates nothing unless it
+/// throws.
+void check_stacks(const ConstStackView& source, const ConstStackView& destination);
+
+}  // namespace thinbench::detail

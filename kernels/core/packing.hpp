@@ -1,0 +1,30 @@
+// Conversion between the byte images of the public interface (0 is background, anything else is
+// foreground; 255 is written) and the planes that kernels work on.
+#pragma once
+
+#include "core/exported.hpp"
+#include "core/plane_view.hpp"
+
+namespace thinbench::detail {
+
+/// Images of at least this many bytes are written with non-temporal stores:
+/// docs/experiments.md#non-temporal-stores.
+inline constexpr Index kNonTemporalBytes = Index{8} << 20;
+
+/// Source and target have the same size. `read` writes all words or bytes of a row that hold
+/// pixels, with zeros past the width. `write` writes exactly `width` bytes per row.
+template <class T>
+struct PlaneConversion {
+  void (*read)(const ConstImageView& source, const PlaneView<T>& target);
+  void (*write)(const ConstPlaneView<T>& source, const ImageView& target);
+  /// As `write`, for a band of an image of at least kNonTemporalBytes.
+  void (*write_non_temporal)(const ConstPlaneView<T>& source, const ImageView& target);
+};
+
+/// Compiled for every ISA: packed bits here, bytes in techniques/.
+template <class T>
+[[nodiscard]] const PlaneConversion<T>& plane_conversion(Isa isa) {
+  return kernels_of<PlaneConversion<T>>(isa);
+}
+
+}  // namespace thinbench::detail

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "core/startable_threads.hpp"
+#include "core/thread_team.hpp"
+
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace thinbench::detail {
+namespace {
+
+// oneTBB synchronises the threads but is not compiled with ThreadSanitizer. These functions declare
+// what oneTBB guarantees: `publish(token)` happens before `receive(token)`.
+#ifdef __SANITIZE_THREAD__
+void publish(const void* token) {
+  __tsan_release(const_cast<void*>(token));
+}
+void receive(const void* token) {
+  __tsan_acquire(const_cast<void*>(token));
+}
+#else
+void publish(const void*) {}
+void receive(const void*) {}
+#endif
+
+// oneTBB's global limit, which the program controls, may reduce the number of threads; by default
+// to the number of cores. An arena beyond it would print a warning.
+int arena_size(int threads) {
+  using tbb::global_control;
+  const std::size_t limit = global_control::active_value(global_control::max_allowed_parallelism);
+  return startable_threads(std::min(threads, static_cast<int>(limit)));
+}
+
+/// Arenas by size. What a team takes and gives back is the node, so neither needs memory twice.
+using Arenas = std::multimap<int, tbb::task_arena>;
+
+/// Arenas that no team uses. oneTBB may keep the memory of arenas that are destroyed while its
+/// workers are busy elsewhere, without a bound; those that are used again are as many as teams at
+/// once.
+class ArenaPool {
+ public:
+  [[nodiscard]] Arenas::node_type take(int size) {
+    const std::lock_guard lock(mutex_);
+    auto place = unused_.find(size);
+    if (place == unused_.end()) place = unused_.emplace(size, size);
+    return unused_.extract(place);
+  }
+
+  void give_back(Arenas::node_type arena) {
+    const std::lock_guard lock(mutex_);
+    unused_.insert(std::move(arena));
+  }
+
+ private:
+  std::mutex mutex_;
+  Arenas unused_;
+};
+
+/// Never destroyed: teams in static variables may outlive other static variables.
+ArenaPool& arena_pool() {
+  static auto& pool = *new ArenaPool;
+  return pool;
+}
+
+}  // namespace
+
+struct ThreadTeam::Workers {
+  explicit Workers(int size) : arena(arena_pool().take(size)) {}
+  ~Workers() { arena_pool().give_back(std::move(arena)); }
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  Workers(Workers&&) = delete;
+  Workers& operator=(Workers&&) = delete;
+
+  Arenas::node_type arena;
+};
+
+// Without workers, the calling thread does all parts.
+ThreadTeam::ThreadTeam(int threads) : threads_(threads) {
+  const int size = threads > 1 ? arena_size(threads) : 1;
+  if (size > 1) workers_ = std::make_unique<Workers>(size);
+}
+
+ThreadTeam::~ThreadTeam() = default;
+
+void ThreadTeam::run(Index count, Invoke invoke_body, const void* body) const {
+  if (threads_ == 1 || count < 2) {
+    if (count > 0) invoke_body(body, 0, count);
+    return;
+  }
+  const Index parts = count < threads_ ? count : threads_;
+  if (!workers_) {
+    for (Index part = 0; part < parts; ++part) {
+      invoke_body(body, count * part / parts, count * (part + 1) / parts);
+    }
+    return;
+  }
+  const void* finished = workers_.get();
+  publish(body);
+  workers_->arena.mapped().execute([=] {
+    // Not static_partitioner: it leaves a message for the worker of each part, and where workers
+    // are busy elsewhere messages stay in memory.
+    tbb::parallel_for(
+        Index{0}, parts,
+        [=](Index part) {
+          receive(body);
+          invoke_body(body, count * part / parts, count * (part + 1) / parts);
+          publish(finished);
+        },
+        tbb::simple_partitioner{});
+  });
+  receive(finished);
+}
+
+}  // namespace thinbench::detail

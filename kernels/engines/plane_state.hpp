@@ -1,0 +1,140 @@
+// States that hold the image in a plane. They pack and unpack it by bands of rows.
+#pragma once
+
+#include "core/packed_rows.hpp"
+#include "core/packing.hpp"
+#include "core/planes.hpp"
+#include "core/thread_team.hpp"
+#include "engines/state.hpp"
+
+namespace thinbench::detail {
+
+/// The source and result planes, and the conversions of one ISA.
+template <class T>
+struct Planes {
+  Planes(Isa isa, Index width, Index height)
+      : conversion(plane_conversion<T>(isa)), source(width, height), result(width, height) {}
+  const PlaneConversion<T>& conversion;
+  Plane<T> source;
+  Plane<T> result;
+};
+
+/// Rows [first, last) of a view.
+template <class View>
+[[nodiscard]] View rows_of_view(View view, Index first, Index last) {
+  view.data = view.row(first);
+  view.height = last - first;
+  return view;
+}
+
+/// Divides the rows of large images among threads.
+class BandTeam {
+ public:
+  BandTeam(Index width, Index height, int threads)
+      : team_(threads), is_large_(width * height >= kMinPixelsForThreads) {}
+
+  [[nodiscard]] ThreadTeam& threads() { return team_; }
+
+  /// Calls `body(first, last)` on ranges that partition [0, count): one per thread for large
+  /// images, else one.
+  template <class Body>
+  void for_bands(Index count, const Body& body) const {
+    if (is_large_) {
+      team_.for_ranges(count, body);
+    } else {
+      body(Index{0}, count);
+    }
+  }
+
+ private:
+  ThreadTeam team_;
+  bool is_large_;
+};
+
+/// Exchanges foreground and background: bits up to the width, the padding remains zero.
+inline void complement(const BitPlaneView& rows) {
+  const Index words = rows.width / kWordBits;
+  const std::uint64_t tail = (std::uint64_t{1} << (rows.width % kWordBits)) - 1;
+  for (Index y = 0; y < rows.height; ++y) {
+    std::uint64_t* const row = rows.row(y);
+    for (Index i = 0; i < words; ++i) row[i] = ~row[i];
+    if (tail != 0) row[words] ^= tail;
+  }
+}
+
+template <class T>
+void read_planes(const BandTeam& team, const ConstImageView& view, Planes<T>& planes) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    planes.conversion.read(rows_of_view(view, first, last),
+                           rows_of_view(planes.source.view(), first, last));
+  });
+}
+
+template <class T>
+void read_planes(const BandTeam& team, const ConstPackedView& view, Planes<T>& planes) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    read_packed(rows_of_view(view, first, last), rows_of_view(planes.source.view(), first, last));
+  });
+}
+
+/// The function that writes rows of an image with `pixels` pixels. Large images use non-temporal
+/// stores.
+template <class T>
+[[nodiscard]] auto row_writer(const PlaneConversion<T>& conversion, Index pixels) {
+  return pixels >= kNonTemporalBytes ? conversion.write_non_temporal : conversion.write;
+}
+
+template <class T>
+void write_planes(const BandTeam& team, const Planes<T>& planes, const ImageView& view) {
+  const auto write = row_writer(planes.conversion, view.width * view.height);
+  team.for_bands(view.height, [&](Index first, Index last) {
+    write(rows_of_view(planes.result.view(), first, last), rows_of_view(view, first, last));
+  });
+}
+
+template <class T>
+void write_planes(const BandTeam& team, const Planes<T>& planes, const PackedView& view) {
+  team.for_bands(view.height, [&](Index first, Index last) {
+    write_packed(rows_of_view(planes.result.view(), first, last), rows_of_view(view, first, last));
+  });
+}
+
+/// Implements load() and store(); derived classes implement compute() with the same threads.
+template <class T>
+struct PlaneState : ThinningState {
+  explicit PlaneState(const ThinningSetting& setting)
+      : planes(setting.isa, setting.width, setting.height),
+        bands(setting.width, setting.height, setting.threads),
+        team(bands.threads()),
+        complemented(setting.complemented) {}
+
+  void load(const ConstImageView& view) override { load_planes(view); }
+  void load(const ConstPackedView& view) override { load_planes(view); }
+  int thin() final {
+    const int iterations = compute();
+    if (complemented) complement(planes.result.view());
+    return iterations;
+  }
+  void store(const ImageView& view) const override { write_planes(bands, planes, view); }
+  void store(const PackedView& view) const override { write_planes(bands, planes, view); }
+
+  /// Writes all of the result plane; returns what thin() does.
+  virtual int compute() = 0;
+
+  /// The loaded image.
+  [[nodiscard]] ConstPlaneView<T> source() const { return planes.source.view(); }
+
+  Planes<T> planes;
+  BandTeam bands;
+  ThreadTeam& team;
+  bool complemented;
+
+ private:
+  template <class View>
+  void load_planes(const View& view) {
+    read_planes(bands, view, planes);
+    if (complemented) complement(planes.source.view());
+  }
+};
+
+}  // namespace thinbench::detail

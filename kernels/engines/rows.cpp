@@ -1,0 +1,148 @@
+// Holds a row of up to 512 pixels in one register of 512 bits and thins the whole image in place,
+// in scratch memory that fits the L1 cache (26 KB for 412 rows). A band of rows is skipped if
+// neither it nor an adjacent band changed during the last iteration. One word is the bit set of all
+// bands.
+//
+// Measured, not adopted: docs/experiments.md#row-kernel.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/byte_image.hpp"
+#include "engines/iterate.hpp"
+#include "engines/plane_state.hpp"
+#include "engines/variants.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+constexpr Index kRegisterBytes = kBlockWords * static_cast<Index>(sizeof(std::uint64_t));
+
+/// Rows are grouped in at most 64 bands of at least 8 rows, so that a word is a bit set of bands.
+constexpr Index band_rows_of(Index height) {
+  constexpr Index min_rows = 8;
+  return height <= 64 * min_rows ? min_rows : (height + 63) / 64;
+}
+
+/// The rows that may change, one register each, grouped in bands of `band_rows` rows; the last band
+/// may have fewer.
+struct Bands {
+  std::uint64_t* first_row;
+  Index rows;
+  Index band_rows;
+  Index count;
+
+  Bands(std::uint64_t* first, Index height)
+      : first_row(first),
+        rows(height),
+        band_rows(band_rows_of(height)),
+        count((height + band_rows - 1) / band_rows) {}
+
+  [[nodiscard]] std::uint64_t all() const { return ~std::uint64_t{0} >> (64 - count); }
+};
+
+/// The bands and those adjacent to them.
+constexpr std::uint64_t with_adjacent(std::uint64_t bands) {
+  return bands | bands << 1 | bands >> 1;
+}
+
+/// Applies one sub-iteration to the active bands, run by run, and returns the bands that changed.
+/// The adjacent rows outside a run are unmodified: this sub-iteration does not compute their bands.
+std::uint64_t run_sub_iteration(const BoundScan& scan, const std::uint64_t* fixed,
+                                const Bands& bands, std::uint64_t active) {
+  std::uint64_t changed = 0;
+  while (active != 0) {
+    const int first = __builtin_ctzll(active);
+    const std::uint64_t gap = ~active >> first;
+    const int last = gap == 0 ? 64 : first + __builtin_ctzll(gap);
+    const Index first_row = first * bands.band_rows;
+    const Index last_row = std::min(last * bands.band_rows, bands.rows);
+    std::uint64_t* const row = bands.first_row + first_row * kBlockWords;
+    changed |= scan({.source = row,
+                     .source_stride = kRegisterBytes,
+                     .target = row,
+                     .target_stride = kRegisterBytes,
+                     .rows = last_row - first_row,
+                     .band_rows = bands.band_rows,
+                     .fixed = fixed})
+               << first;
+    active = last == 64 ? 0 : active >> last << last;
+  }
+  return changed;
+}
+
+/// Iterates until nothing changes or the limit is reached; returns the number of iterations.
+int iterate_rows(const BoundRule& rule, const std::uint64_t* fixed, const Bands& bands,
+                 int max_iterations) {
+  // What each sub-iteration changed when it last ran.
+  std::array<std::uint64_t, kMaxSubIterations> changed_by = {};
+  std::fill_n(changed_by.begin(), rule.sub_iterations, bands.all());
+  const auto changed = [&] {
+    std::uint64_t any = 0;
+    for (std::size_t sub = 0; sub < rule.sub_iterations; ++sub) any |= changed_by[sub];
+    return any;
+  };
+  int iterations = 0;
+  do {
+    for (std::size_t sub = 0; sub < rule.sub_iterations; ++sub) {
+      changed_by[sub] =
+          run_sub_iteration(rule.scans[sub], fixed, bands, with_adjacent(changed()) & bands.all());
+    }
+    ++iterations;
+  } while (iterations < max_iterations && changed() != 0);
+  return iterations;
+}
+
+/// Image and margin rows, in words.
+std::size_t scratch_words(Index height) {
+  return static_cast<std::size_t>((height + 2 * kMarginRows) * kBlockWords);
+}
+
+class RowState final : public PlaneState<std::uint64_t> {
+ public:
+  RowState(BoundRule rule, const ThinningSetting& setting)
+      : PlaneState(setting),
+        rule_(std::move(rule)),
+        border_(setting.border),
+        max_iterations_(setting.max_iterations),
+        fixed_(fixed_pixels<std::uint64_t>(setting.width, setting.border, rule_.adds_pixels)),
+        scratch_(make_aligned<std::uint64_t>(scratch_words(setting.height))) {}
+
+  int compute() override {
+    const Index height = source().height;
+    std::uint64_t* const rows = scratch_.get() + kMarginRows * kBlockWords;
+    for (Index y = 0; y < height; ++y) {
+      std::copy_n(source().row(y), kBlockWords, rows + y * kBlockWords);
+    }
+    const int iterations = iterate_scratch(rows, height);
+    for (Index y = 0; y < height; ++y) {
+      std::copy_n(rows + y * kBlockWords, kBlockWords, planes.result.view().row(y));
+    }
+    return iterations;
+  }
+
+ private:
+  int iterate_scratch(std::uint64_t* rows, Index height) const {
+    const std::uint64_t* const fixed = fixed_.view().data;
+    if (border_ != Border::keep) {
+      return height == 0 ? 1 : iterate_rows(rule_, fixed, {rows, height}, max_iterations_);
+    }
+    if (height <= 2) return 1;  // all rows are border
+    return iterate_rows(rule_, fixed, {rows + kBlockWords, height - 2}, max_iterations_);
+  }
+
+  BoundRule rule_;
+  Border border_;
+  int max_iterations_;
+  BitPlane fixed_;
+  AlignedArray<std::uint64_t> scratch_;
+};
+
+}  // namespace
+
+std::unique_ptr<ThinningState> make_rows(const ThinningSetting& setting) {
+  return std::make_unique<RowState>(
+      bind(setting.rule, setting.isa, Layout::row, has_fixed_pixels(setting)), setting);
+}
+
+}  // namespace thinbench::detail

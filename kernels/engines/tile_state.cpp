@@ -1,0 +1,133 @@
+#include "engines/tile_state.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "core/exported.hpp"
+#include "engines/variants.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+template <class View>
+View rows_of_tiles(const View& view, Index tile_row) {
+  const Index first = tile_row * kTileRows;
+  return rows_of_view(view, first, std::min(first + kTileRows, view.height));
+}
+
+}  // namespace
+
+TileState::TileState(TileEngine engine, const ThinningSetting& setting)
+    : engine_(std::move(engine)),
+      setting_(setting),
+      team_(setting.width, setting.height, setting.threads),
+      conversion_(plane_conversion<std::uint64_t>(setting.isa)),
+      workspace_(setting.width, setting.height, setting.border, setting.threads) {
+  const Index tile_rows = std::max<Index>(1, workspace_.grid().tile_rows());
+  const auto bands = static_cast<std::size_t>(std::min<Index>(setting.threads, tile_rows));
+  rows_.reserve(bands);
+  while (rows_.size() < bands) rows_.emplace_back(setting.width, kTileRows);
+}
+
+template <class View>
+void TileState::load_planes(const View& source) {
+  if (!planes_) planes_.emplace(setting_.isa, setting_.width, setting_.height);
+  read_planes(team_, source, *planes_);
+  if (setting_.complemented) complement(planes_->source.view());
+}
+
+void TileState::load(const ConstImageView& source) {
+  load_planes(source);
+}
+
+void TileState::load(const ConstPackedView& source) {
+  load_planes(source);
+}
+
+void TileState::store(const ImageView& destination) const {
+  write_planes(team_, planes_.value(), destination);
+}
+
+void TileState::store(const PackedView& destination) const {
+  write_planes(team_, planes_.value(), destination);
+}
+
+int TileState::thin() {
+  TileGrid& grid = workspace_.grid();
+  const TileLayout& layout = *engine_.layout;
+  const ConstBitPlaneView from = std::as_const(planes_.value().source).view();
+  const BitPlaneView to = planes_.value().result.view();
+  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+    for (Index row = first; row < last; ++row) {
+      layout.load_rows(grid.view(), rows_of_tiles(from, row), row);
+    }
+  });
+  const int iterations =
+      iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+    for (Index row = first; row < last; ++row) {
+      layout.store_rows(grid.view(), rows_of_tiles(to, row), row);
+    }
+  });
+  if (setting_.complemented) complement(to);
+  return iterations;
+}
+
+template <class Body>
+void TileState::for_tile_rows(const Body& body) {
+  std::atomic<std::size_t> next = 0;
+  team_.for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
+    BitPlaneView band = rows_[next++].view();
+    for (Index row = first; row < last; ++row) {
+      band.height = std::min(kTileRows, setting_.height - row * kTileRows);
+      body(row, band);
+    }
+  });
+}
+
+template <class Read, class Write>
+int TileState::run_by_tile_rows(const Read& read, const Write& write) {
+  const TileGridView& grid = workspace_.grid().view();
+  for_tile_rows([&](Index row, const BitPlaneView& rows) {
+    read(row, rows);
+    if (setting_.complemented) complement(rows);
+    engine_.layout->load_rows(grid, rows, row);
+  });
+  const int iterations =
+      iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+  for_tile_rows([&](Index row, const BitPlaneView& rows) {
+    engine_.layout->store_rows(grid, rows, row);
+    if (setting_.complemented) complement(rows);
+    write(row, rows);
+  });
+  return iterations;
+}
+
+int TileState::run(const ConstImageView& source, const ImageView& destination) {
+  const auto write = row_writer(conversion_, setting_.width * setting_.height);
+  return run_by_tile_rows(
+      [&](Index row, const BitPlaneView& to) { conversion_.read(rows_of_tiles(source, row), to); },
+      [&](Index row, const BitPlaneView& from) { write(from, rows_of_tiles(destination, row)); });
+}
+
+int TileState::run(const ConstPackedView& source, const PackedView& destination) {
+  return run_by_tile_rows(
+      [&](Index row, const BitPlaneView& to) { read_packed(rows_of_tiles(source, row), to); },
+      [&](Index row, const BitPlaneView& from) {
+        write_packed(from, rows_of_tiles(destination, row));
+      });
+}
+
+std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting) {
+  BoundRule rule = bind(setting.rule, setting.isa, Layout::tiles, false);
+  for (std::size_t i = 0; i < rule.sub_iterations; ++i) {
+    if (rule.tile_passes[i] == nullptr) return nullptr;
+  }
+  return std::make_unique<TileState>(
+      TileEngine{std::move(rule), &kernels_of<TileKernels>(setting.isa),
+                 &kernels_of<TileLayout>(setting.isa)},
+      setting);
+}
+
+}  // namespace thinbench::detail

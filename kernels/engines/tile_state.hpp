@@ -1,0 +1,47 @@
+// The state of the tile engine.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engines/iterate_tiles.hpp"
+#include "engines/plane_state.hpp"
+
+namespace thinbench::detail {
+
+class TileState final : public ThinningState {
+ public:
+  TileState(TileEngine engine, const ThinningSetting& setting);
+
+  /// Converts one row of tiles at a time, so that its packed rows stay in the L1 cache.
+  int run(const ConstImageView& source, const ImageView& destination) override;
+  int run(const ConstPackedView& source, const PackedView& destination) override;
+
+  /// The separate steps need planes, which the first load() allocates. run() does not, and so takes
+  /// a third of the memory.
+  void load(const ConstImageView& source) override;
+  void load(const ConstPackedView& source) override;
+  int thin() override;
+  void store(const ImageView& destination) const override;
+  void store(const PackedView& destination) const override;
+
+ private:
+  template <class View>
+  void load_planes(const View& source);
+  /// Thins rows of tiles that `read(tile_row, rows)` fills and `write(tile_row, rows)` takes.
+  template <class Read, class Write>
+  int run_by_tile_rows(const Read& read, const Write& write);
+  /// Calls `body(tile_row, rows)` for every row of tiles. `rows` is a buffer for its pixels.
+  template <class Body>
+  void for_tile_rows(const Body& body);
+
+  TileEngine engine_;
+  ThinningSetting setting_;
+  BandTeam team_;
+  const PlaneConversion<std::uint64_t>& conversion_;
+  TileWorkspace workspace_;
+  std::vector<BitPlane> rows_;  // one row of tiles per thread
+  std::optional<Planes<std::uint64_t>> planes_;
+};
+
+}  // namespace thinbench::detail

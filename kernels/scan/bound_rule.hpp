@@ -1,0 +1,75 @@
+// The interface between rules and engines: a rule is a list of scan functions, each of which
+// applies one sub-iteration to a column of registers. Plain data, safe to include in files of every
+// ISA.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "core/plane_view.hpp"
+#include "thinbench/rule.hpp"
+
+namespace thinbench::detail {
+
+/// What a register holds, and where the west and east neighbours of its pixels are.
+enum class Layout : std::uint8_t {
+  words,      // part of a row of a plane; neighbours across words are in memory
+  row,        // a whole row of up to 512 pixels
+  lanes_32,   // a row of an image per lane
+  lanes_64,   //
+  lanes_128,  // a row of an image per pair of 64-bit lanes
+  tiles,      // a row of a tile per 32-bit lane; all neighbours are in memory
+};
+inline constexpr std::size_t kLayouts = 6;
+
+/// Whether scans are in place: the target is the source, and its rows are one register apart.
+constexpr bool is_in_place(Layout layout) {
+  return layout != Layout::words && layout != Layout::tiles;
+}
+
+/// Rows of registers, one below the other. Row -1 and the row after the last are readable, and one
+/// more at either end for two-stage rules. The target is the source, or does not overlap with it.
+/// Of tiles, each register has several rows.
+struct ColumnScan {
+  const void* source;   // row 0
+  Index source_stride;  // bytes
+  void* target;
+  Index target_stride;
+  Index rows;
+  Index band_rows;        // of these, in at most 64 bands; the last band may have fewer
+  const void* fixed;      // a register with a 1 for every pixel that must not change, or nullptr
+  Index side_stride = 0;  // tiles: bytes from a tile to its eastern neighbour
+};
+
+/// Returns the bit set of bands in which a pixel changed.
+using ScanFunction = std::uint64_t (*)(const void* program, const ColumnScan& scan);
+
+/// A scan function with the program that it executes.
+struct BoundScan {
+  ScanFunction function = nullptr;
+  const void* program = nullptr;
+
+  std::uint64_t operator()(const ColumnScan& scan) const { return function(program, scan); }
+};
+
+struct TileGridView;
+struct TileRange;
+
+/// Applies one sub-iteration to the tiles of a range, see engines/tile_passes.hpp. Compiled from
+/// the template of a built-in rule, which ignores `scan`, or one that calls `scan` for each tile.
+using TilePass = void (*)(const BoundScan& scan, const TileGridView& grid, const TileRange& range);
+
+inline constexpr int kMaxSubIterations = static_cast<int>(Rule::kMaxSubIterations);
+
+/// A rule, ready to run on one ISA and layout: all that engines know of it.
+struct BoundRule {
+  std::array<BoundScan, kMaxSubIterations> scans = {};
+  std::array<TilePass, kMaxSubIterations> tile_passes = {};  // of Layout::tiles
+  std::size_t sub_iterations = 0;
+  Index register_elements = 1;
+  bool adds_pixels = false;                     // else background remains background
+  std::shared_ptr<const void> owner = nullptr;  // keeps alive what the scans refer to
+};
+
+}  // namespace thinbench::detail

@@ -1,0 +1,12 @@
+// Edges as compilers vectorise them. Plain data, safe to include in files of every ISA.
+#pragma once
+
+#include "edges/kernels.hpp"
+
+namespace thinbench::detail {
+
+struct AutovecEdgeKernels {
+  EdgeTable<EdgesToBytes> bytes;
+};
+
+}  // namespace thinbench::detail

@@ -1,0 +1,43 @@
+// Conversions between byte images and planes of bytes. Compiled for every ISA.
+#include "simd/vector.hpp"
+#include "techniques/byte_planes.hpp"
+
+namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
+namespace {
+
+/// Rows without pixels may have no memory.
+template <class View>
+Index rows_with_pixels(const View& view) {
+  return view.width == 0 ? 0 : view.height;
+}
+
+void read_bytes(const ConstImageView& source, const BytePlaneView& target) {
+  const Index width = source.width;
+  const Index height = rows_with_pixels(source);
+  for (Index y = 0; y < height; ++y) {
+    const std::uint8_t* __restrict from = source.row(y);
+    std::uint8_t* __restrict to = target.row(y);
+    for (Index x = 0; x < width; ++x) to[x] = from[x] != 0 ? 1 : 0;
+  }
+}
+
+void write_bytes(const ConstBytePlaneView& source, const ImageView& target) {
+  const Index width = source.width;
+  const Index height = rows_with_pixels(source);
+  for (Index y = 0; y < height; ++y) {
+    const std::uint8_t* __restrict from = source.row(y);
+    std::uint8_t* __restrict to = target.row(y);
+    for (Index x = 0; x < width; ++x) to[x] = static_cast<std::uint8_t>(-from[x]);
+  }
+}
+
+}  // namespace
+}  // namespace THINBENCH_ISA
+
+template <>
+constinit const PlaneConversion<std::uint8_t>
+    Exported<PlaneConversion<std::uint8_t>, kThisIsa>::kKernels = {&read_bytes, &write_bytes,
+                                                                   &write_bytes};
+
+}  // namespace thinbench::detail

@@ -1,0 +1,163 @@
+#include "techniques/variants.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include "core/exported.hpp"
+#include "distance/kernels.hpp"
+#include "graph/node_pixels.hpp"
+#include "techniques/autovec_edges.hpp"
+#include "techniques/regions.hpp"
+#include "techniques/thinning.hpp"
+
+namespace thinbench::detail::study {
+namespace {
+
+constexpr std::array kTechniques = {
+    TechniqueInfo{"lut", "neighbourhoods gathered from bytes, one look-up table"},
+    TechniqueInfo{"lut_sliding", "neighbourhoods that slide along the row, 4096-entry table"},
+    TechniqueInfo{"union_find",
+                  "two-pass labelling of bytes, provisional labels in a union-find forest"},
+    TechniqueInfo{"autovec", "the reference's arithmetic, vectorised by the compiler"},
+    TechniqueInfo{"simd_float_bits",
+                  "xsimd, the net's sums in single precision, from packed pixels"},
+    TechniqueInfo{"simd_fixed_point",
+                  "xsimd, the net's sums on 8-bit integers, from packed pixels"},
+    TechniqueInfo{"bitpacked", "64 pixels per word, the minimal circuit"},
+    TechniqueInfo{"bitpacked_runs",
+                  "runs of packed pixels by count-trailing-zeros, union-find over runs"},
+    TechniqueInfo{"simd_bytes", "xsimd, one pixel per byte lane"},
+    TechniqueInfo{"simd_bitpacked", "xsimd on packed words, any width"},
+    TechniqueInfo{"simd_bitpacked_tiles",
+                  "xsimd on tiles of 16 x 32 packed pixels, only where something changed"},
+    TechniqueInfo{"simd_bitpacked_row", "one row of up to 512 pixels in one AVX-512 register"},
+    TechniqueInfo{"simd_16bit", "gradients in 16-bit lanes, one fused scan of the image"},
+    TechniqueInfo{"simd_8bit", "gradients in saturating 8-bit lanes, where these are exact"},
+    TechniqueInfo{"simd_runs", "xsimd, one run per lane; union-find for runs that change"},
+    TechniqueInfo{"envelope", "the lower envelope of parabolas, in time linear in the width"},
+    TechniqueInfo{"simd_32bit", "xsimd, distances in 32-bit lanes, searched as far as needed"},
+};
+
+/// The operation with more variants in front of its own.
+template <class Operation>
+Operation with(VariantList<typename Operation::StateType> list, Operation operation) {
+  auto variants = list.take();
+  variants.insert(variants.end(), operation.variants.begin(), operation.variants.end());
+  operation.variants = std::move(variants);
+  return operation;
+}
+
+/// All operations of a family, with the techniques that `techniques_of(operation)` adds.
+template <class Operation, class TechniquesOf>
+std::vector<Operation> extended(std::span<const Operation> operations,
+                                const TechniquesOf& techniques_of) {
+  std::vector<Operation> all;
+  for (const Operation& operation : operations) {
+    all.push_back(with(techniques_of(operation), operation));
+  }
+  return all;
+}
+
+RegionsVariants regions_techniques(RegionsTask task) {
+  RegionsVariants list;
+  if (task == RegionsTask::fill) {
+    list.add("union_find", Isa::baseline, &make_union_find_fill, {0});
+  } else if (task == RegionsTask::holes || task == RegionsTask::components) {
+    list.add("union_find", Isa::baseline, &make_union_find, {0});
+  } else {
+    list.add("lut", Isa::baseline, &make_euler_quads, {0});
+  }
+  return list;
+}
+
+std::unique_ptr<EdgeState> make_autovec_edges(const EdgeSetting& setting) {
+  const AutovecEdgeKernels& kernels = kernels_of<AutovecEdgeKernels>(setting.isa);
+  return std::make_unique<EdgeState>(kernels.bytes[setting.op], setting);
+}
+
+EdgeVariants edge_techniques() {
+  EdgeVariants list;
+  for (const Isa isa : isas_with(kEdgeFeatures)) list.add("autovec", isa, &make_autovec_edges, {0});
+  return list;
+}
+
+std::unique_ptr<DistanceState> make_envelope(const DistanceSetting& setting) {
+  const DistanceColumns columns = kernels_of<DistanceKernels>(setting.isa).columns;
+  return std::make_unique<DistanceState>(DistanceKernels{columns, &envelope_row}, setting);
+}
+
+std::unique_ptr<GraphState> make_bitpacked_graph(const GraphSetting& setting) {
+  return std::make_unique<GraphState>(kBitpackedGraph, setting);
+}
+
+}  // namespace
+
+std::span<const ThinningOperation> thinning_operations() {
+  static const auto all = extended(detail::thinning_operations(), [](const auto& operation) {
+    return thinning_techniques(*operation.key.body());
+  });
+  return all;
+}
+
+std::span<const EdgeOperation> edge_operations() {
+  static const auto all =
+      extended(detail::edge_operations(), [](const auto&) { return edge_techniques(); });
+  return all;
+}
+
+std::span<const RegionsOperation> regions_operations() {
+  static const auto all = extended(detail::regions_operations(), [](const auto& operation) {
+    return regions_techniques(operation.key);
+  });
+  return all;
+}
+
+const DistanceOperation& distance_operation() {
+  static const DistanceOperation operation = [] {
+    VariantList<DistanceState> list;
+    list.add_with_threads("envelope", Isa::baseline, &make_envelope, {0});
+    return with(std::move(list), detail::distance_operation());
+  }();
+  return operation;
+}
+
+const GraphOperation& graph_operation() {
+  static const GraphOperation operation = [] {
+    VariantList<GraphState> list;
+    list.add_with_threads("bitpacked", Isa::baseline, &make_bitpacked_graph, {0});
+    return with(std::move(list), detail::graph_operation());
+  }();
+  return operation;
+}
+
+const ThinningOperation& operation_of(BuiltInRule rule) {
+  static_cast<void>(rule_info(rule));
+  return thinning_operations()[static_cast<std::size_t>(rule)];
+}
+
+const EdgeOperation& operation_of(EdgeOperator op) {
+  return operation_with(op, edge_operations(), "operator");
+}
+
+const RegionsOperation& operation_of(RegionsTask task) {
+  return operation_with(task, regions_operations(), "task");
+}
+
+std::vector<ThinningVariant> thinning_variants(const Rule& rule) {
+  return with(thinning_techniques(*rule.body()),
+              ThinningOperation{rule, {}, {}, detail::thinning_variants(*rule.body())})
+      .variants;
+}
+
+std::span<const TechniqueInfo> techniques() {
+  return kTechniques;
+}
+
+const TechniqueInfo& technique_info(std::string_view name) {
+  for (const TechniqueInfo& info : kTechniques) {
+    if (info.name == name) return info;
+  }
+  throw std::logic_error("no technique is called " + std::string(name));
+}
+
+}  // namespace thinbench::detail::study

@@ -1,0 +1,41 @@
+// Every operation with all its variants: those of the product, and in front of them the techniques
+// that the study compares them with. The product never uses these.
+#pragma once
+
+#include <span>
+
+#include "distance/state.hpp"
+#include "edges/state.hpp"
+#include "graph/state.hpp"
+#include "localise/state.hpp"
+#include "regions/state.hpp"
+#include "thinning/operations.hpp"
+
+namespace thinbench::detail::study {
+
+// All live as long as the program.
+[[nodiscard]] std::span<const ThinningOperation> thinning_operations();
+[[nodiscard]] std::span<const EdgeOperation> edge_operations();
+[[nodiscard]] std::span<const RegionsOperation> regions_operations();
+[[nodiscard]] const DistanceOperation& distance_operation();
+[[nodiscard]] const GraphOperation& graph_operation();
+
+/// Throw std::invalid_argument for a value outside the enumeration.
+[[nodiscard]] const ThinningOperation& operation_of(BuiltInRule rule);
+[[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
+[[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
+
+/// All variants of any rule.
+[[nodiscard]] std::vector<ThinningVariant> thinning_variants(const Rule& rule);
+
+struct TechniqueInfo {
+  std::string_view name;
+  std::string_view description;
+};
+
+/// What all techniques do, those of the product included.
+[[nodiscard]] std::span<const TechniqueInfo> techniques();
+/// Throws std::logic_error for an unknown name.
+[[nodiscard]] const TechniqueInfo& technique_info(std::string_view name);
+
+}  // namespace thinbench::detail::study

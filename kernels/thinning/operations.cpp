@@ -1,0 +1,63 @@
+#include "thinning/operations.hpp"
+
+#include "core/checks.hpp"
+#include "engines/variants.hpp"
+#include "midpoints/variants.hpp"
+
+namespace thinbench::detail {
+
+const std::vector<ThinningVariant>& thinning_variants(const RuleBody& rule) {
+  static const std::vector<ThinningVariant> midpoints = midpoint_variants();
+  static const std::vector<ThinningVariant> spta = spta_variants();
+  static const std::vector<ThinningVariant> built_in = parallel_variants(true, false);
+  static const std::vector<ThinningVariant> removing = parallel_variants(false, false);
+  static const std::vector<ThinningVariant> adding = parallel_variants(false, true);
+  if (rule.kind == RuleKind::midpoints) return midpoints;
+  if (rule.kind == RuleKind::spta) return spta;
+  if (rule.circuits) return built_in;
+  return rule.adds_pixels() ? adding : removing;
+}
+
+std::span<const ThinningOperation> thinning_operations() {
+  static const std::vector<ThinningOperation> all = [] {
+    std::vector<ThinningOperation> operations;
+    for (const RuleInfo& info : kRules) {
+      const Rule rule = info.rule;
+      operations.push_back(
+          {rule, info.operation, info.description, thinning_variants(*rule.body())});
+    }
+    return operations;
+  }();
+  return all;
+}
+
+const ThinningVariant& choose_thinning(const ThinningParameters& parameters, Index width,
+                                       Index height, const Execution& execution) {
+  require_size(width, height);
+  ThinningState::check(parameters, width, height);
+  return choose_variant(parameters.rule->operation, thinning_variants(*parameters.rule), width,
+                        height, execution);
+}
+
+ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinning) {
+  const SharedRule& body = rule.body();
+  const Border border = thinning.border.value_or(body->border);
+  const int max_iterations = thinning.max_iterations.value_or(body->max_iterations);
+  const std::string name(body->name);
+  require(static_cast<std::size_t>(border) < kBorderNames.size(),
+          "border: expected background, keep or foreground, got " +
+              std::to_string(static_cast<int>(border)));
+  require(max_iterations >= 1, "max_iterations: expected an integer of at least 1, got " +
+                                   std::to_string(max_iterations));
+  require(
+      max_iterations != kUnlimited || !body->adds_pixels() || !body->removes_pixels(),
+      name + ": this rule adds and removes pixels, so it may never end; it needs max_iterations");
+  if (border != Border::foreground) return {body, border, max_iterations, false};
+  require(body->complement != nullptr,
+          name +
+              ": border: expected background or keep, got foreground, which only rules that are "
+              "functions of 3 x 3 pixels can have");
+  return {body->complement, Border::background, max_iterations, true};
+}
+
+}  // namespace thinbench::detail

@@ -1,0 +1,42 @@
+// The operations of thinning, and states for any rule.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engines/state.hpp"
+
+namespace thinbench::detail {
+
+/// One per built-in rule, in the order of the catalogue. They live as long as the program.
+[[nodiscard]] std::span<const ThinningOperation> thinning_operations();
+
+/// The variants of any rule, which live as long as the program.
+[[nodiscard]] const std::vector<ThinningVariant>& thinning_variants(const RuleBody& rule);
+
+/// Throws std::invalid_argument for options that are out of range or that the rule cannot have.
+[[nodiscard]] ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinning);
+
+/// The variant that public functions use. Throws std::invalid_argument as they do.
+[[nodiscard]] const ThinningVariant& choose_thinning(const ThinningParameters& parameters,
+                                                     Index width, Index height,
+                                                     const Execution& execution);
+
+/// What a caller asks for.
+struct ThinningCall {
+  Rule rule;
+  Thinning thinning = {};
+  Execution execution = {};
+
+  /// The same on one thread.
+  [[nodiscard]] ThinningCall on_one_thread() const {
+    return {rule, thinning, {.threads = 1, .isa = execution.isa}};
+  }
+};
+
+/// Whether small images are thinned in lanes, many at once.
+[[nodiscard]] inline bool has_lanes(const ThinningParameters& parameters) {
+  return parameters.rule->kind == RuleKind::parallel;
+}
+
+}  // namespace thinbench::detail
