@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "compile/rule_body.hpp"
 #include "core/exported.hpp"
 #include "scan/built_in.hpp"
@@ -5,20 +7,27 @@
 namespace thinbench::detail {
 namespace {
 
+/// As many sub-iterations as there are functions.
+template <class Functions>
+std::size_t count_of(const Functions& functions) {
+  return static_cast<std::size_t>(std::find(functions.begin(), functions.end(), nullptr) -
+                                  functions.begin());
+}
+
 BoundRule bind_built_in(BuiltInRule rule, Isa isa, Layout layout) {
   const BuiltInScans& kernels = kernels_of<BuiltInScans>(isa);
+  const auto& scans = layout == Layout::row ? kernels.row : kernels.words;
   BoundRule bound;
   bound.register_elements = kernels.register_elements;
+  bound.sub_iterations = count_of(kernels.words[rule]);
   if (layout == Layout::tiles) {
     bound.tile_passes = kernels_of<BuiltInTilePasses>(isa).by_rule[rule];
-    while (bound.sub_iterations < kMaxSubIterations &&
-           bound.tile_passes[bound.sub_iterations] != nullptr) {
-      ++bound.sub_iterations;
-    }
-    return bound;
-  }
-  for (const ScanFunction scan : kernels.by_layout[static_cast<std::size_t>(layout)][rule]) {
-    if (scan != nullptr) bound.scans[bound.sub_iterations++] = {scan};
+  } else if (layout == Layout::words || layout == Layout::row) {
+    std::transform(scans[rule].begin(), scans[rule].end(), bound.scans.begin(),
+                   [](ScanFunction scan) { return BoundScan{scan}; });
+  } else {
+    bound.repeat =
+        kernels.lanes[static_cast<int>(layout) - static_cast<int>(Layout::lanes_32)][rule];
   }
   return bound;
 }

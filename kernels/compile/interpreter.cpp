@@ -10,10 +10,12 @@ inline namespace THINBENCH_ISA {
 namespace {
 
 consteval Interpreters make_interpreters() {
-  Interpreters interpreters{
-      TernaryGate<WordBatch>::kOneInstruction, static_cast<Index>(WordBatch::size), {}};
-  fill_layouts(interpreters.by_layout, []<class Rows>() { return &interpret<Rows>; });
-  return interpreters;
+  return {
+      TernaryGate<WordBatch>::kOneInstruction,
+      static_cast<Index>(WordBatch::size),
+      {&interpret<PlaneRows<WordBatch>>,
+       for_whole_rows([]<class Rows>() -> ScanFunction { return &interpret<Rows>; }),
+       &interpret<RowsOfLanes32>, &interpret<RowsOfLanes64>, &interpret<RowsOfLanes128>, nullptr}};
 }
 
 }  // namespace

@@ -54,28 +54,22 @@ template <class Lanes, class Part>
 }
 
 template <class Lanes>
-void read_group(const LaneJob& job, Index first, Index images, const LaneRows<Lanes>& rows) {
-  using Element = typename Lanes::Element;
-  const ConstStackView source = job.source;  // local copies, which stores cannot alias
+void read_group(const ConstStackView& source, Index first, Index images,
+                const LaneRows<Lanes>& rows) {
   const Index height = source.height;
   const Index stride = source.stride;
-  const bool complemented = job.complemented;
   for_parts<Lanes>(
       images, source.width,
       [&](Index image, Index element, Index x, Index width) __attribute__((always_inline)) {
         const std::uint8_t* from = source.data + (first + image) * source.image_stride + x;
         for (Index y = 0; y < height; ++y) {
-          const Element flip = complemented ? static_cast<Element>(first_bits(width)) : Element{0};
-          rows.at(y)[element] = pack_pixels<Element>(from + y * stride, width) ^ flip;
+          rows.at(y)[element] = pack_pixels<typename Lanes::Element>(from + y * stride, width);
         }
       });
 }
 
 template <class Lanes>
-void write_group(const LaneJob& job, Index first, Index images, const LaneRows<Lanes>& rows) {
-  using Element = typename Lanes::Element;
-  const StackView target = job.target;
-  const bool complemented = job.complemented;
+void write_group(const LaneRows<Lanes>& rows, Index first, Index images, const StackView& target) {
   const Index height = target.height;
   const Index stride = target.stride;
   for_parts<Lanes>(
@@ -83,10 +77,20 @@ void write_group(const LaneJob& job, Index first, Index images, const LaneRows<L
       [&](Index image, Index element, Index x, Index width) __attribute__((always_inline)) {
         std::uint8_t* to = target.data + (first + image) * target.image_stride + x;
         for (Index y = 0; y < height; ++y) {
-          const Element flip = complemented ? static_cast<Element>(first_bits(width)) : Element{0};
-          unpack_pixels<Element>(rows.at(y)[element] ^ flip, to + y * stride, width);
+          unpack_pixels(rows.at(y)[element], to + y * stride, width);
         }
       });
+}
+
+/// Exchanges foreground and background, except the bits of a row that hold no pixel.
+template <class Lanes>
+void complement(const LaneRows<Lanes>& rows, Index height,
+                const typename Lanes::Element* no_pixels) {
+  for (Index y = 0; y < height; ++y) {
+    for (Index i = 0; i < Lanes::kRow; ++i) {
+      rows.at(y)[i] = static_cast<typename Lanes::Element>(~(rows.at(y)[i] ^ no_pixels[i]));
+    }
+  }
 }
 
 /// Sets the bits that must not change in a row of a register: those of the first and the last
@@ -105,34 +109,31 @@ void set_fixed(const LaneJob& job, Index images, typename Lanes::Element* fixed)
   });
 }
 
-/// Prefetches the memory that the next group will read and write, some cache lines at a time.
-class Prefetcher {
- public:
-  /// Of the group that begins with image `first`; nothing if `first` >= `last`.
-  Prefetcher(const LaneJob& job, Index max_images, Index first, Index last) {
-    const Index images = last - first < max_images ? last - first : max_images;
-    const Index from = job.source.image_stride;
-    const Index to = job.target.image_stride;
-    source_ = job.source.data + first * from;
-    target_ = job.target.data + first * to;
-    bytes_ = images * (from < to ? from : to);
-  }
+/// Prefetches the group that begins with image `first`; nothing if `first` >= `last`.
+template <class Lanes>
+Prefetcher prefetcher_of(const LaneJob& job, Index first, Index last) {
+  const Index images = last - first < Lanes::kImages ? last - first : Lanes::kImages;
+  const Index from = job.source.image_stride;
+  const Index to = job.target.image_stride;
+  return {job.source.data + first * from, job.target.data + first * to,
+          images * (from < to ? from : to)};
+}
 
-  void prefetch(Index lines) {
-    constexpr Index line = 64;
-    const Index end = next_ + lines * line < bytes_ ? next_ + lines * line : bytes_;
-    for (; next_ < end; next_ += line) {
-      __builtin_prefetch(source_ + next_, 0, 2);
-      __builtin_prefetch(target_ + next_, 1, 2);
+/// Iterates a rule without a function of its own for that.
+int repeat_scans(const BoundRule& rule, const ColumnScan& scan, int max_iterations,
+                 Prefetcher& prefetcher) {
+  int iterations = 0;
+  bool changed = true;
+  while (changed && iterations < max_iterations) {
+    changed = false;
+    for (std::size_t sub = 0; sub < rule.sub_iterations; ++sub) {
+      changed = rule.scans[sub](scan) != 0 || changed;
+      for (Index y = 0; y < scan.rows; ++y) prefetcher.prefetch_line();
     }
+    ++iterations;
   }
-
- private:
-  const std::uint8_t* source_;
-  const std::uint8_t* target_;
-  Index bytes_;
-  Index next_ = 0;
-};
+  return iterations;
+}
 
 /// Iterates until no image of a group changes; returns the number of iterations.
 template <class Lanes>
@@ -144,18 +145,8 @@ int thin_group(const LaneJob& job, const LaneRows<Lanes>& rows, const void* fixe
   if (count <= 0) return 1;
   auto* const first = rows.at(margin);
   const ColumnScan scan = {first, stride, first, stride, count, count, fixed};
-  const BoundRule& rule = *job.rule;
-  int iterations = 0;
-  bool changed = true;
-  while (changed && iterations < job.max_iterations) {
-    changed = false;
-    for (std::size_t sub = 0; sub < rule.sub_iterations; ++sub) {
-      changed = rule.scans[sub](scan) != 0 || changed;
-      prefetcher.prefetch(count);
-    }
-    ++iterations;
-  }
-  return iterations;
+  if (job.rule->repeat != nullptr) return job.rule->repeat(scan, job.max_iterations, prefetcher);
+  return repeat_scans(*job.rule, scan, job.max_iterations, prefetcher);
 }
 
 template <class Lanes>
@@ -174,10 +165,12 @@ int thin_lanes(const LaneJob& job, Index first, Index last, void* scratch) {
       set_fixed<Lanes>(job, images, fixed);
       clear(rows, 0, job.source.height);
     }
-    read_group(job, image, images, rows);
+    read_group(job.source, image, images, rows);
+    if (job.complemented) complement(rows, job.source.height, fixed);
     const int iterations = thin_group(job, rows, has_fixed ? fixed : nullptr,
-                                      Prefetcher(job, Lanes::kImages, image + images, last));
-    write_group(job, image, images, rows);
+                                      prefetcher_of<Lanes>(job, image + images, last));
+    if (job.complemented) complement(rows, job.source.height, fixed);
+    write_group(rows, image, images, job.target);
     if (iterations > max_taken) max_taken = iterations;
   }
   return max_taken;

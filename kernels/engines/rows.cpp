@@ -48,24 +48,18 @@ constexpr std::uint64_t with_adjacent(std::uint64_t bands) {
 
 /// Applies one sub-iteration to the active bands, run by run, and returns the bands that changed.
 /// The adjacent rows outside a run are unmodified: this sub-iteration does not compute their bands.
-std::uint64_t run_sub_iteration(const BoundScan& scan, const std::uint64_t* fixed,
-                                const Bands& bands, std::uint64_t active) {
+/// `scan` has all but the rows of a run.
+std::uint64_t run_sub_iteration(const BoundScan& function, const Bands& bands, ColumnScan& scan,
+                                std::uint64_t active) {
   std::uint64_t changed = 0;
   while (active != 0) {
     const int first = __builtin_ctzll(active);
     const std::uint64_t gap = ~active >> first;
     const int last = gap == 0 ? 64 : first + __builtin_ctzll(gap);
     const Index first_row = first * bands.band_rows;
-    const Index last_row = std::min(last * bands.band_rows, bands.rows);
-    std::uint64_t* const row = bands.first_row + first_row * kBlockWords;
-    changed |= scan({.source = row,
-                     .source_stride = kRegisterBytes,
-                     .target = row,
-                     .target_stride = kRegisterBytes,
-                     .rows = last_row - first_row,
-                     .band_rows = bands.band_rows,
-                     .fixed = fixed})
-               << first;
+    scan.source = scan.target = bands.first_row + first_row * kBlockWords;
+    scan.rows = std::min(last * bands.band_rows, bands.rows) - first_row;
+    changed |= function(scan) << first;
     active = last == 64 ? 0 : active >> last << last;
   }
   return changed;
@@ -74,6 +68,7 @@ std::uint64_t run_sub_iteration(const BoundScan& scan, const std::uint64_t* fixe
 /// Iterates until nothing changes or the limit is reached; returns the number of iterations.
 int iterate_rows(const BoundRule& rule, const std::uint64_t* fixed, const Bands& bands,
                  int max_iterations) {
+  ColumnScan scan = {nullptr, kRegisterBytes, nullptr, kRegisterBytes, 0, bands.band_rows, fixed};
   // What each sub-iteration changed when it last ran.
   std::array<std::uint64_t, kMaxSubIterations> changed_by = {};
   std::fill_n(changed_by.begin(), rule.sub_iterations, bands.all());
@@ -86,7 +81,7 @@ int iterate_rows(const BoundRule& rule, const std::uint64_t* fixed, const Bands&
   do {
     for (std::size_t sub = 0; sub < rule.sub_iterations; ++sub) {
       changed_by[sub] =
-          run_sub_iteration(rule.scans[sub], fixed, bands, with_adjacent(changed()) & bands.all());
+          run_sub_iteration(rule.scans[sub], bands, scan, with_adjacent(changed()) & bands.all());
     }
     ++iterations;
   } while (iterations < max_iterations && changed() != 0);

@@ -53,6 +53,27 @@ struct BoundScan {
   std::uint64_t operator()(const ColumnScan& scan) const { return function(program, scan); }
 };
 
+/// Prefetches memory that will be read and memory that will be written, one cache line at a time.
+struct Prefetcher {
+  const std::uint8_t* source;
+  const std::uint8_t* target;
+  Index bytes;
+  Index next = 0;
+
+  [[gnu::always_inline]] void prefetch_line() {
+    constexpr Index line = 64;
+    if (next >= bytes) return;
+    __builtin_prefetch(source + next, 0, 2);
+    __builtin_prefetch(target + next, 1, 2);
+    next += line;
+  }
+};
+
+/// Applies all sub-iterations to rows in place until an iteration changes nothing or the limit is
+/// reached; returns the number of iterations. The scan is one band. Prefetches a line per row. For
+/// small images, for which a call for each sub-iteration takes 2 to 20 % longer.
+using RepeatFunction = int (*)(const ColumnScan& scan, int max_iterations, Prefetcher& prefetcher);
+
 struct TileGridView;
 struct TileRange;
 
@@ -66,6 +87,7 @@ inline constexpr int kMaxSubIterations = static_cast<int>(Rule::kMaxSubIteration
 struct BoundRule {
   std::array<BoundScan, kMaxSubIterations> scans = {};
   std::array<TilePass, kMaxSubIterations> tile_passes = {};  // of Layout::tiles
+  RepeatFunction repeat = nullptr;                           // of lanes; nullptr: by `scans`
   std::size_t sub_iterations = 0;
   Index register_elements = 1;
   bool adds_pixels = false;                     // else background remains background

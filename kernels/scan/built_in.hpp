@@ -20,10 +20,12 @@ struct ByRule {
 using ScanFunctions = std::array<ScanFunction, kMaxSubIterations>;
 using TilePasses = std::array<TilePass, kMaxSubIterations>;
 
-/// `by_layout` has no functions for layouts that the ISA does not have, and none for tiles.
+/// nullptr for layouts that the ISA does not have.
 struct BuiltInScans {
   Index register_elements;
-  ByRule<ScanFunctions> by_layout[kLayouts];
+  ByRule<ScanFunctions> words;
+  ByRule<ScanFunctions> row;
+  ByRule<RepeatFunction> lanes[3];  // of 32, 64 and 128 pixels
 };
 
 struct BuiltInTilePasses {

@@ -13,9 +13,11 @@ inline namespace THINBENCH_ISA {
 namespace {
 
 consteval BuiltInScans make_scans() {
-  BuiltInScans scans{static_cast<Index>(WordBatch::size), {}};
-  fill_layouts(scans.by_layout, []<class Rows>() { return scan_functions_by_rule<Rows>(); });
-  return scans;
+  return {static_cast<Index>(WordBatch::size),
+          scan_functions_by_rule<PlaneRows<WordBatch>>(),
+          for_whole_rows([]<class Rows>() { return scan_functions_by_rule<Rows>(); }),
+          {repeat_functions_by_rule<RowsOfLanes32>(), repeat_functions_by_rule<RowsOfLanes64>(),
+           repeat_functions_by_rule<RowsOfLanes128>()}};
 }
 
 }  // namespace

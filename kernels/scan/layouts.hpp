@@ -57,19 +57,18 @@ struct LanePair {
   }
 };
 
-/// `make.template operator()<Rows>()` for each layout that this ISA has, in an array by layout.
-template <class T, class Make>
-consteval void fill_layouts(T (&by_layout)[kLayouts], const Make& make) {
-  const auto set = [&](Layout layout, T value) {
-    by_layout[static_cast<std::size_t>(layout)] = value;
-  };
-  set(Layout::words, make.template operator()<PlaneRows<WordBatch>>());
-  set(Layout::lanes_32, make.template operator()<RegisterRows<Lane<std::uint32_t>>>());
-  set(Layout::lanes_64, make.template operator()<RegisterRows<Lane<std::uint64_t>>>());
-  set(Layout::lanes_128, make.template operator()<RegisterRows<LanePair>>());
-  [&]<bool holds_row>(std::bool_constant<holds_row>) {
-    if constexpr (holds_row) set(Layout::row, make.template operator()<RegisterRows<WholeRow>>());
-  }(std::bool_constant<kRegisterHoldsRow>{});
+using RowsOfLanes32 = RegisterRows<Lane<std::uint32_t>>;
+using RowsOfLanes64 = RegisterRows<Lane<std::uint64_t>>;
+using RowsOfLanes128 = RegisterRows<LanePair>;
+
+/// `make.template operator()<Rows>()` for whole rows; a default value on ISAs without Layout::row.
+template <bool holds_row = kRegisterHoldsRow, class Make>
+consteval auto for_whole_rows(const Make& make) {
+  if constexpr (holds_row) {
+    return make.template operator()<RegisterRows<WholeRow>>();
+  } else {
+    return decltype(make.template operator()<RowsOfLanes64>()){};
+  }
 }
 
 }  // namespace THINBENCH_ISA
