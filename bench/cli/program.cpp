@@ -42,7 +42,7 @@ THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruc
         add_rule_command(app_),         add_batch_command(app_),   add_edges_command(app_),
         add_holes_command(app_),        add_graph_command(app_),   add_scene_command(app_),
         add_machine_command(app_),      add_train_command(app_),   add_experiment_command(app_),
-        add_instructions_command(app_), add_pictures_command(app_)};
+        add_instructions_command(app_), add_pictures_command(app_), add_circuits_command(app_)};
   }
 
   int run(const std::vector<std::string>& args) {

@@ -10,12 +10,12 @@
 
 #include "custom/gate_search.hpp"
 #include "custom/machine_code.hpp"
-#include "custom/program.hpp"
+#include "custom/slots.hpp"
 #include "thinning/engines/custom_scan.hpp"
 
 namespace thinbench::detail {
 
-/// The tables of a rule with circuits, programs and machine code, each made when first needed.
+/// The tables of a rule with circuits and machine code, each made when first needed.
 /// Thread-safe.
 class CompiledRule {
  public:
@@ -38,8 +38,7 @@ class CompiledRule {
   /// The circuits for one kind of processor.
   struct Circuits {
     std::vector<GateNetwork> networks;
-    std::vector<Program> programs;
-    std::vector<SlotProgram> slot_programs;
+    std::vector<SlotNetwork> slot_networks;
   };
 
   const Circuits& circuits(bool ternary) const;

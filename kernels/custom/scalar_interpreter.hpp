@@ -5,7 +5,7 @@
 
 namespace thinbench::detail {
 
-/// Executes SlotPrograms that are not ternary, on Layout::words.
+/// Executes SlotNetworks of two-input gates, on Layout::words.
 extern const ScanFunction kScalarInterpreter;
 
 }  // namespace thinbench::detail
