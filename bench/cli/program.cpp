@@ -38,11 +38,11 @@ Commands that read images agree on which pixels are foreground: by default the c
 Otsu's method, that covers less of the image border; else what --foreground and --threshold say.
 THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)");
     commands_ = {
-        add_list_command(app_),         add_verify_command(app_),  add_run_command(app_),
-        add_rule_command(app_),         add_batch_command(app_),   add_edges_command(app_),
-        add_holes_command(app_),        add_graph_command(app_),   add_scene_command(app_),
-        add_machine_command(app_),      add_train_command(app_),   add_experiment_command(app_),
-        add_instructions_command(app_), add_pictures_command(app_)};
+        add_list_command(app_),         add_verify_command(app_),   add_run_command(app_),
+        add_rule_command(app_),         add_batch_command(app_),    add_edges_command(app_),
+        add_holes_command(app_),        add_graph_command(app_),    add_scene_command(app_),
+        add_machine_command(app_),      add_train_command(app_),    add_experiment_command(app_),
+        add_instructions_command(app_), add_pictures_command(app_), add_circuits_command(app_)};
   }
 
   int run(const std::vector<std::string>& args) {

@@ -1,12 +1,10 @@
-// Numbers, truth values and words that count what is done with them: operation counts come from
+// Numbers and truth values that count what is done with them: operation counts come from
 // running the references' equations, not from reading them.
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 
 #include "decisions.hpp"
-#include "simd/word.hpp"
 #include "thinbench/nets.hpp"
 
 namespace thinbench {
@@ -121,51 +119,4 @@ class CountedTruth {
   bool value_;
 };
 
-/// Gates of a circuit with at most `inputs` (2 or 3) inputs each. Inverters are counted apart: most
-/// instruction sets have and-not, and three-input gates take them in.
-struct Gates {
-  int gates = 0;
-  int inverters = 0;
-};
-
-/// A word that counts gates.
-template <int inputs>
-class CountedWord {
- public:
-  explicit CountedWord(std::uint64_t value) : value_(value) {}
-
-  friend CountedWord operator&(CountedWord a, CountedWord b) { return gate(a.value_ & b.value_); }
-  friend CountedWord operator|(CountedWord a, CountedWord b) { return gate(a.value_ | b.value_); }
-  friend CountedWord operator^(CountedWord a, CountedWord b) { return gate(a.value_ ^ b.value_); }
-  friend CountedWord operator~(CountedWord a) {
-    ++counted.inverters;
-    return CountedWord(~a.value_);
-  }
-  static CountedWord gate(std::uint64_t value) {
-    ++counted.gates;
-    return CountedWord(value);
-  }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
-  static inline thread_local Gates counted;
-
- private:
-  std::uint64_t value_;
-};
-
 }  // namespace thinbench
-
-namespace thinbench::detail {
-
-/// With three inputs `ternary` is one gate; with two it is its expression, the general way.
-template <>
-struct TernaryGate<CountedWord<3>> {
-  static constexpr bool kOneInstruction = true;
-
-  template <class Gate>
-  static CountedWord<3> apply(CountedWord<3> a, CountedWord<3> b, CountedWord<3> c, Gate gate) {
-    return CountedWord<3>::gate(gate(a.value(), b.value(), c.value()));
-  }
-};
-
-}  // namespace thinbench::detail

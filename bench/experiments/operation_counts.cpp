@@ -5,6 +5,7 @@
 
 #include "experiments/counting.hpp"
 #include "experiments/experiments.hpp"
+#include "rules/parallel_rules.hpp"
 #include "training/cluster.hpp"
 
 namespace thinbench {
@@ -73,14 +74,15 @@ Json count(const char* method, const char* paper, const Decide& decide) {
           {"activations", operations_json(max.activations)}};
 }
 
-template <int inputs>
-Json count_gates() {
-  using Word = CountedWord<inputs>;
-  const auto n = [](int variable) { return Word(detail::counting_pattern(variable, 0)); };
-  Word::counted = Gates{};
-  (void)detail::NaccacheShinghal::next<0>(
-      detail::Neighbourhood<Word>{n(8), n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7)});
-  return {{"gates", Word::counted.gates}, {"inverters", Word::counted.inverters}};
+/// Inverters are counted apart: most instruction sets have and-not, and three-input gates take them
+/// in.
+template <std::size_t count>
+Json count_gates(const detail::Circuit<count>& circuit) {
+  const auto has_inverter = [](const detail::Gate& gate) {
+    return gate.function == detail::kAndNot;
+  };
+  return {{"gates", count},
+          {"inverters", std::count_if(circuit.gates.begin(), circuit.gates.end(), has_inverter)}};
 }
 
 Json count_methods(const ClusterWeights& cluster) {
@@ -120,7 +122,9 @@ ExperimentReport operation_counts() {
       "neighbourhoods; and whether a net has the rule's table and so compiles to its circuit:",
       {{"per", "foreground pixel; each kind's largest count over the 256 neighbourhoods"},
        {"methods", count_methods(cluster)},
-       {"circuit", {{"two_input", count_gates<2>()}, {"three_input", count_gates<3>()}}},
+       {"circuit",
+        {{"two_input", count_gates(detail::kTwoInputCircuit<Rule::naccache_shinghal, 0>)},
+         {"three_input", count_gates(detail::kThreeInputCircuit<Rule::naccache_shinghal, 0>)}}},
        {"nets",
         {net("Table 1, sigmoid", two_layer<Activation::sigmoid>),
          net("Table 1, linear threshold", two_layer<Activation::linear>),

@@ -36,7 +36,7 @@ GateNetwork transformed(GateNetwork network, const Permutation& symmetry) {
                                  : value;
   };
   for (Gate& gate : network.gates) {
-    for (std::uint8_t& input : gate.inputs) input = static_cast<std::uint8_t>(moved(input));
+    for (std::uint16_t& input : gate.inputs) input = static_cast<std::uint16_t>(moved(input));
   }
   network.output = moved(network.output);
   return network;
@@ -87,9 +87,9 @@ std::vector<GateNetwork> CompiledRule::find_networks(const GateCosts& costs) con
 CompiledRule::Circuits CompiledRule::make_circuits(bool ternary) const {
   Circuits circuits;
   circuits.networks = find_networks(ternary ? ternary_costs() : two_input_costs());
-  for (const GateNetwork& network : circuits.networks) {
-    circuits.programs.push_back(ternary ? ternary_program(network) : two_input_program(network));
-    circuits.slot_programs.push_back(with_slots(circuits.programs.back()));
+  for (GateNetwork& network : circuits.networks) {
+    if (!ternary) network = in_two_input_gates(network);
+    circuits.slot_networks.push_back(with_slots(network));
   }
   return circuits;
 }
@@ -113,7 +113,7 @@ BoundRule CompiledRule::bind_interpreter(ScanFunction interpreter, bool ternary,
   rule.adds_pixels = adds_pixels_;
   rule.sub_iterations = tables_.size();
   for (std::size_t i = 0; i < tables_.size(); ++i) {
-    rule.scans[i] = {interpreter, &all.slot_programs[i]};
+    rule.scans[i] = {interpreter, &all.slot_networks[i]};
   }
   return rule;
 }
@@ -128,7 +128,7 @@ BoundRule CompiledRule::bind(Isa isa, Layout layout, bool fixed) const {
     const CodeKey key = {i, isa, layout, fixed};
     auto found = code_.find(key);
     if (found == code_.end()) {
-      auto code = MachineCode::make(all.programs[i], isa, layout, fixed);
+      auto code = MachineCode::make(all.networks[i], isa, layout, fixed);
       if (code == nullptr) continue;
       found = code_.emplace(key, std::move(code)).first;
     }

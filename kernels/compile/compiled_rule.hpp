@@ -10,12 +10,12 @@
 
 #include "compile/gate_search.hpp"
 #include "compile/machine_code.hpp"
-#include "compile/program.hpp"
+#include "compile/slots.hpp"
 #include "scan/bound_rule.hpp"
 
 namespace thinbench::detail {
 
-/// The tables of a rule with circuits, programs and machine code, each made when first needed.
+/// The tables of a rule with circuits and machine code, each made when first needed.
 /// Thread-safe.
 class CompiledRule {
  public:
@@ -39,8 +39,7 @@ class CompiledRule {
   /// The circuits for one kind of processor.
   struct Circuits {
     std::vector<GateNetwork> networks;
-    std::vector<Program> programs;
-    std::vector<SlotProgram> slot_programs;
+    std::vector<SlotNetwork> slot_networks;
   };
 
   const Circuits& circuits(bool ternary) const;

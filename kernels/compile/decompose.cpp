@@ -51,7 +51,7 @@ std::vector<int> Decomposer::support(const WindowTable& table) const {
 Gate Decomposer::small_gate(const WindowTable& table, const std::vector<int>& pixels) {
   Gate gate = {0, {0, 0, 0}};
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    gate.inputs[i] = static_cast<std::uint8_t>(pixels[i]);
+    gate.inputs[i] = static_cast<std::uint16_t>(pixels[i]);
   }
   for (std::size_t row = 0; row < 8; ++row) {
     std::size_t window = 0;
@@ -75,8 +75,8 @@ std::optional<SignedValue> Decomposer::add(const WindowTable& table) {
     if (!high || !low) return std::nullopt;
     constexpr std::uint8_t kSelect = 0xCA;  // a ? b : c
     gate = {kSelect,
-            {static_cast<std::uint8_t>(pixels[0]), static_cast<std::uint8_t>(high->value),
-             static_cast<std::uint8_t>(low->value)}};
+            {static_cast<std::uint16_t>(pixels[0]), static_cast<std::uint16_t>(high->value),
+             static_cast<std::uint16_t>(low->value)}};
     if (high->inverted) gate.function = with_inverted_input(gate.function, 1);
     if (low->inverted) gate.function = with_inverted_input(gate.function, 2);
   }

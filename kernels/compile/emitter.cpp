@@ -31,46 +31,47 @@ std::uint8_t with_exchanged_input(std::uint8_t function, int i) {
 
 }  // namespace
 
-Emitter::Emitter(const Program& program, Isa isa, Layout layout, bool fixed, std::uint8_t* buffer)
+Emitter::Emitter(const GateNetwork& network, Isa isa, Layout layout, bool fixed,
+                 std::uint8_t* buffer)
     : CodeGenerator(kMaxCodeBytes, buffer),
-      program_(program),
+      network_(network),
       layout_(layout),
       has_fixed_(fixed),
       wide_(has(isa, feature("avx512vl"))),
       funnel_(has(isa, feature("avx512vbmi2"))),
-      uses_(static_cast<std::size_t>(kWindowPixels) + program.instructions.size()),
+      uses_(static_cast<std::size_t>(kWindowPixels) + network.gates.size()),
       places_(uses_.size()) {
   find_row_functions();
-  for (std::size_t i = 0; i < program.instructions.size(); ++i) {
-    if (row_functions_by_instruction_[i].function != kNowhere) continue;
-    for (const std::uint16_t operand : program.instructions[i].operands) {
-      if (uses_[operand].empty() || uses_[operand].back() != i) uses_[operand].push_back(i);
+  for (std::size_t i = 0; i < network.gates.size(); ++i) {
+    if (row_functions_by_gate_[i].function != kNowhere) continue;
+    for (const std::uint16_t input : network.gates[i].inputs) {
+      if (uses_[input].empty() || uses_[input].back() != i) uses_[input].push_back(i);
     }
   }
-  for (const int value : {program.output, kCentre}) {
-    uses_[static_cast<std::size_t>(value)].push_back(program.instructions.size());
+  for (const int value : {network.output, kCentre}) {
+    uses_[static_cast<std::size_t>(value)].push_back(network.gates.size());
   }
   divide_registers();
   emit_function();
 }
 
-/// The function of a row that an instruction computes, if it reads pixels of one row alone,
-/// directly or through earlier instructions. Sets the row.
-std::optional<Emitter::RowFunction> Emitter::row_function_of(const Instruction& instruction,
+/// The function of a row that a gate computes, if it reads pixels of one row alone,
+/// directly or through earlier gates. Sets the row.
+std::optional<Emitter::RowFunction> Emitter::row_function_of(const Gate& gate,
                                                              std::size_t& row) const {
-  RowFunction function = {instruction.code, {}};
+  RowFunction function = {gate.function, {}};
   std::array<std::size_t, 3> rows{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t value = instruction.operands[k];
+    const std::size_t value = gate.inputs[k];
     if (value < kWindowPixels) {
       rows[k] = value / 3;
-      function.operands[k] = static_cast<std::uint16_t>(value % 3);
+      function.inputs[k] = static_cast<std::uint16_t>(value % 3);
       continue;
     }
-    const Use& use = row_functions_by_instruction_[value - kWindowPixels];
+    const Use& use = row_functions_by_gate_[value - kWindowPixels];
     if (use.function == kNowhere) return std::nullopt;
     rows[k] = use.row;
-    function.operands[k] = static_cast<std::uint16_t>(use.function + 3);
+    function.inputs[k] = static_cast<std::uint16_t>(use.function + 3);
   }
   if (rows[1] != rows[0] || rows[2] != rows[0]) return std::nullopt;
   row = rows[0];
@@ -79,13 +80,13 @@ std::optional<Emitter::RowFunction> Emitter::row_function_of(const Instruction& 
 
 /// Finds the functions of rows that several rows need.
 void Emitter::find_row_functions() {
-  row_functions_by_instruction_.resize(program_.instructions.size());
+  row_functions_by_gate_.resize(network_.gates.size());
   if (layout_ == Layout::tiles) return;  // every step loads all of its rows
   std::vector<RowFunction> functions;
   std::vector<unsigned> rows_with;  // by function: a bit per row
-  for (std::size_t i = 0; i < program_.instructions.size(); ++i) {
-    Use& use = row_functions_by_instruction_[i];
-    const auto function = row_function_of(program_.instructions[i], use.row);
+  for (std::size_t i = 0; i < network_.gates.size(); ++i) {
+    Use& use = row_functions_by_gate_[i];
+    const auto function = row_function_of(network_.gates[i], use.row);
     if (!function) continue;
     const auto found = std::find(functions.begin(), functions.end(), *function);
     use.function = static_cast<int>(found - functions.begin());
@@ -98,7 +99,7 @@ void Emitter::find_row_functions() {
   choose_row_functions(functions, rows_with);
 }
 
-/// Keeps those that several rows need and whose operands are kept, and renumbers them.
+/// Keeps those that several rows need and whose inputs are kept, and renumbers them.
 void Emitter::choose_row_functions(const std::vector<RowFunction>& functions,
                                    const std::vector<unsigned>& rows_with) {
   const std::size_t max_functions = wide_ ? 4 : 8;  // each takes three registers if they are wide
@@ -106,18 +107,18 @@ void Emitter::choose_row_functions(const std::vector<RowFunction>& functions,
   for (std::size_t f = 0; f < functions.size() && row_functions_.size() < max_functions; ++f) {
     if (std::popcount(rows_with[f]) < 2) continue;
     RowFunction function = functions[f];
-    bool has_operands = true;
-    for (std::uint16_t& operand : function.operands) {
-      if (operand < 3) continue;
-      const int moved = number[static_cast<std::size_t>(operand - 3)];
-      has_operands = has_operands && moved != kNowhere;
-      operand = static_cast<std::uint16_t>(moved + 3);
+    bool has_inputs = true;
+    for (std::uint16_t& input : function.inputs) {
+      if (input < 3) continue;
+      const int moved = number[static_cast<std::size_t>(input - 3)];
+      has_inputs = has_inputs && moved != kNowhere;
+      input = static_cast<std::uint16_t>(moved + 3);
     }
-    if (!has_operands) continue;
+    if (!has_inputs) continue;
     number[f] = static_cast<int>(row_functions_.size());
     row_functions_.push_back(function);
   }
-  for (Use& use : row_functions_by_instruction_) {
+  for (Use& use : row_functions_by_gate_) {
     if (use.function != kNowhere) use.function = number[static_cast<std::size_t>(use.function)];
   }
 }
@@ -190,8 +191,8 @@ void Emitter::begin_row(std::size_t turn) {
   for (std::size_t y = 0; y < 3; ++y) {
     for (std::size_t x = 0; x < 3; ++x) places_[3 * y + x] = rows_[(turn + y + 2) % 3][x];
   }
-  for (std::size_t i = 0; i < row_functions_by_instruction_.size(); ++i) {
-    const Use& use = row_functions_by_instruction_[i];
+  for (std::size_t i = 0; i < row_functions_by_gate_.size(); ++i) {
+    const Use& use = row_functions_by_gate_[i];
     if (use.function == kNowhere) continue;
     places_[kWindowPixels + i] =
         rows_[(turn + use.row + 2) % 3][3 + static_cast<std::size_t>(use.function)];
@@ -237,7 +238,7 @@ int Emitter::in_register(int value, std::array<int, 3> pinned) {
   return reg;
 }
 
-/// A register with the value that the instruction may overwrite.
+/// A register with the value that the gate may overwrite.
 int Emitter::result_register(int value, std::array<int, 3> pinned) {
   if (is_last_use(value) && in_pool(place_of(value).reg)) return place_of(value).reg;
   const Place from = place_of(value);
@@ -246,9 +247,9 @@ int Emitter::result_register(int value, std::array<int, 3> pinned) {
   return reg;
 }
 
-/// Releases what the instruction was the last to read; `reg` has its result.
-void Emitter::finish_instruction(std::size_t index, int reg) {
-  for (const std::uint16_t value : program_.instructions[index].operands) {
+/// Releases what the gate was the last to read; `reg` has its result.
+void Emitter::finish_gate(std::size_t index, int reg) {
+  for (const std::uint16_t value : network_.gates[index].inputs) {
     if (!is_last_use(value)) continue;
     Place& place = place_of(value);
     if (in_pool(place.reg)) {
@@ -268,10 +269,9 @@ void Emitter::finish_instruction(std::size_t index, int reg) {
 
 /// vpternlog overwrites its first operand, best one that is not needed any more.
 void Emitter::emit_ternary(std::size_t index) {
-  const Instruction& instruction = program_.instructions[index];
-  std::array<int, 3> operands = {instruction.operands[0], instruction.operands[1],
-                                 instruction.operands[2]};
-  std::uint8_t function = instruction.code;
+  const Gate& gate = network_.gates[index];
+  std::array<int, 3> operands = {gate.inputs[0], gate.inputs[1], gate.inputs[2]};
+  std::uint8_t function = gate.function;
   const auto can_overwrite = [&](int value) {
     return is_last_use(value) && in_pool(place_of(value).reg);
   };
@@ -285,41 +285,41 @@ void Emitter::emit_ternary(std::size_t index) {
   const int third = in_register(operands[2], operands);
   const int first = result_register(operands[0], operands);
   vpternlogq(vector(first), vector(second), vector(third), function);
-  finish_instruction(index, first);
+  finish_gate(index, first);
 }
 
 void Emitter::emit_binary(std::size_t index) {
-  const Instruction& instruction = program_.instructions[index];
-  const int a = instruction.operands[0];
-  const int b = instruction.operands[1];
+  const Gate& gate = network_.gates[index];
+  const int a = gate.inputs[0];
+  const int b = gate.inputs[1];
   const std::array<int, 3> pinned = {a, b, b};
   const int first = in_register(a, pinned);
-  const auto opcode = static_cast<Opcode>(instruction.code);
-  const bool reuse = is_last_use(a) && in_pool(first) && opcode != Opcode::complement;
+  const bool reuse = is_last_use(a) && in_pool(first) && gate.function != kNot;
   const int to = reuse ? first : take_register(pinned);
   const Place& place = place_of(b);
   if (place.reg == kNowhere) load(vector(scratch_), stack(place.stack));
   const Vector second = vector(place.reg == kNowhere ? scratch_ : place.reg);
-  apply(opcode, vector(to), vector(first), second);
-  finish_instruction(index, to);
+  apply(gate.function, vector(to), vector(first), second);
+  finish_gate(index, to);
 }
 
 /// The complement is of `first`; then `to` is another register.
-void Emitter::apply(Opcode opcode, const Vector& to, const Vector& first, const Vector& second) {
-  switch (opcode) {
-    case Opcode::conjunction:
+void Emitter::apply(std::uint8_t function, const Vector& to, const Vector& first,
+                    const Vector& second) {
+  switch (function) {
+    case kAnd:
       vpand(to, first, second);
       break;
-    case Opcode::disjunction:
+    case kOr:
       vpor(to, first, second);
       break;
-    case Opcode::difference:
+    case kAndNot:
       vpandn(to, first, second);
       break;
-    case Opcode::exclusive:
+    case kXor:
       vpxor(to, first, second);
       break;
-    case Opcode::complement:
+    case kNot:
       vpcmpeqd(to, to, to);
       vpxor(to, to, first);
       break;
@@ -328,7 +328,7 @@ void Emitter::apply(Opcode opcode, const Vector& to, const Vector& first, const 
 
 /// Restores fixed pixels, stores the row and records changes.
 void Emitter::emit_output() {
-  const int output = program_.output;
+  const int output = network_.output;
   const std::array<int, 3> pinned = {output, kCentre, output};
   const Vector before = vector(in_register(kCentre, pinned));
   if (wide_) {
@@ -426,14 +426,13 @@ void Emitter::load_row(RowPlaces& row, const Xbyak::RegExp& at) {
 /// `registers`: those of the pixels, then those of the functions.
 void Emitter::emit_row_functions(const std::vector<int>& registers) {
   for (std::size_t f = 0; f < row_functions_.size(); ++f) {
-    const auto& [a, b, c] = row_functions_[f].operands;
+    const auto& [a, b, c] = row_functions_[f].inputs;
     const Vector to = vector(registers[3 + f]);
-    if (program_.ternary) {
+    if (wide_) {
       copy(registers[3 + f], {registers[a], kNowhere});
-      vpternlogq(to, vector(registers[b]), vector(registers[c]), row_functions_[f].code);
+      vpternlogq(to, vector(registers[b]), vector(registers[c]), row_functions_[f].function);
     } else {
-      apply(static_cast<Opcode>(row_functions_[f].code), to, vector(registers[a]),
-            vector(registers[b]));
+      apply(row_functions_[f].function, to, vector(registers[a]), vector(registers[b]));
     }
   }
 }
@@ -472,9 +471,9 @@ void Emitter::emit_row(std::size_t turn) {
       holds_[static_cast<std::size_t>(pool_[i])] = value;
     }
   }
-  for (now_ = 0; now_ < program_.instructions.size(); ++now_) {
-    if (row_functions_by_instruction_[now_].function != kNowhere) continue;
-    program_.ternary ? emit_ternary(now_) : emit_binary(now_);
+  for (now_ = 0; now_ < network_.gates.size(); ++now_) {
+    if (row_functions_by_gate_[now_].function != kNowhere) continue;
+    wide_ ? emit_ternary(now_) : emit_binary(now_);
   }
   emit_output();
   add(r8, r9);

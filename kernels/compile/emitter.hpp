@@ -11,7 +11,7 @@
 
 #include <xbyak/xbyak.h>
 
-#include "compile/program.hpp"
+#include "compile/gate_network.hpp"
 #include "scan/bound_rule.hpp"
 #include "thinbench/isa.hpp"
 
@@ -27,7 +27,7 @@ class Emitter : private Xbyak::CodeGenerator {
  public:
   static constexpr std::size_t kMaxCodeBytes = 256 * 1024;
 
-  Emitter(const Program& program, Isa isa, Layout layout, bool fixed, std::uint8_t* buffer);
+  Emitter(const GateNetwork& network, Isa isa, Layout layout, bool fixed, std::uint8_t* buffer);
   [[nodiscard]] std::size_t bytes() const { return getSize(); }
 
  private:
@@ -42,20 +42,16 @@ class Emitter : private Xbyak::CodeGenerator {
   };
   /// West, centre and east pixels, then functions.
   using RowPlaces = std::vector<Place>;
-  /// A function of one row that the program computes for several rows. It is computed once per row.
-  /// Operands 0 to 2 are pixels, 3 + i is function i.
-  struct RowFunction {
-    std::uint8_t code;
-    std::array<std::uint16_t, 3> operands;
-    friend auto operator<=>(const RowFunction&, const RowFunction&) = default;
-  };
-  /// An instruction that a function replaces.
+  /// A gate of one row that the network has for several rows. It is computed once per row. Inputs 0
+  /// to 2 are pixels, 3 + i is function i.
+  using RowFunction = Gate;
+  /// A gate that a function replaces.
   struct Use {
     int function = kNowhere;
     std::size_t row = 0;
   };
 
-  [[nodiscard]] std::optional<RowFunction> row_function_of(const Instruction& instruction,
+  [[nodiscard]] std::optional<RowFunction> row_function_of(const Gate& gate,
                                                            std::size_t& row) const;
   void find_row_functions();
   void choose_row_functions(const std::vector<RowFunction>& functions,
@@ -74,7 +70,7 @@ class Emitter : private Xbyak::CodeGenerator {
   void emit_return();
   void emit_ternary(std::size_t index);
   void emit_binary(std::size_t index);
-  void apply(Opcode opcode, const Vector& to, const Vector& first, const Vector& second);
+  void apply(std::uint8_t function, const Vector& to, const Vector& first, const Vector& second);
   void emit_output();
 
   // Registers during a row.
@@ -82,7 +78,7 @@ class Emitter : private Xbyak::CodeGenerator {
   int take_register(std::array<int, 3> pinned);
   int in_register(int value, std::array<int, 3> pinned);
   int result_register(int value, std::array<int, 3> pinned);
-  void finish_instruction(std::size_t index, int reg);
+  void finish_gate(std::size_t index, int reg);
   [[nodiscard]] bool in_pool(int reg) const;
   [[nodiscard]] bool is_last_use(int value) const;
   [[nodiscard]] std::size_t next_use(int value, std::size_t from) const;
@@ -95,7 +91,7 @@ class Emitter : private Xbyak::CodeGenerator {
   void copy(int to, const Place& from);
   void clear(const Vector& to);
 
-  const Program& program_;
+  const GateNetwork& network_;
   const Layout layout_;
   const bool has_fixed_;
   const bool wide_;    // 32 registers of 512 bits with vpternlog, else 16 of 256 bits
@@ -108,15 +104,15 @@ class Emitter : private Xbyak::CodeGenerator {
   int scratch_ = kNowhere;
   std::vector<int> pool_;
   std::vector<RowFunction> row_functions_;
-  std::vector<Use> row_functions_by_instruction_;
+  std::vector<Use> row_functions_by_gate_;
   int home_places_ = 0;  // of rows, on the stack
   std::array<RowPlaces, 3> rows_;
-  std::vector<std::vector<std::size_t>> uses_;  // of each value: instructions, in order
+  std::vector<std::vector<std::size_t>> uses_;  // of each value: gates, in order
   std::array<Xbyak::Label, 3> row_labels_;
 
   std::vector<Place> places_;
   std::array<int, 32> holds_{};  // the value in each register of the pool
-  std::size_t now_ = 0;          // the instruction
+  std::size_t now_ = 0;          // the gate
   int spills_ = 0;
   std::vector<int> free_spills_;
 };

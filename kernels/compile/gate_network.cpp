@@ -48,35 +48,29 @@ std::vector<WindowTable> tables_of(const GateNetwork& network) {
   return tables;
 }
 
-const GateCosts& ternary_costs() {
-  static const GateCosts costs = [] {
-    GateCosts all;
-    all.fill(1);
-    return all;
-  }();
+GateCosts ternary_costs(bool rows_once) {
+  GateCosts costs = {{}, rows_once};
+  costs.of.fill(1);
   return costs;
 }
 
-const GateCosts& two_input_costs() {
-  static const GateCosts costs = [] {
-    GateCosts all{};
-    for (std::size_t f = 0; f < all.size(); ++f) {
-      all[f] = two_input_steps(static_cast<std::uint8_t>(f));
-    }
-    return all;
-  }();
+GateCosts two_input_costs(bool rows_once) {
+  GateCosts costs = {{}, rows_once};
+  for (std::size_t f = 0; f < costs.of.size(); ++f) {
+    costs.of[f] = two_input_steps(static_cast<std::uint8_t>(f));
+  }
   return costs;
 }
 
 int row_function(const Gate& gate) {
   const int row = gate.inputs[0] / 3;
-  for (const std::uint8_t input : gate.inputs) {
+  for (const std::uint16_t input : gate.inputs) {
     if (input >= kWindowPixels || input / 3 != row) return -1;
   }
   int function = 0;
   for (int pixels = 0; pixels < 8; ++pixels) {
     int index = 0;
-    for (const std::uint8_t input : gate.inputs) {
+    for (const std::uint16_t input : gate.inputs) {
       index = 2 * index + (pixels >> (2 - input % 3) & 1);
     }
     function |= (gate.function >> index & 1) << pixels;
@@ -105,7 +99,7 @@ class Sorter {
     int& number = number_[static_cast<std::size_t>(value)];
     if (number >= 0) return number;
     Gate gate = network_.gates[static_cast<std::size_t>(value - kWindowPixels)];
-    for (std::uint8_t& input : gate.inputs) input = static_cast<std::uint8_t>(add(input));
+    for (std::uint16_t& input : gate.inputs) input = static_cast<std::uint16_t>(add(input));
     number = kWindowPixels + static_cast<int>(sorted_.size());
     sorted_.push_back(gate);
     return number;

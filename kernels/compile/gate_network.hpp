@@ -1,5 +1,4 @@
-// Circuits of gates with up to three inputs, as vpternlog computes them, for functions of the 3 x 3
-// window.
+// Circuits made at run time, for functions of the 3 x 3 window.
 #pragma once
 
 #include <array>
@@ -7,20 +6,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "simd/gate.hpp"
 #include "thinbench/rule.hpp"
 
 namespace thinbench::detail {
 
-inline constexpr int kWindowPixels = 9;
-/// Also the limit of what `inputs` can number.
+/// The limit of a search.
 inline constexpr int kMaxGates = 240;
-
-/// A gate with inputs a, b, c. Bit 4a + 2b + c of `function` is its value. An input is the number
-/// of a value: 0 to 8 are the pixels of the window, 9 + i is the result of gate i.
-struct Gate {
-  std::uint8_t function;
-  std::array<std::uint8_t, 3> inputs;
-};
 
 /// Gates read earlier gates only. `output` is the number of a value.
 struct GateNetwork {
@@ -46,24 +38,27 @@ struct GateNetwork {
   return static_cast<std::uint8_t>((function & mask) >> shift | (function << shift & mask));
 }
 
-/// What each of the 256 gates costs.
-using GateCosts = std::array<std::uint8_t, 256>;
+/// What each of the 256 gates costs, and whether equal functions of different rows cost once: run
+/// time code computes them once per row, compiled engines in every window.
+struct GateCosts {
+  std::array<std::uint8_t, 256> of;
+  bool rows_once;
+};
 
 /// 1 for each gate: what processors with a three-input instruction pay.
-[[nodiscard]] const GateCosts& ternary_costs();
+[[nodiscard]] GateCosts ternary_costs(bool rows_once = true);
 
 /// The number of two-input operations (and, or, xor, and-not) of a gate.
-[[nodiscard]] const GateCosts& two_input_costs();
+[[nodiscard]] GateCosts two_input_costs(bool rows_once = true);
 
 /// For a gate of pixels of one row: its value for the west, centre and east pixel, as a truth table
-/// with these as inputs a, b, c; else -1. Engines compute equal functions of different rows once
-/// per row.
+/// with these as inputs a, b, c; else -1.
 [[nodiscard]] int row_function(const Gate& gate);
 
-/// Counts the gates of a network, equal functions of rows once.
+/// Counts the cost of a network's gates.
 class CostCounter {
  public:
-  explicit CostCounter(const GateCosts& costs) : costs_(&costs) {}
+  explicit CostCounter(const GateCosts& costs) : costs_(&costs) {}  // keeps a reference
 
   // Each returns what the gate adds to or takes from the cost.
   int add(const Gate& gate) { return counted(gate, 0, 1); }
@@ -71,7 +66,8 @@ class CostCounter {
 
  private:
   int counted(const Gate& gate, int alone, int step) {
-    const int cost = (*costs_)[gate.function];
+    const int cost = costs_->of[gate.function];
+    if (!costs_->rows_once) return cost;
     const int function = row_function(gate);
     if (function < 0) return cost;
     int& count = rows_with_[static_cast<std::size_t>(function)];

@@ -201,7 +201,7 @@ void Circuit::tidy() {
   for (const Gate& gate : network_.gates) cost_ += counter_.add(gate);
   references_.assign(tables_.size(), 0);
   for (const Gate& gate : network_.gates) {
-    for (const std::uint8_t input : gate.inputs) ++references_[input];
+    for (const std::uint16_t input : gate.inputs) ++references_[input];
   }
   ++references_[static_cast<std::size_t>(network_.output)];
 }
@@ -212,7 +212,7 @@ Requirement Circuit::requirement_of(int value) {
   flipped_.resize(tables_.size());
   depends_[v] = 1;
   for (std::size_t w = 0; w < 8; ++w) flipped_[v].words[w] = ~tables_[v].words[w];
-  const auto now = [&](std::uint8_t input) -> const WindowTable& {
+  const auto now = [&](std::uint16_t input) -> const WindowTable& {
     return depends_[input] != 0 ? flipped_[input] : tables_[input];
   };
   for (std::size_t i = v + 1; i < tables_.size(); ++i) {
@@ -240,14 +240,14 @@ void Circuit::add_reference(int value, int& cost) {
   if (references_[static_cast<std::size_t>(value)]++ > 0 || value < kWindowPixels) return;
   const Gate& gate = network_.gates[static_cast<std::size_t>(value - kWindowPixels)];
   cost += counter_.add(gate);
-  for (const std::uint8_t input : gate.inputs) add_reference(input, cost);
+  for (const std::uint16_t input : gate.inputs) add_reference(input, cost);
 }
 
 void Circuit::drop_reference(int value, int& cost) {
   if (--references_[static_cast<std::size_t>(value)] > 0 || value < kWindowPixels) return;
   const Gate& gate = network_.gates[static_cast<std::size_t>(value - kWindowPixels)];
   cost += counter_.remove(gate);
-  for (const std::uint8_t input : gate.inputs) drop_reference(input, cost);
+  for (const std::uint16_t input : gate.inputs) drop_reference(input, cost);
 }
 
 /// Whether three candidates suffice; if so, sets the gate, else learns a pair that shows why not.
@@ -257,7 +257,7 @@ bool Circuit::test(const Requirement& requirement, const std::array<int, 3>& can
   const Words* tables[3];
   for (std::size_t i = 0; i < 3; ++i) {
     const int value = candidates_[static_cast<std::size_t>(candidates[i])];
-    gate.inputs[i] = static_cast<std::uint8_t>(value);
+    gate.inputs[i] = static_cast<std::uint16_t>(value);
     tables[i] = &tables_[static_cast<std::size_t>(value)].words;
   }
   for (unsigned row = 0; row < 8; ++row) {
@@ -284,8 +284,8 @@ bool Circuit::test(const Requirement& requirement, const std::array<int, 3>& can
 void Circuit::offer(const Gate& gate, int freed, Choice& best, Random& random) {
   int added = counter_.add(gate);
   int dropped = 0;
-  for (const std::uint8_t input : gate.inputs) add_reference(input, added);
-  for (const std::uint8_t input : gate.inputs) drop_reference(input, dropped);
+  for (const std::uint16_t input : gate.inputs) add_reference(input, added);
+  for (const std::uint16_t input : gate.inputs) drop_reference(input, dropped);
   static_cast<void>(counter_.remove(gate));
   const int gain = freed - added;
   if (gain < 0 || gain < best.gain) return;
@@ -344,15 +344,15 @@ void Circuit::replace(int value, SignedValue by) {
   for (Gate& gate : network_.gates) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (gate.inputs[i] != value) continue;
-      gate.inputs[i] = static_cast<std::uint8_t>(by.value);
+      gate.inputs[i] = static_cast<std::uint16_t>(by.value);
       if (by.inverted) gate.function = with_inverted_input(gate.function, static_cast<int>(i));
     }
   }
   if (network_.output != value) return;
   network_.output = by.value;
   if (!by.inverted) return;
-  const auto input = static_cast<std::uint8_t>(by.value);
-  network_.gates.push_back({0x0F, {input, input, input}});
+  const auto input = static_cast<std::uint16_t>(by.value);
+  network_.gates.push_back({kNot, {input, input, input}});
   network_.output = kWindowPixels + gates() - 1;
 }
 
@@ -381,11 +381,11 @@ std::int64_t Circuit::improve(int index, Pairs& pairs, Random& random) {
   }
   pairs.reset(tables_, candidates_, requirement, random);
   int freed = counter_.remove(gate);
-  for (const std::uint8_t input : gate.inputs) drop_reference(input, freed);
+  for (const std::uint16_t input : gate.inputs) drop_reference(input, freed);
   Choice best;
   work += search_triples(requirement, freed, pairs, best, random);
   int restored = counter_.add(gate);
-  for (const std::uint8_t input : gate.inputs) add_reference(input, restored);
+  for (const std::uint16_t input : gate.inputs) add_reference(input, restored);
   if (best.ties == 0) return work;
   gate = best.gate;
   const auto passed = passed_on(gate);
@@ -428,8 +428,8 @@ GateNetwork expansion(const WindowTable& table, const PixelOrder& order) {
   GateNetwork network = decomposer.take();
   network.output = output.value;
   if (output.inverted) {
-    const auto input = static_cast<std::uint8_t>(output.value);
-    network.gates.push_back({0x0F, {input, input, input}});
+    const auto input = static_cast<std::uint16_t>(output.value);
+    network.gates.push_back({kNot, {input, input, input}});
     network.output = kWindowPixels + static_cast<int>(network.gates.size()) - 1;
   }
   return network;
@@ -460,10 +460,10 @@ GateNetwork with_row_sums(const GateNetwork& by_sums) {
   constexpr int kInputs = 6;
   GateNetwork network;
   for (int input = 0; input < kInputs; ++input) {
-    const auto first = static_cast<std::uint8_t>(input / 2 * 3);
+    const auto first = static_cast<std::uint16_t>(input / 2 * 3);
     network.gates.push_back(
         {kSumBits[input % 2],
-         {first, static_cast<std::uint8_t>(first + 1), static_cast<std::uint8_t>(first + 2)}});
+         {first, static_cast<std::uint16_t>(first + 1), static_cast<std::uint16_t>(first + 2)}});
   }
   const auto moved = [](int value) {
     if (value < kInputs) return value + kWindowPixels;
@@ -471,7 +471,7 @@ GateNetwork with_row_sums(const GateNetwork& by_sums) {
     return value < kWindowPixels ? 0 : value + kInputs;  // no table depends on inputs 7 and 8
   };
   for (Gate gate : by_sums.gates) {
-    for (std::uint8_t& input : gate.inputs) input = static_cast<std::uint8_t>(moved(input));
+    for (std::uint16_t& input : gate.inputs) input = static_cast<std::uint16_t>(moved(input));
     network.gates.push_back(gate);
   }
   network.output = moved(by_sums.output);

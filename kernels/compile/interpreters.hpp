@@ -5,7 +5,7 @@
 
 namespace thinbench::detail {
 
-/// A program is a SlotProgram. Ternary where gates with three inputs are
+/// A program is a SlotNetwork. Ternary where gates with three inputs are
 /// one instruction. The entry of a layout that an ISA has not is nullptr, and that of tiles: they
 /// need machine code.
 struct Interpreters {

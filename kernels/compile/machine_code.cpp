@@ -25,12 +25,12 @@ bool is_allowed() {
 
 }  // namespace
 
-std::shared_ptr<const MachineCode> MachineCode::make(const Program& program, Isa isa, Layout layout,
-                                                     bool fixed) {
+std::shared_ptr<const MachineCode> MachineCode::make(const GateNetwork& network, Isa isa,
+                                                     Layout layout, bool fixed) {
   if (!is_allowed() || !has(isa, feature("avx2"))) return nullptr;
   if (layout == Layout::row && !has(isa, feature("avx512f"))) return nullptr;
   std::vector<std::uint8_t> buffer(Emitter::kMaxCodeBytes);
-  const std::size_t bytes = Emitter(program, isa, layout, fixed, buffer.data()).bytes();
+  const std::size_t bytes = Emitter(network, isa, layout, fixed, buffer.data()).bytes();
   void* const memory =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return nullptr;
@@ -42,7 +42,7 @@ std::shared_ptr<const MachineCode> MachineCode::make(const Program& program, Isa
 
 bool MachineCode::is_available(Isa isa) {
   static const bool available = [] {
-    const Program identity = {.ternary = false, .instructions = {}, .output = 4};
+    const GateNetwork identity = {.gates = {}, .output = WindowTable::kCentre};
     return make(identity, Isa::avx2, Layout::words, false) != nullptr;
   }();
   return available && has(isa, feature("avx2"));
@@ -62,7 +62,7 @@ ScanFunction MachineCode::function() const {
 
 namespace thinbench::detail {
 
-std::shared_ptr<const MachineCode> MachineCode::make(const Program&, Isa, Layout, bool) {
+std::shared_ptr<const MachineCode> MachineCode::make(const GateNetwork&, Isa, Layout, bool) {
   return nullptr;
 }
 bool MachineCode::is_available(Isa) {

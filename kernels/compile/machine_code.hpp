@@ -1,10 +1,10 @@
-// Machine code for programs, made at run time on x86-64.
+// Machine code for circuits, made at run time on x86-64.
 #pragma once
 
 #include <cstddef>
 #include <memory>
 
-#include "compile/program.hpp"
+#include "compile/gate_network.hpp"
 #include "scan/bound_rule.hpp"
 #include "thinbench/isa.hpp"
 
@@ -16,10 +16,10 @@ inline constexpr const char* kMachineCodeVariable = "THINBENCH_MACHINE_CODE";
 /// Owns the pages of a scan function: written first, then executable, never both at once.
 class MachineCode {
  public:
-  /// A scan function for an ISA from avx2 on; its program argument is ignored. With `fixed` every
-  /// ColumnScan must have fixed pixels, else none. nullptr if this build, the ISA or the layout has
-  /// none, or the system denies executable memory.
-  [[nodiscard]] static std::shared_ptr<const MachineCode> make(const Program& program, Isa isa,
+  /// A scan function for an ISA from avx2 on, to which all gates are native; its program argument
+  /// is ignored. With `fixed` every ColumnScan must have fixed pixels, else none. nullptr if this
+  /// build, the ISA or the layout has none, or the system denies executable memory.
+  [[nodiscard]] static std::shared_ptr<const MachineCode> make(const GateNetwork& network, Isa isa,
                                                                Layout layout, bool fixed);
   /// Whether there is machine code for this ISA here, tried once.
   [[nodiscard]] static bool is_available(Isa isa);

@@ -79,7 +79,7 @@ struct Literal {
 
 class Converter {
  public:
-  Program convert(const GateNetwork& network) {
+  GateNetwork convert(const GateNetwork& network) {
     std::vector<Literal> values;
     for (std::uint16_t i = 0; i < kWindowPixels; ++i) values.push_back({i, false});
     for (const Gate& gate : network.gates) {
@@ -88,9 +88,9 @@ class Converter {
       values.push_back(literal_of(gate.function, inputs));
     }
     Literal output = values[static_cast<std::size_t>(network.output)];
-    if (output.inverted) output.value = add(Opcode::complement, output, output);
-    program_.output = output.value;
-    return std::move(program_);
+    if (output.inverted) output.value = add(kNot, output, output);
+    result_.output = output.value;
+    return std::move(result_);
   }
 
  private:
@@ -108,31 +108,28 @@ class Converter {
   }
 
   Literal exclusive(Literal left, Literal right) {
-    return {add(Opcode::exclusive, left, right), left.inverted != right.inverted};
+    return {add(kXor, left, right), left.inverted != right.inverted};
   }
 
   Literal conjunction(Literal left, Literal right) {
-    if (left.inverted && right.inverted) return {add(Opcode::disjunction, left, right), true};
-    if (left.inverted) return {add(Opcode::difference, left, right), false};
-    if (right.inverted) return {add(Opcode::difference, right, left), false};
-    return {add(Opcode::conjunction, left, right), false};
+    if (left.inverted && right.inverted) return {add(kOr, left, right), true};
+    if (left.inverted) return {add(kAndNot, left, right), false};
+    if (right.inverted) return {add(kAndNot, right, left), false};
+    return {add(kAnd, left, right), false};
   }
 
-  std::uint16_t add(Opcode opcode, Literal left, Literal right) {
+  std::uint16_t add(std::uint8_t function, Literal left, Literal right) {
     std::uint16_t first = left.value;
     std::uint16_t second = right.value;
-    if (opcode != Opcode::difference && first > second) std::swap(first, second);
-    const auto number = static_cast<std::uint16_t>(kWindowPixels + program_.instructions.size());
-    const auto [found, is_new] = numbers_.emplace(std::tuple(opcode, first, second), number);
-    if (is_new) {
-      const auto code = static_cast<std::uint8_t>(opcode);
-      program_.instructions.push_back({code, {first, second, second}});
-    }
+    if (function != kAndNot && first > second) std::swap(first, second);
+    const auto number = static_cast<std::uint16_t>(kWindowPixels + result_.gates.size());
+    const auto [found, is_new] = numbers_.emplace(std::tuple(function, first, second), number);
+    if (is_new) result_.gates.push_back({function, {first, second, second}});
     return found->second;
   }
 
-  Program program_{.ternary = false, .instructions = {}, .output = 0};
-  std::map<std::tuple<Opcode, std::uint16_t, std::uint16_t>, std::uint16_t> numbers_;
+  GateNetwork result_;
+  std::map<std::tuple<std::uint8_t, std::uint16_t, std::uint16_t>, std::uint16_t> numbers_;
 };
 
 }  // namespace
@@ -141,7 +138,7 @@ std::uint8_t two_input_steps(std::uint8_t function) {
   return combinations()[function].steps;
 }
 
-Program two_input_program(const GateNetwork& network) {
+GateNetwork in_two_input_gates(const GateNetwork& network) {
   return Converter().convert(network);
 }
 

@@ -5,6 +5,7 @@
 //   struct RuleType<BuiltInRule::guo_hall> { using Type = GuoHall; };
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
 #include "rules/all_rules.hpp"  // generated: includes every file in rules/built_in/
@@ -12,13 +13,15 @@
 
 namespace thinbench::detail {
 
-/// Calls `body.template operator()<Type>(rule)` for each parallel rule, in catalogue order.
+/// Calls `body.template operator()<Type>(rule)` for each parallel rule, in catalogue order; `rule`
+/// is a std::integral_constant.
 template <class Body>
 constexpr void for_each_parallel_rule(const Body& body) {
   const auto visit = [&]<std::size_t i>() {
     constexpr BuiltInRule rule = kRules[i].rule;
     if constexpr (requires { typename RuleType<rule>::Type; }) {
-      body.template operator()<typename RuleType<rule>::Type>(rule);
+      body.template operator()<typename RuleType<rule>::Type>(
+          std::integral_constant<BuiltInRule, rule>{});
     }
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) {

@@ -15,9 +15,9 @@ struct TernaryGate<xsimd::batch<T, xsimd::avx512bw>> {
   using Word = xsimd::batch<T, xsimd::avx512bw>;
   static constexpr bool kOneInstruction = true;
 
-  template <class Gate>
-  [[gnu::always_inline]] static Word apply(Word a, Word b, Word c, Gate gate) {
-    return _mm512_ternarylogic_epi64(a, b, c, truth_table(gate));
+  template <std::uint8_t truth_table>
+  [[gnu::always_inline]] static Word apply(Word a, Word b, Word c) {
+    return _mm512_ternarylogic_epi64(a, b, c, truth_table);
   }
 };
 

@@ -9,29 +9,28 @@
 namespace thinbench::detail {
 
 /// The truth table of a gate with three inputs, numbered as in vpternlog: bit 4a + 2b + c.
-template <class Gate>
-consteval std::uint8_t truth_table(Gate gate) {
-  return static_cast<std::uint8_t>(gate(0xF0, 0xCC, 0xAA));
+template <class Expression>
+consteval std::uint8_t truth_table(Expression expression) {
+  return static_cast<std::uint8_t>(expression(0xF0, 0xCC, 0xAA));
 }
 
 /// How a word type evaluates a gate with three inputs: by the gate's own expression, unless a
-/// specialisation has one instruction for all 256 gates.
+/// specialisation has one instruction for all 256 gates, `apply<truth_table>(a, b, c)`.
 template <class Word>
 struct TernaryGate {
   static constexpr bool kOneInstruction = false;
-
-  template <class Gate>
-  [[gnu::always_inline]] static constexpr Word apply(Word a, Word b, Word c, Gate gate) {
-    return static_cast<Word>(gate(a, b, c));
-  }
 };
 
 /// One gate with three inputs: `ternary(a, b, c, [](auto a, auto b, auto c) { return ...; })`.
 /// Use as few two-input operations as possible: words without a three-input instruction execute
 /// them.
-template <class Word, class Gate>
-[[gnu::always_inline]] constexpr Word ternary(Word a, Word b, Word c, Gate gate) {
-  return TernaryGate<Word>::apply(a, b, c, gate);
+template <class Word, class Expression>
+[[gnu::always_inline]] constexpr Word ternary(Word a, Word b, Word c, Expression expression) {
+  if constexpr (TernaryGate<Word>::kOneInstruction) {
+    return TernaryGate<Word>::template apply<truth_table(Expression{})>(a, b, c);
+  } else {
+    return static_cast<Word>(expression(a, b, c));
+  }
 }
 
 /// Memory access of a word type, and neighbours one pixel (west, east) and two pixels (west2,

@@ -8,7 +8,6 @@
 
 #include "compile/compiled_rule.hpp"
 #include "compile/gate_search.hpp"
-#include "compile/program.hpp"
 #include "compile/two_input.hpp"
 #include "rules/rule_table.hpp"
 #include "support/splitmix64.hpp"
@@ -26,25 +25,21 @@ WindowTable random_table(std::uint64_t seed) {
   return table;
 }
 
-/// The table that a program computes.
-WindowTable executed(const Program& program) {
-  std::vector<WindowTable> values;
-  for (int i = 0; i < kWindowPixels; ++i) values.push_back(pixel_table(i));
-  for (const Instruction& instruction : program.instructions) {
-    const auto& [a, b, c] = instruction.operands;
-    if (program.ternary) {
-      values.push_back(gate_table(instruction.code, values[a], values[b], values[c]));
-      continue;
-    }
-    constexpr std::uint8_t functions[kOperations] = {0xC0, 0xFC, 0x0C, 0x3C, 0x0F};
-    values.push_back(gate_table(functions[instruction.code], values[a], values[b], values[b]));
-  }
-  return values[static_cast<std::size_t>(program.output)];
+/// The table that a network computes.
+WindowTable output_table(const GateNetwork& network) {
+  return tables_of(network)[static_cast<std::size_t>(network.output)];
+}
+
+/// The same in gates with two inputs.
+WindowTable two_input_table(const GateNetwork& network) {
+  const GateNetwork converted = in_two_input_gates(network);
+  for (const Gate& gate : converted.gates) EXPECT_TRUE(is_native<std::uint64_t>(gate.function));
+  return output_table(converted);
 }
 
 int gates_of(const WindowTable& table) {
   const GateNetwork network = minimised_network(table, ternary_costs(), kThoroughSearch);
-  EXPECT_EQ(tables_of(network)[static_cast<std::size_t>(network.output)], table);
+  EXPECT_EQ(output_table(network), table);
   return static_cast<int>(network.gates.size());
 }
 
@@ -63,7 +58,7 @@ TEST(TwoInputSteps, compute_every_gate_in_at_most_five_steps) {
   for (int function = 0; function < 256; ++function) {
     const auto code = static_cast<std::uint8_t>(function);
     const GateNetwork network = {{{code, {1, 3, 5}}}, kWindowPixels};
-    EXPECT_EQ(executed(two_input_program(network)),
+    EXPECT_EQ(two_input_table(network),
               gate_table(code, pixel_table(1), pixel_table(3), pixel_table(5)))
         << function;
     EXPECT_LE(two_input_steps(code), 5) << function;
@@ -83,10 +78,10 @@ TEST(GateSearch, circuits_compute_their_tables) {
                                        table.words[w] | centre};
       table.words[w] = choices[i % 5];
     }
-    for (const GateCosts* costs : {&ternary_costs(), &two_input_costs()}) {
-      const GateNetwork network = minimised_network(table, *costs, kShort);
-      EXPECT_EQ(executed(ternary_program(network)), table) << i;
-      EXPECT_EQ(executed(two_input_program(network)), table) << i;
+    for (const GateCosts& costs : {ternary_costs(), two_input_costs()}) {
+      const GateNetwork network = minimised_network(table, costs, kShort);
+      EXPECT_EQ(output_table(network), table) << i;
+      EXPECT_EQ(two_input_table(network), table) << i;
     }
   }
 }

@@ -13,15 +13,15 @@ namespace thinbench::detail {
 struct LuWang {
   static constexpr int kSubIterations = 2;
 
-  /// If Zhang and Suen remove a pixel, its foreground neighbours are consecutive. Hence it has
-  /// three or more if and only if two of them are two places apart: two adjacent sides or two
-  /// adjacent corners. Adds six three-input or nine two-input gates.
   template <int sub, class Word>
-  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
-    const Word two_sides = (n.n0 | n.n4) & (n.n2 | n.n6);
-    const Word two_corners = (n.n1 | n.n5) & (n.n3 | n.n7);
-    const Word kept = ZhangSuen::next<sub>(n);
-    return kept | (n.p & ~(two_sides | two_corners));
+  [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& unrotated) {
+    return by_circuit<BuiltInRule::lu_wang, 0>(rotated<4 * sub>(unrotated));
+  }
+
+  /// As published, on lanes that hold 0 or 1.
+  template <int sub, class Lane>
+  [[gnu::always_inline]] static constexpr Lane published(const Neighbourhood<Lane>& n) {
+    return ZhangSuen::published<sub, 3>(n);
   }
 };
 

@@ -48,17 +48,6 @@ template <class Lane>
           flip(n.n4), flip(n.n5), flip(n.n6), flip(n.n7)};
 }
 
-/// Evaluates the circuit of a rule that suits the word type: three-input gates if each is one
-/// instruction, else two-input gates.
-template <class Rule, class Word>
-[[gnu::always_inline]] constexpr Word by_native_gates(const Neighbourhood<Word>& n) {
-  if constexpr (TernaryGate<Word>::kOneInstruction) {
-    return Rule::by_three_input_gates(n);
-  } else {
-    return Rule::by_two_input_gates(n);
-  }
-}
-
 /// A pixel and its four 4-neighbours.
 template <class Word>
 struct Cross {

@@ -1,7 +1,7 @@
 // SPTA, the safe-point thinning algorithm, with parallel sub-iterations.
 #pragma once
 
-#include "rules/built_in/neighbourhood.hpp"
+#include "rules/built_in/circuits.hpp"
 
 namespace thinbench::detail {
 
@@ -16,17 +16,7 @@ struct SptaDirectional {
 
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& unrotated) {
-    return without_left_edge(rotated<kRotations[sub]>(unrotated));
-  }
-
-  /// Five gates, including the update of p.
-  template <class Word>
-  [[gnu::always_inline]] static constexpr Word without_left_edge(const Neighbourhood<Word>& n) {
-    const Word u = ternary(n.n2, n.n3, n.n0, [](auto a, auto b, auto c) { return (a | ~b) & c; });
-    const Word v = ternary(n.n6, n.n5, n.n4, [](auto a, auto b, auto c) { return (a | ~b) & ~c; });
-    const Word w = ternary(n.n1, n.n2, n.n7, [](auto a, auto b, auto c) { return a | b | c; });
-    const Word x = ternary(w, n.n6, u, [](auto a, auto b, auto c) { return (a | b) & c; });
-    return ternary(x, v, n.p, [](auto a, auto b, auto c) { return ~(a & b) & c; });
+    return by_circuit<BuiltInRule::spta_directional, 0>(rotated<kRotations[sub]>(unrotated));
   }
 
   /// As published, on lanes that hold 0 or 1.
