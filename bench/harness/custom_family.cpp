@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "harness/families.hpp"
+#include "harness/splitmix64.hpp"
 #include "reference.hpp"
-#include "support/splitmix64.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/thinning.hpp"
 #include "thinning/engines/rule_table.hpp"

@@ -10,7 +10,7 @@
 #include "custom/gate_search.hpp"
 #include "custom/program.hpp"
 #include "custom/two_input.hpp"
-#include "support/splitmix64.hpp"
+#include "harness/splitmix64.hpp"
 #include "support/temporary_directory.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinning/engines/rule_table.hpp"

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
 #include "reference.hpp"
 #include "support/filled_image.hpp"
 #include "support/rule_parameters.hpp"
-#include "support/splitmix64.hpp"
 #include "thinning/edge_case_images.hpp"
 #include "thinning/engines/lane_kernels.hpp"
 #include "thinning/variants.hpp"

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "dispatch/exported.hpp"
+#include "harness/splitmix64.hpp"
 #include "image/planes.hpp"
 #include "support/margins.hpp"
-#include "support/splitmix64.hpp"
 #include "thinning/engines/tile_passes.hpp"
 #include "thinning/iteration/plane_state.hpp"
 
