@@ -92,7 +92,7 @@ TEST_F(RuleCommand, prints_the_gates_of_every_sub_iteration) {
 
 TEST_F(RuleCommand, applies_a_notation) {
   const std::string text = run("B3/S23", {"--max-iterations", "5"}).out;
-  EXPECT_EQ(text.rfind("B3/S23/", 0), 0U) << text;
+  EXPECT_EQ(text.rfind("B3/S23: ", 0), 0U) << text;
   EXPECT_TRUE(wrote(applied(CustomRule(table_from_hensel("B3/S23"), {.max_iterations = 5}))));
   run("b2-as12", {"--max-iterations", "1"});
   EXPECT_TRUE(wrote(applied(CustomRule(table_from_hensel("B2-a/S12"), {.max_iterations = 1}))));
@@ -103,7 +103,7 @@ TEST_F(RuleCommand, applies_a_file_with_its_border_and_limit) {
       "two.json",
       R"({"name": "twice", "hensel": "B3/S23", "max_iterations": 2, "border": "keep"})");
   const std::string text = run(file).out;
-  EXPECT_EQ(text.rfind("twice/", 0), 0U) << text;
+  EXPECT_EQ(text.rfind("twice: ", 0), 0U) << text;
   EXPECT_TRUE(wrote(applied(
       CustomRule(table_from_hensel("B3/S23"), {.border = Border::keep, .max_iterations = 2}))));
 }
