@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "support/regular_file.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 
@@ -23,7 +24,7 @@ Manifest::Manifest(std::string path, bool resumes)
     read_lines();
     if (!resumes_) size_ = 0;
     if (!resumes_) lines_.clear();
-    if (ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) fail_by_errno();
+    if (ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) cannot_write(path_, errno_text());
     if (size_ == 0) write_text(manifest_head(format_));
   } catch (...) {
     close(descriptor_);
@@ -36,20 +37,12 @@ Manifest::~Manifest() {
   close(descriptor_);
 }
 
-void Manifest::fail(const std::string& why) const {
-  throw FileError("cannot write '" + path_ + "': " + why);
-}
-
-void Manifest::fail_by_errno() const {
-  fail(std::generic_category().message(errno));
-}
-
 void Manifest::open_file() {
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail_by_errno();
+  if (descriptor_ < 0) cannot_write(path_, errno_text());
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   close(descriptor_);
-  fail("another run is writing to it");
+  cannot_write(path_, "another run is writing to it");
 }
 
 void Manifest::read_lines() {
@@ -63,7 +56,7 @@ void Manifest::read_lines() {
       lines_[key] = std::move(line);
     }
   } catch (const std::runtime_error& error) {
-    fail(error.what());
+    cannot_write(path_, error.what());
   }
 }
 
@@ -76,7 +69,7 @@ void Manifest::write_text(const std::string& text) {
       const int error = errno;
       static_cast<void>(!ftruncate(descriptor_, static_cast<off_t>(size_)));
       errno = error;
-      fail_by_errno();
+      cannot_write(path_, errno_text());
     }
     done += static_cast<std::size_t>(written);
   }

@@ -38,8 +38,6 @@ class Manifest {
   void open_file();
   void read_lines();
   void write_text(const std::string& text);
-  [[noreturn]] void fail(const std::string& why) const;
-  [[noreturn]] void fail_by_errno() const;
 
   std::string path_;
   ManifestFormat format_;

@@ -84,8 +84,8 @@ void check_names(const GraphCommandOptions& options) {
 
 void check_size(const GraphCommandOptions& options, Index width, Index height) {
   if (std::max(width, height) <= kMaxDistanceSide) return;
-  throw ImageError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
-                               kMaxDistanceSide, width, height));
+  throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
+                              kMaxDistanceSide, width, height));
 }
 
 /// Positions of an image of this size must be numbers.
@@ -121,7 +121,7 @@ void check_thin(const ByteImage& skeleton, const GraphCommandOptions& options,
                 std::ostream& remarks) {
   const std::string thickness = thickness_of(skeleton);
   if (thickness.empty()) return;
-  if (options.only_thin) throw ImageError(options.in + ": not thin: " + thickness);
+  if (options.only_thin) throw FileError(options.in + ": not thin: " + thickness);
   if (options.thinning == kNoThinning) {
     remarks << "warning: " << options.in << ": not thin: " << thickness
             << "; they become junctions\n";
@@ -134,9 +134,9 @@ ByteImage image_of_widths(ByteImage binary, const GraphCommandOptions& options,
   if (options.image.empty()) return binary;
   ByteImage image = read_binary(options.image, options.binarise, &remarks);
   if (image.width() == binary.width() && image.height() == binary.height()) return image;
-  throw ImageError(fmt::format("{}: expected {} x {} pixels as in {}, got {} x {}", options.image,
-                               binary.width(), binary.height(), options.in, image.width(),
-                               image.height()));
+  throw FileError(fmt::format("{}: expected {} x {} pixels as in {}, got {} x {}", options.image,
+                              binary.width(), binary.height(), options.in, image.width(),
+                              image.height()));
 }
 
 FoundGraph graph_of(const ByteImage& image, ByteImage& skeleton,

@@ -16,6 +16,7 @@
 #include "out_of_core/out_of_core.hpp"
 #include "support/text.hpp"
 #include "support/timing.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {

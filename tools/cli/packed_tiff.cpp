@@ -79,7 +79,7 @@ void pack(const PackedFile& from, const TiffFormat& format, const std::string& n
 /// While a file is read, tiles have their memory already: a quarter of all.
 void check_memory(const TiffReader& reader, const std::string& in, Index memory) {
   if (reader.working_bytes() <= memory / 4 * 3) return;
-  throw ImageError(
+  throw FileError(
       fmt::format("cannot read '{}': reading it takes {:.1f} MB, more than --memory allows", in,
                   static_cast<double>(reader.working_bytes()) / 1e6));
 }

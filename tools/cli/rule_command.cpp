@@ -13,6 +13,7 @@
 #include "cli/thinbench.hpp"
 #include "cli/thinning_run.hpp"
 #include "rules/rule_file.hpp"
+#include "support/whole_file.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
 

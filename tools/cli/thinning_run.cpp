@@ -7,6 +7,7 @@
 #include "cli/arguments.hpp"
 #include "images/image_file.hpp"
 #include "support/timing.hpp"
+#include "support/whole_file.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/thinning.hpp"
 

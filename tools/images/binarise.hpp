@@ -88,7 +88,7 @@ void print_remarks(const std::string& name, const BinaryImage& binary,
                                   std::ostream& log);
 
 /// Reads the image at `path` and binarises it, with the remarks in `log`, if there is one. Throws
-/// ImageError.
+/// FileError.
 [[nodiscard]] ByteImage read_binary(const std::string& path, const BinariseOptions& options = {},
                                     std::ostream* log = nullptr);
 

@@ -20,13 +20,10 @@
 #include "images/tiff_file.hpp"
 #include "support/regular_file.hpp"
 #include "support/text.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
-
-[[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
-  throw ImageError("cannot read '" + path + "': " + why);
-}
 
 /// OpenCV reads its limit when it is loaded, before any code of ours could raise it.
 std::string too_many_pixels() {
@@ -48,7 +45,7 @@ std::string too_many_pixels() {
 }
 
 /// A rejection by OpenCV in the words of this program.
-[[noreturn]] void cannot_read(const std::string& path, const cv::Exception& error) {
+[[noreturn]] void reject(const std::string& path, const cv::Exception& error) {
   const auto mentions = [&](const char* text) { return error.err.find(text) != std::string::npos; };
   if (mentions("CV_IO_MAX_IMAGE_PIXELS")) cannot_read(path, too_many_pixels());
   if (mentions("CV_IO_MAX_IMAGE")) cannot_read(path, "it is wider or higher than 2^20 pixels");
@@ -108,9 +105,7 @@ ByteImage read_by(const std::string& path, int page, const Decode& decode, std::
     }
     return image_of(image);
   } catch (const cv::Exception& error) {
-    cannot_read(path, error);
-  } catch (const FileError& error) {
-    throw ImageError(error.what());
+    reject(path, error);
   } catch (const std::bad_alloc&) {
     cannot_read(path, "there is not enough memory for it");
   }
@@ -119,11 +114,7 @@ ByteImage read_by(const std::string& path, int page, const Decode& decode, std::
 }  // namespace
 
 void check_file(const std::string& path) {
-  try {
-    if (regular_file_bytes(path) == 0) cannot_read(path, "the file is empty");
-  } catch (const FileError& error) {
-    throw ImageError(error.what());
-  }
+  if (regular_file_bytes(path) == 0) cannot_read(path, "the file is empty");
 }
 
 ByteImage read_grey(const std::string& path, std::string* warning) {
@@ -152,9 +143,8 @@ namespace {
 constexpr std::array<std::string_view, 5> kExtensions = {".png", ".pgm", ".bmp", ".tif", ".tiff"};
 constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
 
-template <class Error = ImageError>
-[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
-  throw Error("cannot write '" + path + "': " + why);
+[[noreturn]] void reject_extension(const std::string& path, const std::string& why) {
+  throw ExtensionError("cannot write '" + path + "': " + why);
 }
 
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
@@ -175,25 +165,21 @@ void check_extension(const std::string& path) {
                            : extension == ".jpg" || extension == ".jpeg"
                                ? "JPEG would change pixels"
                                : "unknown extension '" + extension + "'";
-  cannot_write<ExtensionError>(path, what + "; known are " + kKnownExtensions);
+  reject_extension(path, what + "; known are " + kKnownExtensions);
 }
 
 void check_colour_extension(const std::string& path) {
   check_extension(path);
-  if (extension_of(path) == ".pgm") cannot_write<ExtensionError>(path, "PGM holds no colours");
+  if (extension_of(path) == ".pgm") reject_extension(path, "PGM holds no colours");
 }
 
 namespace {
 
-/// Does what writes a file, with its failures as ImageError.
+/// Does what writes a file, with OpenCV's failures as FileError.
 template <class Write>
 void write_by(const std::string& path, const Write& write) {
   try {
     write();
-  } catch (const FileError& error) {
-    throw ImageError(error.what());
-  } catch (const ImageError&) {
-    throw;
   } catch (const std::bad_alloc&) {
     cannot_write(path, "there is not enough memory for it");
   } catch (const cv::Exception& error) {
@@ -203,11 +189,7 @@ void write_by(const std::string& path, const Write& write) {
 }
 
 void check_writable(const std::string& path, const ConstImageView& image) {
-  try {
-    check_target(path);
-  } catch (const FileError& error) {
-    throw ImageError(error.what());
-  }
+  check_target(path);
   if (image.width == 0 || image.height == 0) cannot_write(path, "the image has no pixels");
   if (!is_writable_size(image.width, image.height)) {
     cannot_write(path, "the image has 2^31 pixels or more");

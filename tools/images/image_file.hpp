@@ -1,31 +1,26 @@
 // Grey image files. OpenCV decodes and encodes; nothing of it shows here.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "support/byte_image.hpp"
+#include "support/file_error.hpp"
 
 namespace thinbench {
-
-/// Why a image could not be read or written: one line that names the file.
-struct ImageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// The largest image that is read, in pixels.
 inline constexpr Index kMaxImagePixels = Index{1} << 31;
 
 /// Rejects what no decoder could give a good reason for: no such file, a directory, an empty file.
-/// Throws ImageError.
+/// Throws FileError.
 void check_file(const std::string& path);
 
-/// The grey levels of a image file of any common format; 16 bits become 8, colours become grey
+/// The grey levels of an image file of any common format; 16 bits become 8, colours become grey
 /// and transparency is ignored. OpenCV reads its own limit of 2^30 pixels from the environment
 /// when it is loaded, so that only the user can raise it. A JPEG file of which the decoder says
 /// that it is corrupt or truncated is an error; where `warning` is given, it is read as far as
-/// possible, and what the decoder says goes there. Throws ImageError.
+/// possible, and what the decoder says goes there. Throws FileError.
 [[nodiscard]] ByteImage read_grey(const std::string& path, std::string* warning = nullptr);
 
 /// The number of images in a TIFF file; 1 for all other files, unreadable ones included.
@@ -36,13 +31,13 @@ void check_file(const std::string& path);
 
 /// Writes an 8-bit grey image in the format that the extension names; only formats that keep
 /// every pixel are known. The file appears, or is replaced, as a whole or not at all. Throws
-/// ImageError.
+/// FileError.
 void write_grey(const std::string& path, const ConstImageView& image);
 
 /// The same for an image of 0 and 255 alone; .pbm is known, too.
 void write_binary(const std::string& path, const ConstImageView& image);
 
-/// The bytes of a PNG file. Throws ImageError.
+/// The bytes of a PNG file. Throws FileError.
 [[nodiscard]] std::string png_of(const ConstImageView& image);
 
 /// As write_grey, with several images in one TIFF file.
@@ -54,8 +49,8 @@ void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pag
 }
 
 /// The name of an image to write has an extension that stands for no format.
-struct ExtensionError : ImageError {
-  using ImageError::ImageError;
+struct ExtensionError : FileError {
+  using FileError::FileError;
 };
 
 /// Throws ExtensionError where the extension names no format that write_grey knows.

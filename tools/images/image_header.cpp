@@ -24,10 +24,6 @@ constexpr Index kDeflateFactor = 1032;      // bytes that one byte can stand for
 constexpr Index kMaxSide = Index{1} << 20;  // that OpenCV reads
 constexpr Index kJpegPixels = 512;          // a bit for a block of 8 x 8 pixels, at least
 
-[[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
-  throw ImageError("cannot read '" + path + "': " + why);
-}
-
 /// An unsigned number of `count` bytes; 0 behind the end.
 Index number_at(std::string_view bytes, std::size_t at, std::size_t count, bool is_big_endian) {
   if (at + count > bytes.size()) return 0;

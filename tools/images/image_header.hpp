@@ -18,7 +18,7 @@ struct ImageClaim {
 /// Rejects, before memory is taken for pixels, files of other kinds than PNG, JPEG, TIFF, BMP and
 /// PNM, and those that are too short for the size that their header names: files of a few bytes
 /// could claim gigabytes. `page` counts the images of a TIFF file from 0. Damaged headers are left
-/// to the decoder. For regular files; throws ImageError and FileError.
+/// to the decoder. For regular files; throws FileError.
 void check_header(const std::string& path, int page);
 
 }  // namespace thinbench

@@ -17,7 +17,7 @@ namespace thinbench {
 }
 
 /// Writes what `draw` gives, 8-bit grey or colour (blue, green, red), in the format that the
-/// extension names, as a whole or not at all. Throws ImageError, also where `draw` fails.
+/// extension names, as a whole or not at all. Throws FileError, also where `draw` fails.
 void write_mat(const std::string& path, const std::function<cv::Mat()>& draw);
 
 }  // namespace thinbench

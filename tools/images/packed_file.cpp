@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cstring>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -17,16 +16,6 @@
 
 namespace thinbench {
 namespace {
-
-[[noreturn]] void cannot(const char* what, const std::string& path, const std::string& why) {
-  throw FileError(fmt::format("cannot {} '{}': {}", what, path, why));
-}
-
-[[noreturn]] void cannot_by_errno(const char* what, const std::string& path) {
-  const int number = errno;
-  cannot(what, path,
-         number == ENOENT ? "there is no such file" : std::generic_category().message(number));
-}
 
 /// The number of set bits, by operations that compilers vectorise on any processor.
 Index bits_of(std::uint64_t word) {
@@ -43,16 +32,16 @@ Index bits_of(std::uint64_t word) {
 
 PackedFormat pbm_format(const std::string& path) {
   const std::string text = beginning_of(path, kPnmHeaderBytes);
-  if (text.rfind("P4", 0) != 0) cannot("read", path, "it is not a binary PBM file (P4)");
+  if (text.rfind("P4", 0) != 0) cannot_read(path, "it is not a binary PBM file (P4)");
   PnmHeader header(text);
   const std::optional<Index> width = header.number();
   const std::optional<Index> height = header.number();
   const std::optional<std::string> whole = header.whole();
-  if (!width || !height || !whole) cannot("read", path, "its PBM header is damaged");
+  if (!width || !height || !whole) cannot_read(path, "its PBM header is damaged");
   constexpr Index max_side = Index{1} << 40;
   if (*width < 1 || *height < 1 || *width > max_side || *height > max_side / *width) {
-    cannot("read", path,
-           fmt::format("its size is {} x {}; expected 1 to 2^40 pixels", *width, *height));
+    cannot_read(path,
+                fmt::format("its size is {} x {}; expected 1 to 2^40 pixels", *width, *height));
   }
   return {*width, *height, BitOrder::msb_first, *whole};
 }
@@ -61,7 +50,8 @@ PackedFile::PackedFile(const std::string& path, const PackedFormat& format, int 
     : path_(path),
       format_(format),
       descriptor_(::open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666)) {
-  if (descriptor_ < 0) cannot_by_errno(flags == O_RDONLY ? "read" : "write", path);
+  if (descriptor_ >= 0) return;
+  flags == O_RDONLY ? cannot_read(path, errno_text()) : cannot_write(path, errno_text());
 }
 
 PackedFile PackedFile::open(const std::string& path, const PackedFormat& format) {
@@ -74,7 +64,7 @@ PackedFile PackedFile::create(const std::string& path, const PackedFormat& forma
   PackedFile file(path, format, O_RDWR | O_CREAT | O_TRUNC);
   file.write_bytes(reinterpret_cast<const std::uint8_t*>(format.header.data()),
                    format.header_bytes(), 0);
-  if (ftruncate(file.descriptor_, format.file_bytes()) != 0) cannot_by_errno("write", path);
+  if (ftruncate(file.descriptor_, format.file_bytes()) != 0) cannot_write(path, errno_text());
   return file;
 }
 
@@ -102,19 +92,18 @@ PackedFile::~PackedFile() {
 
 void PackedFile::check_length() const {
   struct stat facts {};
-  if (fstat(descriptor_, &facts) != 0) cannot_by_errno("read", path_);
-  if (!S_ISREG(facts.st_mode)) cannot("read", path_, "it is not a regular file");
+  if (fstat(descriptor_, &facts) != 0) cannot_read(path_, errno_text());
+  if (!S_ISREG(facts.st_mode)) cannot_read(path_, "it is not a regular file");
   if (facts.st_size == format_.file_bytes()) return;
-  cannot("read", path_,
-         fmt::format("it has {} bytes; {} x {} pixels take {}", facts.st_size, format_.width,
-                     format_.height, format_.file_bytes()));
+  cannot_read(path_, fmt::format("it has {} bytes; {} x {} pixels take {}", facts.st_size,
+                                 format_.width, format_.height, format_.file_bytes()));
 }
 
 void PackedFile::read_bytes(std::uint8_t* to, Index count, Index offset) const {
   while (count > 0) {
     const ssize_t got = pread(descriptor_, to, static_cast<std::size_t>(count), offset);
-    if (got == 0) cannot("read", path_, "the file is truncated");
-    if (got < 0 && errno != EINTR) cannot_by_errno("read", path_);
+    if (got == 0) cannot_read(path_, "the file is truncated");
+    if (got < 0 && errno != EINTR) cannot_read(path_, errno_text());
     const Index done = std::max<Index>(got, 0);
     to += done;
     count -= done;
@@ -125,7 +114,7 @@ void PackedFile::read_bytes(std::uint8_t* to, Index count, Index offset) const {
 void PackedFile::write_bytes(const std::uint8_t* from, Index count, Index offset) const {
   while (count > 0) {
     const ssize_t put = pwrite(descriptor_, from, static_cast<std::size_t>(count), offset);
-    if (put < 0 && errno != EINTR) cannot_by_errno("write", path_);
+    if (put < 0 && errno != EINTR) cannot_write(path_, errno_text());
     const Index done = std::max<Index>(put, 0);
     from += done;
     count -= done;
@@ -171,7 +160,7 @@ void PackedFile::write(const Block& block, const std::uint8_t* from, Index strid
 }
 
 void PackedFile::synchronise() const {
-  if (fdatasync(descriptor_) != 0) cannot_by_errno("write", path_);
+  if (fdatasync(descriptor_) != 0) cannot_write(path_, errno_text());
 }
 
 Index packed_foreground(const ConstPackedView& image) {

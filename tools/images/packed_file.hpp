@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "support/whole_file.hpp"
+#include "support/file_error.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench {

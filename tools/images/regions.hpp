@@ -30,7 +30,7 @@ struct KeptRegions {
 /// holes beside the centre. Regions smaller than a digit have none. `objects` is the binary
 /// image in which `found` was found, with nothing omitted; all have one size. Drawn are the
 /// regions of at least `min_area` pixels, with the ids that `selected` gives them. The file appears
-/// as a whole or not at all. Throws ImageError.
+/// as a whole or not at all. Throws FileError.
 void write_overlay(const std::string& path, const ConstImageView& grey,
                    const ConstImageView& objects, const Regions& found, std::int64_t min_area = 1);
 

@@ -22,10 +22,6 @@ constexpr Index kPartBytes = Index{1} << 18;  // of an image at once, and in str
 constexpr Index kMaxTileSide = 2048;          // of small images
 constexpr Index kCodecBytesPerPixel = 16;     // of a row: lists of runs in CCITT codecs
 
-[[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
-  throw ImageError("cannot read '" + path + "': " + why);
-}
-
 bool is_known(std::uint16_t compression) {
   return is_ccitt(compression) || compression == COMPRESSION_NONE ||
          compression == COMPRESSION_PACKBITS || compression == COMPRESSION_LZW ||

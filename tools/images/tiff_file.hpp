@@ -31,7 +31,7 @@ struct TiffFormat {
 /// By its first four bytes. Throws FileError.
 [[nodiscard]] bool is_tiff(const std::string& path);
 
-/// Of one image of a TIFF file, counted from 0. Throws ImageError for tiles that take far more
+/// Of one image of a TIFF file, counted from 0. Throws FileError for tiles that take far more
 /// memory than the image.
 [[nodiscard]] ImageClaim tiff_claim(const std::string& path, int page);
 
@@ -46,7 +46,7 @@ struct TiffFormat {
 
 class OpenTiff;
 
-/// The rows of the first image of a file, one after another. Errors are ImageError: one line that
+/// The rows of the first image of a file, one after another. Errors are FileError: one line that
 /// names the file. What the decoder warns of is an error, too.
 class TiffReader {
  public:
@@ -80,7 +80,7 @@ void read_tiff(const std::string& path,
 
 /// Writes images to the file `name` row by row, in which 1 is bright. The format's compression is
 /// kept, but any of CCITT becomes that of Group 4, and the old Deflate the new one. `path` is the
-/// file that messages name. Errors are ImageError.
+/// file that messages name. Errors are FileError.
 class TiffWriter {
  public:
   /// Begins with the first image; `bytes` are those of the pixels of all, if there are several.

@@ -54,7 +54,7 @@ void TiffWriter::set_tags(const TiffFormat& format) {
 void TiffWriter::check(bool is_written) const {
   if (is_written && tiff_->complaint().empty()) return;
   const std::string why = errno != 0 ? std::generic_category().message(errno) : tiff_->complaint();
-  throw ImageError("cannot write '" + path_ + "': " + why);
+  cannot_write(path_, why);
 }
 
 void TiffWriter::write(Index rows, const std::uint8_t* from) {

@@ -12,6 +12,8 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "support/whole_file.hpp"
+
 namespace thinbench {
 namespace {
 

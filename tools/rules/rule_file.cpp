@@ -11,6 +11,7 @@
 
 #include "support/json_field.hpp"
 #include "support/regular_file.hpp"
+#include "support/whole_file.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {

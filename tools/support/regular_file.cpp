@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,26 +11,17 @@
 namespace thinbench {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& why) {
-  throw FileError("cannot read '" + path + "': " + why);
-}
-
-[[noreturn]] void fail_by_errno(const std::string& path) {
-  const int number = errno;
-  fail(path, number == ENOENT ? "there is no such file" : std::generic_category().message(number));
-}
-
 class RegularFile {
  public:
   explicit RegularFile(const std::string& path)
       : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-    if (descriptor_ < 0) fail_by_errno(path);
+    if (descriptor_ < 0) cannot_read(path, errno_text());
     struct stat facts {};
     const int failed = fstat(descriptor_, &facts);
     size_ = facts.st_size;
     if (failed == 0 && S_ISREG(facts.st_mode)) return;
     close(descriptor_);
-    fail(path, S_ISDIR(facts.st_mode) ? "it is a directory" : "it is not a regular file");
+    cannot_read(path, S_ISDIR(facts.st_mode) ? "it is a directory" : "it is not a regular file");
   }
   ~RegularFile() { close(descriptor_); }
   RegularFile(const RegularFile&) = delete;
@@ -47,7 +37,7 @@ class RegularFile {
     std::size_t done = 0;
     while (done < count) {
       const ssize_t got = read(descriptor_, text.data() + done, count - done);
-      if (got < 0 && errno != EINTR) fail_by_errno(path_);
+      if (got < 0 && errno != EINTR) cannot_read(path_, errno_text());
       if (got == 0) break;
       done += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
     }
@@ -76,7 +66,7 @@ std::string read_whole_file(const std::string& path, std::size_t max_bytes) {
   const RegularFile file(path);
   const auto size = static_cast<std::size_t>(file.size());
   if (size > max_bytes)
-    fail(path, fmt::format("it has more than {} bytes", fmt::group_digits(max_bytes)));
+    cannot_read(path, fmt::format("it has more than {} bytes", fmt::group_digits(max_bytes)));
   return file.bytes(size);
 }
 

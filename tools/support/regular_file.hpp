@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "support/whole_file.hpp"
+#include "support/file_error.hpp"
 
 namespace thinbench {
 

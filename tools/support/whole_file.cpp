@@ -19,14 +19,6 @@
 namespace thinbench {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& why) {
-  throw FileError("cannot write '" + path + "': " + why);
-}
-
-[[noreturn]] void fail_by_errno(const std::string& path) {
-  fail(path, std::generic_category().message(errno));
-}
-
 constexpr std::string_view kHiddenPrefix = ".thinbench-";
 
 /// The umask applies, as it does not to files of mkstemp.
@@ -73,7 +65,7 @@ class TemporaryFile {
       is_first = false;
       file_.emplace(hidden);
       descriptor_ = create_new(name(), mode);
-      if (descriptor_ < 0 && errno != EEXIST) fail_by_errno(path);
+      if (descriptor_ < 0 && errno != EEXIST) cannot_write(path, errno_text());
       if (descriptor_ < 0) file_->keep();  // it is another program's
       flock(descriptor_, LOCK_EX);
     } while (descriptor_ < 0 || !has_name(descriptor_));
@@ -103,7 +95,7 @@ void overwrite(const std::string& path, const std::string& finished) {
   std::ofstream to(path, std::ios::binary | std::ios::trunc);
   if (from.peek() != std::ifstream::traits_type::eof()) to << from.rdbuf();
   to.close();
-  if (!from.is_open() || !to) fail_by_errno(path);
+  if (!from.is_open() || !to) cannot_write(path, errno_text());
   unlink(finished.c_str());
 }
 
@@ -114,7 +106,7 @@ std::string target_of(const std::string& path) {
   std::filesystem::path target = path;
   std::error_code ignored;
   for (int links = 0; std::filesystem::is_symlink(target, ignored); ++links) {
-    if (links == max_links) fail(path, std::generic_category().message(ELOOP));
+    if (links == max_links) cannot_write(path, std::generic_category().message(ELOOP));
     target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
   }
   return target;
@@ -124,15 +116,15 @@ void check_target(const std::string& path) {
   const std::string target = target_of(path);
   const std::filesystem::path directory = std::filesystem::path(target).parent_path();
   std::error_code ignored;
-  if (path.empty()) fail(path, "its name is empty");
+  if (path.empty()) cannot_write(path, "its name is empty");
   if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) {
-    fail(path, "there is no directory '" + directory.string() + "'");
+    cannot_write(path, "there is no directory '" + directory.string() + "'");
   }
   const std::filesystem::file_status status = std::filesystem::status(target, ignored);
   if (!std::filesystem::exists(status)) return;
-  if (std::filesystem::is_directory(status)) fail(path, "it is a directory");
-  if (!std::filesystem::is_regular_file(status)) fail(path, "it is not a regular file");
-  if (access(target.c_str(), W_OK) != 0) fail(path, "it is write-protected");
+  if (std::filesystem::is_directory(status)) cannot_write(path, "it is a directory");
+  if (!std::filesystem::is_regular_file(status)) cannot_write(path, "it is not a regular file");
+  if (access(target.c_str(), W_OK) != 0) cannot_write(path, "it is write-protected");
 }
 
 void replace_file(const std::string& path, const std::string& finished) {
@@ -140,11 +132,11 @@ void replace_file(const std::string& path, const std::string& finished) {
   struct stat old {};
   struct stat facts {};
   if (stat(target.c_str(), &old) == 0) {
-    if (stat(finished.c_str(), &facts) != 0) fail_by_errno(path);
+    if (stat(finished.c_str(), &facts) != 0) cannot_write(path, errno_text());
     if (!is_replaceable(old, facts)) return overwrite(target, finished);
-    if (chmod(finished.c_str(), old.st_mode & 07777) != 0) fail_by_errno(path);
+    if (chmod(finished.c_str(), old.st_mode & 07777) != 0) cannot_write(path, errno_text());
   }
-  if (std::rename(finished.c_str(), target.c_str()) != 0) fail_by_errno(path);
+  if (std::rename(finished.c_str(), target.c_str()) != 0) cannot_write(path, errno_text());
 }
 
 void write_whole_file(const std::string& path, std::string_view bytes) {
@@ -152,7 +144,7 @@ void write_whole_file(const std::string& path, std::string_view bytes) {
     std::ofstream stream(name, std::ios::binary);
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.close();
-    if (!stream) fail_by_errno(path);
+    if (!stream) cannot_write(path, errno_text());
   });
 }
 

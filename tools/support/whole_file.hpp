@@ -2,16 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
-namespace thinbench {
+#include "support/file_error.hpp"
 
-/// Why a file could not be written: one line that names it.
-struct FileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace thinbench {
 
 /// Where a path leads through symbolic links, whether or not there is a file. Throws FileError.
 [[nodiscard]] std::string target_of(const std::string& path);
