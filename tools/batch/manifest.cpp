@@ -24,7 +24,7 @@ Manifest::Manifest(std::string path, bool resumes)
     read_lines();
     if (!resumes_) size_ = 0;
     if (!resumes_) lines_.clear();
-    if (ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) cannot_write(path_, errno_text());
+    if (ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) cannot_write_by_errno(path_);
     if (size_ == 0) write_text(manifest_head(format_));
   } catch (...) {
     close(descriptor_);
@@ -39,7 +39,7 @@ Manifest::~Manifest() {
 
 void Manifest::open_file() {
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) cannot_write(path_, errno_text());
+  if (descriptor_ < 0) cannot_write_by_errno(path_);
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   close(descriptor_);
   cannot_write(path_, "another run is writing to it");
@@ -69,7 +69,7 @@ void Manifest::write_text(const std::string& text) {
       const int error = errno;
       static_cast<void>(!ftruncate(descriptor_, static_cast<off_t>(size_)));
       errno = error;
-      cannot_write(path_, errno_text());
+      cannot_write_by_errno(path_);
     }
     done += static_cast<std::size_t>(written);
   }

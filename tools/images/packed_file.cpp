@@ -51,7 +51,7 @@ PackedFile::PackedFile(const std::string& path, const PackedFormat& format, int 
       format_(format),
       descriptor_(::open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666)) {
   if (descriptor_ >= 0) return;
-  flags == O_RDONLY ? cannot_read(path, errno_text()) : cannot_write(path, errno_text());
+  flags == O_RDONLY ? cannot_read_by_errno(path) : cannot_write_by_errno(path);
 }
 
 PackedFile PackedFile::open(const std::string& path, const PackedFormat& format) {
@@ -64,7 +64,7 @@ PackedFile PackedFile::create(const std::string& path, const PackedFormat& forma
   PackedFile file(path, format, O_RDWR | O_CREAT | O_TRUNC);
   file.write_bytes(reinterpret_cast<const std::uint8_t*>(format.header.data()),
                    format.header_bytes(), 0);
-  if (ftruncate(file.descriptor_, format.file_bytes()) != 0) cannot_write(path, errno_text());
+  if (ftruncate(file.descriptor_, format.file_bytes()) != 0) cannot_write_by_errno(path);
   return file;
 }
 
@@ -92,7 +92,7 @@ PackedFile::~PackedFile() {
 
 void PackedFile::check_length() const {
   struct stat facts {};
-  if (fstat(descriptor_, &facts) != 0) cannot_read(path_, errno_text());
+  if (fstat(descriptor_, &facts) != 0) cannot_read_by_errno(path_);
   if (!S_ISREG(facts.st_mode)) cannot_read(path_, "it is not a regular file");
   if (facts.st_size == format_.file_bytes()) return;
   cannot_read(path_, fmt::format("it has {} bytes; {} x {} pixels take {}", facts.st_size,
@@ -103,7 +103,7 @@ void PackedFile::read_bytes(std::uint8_t* to, Index count, Index offset) const {
   while (count > 0) {
     const ssize_t got = pread(descriptor_, to, static_cast<std::size_t>(count), offset);
     if (got == 0) cannot_read(path_, "the file is truncated");
-    if (got < 0 && errno != EINTR) cannot_read(path_, errno_text());
+    if (got < 0 && errno != EINTR) cannot_read_by_errno(path_);
     const Index done = std::max<Index>(got, 0);
     to += done;
     count -= done;
@@ -114,7 +114,7 @@ void PackedFile::read_bytes(std::uint8_t* to, Index count, Index offset) const {
 void PackedFile::write_bytes(const std::uint8_t* from, Index count, Index offset) const {
   while (count > 0) {
     const ssize_t put = pwrite(descriptor_, from, static_cast<std::size_t>(count), offset);
-    if (put < 0 && errno != EINTR) cannot_write(path_, errno_text());
+    if (put < 0 && errno != EINTR) cannot_write_by_errno(path_);
     const Index done = std::max<Index>(put, 0);
     from += done;
     count -= done;
@@ -160,7 +160,7 @@ void PackedFile::write(const Block& block, const std::uint8_t* from, Index strid
 }
 
 void PackedFile::synchronise() const {
-  if (fdatasync(descriptor_) != 0) cannot_write(path_, errno_text());
+  if (fdatasync(descriptor_) != 0) cannot_write_by_errno(path_);
 }
 
 Index packed_foreground(const ConstPackedView& image) {

@@ -55,7 +55,7 @@ void save_checkpoint(const std::string& path, const std::string& identity,
   stream << json.dump(1) << '\n';
   stream.close();
   if (!stream) {
-    cannot_write(path, std::generic_category().message(errno));
+    cannot_write_by_errno(path);
   }
 }
 

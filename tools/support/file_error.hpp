@@ -21,9 +21,16 @@ struct FileError : std::runtime_error {
   throw FileError("cannot write '" + path + "': " + why);
 }
 
-/// What the system says of its last call.
-[[nodiscard]] inline std::string errno_text() {
-  return errno == ENOENT ? "there is no such file" : std::generic_category().message(errno);
+// The same with what the system says of its last call.
+
+[[noreturn]] inline void cannot_read_by_errno(const std::string& path) {
+  const int number = errno;
+  cannot_read(path,
+              number == ENOENT ? "there is no such file" : std::generic_category().message(number));
+}
+
+[[noreturn]] inline void cannot_write_by_errno(const std::string& path) {
+  cannot_write(path, std::generic_category().message(errno));
 }
 
 }  // namespace thinbench

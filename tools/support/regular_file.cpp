@@ -15,7 +15,7 @@ class RegularFile {
  public:
   explicit RegularFile(const std::string& path)
       : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-    if (descriptor_ < 0) cannot_read(path, errno_text());
+    if (descriptor_ < 0) cannot_read_by_errno(path);
     struct stat facts {};
     const int failed = fstat(descriptor_, &facts);
     size_ = facts.st_size;
@@ -37,7 +37,7 @@ class RegularFile {
     std::size_t done = 0;
     while (done < count) {
       const ssize_t got = read(descriptor_, text.data() + done, count - done);
-      if (got < 0 && errno != EINTR) cannot_read(path_, errno_text());
+      if (got < 0 && errno != EINTR) cannot_read_by_errno(path_);
       if (got == 0) break;
       done += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
     }

@@ -65,7 +65,7 @@ class TemporaryFile {
       is_first = false;
       file_.emplace(hidden);
       descriptor_ = create_new(name(), mode);
-      if (descriptor_ < 0 && errno != EEXIST) cannot_write(path, errno_text());
+      if (descriptor_ < 0 && errno != EEXIST) cannot_write_by_errno(path);
       if (descriptor_ < 0) file_->keep();  // it is another program's
       flock(descriptor_, LOCK_EX);
     } while (descriptor_ < 0 || !has_name(descriptor_));
@@ -95,7 +95,7 @@ void overwrite(const std::string& path, const std::string& finished) {
   std::ofstream to(path, std::ios::binary | std::ios::trunc);
   if (from.peek() != std::ifstream::traits_type::eof()) to << from.rdbuf();
   to.close();
-  if (!from.is_open() || !to) cannot_write(path, errno_text());
+  if (!from.is_open() || !to) cannot_write_by_errno(path);
   unlink(finished.c_str());
 }
 
@@ -132,11 +132,11 @@ void replace_file(const std::string& path, const std::string& finished) {
   struct stat old {};
   struct stat facts {};
   if (stat(target.c_str(), &old) == 0) {
-    if (stat(finished.c_str(), &facts) != 0) cannot_write(path, errno_text());
+    if (stat(finished.c_str(), &facts) != 0) cannot_write_by_errno(path);
     if (!is_replaceable(old, facts)) return overwrite(target, finished);
-    if (chmod(finished.c_str(), old.st_mode & 07777) != 0) cannot_write(path, errno_text());
+    if (chmod(finished.c_str(), old.st_mode & 07777) != 0) cannot_write_by_errno(path);
   }
-  if (std::rename(finished.c_str(), target.c_str()) != 0) cannot_write(path, errno_text());
+  if (std::rename(finished.c_str(), target.c_str()) != 0) cannot_write_by_errno(path);
 }
 
 void write_whole_file(const std::string& path, std::string_view bytes) {
@@ -144,7 +144,7 @@ void write_whole_file(const std::string& path, std::string_view bytes) {
     std::ofstream stream(name, std::ios::binary);
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     stream.close();
-    if (!stream) cannot_write(path, errno_text());
+    if (!stream) cannot_write_by_errno(path);
   });
 }
 
