@@ -169,8 +169,8 @@ std::string graph_csv(const FoundGraph& found) {
 }
 
 std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform) {
-  const auto& [a, b, c, d, e, f] = transform;
-  const auto position = [&](double column, double row) {
+  const auto position = [&transform](double column, double row) {
+    const auto& [a, b, c, d, e, f] = transform;
     const double x = column + 0.5;
     const double y = row + 0.5;
     return Json{a * x + b * y + c, d * x + e * y + f};
