@@ -15,7 +15,7 @@ from report.progress import Progress
 
 ROOT = Path(__file__).resolve().parent.parent
 STEP = re.compile(r"\[(\d+)/(\d+)\]")
-PROGRAMS = ("thinbench_program", "thinbench_sampler", "thinbench_benchmarks",
+PROGRAMS = ("thinbench_study", "thinbench_sampler", "thinbench_benchmarks",
             "thinbench_counted_calls")
 
 

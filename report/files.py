@@ -1,4 +1,4 @@
-"""Files appear whole or not at all, as those of the programs do (bench/support/whole_file.hpp)."""
+"""Files appear whole or not at all, as those of the programs do (tools/support/whole_file.hpp)."""
 
 from __future__ import annotations
 

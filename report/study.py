@@ -61,17 +61,17 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
     """Returns the summary to print."""
     check_binarise_options(parser, options, options.image + options.quality_image)
     programs = build("release", PROGRAMS)
-    machine = machine_facts(programs / "thinbench", commit_name())
+    machine = machine_facts(programs / "thinbench-study", commit_name())
     directory = options.out or default_directory(machine)
     sampler = Sampler(programs / "thinbench_sampler")
     samples = [Samples(sampler.plan(words)) for words in _plans(options)]
     processes = options.processes or (4 if options.quick else 9)
     measure(sampler, samples, processes)
-    write_pictures(programs / "thinbench", directory, options)
+    write_pictures(programs / "thinbench-study", directory, options)
     write_run(directory, machine, _options_json(options, processes),
               [("", part) for part in samples])
-    count_instructions(programs / "thinbench", directory, options)
-    measure_quality(programs / "thinbench", directory, options)
+    count_instructions(programs / "thinbench-study", directory, options)
+    measure_quality(programs / "thinbench-study", directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel
     return build_page(directory)
 
@@ -158,4 +158,4 @@ def measure_quality(program: Path, directory: Path, options: argparse.Namespace)
 def _run(program: Path, *words: str, allowed: tuple[int, ...] = (0,)) -> None:
     done = subprocess.run([program, *words], stdout=subprocess.DEVNULL, check=False)
     if done.returncode not in allowed:
-        raise ReportError(f"thinbench {words[0]} failed; see the line above")
+        raise ReportError(f"thinbench-study {words[0]} failed; see the line above")

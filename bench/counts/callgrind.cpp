@@ -19,6 +19,7 @@
 
 #include "counts/counted_job.hpp"
 #include "support/progress.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {

@@ -5,26 +5,29 @@
 #include <vector>
 
 #include "support/byte_image.hpp"
+#include "thinbench/distance.hpp"
 
 namespace thinbench {
 
-/// Squared distances to the nearest marked (not 0) pixel; at least 2^40 where none is marked.
+/// Squared distances to the nearest marked (not 0) pixel; kNoBackground where none is marked.
 class Distances {
  public:
-  explicit Distances(const ConstImageView& marked);
+  explicit Distances(const ConstImageView& marked)
+      : width_(marked.width), squared_(static_cast<std::size_t>(marked.width * marked.height)) {
+    ByteImage others(marked.width, marked.height);
+    for (Index y = 0; y < marked.height; ++y) {
+      for (Index x = 0; x < width_; ++x) others.at(x, y) = marked.row(y)[x] == 0 ? 1 : 0;
+    }
+    squared_distances(others.view(), {squared_.data(), width_, marked.height});
+  }
 
-  [[nodiscard]] std::int64_t squared(Index x, Index y) const { return squared_[place(x, y)]; }
+  [[nodiscard]] std::int64_t squared(Index x, Index y) const {
+    return squared_[static_cast<std::size_t>(y * width_ + x)];
+  }
 
  private:
-  [[nodiscard]] std::size_t place(Index x, Index y) const {
-    return static_cast<std::size_t>(y * width_ + x);
-  }
-  void mark_column(const ConstImageView& marked, Index x, std::vector<std::int64_t>& along) const;
-  [[nodiscard]] std::int64_t nearest_column(const std::vector<std::int64_t>& along, Index x,
-                                            Index y) const;
-
   Index width_;
-  std::vector<std::int64_t> squared_;
+  std::vector<std::int32_t> squared_;
 };
 
 }  // namespace thinbench

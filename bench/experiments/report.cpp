@@ -54,8 +54,9 @@ Json rows_in(const Json& value) {
 
 ExperimentReport report_of(const std::string& name, const std::string& caption, const Json& data,
                            const std::string& options) {
-  Json json = {
-      {"schema", 1}, {"experiment", name}, {"command", "thinbench experiment " + name + options}};
+  Json json = {{"schema", 1},
+               {"experiment", name},
+               {"command", "thinbench-study experiment " + name + options}};
   json.update(data);
   std::string markdown = caption + "\n";
   for (const auto& [key, value] : data.items()) {

@@ -17,7 +17,7 @@ struct QualityInput {
 
 /// The test scene and blobs of smoothed noise; given images follow, binarised with the remarks in
 /// `log`, named as their files, each unlike all other inputs and files of skeletons. Throws
-/// ImageError.
+/// FileError.
 [[nodiscard]] std::vector<QualityInput> quality_inputs(const std::vector<std::string>& images,
                                                        const BinariseOptions& binarise = {},
                                                        std::ostream* log = nullptr);

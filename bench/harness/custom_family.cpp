@@ -2,9 +2,11 @@
 #include <utility>
 
 #include "harness/families.hpp"
+#include "harness/splitmix64.hpp"
 #include "reference.hpp"
 #include "rules/rule_table.hpp"
-#include "support/splitmix64.hpp"
+#include "techniques/variants.hpp"
+#include "rules/rule_table.hpp"
 #include "techniques/variants.hpp"
 #include "thinbench/named_rules.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
-#include "support/splitmix64.hpp"
 
 namespace thinbench {
 namespace {

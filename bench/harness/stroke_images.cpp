@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
-#include "support/splitmix64.hpp"
 
 namespace thinbench {
 namespace {

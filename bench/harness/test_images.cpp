@@ -3,7 +3,7 @@
 #include <array>
 #include <numeric>
 
-#include "support/splitmix64.hpp"
+#include "harness/splitmix64.hpp"
 
 namespace thinbench {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "cli/usage.hpp"
+#include "harness/image_names.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
-#include "support/image_names.hpp"
 
 namespace thinbench {
 namespace {

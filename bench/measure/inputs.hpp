@@ -52,7 +52,7 @@ struct InputChoice {
 
 /// The image files, then the drawn images; the scene where both lists are empty. Names are unique
 /// and hold no '/'; no image file gets a name that drawn_input() knows. Remarks on the image files
-/// go to `log` if there is one. Throws ImageError, and UsageError for unknown names.
+/// go to `log` if there is one. Throws FileError, and UsageError for unknown names.
 [[nodiscard]] std::vector<TimedInput> timed_inputs(const InputChoice& choice,
                                                    std::ostream* log = nullptr);
 

@@ -9,9 +9,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "harness/splitmix64.hpp"
 #include "measure/timed_call.hpp"
 #include "measure/workspace.hpp"
-#include "support/splitmix64.hpp"
 
 namespace thinbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "support/splitmix64.hpp"
+#include "harness/splitmix64.hpp"
 
 namespace thinbench {
 namespace {

@@ -7,13 +7,23 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <malloc.h>
+
 #include "cli/usage.hpp"
 #include "harness/verify.hpp"
 #include "support/progress.hpp"
-#include "support/heap.hpp"
 
 namespace thinbench {
 namespace {
+
+/// Bytes of the C library's heap that are in use; nothing where another allocator replaces it, as
+/// under sanitizers.
+std::optional<std::int64_t> heap_bytes_in_use() {
+  const struct mallinfo2 heap = mallinfo2();
+  const auto bytes = static_cast<std::int64_t>(heap.uordblks + heap.hblkhd);
+  if (bytes == 0) return std::nullopt;
+  return bytes;
+}
 
 bool is_scalar(const Variant& variant) {
   return variant.isa == Isa::baseline && !variant.technique.starts_with("simd") &&

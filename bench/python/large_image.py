@@ -1,6 +1,6 @@
 """Draws a large binary image as PBM (P4): the benchmark's scene in many sizes, mirrored at random.
 
-    large_image.py WIDTH HEIGHT OUT.pbm [--program build/release/bin/thinbench] [--seed N]
+    large_image.py WIDTH HEIGHT OUT.pbm [--program build/release/bin/thinbench-study] [--seed N]
 
 Squares of the image hold one scene enlarged 32 times or several smaller ones. Takes memory for one
 row of squares, packed.
@@ -65,7 +65,7 @@ def main() -> None:
     parser.add_argument("width", type=int)
     parser.add_argument("height", type=int)
     parser.add_argument("out", type=Path)
-    parser.add_argument("--program", type=Path, default=Path("build/release/bin/thinbench"))
+    parser.add_argument("--program", type=Path, default=Path("build/release/bin/thinbench-study"))
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     draw(arguments.width, arguments.height, arguments.out, arguments.program, arguments.seed)

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "harness/splitmix64.hpp"
 #include "scene/coverage.hpp"
 #include "scene/integer_math.hpp"
 #include "scene/scene.hpp"
 #include "scene/truth.hpp"
-#include "support/splitmix64.hpp"
 
 namespace thinbench {
 namespace {

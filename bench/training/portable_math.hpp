@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "support/splitmix64.hpp"
+#include "harness/splitmix64.hpp"
 
 namespace thinbench {
 

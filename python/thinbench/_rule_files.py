@@ -1,4 +1,4 @@
-"""Custom rules as JSON files; bench/rules/rule_file.hpp describes the same format.
+"""Custom rules as JSON files; tools/rules/rule_file.hpp describes the same format.
 
     {"name": "my rule",
      "sub_iterations": [table, ...],     1 to 8; or "hensel": "B3/S23" for this one table

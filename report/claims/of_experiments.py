@@ -17,7 +17,7 @@ def operation_counts(data: Json | None) -> Claim:
     claim = ("A pixel costs 40 logical and 3 arithmetic operations by the rule, more than 150 "
              "arithmetic ones by the two-layer net and 39 by the cluster")
     if data is None:
-        return open_claim(claim, "thinbench experiment operation-counts")
+        return open_claim(claim, "thinbench-study experiment operation-counts")
     rule, nets, cluster = (_counts(data, beginning) for beginning in
                            ("Naccache-Shinghal, four", "Two-layer net", "Cluster"))
     verdict = Verdict.of([
@@ -36,7 +36,7 @@ def linear_threshold(data: Json | None) -> Claim:
     """Section 3.2: equation (2) in place of (1)."""
     claim = "With the linear threshold (2) in place of the sigmoid (1) recognition stays at 100 %"
     if data is None:
-        return open_claim(claim, "thinbench experiment quantisation")
+        return open_claim(claim, "thinbench-study experiment quantisation")
     total, found = data["descriptors"], data["as_published"]
     right = {"sigmoid": found["right_sigmoid"], "linear threshold": found["right_linear"]}
     verdict = Verdict.of([all(count == total for count in right.values())])
@@ -51,7 +51,7 @@ def twelve_nets(data: Json | None) -> Claim:
     """Section 3.3: the size of the cluster."""
     claim = f"A cluster of {PAPER_NETS} single-layer nets represents the rule"
     if data is None:
-        return open_claim(claim, "thinbench experiment cluster-runs")
+        return open_claim(claim, "thinbench-study experiment cluster-runs")
     needed = len(data["rows"])
     verdict = Verdict.of([needed <= PAPER_NETS])
     exact = "exactly as many" if needed == PAPER_NETS else "fewer"
@@ -64,7 +64,7 @@ def eight_hidden_neurons(data: Json | None) -> Claim:
     """Section 3.2: "a number of eight hidden neurones is optimal"."""
     claim = f"{PAPER_HIDDEN} hidden neurons are optimal"
     if data is None:
-        return open_claim(claim, "thinbench experiment hidden-neurons")
+        return open_claim(claim, "thinbench-study experiment hidden-neurons")
     learnt = {row["hidden"]: row["seeds_with_all_right"] for row in data["rows"]}
     fewest = min((hidden for hidden, seeds in learnt.items() if seeds), default=None)
     sure = min((hidden for hidden, seeds in learnt.items() if seeds == data["seeds"]), default=None)
@@ -83,7 +83,7 @@ def reliable_edges(data: Json | None) -> Claim:
     """Section 2.1: "reliable edge detection with strong rejection of false edges"."""
     claim = "Edge detection is reliable and rejects false edges strongly"
     if data is None:
-        return open_claim(claim, "thinbench experiment edge-quality")
+        return open_claim(claim, "thinbench-study experiment edge-quality")
     rows = data["rows"]
     sigmas = sorted({row["sigma"] for row in rows})
     good = [sigma for sigma in sigmas if all(_is_reliable(r) for r in rows if r["sigma"] == sigma)]
@@ -103,7 +103,7 @@ def connected_skeleton(data: Json | None) -> Claim:
     claim = "The procedure as published keeps a skeleton connected"
     rows = [row for row in data["rows"] if row["operation"] == PRINTED_RULE] if data else []
     if data is None or not rows:
-        return open_claim(claim, "thinbench experiment quality")
+        return open_claim(claim, "thinbench-study experiment quality")
     verdict = Verdict.of([row["objects_before"] == row["objects_after"] for row in rows])
     figure = "; ".join(f"{row['input']}: {row['objects_before']} objects before, "
                        f"{row['objects_after']} after" for row in rows)

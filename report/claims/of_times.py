@@ -96,7 +96,7 @@ def integers_do_not_pay(rows: Rows, data: Json | None) -> Claim:
     ratio = time_ratio(_fastest(rows, (INTEGER_NET,), FLOATS),
                        _fastest(rows, (INTEGER_NET,), INTEGERS))
     if data is None or ratio is None:
-        return open_claim(claim, f"{COMMAND}; thinbench experiment quantisation")
+        return open_claim(claim, f"{COMMAND}; thinbench-study experiment quantisation")
     right = [(row["fractional_bits"], min(row["right_sigmoid"], row["right_linear"]))
              for row in data["rows"]]
     whole = min(count for bits, count in right if bits == 0)

@@ -18,9 +18,9 @@ Image = npt.NDArray[np.uint8]
 
 
 def draw_scene(program: Path, work: Path, *words: str) -> Image:
-    """As `thinbench scene` draws it."""
+    """As `thinbench-study scene` draws it; that program is beside `program`."""
     file = work / "scene.png"
-    subprocess.run([program, "scene", file, *words], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program.with_name("thinbench-study"), "scene", file, *words], check=True, stdout=subprocess.DEVNULL)
     return np.asarray(cv2.imread(str(file), cv2.IMREAD_GRAYSCALE))
 
 

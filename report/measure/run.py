@@ -36,7 +36,7 @@ class Run:
 
     @property
     def machine(self) -> Json:
-        """As `thinbench machine` describes it, build included."""
+        """As `thinbench-study machine` describes it, build included."""
         machine: Json = self.facts["machine"]
         return machine
 

@@ -114,14 +114,14 @@ def _check_update(parser: argparse.ArgumentParser, options: argparse.Namespace) 
 
 def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
     if options.self_test:
-        return self_test.run(builder(ROOT, ("thinbench_program", "thinbench_sampler")),
+        return self_test.run(builder(ROOT, ("thinbench_study", "thinbench_sampler")),
                              options.quick)
     with _other_tree(options) as other:
         programs = builder(ROOT, _targets(options))
-        machine = machine_facts(programs / "thinbench", commit_name())
+        machine = machine_facts(programs / "thinbench-study", commit_name())
         if options.update:
             return _update(options, programs, machine), 0
-        before = builder(other, _targets(options)) if other else None
+        before = builder(other, _targets(options, other)) if other else None
         found = _compare(options, programs, before, machine)
     _write(options, found)
     text = output.to_annotations(found) if options.github else ""
@@ -129,10 +129,12 @@ def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
             exit_status(found.instructions, found.times, options.counts_only))
 
 
-def _targets(options: argparse.Namespace) -> tuple[str, ...]:
+def _targets(options: argparse.Namespace, tree: Path = ROOT) -> tuple[str, ...]:
+    """A commit before `thinbench-study` has its commands in `thinbench`."""
+    counter = "thinbench_study" if (tree / "bench" / "study").exists() else "thinbench_program"
     counting = () if options.no_instructions else ("thinbench_counted_calls",)
     timing = () if options.counts_only else ("thinbench_sampler",)
-    return ("thinbench_program", *counting, *timing)
+    return (counter, *counting, *timing)
 
 
 @contextmanager
@@ -153,8 +155,7 @@ def _other_tree(options: argparse.Namespace) -> Iterator[Path | None]:
 
 
 def _check_programs(options: argparse.Namespace, tree: Path) -> None:
-    needed = ("bench/cli/instructions_command.cpp" if options.counts_only
-              else "bench/measure/sampler.cpp")
+    needed = "bench/counts" if options.counts_only else "bench/measure/sampler.cpp"
     if not (tree / needed).exists():
         raise ReportError(f"nothing was compared: commit {options.against} has no {needed}",
                           EXIT_STATUS[Verdict.SKIPPED])
@@ -173,12 +174,13 @@ def _compare(options: argparse.Namespace, programs: Path, before: Path | None,
 
 def _compare_counts(options: argparse.Namespace, programs: Path, before: Path | None,
                     machine: Json) -> counts.Counts:
-    program, words = programs / "thinbench", _count_words(options)
+    program, words = programs / "thinbench-study", _count_words(options)
     if before is None:
         return counts.compare(program, words, _files(options, machine)[1])
     with tempfile.TemporaryDirectory() as directory:
         file = Path(directory) / "counts.json"
-        why_not = counts.count(before / "thinbench", words, file)
+        counter = before / "thinbench-study"
+        why_not = counts.count(counter if counter.exists() else before / "thinbench", words, file)
         if why_not:
             return counts.not_compared(f"commit {options.against}: {why_not}")
         return counts.compare(program, words, file)
@@ -201,7 +203,7 @@ def _update(options: argparse.Namespace, programs: Path, machine: Json) -> str:
     if not options.no_instructions:
         with tempfile.TemporaryDirectory() as directory:
             counted = Path(directory) / "counts.json"
-            why_not = counts.count(programs / "thinbench", _count_words(options), counted)
+            why_not = counts.count(programs / "thinbench-study", _count_words(options), counted)
             if why_not:
                 raise ReportError(f"instructions cannot be counted: {why_not}; "
                                   "--no-instructions leaves them out")

@@ -1,4 +1,4 @@
-"""The exact layer: `thinbench instructions` counts and compares, this reads what it says."""
+"""The exact layer: `thinbench-study instructions` counts and compares, this reads what it says."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ def run_sweeps(parser: argparse.ArgumentParser, options: argparse.Namespace) -> 
     if options.compiler and options.only not in ([], ["isa"]):
         parser.error("--compiler measures the sweep isa; leave out --only")
     presets = [GCC] + ([options.compiler] if options.compiler else [])
-    builds = {preset: Build(preset, build(preset, ("thinbench_program", "thinbench_sampler")))
+    builds = {preset: Build(preset, build(preset, ("thinbench_study", "thinbench_sampler")))
               for preset in presets}
     below = COMPILERS if options.compiler else DIRECTORY
     directory = (options.out or _default(options, builds[GCC].machine, below)) / below
@@ -82,7 +82,7 @@ class Build:
 
     def __init__(self, preset: str, programs: Path) -> None:
         self.preset = preset
-        self.machine = machine_facts(programs / "thinbench", commit_name())
+        self.machine = machine_facts(programs / "thinbench-study", commit_name())
         self.sampler = Sampler(programs / "thinbench_sampler")
 
 

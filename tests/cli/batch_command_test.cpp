@@ -26,18 +26,8 @@ TEST_F(BatchCommand, writes_a_skeleton_for_each_image_and_a_line_in_the_manifest
 
 TEST_F(BatchCommand, options_of_run_have_the_same_meaning) {
   const std::string one = directory.file("one.png");
-  const Words options = {"--foreground",
-                         "dark",
-                         "--threshold",
-                         "100",
-                         "--border",
-                         "keep",
-                         "--max-iterations",
-                         "2",
-                         "--technique",
-                         "simd_bitpacked",
-                         "--isa",
-                         "baseline"};
+  const Words options = {"--foreground",     "dark", "--threshold", "100",     "--border", "keep",
+                         "--max-iterations", "2",    "--isa",       "baseline"};
   Words run_words = {"run", "thin_guo_hall", in + "/40.png", one};
   run_words.insert(run_words.end(), options.begin(), options.end());
   ASSERT_EQ(run_with(run_words).status, 0);

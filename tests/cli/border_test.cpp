@@ -50,17 +50,13 @@ TEST_F(BorderOption, background_is_the_default_and_differs_from_keep) {
   EXPECT_FALSE(equal(thinned("thin_zhang_suen", "keep").view(), background.view()));
 }
 
-TEST_F(BorderOption, keep_applies_to_other_rules_and_to_a_requested_technique) {
+TEST_F(BorderOption, keep_applies_to_other_rules) {
   for (const std::string operation : {"thin_spta", "skeleton_scan", "net_two_layer_linear"}) {
     ByteImage expected(image.width(), image.height());
     thin(rule_from_name(operation).value(), image.view(), expected.view(),
          {.border = Border::keep});
     EXPECT_TRUE(equal(thinned(operation, "keep").view(), expected.view())) << operation;
   }
-  const auto tiles = run_with(
-      {"run", "thin_guo_hall", in, out, "--border", "keep", "--technique", "simd_bitpacked_tiles"});
-  EXPECT_EQ(tiles.status, 0) << tiles.err;
-  EXPECT_TRUE(equal(read_grey(out).view(), by_opencv(cv::ximgproc::THINNING_GUOHALL).view()));
 }
 
 TEST_F(BorderOption, unknown_name_is_rejected_with_the_known_ones) {

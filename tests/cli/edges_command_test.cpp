@@ -49,7 +49,7 @@ TEST_F(EdgesCommand, writes_the_edges_and_prints_one_line) {
                                  "--foreground", "dark", "--threshold", "90"});
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(result.status, 0) << result.err;
-  const std::regex line(R"(edges_prewitt/\w+/[\w.]+/1: 90 x 40, \d+ edge pixels, \d+\.\d{3} ms\n)");
+  const std::regex line(R"(edges_prewitt: 90 x 40, \d+ edge pixels, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
   expect_output(grey_image(), EdgeOperator::prewitt, {70, 200});
 }
@@ -112,11 +112,11 @@ TEST_F(EdgesCommand, finds_the_same_edges_of_dark_and_bright_foreground_by_defau
   EXPECT_TRUE(equal(read_grey(out).view(), edges.view()));
 }
 
-TEST_F(EdgesCommand, uses_the_requested_variant) {
-  const ProgramRun result =
-      run({"--technique", "simd_16bit", "--isa", "baseline", "--threads", "3"});
-  EXPECT_EQ(result.out.rfind("edges_sobel/simd_16bit/baseline/3: ", 0), 0U)
-      << result.out << result.err;
+TEST_F(EdgesCommand, isa_and_threads_do_not_change_the_edges) {
+  ASSERT_EQ(run().status, 0);
+  const ByteImage edges = read_grey(out);
+  ASSERT_EQ(run({"--isa", "baseline", "--threads", "3"}).status, 0);
+  EXPECT_TRUE(equal(read_grey(out).view(), edges.view()));
 }
 
 TEST_F(EdgesCommand, rejects_invalid_arguments_without_output) {
@@ -128,20 +128,9 @@ TEST_F(EdgesCommand, rejects_invalid_arguments_without_output) {
   EXPECT_EQ(failure({"--p2", "-1"}, 2),
             "--brightness-threshold: expected an integer in [0, 255], got '-1'; see 'thinbench "
             "edges --help'");
-  EXPECT_EQ(failure({"--technique", ""}, 2).find("--technique: expected a value, got ''"), 0U);
   EXPECT_EQ(failure({"--isa", ""}, 2).find("--isa: expected a value, got ''"), 0U);
-  EXPECT_EQ(
-      failure({"--technique", "simd_8bit"}, 2).find("edges_sobel is not implemented by simd_8bit"),
-      0U);
   EXPECT_EQ(failure_of({"edges", in, directory.file("a.gif")}, 2).find("cannot write '"), 0U);
   EXPECT_EQ(failure_of({"edges", directory.file("absent.png"), out}, 1).find("cannot read '"), 0U);
-}
-
-TEST(EdgesPeers, are_verified_like_variants) {
-  const ProgramRun result =
-      run_with({"verify", "--quick", "--filter", "edges_sobel/(opencv|copy)"});
-  EXPECT_EQ(result.status, 0) << result.out;
-  EXPECT_EQ(result.out, "3 passed, 0 failed, 0 skipped\n");
 }
 
 }  // namespace

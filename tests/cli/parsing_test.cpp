@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "images/image_file.hpp"
 #include "program_run.hpp"
+#include "support/command_help.hpp"
 #include "support/isa_parameters.hpp"
-#include "support/temporary_directory.hpp"
+#include "thinbench/edges.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench {
 namespace {
@@ -23,48 +24,9 @@ TEST(Program, without_arguments_prints_the_help_to_standard_error) {
   EXPECT_NE(run.err.find("Usage: thinbench"), std::string::npos);
 }
 
-using Words = std::vector<std::string>;
-
-/// The subcommands that the help of a command lists.
-Words commands_below(Words words) {
-  words.emplace_back("--help");
-  std::istringstream help(run_with(words).out);
-  Words found;
-  bool listed = false;
-  for (std::string line; std::getline(help, line);) {
-    if (listed && line.rfind("  ", 0) == 0 && line[2] != ' ') {
-      found.push_back(line.substr(2, line.find(' ', 2) - 2));
-    }
-    listed = (listed && line.rfind("  ", 0) == 0) || line == "Subcommands:";
-  }
-  return found;
-}
-
-/// Every command as a list of words, parents before their subcommands.
-std::vector<Words> all_commands() {
-  std::vector<Words> commands = {{}};
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    for (const std::string& name : commands_below(commands[i])) {
-      commands.push_back(commands[i]);
-      commands.back().push_back(name);
-    }
-  }
-  return commands;
-}
-
 TEST(Program, every_help_has_examples) {
-  const std::vector<Words> commands = all_commands();
-  EXPECT_EQ(commands.size(), 1 + 14 + 2 + 7U);
-  for (Words words : commands) {
-    std::string command = "thinbench";
-    for (const std::string& word : words) command += " " + word;
-    words.emplace_back("--help");
-    const ProgramRun run = run_with(words);
-    EXPECT_EQ(run.status, 0);
-    EXPECT_EQ(run.err, "");
-    EXPECT_NE(run.out.find("Usage: " + command), std::string::npos) << run.out;
-    EXPECT_NE(run.out.find("Examples:\n  " + command), std::string::npos) << run.out;
-  }
+  EXPECT_EQ(all_commands(thinbench_program()).size(), 1 + 7U);
+  expect_every_help_has_examples(thinbench_program());
 }
 
 TEST(Program, version_is_one_line) {
@@ -78,30 +40,7 @@ TEST(Program, unknown_command_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"lst"}, 2), "no command is named 'lst'; did you mean 'list'?");
   EXPECT_EQ(
       failure_of({"frobnicate"}, 2),
-      "no command is named 'frobnicate'; known: list, verify, run, rule, batch, edges, holes, "
-      "graph, scene, machine, train, experiment, instructions and pictures");
-}
-
-TEST(Program, unknown_subcommand_is_rejected_with_the_nearest_name) {
-  EXPECT_EQ(failure_of({"train", "two-layers"}, 2),
-            "no command is named 'two-layers'; did you mean 'two-layer'?");
-  EXPECT_EQ(failure_of({"experiment", "nothing"}, 2),
-            "no command is named 'nothing'; known: edge-quality, literal-holes, cluster-runs, "
-            "quantisation, hidden-neurons, quality and operation-counts");
-  EXPECT_EQ(failure_of({"train"}, 2),
-            "train needs one more word: two-layer or cluster; see 'thinbench train --help'");
-}
-
-TEST(Program, unknown_option_of_a_subcommand_is_rejected_with_the_nearest_name) {
-  EXPECT_EQ(failure_of({"train", "two-layer", "--sead", "2"}, 2),
-            "there is no option '--sead'; did you mean '--seed'? See 'thinbench train two-layer "
-            "--help'");
-  EXPECT_EQ(failure_of({"experiment", "quantisation", "--quick"}, 2),
-            "there is no option '--quick'; see 'thinbench experiment quantisation --help'");
-  EXPECT_EQ(failure_of({"train", "--seed", "2", "two-layer"}, 2),
-            "there is no option '--seed'; see 'thinbench train --help'");
-  EXPECT_EQ(failure_of({"train", "cluster", "more"}, 2),
-            "'more' was not expected; see 'thinbench train cluster --help'");
+      "no command is named 'frobnicate'; known: list, run, rule, batch, edges, holes and graph");
 }
 
 TEST(Program, unknown_option_is_rejected_with_the_nearest_name) {
@@ -127,20 +66,16 @@ TEST(Program, excess_arguments_are_rejected) {
 }
 
 TEST(Program, names_of_commands_are_valid_arguments) {
-  const std::string text = failure_of({"run", "list", "scene", "run"}, 2);
+  const std::string text = failure_of({"run", "list", "holes", "run"}, 2);
   EXPECT_EQ(text.find("no operation is named 'list'; known: "), 0U) << text;
 }
 
 TEST(Program, empty_values_are_rejected) {
-  for (const std::string option : {"--technique", "--isa", "--weights"}) {
+  for (const std::string option : {"--isa", "--weights"}) {
     const std::string text = option + ": expected a value, got ''; see 'thinbench run --help'";
     EXPECT_EQ(run_failure({option, ""}), text);
     EXPECT_EQ(run_failure({option + "="}), option + " needs a value; see 'thinbench run --help'");
   }
-  EXPECT_EQ(failure_of({"train", "cluster", "--out", ""}, 2),
-            "--out: expected a value, got ''; see 'thinbench train cluster --help'");
-  EXPECT_EQ(failure_of({"experiment", "quantisation", "--out", ""}, 2),
-            "--out: expected a value, got ''; see 'thinbench experiment quantisation --help'");
 }
 
 TEST(Program, numbers_out_of_range_are_rejected_with_the_range) {
@@ -165,10 +100,7 @@ TEST(Program, numbers_out_of_range_are_rejected_with_the_range) {
 std::vector<Words> image_commands() {
   return {{"run", kOperation, "absent.png", "out.png"},
           {"edges", "absent.png", "out.png"},
-          {"holes", "absent.png"},
-          {"verify", "--image", "absent.png"},
-          {"instructions", "--image", "absent.png"},
-          {"experiment", "quality", "--image", "absent.png"}};
+          {"holes", "absent.png"}};
 }
 
 TEST(Program, every_command_that_reads_images_accepts_the_same_options) {
@@ -202,56 +134,36 @@ TEST(Program, every_command_that_reads_images_rejects_the_same_values) {
   }
 }
 
-TEST(Program, options_of_images_require_an_image_where_the_scene_is_the_default) {
-  for (const Words& command :
-       {Words{"verify"}, Words{"instructions"}, Words{"experiment", "quality"}}) {
-    for (const Words& option : {Words{"--foreground", "dark"}, Words{"--threshold", "9"}}) {
-      Words words = command;
-      words.insert(words.end(), option.begin(), option.end());
-      EXPECT_EQ(failure_of(words, 2).find(option.front() + " requires --image; see '"), 0U)
-          << failure_of(words, 2);
-    }
-  }
-}
-
 TEST(Program, every_command_rejects_a_malformed_cap) {
   const IsaCap cap("sse9");
   const std::string text = "THINBENCH_MAX_ISA: expected one of " + all_isa_names() + ", got 'sse9'";
-  int tested = 0;
-  for (Words words : all_commands()) {
-    if (words.empty() || !commands_below(words).empty()) continue;
-    if (words.front() == "run") words.insert(words.end(), {kOperation, "in.png", "out.png"});
-    if (words.front() == "batch") words.insert(words.end(), {kOperation, "in", "--out", "out"});
-    if (words.front() == "pictures") words.insert(words.end(), {"--out", "pictures"});
-    if (words.front() == "holes" || words.front() == "graph") words.emplace_back("in.png");
-    if (words.front() == "edges") words.insert(words.end(), {"in.png", "out.png"});
+  const std::string name = kOperation;
+  for (const Words& words : {Words{"list"}, Words{"run", name, "in.png", "out.png"}, Words{"rule"},
+                             Words{"batch", name, "in", "--out", "out"}, Words{"graph", "in.png"},
+                             Words{"holes", "in.png"}, Words{"edges", "in.png", "out.png"}}) {
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
-    ++tested;
   }
-  EXPECT_EQ(tested, 12 + 2 + 7);
   EXPECT_EQ(run_with({"--help"}).status, 0);
+}
+
+TEST(ListCommand, prints_a_line_for_each_operation) {
+  const std::string out = run_with({"list"}).out;
+  for (const RuleInfo& rule : kRules) {
+    EXPECT_NE(out.find("\n" + std::string(rule.operation) + " "), std::string::npos) << out;
+    EXPECT_NE(out.find(rule.description), std::string::npos) << out;
+  }
+  for (const EdgeOperatorInfo& op : kEdgeOperators) {
+    EXPECT_NE(out.find("\n" + std::string(op.operation) + " "), std::string::npos) << out;
+  }
+  EXPECT_NE(out.find("\nholes "), std::string::npos) << out;
 }
 
 TEST(Program, fails_if_standard_output_cannot_be_written) {
   std::ostringstream out;
   std::ostringstream err;
   out.setstate(std::ios::badbit);
-  EXPECT_EQ(run_program({"list"}, out, err), 1);
+  EXPECT_EQ(run_program(thinbench_program(), {"list"}, out, err), 1);
   EXPECT_EQ(err.str(), "thinbench: standard output cannot be written\n");
-}
-
-TEST(PicturesCommand, writes_inputs_and_results) {
-  const TemporaryDirectory directory;
-  const std::string out = directory.file("new/pictures");
-  const std::string unknown = failure_of({"pictures", "--out", out, "--input", "squares"}, 2);
-  EXPECT_EQ(unknown.rfind("input 'squares': expected scene, square_N", 0), 0U) << unknown;
-  EXPECT_EQ(run_with({"pictures", "--out", out, "--input", "square_64"}).status, 0);
-  for (const char* name : {"square_64", "square_64_grey", "square_64_thin_guo_hall_keep",
-                           "square_64_edges_sobel", "square_64_fill_holes"}) {
-    EXPECT_EQ(read_grey(out + "/" + name + ".png").width(), 64) << name;
-  }
-  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_net_two_layer_linear.png"));
-  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_holes.png"));
 }
 
 }  // namespace

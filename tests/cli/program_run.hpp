@@ -1,39 +1,18 @@
-// Runs the program inside the test process and captures its output.
+// The program `thinbench` inside the test process.
 #pragma once
 
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include "cli/program.hpp"
-#include "support/isa_cap.hpp"
+#include "cli/thinbench.hpp"
+#include "support/captured_run.hpp"
 
 namespace thinbench {
 
-struct ProgramRun {
-  int status;
-  std::string out;
-  std::string err;
-};
-
 inline ProgramRun run_with(const std::vector<std::string>& args) {
-  std::ostringstream out;
-  std::ostringstream err;
-  const int status = run_program(args, out, err);
-  return {status, out.str(), err.str()};
+  return captured_run(thinbench_program(), args);
 }
 
-/// The error message of a run that must fail with this status, with one line on standard error and
-/// nothing on standard output; otherwise a description of the run.
+/// See captured_failure().
 inline std::string failure_of(const std::vector<std::string>& args, int status) {
-  const ProgramRun run = run_with(args);
-  const std::string lead_in = "thinbench: ";
-  const bool is_one_line =
-      run.err.rfind(lead_in, 0) == 0 && run.err.find('\n') + 1 == run.err.size();
-  if (run.status != status || !run.out.empty() || !is_one_line) {
-    return "status " + std::to_string(run.status) + ", out: " + run.out + ", err: " + run.err;
-  }
-  return run.err.substr(lead_in.size(), run.err.size() - lead_in.size() - 1);
+  return captured_failure(thinbench_program(), args, status);
 }
 
 }  // namespace thinbench

@@ -5,9 +5,12 @@
 
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
+#include "rules/trained_cluster.hpp"
 #include "program_run.hpp"
 #include "support/temporary_directory.hpp"
+#include "support/whole_file.hpp"
 #include "thinbench/thinning.hpp"
+#include "training/weights_text.hpp"
 
 namespace thinbench {
 namespace {
@@ -66,7 +69,7 @@ TEST_F(RunCommand, writes_the_skeleton_and_prints_one_line) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   const std::regex line(
-      R"(thin_naccache_shinghal/\w+/[\w.]+/1: 90 x 40, \d+ iterations, \d+ foreground pixels before, )"
+      R"(thin_naccache_shinghal: 90 x 40, \d+ iterations, \d+ foreground pixels before, )"
       R"(\d+ after, \d+\.\d{3} ms\n)");
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
   expect_output(128, false);
@@ -109,11 +112,8 @@ TEST_F(RunCommand, max_iterations_limits_the_iterations) {
   EXPECT_TRUE(equal(read_grey(out).view(), expected.view()));
 }
 
-TEST_F(RunCommand, uses_the_requested_variant) {
-  const ProgramRun result =
-      run({"--technique", "bitpacked", "--isa", "baseline", "--threads", "3"});
-  EXPECT_EQ(result.out.rfind("thin_naccache_shinghal/bitpacked/baseline/3: ", 0), 0U)
-      << result.out << result.err;
+TEST_F(RunCommand, isa_and_threads_do_not_change_the_skeleton) {
+  EXPECT_EQ(run({"--isa", "baseline", "--threads", "3"}).status, 0);
   expect_output(61, false);
 }
 
@@ -165,53 +165,21 @@ TEST_F(RunCommand, unknown_operation_is_rejected_with_the_nearest_name) {
             "no operation is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?");
 }
 
-TEST_F(RunCommand, unknown_technique_and_isa_are_rejected_with_the_nearest_name) {
-  EXPECT_EQ(failure({"--technique", "simd_bites"}, 2),
-            "no technique is named 'simd_bites'; did you mean 'simd_bytes'?");
-  EXPECT_EQ(
-      failure({"--technique", "magic"}, 2).find("no technique is named 'magic'; known: lut, "), 0U);
+TEST_F(RunCommand, unknown_isa_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure({"--isa", "base-line"}, 2),
             "no instruction set is named 'base-line'; did you mean 'baseline'?");
   EXPECT_EQ(failure({"--isa", "mmx"}, 2).find("no instruction set is named 'mmx'; known: baseline"),
             0U);
 }
 
-TEST_F(RunCommand, explains_that_a_variant_does_not_exist) {
-  EXPECT_EQ(failure({"--technique", "lut_sliding", "--threads", "2"}, 2),
-            "lut_sliding runs on one thread only, not on 2");
-  EXPECT_EQ(
-      failure({"--technique", "simd_float_bits"}, 2)
-          .find("thin_naccache_shinghal is not implemented by simd_float_bits, only by lut, "),
-      0U);
-  if (!isa_available(Isa::sse42)) GTEST_SKIP() << "needs sse4.2";
-  EXPECT_EQ(failure({"--technique", "lut", "--isa", "sse4.2"}, 2),
-            "lut is not implemented for sse4.2, only for baseline");
-}
-
-TEST_F(RunCommand, isa_above_the_cap_is_rejected) {
+TEST_F(RunCommand, isa_that_is_not_available_is_rejected_with_the_reason) {
   const IsaCap cap("baseline");
   for (const Isa isa : all_isas()) {
     if (isa == Isa::baseline) continue;
-    const std::string name(isa_name(isa));
-    const std::string reason =
-        cpu_supports(isa) ? name + " is above the cap THINBENCH_MAX_ISA=baseline"
-                          : "this machine lacks " + name + "; the highest level here is baseline";
-    EXPECT_EQ(failure({"--isa", name}, 1), reason);
+    const std::string text = failure({"--isa", std::string(isa_name(isa))}, 1);
+    const std::string reason = cpu_supports(isa) ? "above the ISA cap" : "this machine lacks ";
+    EXPECT_NE(text.find(reason), std::string::npos) << text;
   }
-  EXPECT_EQ(run().out.find("/baseline/1: ") != std::string::npos, true);
-}
-
-TEST_F(RunCommand, technique_that_needs_more_than_the_cap_is_rejected) {
-  const IsaCap cap("sse4.2");
-  const std::string text = failure({"--technique", "simd_bitpacked_row"}, 1);
-  EXPECT_NE(text.find("avx512"), std::string::npos) << text;
-}
-
-TEST_F(RunCommand, image_wider_than_the_limit_is_rejected) {
-  if (!isa_available(Isa::avx512)) GTEST_SKIP() << "needs avx512";
-  write_grey(in, bars(600).view());
-  EXPECT_EQ(failure({"--technique", "simd_bitpacked_row"}, 1),
-            "simd_bitpacked_row takes images up to 512 pixels wide; this one has 600");
 }
 
 TEST_F(RunCommand, unreadable_input_is_rejected_without_output) {
@@ -234,15 +202,12 @@ TEST_F(RunCommand, unwritable_output_is_rejected) {
   EXPECT_EQ(directory.names(), Names{"in.png"});
 }
 
-TEST_F(RunCommand, trained_weights_work_with_several_techniques) {
-  const std::string weights = directory.file("weights.json");
-  ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
-  for (const char* technique : {"lut", "lut_sliding", "simd_float_bits", "simd_bitpacked"}) {
-    const ProgramRun result = run_with({"run", "net_single_layer_cluster", in, out, "--weights",
-                                        weights, "--technique", technique, "--isa", "baseline"});
-    EXPECT_EQ(result.status, 0) << result.err;
-    expect_output(61, false);
-  }
+TEST_F(RunCommand, weights_from_a_file_make_the_net) {
+  write_whole_file(directory.file("w.json"), weights_json(detail::kTrainedCluster, "a test"));
+  const ProgramRun result =
+      run_with({"run", "net_single_layer_cluster", in, out, "--weights", directory.file("w.json")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  expect_output(61, false);
 }
 
 TEST_F(RunCommand, weights_are_read_from_regular_files_alone) {
@@ -261,7 +226,7 @@ TEST_F(RunCommand, weights_are_read_from_regular_files_alone) {
 
 TEST_F(RunCommand, weights_of_another_kind_of_net_or_for_other_rules_are_rejected) {
   const std::string weights = directory.file("weights.json");
-  ASSERT_EQ(run_with({"train", "cluster", "--out", weights}).status, 0);
+  write_whole_file(weights, weights_json(detail::kTrainedCluster, "a test"));
   EXPECT_EQ(failure_of({"run", "net_two_layer_linear", in, out, "--weights", weights}, 1),
             weights + ": holds the wrong kind of weights; net_two_layer_linear needs two_layer");
   EXPECT_EQ(failure_of({"run", kOperation, in, out, "--weights", weights}, 2),

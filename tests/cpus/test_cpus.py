@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-PROGRAM = Path(os.environ["THINBENCH_PROGRAMS"]) / "thinbench"
+PROGRAM = Path(os.environ["THINBENCH_PROGRAMS"]) / "thinbench-study"
 CPUS: dict[str, tuple[set[str], dict[str, str]]] = {
     "Conroe": ({"baseline"}, {"sse4.2": "sse4.2, popcnt", "avx2": "sse4.2, popcnt, avx2, bmi, bmi2"}),
     "Nehalem": ({"baseline", "sse4.2"}, {"avx2": "avx2, bmi, bmi2"}),

@@ -8,9 +8,9 @@
 
 #include "compile/compiled_rule.hpp"
 #include "compile/gate_search.hpp"
+#include "compile/program.hpp"
 #include "compile/two_input.hpp"
-#include "rules/rule_table.hpp"
-#include "support/splitmix64.hpp"
+#include "harness/splitmix64.hpp"
 #include "support/temporary_directory.hpp"
 #include "thinbench/named_rules.hpp"
 

@@ -16,7 +16,7 @@ namespace {
 
 /// The definition, as plainly as it can be put: every marked pixel is asked.
 std::int64_t nearest_marked(const ByteImage& marked, Index x, Index y) {
-  std::int64_t best = std::int64_t{1} << 40;
+  std::int64_t best = kNoBackground;
   for (Index row = 0; row < marked.height(); ++row) {
     for (Index column = 0; column < marked.width(); ++column) {
       if (marked.at(column, row) == 0) continue;

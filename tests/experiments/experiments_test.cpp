@@ -223,7 +223,7 @@ TEST(ExperimentReport, tables_hold_the_fields_of_the_rows_that_have_values) {
   const Json data = data_of(report);
   EXPECT_EQ(data.at("schema"), 1);
   EXPECT_EQ(data.at("experiment"), "some");
-  EXPECT_EQ(data.at("command"), "thinbench experiment some --quick");
+  EXPECT_EQ(data.at("command"), "thinbench-study experiment some --quick");
   EXPECT_EQ(data.at("/rows/1/sums/in_all"_json_pointer), 7);
 }
 

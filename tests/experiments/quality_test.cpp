@@ -156,7 +156,7 @@ TEST(ThinningQuality, file_holds_every_row_and_no_directory) {
   std::vector<QualityInput> inputs;
   inputs.push_back({"dot", image_of({"#"})});
   const auto json = nlohmann::json::parse(thinning_quality(inputs, " --image a.png").json);
-  EXPECT_EQ(json.at("command"), "thinbench experiment quality --image a.png");
+  EXPECT_EQ(json.at("command"), "thinbench-study experiment quality --image a.png");
   EXPECT_EQ(json.at("/rows/0/objects_after"_json_pointer), 1);
 }
 

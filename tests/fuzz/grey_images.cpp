@@ -11,7 +11,7 @@ void must_read_or_explain(const Read& read) {
   try {
     const ByteImage image = read();
     must(image.width() > 0 && image.height() > 0, "an image without pixels");
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     must_be_one_line(error.what());
   }
 }

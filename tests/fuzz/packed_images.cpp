@@ -46,7 +46,7 @@ void read(const std::string& path, std::size_t size) {
   if (size == 0) return;
   try {
     read_tiff_rows(path);
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     must_be_one_line(error.what());
   }
 }

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "byte_source.hpp"
-#include "thinbench/nets.hpp"
-#include "training/weights_file.hpp"
+#include "rules/weights_file.hpp"
+#include "training/weights_text.hpp"
 
 namespace thinbench {
 namespace {

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
 #include "images/mat_of.hpp"
 #include "scene/scene.hpp"
-#include "support/splitmix64.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace thinbench {

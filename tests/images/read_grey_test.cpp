@@ -43,7 +43,7 @@ std::string error_of(const std::string& file) {
   std::string text = "no error";
   try {
     static_cast<void>(read_grey(file));
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     text = error.what();
   }
   EXPECT_EQ(captured.text(), "");

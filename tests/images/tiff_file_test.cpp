@@ -117,7 +117,7 @@ TEST(TiffWriter, keeps_compression_and_resolution_and_writes_bright_as_1) {
 TEST(TiffWriter, full_disk_is_reported) {
   const TemporaryDirectory directory;
   const FileSizeLimit limit(1000);
-  EXPECT_EQ(rejection_of<ImageError>([&] {
+  EXPECT_EQ(rejection_of<FileError>([&] {
               TiffWriter writer(directory.file("a.tif"), "page.tif", {.width = 800, .height = 100});
               const std::vector<std::uint8_t> rows(100 * 100);
               writer.write(100, rows.data());
@@ -136,7 +136,7 @@ TEST(IsBilevelTiff, other_images_are_not) {
   EXPECT_FALSE(is_bilevel_tiff(file));
   write_grey(file, image.view());  // 8 bits
   EXPECT_FALSE(is_bilevel_tiff(file));
-  EXPECT_EQ(rejection_of<ImageError>([&] { TiffReader reader(file); }),
+  EXPECT_EQ(rejection_of<FileError>([&] { TiffReader reader(file); }),
             "cannot read '" + file + "': it is not a TIFF image of 1 bit per pixel in strips");
   for (const std::string& name : {directory.file("absent"), directory.path().string(),
                                   directory.with("b.tif", "P4 2 2\n12")}) {
@@ -147,7 +147,7 @@ TEST(IsBilevelTiff, other_images_are_not) {
 /// What is wrong with a file of these bytes.
 std::string reason(const TemporaryDirectory& directory, const std::string& bytes) {
   const std::string file = directory.with("bad.tif", bytes);
-  const std::string error = rejection_of<ImageError>([&] { rows_of(file); });
+  const std::string error = rejection_of<FileError>([&] { rows_of(file); });
   if (error.empty()) return "no rejection";
   EXPECT_TRUE(is_one_sentence(error)) << error;
   const std::string start = "cannot read '" + file + "': ";

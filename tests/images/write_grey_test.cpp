@@ -26,7 +26,7 @@ void expect_error(const std::string& file, const std::string& reason) {
   try {
     write_grey(file, stripes().view());
     ADD_FAILURE() << file << " was written";
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     EXPECT_EQ(std::string(error.what()), "cannot write '" + file + "': " + reason);
   }
 }
@@ -143,7 +143,7 @@ TEST(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
 
 TEST(WriteGrey, image_without_pixels_is_rejected) {
   const TemporaryDirectory directory;
-  EXPECT_THROW(write_grey(directory.file("a.png"), ByteImage(0, 4).view()), ImageError);
+  EXPECT_THROW(write_grey(directory.file("a.png"), ByteImage(0, 4).view()), FileError);
   EXPECT_EQ(directory.names(), Names{});
 }
 
@@ -160,7 +160,7 @@ TEST(WriteGrey, size_beyond_the_limit_is_rejected_before_a_pixel_is_touched) {
   const TemporaryDirectory directory;
   const std::uint8_t pixel = 0;
   const ConstImageView huge{&pixel, Index{1} << 16, Index{1} << 16, Index{1} << 16};
-  EXPECT_THROW(write_grey(directory.file("a.png"), huge), ImageError);
+  EXPECT_THROW(write_grey(directory.file("a.png"), huge), FileError);
   EXPECT_EQ(directory.names(), Names{});
 }
 

@@ -64,8 +64,8 @@ class Tree:
         self._read_graph(programs)
 
     def _copy(self) -> None:
-        tracked = _output(["git", "ls-files", "--", "CMakeLists.txt", "kernels", "reference", "bench", "tests", "cmake",
-                           "python"], ROOT).splitlines()
+        tracked = _output(["git", "ls-files", "--", "CMakeLists.txt", "kernels", "reference", "bench", "tools", "tests",
+                           "cmake", "python"], ROOT).splitlines()
         for name in tracked:
             path = ROOT / name
             if not path.is_file():

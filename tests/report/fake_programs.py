@@ -113,7 +113,7 @@ def _sampler(words: list[str]) -> int:
 def install(directory: Path, compiler: str = "GNU") -> Path:
     """Makes the programs of a build."""
     directory.mkdir(parents=True, exist_ok=True)
-    for name in ("thinbench", "thinbench_sampler"):
+    for name in ("thinbench-study", "thinbench_sampler"):
         program = directory / name
         program.write_text("#!/bin/sh\nexec /usr/bin/python3 "
                            f'"{__file__}" {name} {compiler} "$@"\n')

@@ -20,13 +20,13 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
 ROW = "^euler_number/bitpacked/baseline/1/"
 
-needs_programs = pytest.mark.skipif(not (PROGRAMS / "thinbench").exists(),
+needs_programs = pytest.mark.skipif(not (PROGRAMS / "thinbench-study").exists(),
                                     reason=f"no programs in {PROGRAMS}")
 
 
-def printed(*words: str | Path) -> str:
-    """By thinbench."""
-    return subprocess.run([PROGRAMS / "thinbench", *words], check=True, stdout=subprocess.PIPE,
+def printed(*words: str | Path, program: str = "thinbench-study") -> str:
+    """By a program."""
+    return subprocess.run([PROGRAMS / program, *words], check=True, stdout=subprocess.PIPE,
                           text=True).stdout
 
 
@@ -64,7 +64,7 @@ def test_what_is_written_fits_its_schema(schema: str, words: list[str], tmp_path
 def test_what_is_told_of_an_image_fits_its_schema(tmp_path: Path) -> None:
     path = tmp_path / "scene.png"
     check_schema("scene", json.loads(printed("scene", path, "--truth")), "scene")
-    check_schema("regions", json.loads(printed("holes", path, "--json")), "holes")
+    check_schema("regions", json.loads(printed("holes", path, "--json", program="thinbench")), "holes")
 
 
 @needs_programs

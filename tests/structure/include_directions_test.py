@@ -1,4 +1,4 @@
-"""Directories of kernels/ include each other only in the allowed directions."""
+"""Directories of kernels/ include each other only in the allowed directions; references and tools include little."""
 
 from __future__ import annotations
 
@@ -37,6 +37,17 @@ FORBIDDEN_WITHIN = [
 
 # Files that references share with the kernels besides the public headers: data only.
 SHARED_WITH_REFERENCES = {"nets/trained_cluster.hpp"}
+
+# Files of kernels/ that tools/ uses besides the public headers.
+SHARED_WITH_TOOLS = {
+    "api/catalogue.hpp",
+    "api/option_checks.hpp",
+    "image/byte_image.hpp",
+    "image/checks.hpp",
+    "image/startable_threads.hpp",
+    "image/thread_team.hpp",
+    "thinning/variants.hpp",
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
@@ -104,6 +115,13 @@ def violations_in_references(root: Path) -> list[str]:
     return found
 
 
+def foreign_includes_of_tools(root: Path) -> list[Include]:
+    """Quoted includes of files that are neither in tools/ nor public headers."""
+    own = {path.relative_to(root / "tools").as_posix() for path in sources(root / "tools")}
+    return [one for one in includes_of(root, "tools")
+            if not one.target.startswith(("<", "thinbench/")) and one.target not in own]
+
+
 def includes_by_file(root: Path) -> dict[str, list[str]]:
     """For each file of kernels/, the files of kernels/ that it includes."""
     graph: dict[str, list[str]] = {}
@@ -161,6 +179,10 @@ def test_references_share_only_public_headers_and_data_with_the_kernels():
                 assert one.target.startswith("thinbench/"), str(one)
 
 
+def test_tools_share_only_public_headers_and_a_few_others_with_the_kernels():
+    assert {one.target for one in foreign_includes_of_tools(ROOT)} == SHARED_WITH_TOOLS
+
+
 def write_files(root: Path, files: dict[str, str]) -> Path:
     for name, text in files.items():
         path = root / name
@@ -203,6 +225,19 @@ def test_kernel_code_in_a_reference_is_reported(tmp_path):
     assert violations_in_references(root) == [
         f"reference/edges.cpp:2 includes edges/operators.hpp, {reason}",
         f"reference/edges.cpp:3 includes <tbb/task_arena.h>, {reason}",
+    ]
+
+
+def test_what_a_tool_includes_from_elsewhere_is_found(tmp_path):
+    root = write_files(
+        tmp_path,
+        {
+            "tools/cli/run.cpp": '#include "cli/run.hpp"\n#include "harness/job.hpp"\n#include <CLI/CLI.hpp>\n',
+            "tools/cli/run.hpp": '#include "thinbench/rule.hpp"\n',
+        },
+    )
+    assert [str(one) for one in foreign_includes_of_tools(root)] == [
+        "tools/cli/run.cpp:2 includes harness/job.hpp"
     ]
 
 

@@ -6,13 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "engines/lanes.hpp"
-#include "engines/variants.hpp"
+#include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
 #include "reference.hpp"
 #include "support/filled_image.hpp"
 #include "support/rule_parameters.hpp"
-#include "support/splitmix64.hpp"
 #include "thinning/edge_case_images.hpp"
 
 namespace thinbench {

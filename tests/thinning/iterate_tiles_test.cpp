@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/exported.hpp"
+#include "harness/splitmix64.hpp"
 #include "core/packing.hpp"
 #include "support/reference_thinning.hpp"
-#include "support/splitmix64.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench::detail {

@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "core/exported.hpp"
+#include "harness/splitmix64.hpp"
 #include "core/planes.hpp"
-#include "engines/plane_state.hpp"
-#include "engines/tile_passes.hpp"
 #include "support/margins.hpp"
-#include "support/splitmix64.hpp"
+#include "engines/tile_passes.hpp"
+#include "engines/plane_state.hpp"
 
 namespace thinbench::detail {
 namespace {

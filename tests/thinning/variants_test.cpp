@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "api/catalogue.hpp"
+#include "harness/splitmix64.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
-#include "support/splitmix64.hpp"
 #include "thinning/edge_case_images.hpp"
 
 namespace thinbench::detail {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "training/two_layer.hpp"
-#include "training/weights_file.hpp"
+#include "training/weights_text.hpp"
 
 namespace thinbench {
 namespace {

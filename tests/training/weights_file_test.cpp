@@ -1,4 +1,4 @@
-#include "training/weights_file.hpp"
+#include "rules/weights_file.hpp"
 
 #include <cmath>
 #include <limits>
@@ -8,6 +8,7 @@
 
 #include "rules/trained_cluster.hpp"
 #include "support/whole_file.hpp"
+#include "training/weights_text.hpp"
 
 namespace thinbench {
 namespace {
@@ -55,7 +56,7 @@ TEST(WeightsFile, two_layer_weights_read_back_bit_for_bit) {
 
 TEST(WeightsFile, cluster_weights_read_back_bit_for_bit) {
   const std::string path = testing::TempDir() + "cluster_weights.json";
-  write_whole_file(path, weights_json(detail::kTrainedCluster, "thinbench train cluster"));
+  write_whole_file(path, weights_json(detail::kTrainedCluster, "thinbench-study train cluster"));
   const auto weights = std::get<ClusterWeights>(read_weights(path));
   ASSERT_EQ(weights.count, detail::kTrainedCluster.count);
   for (int n = 0; n < weights.count; ++n) {

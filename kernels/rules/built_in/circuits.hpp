@@ -1,4 +1,4 @@
-// The circuits of rules. Written by `thinbench circuits`.
+// The circuits of rules. Written by `thinbench-study circuits`.
 #pragma once
 
 #include "rules/built_in/circuit.hpp"

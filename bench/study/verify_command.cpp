@@ -1,0 +1,283 @@
+// thinbench-study verify: every variant against its reference.
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include "cli/arguments.hpp"
+#include "harness/verify.hpp"
+#include "images/image_file.hpp"
+#include "peers/peers.hpp"
+#include "scene/scene.hpp"
+#include "study/study.hpp"
+#include "thinbench/options.hpp"
+
+namespace thinbench {
+namespace {
+
+struct VerifyOptions {
+  std::string filter;
+  std::vector<std::string> images;
+  std::vector<int> threads = {2, 7};
+  BinariseOptions binarise;
+  bool quick = false;
+};
+
+bool is_big(const TestImageSet& set) {
+  return set.name == "sizes" || set.name == "grey_noise";
+}
+
+TestImage scene_image(SceneKind scene_kind, const std::string& name, InputKind kind) {
+  SceneOptions options;
+  options.kind = scene_kind;
+  Scene scene = render_scene(options);
+  return {"scene, " + name,
+          kind == InputKind::grey ? std::move(scene.grey) : std::move(scene.binary), kind};
+}
+
+/// Files to compare on, and how they become binary.
+struct GivenImages {
+  const std::vector<std::string>& files;
+  const BinariseOptions& binarise;
+  std::ostream& log;
+
+  [[nodiscard]] TestImage image(const std::string& file, InputKind kind) const {
+    if (kind == InputKind::grey) return {file, read_grey(file, binarise, log), kind};
+    return {file, read_binary(file, binarise, &log), kind};
+  }
+};
+
+/// A set of images that are there already.
+TestImageSet set_of(std::string name, std::string claim, std::vector<TestImage> images) {
+  const InputKind kind = images.front().kind;
+  const auto kept = std::make_shared<const std::vector<TestImage>>(std::move(images));
+  const auto generate = [kept](const TestImageSink& sink) {
+    for (const TestImage& image : *kept) sink(image);
+  };
+  return {std::move(name), std::move(claim), generate, kind};
+}
+
+/// Names of binary sets stay bare.
+std::string named(InputKind kind, const std::string& name) {
+  return (kind == InputKind::grey ? "grey_" : "") + name;
+}
+
+TestImageSet scenes(InputKind kind) {
+  std::vector<TestImage> images;
+  images.push_back(scene_image(SceneKind::parts, "separate parts", kind));
+  images.push_back(scene_image(SceneKind::border_touching, "parts on the image border", kind));
+  return set_of(named(kind, "scenes"), "the scenes that benchmarks use", std::move(images));
+}
+
+TestImageSet given_images(InputKind kind, const GivenImages& given) {
+  std::vector<TestImage> images;
+  images.reserve(given.files.size());
+  for (const std::string& file : given.files) images.push_back(given.image(file, kind));
+  return set_of(named(kind, "images"), "the given files", std::move(images));
+}
+
+/// The built-in sets (without the big ones where `quick`), the scenes, and the images in these
+/// files, binarised, with the remarks in `log`, and as they are.
+std::vector<TestImageSet> verify_image_sets(bool quick, const std::vector<std::string>& files,
+                                            const BinariseOptions& binarise, std::ostream& log) {
+  std::vector<TestImageSet> sets;
+  for (const TestImageSet& set : test_image_sets()) {
+    if (!quick || !is_big(set)) sets.push_back(set);
+  }
+  for (const InputKind kind : {InputKind::binary, InputKind::grey}) {
+    sets.push_back(scenes(kind));
+    if (!files.empty()) sets.push_back(given_images(kind, {files, binarise, log}));
+  }
+  return sets;
+}
+
+/// How far a long run is: one line that renews itself on a terminal, one line per set elsewhere.
+/// Counts images and the time they take, which grows with their pixels.
+class VerifyProgress {
+ public:
+  /// Counts the images of all sets beforehand, to know how much is left.
+  VerifyProgress(const Console& console, const std::vector<TestImageSet>& sets)
+      : console_(console), sets_(sets), loads_(sets.size()) {
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+      sets[set].generate([&](const TestImage& image) { loads_[set].add(image); });
+      all_work_ += loads_[set].work;
+    }
+    start_ = Clock::now();
+  }
+
+  void begin_set(std::size_t set) {
+    set_ = set;
+    set_done_ = {};
+    set_start_ = Clock::now();
+  }
+
+  void image_done(const TestImage& image) {
+    const double before = set_done_.work;
+    set_done_.add(image);
+    work_done_ += set_done_.work - before;
+    if (console_.err_is_terminal && Clock::now() - renewed_ >= kRenewal) renew_line();
+  }
+
+  void end_set() {
+    console_.err << fmt::format("{}{}: {} images in {:.1f} s\n",
+                                console_.err_is_terminal ? kClearLine : "", sets_[set_].name,
+                                set_done_.images, seconds_since(set_start_))
+                 << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kRenewal = std::chrono::milliseconds(200);
+  static constexpr const char* kClearLine = "\r\033[K";
+
+  struct Load {
+    long images = 0;
+    double work = 0;
+    void add(const TestImage& image) {
+      constexpr double kImageOverhead = 140;  // what an image costs beside its pixels, in pixels
+      ++images;
+      work += static_cast<double>(image.image.width() * image.image.height()) + kImageOverhead;
+    }
+  };
+
+  static double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  void renew_line() {
+    renewed_ = Clock::now();
+    const double left = seconds_since(start_) * (all_work_ - work_done_) / work_done_;
+    console_.err << fmt::format("{}{}: {} of {} images; about {:.0f} s left for all", kClearLine,
+                                sets_[set_].name, set_done_.images, loads_[set_].images, left)
+                 << std::flush;
+  }
+
+  Console console_;
+  const std::vector<TestImageSet>& sets_;
+  std::vector<Load> loads_;
+  double all_work_ = 0;
+  Load set_done_;
+  double work_done_ = 0;
+  std::size_t set_ = 0;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point set_start_ = start_;
+  Clock::time_point renewed_ = start_;
+};
+
+void print_verdict(const Row& row, const VerificationResult& verdict, std::ostream& out) {
+  if (!verdict.first_mismatch.empty()) {
+    out << "mismatch: " << verdict.first_mismatch;
+    if (verdict.first_mismatch.back() != '\n') out << '\n';
+  } else if (verdict.compared == 0) {
+    const std::string reason = row.unavailable_reason(0);
+    out << "skipped: " << row.name << ": "
+        << (reason.empty() ? "every image is wider than its limit" : reason) << '\n';
+  }
+}
+
+std::vector<Row> chosen_rows(const VerifyOptions& options) {
+  std::vector<int> threads = options.threads;
+  std::sort(threads.begin(), threads.end());
+  threads.erase(std::unique(threads.begin(), threads.end()), threads.end());
+  try {
+    return matching_rows(options.filter, threads, operations_with_peers());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--filter: ") + error.what());
+  }
+}
+
+void verify(Verifier& verifier, const std::vector<TestImageSet>& sets, const Console& console) {
+  VerifyProgress progress(console, sets);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    progress.begin_set(set);
+    sets[set].generate([&](const TestImage& image) {
+      verifier.show(image);
+      progress.image_done(image);
+    });
+    progress.end_set();
+  }
+}
+
+bool any_runs_here(const std::vector<Row>& rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const Row& row) { return row.unavailable_reason(0).empty(); });
+}
+
+/// The sets that some row takes.
+std::vector<TestImageSet> chosen_sets(const VerifyOptions& options, const std::vector<Row>& rows,
+                                      std::ostream& log) {
+  std::vector<TestImageSet> sets =
+      verify_image_sets(options.quick, options.images, options.binarise, log);
+  std::erase_if(sets, [&](const TestImageSet& set) {
+    return std::none_of(rows.begin(), rows.end(),
+                        [&](const Row& row) { return row.operation->takes == set.kind; });
+  });
+  return sets;
+}
+
+int run(const VerifyOptions& options, const Console& console) {
+  Verifier verifier(chosen_rows(options));
+  if (verifier.rows().empty()) {
+    console.out << "0 passed, 0 failed, 0 skipped" << std::endl;
+    throw UsageError("no row matches the filter '" + options.filter +
+                     "'; see 'thinbench-study list'");
+  }
+  const std::vector<TestImageSet> sets = chosen_sets(options, verifier.rows(), console.err);
+  const int max_threads = *std::max_element(options.threads.begin(), options.threads.end());
+  const tbb::global_control allowed(
+      tbb::global_control::max_allowed_parallelism,
+      static_cast<std::size_t>(detail::startable_threads(max_threads)));
+  if (any_runs_here(verifier.rows())) verify(verifier, sets, console);
+  return report_verdicts(verifier, console.out);
+}
+
+}  // namespace
+
+int report_verdicts(const Verifier& verifier, std::ostream& out) {
+  for (std::size_t row = 0; row < verifier.rows().size(); ++row) {
+    print_verdict(verifier.rows()[row], verifier.verdict(row), out);
+  }
+  const VerifySummary summary = summary_of(verifier);
+  out << summary.passed << " passed, " << summary.failed << " failed, " << summary.skipped
+      << " skipped" << std::endl;
+  if (summary.passed + summary.failed == 0) {
+    throw UsageError("nothing was verified: none of the matching rows is available here");
+  }
+  return summary.failed > 0 ? kFailure : kSuccess;
+}
+
+Command add_verify_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("verify", "Compare every variant with its reference");
+  const auto options = std::make_shared<VerifyOptions>();
+  app->add_option("--filter", options->filter, "Only rows whose name contains a match")
+      ->type_name("REGEX");
+  CLI::Option* image =
+      app->add_option("--image", options->images, "Image to compare on as well (repeatable)")
+          ->type_name("FILE")
+          ->allow_extra_args(false);
+  add_binarise_options(*app, options->binarise, image);
+  app->add_option("--threads", options->threads,
+                  "Threads of threaded rows, 1 to " + std::to_string(kMaxThreads) +
+                      " (repeatable; default: 2 and 7)")
+      ->check(whole_number(1, kMaxThreads))
+      ->type_name("N")
+      ->allow_extra_args(false);
+  app->add_flag("--quick", options->quick, "Omit the sets that take longest");
+  app->footer(R"(Examples:
+  thinbench-study verify
+  thinbench-study verify --quick --image horse.png --image coins.png
+  thinbench-study verify --filter 'simd_.*/avx2' --threads 3 --threads 16
+
+Rows are named operation/technique/isa/threads. The last line on standard output is
+"N passed, M failed, K skipped". The exit status is 1 after a mismatch and 2 where nothing ran.
+
+Images of more than 2^30 pixels need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment.)");
+  return {app, [options](const Console& console) { return run(*options, console); }};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,109 @@
+#include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "images/image_file.hpp"
+#include "program_run.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace thinbench {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(SceneCommand, writes_the_scene_and_says_what_it_shows) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("scene.png");
+  const ProgramRun run = run_with({"scene", file, "--scale", "2", "--noise", "0"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(std::regex_match(run.out.substr(file.size()),
+                               std::regex(R"(: 1020 x 824, \d+ parts, \d+ holes\n)")))
+      << run.out;
+  EXPECT_EQ(read_grey(file).width(), 1020);
+}
+
+TEST(SceneCommand, binary_image_holds_0_and_255_only) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("scene.pgm");
+  ASSERT_EQ(run_with({"scene", file, "--binary", "--border-touching"}).status, 0);
+  const ByteImage image = read_grey(file);
+  std::set<int> levels;
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) levels.insert(image.at(x, y));
+  }
+  EXPECT_EQ(levels, (std::set<int>{0, 255}));
+}
+
+TEST(SceneCommand, every_option_changes_the_picture) {
+  const TemporaryDirectory directory;
+  std::set<std::string> pictures;
+  const std::vector<std::vector<std::string>> options = {
+      {}, {"--noise", "0.5"}, {"--seed", "7"}, {"--no-illumination"}, {"--border-touching"}};
+  for (std::vector<std::string> args : options) {
+    args.insert(args.begin(), {"scene", directory.file("a.pgm")});
+    ASSERT_EQ(run_with(args).status, 0);
+    pictures.insert(bytes_of(directory.file("a.pgm")));
+  }
+  EXPECT_EQ(pictures.size(), options.size());
+}
+
+TEST(SceneCommand, truth_needs_no_picture) {
+  const ProgramRun run = run_with({"scene", "--truth"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(Json::parse(run.out)["width"], 510);
+}
+
+TEST(SceneCommand, truth_and_image_come_together) {
+  const TemporaryDirectory directory;
+  const ProgramRun run = run_with({"scene", directory.file("a.png"), "--truth"});
+  EXPECT_FALSE(Json::parse(run.out)["parts"].empty());
+  EXPECT_EQ(directory.names(), std::set<std::string>{"a.png"});
+}
+
+TEST(SceneCommand, rejects_what_it_cannot_draw) {
+  const std::string see = "; see 'thinbench-study scene --help'";
+  EXPECT_EQ(failure_of({"scene"}, 2), "scene needs OUT, an image to write, or --truth");
+  EXPECT_EQ(failure_of({"scene", "a.png", "--scale", "0"}, 2),
+            "--scale: expected an integer in [1, 100], got '0'" + see);
+  EXPECT_EQ(failure_of({"scene", "a.png", "--noise", "nan"}, 2),
+            "--noise: expected a number in [0, 255], got 'nan'" + see);
+  EXPECT_EQ(failure_of({"scene", "a.png", "--seed", "-5"}, 2),
+            "--seed: expected an integer in [0, 18446744073709551615], got '-5'" + see);
+  EXPECT_EQ(failure_of({"scene", "a.xyz"}, 2).find("cannot write 'a.xyz'"), 0U);
+}
+
+TEST(MachineCommand, prints_json_with_commit_and_options) {
+  const ProgramRun run =
+      run_with({"machine", "--commit", "abc", "--options", R"({"quick": true})"});
+  EXPECT_EQ(run.status, 0);
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["commit"], "abc");
+  EXPECT_EQ(json["options"]["quick"], true);
+  EXPECT_EQ(run_with({"machine", "--fingerprint"}).out,
+            json["fingerprint"].get<std::string>() + "\n");
+}
+
+TEST(MachineCommand, rejects_options_that_are_no_object) {
+  for (const std::string text : {"{", "[1]", "quick"}) {
+    EXPECT_EQ(failure_of({"machine", "--options", text}, 2),
+              "--options: '" + text + R"(' is not a JSON object such as {"quick": true})");
+  }
+}
+
+TEST(PicturesCommand, writes_inputs_and_results) {
+  const TemporaryDirectory directory;
+  const std::string out = directory.file("new/pictures");
+  const std::string unknown = failure_of({"pictures", "--out", out, "--input", "squares"}, 2);
+  EXPECT_EQ(unknown.rfind("input 'squares': expected scene, square_N", 0), 0U) << unknown;
+  EXPECT_EQ(run_with({"pictures", "--out", out, "--input", "square_64"}).status, 0);
+  for (const char* name : {"square_64", "square_64_grey", "square_64_thin_guo_hall_keep",
+                           "square_64_edges_sobel", "square_64_fill_holes"}) {
+    EXPECT_EQ(read_grey(out + "/" + name + ".png").width(), 64) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_net_two_layer_linear.png"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/square_64_holes.png"));
+}
+
+}  // namespace
+}  // namespace thinbench

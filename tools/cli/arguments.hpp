@@ -1,0 +1,44 @@
+// Options that several commands share, and checks of arguments, whose messages state what would be
+// right. They read decimal numbers and nothing else.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "images/binarise.hpp"
+#include "thinbench/isa.hpp"
+
+namespace thinbench {
+
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t lowest, std::uint64_t highest);
+
+[[nodiscard]] CLI::Validator real_number(double lowest, double highest);
+
+/// An integer in this range or, instead, the word.
+[[nodiscard]] CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
+                                        const std::string& word);
+
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string_view>& names);
+
+/// Rejects "", which stands for "not given" behind the options.
+[[nodiscard]] CLI::Validator not_empty();
+
+/// `--isa NAME`.
+void add_isa_option(CLI::App& app, std::optional<Isa>& isa);
+
+/// `--threads N`, one thread by default.
+void add_threads_option(CLI::App& app, int& threads);
+
+/// `image` is the option without which these have no meaning; nullptr where the command always
+/// reads an image.
+void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image = nullptr);
+
+/// The options that were given, each with a space before it: " --foreground dark".
+[[nodiscard]] std::string binarise_words(const BinariseOptions& options);
+
+}  // namespace thinbench

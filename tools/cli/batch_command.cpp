@@ -1,0 +1,255 @@
+// thinbench batch: one operation on many image files.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <regex>
+#include <string>
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+
+#include "batch/inputs.hpp"
+#include "batch/jobs.hpp"
+#include "batch/manifest.hpp"
+#include "batch/pipeline.hpp"
+#include "cli/arguments.hpp"
+#include "cli/batch_operations.hpp"
+#include "cli/names.hpp"
+#include "cli/thinbench.hpp"
+#include "images/image_file.hpp"
+#include "support/text.hpp"
+
+namespace thinbench {
+namespace {
+
+struct BatchOptions {
+  BatchOperationRequest operation;
+  InputRequest inputs;
+  BatchSettings settings;
+  std::string format = "png";
+  std::string manifest;  // empty: in the output directory
+  std::string shard;
+  bool resume = false;
+};
+
+constexpr std::size_t kMaxShards = 1'000'000;
+
+/// From "3/8".
+Shard shard_from(const std::string& text) {
+  std::smatch parts;
+  if (std::regex_match(text, parts, std::regex("([0-9]{1,7})/([0-9]{1,7})"))) {
+    const Shard shard = {std::stoul(parts[1]), std::stoul(parts[2])};
+    if (shard.number >= 1 && shard.number <= shard.count && shard.count <= kMaxShards) return shard;
+  }
+  throw UsageError("--shard: expected I/N with 1 <= I <= N <= " + std::to_string(kMaxShards) +
+                   ", got '" + text + "'");
+}
+
+/// Shards may run at the same time, so each has its own.
+std::string manifest_path(const BatchOptions& options, const Shard& shard) {
+  if (!options.manifest.empty()) return options.manifest;
+  const std::string name = shard.count == 1
+                               ? "manifest.csv"
+                               : fmt::format("manifest_{}_of_{}.csv", shard.number, shard.count);
+  return std::filesystem::path(options.settings.out) / name;
+}
+
+std::string number_of(std::size_t count, const std::string& what, const std::string& plural) {
+  return fmt::format("{} {}", count, count == 1 ? what : plural);
+}
+
+void print_skipped(const FoundInputs& found, std::ostream& log) {
+  if (found.skipped_files > 0) {
+    log << "note: skipped " << number_of(found.skipped_files, "file", "files")
+        << ", hidden or without the extension of an image format\n";
+  }
+  if (found.skipped_directories > 0) {
+    log << "note: skipped " << number_of(found.skipped_directories, "directory", "directories")
+        << "; --recursive searches all but links and --out\n";
+  }
+}
+
+std::vector<BatchJob> open_jobs(const std::vector<BatchJob>& jobs, const Manifest& manifest,
+                                const BatchOperation& operation, const std::string& out) {
+  std::vector<BatchJob> open;
+  std::copy_if(jobs.begin(), jobs.end(), std::back_inserter(open), [&](const BatchJob& job) {
+    return !manifest.says_done(job, operation.name) ||
+           !std::filesystem::exists(std::filesystem::path(out) / job.output);
+  });
+  return open;
+}
+
+void print_failures(const std::vector<std::string>& failures, std::ostream& log) {
+  if (failures.empty()) return;
+  log << fmt::format("{}:\n", number_of(failures.size(), "failure", "failures"));
+  for (const std::string& failure : failures) log << "  " << one_line(failure) << '\n';
+}
+
+struct BatchOutcome {
+  std::size_t skipped;  // were done before
+  double seconds;
+  BatchTotals totals;
+};
+
+void print_summary(const BatchOperation& operation, const BatchOutcome& outcome,
+                   std::ostream& out) {
+  const BatchTotals& totals = outcome.totals;
+  const double all =
+      std::max(1e-9, totals.decode_seconds + totals.compute_seconds + totals.encode_seconds);
+  out << fmt::format("{}: {} done, {} failed, {} done before; {:.1f} s, {:.0f} images/s",
+                     operation.name, number_of(totals.done, "image", "images"),
+                     totals.failures.size(), outcome.skipped, outcome.seconds,
+                     static_cast<double>(totals.done) / std::max(outcome.seconds, 1e-9));
+  out << fmt::format("; decoding {:.1f} %, computing {:.1f} %, encoding {:.1f} %\n",
+                     100 * totals.decode_seconds / all, 100 * totals.compute_seconds / all,
+                     100 * totals.encode_seconds / all);
+  if (totals.not_started > 0) {
+    out << number_of(totals.not_started, "result was", "results were") << " not started\n";
+  }
+  if (totals.with_warning > 0) {
+    out << number_of(totals.with_warning, "image has a warning", "images have warnings")
+        << " in the manifest\n";
+  }
+}
+
+BatchOutcome run_open_jobs(const std::vector<BatchJob>& jobs, const BatchOperation& operation,
+                           const BatchOptions& options, Manifest& manifest) {
+  const std::vector<BatchJob> open = open_jobs(jobs, manifest, operation, options.settings.out);
+  const auto start = std::chrono::steady_clock::now();
+  BatchTotals totals = run_jobs(open, operation, options.settings, manifest);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  manifest.put_in_order(jobs);
+  return {jobs.size() - open.size(), spent.count(), std::move(totals)};
+}
+
+/// The manifest, after the directories of the results. Where there can be no manifest, no new
+/// directory is left behind.
+void open_outputs(const std::vector<BatchJob>& jobs, const std::string& path,
+                  const BatchOptions& options, std::optional<Manifest>& manifest) {
+  const bool is_new = !std::filesystem::exists(options.settings.out);
+  make_directories(jobs, options.settings.out);
+  try {
+    manifest.emplace(path, options.resume);
+  } catch (...) {
+    if (is_new) remove_empty_directories(jobs, options.settings.out);
+    throw;
+  }
+}
+
+int run(const BatchOptions& options, const Console& console) {
+  const BatchOperation operation = batch_operation(options.operation);
+  const bool regions = makes_regions(options.operation);
+  const Shard shard = options.shard.empty() ? Shard{} : shard_from(options.shard);
+  const std::string path = manifest_path(options, shard);
+  const ManifestFormat format = manifest_format(path);
+  FoundInputs found = find_inputs(options.inputs, std::cin);
+  if (found.inputs.empty() && found.failures.empty()) {
+    throw std::runtime_error("there is no image file in what was named");
+  }
+  const std::string extension = regions                    ? ".json"
+                                : options.format == "tiff" ? ".tif"
+                                                           : "." + options.format;
+  const auto all = jobs_of(found.inputs, extension, extension == ".tif");
+  check_outputs(all, options.settings.out);
+  const std::vector<BatchJob> jobs = jobs_in(all, shard);
+  for (const BatchJob& job : jobs) check_name(job.path, format);
+  std::optional<Manifest> manifest;
+  open_outputs(jobs, path, options, manifest);
+  print_skipped(found, console.err);
+  BatchOutcome outcome = run_open_jobs(jobs, operation, options, *manifest);
+  std::vector<std::string>& failures = outcome.totals.failures;
+  failures.insert(failures.begin(), found.failures.begin(), found.failures.end());
+  print_summary(operation, outcome, console.out);
+  print_failures(failures, console.err);
+  return failures.empty() ? kSuccess : kFailure;
+}
+
+void add_input_options(CLI::App& app, BatchOptions& options) {
+  app.add_option("IN", options.inputs.in,
+                 "Image files, directories, quoted patterns such as 'scans/*.png', or - for a list "
+                 "on standard input")
+      ->required()
+      ->type_name("");
+  app.add_flag("--recursive", options.inputs.recursive,
+               "Search the directories in directories, too");
+  app.add_flag("--null", options.inputs.null_separated,
+               "The list has a NUL after each path instead of a newline, as from find -print0");
+  app.add_option("--shard", options.shard, "Do the I-th of N parts, for several runs at once")
+      ->check(not_empty())
+      ->type_name("I/N");
+}
+
+void add_output_options(CLI::App& app, BatchOptions& options) {
+  app.add_option("--out", options.settings.out, "Directory of the results, made if need be")
+      ->required()
+      ->check(not_empty())
+      ->type_name("DIR");
+  app.add_option("--format", options.format, "Format of images")
+      ->check(one_of({"png", "tiff", "pgm", "pbm"}))
+      ->type_name("png|tiff|pgm|pbm")
+      ->capture_default_str();
+  app.add_option("--manifest", options.manifest,
+                 "A line for each image, .csv or .jsonl (default: DIR/manifest.csv)")
+      ->check(not_empty())
+      ->type_name("FILE");
+  app.add_flag("--resume", options.resume,
+               "Skip what the manifest says is done and whose result exists");
+  app.add_option_function<std::string>(
+         "--on-error",
+         [&options](const std::string& word) { options.settings.stops_on_error = word == "stop"; },
+         "After a failure: continue with the other images, or stop")
+      ->check(one_of({"continue", "stop"}))
+      ->type_name("continue|stop")
+      ->default_str("continue");
+}
+
+constexpr const char* kFooter = R"(Examples:
+  thinbench batch thin_guo_hall scans --out skeletons
+  thinbench batch thin_guo_hall scans --recursive --out skeletons --resume
+  thinbench batch holes 'parts/*.jpg' --min-area 20 --out found --manifest found.jsonl
+  find scans -name '*.tif' -print0 | thinbench batch edges - --null --out edges --format tiff
+  parallel thinbench batch thin_zhang_suen scans --out skeletons --shard {}/4 ::: 1 2 3 4
+
+OPERATION is a thinning operation, holes (a .json for each image), edges (by Sobel's operator) or
+edges_ and the name of another operator. A result has the name of its input and lies in DIR, that of
+scans/a/b.png, found in scans, at DIR/a/b.png. A TIFF file of several pages becomes NAME_page1.png and
+so on or, with --format tiff, one file. Results appear whole or not at all; after a failure or a kill,
+--resume does what is left, and the failed images again.
+
+The manifest has the foreground chosen, numbers of pixels, components and holes of the foreground
+before, seconds, warnings and errors. The exit status is 1 if any image failed.)";
+
+}  // namespace
+
+Command add_batch_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("batch", "Do one operation on many image files");
+  const auto options = std::make_shared<BatchOptions>();
+  BatchOperationRequest& operation = options->operation;
+  app->add_option("OPERATION", operation.thinning.operation,
+                  "A thinning operation, holes, edges or edges_sobel and so on")
+      ->required()
+      ->type_name("");
+  add_input_options(*app, *options);
+  add_output_options(*app, *options);
+  add_isa_option(*app, operation.thinning.how.isa);
+  options->settings.threads = std::min(tbb::info::default_concurrency(), kMaxThreads);
+  add_threads_option(*app, options->settings.threads);
+  add_thinning_options(*app, operation.thinning);
+  add_edge_thresholds(*app, operation.edges);
+  app->add_option("--min-area", operation.min_area,
+                  "Omit objects and holes of fewer than N pixels, 1 to 2^31 (holes)")
+      ->check(whole_number(1, kMaxImagePixels))
+      ->type_name("N");
+  add_binarise_options(*app, operation.binarise);
+  app->footer(kFooter);
+  return {app, [options](const Console& console) {
+            options->inputs.out = options->settings.out;
+            options->settings.lenient = options->operation.binarise.lenient;
+            return run(*options, console);
+          }};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,28 @@
+// The operations that a batch can do on each image.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "batch/pipeline.hpp"
+#include "cli/edge_request.hpp"
+#include "cli/thinning_request.hpp"
+#include "images/binarise.hpp"
+
+namespace thinbench {
+
+struct BatchOperationRequest {
+  ThinningRequest thinning;  // with the name and the ISA of any operation
+  EdgeRequest edges;
+  std::optional<std::int64_t> min_area;  // of holes
+  BinariseOptions binarise;
+};
+
+/// Whether results are lists of regions instead of images.
+[[nodiscard]] bool makes_regions(const BatchOperationRequest& request);
+
+/// Throws UsageError, std::invalid_argument or std::runtime_error where the operation or an option
+/// is unknown, does not apply or cannot be read.
+[[nodiscard]] BatchOperation batch_operation(const BatchOperationRequest& request);
+
+}  // namespace thinbench

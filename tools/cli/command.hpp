@@ -1,0 +1,26 @@
+// A command of a program: it declares its arguments and has the function that runs it.
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/usage.hpp"
+
+namespace thinbench {
+
+struct Console {
+  std::ostream& out;
+  std::ostream& err;
+  bool err_is_terminal;
+};
+
+struct Command {
+  CLI::App* app;
+  std::function<int(const Console&)> run;  // after parsing
+  std::vector<Command> parts = {};         // of a command that only holds others and has no `run`
+};
+
+}  // namespace thinbench

@@ -1,0 +1,36 @@
+// thinbench list: the operations on image files.
+#include "cli/aligned.hpp"
+#include "cli/thinbench.hpp"
+#include "thinbench/edges.hpp"
+#include "thinbench/rule.hpp"
+
+namespace thinbench {
+namespace {
+
+int list(std::ostream& out) {
+  std::vector<Cells> lines = {{"operation", "command", "what it does"}};
+  const auto add = [&lines](const auto& infos, const char* command) {
+    for (const auto& info : infos) {
+      lines.push_back({std::string(info.operation), command, std::string(info.description)});
+    }
+  };
+  add(kRules, "run, batch");
+  add(kEdgeOperators, "edges, batch");
+  lines.push_back({"holes", "holes, batch", "objects and their holes: area, centre, box"});
+  print_aligned(lines, out);
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_list_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("list", "List the operations");
+  app->footer(R"(Examples:
+  thinbench list
+
+A line for each operation, with the commands that take it. Named rules of 3 x 3 pixels are listed by
+'thinbench rule --list'.)");
+  return {app, [](const Console& console) { return list(console.out); }};
+}
+
+}  // namespace thinbench

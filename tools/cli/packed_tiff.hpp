@@ -1,0 +1,21 @@
+// thinbench run on TIFF images of 1 bit per pixel: without a byte image in between, in memory or
+// out of core.
+#pragma once
+
+#include <string>
+
+#include "cli/packed_run.hpp"
+#include "images/binarise.hpp"
+
+namespace thinbench {
+
+/// Whether a run goes from such an image to another. Out of core, IN can be nothing else.
+[[nodiscard]] bool is_tiff_run(const PackedOptions& options, const BinariseOptions& binarise,
+                               const ThinningFiles& files);
+
+/// Thins and prints remarks and the summary. Pixels and remarks are those of the
+/// same image read as a grey one.
+int run_tiff(const PackedOptions& options, Rule rule, const BinariseOptions& binarise,
+             const ThinningFiles& files, const Options& how, const Console& console);
+
+}  // namespace thinbench

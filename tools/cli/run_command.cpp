@@ -1,0 +1,75 @@
+// thinbench run: thins one image file into another.
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/names.hpp"
+#include "cli/packed_run.hpp"
+#include "cli/packed_tiff.hpp"
+#include "cli/thinbench.hpp"
+#include "cli/thinning_request.hpp"
+#include "cli/thinning_run.hpp"
+
+namespace thinbench {
+namespace {
+
+struct RunOptions {
+  ThinningRequest thinning;
+  ThinningFiles files;
+  BinariseOptions binarise;
+  PackedOptions packed;
+};
+
+int run(const RunOptions& options, const Console& console) {
+  const Rule rule = rule_named(options.thinning.operation);
+  const Options how = options_for(rule, options.thinning);
+  if (is_tiff_run(options.packed, options.binarise, options.files)) {
+    return run_tiff(options.packed, rule, options.binarise, options.files, how, console);
+  }
+  if (is_packed_run(options.packed, options.files.out)) {
+    reject_for_packed_files(options.binarise);
+    return run_packed(options.packed, rule, options.files, how, console);
+  }
+  console.out << thin_image_file(thinning_by(rule), options.files, options.binarise, how, console)
+              << '\n';
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_run_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("run", "Thin an image file into another");
+  const auto options = std::make_shared<RunOptions>();
+  app->add_option("OPERATION", options->thinning.operation,
+                  "Name of an operation, see 'thinbench list'")
+      ->required()
+      ->type_name("");
+  app->add_option("IN", options->files.in, "Image to read")->required()->type_name("");
+  app->add_option("OUT", options->files.out,
+                  "Image to write: .png, .pgm, .bmp, .tif or, from PBM (P4), .pbm")
+      ->required()
+      ->type_name("");
+  add_isa_option(*app, options->thinning.how.isa);
+  add_threads_option(*app, options->thinning.how.threads);
+  add_thinning_options(*app, options->thinning);
+  add_binarise_options(*app, options->binarise);
+  add_packed_options(*app, options->packed);
+  app->footer(R"(Examples:
+  thinbench run thin_naccache_shinghal drawing.png skeleton.png
+  thinbench run thin_naccache_shinghal parts.jpg skeleton.png --foreground dark --threshold 100
+  thinbench run thin_naccache_shinghal big.tif big.tif --threads 8
+  thinbench run thin_zhang_suen parts.png skeleton.png --border keep --max-iterations 3
+  thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
+  thinbench run skeleton_scan parts.png marks.png --directions rows,columns
+  thinbench run thin_guo_hall page.pbm skeleton.pbm
+  thinbench run thin_guo_hall page.tif skeleton.tif
+  thinbench run thin_guo_hall map.pbm skeleton.pbm --out-of-core --memory 256M
+
+OUT holds 255 on the skeleton of the foreground and 0 elsewhere. What was taken as foreground, unless
+you chose it, and what is doubtful about it goes to standard error. Images of more than 2^30 pixels
+need OPENCV_IO_MAX_IMAGE_PIXELS=2147483648 in the environment. In packed files (.pbm, --raw) 1 is
+foreground; they may have up to 2^40 pixels. So may TIFF images of 1 bit per pixel in strips: written to
+.tif they remain so, with a white skeleton, and the foreground is chosen as in grey images.)");
+  return {app, [options](const Console& console) { return run(*options, console); }};
+}
+
+}  // namespace thinbench

@@ -1,0 +1,287 @@
+#include "images/image_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "images/captured_stderr.hpp"
+#include "images/image_header.hpp"
+#include "images/mat_of.hpp"
+#include "images/pnm_file.hpp"
+#include "images/tiff_file.hpp"
+#include "support/regular_file.hpp"
+#include "support/text.hpp"
+#include "support/whole_file.hpp"
+
+namespace thinbench {
+namespace {
+
+/// OpenCV reads its limit when it is loaded, before any code of ours could raise it.
+std::string too_many_pixels() {
+  constexpr const char* variable = "OPENCV_IO_MAX_IMAGE_PIXELS";
+  const char* limit = std::getenv(variable);
+  if (limit == nullptr) {
+    return std::string("it has more than 2^30 pixels; set ") + variable +
+           "=2147483648 in the environment to read up to 2^31";
+  }
+  return std::string("it has more pixels than ") + variable + "=" + limit +
+         " allows; at most 2^31 = 2147483648 can be read";
+}
+
+/// The decoder gave up without a reason.
+[[noreturn]] void cannot_decode(const std::string& path) {
+  const std::string why = is_tiff(path) ? unreadable_tiff_reason(path) : "";
+  if (!why.empty()) cannot_read(path, why);
+  cannot_read(path, "it is damaged or has no pixels");
+}
+
+/// A rejection by OpenCV in the words of this program.
+[[noreturn]] void reject(const std::string& path, const cv::Exception& error) {
+  const auto mentions = [&](const char* text) { return error.err.find(text) != std::string::npos; };
+  if (mentions("CV_IO_MAX_IMAGE_PIXELS")) cannot_read(path, too_many_pixels());
+  if (mentions("CV_IO_MAX_IMAGE")) cannot_read(path, "it is wider or higher than 2^20 pixels");
+  if (error.code == cv::Error::StsNoMem) cannot_read(path, "there is not enough memory for it");
+  cannot_decode(path);
+}
+
+/// What the decoder of a JPEG file warned of first; empty if nothing. It fills up what is missing.
+std::string jpeg_warning(const std::string& path, const std::string& said) {
+  if (said.empty() || beginning_of(path, 2) != "\xFF\xD8") return {};
+  if (said.starts_with("Premature end of JPEG file")) return "the file is truncated";
+  return "its decoder says: " + one_line(said.substr(0, said.find('\n')));
+}
+
+/// Decoders say so, or throw, and OpenCV catches what is not its own without saying what it was.
+bool is_out_of_memory(const std::string& said) {
+  return said.find("memory") != std::string::npos ||
+         said.find("can't read data: unknown exception") != std::string::npos;
+}
+
+cv::Mat first_page(const std::string& path) {
+  return is_pnm(path) ? read_pnm(path) : cv::imread(path, cv::IMREAD_GRAYSCALE);
+}
+
+cv::Mat one_page(const std::string& path, int page) {
+  std::vector<cv::Mat> pages;
+  cv::imreadmulti(path, pages, page, 1, cv::IMREAD_GRAYSCALE);
+  return pages.empty() ? cv::Mat() : pages.front();
+}
+
+template <class Decode>
+cv::Mat decoded(const std::string& path, const Decode& decode, std::string* warning) {
+  const CapturedStderr captured;
+  cv::Mat image = decode();
+  if (image.empty() && is_out_of_memory(captured.text())) throw std::bad_alloc();
+  if (image.empty()) cannot_decode(path);
+  const std::string found = jpeg_warning(path, captured.text());
+  if (!found.empty() && warning == nullptr) cannot_read(path, found);
+  if (warning != nullptr) *warning = found;
+  return image;
+}
+
+/// The image itself, not a copy.
+ByteImage image_of(const cv::Mat& mat) {
+  const ImageView pixels(mat.data, mat.cols, mat.rows, static_cast<Index>(mat.step[0]));
+  return {pixels, [mat](void*) {}};  // the last reference frees it
+}
+
+template <class Decode>
+ByteImage read_by(const std::string& path, int page, const Decode& decode, std::string* warning) {
+  check_file(path);
+  try {
+    check_header(path, page);
+    const cv::Mat image = decoded(path, decode, warning);
+    if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
+      cannot_read(path, "it has more than 2^31 pixels");
+    }
+    return image_of(image);
+  } catch (const cv::Exception& error) {
+    reject(path, error);
+  } catch (const std::bad_alloc&) {
+    cannot_read(path, "there is not enough memory for it");
+  }
+}
+
+}  // namespace
+
+void check_file(const std::string& path) {
+  if (regular_file_bytes(path) == 0) cannot_read(path, "the file is empty");
+}
+
+ByteImage read_grey(const std::string& path, std::string* warning) {
+  return read_by(
+      path, 0, [&] { return first_page(path); }, warning);
+}
+
+int page_count(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored) || !is_tiff(path)) return 1;
+  const CapturedStderr captured;
+  try {
+    return std::max(1, static_cast<int>(cv::imcount(path, cv::IMREAD_GRAYSCALE)));
+  } catch (const cv::Exception&) {
+    return 1;  // reading it gives the reason
+  }
+}
+
+ByteImage read_grey_page(const std::string& path, int page) {
+  return read_by(
+      path, page, [&] { return one_page(path, page); }, nullptr);
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kExtensions = {".png", ".pgm", ".bmp", ".tif", ".tiff"};
+constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
+
+[[noreturn]] void reject_extension(const std::string& path, const std::string& why) {
+  throw ExtensionError("cannot write '" + path + "': " + why);
+}
+
+std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
+  const CapturedStderr captured;
+  std::vector<std::uint8_t> bytes;
+  if (!cv::imencode(extension_of(path), image, bytes)) {
+    cannot_write(path, "the image cannot be encoded");
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void check_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
+  const std::string what = extension.empty() ? "its name has no extension"
+                           : extension == ".jpg" || extension == ".jpeg"
+                               ? "JPEG would change pixels"
+                               : "unknown extension '" + extension + "'";
+  reject_extension(path, what + "; known are " + kKnownExtensions);
+}
+
+void check_colour_extension(const std::string& path) {
+  check_extension(path);
+  if (extension_of(path) == ".pgm") reject_extension(path, "PGM holds no colours");
+}
+
+namespace {
+
+/// Does what writes a file, with OpenCV's failures as FileError.
+template <class Write>
+void write_by(const std::string& path, const Write& write) {
+  try {
+    write();
+  } catch (const std::bad_alloc&) {
+    cannot_write(path, "there is not enough memory for it");
+  } catch (const cv::Exception& error) {
+    cannot_write(path, error.code == cv::Error::StsNoMem ? "there is not enough memory for it"
+                                                         : "the image cannot be encoded");
+  }
+}
+
+void check_writable(const std::string& path, const ConstImageView& image) {
+  check_target(path);
+  if (image.width == 0 || image.height == 0) cannot_write(path, "the image has no pixels");
+  if (!is_writable_size(image.width, image.height)) {
+    cannot_write(path, "the image has 2^31 pixels or more");
+  }
+}
+
+bool has_tiff_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".tif" || extension == ".tiff";
+}
+
+TiffFormat tiff_format_of(const cv::Mat& page) {
+  constexpr std::uint16_t lzw = 5;
+  return {.width = page.cols,
+          .height = page.rows,
+          .compression = lzw,
+          .bits = 8,
+          .samples = page.channels()};
+}
+
+void write_tiff_rows(TiffWriter& writer, const cv::Mat& page) {
+  cv::Mat row;
+  for (int y = 0; y < page.rows; ++y) {
+    row = page.row(y);
+    if (page.channels() == 3) cv::cvtColor(page.row(y), row, cv::COLOR_BGR2RGB);
+    writer.write(1, row.data);
+  }
+}
+
+/// Row by row: OpenCV's encoder ends the program if memory is short, and hides a full disk.
+void write_tiff_pages(const std::string& path, const std::vector<cv::Mat>& pages) {
+  write_whole_file(path, [&](const std::string& name) {
+    Index all_bytes = 0;
+    for (const cv::Mat& page : pages)
+      all_bytes += static_cast<Index>(page.total() * page.elemSize());
+    TiffWriter writer(name, path, tiff_format_of(pages.front()), all_bytes);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      if (i > 0) writer.begin_page(tiff_format_of(pages[i]));
+      write_tiff_rows(writer, pages[i]);
+    }
+    writer.finish();
+  });
+}
+
+}  // namespace
+
+void write_mat(const std::string& path, const std::function<cv::Mat()>& draw) {
+  write_by(path, [&] {
+    const cv::Mat image = draw();
+    if (has_tiff_extension(path)) return write_tiff_pages(path, {image});
+    const std::vector<std::uint8_t> bytes = encoded(path, image);
+    write_whole_file(path,
+                     std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  });
+}
+
+void write_grey(const std::string& path, const ConstImageView& image) {
+  check_extension(path);
+  check_writable(path, image);
+  write_mat(path, [&] { return mat_of(image); });
+}
+
+void write_binary(const std::string& path, const ConstImageView& image) {
+  if (extension_of(path) != ".pbm") check_extension(path);
+  check_writable(path, image);
+  write_mat(path, [&] { return mat_of(image); });
+}
+
+std::string png_of(const ConstImageView& image) {
+  std::string png;
+  write_by("the image", [&] {
+    const std::vector<std::uint8_t> bytes = encoded("image.png", mat_of(image));
+    png.assign(bytes.begin(), bytes.end());
+  });
+  return png;
+}
+
+void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages) {
+  std::vector<cv::Mat> mats;
+  for (const ByteImage& page : pages) {
+    check_writable(path, page.view());
+    mats.push_back(mat_of(page.view()));
+  }
+  write_by(path, [&] { write_tiff_pages(path, mats); });
+}
+
+OneThreadPerImage::OneThreadPerImage() : threads_(cv::getNumThreads()) {
+  cv::setNumThreads(1);
+}
+
+OneThreadPerImage::~OneThreadPerImage() {
+  cv::setNumThreads(threads_);
+}
+
+}  // namespace thinbench

@@ -1,0 +1,74 @@
+// Grey image files. OpenCV decodes and encodes; nothing of it shows here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/byte_image.hpp"
+#include "support/file_error.hpp"
+
+namespace thinbench {
+
+/// The largest image that is read, in pixels.
+inline constexpr Index kMaxImagePixels = Index{1} << 31;
+
+/// Rejects what no decoder could give a good reason for: no such file, a directory, an empty file.
+/// Throws FileError.
+void check_file(const std::string& path);
+
+/// The grey levels of an image file of any common format; 16 bits become 8, colours become grey
+/// and transparency is ignored. OpenCV reads its own limit of 2^30 pixels from the environment
+/// when it is loaded, so that only the user can raise it. A JPEG file of which the decoder says
+/// that it is corrupt or truncated is an error; where `warning` is given, it is read as far as
+/// possible, and what the decoder says goes there. Throws FileError.
+[[nodiscard]] ByteImage read_grey(const std::string& path, std::string* warning = nullptr);
+
+/// The number of images in a TIFF file; 1 for all other files, unreadable ones included.
+[[nodiscard]] int page_count(const std::string& path);
+
+/// As read_grey, for one image of a TIFF file, counted from 0.
+[[nodiscard]] ByteImage read_grey_page(const std::string& path, int page);
+
+/// Writes an 8-bit grey image in the format that the extension names; only formats that keep
+/// every pixel are known. The file appears, or is replaced, as a whole or not at all. Throws
+/// FileError.
+void write_grey(const std::string& path, const ConstImageView& image);
+
+/// The same for an image of 0 and 255 alone; .pbm is known, too.
+void write_binary(const std::string& path, const ConstImageView& image);
+
+/// The bytes of a PNG file. Throws FileError.
+[[nodiscard]] std::string png_of(const ConstImageView& image);
+
+/// As write_grey, with several images in one TIFF file.
+void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages);
+
+/// Whether write_grey takes images of this size, which has pixels: below 2^31 of them.
+[[nodiscard]] constexpr bool is_writable_size(Index width, Index height) {
+  return width <= (kMaxImagePixels - 1) / height;
+}
+
+/// The name of an image to write has an extension that stands for no format.
+struct ExtensionError : FileError {
+  using FileError::FileError;
+};
+
+/// Throws ExtensionError where the extension names no format that write_grey knows.
+void check_extension(const std::string& path);
+
+/// The same for images with colours.
+void check_colour_extension(const std::string& path);
+
+/// While it lives, OpenCV uses no threads of its own: for programs whose threads share images.
+class OneThreadPerImage {
+ public:
+  OneThreadPerImage();
+  ~OneThreadPerImage();
+  OneThreadPerImage(const OneThreadPerImage&) = delete;
+  OneThreadPerImage& operator=(const OneThreadPerImage&) = delete;
+
+ private:
+  int threads_;  // before
+};
+
+}  // namespace thinbench

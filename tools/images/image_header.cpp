@@ -1,0 +1,146 @@
+#include "images/image_header.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "images/image_file.hpp"
+#include "images/pnm_header.hpp"
+#include "images/tiff_file.hpp"
+#include "support/regular_file.hpp"
+
+namespace thinbench {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kJpegHeaderBytes = std::size_t{1} << 20;  // may begin with other data
+constexpr Index kDeflateFactor = 1032;      // bytes that one byte can stand for, at most
+constexpr Index kMaxSide = Index{1} << 20;  // that OpenCV reads
+constexpr Index kJpegPixels = 512;          // a bit for a block of 8 x 8 pixels, at least
+
+/// An unsigned number of `count` bytes; 0 behind the end.
+Index number_at(std::string_view bytes, std::size_t at, std::size_t count, bool is_big_endian) {
+  if (at + count > bytes.size()) return 0;
+  Index value = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = is_big_endian ? at + i : at + count - 1 - i;
+    value = value << 8 | static_cast<std::uint8_t>(bytes[next]);
+  }
+  return value;
+}
+
+/// Of numbers that are not negative; the largest number where it is larger.
+Index product(Index a, Index b) {
+  return b > 0 && a > INT64_MAX / b ? INT64_MAX : a * b;
+}
+
+/// The bytes of rows that are padded to whole bytes.
+Index bytes_of_rows(Index width, Index height, Index bits_per_pixel) {
+  const Index bits = product(width, bits_per_pixel);
+  return product(bits / 8 + (bits % 8 != 0 ? 1 : 0), height);
+}
+
+ImageClaim png_claim(std::string_view bytes) {
+  constexpr std::array<Index, 7> samples = {1, 0, 3, 1, 2, 0, 4};  // by the type of colours
+  const Index width = number_at(bytes, 16, 4, true), height = number_at(bytes, 20, 4, true);
+  const auto colours = static_cast<std::size_t>(number_at(bytes, 25, 1, true));
+  const Index bits = number_at(bytes, 24, 1, true) * (colours < 7 ? samples[colours] : 0);
+  return {width, height, bytes_of_rows(width, height, bits) / kDeflateFactor};
+}
+
+ImageClaim bmp_claim(std::string_view bytes) {
+  const auto number = [&](std::size_t at, std::size_t count) {
+    return number_at(bytes, at, count, false);
+  };
+  if (number(14, 4) == 12) {  // of OS/2
+    const Index width = number(18, 2), height = number(20, 2);
+    return {width, height, bytes_of_rows(width, height, number(24, 2))};
+  }
+  const Index width = number(18, 4);
+  const auto height = static_cast<std::int32_t>(number(22, 4));  // negative: from the top down
+  const Index rows = height < 0 ? -Index{height} : height;
+  const bool has_runs = number(30, 4) == 1 || number(30, 4) == 2;
+  return {width, rows, has_runs ? 0 : bytes_of_rows(width, rows, number(28, 2))};
+}
+
+ImageClaim jpeg_claim(std::string_view bytes, const std::string& path) {
+  for (std::size_t at = 2; at + 4 <= bytes.size() && bytes[at] == '\xFF';) {
+    const Index marker = number_at(bytes, at + 1, 1, true);
+    if (marker == 0xFF) {  // fills up
+      ++at;
+      continue;
+    }
+    const bool is_frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8;
+    if (is_frame && marker != 0xCC) {
+      if (marker > 0xC8) cannot_read(path, "it is a JPEG file with arithmetic coding");
+      const Index width = number_at(bytes, at + 7, 2, true),
+                  height = number_at(bytes, at + 5, 2, true);
+      return {width, height, width * height / kJpegPixels};
+    }
+    at += 2 + static_cast<std::size_t>(number_at(bytes, at + 2, 2, true));
+  }
+  return {};
+}
+
+/// A number in a line of a PAM header; 0 if there is none.
+Index pam_number(std::string_view header, std::string_view name) {
+  const std::size_t at = header.find(name);
+  if (at == std::string_view::npos) return 0;
+  return PnmHeader(header.substr(at + name.size() - 2)).number().value_or(0);
+}
+
+ImageClaim pnm_claim(std::string_view header) {
+  const char kind = header[1];
+  if (kind == '7') {
+    const Index width = pam_number(header, "\nWIDTH"), height = pam_number(header, "\nHEIGHT");
+    const Index bits = pam_number(header, "\nMAXVAL") > 255 ? 16 : 8;
+    return {width, height,
+            bytes_of_rows(width, height, product(bits, pam_number(header, "\nDEPTH")))};
+  }
+  PnmHeader numbers(header);
+  const Index width = numbers.number().value_or(0), height = numbers.number().value_or(0);
+  if (kind == '1' || kind == '4') {
+    return {width, height, bytes_of_rows(width, height, kind == '1' ? 8 : 1)};
+  }
+  const bool is_text = kind < '4';
+  const Index bytes = is_text || numbers.number().value_or(0) > 255 ? 2 : 1;  // a digit and a space
+  const Index samples = kind == '3' || kind == '6' ? 3 : 1;
+  return {width, height, bytes_of_rows(width, height, 8 * bytes * samples) - (is_text ? 1 : 0)};
+}
+
+/// Nothing for other kinds of files.
+std::optional<ImageClaim> claim_of(const std::string& path, int page) {
+  const std::string bytes = beginning_of(path, kPnmHeaderBytes);
+  const std::string_view start = bytes;
+  if (start.starts_with("\x89PNG\r\n\x1A\n"sv)) return png_claim(start);
+  if (start.starts_with("\xFF\xD8"sv))
+    return jpeg_claim(beginning_of(path, kJpegHeaderBytes), path);
+  if (start.starts_with("BM"sv)) return bmp_claim(start);
+  if (start.size() > 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '7') {
+    return pnm_claim(start);
+  }
+  if (is_tiff(path)) return tiff_claim(path, page);
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_header(const std::string& path, int page) {
+  const std::optional<ImageClaim> claim = claim_of(path, page);
+  if (!claim) cannot_read(path, "it is not an image of a known format");
+  const Index size = regular_file_bytes(path);
+  // The decoder says of larger images that they are too large.
+  if (claim->width < 1 || claim->height > kMaxImagePixels / claim->width) return;
+  if (std::max(claim->width, claim->height) > kMaxSide) return;
+  if (claim->min_bytes <= size) return;
+  cannot_read(path, fmt::format("it has {} bytes, too few for {} x {} pixels", size, claim->width,
+                                claim->height));
+}
+
+}  // namespace thinbench

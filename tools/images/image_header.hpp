@@ -1,0 +1,24 @@
+// What the beginning of an image file claims, compared with the length of the file.
+#pragma once
+
+#include <string>
+
+#include "thinbench/image_view.hpp"
+
+namespace thinbench {
+
+/// The size that a header names, 0 where it is damaged, and the least bytes that so many pixels
+/// take in a file of this kind.
+struct ImageClaim {
+  Index width = 0;
+  Index height = 0;
+  Index min_bytes = 0;
+};
+
+/// Rejects, before memory is taken for pixels, files of other kinds than PNG, JPEG, TIFF, BMP and
+/// PNM, and those that are too short for the size that their header names: files of a few bytes
+/// could claim gigabytes. `page` counts the images of a TIFF file from 0. Damaged headers are left
+/// to the decoder. For regular files; throws FileError.
+void check_header(const std::string& path, int page);
+
+}  // namespace thinbench

@@ -1,0 +1,73 @@
+#include "support/regular_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace thinbench {
+namespace {
+
+class RegularFile {
+ public:
+  explicit RegularFile(const std::string& path)
+      : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+    if (descriptor_ < 0) cannot_read_by_errno(path);
+    struct stat facts {};
+    const int failed = fstat(descriptor_, &facts);
+    size_ = facts.st_size;
+    if (failed == 0 && S_ISREG(facts.st_mode)) return;
+    close(descriptor_);
+    cannot_read(path, S_ISDIR(facts.st_mode) ? "it is a directory" : "it is not a regular file");
+  }
+  ~RegularFile() { close(descriptor_); }
+  RegularFile(const RegularFile&) = delete;
+  RegularFile& operator=(const RegularFile&) = delete;
+  RegularFile(RegularFile&&) = delete;
+  RegularFile& operator=(RegularFile&&) = delete;
+
+  [[nodiscard]] std::int64_t size() const { return size_; }
+
+  /// The first bytes; fewer if it became shorter.
+  [[nodiscard]] std::string bytes(std::size_t count) const {
+    std::string text(count, '\0');
+    std::size_t done = 0;
+    while (done < count) {
+      const ssize_t got = read(descriptor_, text.data() + done, count - done);
+      if (got < 0 && errno != EINTR) cannot_read_by_errno(path_);
+      if (got == 0) break;
+      done += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    }
+    text.resize(done);
+    return text;
+  }
+
+ private:
+  const std::string& path_;
+  int descriptor_;
+  std::int64_t size_ = 0;
+};
+
+}  // namespace
+
+std::int64_t regular_file_bytes(const std::string& path) {
+  return RegularFile(path).size();
+}
+
+std::string beginning_of(const std::string& path, std::size_t count) {
+  const RegularFile file(path);
+  return file.bytes(std::min(count, static_cast<std::size_t>(file.size())));
+}
+
+std::string read_whole_file(const std::string& path, std::size_t max_bytes) {
+  const RegularFile file(path);
+  const auto size = static_cast<std::size_t>(file.size());
+  if (size > max_bytes)
+    cannot_read(path, fmt::format("it has more than {} bytes", fmt::group_digits(max_bytes)));
+  return file.bytes(size);
+}
+
+}  // namespace thinbench

@@ -1,0 +1,38 @@
+// Files that appear whole or not at all.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "support/file_error.hpp"
+
+namespace thinbench {
+
+/// Where a path leads through symbolic links, whether or not there is a file. Throws FileError.
+[[nodiscard]] std::string target_of(const std::string& path);
+
+/// Rejects what writing would fail at after all the work: a directory that does not exist, one of
+/// this name, a device, pipe or socket, a file that the user protected. Throws FileError.
+void check_target(const std::string& path);
+
+/// Gives a finished file the place of `path`, on the same file system, or of what `path` leads to
+/// through symbolic links. The mode of a file that is replaced remains. Where other names of it
+/// (hard links), another owner or another group would be lost, it is overwritten instead: only
+/// then can a kill or a full disk leave a part. Throws FileError.
+void replace_file(const std::string& path, const std::string& finished);
+
+/// Writes a hidden file beside the target, then replaces the target as replace_file does; nothing
+/// is left of the hidden file after a failure; after a kill, the next call for this target removes
+/// it. Thread-safe. Throws FileError.
+void write_whole_file(const std::string& path, std::string_view bytes);
+
+/// The same with a function that writes the hidden file, whose extension is that of `path`.
+void write_whole_file(const std::string& path,
+                      const std::function<void(const std::string& name)>& write);
+
+/// Removes the hidden files that killed programs left in a directory; those that another program is
+/// writing remain.
+void remove_abandoned_files(const std::string& directory);
+
+}  // namespace thinbench
