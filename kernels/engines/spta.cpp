@@ -173,9 +173,10 @@ class SptaState final : public PlaneState<Word> {
             static_cast<std::size_t>(scratch_words(setting.width, setting.height)))) {}
 
   int compute() override {
+    const ConstBitPlaneView from = source();
     const BitPlaneView target = planes.result.view();
     const Rows rows = rows_of(border_, target, scratch_.get());
-    for (Index y = 0; y < target.height; ++y) copy(source().row(y), target.row(y), rows.words);
+    for (Index y = 0; y < target.height; ++y) copy(from.row(y), target.row(y), rows.words);
     int iterations = 1;
     while (iterate_once(rows) && iterations < max_iterations_) ++iterations;
     return iterations;
