@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "thinbench/image_view.hpp"
 
@@ -23,27 +24,21 @@ inline constexpr Index kMarginRows = 2;
 /// padded with zeros to `row_elements`, a multiple of 64 bytes. Kernels may compute on the padding,
 /// where every thinning rule yields 0 again.
 template <class T>
-struct ConstPlaneView {
-  const T* data = nullptr;  // pixel (0, 0)
+struct PlaneView {
+  T* data = nullptr;  // pixel (0, 0)
   Index width = 0;
   Index height = 0;
   Index stride = 0;  // in elements
   Index row_elements = 0;
 
-  [[nodiscard]] const T* row(Index y) const { return data + y * stride; }
+  [[nodiscard]] T* row(Index y) const { return data + y * stride; }
+  operator PlaneView<const T>() const requires(!std::is_const_v<T>) {
+    return {data, width, height, stride, row_elements};
+  }
 };
 
 template <class T>
-struct PlaneView {
-  T* data = nullptr;
-  Index width = 0;
-  Index height = 0;
-  Index stride = 0;
-  Index row_elements = 0;
-
-  [[nodiscard]] T* row(Index y) const { return data + y * stride; }
-  operator ConstPlaneView<T>() const { return {data, width, height, stride, row_elements}; }
-};
+using ConstPlaneView = PlaneView<const T>;
 
 using ConstBitPlaneView = ConstPlaneView<std::uint64_t>;
 using BitPlaneView = PlaneView<std::uint64_t>;

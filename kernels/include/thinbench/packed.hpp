@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
@@ -21,47 +22,33 @@ enum class BitOrder : std::uint8_t {
   return width / 8 + (width % 8 != 0 ? 1 : 0);
 }
 
-/// Read-only binary image, one bit per pixel: 0 is background, 1 is foreground. Every row starts
-/// with a new byte: pixels 8 i to 8 i + 7 of row y are `data[y * stride + i]`, in the given order.
-/// Unused bits of a row's last byte have no meaning. `stride` is the distance between rows in
-/// bytes.
-struct ConstPackedView {
-  const std::uint8_t* data = nullptr;
+/// A binary image, one bit per pixel: 0 is background, 1 is foreground. Every row starts with a new
+/// byte: pixels 8 i to 8 i + 7 of row y are `data[y * stride + i]`, in the given order. `stride` is
+/// the distance between rows in bytes. Unused bits of a row's last byte have no meaning; they are
+/// written as 0, and bytes between rows are not written.
+template <class T>
+struct Packed {
+  T* data = nullptr;
   Index width = 0;  // in pixels
   Index height = 0;
   Index stride = 0;
   BitOrder order = BitOrder::msb_first;
 
-  constexpr ConstPackedView() = default;
+  constexpr Packed() = default;
   /// Contiguous rows.
-  constexpr ConstPackedView(const std::uint8_t* bits, Index columns, Index rows, BitOrder bit_order)
-      : ConstPackedView(bits, columns, rows, packed_row_bytes(columns), bit_order) {}
-  constexpr ConstPackedView(const std::uint8_t* bits, Index columns, Index rows, Index row_bytes,
-                            BitOrder bit_order)
+  constexpr Packed(T* bits, Index columns, Index rows, BitOrder bit_order)
+      : Packed(bits, columns, rows, packed_row_bytes(columns), bit_order) {}
+  constexpr Packed(T* bits, Index columns, Index rows, Index row_bytes, BitOrder bit_order)
       : data(bits), width(columns), height(rows), stride(row_bytes), order(bit_order) {}
 
-  [[nodiscard]] constexpr const std::uint8_t* row(Index y) const { return data + y * stride; }
+  [[nodiscard]] constexpr T* row(Index y) const { return data + y * stride; }
+  constexpr operator Packed<const T>() const requires(!std::is_const_v<T>) {
+    return {data, width, height, stride, order};
+  }
 };
 
-/// Writable packed image; see ConstPackedView. Unused bits of a row's last byte are written as 0,
-/// bytes between rows are not written.
-struct PackedView {
-  std::uint8_t* data = nullptr;
-  Index width = 0;
-  Index height = 0;
-  Index stride = 0;
-  BitOrder order = BitOrder::msb_first;
-
-  constexpr PackedView() = default;
-  constexpr PackedView(std::uint8_t* bits, Index columns, Index rows, BitOrder bit_order)
-      : PackedView(bits, columns, rows, packed_row_bytes(columns), bit_order) {}
-  constexpr PackedView(std::uint8_t* bits, Index columns, Index rows, Index row_bytes,
-                       BitOrder bit_order)
-      : data(bits), width(columns), height(rows), stride(row_bytes), order(bit_order) {}
-
-  [[nodiscard]] constexpr std::uint8_t* row(Index y) const { return data + y * stride; }
-  constexpr operator ConstPackedView() const { return {data, width, height, stride, order}; }
-};
+using ConstPackedView = Packed<const std::uint8_t>;
+using PackedView = Packed<std::uint8_t>;
 
 /// Thins a packed image into another: the same pixels and number of iterations as thin() of
 /// thinbench/thinning.hpp, without a byte image in between: rows are copied, with the bits of bytes
