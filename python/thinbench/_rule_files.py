@@ -1,4 +1,4 @@
-"""Custom rules as JSON files; tools/rules/rule_file.hpp describes the same format.
+"""Rules given by tables, as JSON files; tools/rules/rule_file.hpp describes the same format.
 
     {"name": "my rule",
      "sub_iterations": [table, ...],     1 to 8; or "hensel": "B3/S23" for this one table
@@ -21,12 +21,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from thinbench import _tables
+from thinbench import _library, _tables
 
 _MAX_BYTES = 1_000_000
 _MAX_NAME_LENGTH = 100
 _MAX_SUB_ITERATIONS = 8
-BORDERS = ("background", "keep", "foreground")
 
 
 class Rule(NamedTuple):
@@ -125,7 +124,7 @@ def _check_name(name: Any) -> None:
 
 
 def _border(border: Any) -> str:
-    if _text(border, "border") not in BORDERS:
+    if _text(border, "border") not in _library.BORDERS:
         raise ValueError('border must be "background", "keep" or "foreground"')
     return str(border)
 

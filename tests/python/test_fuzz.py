@@ -187,7 +187,7 @@ RULE_NAMES = "tables|a rule|this rule|border|max_iterations"
 @given(TABLES, arguments(st.sampled_from(["background", "keep", "foreground"]), "background"),
        arguments(st.integers(1, 3), 1), arrays())
 def test_custom_rules_are_applied_alike_to_copies_or_the_argument_is_named(tables, border, limit, image):
-    rule = result_or_reason(RULE_NAMES, thinbench.CustomRule, tables, border=border, max_iterations=limit)
+    rule = result_or_reason(RULE_NAMES, thinbench.Rule, tables, border=border, max_iterations=limit)
     if rule is None:
         return
     result = result_or_reason("image", thinbench.apply, image, rule)
@@ -198,7 +198,7 @@ def test_custom_rules_are_applied_alike_to_copies_or_the_argument_is_named(table
 @SETTINGS
 @given(st.one_of(st.text("BbSs/0123456789-cekainyqjrtwz ", max_size=12), ODD))
 def test_notations_are_read_or_named(notation):
-    result_or_reason("notation|rule", thinbench.CustomRule.from_hensel, notation,
+    result_or_reason("notation|rule", thinbench.Rule.from_hensel, notation,
                      max_iterations=1)
 
 
