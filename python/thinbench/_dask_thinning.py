@@ -14,7 +14,7 @@ from dask.delayed import Delayed
 from dask.highlevelgraph import HighLevelGraph
 
 import thinbench
-from thinbench import Rule
+from thinbench import Rule, _library
 
 _DIRECTIONS = [(y, x) for y in (-1, 0, 1) for x in (-1, 0, 1) if (y, x) != (0, 0)]
 
@@ -66,7 +66,8 @@ def limited(array: Any, rule: Rule, border: str | None, max_iterations: int, dep
 def until_at_rest(array: Any, rule: Rule, border: str | None, depth: int, iterations: int) -> Any:
     array = with_chunks_of_at_least(array, depth)
     if array.npartitions == 1:
-        return array.map_blocks(_thin_block, dtype=array.dtype, rule=rule, border=border)
+        return array.map_blocks(_thin_block, dtype=array.dtype, rule=rule, border=border,
+                                max_iterations=_library.UNLIMITED)
     blocks = array.to_delayed()
     active = np.ones(blocks.shape, bool)
     while active.any():
