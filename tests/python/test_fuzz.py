@@ -77,7 +77,7 @@ THINNING = {"rule": arguments(st.sampled_from(RULES), "guo_hall"),
             "border": arguments(st.sampled_from(["background", "keep", "foreground"]), None),
             "max_iterations": arguments(st.integers(1, 4), None),
             "threads": arguments(st.integers(1, 3), 1)}
-NAMES = f"image|rule|this rule|{'|'.join(NAMED)}|custom|border|max_iterations|threads|out"
+NAMES = f"image|rule|{'|'.join(NAMED)}|custom|border|max_iterations|threads|out"
 
 
 @SETTINGS
@@ -191,7 +191,7 @@ def test_custom_rules_are_applied_alike_to_copies_or_the_argument_is_named(table
     rule = result_or_reason(RULE_NAMES, thinbench.Rule, tables, border=border, max_iterations=limit)
     if rule is None:
         return
-    result = result_or_reason("image|this rule", thinbench.apply, image, rule)
+    result = result_or_reason("image|custom", thinbench.apply, image, rule)
     if result is not None:
         np.testing.assert_array_equal(result, thinbench.apply(np.array(image, order="C"), rule))
 
