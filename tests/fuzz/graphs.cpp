@@ -18,13 +18,11 @@
 namespace thinbench {
 namespace {
 
-/// Of techniques that are not for graphs, the call is rejected.
-Options draw_options(ByteSource& input) {
-  Options options;
-  if (input.once_in(2)) options.isa = static_cast<Isa>(input.number(0, 4));
-  if (input.once_in(4)) options.technique = input.pick(kTechniques).technique;
-  if (input.once_in(16)) options.threads = 2;
-  return options;
+Execution draw_execution(ByteSource& input) {
+  Execution execution;
+  if (input.once_in(2)) execution.isa = static_cast<Isa>(input.number(0, 4));
+  if (input.once_in(16)) execution.threads = 2;
+  return execution;
 }
 
 void check_pixels(const Graph& graph, const ConstImageView& image) {
@@ -102,7 +100,7 @@ void must_have_no_short_branch(const Graph& graph, const Pruning& pruning) {
 }
 
 void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelView& distances,
-                   const Options& options) {
+                   const Execution& execution) {
   constexpr std::array<double, 6> lengths = {0, 1, 2, 4.5, 10, 1000};
   constexpr std::array<double, 4> widths = {0, 0, 0.6, 3};
   Pruning pruning = {.min_length = input.pick(lengths), .min_widths = input.pick(widths)};
@@ -112,7 +110,7 @@ void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelVi
   DrawnImage destination(input, {image.width(), image.height()});
   source.copy_from(image.view());
   const ImageView to = input.once_in(4) ? source.view() : destination.view();
-  const Graph graph = prune(source.view(), to, pruning, options);
+  const Graph graph = prune(source.view(), to, pruning, execution);
   source.must_be_intact();
   destination.must_be_intact();
   must(graph == reference::skeleton_graph(to), "not the graph of the pruned image");
@@ -132,9 +130,9 @@ void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelVi
 
 void check_graph(ByteSource& input) {
   const DrawnSize size = draw_size(input);
-  const Options options = draw_options(input);
+  const Execution execution = draw_execution(input);
   const ByteImage image = draw_binary(input, size);
-  const Graph graph = skeleton_graph(image.view(), options);
+  const Graph graph = skeleton_graph(image.view(), execution);
   must(graph == reference::skeleton_graph(image.view()), "another graph");
   must(std::ssize(graph.nodes) - std::ssize(graph.edges) == reference::euler_number(image.view()),
        "another Euler number");
@@ -143,7 +141,7 @@ void check_graph(ByteSource& input) {
   const LabelView distances = {numbers.data(), size.width, size.height};
   squared_distances(image.view(), distances);
   check_edges(input, graph, distances);
-  check_pruning(input, image, distances, options);
+  check_pruning(input, image, distances, execution);
 }
 
 }  // namespace
