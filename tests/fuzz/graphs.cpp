@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -67,6 +68,12 @@ void check_polyline(const std::vector<Pixel>& points, double tolerance) {
   }
 }
 
+/// Infinite without background.
+double width_at(const ConstLabelView& distances, Pixel p) {
+  const std::int32_t square = distances.row(p.y)[p.x];
+  return square == kNoBackground ? std::numeric_limits<double>::infinity() : 2 * std::sqrt(square);
+}
+
 void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& distances) {
   constexpr std::array<double, 5> tolerances = {0, 0.5, 1, 2.5, 100};
   const double tolerance = input.pick(tolerances);
@@ -76,7 +83,7 @@ void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& di
     const std::vector<Pixel> points = points_of(graph, graph.edges[i]);
     check_polyline(points, tolerance);
     for (const Pixel p : points) {
-      const double width = 2 * std::sqrt(distances.row(p.y)[p.x]);
+      const double width = width_at(distances, p);
       must(widths[i].least <= width && width <= widths[i].greatest, "a width beyond the others");
     }
     must(widths[i].least <= widths[i].mean + 1e-6 && widths[i].mean <= widths[i].greatest + 1e-6,
@@ -86,8 +93,8 @@ void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& di
 
 double limit_at(const Pruning& pruning, Pixel junction) {
   if (pruning.min_widths == 0) return pruning.min_length;
-  const double width = 2 * std::sqrt(pruning.squared_distances.row(junction.y)[junction.x]);
-  return std::max(pruning.min_length, pruning.min_widths * width);
+  return std::max(pruning.min_length,
+                  pruning.min_widths * width_at(pruning.squared_distances, junction));
 }
 
 void must_have_no_short_branch(const Graph& graph, const Pruning& pruning) {
