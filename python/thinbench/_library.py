@@ -58,7 +58,6 @@ def _checked(name: str, *arguments: type) -> Callable[..., None]:
 
 version = _function("version", result=_BYTES)
 thin = _checked("thin", _POINTER, _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
-thin_many = _checked("thin_many", _POINTER, _BYTES, _BYTES, _SIZE, _BYTES, _BYTES, _POINTER)
 thin_packed = _checked(
     "thin_packed", _POINTER, _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES, _POINTER)
 thin_labels = _checked("thin_labels", _POINTER, _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,

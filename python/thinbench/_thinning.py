@@ -131,19 +131,21 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
               threads: int = 1) -> list[npt.NDArray[Any]]:
     """Thin a list of images of any sizes.
 
-    Many small images are thinned at once.
+    Images of one size and dtype are thinned as a stack, which is faster where there are many up to
+    128 pixels wide.
 
     Parameters
     ----------
     images : iterable of arrays of bool or uint8, shape (H, W)
         Sizes and dtypes may differ. Never modified.
     rule, border, max_iterations, threads
-        As in `thin`. Threads share the images.
+        As in `thin`. Threads share the images of one size.
 
     Returns
     -------
     list of arrays
         The skeletons in the order of the images, each with the shape and dtype of its image.
+        Skeletons of one size are views of one stack; copy those that outlive the others.
 
     Raises
     ------
@@ -159,11 +161,18 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
     [((3, 9), 7), ((5, 5), 1)]
     """
     arrays = [_arrays.binary(image) for image in images]
-    handle, *options = request(rule, border, max_iterations, threads)
-    results = [np.empty(array.shape, array.dtype) for array in arrays]
-    sources = [_arrays.source(array) for array in arrays]
-    _library.thin_many(handle, b"".join(stack for stack, _ in sources),
-                       b"".join(map(_arrays.destination, results)), len(arrays), *options, None)
+    if not arrays:  # the arguments are checked all the same
+        thin(np.empty((0, 0), bool), rule, border=border, max_iterations=max_iterations,
+             threads=threads)
+    groups: dict[tuple[Any, ...], list[int]] = {}
+    for index, array in enumerate(arrays):
+        groups.setdefault((array.shape, array.dtype), []).append(index)
+    results = list(arrays)
+    for indices in groups.values():
+        stack = np.array([arrays[index] for index in indices])
+        thin(stack, rule, border=border, max_iterations=max_iterations, threads=threads, out=stack)
+        for index, skeleton in zip(indices, stack):
+            results[index] = skeleton
     return results
 
 
