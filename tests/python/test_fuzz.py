@@ -187,7 +187,7 @@ RULE_NAMES = "tables|sub_iterations|border|max_iterations"
 @SETTINGS
 @given(TABLES, arguments(st.sampled_from(["background", "keep", "foreground"]), "background"),
        arguments(st.integers(1, 3), 1), arrays())
-def test_custom_rules_are_applied_alike_to_copies_or_the_argument_is_named(tables, border, limit, image):
+def test_rules_of_tables_are_applied_alike_to_copies_or_the_argument_is_named(tables, border, limit, image):
     rule = result_or_reason(RULE_NAMES, thinbench.Rule, tables, border=border, max_iterations=limit)
     if rule is None:
         return
