@@ -7,6 +7,7 @@
 #include "compile/rule_body.hpp"
 #include "core/checks.hpp"
 #include "rules/nets.hpp"
+#include "rules/notation_reader.hpp"
 #include "rules/rule_table.hpp"
 #include "rules/trained_cluster.hpp"
 #include "thinbench/named_rules.hpp"
@@ -163,7 +164,7 @@ Rule::Rule(Directions directions) : body_(make_midpoint_scan(directions)) {}
 Rule Rule::named(std::string_view name) {
   if (const auto rule = rule_from_name(name)) return *rule;
   const NamedRule* const found = find_named_rule(name);
-  detail::require(found != nullptr, "rule: expected a name, got '" + std::string(name) + "'");
+  detail::require(found != nullptr, "rule: expected a name, got " + detail::quoted(name));
   return Rule(make_from_tables(found->sub_iterations,
                                {.border = found->border, .max_iterations = found->max_iterations},
                                found->name));

@@ -6,15 +6,15 @@
 """
 
 from thinbench import compat
-from thinbench._catalogue import Variant, cpu, rules, variants
-from thinbench._custom_rules import CustomRule, NamedRule, apply, named_rules
+from thinbench._catalogue import cpu, named_rules, rules
 from thinbench._graph import PIXEL_CLASSES, Graph, classify_pixels, graph, prune
 from thinbench._images import distance, edges, euler_number, fill_holes, localise, regions
 from thinbench._library import version as _version
 from thinbench._packed import thin_packed
-from thinbench._thinning import thin, thin_labels, thin_many
+from thinbench._rules import Rule
+from thinbench._thinning import apply, thin, thin_labels, thin_many
 
 __version__: str = _version().decode()
-__all__ = ["PIXEL_CLASSES", "CustomRule", "Graph", "NamedRule", "Variant", "apply", "classify_pixels", "compat", "cpu",
-           "distance", "edges", "euler_number", "fill_holes", "graph", "localise", "named_rules", "prune", "regions",
-           "rules", "thin", "thin_labels", "thin_many", "thin_packed", "variants"]
+__all__ = ["PIXEL_CLASSES", "Graph", "Rule", "apply", "classify_pixels", "compat", "cpu", "distance",
+           "edges", "euler_number", "fill_holes", "graph", "localise", "named_rules", "prune", "regions", "rules",
+           "thin", "thin_labels", "thin_many", "thin_packed"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import operator
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from thinbench import _library
 
 Array = npt.NDArray[Any]
+_Value = TypeVar("_Value")
 
 _BOOL = np.dtype(bool)
 _UINT8 = np.dtype(np.uint8)
@@ -117,6 +118,16 @@ def integer(name: str, value: Any) -> int:
     return number
 
 
+def limit(max_iterations: Any) -> int:
+    """A number of iterations; 0 for None."""
+    if max_iterations is None:
+        return 0
+    number = integer("max_iterations", max_iterations)
+    if number < 1:
+        raise ValueError(f"max_iterations: expected at least 1, got {number}")
+    return number
+
+
 def real(name: str, value: Any) -> float:
     """A number, which may be infinite or NaN."""
     try:
@@ -125,8 +136,8 @@ def real(name: str, value: Any) -> float:
         raise TypeError(f"{name}: expected a number, got {value!r}") from None
 
 
-def one_of(name: str, value: Any, allowed: dict[str, bytes]) -> bytes:
-    """The name as the C interface takes it."""
+def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:
+    """What a name stands for in the C interface."""
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {value!r}")
     found = allowed.get(value)

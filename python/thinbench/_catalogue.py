@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-from thinbench import _arrays, _library
-from thinbench._thinning import RULES
+from thinbench import _library
+from thinbench._rules import Rule
 
 
-class Variant(NamedTuple):
-    """A way to compute a rule; all variants of a rule give the same pixels."""
-
-    technique: str
-    isa: str
-    threaded: bool  # takes several threads
-    unavailable: str | None  # why it cannot run here
-    chosen: bool  # for images of the size asked for
+def _rules(built_in: bool) -> dict[str, Rule]:
+    """The rules of the library that are built in, or those that are not."""
+    rules = {name: Rule.named(name) for name in _library.all_names(_library.rule_name)}
+    return {name: rule for name, rule in rules.items() if rule.is_built_in == built_in}
 
 
 def rules() -> dict[str, str]:
-    """Names and descriptions of the thinning rules.
+    """Names and descriptions of the built-in rules, most of which thin.
 
     Returns
     -------
@@ -32,40 +26,24 @@ def rules() -> dict[str, str]:
     >>> print(thinbench.rules()["zhang_suen"])
     Zhang and Suen 1984, two sub-iterations; loses 2 x 2 blocks
     """
-    return {name: _library.rule_description(index).decode() for index, name in enumerate(RULES)}
+    return {name: rule.description for name, rule in _rules(built_in=True).items()}
 
 
-def variants(rule: str = "guo_hall", shape: tuple[int, int] = (412, 510)) -> list[Variant]:
-    """All variants of a rule, and which one `thin` takes.
-
-    Parameters
-    ----------
-    rule : str
-        One of `rules()`.
-    shape : tuple of two ints
-        Height and width of the images that the choice is for, on one thread.
+def named_rules() -> dict[str, Rule]:
+    """Other rules that are known by a name, which are given by tables.
 
     Returns
     -------
-    list of Variant
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
+    dict
+        From name to Rule, sorted by name.
 
     Examples
     --------
     >>> import thinbench
-    >>> thinbench.variants("guo_hall")[0]
-    Variant(technique='lut', isa='baseline', threaded=False, unavailable=None, chosen=False)
+    >>> thinbench.named_rules()["majority"].description
+    'foreground where five or more of the nine pixels are'
     """
-    name = _arrays.one_of("rule", rule, RULES)
-    height, width = (_arrays.integer("shape", side) for side in shape)
-    chosen = _library.chosen_variant(name, height, width)
-    return [Variant(technique or "", isa or "", threaded, reason,
-                    (technique, isa) == chosen and not threaded)
-            for technique, isa, threaded, reason in _library.rule_variants(name)]
+    return _rules(built_in=False)
 
 
 def cpu() -> dict[str, bool]:

@@ -14,6 +14,7 @@ from dask.delayed import Delayed
 from dask.highlevelgraph import HighLevelGraph
 
 import thinbench
+from thinbench import Rule, _library
 
 _DIRECTIONS = [(y, x) for y in (-1, 0, 1) for x in (-1, 0, 1) if (y, x) != (0, 0)]
 
@@ -54,7 +55,7 @@ def _thin_block(block: npt.NDArray[Any], **options: Any) -> npt.NDArray[Any]:
     return result
 
 
-def limited(array: Any, rule: str, border: str, max_iterations: int, depth: int) -> Any:
+def limited(array: Any, rule: Rule, border: str | None, max_iterations: int, depth: int) -> Any:
     array = with_chunks_of_at_least(array, depth)
     halo = {axis: depth if count > 1 else 0 for axis, count in enumerate(array.numblocks)}
     return da.map_overlap(_thin_block, array, depth=halo, boundary="none", dtype=array.dtype,
@@ -62,10 +63,11 @@ def limited(array: Any, rule: str, border: str, max_iterations: int, depth: int)
                           max_iterations=max_iterations)
 
 
-def until_at_rest(array: Any, rule: str, border: str, depth: int, iterations: int) -> Any:
+def until_at_rest(array: Any, rule: Rule, border: str | None, depth: int, iterations: int) -> Any:
     array = with_chunks_of_at_least(array, depth)
     if array.npartitions == 1:
-        return array.map_blocks(_thin_block, dtype=array.dtype, rule=rule, border=border)
+        return array.map_blocks(_thin_block, dtype=array.dtype, rule=rule, border=border,
+                                max_iterations=_library.UNLIMITED)
     blocks = array.to_delayed()
     active = np.ones(blocks.shape, bool)
     while active.any():
@@ -75,8 +77,8 @@ def until_at_rest(array: Any, rule: str, border: str, depth: int, iterations: in
     return array_of(keys, blocks, array.chunks, array.dtype)
 
 
-def _run_round(blocks: npt.NDArray[Any], active: npt.NDArray[np.bool_], depth: int, rule: str,
-               border: str, iterations: int) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
+def _run_round(blocks: npt.NDArray[Any], active: npt.NDArray[np.bool_], depth: int, rule: Rule,
+               border: str | None, iterations: int) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
     """Replaces the active blocks; returns which have changed and which were at rest at the end."""
     name = "thinbench-round-" + uuid.uuid4().hex
     indices = [(int(i), int(j)) for i, j in np.argwhere(active)]
@@ -128,12 +130,13 @@ def _edges(block: npt.NDArray[Any], depth: int) -> dict[tuple[int, int], npt.NDA
 
 
 def _advance(block: npt.NDArray[Any], neighbours: list[tuple[int, int]],
-             edges: list[dict[tuple[int, int], npt.NDArray[np.uint8]]], depth: int, rule: str,
-             border: str, iterations: int) -> tuple[npt.NDArray[Any], tuple[bool, bool]]:
+             edges: list[dict[tuple[int, int], npt.NDArray[np.uint8]]], depth: int, rule: Rule,
+             border: str | None, iterations: int) -> tuple[npt.NDArray[Any], tuple[bool, bool]]:
     """Thins a block with its halo; also returns whether it has changed and whether it was at rest.
 
     At rest: the last iteration changed nothing in the block, as an iteration before had changed
-    nothing anywhere, or as no iteration changed the block: rules only remove pixels.
+    nothing anywhere, or as no iteration changed the block: without a limit, rules only remove pixels
+    or only add them.
     """
     width = {-1: depth, 0: block.shape[1], 1: depth}
     pieces = {(y, x): np.unpackbits(edge[-y, -x], axis=1, count=width[x]).view(block.dtype)

@@ -169,7 +169,7 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *,
     ['end' 'end' 'junction' 'end' 'end'] [1. 1. 2. 1.]
     """
     array = _arrays.binary(skeleton)
-    options = _library.options(threads=_arrays.integer("threads", threads))
+    options = _library.execution(_arrays.integer("threads", threads))
     stack, kept_alive = _arrays.source(array)
     _check_thin(stack, not_thin)
     handle = ctypes.c_void_p()
@@ -227,7 +227,7 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     [0 0 0 0 0 0 0 0 0]
     """
     array = _arrays.binary(skeleton)
-    options = _library.options(threads=_arrays.integer("threads", threads))
+    options = _library.execution(_arrays.integer("threads", threads))
     squares = None if image is None else _squares_of(image, array.shape, threads)
     pruning = _PRUNING.pack(_PRUNING.size, _arrays.real("min_length", min_length),
                             _arrays.real("min_widths", min_widths), 0 if squares is None else squares.ctypes.data,

@@ -68,7 +68,7 @@ def edges(image: npt.ArrayLike, operator: str = "sobel", gradient_threshold: int
     _library.edges(name, stack, _arrays.destination(result),
                    _arrays.integer("gradient_threshold", gradient_threshold),
                    _arrays.integer("brightness_threshold", brightness_threshold),
-                   _library.options(threads=_arrays.integer("threads", threads)))
+                   _library.execution(_arrays.integer("threads", threads)))
     del kept_alive
     return result
 
@@ -212,7 +212,7 @@ def distance(image: npt.ArrayLike, *, squared: bool = False, threads: int = 1,
     stack, kept_alive = _arrays.source(array)
     squares = np.empty(array.shape, np.int32)
     _library.squared_distances(stack, squares.ctypes.data, array.shape[1],
-                               _library.options(threads=_arrays.integer("threads", threads)))
+                               _library.execution(_arrays.integer("threads", threads)))
     del kept_alive
     if squared:
         return squares
@@ -342,7 +342,7 @@ def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_thre
     handle = ctypes.c_void_p()
     _library.localise(stack, _arrays.integer("gradient_threshold", gradient_threshold),
                       _arrays.integer("brightness_threshold", brightness_threshold),
-                      _library.options(threads=_arrays.integer("threads", threads)),
+                      _library.execution(_arrays.integer("threads", threads)),
                       ctypes.byref(handle))
     del kept_alive
     return columns(*_taken(handle))

@@ -18,13 +18,19 @@ _library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench.so")))
 STACK = struct.Struct("Pnnnnn")  # data, count, height, width, stride, image_stride
 OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
 PACKED = struct.Struct("Pnnni4x")  # data, height, width, stride, lsb_first
-_OPTIONS = struct.Struct("NiiiPP")  # size, keep_border, max_iterations, threads, isa, technique
-_VARIANT = struct.Struct("NPPiP")
-_NAMED_RULE = struct.Struct("NPPPPNPi4x")  # size, name, description, source, tables, and below
+_THINNING = struct.Struct("NPi4x")  # size, border, max_iterations
+_EXECUTION = struct.Struct("Ni4xP")  # size, threads, isa
+_RULE_INFO = struct.Struct("NPPPi4xPNPii")  # size, name, and as RuleInfo
 
 _BYTES = ctypes.c_char_p
 _POINTER = ctypes.c_void_p
 _INT = ctypes.c_int32
+_SIZE = ctypes.c_size_t
+_DISTANCE = ctypes.c_ssize_t
+
+UNLIMITED = 2**31 - 1
+_NAMES = [ctypes.create_string_buffer(name) for name in (b"background", b"keep", b"foreground")]
+BORDERS = {name.value.decode(): ctypes.addressof(name) for name in _NAMES}
 
 
 def _function(name: str, *arguments: type, result: type | None = _INT) -> Callable[..., Any]:
@@ -51,127 +57,99 @@ def _checked(name: str, *arguments: type) -> Callable[..., None]:
 
 
 version = _function("version", result=_BYTES)
-thin = _checked("thin", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
+thin = _checked("thin", _POINTER, _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 thin_packed = _checked(
-    "thin_packed", _BYTES, _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
-thin_labels = _checked("thin_labels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t,
-                       ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
+    "thin_packed", _POINTER, _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES, _POINTER)
+thin_labels = _checked("thin_labels", _POINTER, _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,
+                       _DISTANCE, _BYTES, _BYTES, _POINTER)
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
-squared_distances = _checked(
-    "squared_distances", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES)
-classify_pixels = _checked(
-    "classify_pixels", _BYTES, _POINTER, ctypes.c_ssize_t, _POINTER, ctypes.c_ssize_t)
+squared_distances = _checked("squared_distances", _BYTES, _POINTER, _DISTANCE, _BYTES)
+classify_pixels = _checked("classify_pixels", _BYTES, _POINTER, _DISTANCE, _POINTER, _DISTANCE)
 full_blocks = _checked("full_blocks", _BYTES, _POINTER, _POINTER)
-polyline = _checked(
-    "polyline", _POINTER, ctypes.c_size_t, ctypes.c_double, _POINTER, _POINTER)
+polyline = _checked("polyline", _POINTER, _SIZE, ctypes.c_double, _POINTER, _POINTER)
 skeleton_graph = _checked("skeleton_graph", _BYTES, _BYTES, _POINTER)
 prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
-find_regions = _checked(
-    "find_regions", _BYTES, _POINTER, ctypes.c_ssize_t, _BYTES, _POINTER)
+find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_holes = _checked("fill_holes", _BYTES, _BYTES, _BYTES)
 euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
-regions_objects = _function(
-    "regions_objects", _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
-regions_holes = _function(
-    "regions_holes", _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
-graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels = (
-    _function("graph_" + part, _POINTER, _POINTER, ctypes.c_size_t, result=_POINTER)
-    for part in ("nodes", "edges", "node_pixels", "edge_pixels"))
-graph_edge_widths = _checked("graph_edge_widths", _POINTER, _POINTER, ctypes.c_ssize_t, ctypes.c_ssize_t,
-                             ctypes.c_ssize_t, _POINTER)
+regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels = (
+    _function(lists, _POINTER, _POINTER, _SIZE, result=_POINTER)
+    for lists in ("regions_objects", "regions_holes", "graph_nodes", "graph_edges",
+                  "graph_node_pixels", "graph_edge_pixels"))
+graph_edge_widths = _checked(
+    "graph_edge_widths", _POINTER, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _POINTER)
 graph_destroy = _function("graph_destroy", _POINTER, result=None)
 regions_destroy = _function("regions_destroy", _POINTER, result=None)
-rule_name = _function("rule_name", ctypes.c_size_t, result=_BYTES)
-rule_description = _function("rule_description", ctypes.c_size_t, result=_BYTES)
-rule_reach = _function("rule_reach", ctypes.c_size_t)
-edge_operator_name = _function("edge_operator_name", ctypes.c_size_t, result=_BYTES)
-isa_name = _function("isa_name", ctypes.c_size_t, result=_BYTES)
-isa_available = _function("isa_available", _BYTES)
-_rule_variant = _function("rule_variant", _BYTES, ctypes.c_size_t, _POINTER)
 table_from_hensel = _checked("table_from_hensel", _BYTES, _POINTER)
-table_from_patterns = _checked("table_from_patterns", _POINTER, ctypes.c_size_t, _POINTER)
+table_from_patterns = _checked("table_from_patterns", _POINTER, _SIZE, _POINTER)
 table_from_values = _checked("table_from_values", _BYTES, _BYTES, _POINTER)
 table_from_removals = _checked("table_from_removals", _BYTES, _BYTES, _POINTER)
-named_rule_name = _function("named_rule_name", ctypes.c_size_t, result=_BYTES)
-_find_named_rule = _checked("find_named_rule", _BYTES, _POINTER)
-_custom_rule_create = _checked(
-    "custom_rule_create", _POINTER, ctypes.c_size_t, _BYTES, _INT, _INT, _POINTER)
-_custom_rule_gates = _checked("custom_rule_gates", _POINTER, ctypes.c_size_t, _POINTER)
-custom_rule_destroy = _function("custom_rule_destroy", _POINTER, result=None)
-apply = _checked("apply", _POINTER, _BYTES, _BYTES, _BYTES, _POINTER)
-_thinner_create = _checked(
-    "thinner_create", _BYTES, ctypes.c_ssize_t, ctypes.c_ssize_t, _BYTES, _POINTER)
-_thinner_technique = _function("thinner_technique", _POINTER, result=_BYTES)
-_thinner_isa = _function("thinner_isa", _POINTER, result=_BYTES)
-_thinner_destroy = _function("thinner_destroy", _POINTER, result=None)
+rule_named = _checked("rule_named", _BYTES, _POINTER)
+rule_from_tables = _checked("rule_from_tables", _POINTER, _SIZE, _BYTES, _INT, _POINTER)
+rule_from_two_layer_net = _checked("rule_from_two_layer_net", _POINTER, _BYTES, _POINTER)
+rule_from_cluster = _checked("rule_from_cluster", _POINTER, _POINTER, _SIZE, _POINTER)
+rule_destroy = _function("rule_destroy", _POINTER, result=None)
+rule_name = _function("rule_name", _SIZE, result=_BYTES)
+_rule_describe = _checked("rule_describe", _POINTER, _POINTER)
+_rule_gates = _checked("rule_gates", _POINTER, _SIZE, _POINTER)
+edge_operator_name = _function("edge_operator_name", _SIZE, result=_BYTES)
+isa_name = _function("isa_name", _SIZE, result=_BYTES)
+isa_available = _function("isa_available", _BYTES)
+
 
 @lru_cache(maxsize=256)
-def options(keep_border: bool = False, max_iterations: int = 0, threads: int = 1) -> bytes:
-    """A thinbench_options struct."""
-    return _OPTIONS.pack(_OPTIONS.size, keep_border, max_iterations, threads, 0, 0)
+def thinning(border: int, max_iterations: int) -> bytes:
+    """A thinbench_thinning struct, with one of BORDERS; 0 stands for what the rule says."""
+    return _THINNING.pack(_THINNING.size, border, max_iterations)
 
 
-def _text(pointer: int | None) -> str | None:
-    return ctypes.string_at(pointer).decode() if pointer else None
+@lru_cache(maxsize=256)
+def execution(threads: int) -> bytes:
+    """A thinbench_execution struct."""
+    return _EXECUTION.pack(_EXECUTION.size, threads, 0)
 
 
-def rule_variants(rule: bytes) -> list[tuple[str | None, str | None, bool, str | None]]:
-    """Technique, ISA, whether threaded, and the reason why it cannot run, of all variants."""
-    found: list[tuple[str | None, str | None, bool, str | None]] = []
-    buffer = ctypes.create_string_buffer(_VARIANT.pack(_VARIANT.size, 0, 0, 0, 0), _VARIANT.size)
-    while _rule_variant(rule, len(found), buffer) == 0:
-        _, technique, isa, threaded, reason = _VARIANT.unpack(buffer.raw)
-        found.append((_text(technique), _text(isa), bool(threaded), _text(reason)))
-    return found
+class RuleInfo(NamedTuple):
+    """A thinbench_rule_info struct."""
 
-
-def chosen_variant(rule: bytes, height: int, width: int) -> tuple[str, str]:
-    """The technique and ISA for images of this size."""
-    thinner = ctypes.c_void_p()
-    _thinner_create(rule, width, height, None, ctypes.byref(thinner))
-    found = _thinner_technique(thinner).decode(), _thinner_isa(thinner).decode()
-    _thinner_destroy(thinner)
-    return found
-
-
-class NamedRule(NamedTuple):
-    """A thinbench_named_rule struct."""
-
+    name: str
     description: str
     source: str
+    is_built_in: bool
     words: npt.NDArray[np.uint64]  # 8 per sub-iteration
-    sub_iterations: int
     border: str
-    max_iterations: int  # 0: unlimited
+    max_iterations: int
+    reach: int
 
 
-def find_named_rule(name: bytes) -> NamedRule:
-    """The rule of this name."""
-    size = _NAMED_RULE.size
-    buffer = ctypes.create_string_buffer(_NAMED_RULE.pack(size, *[0] * 7), size)
-    _find_named_rule(name, buffer)
-    _, _, description, source, tables, sub_iterations, border, limit = _NAMED_RULE.unpack(
-        buffer.raw)
+def describe(handle: int | None) -> RuleInfo:
+    """What a rule says about itself."""
+    buffer = ctypes.create_string_buffer(_RULE_INFO.pack(_RULE_INFO.size, *[0] * 9), _RULE_INFO.size)
+    _rule_describe(handle, buffer)
+    (_, name, description, source, built_in, tables, sub_iterations, border, max_iterations,
+     reach) = _RULE_INFO.unpack(buffer.raw)
     words = np.frombuffer(ctypes.string_at(tables, 64 * sub_iterations), np.uint64)
-    return NamedRule(_text(description) or "", _text(source) or "", words, sub_iterations,
-                     _text(border) or "", limit)
+    return RuleInfo(_text(name), _text(description), _text(source), bool(built_in), words,
+                    _text(border), max_iterations, reach)
 
 
-def custom_rule(words: npt.NDArray[np.uint64], border: bytes, max_iterations: int,
-                optimise: bool) -> int | None:
-    """The address of a new rule."""
-    handle = ctypes.c_void_p()
-    _custom_rule_create(words.ctypes.data, len(words), border, max_iterations, optimise,
-                        ctypes.byref(handle))
-    return handle.value
+def _text(pointer: int | None) -> str:
+    return ctypes.string_at(pointer).decode() if pointer else ""
 
 
-def custom_rule_gates(handle: int | None, sub_iteration: int) -> int:
+def gates(handle: int | None, sub_iteration: int) -> int:
     """The number of gates of a sub-iteration."""
-    gates = ctypes.c_int32()
-    _custom_rule_gates(handle, sub_iteration, ctypes.byref(gates))
-    return gates.value
+    number = ctypes.c_int32()
+    _rule_gates(handle, sub_iteration, ctypes.byref(number))
+    return number.value
+
+
+def handle_from(make: Callable[..., None], *arguments: Any) -> int | None:
+    """The address of the object that a function of the library makes."""
+    handle = ctypes.c_void_p()
+    make(*arguments, ctypes.byref(handle))
+    return handle.value
 
 
 def all_names(name_at: Callable[..., Any]) -> list[str]:

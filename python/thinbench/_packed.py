@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _library
-from thinbench._thinning import RULES, options_for
+from thinbench._rules import Rule
+from thinbench._thinning import request
 
 Packed = npt.NDArray[np.uint8]
 
@@ -17,20 +18,20 @@ _BIT_ORDERS = {"big": b"big", "little": b"little"}
 
 
 @overload
-def thin_packed(packed: npt.ArrayLike, width: int, rule: str = ..., *, bit_order: str = ...,
-                border: str = ..., max_iterations: int | None = ..., threads: int = ...,
+def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = ..., *, bit_order: str = ...,
+                border: str | None = ..., max_iterations: int | None = ..., threads: int = ...,
                 return_iterations: Literal[False] = ..., out: Packed | None = ...) -> Packed: ...
 
 
 @overload
-def thin_packed(packed: npt.ArrayLike, width: int, rule: str = ..., *, bit_order: str = ...,
-                border: str = ..., max_iterations: int | None = ..., threads: int = ...,
+def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = ..., *, bit_order: str = ...,
+                border: str | None = ..., max_iterations: int | None = ..., threads: int = ...,
                 return_iterations: Literal[True],
                 out: Packed | None = ...) -> tuple[Packed, int]: ...
 
 
-def thin_packed(packed: npt.ArrayLike, width: int, rule: str = "guo_hall", *,
-                bit_order: str = "big", border: str = "background",
+def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = "guo_hall", *,
+                bit_order: str = "big", border: str | None = None,
                 max_iterations: int | None = None, threads: int = 1,
                 return_iterations: bool = False, out: Packed | None = None,
                 ) -> Packed | tuple[Packed, int]:
@@ -73,16 +74,15 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str = "guo_hall", *,
     [0 0 1 1 1 1 1 0 0]
     """
     image = _checked(packed, _arrays.integer("width", width))
-    name = _arrays.one_of("rule", rule, RULES)
     lsb_first = _arrays.one_of("bit_order", bit_order, _BIT_ORDERS) == b"little"
-    options = options_for(border, max_iterations, threads)
+    handle, *options = request(rule, border, max_iterations, threads)
     result = _arrays.result_for(image, out)
     if image.strides[1] != 1 or image.strides[0] < image.shape[1]:
         image = np.ascontiguousarray(image)
     stride = max(image.strides[0], image.shape[1])  # of an array without rows it may be 0
     source = _library.PACKED.pack(image.ctypes.data, image.shape[0], width, stride, lsb_first)
     iterations = ctypes.c_int32()
-    _library.thin_packed(name, source, result.ctypes.data, result.shape[1], options,
+    _library.thin_packed(handle, source, result.ctypes.data, result.shape[1], *options,
                          ctypes.byref(iterations))
     return (result, iterations.value) if return_iterations else result
 

@@ -3,99 +3,92 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from functools import lru_cache
 from typing import Any, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from thinbench import _arrays, _library
+from thinbench._rules import Rule
 
-RULES = {name: name.encode() for name in _library.all_names(_library.rule_name)}
-_BORDERS = {"background": b"background", "keep": b"keep"}
-
-
-def options_for(border: str, max_iterations: int | None, threads: int) -> bytes:
-    """A thinbench_options struct."""
-    keep = _arrays.one_of("border", border, _BORDERS) == b"keep"
-    limit = limit_of(max_iterations)
-    return _library.options(keep, limit, _arrays.integer("threads", threads))
+_named = lru_cache(maxsize=None)(Rule.named)
 
 
-def limit_of(max_iterations: int | None) -> int:
-    """The limit as the C interface takes it; 0 for None."""
-    if max_iterations is None:
-        return 0
-    limit = _arrays.integer("max_iterations", max_iterations)
-    if limit < 1:
-        raise ValueError(f"max_iterations: expected at least 1, got {limit}")
-    return limit
+def rule_of(rule: str | Rule) -> Rule:
+    """A rule, or the one of this name."""
+    if isinstance(rule, Rule):
+        return rule
+    if not isinstance(rule, str):
+        raise TypeError(f"rule: expected a name or a Rule, got {rule!r}")
+    return _named(rule)
 
 
-def run(function: Callable[..., None], rule: bytes | int | None, image: npt.ArrayLike, options: bytes,
-        return_iterations: bool, out: npt.NDArray[Any] | None,
-        ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]:
-    """Calls `thin` or `apply` of the library for an image or a stack."""
-    image = _arrays.binary(image, 3)
-    result = _arrays.result_for(image, out)
-    stack, kept_alive = _arrays.source(image)
-    iterations = ctypes.c_int32() if return_iterations else None
-    function(rule, stack, _arrays.destination(result), options,
-             ctypes.byref(iterations) if iterations is not None else None)
-    del kept_alive
-    return (result, iterations.value) if iterations is not None else result
+def request(rule: str | Rule, border: str | None, max_iterations: int | None, threads: int,
+            ) -> tuple[int | None, bytes, bytes]:
+    """What to compute and how: a handle, valid as long as the rule, and two structs."""
+    outside = 0 if border is None else _arrays.one_of("border", border, _library.BORDERS)
+    return (rule_of(rule).handle, _library.thinning(outside, _arrays.limit(max_iterations)),
+            _library.execution(_arrays.integer("threads", threads)))
 
 
 @overload
-def thin(image: npt.ArrayLike, rule: str = ..., *, border: str = ...,
+def thin(image: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
          max_iterations: int | None = ..., threads: int = ...,
          return_iterations: Literal[False] = ..., out: npt.NDArray[Any] | None = ...,
          ) -> npt.NDArray[Any]: ...
 
 
 @overload
-def thin(image: npt.ArrayLike, rule: str = ..., *, border: str = ...,
+def thin(image: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
          max_iterations: int | None = ..., threads: int = ...,
          return_iterations: Literal[True], out: npt.NDArray[Any] | None = ...,
          ) -> tuple[npt.NDArray[Any], int]: ...
 
 
 @overload
-def thin(image: npt.ArrayLike, rule: str = ..., *, border: str = ...,
+def thin(image: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
          max_iterations: int | None = ..., threads: int = ..., return_iterations: bool,
          out: npt.NDArray[Any] | None = ...,
          ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]: ...
 
 
-def thin(image: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "background",
+def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | None = None,
          max_iterations: int | None = None, threads: int = 1, return_iterations: bool = False,
          out: npt.NDArray[Any] | None = None,
          ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]:
-    """Reduce the objects of a binary image to thin lines.
+    """Apply a rule to a binary image, by default one that reduces objects to thin lines.
+
+    `apply` is the same function, for rules that do not thin.
 
     Parameters
     ----------
     image : array of bool or uint8, shape (H, W) or (N, H, W)
         An image, or a stack of N images. Nonzero is foreground. Any strides; an image whose rows
         are not contiguous is copied. Never modified.
-    rule : str
-        One of `rules()`. "guo_hall" keeps the number of objects and holes.
-    border : {"background", "keep"}
-        Everything outside the image is background. "background" thins the outermost pixels like
-        all others, "keep" never changes them, as OpenCV does.
+    rule : str or Rule
+        A Rule, or the name of one: `rules()`, `named_rules()`. "guo_hall" keeps the number of
+        objects and holes.
+    border : {"background", "keep", "foreground"}, optional
+        What is outside the image. "background" changes the outermost pixels like all others,
+        "keep" never does, as OpenCV. "foreground" is for rules with tables. Default: as the rule
+        says, "background" for all that thin.
     max_iterations : int, optional
-        Stop after this many iterations, at least 1. Default: until nothing changes.
+        Stop after this many iterations, at least 1; 2**31 - 1 is no limit. Default: as the rule
+        says, which is until nothing changes for all that thin.
     threads : int
         The maximum number of threads. One image below 2**20 pixels uses one.
     return_iterations : bool
-        Also return the number of iterations; of a stack, the maximum.
+        Also return the number of iterations, including the last one if it changed nothing; of a
+        stack, the maximum.
     out : array, optional
         Receives the result: same shape and dtype as the image, C-contiguous. May be the image.
 
     Returns
     -------
     array of the shape and dtype of the image
-        True or 255 on skeletons, else 0. With `return_iterations` a tuple of this and an int.
+        True or 255 for foreground, else 0. With `return_iterations` a tuple of this and an int.
 
     Raises
     ------
@@ -120,13 +113,21 @@ def thin(image: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "backgro
      [  0   0   0   0   0   0   0   0   0]
      [  0   0   0   0   0   0   0   0   0]]
     """
-    name = _arrays.one_of("rule", rule, RULES)
-    options = options_for(border, max_iterations, threads)
-    return run(_library.thin, name, image, options, return_iterations, out)
+    array = _arrays.binary(image, 3)
+    handle, *options = request(rule, border, max_iterations, threads)
+    result = _arrays.result_for(array, out)
+    stack, kept_alive = _arrays.source(array)
+    iterations = ctypes.c_int32()
+    _library.thin(handle, stack, _arrays.destination(result), *options, ctypes.byref(iterations))
+    del kept_alive
+    return (result, iterations.value) if return_iterations else result
 
 
-def thin_many(images: Iterable[npt.ArrayLike], rule: str = "guo_hall", *,
-              border: str = "background", max_iterations: int | None = None,
+apply = thin
+
+
+def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
+              border: str | None = None, max_iterations: int | None = None,
               threads: int = 1) -> list[npt.NDArray[Any]]:
     """Thin a list of images of any sizes.
 
@@ -160,8 +161,9 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str = "guo_hall", *,
     [((3, 9), 7), ((5, 5), 1)]
     """
     arrays = [_arrays.binary(image) for image in images]
-    _arrays.one_of("rule", rule, RULES)
-    options_for(border, max_iterations, threads)
+    if not arrays:  # the arguments are checked all the same
+        thin(np.empty((0, 0), bool), rule, border=border, max_iterations=max_iterations,
+             threads=threads)
     groups: dict[tuple[Any, ...], list[int]] = {}
     for index, array in enumerate(arrays):
         groups.setdefault((array.shape, array.dtype), []).append(index)
@@ -175,20 +177,20 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str = "guo_hall", *,
 
 
 @overload
-def thin_labels(labels: npt.ArrayLike, rule: str = ..., *, border: str = ...,
+def thin_labels(labels: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
                 max_iterations: int | None = ..., threads: int = ...,
                 return_iterations: Literal[False] = ..., out: npt.NDArray[Any] | None = ...,
                 ) -> npt.NDArray[Any]: ...
 
 
 @overload
-def thin_labels(labels: npt.ArrayLike, rule: str = ..., *, border: str = ...,
+def thin_labels(labels: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
                 max_iterations: int | None = ..., threads: int = ...,
                 return_iterations: Literal[True], out: npt.NDArray[Any] | None = ...,
                 ) -> tuple[npt.NDArray[Any], int]: ...
 
 
-def thin_labels(labels: npt.ArrayLike, rule: str = "guo_hall", *, border: str = "background",
+def thin_labels(labels: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | None = None,
                 max_iterations: int | None = None, threads: int = 1,
                 return_iterations: bool = False, out: npt.NDArray[Any] | None = None,
                 ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]:
@@ -202,7 +204,8 @@ def thin_labels(labels: npt.ArrayLike, rule: str = "guo_hall", *, border: str = 
         0 is background; negative labels are rejected. Labels need not be consecutive. Any
         strides. Never modified.
     rule, border, max_iterations
-        As in `thin`; "keep" refers to the border of the image.
+        As in `thin`, but the rule must not add pixels, and the border is not "foreground". "keep"
+        refers to the border of the image.
     threads : int
         The maximum number of threads, which share the labels.
     return_iterations : bool
@@ -230,15 +233,14 @@ def thin_labels(labels: npt.ArrayLike, rule: str = "guo_hall", *, border: str = 
     [0 7 0 0 9 0]
     """
     image = _arrays.labels(labels)
-    name = _arrays.one_of("rule", rule, RULES)
-    options = options_for(border, max_iterations, threads)
+    handle, *options = request(rule, border, max_iterations, threads)
     result = _arrays.result_for(image, out)
     source = _arrays.label_rows(image)
     target = result if result.dtype == np.int32 else source
     iterations = ctypes.c_int32()
-    _library.thin_labels(name, source.ctypes.data, _arrays.label_stride(source),
+    _library.thin_labels(handle, source.ctypes.data, _arrays.label_stride(source),
                          target.ctypes.data, _arrays.label_stride(target),
-                         *image.shape, options, ctypes.byref(iterations))
+                         *image.shape, *options, ctypes.byref(iterations))
     if target is not result:
         result[...] = target
     return (result, iterations.value) if return_iterations else result

@@ -1,8 +1,8 @@
 """Thinning and regions of dask arrays, equal to the result in memory, bit for bit.
 
 A sub-iteration reads neighbours one pixel away, two in "mb2". So the effect of what is outside a
-chunk advances by a known number of pixels per iteration, and a chunk that is thinned with a halo
-deep enough is exact in its interior.
+chunk advances by a known number of pixels per iteration, `Rule.reach`, and a chunk that is thinned
+with a halo deep enough is exact in its interior.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from thinbench import _arrays, _library
-from thinbench._thinning import RULES, options_for
+import thinbench
+from thinbench import Rule, _arrays, _library
+from thinbench._thinning import rule_of
 
 try:
     import dask.array as da
@@ -24,19 +25,14 @@ except ImportError as error:
 
 from thinbench import _dask_regions, _dask_thinning
 
-__all__ = ["REACH", "regions", "thin"]
-
-REACH: dict[str, int] = {
-    name: reach for index, name in enumerate(RULES) if (reach := _library.rule_reach(index))
-}
-"""Rules that `thin` supports: how many pixels the effect of a pixel advances in an iteration."""
+__all__ = ["regions", "thin"]
 
 
-def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
+def thin(array: Any, rule: str | Rule = "guo_hall", *, border: str | None = None,
          max_iterations: int | None = None, depth: int = 64, out: Any = None) -> Any:
     """Thin a binary image that is a dask array.
 
-    Without `max_iterations` this computes: chunks are thinned with halos, in rounds, until no
+    Without a limit this computes: chunks are thinned with halos, in rounds, until no
     chunk changes. One round suffices where every chunk comes to rest before its halo is used up.
     Chunks at rest among chunks at rest are skipped.
 
@@ -45,16 +41,12 @@ def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
     array : dask array of bool or uint8, shape (H, W)
         Nonzero is foreground. Chunks of any size; those smaller than the halo are merged for the
         computation.
-    rule : str
-        A key of `REACH`. The effect of a pixel has no bound in sequential rules ("spta") and in
-        "midpoint_scan".
-    border : {"background", "keep"}
-        As in `thinbench.thin`; "keep" refers to the border of the whole image.
-    max_iterations : int, optional
-        Stop after this many iterations, at least 1. The halo then covers them all, and the result
-        is lazy. Default: until nothing changes.
+    rule, border, max_iterations
+        As in `thinbench.thin`, but the rule has a `reach`, which sequential rules ("spta") and
+        "midpoint_scan" have not. "keep" refers to the border of the whole image. With a limit, of
+        the rule or of the call, halos cover all iterations, and the result is lazy.
     depth : int
-        Width of the halos without `max_iterations`, in pixels. More depth, fewer rounds.
+        Width of the halos without a limit, in pixels. More depth, fewer rounds.
     out : zarr array, or path of a new one, optional
         Receives the result, chunk by chunk, after the last round. Must not be the source. A path
         is local and appears when the array is complete.
@@ -62,7 +54,7 @@ def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
     Returns
     -------
     dask array of the shape, dtype and chunks of `array`
-        True or 255 on skeletons, else 0: lazy with `max_iterations` and where one chunk suffices,
+        True or 255 on skeletons, else 0: lazy with a limit and where one chunk suffices,
         else persisted. With `out`, that array.
 
     Raises
@@ -80,16 +72,20 @@ def thin(array: Any, rule: str = "guo_hall", *, border: str = "background",
     (((9,), (100, 100, 100)), 292)
     """
     _check_image(array)
-    reach = _reach(rule)
-    options_for(border, max_iterations, 1)
-    if _arrays.integer("depth", depth) < reach:
-        raise ValueError(f"depth: expected at least {reach}, the pixels that {rule!r} advances in "
-                         f"an iteration, got {depth}")
+    thinbench.thin(np.empty((0, 0), bool), rule, border=border, max_iterations=max_iterations)
+    used = rule_of(rule)
+    if used.reach == 0:
+        raise ValueError(f"rule: {used.name!r} has no bound for the effect of a pixel, so chunks "
+                         "cannot be exact")
+    if _arrays.integer("depth", depth) < used.reach:
+        raise ValueError(f"depth: expected at least {used.reach}, the pixels that {used.name!r} "
+                         f"advances in an iteration, got {depth}")
     _check_out(out, array)
-    if max_iterations is None:
-        result = _dask_thinning.until_at_rest(array, rule, border, depth, depth // reach)
+    limit = _arrays.limit(max_iterations) or used.max_iterations
+    if limit is None or limit == _library.UNLIMITED:
+        result = _dask_thinning.until_at_rest(array, used, border, depth, depth // used.reach)
     else:
-        result = _dask_thinning.limited(array, rule, border, max_iterations, max_iterations * reach)
+        result = _dask_thinning.limited(array, used, border, limit, limit * used.reach)
     result = result.rechunk(array.chunks)
     return result if out is None else _stored(result, out)
 
@@ -139,15 +135,6 @@ def _check_image(array: Any) -> None:
     if any(np.isnan(size) for sizes in array.chunks for size in sizes):
         raise ValueError(f"array: expected chunks of known size, got {array.chunks}; "
                          "`array.compute_chunk_sizes()` finds them")
-
-
-def _reach(rule: str) -> int:
-    _arrays.one_of("rule", rule, RULES)
-    reach = REACH.get(rule)
-    if reach is None:
-        raise ValueError(f"rule: {rule!r} has no bound for the effect of a pixel, so chunks cannot "
-                         f"be exact; expected one of {', '.join(REACH)}")
-    return reach
 
 
 def _check_out(out: Any, array: Any) -> None:

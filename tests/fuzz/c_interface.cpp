@@ -2,19 +2,20 @@
 // status of an invalid argument, one line about it and an untouched destination; all others give
 // the reference's result. Memory is as large as the arguments say, or the call must be rejected.
 #include <array>
+#include <bit>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "drawn_image.hpp"
+#include "drawn_rule.hpp"
 #include "graph.hpp"
 #include "holes.hpp"
-#include "reference.hpp"
 #include "support/packed_image.hpp"
 #include "thinbench.h"
 #include "thinbench/graph.hpp"
-#include "thinbench/named_rules.hpp"
 
 namespace thinbench {
 namespace {
@@ -119,39 +120,58 @@ class Stack {
   std::uint8_t* pixels_ = nullptr;
 };
 
-struct DrawnOptions {
-  bool given = false;
-  thinbench_options options = THINBENCH_OPTIONS_INIT;
-
-  [[nodiscard]] const thinbench_options* pointer() const { return given ? &options : nullptr; }
-  [[nodiscard]] reference::Repetition repetition() const {
-    return {options.keep_border != 0 ? Border::keep : Border::background,
-            options.max_iterations == 0 ? kUnlimited : options.max_iterations};
-  }
-};
-
 constexpr std::array<const char*, 4> kNonsense = {nullptr, "", "nonsense", "guo_hall\n"};
 
-DrawnOptions draw_options(ByteSource& input, bool of_thinning) {
+/// A struct that begins with its size, or none.
+template <class Struct>
+struct Drawn {
+  bool given = false;
+  Struct value = {};
+
+  [[nodiscard]] const Struct* pointer() const { return given ? &value : nullptr; }
+};
+
+template <class Struct>
+Drawn<Struct> draw_struct(ByteSource& input, const Struct& defaults) {
   constexpr std::array<std::size_t, 6> sizes = {
-      0, 8, sizeof(thinbench_options) - 1, sizeof(thinbench_options) + 1, 4096, SIZE_MAX};
+      0, 8, sizeof(Struct) - 1, sizeof(Struct) + 1, 4096, SIZE_MAX};
+  Drawn<Struct> drawn = {input.once_in(2), defaults};
+  if (drawn.given && input.once_in(32)) drawn.value.size = input.pick(sizes);
+  return drawn;
+}
+
+Drawn<thinbench_thinning> draw_thinning(ByteSource& input) {
   constexpr std::array<std::int32_t, 6> limits = {0, 0, 1, 2, -1, INT32_MIN};
-  constexpr std::array<std::int32_t, 8> threads = {1, 1, 1, 1, 1, 2, 0, 1025};
-  DrawnOptions drawn;
-  drawn.given = input.once_in(2);
+  constexpr std::array<const char*, 5> borders = {nullptr, "background", "keep", "foreground",
+                                                  "white"};
+  auto drawn = draw_struct<thinbench_thinning>(input, THINBENCH_THINNING_INIT);
   if (!drawn.given) return drawn;
-  thinbench_options& options = drawn.options;
-  if (input.once_in(32)) options.size = input.pick(sizes);
-  if (of_thinning || input.once_in(8)) {
-    options.keep_border = static_cast<std::int32_t>(input.number(0, 1));
-    options.max_iterations = input.pick(limits);
+  drawn.value.border = input.pick(borders);
+  drawn.value.max_iterations = input.pick(limits);
+  return drawn;
+}
+
+/// What an accepted struct means.
+Thinning thinning_of(const Drawn<thinbench_thinning>& drawn) {
+  const auto& [size, border, limit] = drawn.value;
+  Thinning thinning;
+  if (!drawn.given) return thinning;
+  if (limit > 0) thinning.max_iterations = limit;
+  if (border == nullptr) return thinning;
+  const auto found = std::find(kBorderNames.begin(), kBorderNames.end(), border);
+  thinning.border = static_cast<Border>(found - kBorderNames.begin());
+  return thinning;
+}
+
+Drawn<thinbench_execution> draw_execution(ByteSource& input) {
+  constexpr std::array<std::int32_t, 8> threads = {1, 1, 1, 1, 1, 2, 0, 1025};
+  auto drawn = draw_struct<thinbench_execution>(input, THINBENCH_EXECUTION_INIT);
+  if (!drawn.given) return drawn;
+  if (input.once_in(8)) drawn.value.threads = input.pick(threads);
+  if (input.once_in(2)) {
+    drawn.value.isa = thinbench_isa_name(static_cast<std::size_t>(input.number(0, 5)));
   }
-  if (input.once_in(8)) options.threads = input.pick(threads);
-  if (input.once_in(2))
-    options.isa = thinbench_isa_name(static_cast<std::size_t>(input.number(0, 5)));
-  if (input.once_in(3)) options.technique = input.pick(kTechniques).name.data();
-  if (input.once_in(32)) options.isa = input.pick(kNonsense);
-  if (input.once_in(32)) options.technique = input.pick(kNonsense);
+  if (input.once_in(32)) drawn.value.isa = input.pick(kNonsense);
   return drawn;
 }
 
@@ -167,6 +187,59 @@ bool is_accepted(thinbench_status status) {
 void check_status(thinbench_status status) {
   static_cast<void>(is_accepted(status));
 }
+
+/// What a call of thinning gets: a rule, which may be NULL, and structs.
+class DrawnCall {
+ public:
+  explicit DrawnCall(ByteSource& input)
+      : thinning(draw_thinning(input)), execution(draw_execution(input)) {
+    if (input.once_in(4)) {
+      make_from_tables(input);
+    } else {
+      make_named(input);
+    }
+  }
+  ~DrawnCall() { thinbench_rule_destroy(rule); }
+  DrawnCall(const DrawnCall&) = delete;
+  DrawnCall& operator=(const DrawnCall&) = delete;
+
+  int by_reference(const ConstImageView& source, const ImageView& destination) const {
+    return apply_reference(*same_, thinning_of(thinning), source, destination);
+  }
+
+  thinbench_rule* rule = nullptr;
+  Drawn<thinbench_thinning> thinning;
+  Drawn<thinbench_execution> execution;
+
+ private:
+  void make_named(ByteSource& input) {
+    const auto names = static_cast<Index>(kRules.size() + named_rules().size());
+    const auto index = static_cast<std::size_t>(input.number(0, names - 1));
+    const bool has_name = !input.once_in(16);
+    const char* const name = has_name ? thinbench_rule_name(index) : input.pick(kNonsense);
+    const bool made = is_accepted(thinbench_rule_named(name, &rule));
+    must(made == has_name && made == (rule != nullptr), "a wrong handle");
+    if (made) same_ = Rule::named(name);
+  }
+
+  /// Tables of named rules: others take long to compile.
+  void make_from_tables(ByteSource& input) {
+    const NamedRule& named = input.pick(named_rules());
+    const auto defaults = draw_thinning(input);
+    std::size_t count = named.sub_iterations.size();
+    if (input.once_in(16)) count = input.once_in(2) ? 0 : 9;
+    const auto* const words = named.sub_iterations.front().words.data();
+    const bool made =
+        is_accepted(thinbench_rule_from_tables(words, count, defaults.pointer(), 0, &rule));
+    must(made == (rule != nullptr), "a handle without a rule");
+    const Thinning given = thinning_of(defaults);
+    if (!made) return;
+    same_ = Rule(named.sub_iterations, {given.border.value_or(Border::background),
+                                        given.max_iterations.value_or(kUnlimited)});
+  }
+
+  std::optional<Rule> same_;
+};
 
 class Caller {
  public:
@@ -193,7 +266,7 @@ class Caller {
       case 6:
         return make_tables();
       case 7:
-        return apply_rule();
+        return ask_rule();
       case 8:
         return find_edges();
       case 9:
@@ -206,7 +279,7 @@ class Caller {
   }
 
   void call_more() {
-    switch (input_.number(0, 4)) {
+    switch (input_.number(0, 5)) {
       case 0:
         return find_distances();
       case 1:
@@ -215,14 +288,11 @@ class Caller {
         return prune_skeleton();
       case 3:
         return simplify();
+      case 4:
+        return make_net();
       default:
         return ask_names();
     }
-  }
-
-  const char* draw_rule() {
-    if (input_.once_in(16)) return input_.pick(kNonsense);
-    return input_.pick(kRules).name.data();
   }
 
   /// Calls `run(source, destination, iterations)` on drawn stacks; compares images of an accepted
@@ -273,19 +343,18 @@ class Caller {
   }
 
   void thin_stack() {
-    const char* const rule = draw_rule();
-    const DrawnOptions options = draw_options(input_, true);
+    const DrawnCall call(input_);
     std::int32_t iterations = -1;
     int most = 0;
     check_stacks(
         true,
         [&](const thinbench_stack* source, const thinbench_output* destination) {
-          return thinbench_thin(rule, source, destination, options.pointer(),
+          return thinbench_thin(call.rule, source, destination, call.thinning.pointer(),
+                                call.execution.pointer(),
                                 input_.once_in(4) ? nullptr : &iterations);
         },
         [&](const ConstImageView& source, const ImageView& destination) {
-          const int used =
-              reference::thinning(*rule_from_name(rule))(options.repetition(), source, destination);
+          const int used = call.by_reference(source, destination);
           most = std::max(most, used);
           must(iterations == -1 || used <= iterations, "too few iterations");
         });
@@ -293,13 +362,13 @@ class Caller {
   }
 
   void use_thinner() {
-    const char* const rule = draw_rule();
-    const DrawnOptions options = draw_options(input_, true);
+    const DrawnCall call(input_);
     auto [width, height] = draw_size(input_);
     if (input_.once_in(16)) width = input_.once_in(2) ? kMost : -1;
     thinbench_thinner* thinner = nullptr;
     const bool made = is_accepted(thinbench_thinner_create(
-        rule, width, height, options.pointer(), input_.once_in(32) ? nullptr : &thinner));
+        call.rule, width, height, call.thinning.pointer(), call.execution.pointer(),
+        input_.once_in(32) ? nullptr : &thinner));
     must(made == (thinner != nullptr), "a handle without a thinner");
     must(made == (thinbench_thinner_technique(thinner) != nullptr), "no technique");
     must(made == (thinbench_thinner_isa(thinner) != nullptr), "no ISA");
@@ -309,14 +378,13 @@ class Caller {
           return thinbench_thinner_run(thinner, source, destination, nullptr);
         },
         [&](const ConstImageView& source, const ImageView& destination) {
-          reference::thinning (*rule_from_name(rule))(options.repetition(), source, destination);
+          call.by_reference(source, destination);
         });
     thinbench_thinner_destroy(thinner);
   }
 
   void thin_many() {
-    const char* const rule = draw_rule();
-    const DrawnOptions options = draw_options(input_, true);
+    const DrawnCall call(input_);
     const Index count = input_.number(0, 6);
     std::vector<Stack> stacks;
     std::vector<thinbench_stack> sources;
@@ -335,22 +403,21 @@ class Caller {
       destinations.push_back(stacks.back().output(255));
     }
     const bool is_null = input_.once_in(32);
-    if (!is_accepted(thinbench_thin_many(rule, is_null ? nullptr : sources.data(),
+    if (!is_accepted(thinbench_thin_many(call.rule, is_null ? nullptr : sources.data(),
                                          destinations.data(), static_cast<std::size_t>(count),
-                                         options.pointer(), nullptr))) {
+                                         call.thinning.pointer(), call.execution.pointer(),
+                                         nullptr))) {
       return;
     }
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (images[i].width() == 0) continue;
-      compare(stacks[2 * i + 1].image(0), images[i], 255, [&](const auto& source, const auto& to) {
-        reference::thinning (*rule_from_name(rule))(options.repetition(), source, to);
-      });
+      compare(stacks[2 * i + 1].image(0), images[i], 255,
+              [&](const auto& source, const auto& to) { call.by_reference(source, to); });
     }
   }
 
   void thin_packed() {
-    const char* const rule = draw_rule();
-    const DrawnOptions options = draw_options(input_, true);
+    const DrawnCall call(input_);
     const DrawnSize size = draw_size(input_);
     const ByteImage image = draw_binary(input_, size);
     const BitOrder order = input_.once_in(2) ? BitOrder::lsb_first : BitOrder::msb_first;
@@ -369,20 +436,19 @@ class Caller {
       value = input_.pick(rejected);
       if (value == kMost && size.height <= 1) return;
     }
-    if (!is_accepted(
-            thinbench_thin_packed(rule, &given, to.data, stride, options.pointer(), nullptr))) {
+    if (!is_accepted(thinbench_thin_packed(call.rule, &given, to.data, stride,
+                                           call.thinning.pointer(), call.execution.pointer(),
+                                           nullptr))) {
       return;
     }
     ByteImage expected(size.width, size.height);
-    reference::thinning (*rule_from_name(rule))(options.repetition(), image.view(),
-                                                expected.view());
+    call.by_reference(image.view(), expected.view());
     const PackedImage packed(expected.view(), order, to.stride - packed_row_bytes(size.width));
     must(packed == destination, "a packed image differs");
   }
 
   void thin_labels() {
-    const char* const rule = draw_rule();
-    const DrawnOptions options = draw_options(input_, true);
+    const DrawnCall call(input_);
     auto [width, height] = draw_size(input_);
     std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height));
     for (std::int32_t& label : labels) label = input_.byte() % 4 == 0 ? 5 : 0;
@@ -399,12 +465,13 @@ class Caller {
       value = input_.pick(rejected);
       if (value == kMost && (size.height <= 1 || size.width == 0)) return;
     }
-    if (!is_accepted(thinbench_thin_labels(rule, labels.data(), source_stride, found.data(), stride,
-                                           height, width, options.pointer(), nullptr))) {
+    if (!is_accepted(thinbench_thin_labels(call.rule, labels.data(), source_stride, found.data(),
+                                           stride, height, width, call.thinning.pointer(),
+                                           call.execution.pointer(), nullptr))) {
       return;
     }
     const ImageView view(mask.data(), size.width, size.height);
-    reference::thinning (*rule_from_name(rule))(options.repetition(), view, view);
+    call.by_reference(view, view);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       must(found[i] == (mask[i] != 0 ? 5 : 0), "labels differ");
     }
@@ -434,13 +501,14 @@ class Caller {
         return is_accepted(status) ? 1 : 0;
       }
       default: {
-        thinbench_named_rule rule{};
-        rule.size = input_.once_in(8) ? static_cast<std::size_t>(input_.byte()) : sizeof(rule);
-        const char* const name =
-            input_.once_in(8) ? input_.pick(kNonsense) : input_.pick(named_rules()).name.data();
-        if (!is_accepted(thinbench_find_named_rule(name, &rule))) return 0;
-        std::memcpy(tables, rule.tables, rule.sub_iterations * sizeof(WindowTable));
-        return rule.sub_iterations;
+        const DrawnCall call(input_);
+        thinbench_rule_info info{};
+        info.size = input_.once_in(8) ? static_cast<std::size_t>(input_.byte()) : sizeof(info);
+        if (!is_accepted(thinbench_rule_describe(call.rule, &info)) || info.size != sizeof(info)) {
+          return 0;
+        }
+        std::copy_n(info.tables, info.sub_iterations * THINBENCH_TABLE_WORDS, tables);
+        return info.sub_iterations;
       }
     }
   }
@@ -452,38 +520,37 @@ class Caller {
     check_status(thinbench_table_from_hensel("B3/S23", nullptr));
   }
 
-  /// Made, asked and destroyed. Only named rules are applied: others take long to compile.
-  void apply_rule() {
-    constexpr std::array<const char*, 5> borders = {"background", "keep", "foreground", nullptr,
-                                                    "white"};
-    constexpr std::array<std::int32_t, 5> limits = {0, 1, 2, 3, -1};
-    const NamedRule& named = input_.pick(named_rules());
-    const auto* const words = named.sub_iterations.front().words.data();
-    const char* const border = input_.pick(borders);
-    const std::int32_t limit = input_.pick(limits);
-    std::size_t count = named.sub_iterations.size();
-    if (input_.once_in(16)) count = input_.once_in(2) ? 0 : 9;
-    thinbench_custom_rule* rule = nullptr;
-    const bool made =
-        is_accepted(thinbench_custom_rule_create(words, count, border, limit, 0, &rule));
-    must(made == (rule != nullptr), "a handle without a rule");
+  void ask_rule() {
+    const DrawnCall call(input_);
     std::int32_t gates = 0;
-    check_status(thinbench_custom_rule_gates(rule, static_cast<std::size_t>(input_.number(0, 9)),
-                                             input_.once_in(16) ? nullptr : &gates));
-    const DrawnOptions options = draw_options(input_, false);
-    check_stacks(
-        true,
-        [&](const thinbench_stack* source, const thinbench_output* destination) {
-          return thinbench_apply(rule, source, destination, options.pointer(), nullptr);
-        },
-        [&](const ConstImageView& source, const ImageView& destination) {
-          const auto found = std::find(kBorderNames.begin(), kBorderNames.end(), border);
-          reference::apply_tables(
-              named.sub_iterations,
-              {static_cast<Border>(found - kBorderNames.begin()), limit == 0 ? kUnlimited : limit},
-              source, destination);
-        });
-    thinbench_custom_rule_destroy(rule);
+    check_status(thinbench_rule_gates(call.rule, static_cast<std::size_t>(input_.number(0, 9)),
+                                      input_.once_in(16) ? nullptr : &gates));
+    thinbench_rule_info info{};
+    info.size = sizeof(info);
+    if (!is_accepted(thinbench_rule_describe(call.rule, &info))) return;
+    must(info.name != nullptr && info.border != nullptr, "a rule without a name or a border");
+    must((info.tables != nullptr) == (info.sub_iterations > 0), "another number of tables");
+  }
+
+  /// Weights of any size; bits that are no numbers are among them.
+  void make_net() {
+    std::array<float, (kHiddenNeurons + 1) * (kNetInputs + 1)> weights{};
+    const bool any_bits = input_.once_in(8);
+    for (float& weight : weights) {
+      weight = any_bits ? std::bit_cast<float>(static_cast<std::uint32_t>(input_.word()))
+                        : static_cast<float>(input_.number(-8, 8));
+    }
+    const std::array<std::int32_t, 2> last = {static_cast<std::int32_t>(input_.number(-1, 255)),
+                                              255};
+    const auto count = static_cast<std::size_t>(input_.number(0, 2));
+    constexpr std::array<const char*, 4> activations = {"sigmoid", "linear", nullptr, "relu"};
+    thinbench_rule* rule = nullptr;
+    const auto status =
+        input_.once_in(2)
+            ? thinbench_rule_from_cluster(last.data(), weights.data(), count, &rule)
+            : thinbench_rule_from_two_layer_net(weights.data(), input_.pick(activations), &rule);
+    must(is_accepted(status) == (rule != nullptr), "a handle without a rule");
+    thinbench_rule_destroy(rule);
   }
 
   void find_edges() {
@@ -491,12 +558,12 @@ class Caller {
         input_.once_in(16) ? input_.pick(kNonsense) : input_.pick(kEdgeOperators).name.data();
     const auto gradient = static_cast<std::int32_t>(input_.number(-1, 256));
     const auto brightness = static_cast<std::int32_t>(input_.number(-1, 256));
-    const DrawnOptions options = draw_options(input_, false);
+    const auto execution = draw_execution(input_);
     check_stacks(
         false,
         [&](const thinbench_stack* source, const thinbench_output* destination) {
           return thinbench_edges(name, source, destination, gradient, brightness,
-                                 options.pointer());
+                                 execution.pointer());
         },
         [&](const ConstImageView& source, const ImageView& destination) {
           reference::edges (*edge_operator_from_name(name))({gradient, brightness}, source,
@@ -505,11 +572,11 @@ class Caller {
   }
 
   void fill() {
-    const DrawnOptions options = draw_options(input_, false);
+    const auto execution = draw_execution(input_);
     check_stacks(
         true,
         [&](const thinbench_stack* source, const thinbench_output* destination) {
-          return thinbench_fill_holes(source, destination, options.pointer());
+          return thinbench_fill_holes(source, destination, execution.pointer());
         },
         [](const ConstImageView& source, const ImageView& destination) {
           reference::fill_holes(source, destination);
@@ -525,7 +592,7 @@ class Caller {
   }
 
   void find_regions() {
-    const DrawnOptions options = draw_options(input_, false);
+    const auto execution = draw_execution(input_);
     Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
     if (!source.is_safe()) return;
     source.draw(input_);
@@ -537,9 +604,9 @@ class Caller {
     std::int64_t euler = 0;
     const auto connectivity = static_cast<std::int32_t>(input_.once_in(16) ? 6 : 8);
     const bool has_euler =
-        is_accepted(thinbench_euler_number(&from, connectivity, options.pointer(), &euler));
+        is_accepted(thinbench_euler_number(&from, connectivity, execution.pointer(), &euler));
     if (is_accepted(thinbench_find_regions(&from, with_labels ? labels.data() : nullptr, from.width,
-                                           options.pointer(), &regions)) &&
+                                           execution.pointer(), &regions)) &&
         source.is_readable()) {
       const reference::Regions expected = reference::holes(source.image(0));
       std::size_t count = 1;
@@ -554,7 +621,7 @@ class Caller {
     thinbench_regions_destroy(regions);
     regions = nullptr;
     check_status(thinbench_localise(&from, static_cast<std::int32_t>(input_.number(-1, 256)), 128,
-                                    options.pointer(), &regions));
+                                    execution.pointer(), &regions));
     thinbench_regions_destroy(regions);
   }
 
@@ -573,7 +640,7 @@ class Caller {
   }
 
   void find_distances() {
-    const DrawnOptions options = draw_options(input_, false);
+    const auto execution = draw_execution(input_);
     Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
     if (!source.is_safe()) return;
     source.draw(input_);
@@ -583,7 +650,7 @@ class Caller {
     std::vector<std::int32_t> expected = found;
     const bool is_null = input_.once_in(32);
     const bool is_accepted_call = is_accepted(thinbench_squared_distances(
-        &from, is_null ? nullptr : found.data(), stride, options.pointer()));
+        &from, is_null ? nullptr : found.data(), stride, execution.pointer()));
     if (is_accepted_call && source.is_readable()) {
       must(!is_null, "NULL was accepted");
       reference::squared_distances(source.image(0),
@@ -613,14 +680,14 @@ class Caller {
   }
 
   void find_graph() {
-    const DrawnOptions options = draw_options(input_, false);
+    const auto execution = draw_execution(input_);
     Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
     if (!source.is_safe()) return;
     source.draw(input_);
     const thinbench_stack from = source.source();
     thinbench_graph* graph = nullptr;
-    const bool is_found = is_accepted(
-        thinbench_skeleton_graph(&from, options.pointer(), input_.once_in(32) ? nullptr : &graph));
+    const bool is_found = is_accepted(thinbench_skeleton_graph(
+        &from, execution.pointer(), input_.once_in(32) ? nullptr : &graph));
     must(is_found == (graph != nullptr), "a handle without a graph");
     if (is_found && source.is_readable()) compare_graph(graph, source.image(0));
     thinbench_graph_destroy(graph);
@@ -652,7 +719,7 @@ class Caller {
 
   /// The distances are those of the skeleton itself.
   void prune_skeleton() {
-    const DrawnOptions options = draw_options(input_, false);
+    const auto execution = draw_execution(input_);
     thinbench_pruning pruning = draw_pruning();
     const bool with_distances = input_.once_in(2);
     std::vector<std::int32_t> distances;
@@ -672,7 +739,7 @@ class Caller {
           if (with_distances) pruning.squared_distances = distances.data();
           pruning.distances_stride = source == nullptr || input_.once_in(16) ? -1 : source->width;
           return thinbench_prune(source, destination, input_.once_in(32) ? nullptr : &pruning,
-                                 options.pointer(), input_.once_in(4) ? nullptr : &graph);
+                                 execution.pointer(), input_.once_in(4) ? nullptr : &graph);
         },
         [&](const ConstImageView& source, const ImageView& destination) {
           Pruning same = {.min_length = pruning.min_length, .min_widths = pruning.min_widths};
@@ -720,17 +787,12 @@ class Caller {
                                                 SIZE_MAX, SIZE_MAX / 2};
     const std::size_t index = input_.pick(indices);
     const char* const name = thinbench_rule_name(index);
-    must((name != nullptr) == (index < kRules.size()), "a wrong end of the rules");
-    must((thinbench_rule_description(index) != nullptr) == (name != nullptr), "no description");
-    must((thinbench_rule_reach(index) >= 0) == (name != nullptr), "no reach");
+    must((name != nullptr) == (index < kRules.size() + named_rules().size()),
+         "a wrong end of the rules");
     static_cast<void>(thinbench_edge_operator_name(index));
-    static_cast<void>(thinbench_named_rule_name(index));
     const char* const isa = thinbench_isa_name(index);
     must(thinbench_isa_available(isa) >= (isa == nullptr ? -1 : 0), "no ISA");
     must(thinbench_isa_available("nonsense") == -1, "an ISA that does not exist");
-    thinbench_variant variant{};
-    variant.size = input_.once_in(8) ? index : sizeof(variant);
-    check_status(thinbench_rule_variant(draw_rule(), index, &variant));
   }
 
   ByteSource& input_;

@@ -1,86 +1,61 @@
 // Sequences of calls: plans for one image and for batches that are made, used, moved and used again
-// after a rejected call; lists of images, labels, regions, edges, packed images and named rules.
+// after a rejected call; lists of images, labels, regions, edges and packed images, with rules of
+// any kind.
 // Every result is the reference's; every rejected call says why in one line and writes nothing.
 #include <array>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "drawn_image.hpp"
+#include "drawn_rule.hpp"
 #include "holes.hpp"
 #include "localise.hpp"
-#include "reference.hpp"
 #include "support/packed_image.hpp"
 #include "thinbench/batch.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
-#include "thinbench/named_rules.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
-/// What a plan was made for. A custom rule brings its own border and limit.
+/// What a plan was made for.
 struct Request {
-  Rule rule = {};
-  const NamedRule* named = nullptr;
+  Rule rule = Rule::guo_hall;
   DrawnSize size = {};
-  Options options = {};
+  Thinning thinning = {};
+  Execution execution = {};
 
   int by_reference(const ConstImageView& source, const ImageView& destination) const {
-    if (named != nullptr) {
-      const auto [border, limit, optimised] = named->options();
-      return reference::apply_tables(named->sub_iterations, {border, limit}, source, destination);
-    }
-    if (rule == Rule::midpoint_scan) {
-      return reference::midpoint_scan(options.directions, options.border, source, destination);
-    }
-    return reference::thinning(rule)({options.border, options.max_iterations}, source, destination);
+    return apply_reference(rule, thinning, source, destination);
   }
 };
 
-/// Compiled when first needed. For all threads of the soak.
-const CustomRule& custom_rule(const NamedRule& rule) {
-  static std::map<std::string_view, CustomRule> rules;
-  static std::mutex mutex;
-  const std::scoped_lock lock(mutex);
-  return rules.try_emplace(rule.name, rule.sub_iterations, rule.options()).first->second;
+/// Mostly valid; now and then something that does not exist or does not apply.
+Thinning draw_thinning(ByteSource& input) {
+  constexpr std::array limits = {kUnlimited, kUnlimited, kUnlimited, 1, 2, 3, 0, -1};
+  Thinning thinning;
+  if (input.once_in(2)) thinning.border = static_cast<Border>(input.number(0, 2));
+  if (input.once_in(64)) thinning.border = static_cast<Border>(3);
+  if (input.once_in(2)) thinning.max_iterations = input.pick(limits);
+  return thinning;
 }
 
-/// Mostly valid; now and then something that does not exist or does not apply.
-Options draw_options(ByteSource& input) {
-  constexpr std::array limits = {kUnlimited, kUnlimited, kUnlimited, 1, 2, 3, 0, -1};
-  Options options;
-  const Index kind = input.number(0, 15);
-  if (kind < 6) return options;
-  options.border = static_cast<Border>(input.number(0, kind == 15 ? 3 : 1));
-  options.max_iterations = input.pick(limits);
-  if (kind > 9) options.isa = static_cast<Isa>(input.number(0, kind == 15 ? 6 : 4));
-  if (kind > 11) options.technique = static_cast<Technique>(input.number(0, kind == 15 ? 16 : 14));
-  if (kind == 14) options.threads = static_cast<int>(input.number(-1, 2));
-  if (kind == 13) options.directions = {static_cast<std::uint8_t>(input.number(0, 16))};
-  return options;
+Execution draw_execution(ByteSource& input) {
+  Execution execution;
+  if (input.once_in(2)) execution.isa = static_cast<Isa>(input.number(0, 4));
+  if (input.once_in(64)) execution.isa = static_cast<Isa>(6);
+  if (input.once_in(16)) execution.threads = static_cast<int>(input.number(-1, 2));
+  return execution;
 }
 
 Request draw_request(ByteSource& input) {
-  Request request;
-  if (input.once_in(4)) request.named = &input.pick(named_rules());
-  const auto last = static_cast<Index>(kRules.size()) - 1;
-  request.rule = static_cast<Rule>(input.number(0, input.once_in(32) ? last + 1 : last));
-  request.size = draw_size(input);
-  request.options = draw_options(input);
-  return request;
-}
-
-/// Makes a plan of either kind for the request.
-template <class Plan>
-Plan make_plan(const Request& request) {
-  const auto [width, height] = request.size;
-  if (request.named == nullptr) return Plan(request.rule, width, height, request.options);
-  return Plan(custom_rule(*request.named), width, height, request.options);
+  const Rule rule = draw_rule(input);
+  const DrawnSize size = draw_size(input);
+  const Thinning thinning = draw_thinning(input);
+  return {rule, size, thinning, draw_execution(input)};
 }
 
 template <class Plan>
@@ -144,7 +119,8 @@ class Calls {
   void make(Slots<Plan>& slots) {
     auto& slot = slots[static_cast<std::size_t>(input_.number(0, 2))];
     const Request request = draw_request(input_);
-    slot.emplace(Made<Plan>{request, make_plan<Plan>(request)});
+    const auto& [rule, size, thinning, execution] = request;
+    slot.emplace(Made<Plan>{request, Plan(rule, size.width, size.height, thinning, execution)});
   }
 
   /// Onto another plan or into an empty slot. What was moved from is not used again.
@@ -197,10 +173,7 @@ class Calls {
   void thin_once() {
     const Request request = draw_request(input_);
     check(request, [&](const ConstImageView& source, const ImageView& destination) {
-      if (request.named == nullptr) {
-        return thin(request.rule, source, destination, request.options);
-      }
-      return apply(custom_rule(*request.named), source, destination, request.options);
+      return thin(request.rule, source, destination, request.thinning, request.execution);
     });
   }
 
@@ -236,8 +209,7 @@ class Calls {
   }
 
   void thin_list() {
-    Request request = draw_request(input_);
-    request.named = nullptr;
+    const Request request = draw_request(input_);
     const Index count = input_.number(0, 8);
     std::vector<ByteImage> expected;
     std::vector<DrawnImage> images;
@@ -251,7 +223,8 @@ class Calls {
       if (!input_.once_in(4)) images.emplace_back(input_, size);
       destinations.push_back(images.back().view());
     }
-    const int found = thin_many(request.rule, sources, destinations, request.options);
+    const int found =
+        thin_many(request.rule, sources, destinations, request.thinning, request.execution);
     int iterations = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const ImageView view = expected[i].view();
@@ -263,8 +236,7 @@ class Calls {
   }
 
   void thin_label_image() {
-    Request request = draw_request(input_);
-    request.named = nullptr;
+    const Request request = draw_request(input_);
     const auto [width, height] = request.size;
     constexpr std::array<std::int32_t, 8> values = {0, 0, 0, 1, 2, 3, 70'000, INT32_MAX};
     const auto pixels = static_cast<std::size_t>(width * height);
@@ -273,8 +245,9 @@ class Calls {
     for (std::int32_t& label : labels) label = input_.is_empty() ? 1 : input_.pick(values);
     if (is_negative && pixels > 0) labels[pixels / 2] = -1;
     std::vector<std::int32_t> found(pixels, -7);
-    const int iterations = thin_labels(request.rule, {labels.data(), width, height},
-                                       {found.data(), width, height}, request.options);
+    const int iterations =
+        thin_labels(request.rule, {labels.data(), width, height}, {found.data(), width, height},
+                    request.thinning, request.execution);
     must(!is_negative || pixels == 0, "a negative label was taken");
     int expected_iterations = 0;
     std::vector<std::int32_t> expected(pixels, 0);
@@ -291,33 +264,23 @@ class Calls {
     must(iterations == expected_iterations, "labels: other iterations");
   }
 
-  /// Options of operations that take no border and no limit.
-  Options draw_plain_options() {
-    Options options = draw_options(input_);
-    if (input_.once_in(8)) return options;
-    options.border = Border::background;
-    options.max_iterations = kUnlimited;
-    options.directions = {};
-    return options;
-  }
-
   void find_all_regions() {
-    const Options options = draw_plain_options();
+    const Execution execution = draw_execution(input_);
     const DrawnSize size = draw_size(input_);
     const ByteImage image = draw_binary(input_, size);
     DrawnImage source(input_, size);
     source.copy_from(image.view());
     const reference::Regions expected = reference::holes(image.view());
     check_labels(source.view(), expected);
-    must(find_components(source.view(), options) == expected.objects, "components differ");
-    const Regions found = find_regions(source.view(), options);
+    must(find_components(source.view(), execution) == expected.objects, "components differ");
+    const Regions found = find_regions(source.view(), execution);
     must(found.objects == expected.objects && found.holes == expected.holes, "regions differ");
-    must(euler_number(source.view(), options) == reference::euler_number(image.view()) &&
-             euler_number_4(source.view(), options) == reference::euler_number_4(image.view()),
+    must(euler_number(source.view(), execution) == reference::euler_number(image.view()) &&
+             euler_number_4(source.view(), execution) == reference::euler_number_4(image.view()),
          "Euler numbers differ");
     ByteImage filled(size.width, size.height);
     reference::fill_holes(image.view(), filled.view());
-    fill_holes(source.view(), source.view(), options);
+    fill_holes(source.view(), source.view(), execution);
     must_be_equal(source.view(), filled.view(), "a filled image");
     source.must_be_intact();
   }
@@ -351,7 +314,7 @@ class Calls {
   }
 
   void find_edges() {
-    const Options options = draw_plain_options();
+    const Execution execution = draw_execution(input_);
     const auto last = static_cast<Index>(kEdgeOperators.size()) - 1;
     const auto op = static_cast<EdgeOperator>(input_.number(0, input_.once_in(32) ? 6 : last));
     const EdgeThresholds thresholds = {static_cast<int>(input_.number(-1, 256)),
@@ -361,8 +324,8 @@ class Calls {
     DrawnImage source(input_, size);
     DrawnImage destination(input_, size);
     source.copy_from(image.view());
-    const Regions found = localise_objects(source.view(), thresholds, options);
-    detect_edges(op, source.view(), destination.view(), thresholds, options);
+    const Regions found = localise_objects(source.view(), thresholds, execution);
+    detect_edges(op, source.view(), destination.view(), thresholds, execution);
     ByteImage expected(size.width, size.height);
     reference::edges(op)(thresholds, image.view(), expected.view());
     must_be_equal(destination.view(), expected.view(), "edges");
@@ -385,11 +348,8 @@ class Calls {
     PackedImage destination(width, height, input_.pick(orders), input_.number(0, 9), filler);
     PackedImage& to = input_.once_in(4) ? source : destination;
     const BitOrder written = to.view().order;
-    const int iterations =
-        request.named == nullptr
-            ? thin(request.rule, std::as_const(source).view(), to.view(), request.options)
-            : apply(custom_rule(*request.named), std::as_const(source).view(), to.view(),
-                    request.options);
+    const int iterations = thin(request.rule, std::as_const(source).view(), to.view(),
+                                request.thinning, request.execution);
     ByteImage expected(width, height);
     must(iterations == request.by_reference(image.view(), expected.view()),
          "a packed image: other iterations");

@@ -1,11 +1,10 @@
-// Custom rules of any tables, compiled, against the reference: every technique on images of any
+// Rules of any tables, compiled, against the reference: every technique on images of any
 // size. Compiling takes longest, so a rule is applied several times.
-#include <map>
 #include <stdexcept>
 
-#include "api/catalogue.hpp"
 #include "drawn_image.hpp"
 #include "reference.hpp"
+#include "techniques/variants.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench {
@@ -36,7 +35,7 @@ WindowTable monotone(const WindowTable& table, bool removes) {
 
 struct DrawnRule {
   std::vector<WindowTable> tables;
-  CustomRuleOptions options;
+  RuleOptions options;
 };
 
 DrawnRule draw_rule(ByteSource& input) {
@@ -52,16 +51,17 @@ DrawnRule draw_rule(ByteSource& input) {
   return rule;
 }
 
-void check(ByteSource& input, const DrawnRule& drawn, const CustomRule& rule) {
-  const auto variants = detail::custom_rule_variants(rule);
+void check(ByteSource& input, const DrawnRule& drawn, const Rule& rule) {
+  const auto parameters = detail::thinning_parameters(rule, {});
+  const auto variants = parameters.complemented ? detail::thinning_variants(*parameters.rule)
+                                                : detail::study::thinning_variants(rule);
   const detail::ThinningVariant& variant =
       variants[static_cast<std::size_t>(input.number(0, std::ssize(variants) - 1))];
   const DrawnSize size = draw_size(input);
   const int threads = variant.threaded && input.once_in(32) ? 2 : 1;
   const ByteImage image = draw_binary(input, size);
   if (!unavailable_reason(variant, size.width).empty()) return;
-  const auto state =
-      detail::make_custom_state(rule, variant, size.width, size.height, {.threads = threads});
+  const auto state = detail::make_state(variant, size.width, size.height, parameters, threads);
   DrawnImage source(input, size);
   DrawnImage destination(input, size);
   source.copy_from(image.view());
@@ -72,7 +72,7 @@ void check(ByteSource& input, const DrawnRule& drawn, const CustomRule& rule) {
   must(iterations ==
            reference::apply_tables(drawn.tables, {border, limit}, image.view(), expected.view()),
        "other iterations");
-  must_be_equal(to, expected.view(), technique_name(variant.technique).data());
+  must_be_equal(to, expected.view(), std::string(variant.technique));
   source.must_be_intact();
   destination.must_be_intact();
 }
@@ -84,7 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace thinbench;
   ByteSource input(data, size);
   const DrawnRule drawn = draw_rule(input);
-  const CustomRule rule(drawn.tables, drawn.options);
+  const Rule rule(drawn.tables, drawn.options);
   for (int i = 0; i < 20 && !input.is_empty(); ++i) check(input, drawn, rule);
   return 0;
 }

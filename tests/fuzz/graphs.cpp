@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -18,13 +19,11 @@
 namespace thinbench {
 namespace {
 
-/// Of techniques that are not for graphs, the call is rejected.
-Options draw_options(ByteSource& input) {
-  Options options;
-  if (input.once_in(2)) options.isa = static_cast<Isa>(input.number(0, 4));
-  if (input.once_in(4)) options.technique = input.pick(kTechniques).technique;
-  if (input.once_in(16)) options.threads = 2;
-  return options;
+Execution draw_execution(ByteSource& input) {
+  Execution execution;
+  if (input.once_in(2)) execution.isa = static_cast<Isa>(input.number(0, 4));
+  if (input.once_in(16)) execution.threads = 2;
+  return execution;
 }
 
 void check_pixels(const Graph& graph, const ConstImageView& image) {
@@ -69,6 +68,12 @@ void check_polyline(const std::vector<Pixel>& points, double tolerance) {
   }
 }
 
+/// Infinite without background.
+double width_at(const ConstLabelView& distances, Pixel p) {
+  const std::int32_t square = distances.row(p.y)[p.x];
+  return square == kNoBackground ? std::numeric_limits<double>::infinity() : 2 * std::sqrt(square);
+}
+
 void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& distances) {
   constexpr std::array<double, 5> tolerances = {0, 0.5, 1, 2.5, 100};
   const double tolerance = input.pick(tolerances);
@@ -78,7 +83,7 @@ void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& di
     const std::vector<Pixel> points = points_of(graph, graph.edges[i]);
     check_polyline(points, tolerance);
     for (const Pixel p : points) {
-      const double width = 2 * std::sqrt(distances.row(p.y)[p.x]);
+      const double width = width_at(distances, p);
       must(widths[i].least <= width && width <= widths[i].greatest, "a width beyond the others");
     }
     must(widths[i].least <= widths[i].mean + 1e-6 && widths[i].mean <= widths[i].greatest + 1e-6,
@@ -88,8 +93,8 @@ void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& di
 
 double limit_at(const Pruning& pruning, Pixel junction) {
   if (pruning.min_widths == 0) return pruning.min_length;
-  const double width = 2 * std::sqrt(pruning.squared_distances.row(junction.y)[junction.x]);
-  return std::max(pruning.min_length, pruning.min_widths * width);
+  return std::max(pruning.min_length,
+                  pruning.min_widths * width_at(pruning.squared_distances, junction));
 }
 
 void must_have_no_short_branch(const Graph& graph, const Pruning& pruning) {
@@ -102,7 +107,7 @@ void must_have_no_short_branch(const Graph& graph, const Pruning& pruning) {
 }
 
 void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelView& distances,
-                   const Options& options) {
+                   const Execution& execution) {
   constexpr std::array<double, 6> lengths = {0, 1, 2, 4.5, 10, 1000};
   constexpr std::array<double, 4> widths = {0, 0, 0.6, 3};
   Pruning pruning = {.min_length = input.pick(lengths), .min_widths = input.pick(widths)};
@@ -112,7 +117,7 @@ void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelVi
   DrawnImage destination(input, {image.width(), image.height()});
   source.copy_from(image.view());
   const ImageView to = input.once_in(4) ? source.view() : destination.view();
-  const Graph graph = prune(source.view(), to, pruning, options);
+  const Graph graph = prune(source.view(), to, pruning, execution);
   source.must_be_intact();
   destination.must_be_intact();
   must(graph == reference::skeleton_graph(to), "not the graph of the pruned image");
@@ -132,9 +137,9 @@ void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelVi
 
 void check_graph(ByteSource& input) {
   const DrawnSize size = draw_size(input);
-  const Options options = draw_options(input);
+  const Execution execution = draw_execution(input);
   const ByteImage image = draw_binary(input, size);
-  const Graph graph = skeleton_graph(image.view(), options);
+  const Graph graph = skeleton_graph(image.view(), execution);
   must(graph == reference::skeleton_graph(image.view()), "another graph");
   must(std::ssize(graph.nodes) - std::ssize(graph.edges) == reference::euler_number(image.view()),
        "another Euler number");
@@ -143,7 +148,7 @@ void check_graph(ByteSource& input) {
   const LabelView distances = {numbers.data(), size.width, size.height};
   squared_distances(image.view(), distances);
   check_edges(input, graph, distances);
-  check_pruning(input, image, distances, options);
+  check_pruning(input, image, distances, execution);
 }
 
 }  // namespace

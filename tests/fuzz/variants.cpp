@@ -16,14 +16,15 @@ void append(std::vector<Operation>& all, std::vector<Operation> more) {
 /// Custom rules have a target of their own.
 std::vector<Operation> make_operations() {
   std::vector<Operation> all;
-  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
-    for (const Border border : {Border::background, Border::keep}) {
+  for (const detail::ThinningOperation& operation : detail::study::thinning_operations()) {
+    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
+      if (border == Border::foreground && operation.key.sub_iterations().empty()) continue;
       for (const int limit : {kUnlimited, 1, 2, 5}) {
         all.push_back(thinning_operation(operation, {border, limit}));
       }
     }
   }
-  for (const detail::EdgeOperation& operation : detail::edge_operations()) {
+  for (const detail::EdgeOperation& operation : detail::study::edge_operations()) {
     for (const EdgeThresholds& thresholds :
          {EdgeThresholds{}, {0, 0}, {255, 255}, {1, 254}, {200, 10}, {40, 0}, {0, 128}}) {
       all.push_back(edges_operation(operation, thresholds));

@@ -4,17 +4,18 @@
 
 #include "byte_source.hpp"
 #include "rules/weights_file.hpp"
+#include "thinbench/rule.hpp"
 #include "training/weights_text.hpp"
 
 namespace thinbench {
 namespace {
 
 void make_net(const TwoLayerWeights& weights) {
-  static_cast<void>(two_layer_net(weights, Activation::linear));
+  static_cast<void>(Rule(weights, Activation::linear));
 }
 
 void make_net(const ClusterWeights& weights) {
-  static_cast<void>(cluster_net(weights));
+  static_cast<void>(Rule(weights));
 }
 
 void read(const std::string& text) {

@@ -90,9 +90,9 @@ def test_c_example_of_the_documentation(prefix, tmp_path):
     assert len(skeleton.splitlines()) == 12
 
 
-def test_custom_rule_examples_of_the_documentation(prefix, tmp_path):
+def test_rule_examples_of_the_documentation(prefix, tmp_path):
     flags, directory = library_flags(prefix)
-    (tmp_path / "example.cpp").write_text(code_block("docs/library.md", "cpp", "CustomRule"))
+    (tmp_path / "example.cpp").write_text(code_block("docs/library.md", "cpp", "Rule life"))
     run("g++", "-std=c++20", *C_FLAGS[1:], "example.cpp", "-o", "example", *flags, cwd=tmp_path)
     assert (run(tmp_path / "example", LD_LIBRARY_PATH=directory)
             == code_block("docs/library.md", "text", "..#.."))

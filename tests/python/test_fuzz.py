@@ -19,7 +19,8 @@ import thinbench
 EXAMPLES = os.environ.get("THINBENCH_FUZZ_EXAMPLES")
 SETTINGS = settings(max_examples=int(EXAMPLES or 150), derandomize=EXAMPLES is None, deadline=None,
                     database=None, suppress_health_check=list(HealthCheck))
-RULES = sorted(thinbench.rules())
+NAMED = [*thinbench.rules(), *thinbench.named_rules()]
+RULES = [*NAMED, thinbench.Rule.from_hensel("B3/S23"), thinbench.Rule.named("net_two_layer_linear")]
 DTYPES = ["?", "u1", "i1", "u2", ">u2", "i4", ">i4", "i8", "f4", "f8", "c8", "O", "S1", "U2", "M8[s]",
           [("a", "u1"), ("b", "?")]]
 ODD = st.one_of(st.none(), st.booleans(), st.text(max_size=5), st.floats(), st.binary(max_size=3),
@@ -73,10 +74,10 @@ def result_or_reason(names: str, call: Callable[..., Any], *positional: Any, **n
 
 
 THINNING = {"rule": arguments(st.sampled_from(RULES), "guo_hall"),
-            "border": arguments(st.sampled_from(["background", "keep"]), "background"),
+            "border": arguments(st.sampled_from(["background", "keep", "foreground"]), None),
             "max_iterations": arguments(st.integers(1, 4), None),
             "threads": arguments(st.integers(1, 3), 1)}
-NAMES = "image|rule|border|max_iterations|threads|out"
+NAMES = f"image|rule|{'|'.join(NAMED)}|custom|border|max_iterations|threads|out"
 
 
 @SETTINGS
@@ -180,17 +181,17 @@ def test_edges_are_those_of_a_plain_copy_or_the_argument_is_named(image, operato
 
 TABLES = st.one_of(arrays(("?", "u1"), 1), st.builds(lambda seed: pixels((512,), "?", seed), st.integers(0, 9)),
                    st.builds(lambda seed: pixels((2, 512), "u1", seed) != 0, st.integers(0, 9)), ODD)
-RULE_NAMES = "tables|a rule|this rule|border|max_iterations"
+RULE_NAMES = "tables|sub_iterations|border|max_iterations"
 
 
 @SETTINGS
 @given(TABLES, arguments(st.sampled_from(["background", "keep", "foreground"]), "background"),
        arguments(st.integers(1, 3), 1), arrays())
-def test_custom_rules_are_applied_alike_to_copies_or_the_argument_is_named(tables, border, limit, image):
-    rule = result_or_reason(RULE_NAMES, thinbench.CustomRule, tables, border=border, max_iterations=limit)
+def test_rules_of_tables_are_applied_alike_to_copies_or_the_argument_is_named(tables, border, limit, image):
+    rule = result_or_reason(RULE_NAMES, thinbench.Rule, tables, border=border, max_iterations=limit)
     if rule is None:
         return
-    result = result_or_reason("image", thinbench.apply, image, rule)
+    result = result_or_reason("image|custom", thinbench.apply, image, rule)
     if result is not None:
         np.testing.assert_array_equal(result, thinbench.apply(np.array(image, order="C"), rule))
 
@@ -198,7 +199,7 @@ def test_custom_rules_are_applied_alike_to_copies_or_the_argument_is_named(table
 @SETTINGS
 @given(st.one_of(st.text("BbSs/0123456789-cekainyqjrtwz ", max_size=12), ODD))
 def test_notations_are_read_or_named(notation):
-    result_or_reason("notation|rule", thinbench.CustomRule.from_hensel, notation,
+    result_or_reason("notation|rule", thinbench.Rule.from_hensel, notation,
                      max_iterations=1)
 
 

@@ -7,7 +7,6 @@ import pytest
 
 import thinbench
 from images import random_image
-from thinbench._thinning import RULES
 
 DTYPES = [np.uint16, np.int32]
 
@@ -32,7 +31,7 @@ def one_after_another(labels: np.ndarray, *arguments, **options) -> tuple[np.nda
     return result, most
 
 
-@pytest.mark.parametrize("rule", RULES)
+@pytest.mark.parametrize("rule", thinbench.rules())
 @pytest.mark.parametrize("border", ["background", "keep"])
 def test_each_label_is_thinned_as_if_alone(rule, border):
     for seed in range(12):

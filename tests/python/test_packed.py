@@ -10,7 +10,6 @@ import pytest
 
 import thinbench
 from images import random_image
-from thinbench._thinning import RULES
 
 
 def test_example_in_docstring_holds():
@@ -18,7 +17,7 @@ def test_example_in_docstring_holds():
     assert result.failed == 0 and result.attempted > 0
 
 
-@pytest.mark.parametrize("rule", RULES)
+@pytest.mark.parametrize("rule", thinbench.rules())
 @pytest.mark.parametrize("bit_order", ["big", "little"])
 def test_packed_equals_bytes(rule, bit_order):
     for seed in range(12):

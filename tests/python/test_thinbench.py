@@ -16,10 +16,9 @@ import pytest
 
 import thinbench
 from images import random_image
-from thinbench._thinning import RULES
 from waiting import longest_wait_during
 
-MODULES = ["thinbench", "thinbench._thinning", "thinbench._custom_rules", "thinbench._images", "thinbench._graph",
+MODULES = ["thinbench", "thinbench._thinning", "thinbench._rules", "thinbench._images", "thinbench._graph",
            "thinbench._catalogue", "thinbench.compat", "thinbench.compat.cv2", "thinbench.compat.skimage"]
 
 
@@ -29,7 +28,7 @@ def test_examples_in_docstrings_hold(name):
     assert result.failed == 0 and result.attempted > 0
 
 
-@pytest.mark.parametrize("rule", RULES)
+@pytest.mark.parametrize("rule", thinbench.rules())
 def test_views_of_any_strides_equal_their_copies_and_are_not_modified(rule):
     base = np.random.RandomState(1).rand(40, 50, 3) < 0.6
     for view in (base[:, :, 1], base[::-1, ::-1, 0], base[:, :, 2].T, base[3:3, :, 0],
@@ -102,6 +101,7 @@ IMAGE = np.ones((4, 4), bool)
     (lambda out: thinbench.thin(IMAGE, "zhang", out=out), ValueError, "'zhang'"),
     (lambda out: thinbench.thin(IMAGE, 3, out=out), TypeError, "3"),
     (lambda out: thinbench.thin(IMAGE, border="wrap", out=out), ValueError, "'wrap'"),
+    (lambda out: thinbench.thin(IMAGE, "spta", border="foreground", out=out), ValueError, "spta"),
     (lambda out: thinbench.thin(IMAGE, max_iterations=0, out=out), ValueError, "got 0"),
     (lambda out: thinbench.thin(IMAGE, max_iterations=-5, out=out), ValueError, "got -5"),
     (lambda out: thinbench.thin(IMAGE, max_iterations=1.5, out=out), TypeError, "1.5"),
@@ -120,7 +120,6 @@ IMAGE = np.ones((4, 4), bool)
     (lambda out: thinbench.euler_number(IMAGE, 6), ValueError, "6"),
     (lambda out: thinbench.localise(np.ones((4, 4), np.uint8), brightness_threshold=-1),
      ValueError, "-1"),
-    (lambda out: thinbench.variants("none"), ValueError, "'none'"),
 ])
 def test_invalid_arguments_are_rejected_in_one_line_and_nothing_is_written(call, error, message):
     out = np.full((4, 4), True)
@@ -236,12 +235,3 @@ def test_calls_leak_no_memory():
 def test_catalogue_names_what_can_run():
     assert "guo_hall" in thinbench.rules()
     assert thinbench.cpu()["baseline"]
-    found = thinbench.variants("zhang_suen")
-    assert {"lut", "simd_bitpacked"} <= {variant.technique for variant in found}
-    for variant in found:
-        if variant.unavailable is None:
-            assert thinbench.cpu()[variant.isa]
-    (chosen,) = [variant for variant in found if variant.chosen]
-    assert chosen.unavailable is None and not chosen.threaded
-    (wide,) = [one for one in thinbench.variants("zhang_suen", (100, 5000)) if one.chosen]
-    assert wide.technique != "simd_bitpacked_row"
