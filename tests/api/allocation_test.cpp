@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
+#include "support/variant_of.hpp"
 #include "thinbench/batch.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -50,25 +50,19 @@ std::atomic<long> allocations = 0;
 namespace thinbench {
 namespace {
 
-TEST(Thinner, allocates_nothing_after_construction) {
+TEST(ThinningState, allocates_nothing_after_construction) {
   const ByteImage image = noise_image(300, 90, 97, 1, 5);
   ByteImage out(300, 90);
-  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
-    for (const detail::ThinningVariant& variant : operation.variants) {
-      for (const Border border : {Border::background, Border::keep}) {
-        if (!unavailable_reason(variant, 300, border).empty()) continue;
-        Thinner thinner(operation.rule, 300, 90,
-                        {.border = border,
-                         .threads = variant.threaded ? 3 : 1,
-                         .isa = variant.isa,
-                         .technique = variant.technique});
-        if (variant.threaded) thinner(image.view(), out.view());  // starts the threads
-        const long before = allocations;
-        thinner(image.view(), out.view());
-        EXPECT_EQ(allocations, before)
-            << operation.name << " by " << technique_name(variant.technique) << " at "
-            << isa_name(variant.isa);
-      }
+  for (const RuleInfo& info : kRules) {
+    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
+      if (border == Border::foreground && Rule(info.rule).sub_iterations().empty()) continue;
+      for_each_state(detail::thinning_parameters(info.rule, {.border = border}), 300, 90, 3,
+                     [&](detail::ThinningState& state, const std::string& name) {
+                       state.run(image.view(), out.view());  // starts the threads
+                       const long before = allocations;
+                       state.run(image.view(), out.view());
+                       EXPECT_EQ(allocations, before) << info.name << " by " << name;
+                     });
     }
   }
 }
@@ -78,7 +72,7 @@ TEST(ThinningBatch, allocates_nothing_after_construction) {
   const StackView stack = {pixels.data(), 50, 28, 28, 28, 28 * 28};
   for (const RuleInfo& info : kRules) {
     for (const int threads : {1, 3}) {
-      ThinningBatch batch(info.rule, 28, 28, {.threads = threads});
+      ThinningBatch batch(info.rule, 28, 28, {}, {.threads = threads});
       batch(stack, stack);  // starts the threads
       const long before = allocations;
       batch(stack, stack);

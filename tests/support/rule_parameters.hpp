@@ -12,20 +12,20 @@
 
 namespace thinbench {
 
-inline std::vector<Rule> all_rules() {
-  std::vector<Rule> rules;
+inline std::vector<BuiltInRule> all_rules() {
+  std::vector<BuiltInRule> rules;
   for (const RuleInfo& info : kRules) rules.push_back(info.rule);
   return rules;
 }
 
-using RuleAndBorder = std::tuple<Rule, Border>;
+using RuleAndBorder = std::tuple<BuiltInRule, Border>;
 
 inline auto all_rules_and_borders() {
   return testing::Combine(testing::ValuesIn(all_rules()),
                           testing::Values(Border::background, Border::keep));
 }
 
-inline std::string rule_test_name(const testing::TestParamInfo<Rule>& tested) {
+inline std::string rule_test_name(const testing::TestParamInfo<BuiltInRule>& tested) {
   return std::string(rule_name(tested.param));
 }
 
