@@ -23,7 +23,7 @@ constexpr std::array kOrders = {BitOrder::msb_first, BitOrder::lsb_first};
 class PackedThin : public testing::TestWithParam<RuleAndBorder> {};
 
 TEST_P(PackedThin, equals_thin_of_bytes_in_both_bit_orders_at_any_width_and_stride) {
-  const auto [rule, border] = GetParam();
+  const auto& [name, rule, border] = GetParam();
   for (const Index width : {1, 7, 8, 63, 64, 65, 133, 515, 1001}) {
     const ByteImage image = noise_image(width, 37, 80, 3, static_cast<std::uint64_t>(width));
     ByteImage expected(width, 37);

@@ -15,7 +15,10 @@
 #include "support/isa_parameters.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rejection.hpp"
+#include "support/rule_parameters.hpp"
 #include "thinbench/edges.hpp"
+#include "thinbench/named_rules.hpp"
+#include "thinning/operations.hpp"
 
 namespace thinbench {
 namespace {
@@ -30,31 +33,69 @@ bool is_untouched(const ConstImageView& view) {
   return is_filled(view, kUntouched);
 }
 
-TEST(Thin, equals_the_reference_by_default_at_any_width) {
-  for (const RuleInfo& info : kRules) {
-    for (const Index width : {1, 64, 510, 512, 513, 1100}) {
-      const ByteImage image = noise_image(width, 20, 95, 1, 2);
-      const Thinned expected = thinned_by_reference(info.rule, image);
-      for (const int threads : {1, 3}) {
-        ByteImage out(width, 20);
-        EXPECT_EQ(thin(info.rule, image.view(), out.view(), {}, {.threads = threads}),
-                  expected.iterations);
-        EXPECT_TRUE(equal(out.view(), expected.image.view())) << info.name << ", " << width;
-      }
+class ThinBy : public testing::TestWithParam<RuleAndBorder> {};
+
+TEST_P(ThinBy, equals_the_reference_by_default_at_any_width) {
+  const auto& [name, rule, border] = GetParam();
+  for (const Index width : {1, 64, 510, 512, 513, 1100, 2000}) {
+    const ByteImage image = noise_image(width, 20, 95, 1, 2);
+    const Thinned expected = thinned_by_reference(rule, image, {border});
+    Thinner thinner(rule, width, 20, {border, kUnlimited});
+    for (const int threads : {1, 3}) {
+      ByteImage out(width, 20);
+      EXPECT_EQ(thin(rule, image.view(), out.view(), {border, kUnlimited}, {.threads = threads}),
+                expected.iterations);
+      EXPECT_TRUE(equal(out.view(), expected.image.view())) << width;
+      EXPECT_EQ(thinner(image.view(), out.view()), expected.iterations);
+      EXPECT_TRUE(equal(out.view(), expected.image.view())) << width;
     }
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Rules, ThinBy, all_rules_and_borders(), rule_and_border_test_name);
+
+TEST(Thin, does_what_a_rule_says_unless_told_otherwise) {
+  const ByteImage image = noise_image(90, 30, 60, 3, 6);
+  for (const NamedRule& named : named_rules()) {
+    const Rule rule = Rule::named(named.name);
+    for (const Thinning& thinning : {Thinning{}, Thinning{Border::foreground, 2}}) {
+      const Border border = thinning.border.value_or(named.border);
+      const Thinned expected = thinned_by_reference(
+          rule, image, {border, thinning.max_iterations.value_or(named.max_iterations)});
+      ByteImage out(90, 30);
+      EXPECT_EQ(thin(rule, image.view(), out.view(), thinning), expected.iterations) << named.name;
+      EXPECT_TRUE(equal(out.view(), expected.image.view())) << named.name;
+    }
+  }
+}
+
+TEST(Thinner, runs_a_net_that_equals_the_rule_as_the_rule) {
+  const Rule rule = Rule::naccache_shinghal;
+  const Rule net(kPaperTwoLayer, Activation::linear);
+  for (const Index width : {600, 2048}) {
+    const ByteImage image = noise_image(width, 70, 90, 2, 3);
+    Thinner by_rule(rule, width, 70);
+    Thinner by_net(net, width, 70);
+    EXPECT_EQ(by_net.technique(), by_rule.technique());
+    EXPECT_EQ(by_net.isa(), by_rule.isa());
+    ByteImage expected(width, 70);
+    ByteImage out(width, 70);
+    EXPECT_EQ(by_rule(image.view(), expected.view()), by_net(image.view(), out.view()));
+    EXPECT_TRUE(equal(out.view(), expected.view())) << width;
+  }
+  EXPECT_EQ(&detail::thinning_variants(*net.body()), &detail::thinning_variants(*rule.body()));
+}
+
 TEST(Thin, large_image_has_the_same_result_on_one_and_on_three_threads) {
   const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
-  for (const BuiltInRule rule : {Rule::guo_hall, Rule::midpoint_scan, Rule::net_two_layer_linear}) {
-    for (const Border border : {Border::background, Border::keep}) {
+  for (const auto& [name, rule, border] : rules_and_borders()) {
+    if (name == "guo_hall" || name == "midpoint_scan" || name == "adding_tables") {
       ByteImage one(1100, 1000);
       ByteImage three(1100, 1000);
       const Thinning thinning = {border, 4};
       EXPECT_EQ(thin(rule, image.view(), one.view(), thinning),
                 thin(rule, image.view(), three.view(), thinning, {.threads = 3}));
-      EXPECT_TRUE(equal(one.view(), three.view())) << rule_name(rule);
+      EXPECT_TRUE(equal(one.view(), three.view())) << name << ", border " << border_name(border);
     }
   }
 }

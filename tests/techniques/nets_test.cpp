@@ -3,6 +3,7 @@
 
 #include "rules/trained_cluster.hpp"
 #include "support/rejection.hpp"
+#include "support/rule_parameters.hpp"
 #include "techniques/given_weights.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -26,13 +27,6 @@ TwoLayerWeights inexact_in_eight_bits() {
 
 TEST(NetModel, eight_bit_weights_are_inexact_for_a_huge_bias) {
   EXPECT_FALSE(linear_model(inexact_in_eight_bits()).fixed_point_is_exact);
-}
-
-/// A net with another table than the rule: Table 1 with one hidden neuron disabled.
-TwoLayerWeights damaged_net() {
-  TwoLayerWeights weights = kPaperTwoLayer;
-  weights.output.weight[0] = 0;
-  return weights;
 }
 
 TEST(Nets, every_variant_follows_weights_that_differ_from_the_rule) {

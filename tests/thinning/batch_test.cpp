@@ -10,9 +10,8 @@
 #include "engines/lanes.hpp"
 #include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
-#include "reference.hpp"
 #include "support/edge_case_images.hpp"
-#include "support/filled_image.hpp"
+#include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
 
 namespace thinbench {
@@ -76,12 +75,12 @@ struct Expected {
   int iterations;
 };
 
-Expected expected_of(BuiltInRule rule, const reference::Repetition& repetition, Stack& source) {
+Expected expected_of(const Rule& rule, const reference::Repetition& repetition, Stack& source) {
   const StackView view = source.view();
   Expected expected = {Stack(view.count, view.width, view.height), 0};
   for (Index i = 0; i < view.count; ++i) {
     const int iterations =
-        reference::thinning(rule)(repetition, view.image(i), expected.images.view().image(i));
+        thin_by_reference(rule, repetition, view.image(i), expected.images.view().image(i));
     expected.iterations = std::max(expected.iterations, iterations);
   }
   return expected;
@@ -95,7 +94,7 @@ Index first_difference(StackView a, StackView b) {
   return -1;
 }
 
-void expect_batch(BuiltInRule rule, Stack& source, const Thinning& thinning,
+void expect_batch(const Rule& rule, Stack& source, const Thinning& thinning,
                   const Execution& execution, Expected& expected) {
   const StackView in = source.view();
   Stack out(in.count, in.width, in.height, 3, 5);
@@ -103,7 +102,7 @@ void expect_batch(BuiltInRule rule, Stack& source, const Thinning& thinning,
   const bool same = iterations == expected.iterations &&
                     first_difference(out.view(), expected.images.view()) == -1 &&
                     out.gaps_are_intact();
-  ASSERT_TRUE(same) << rule_name(rule) << ", " << in.count << " images of " << in.width << " x "
+  ASSERT_TRUE(same) << rule.name() << ", " << in.count << " images of " << in.width << " x "
                     << in.height << " at " << isa_name(execution.isa.value_or(best_isa()))
                     << ", border " << border_name(thinning.border.value_or(Border::background))
                     << ", max_iterations " << thinning.max_iterations.value_or(kUnlimited)
@@ -118,7 +117,7 @@ bool is_parallel(const Rule& rule) {
 }
 
 /// At every ISA if the rule is parallel, else at the default.
-void expect_batch_at_every_isa(BuiltInRule rule, Stack& source,
+void expect_batch_at_every_isa(const Rule& rule, Stack& source,
                                const reference::Repetition& repetition, int threads) {
   Expected expected = expected_of(rule, repetition, source);
   const Thinning thinning = {repetition.border, repetition.max_iterations};
@@ -133,8 +132,8 @@ void expect_batch_at_every_isa(BuiltInRule rule, Stack& source,
 
 class BatchOf : public testing::TestWithParam<RuleAndBorder> {
  protected:
-  [[nodiscard]] static BuiltInRule rule() { return std::get<BuiltInRule>(GetParam()); }
-  [[nodiscard]] static Border border() { return std::get<Border>(GetParam()); }
+  [[nodiscard]] static const Rule& rule() { return GetParam().rule; }
+  [[nodiscard]] static Border border() { return GetParam().border; }
   /// Other rules thin the images one by one, by code that other tests verify.
   [[nodiscard]] static bool has_lanes() { return is_parallel(rule()); }
 };

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compile/rule_body.hpp"
 #include "harness/test_images.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rejection.hpp"
@@ -55,8 +56,8 @@ ByteImage mask_of(LabelImage& image, std::int32_t label) {
 }
 
 /// Thins the labels one after another; returns the maximum number of iterations.
-int thin_by_reference(BuiltInRule rule, LabelImage& image, LabelImage& result,
-                      const reference::Repetition& repetition) {
+int thin_each_by_reference(const Rule& rule, LabelImage& image, LabelImage& result,
+                           const reference::Repetition& repetition) {
   std::set<std::int32_t> labels(image.labels.begin(), image.labels.end());
   labels.erase(kUntouched);
   for (Index y = 0; y < image.height; ++y) std::fill_n(result.view().row(y), image.width, 0);
@@ -75,9 +76,9 @@ int thin_by_reference(BuiltInRule rule, LabelImage& image, LabelImage& result,
 }
 
 /// Compares with the reference, on one thread and on three, into another image and in place.
-void expect_reference(BuiltInRule rule, LabelImage image, const reference::Repetition& repetition) {
+void expect_reference(const Rule& rule, LabelImage image, const reference::Repetition& repetition) {
   LabelImage expected = {image.width, image.height};
-  const int iterations = thin_by_reference(rule, image, expected, repetition);
+  const int iterations = thin_each_by_reference(rule, image, expected, repetition);
   for (const int threads : {1, 3}) {
     const Thinning thinning = {repetition.border, repetition.max_iterations};
     const Execution execution = {.threads = threads};
@@ -90,10 +91,19 @@ void expect_reference(BuiltInRule rule, LabelImage image, const reference::Repet
   }
 }
 
+/// Those that add no pixels, without foreground outside.
+std::vector<RuleAndBorder> rules_for_labels() {
+  std::vector<RuleAndBorder> all = rules_and_borders();
+  std::erase_if(all, [](const RuleAndBorder& one) {
+    return one.border == Border::foreground || one.rule.body()->adds_pixels();
+  });
+  return all;
+}
+
 class ThinLabels : public testing::TestWithParam<RuleAndBorder> {};
 
 TEST_P(ThinLabels, equals_the_reference_on_each_label_alone) {
-  const auto [rule, border] = GetParam();
+  const auto& [name, rule, border] = GetParam();
   for (const Index width : {1, 2, 30, 33, 62, 64, 65, 129, 150}) {
     expect_reference(rule, noise_labels(width, 37, 85, 16, 12), {.border = border});
     expect_reference(rule, noise_labels(width, 9, 95, 140, 9), {.border = border});
@@ -102,7 +112,8 @@ TEST_P(ThinLabels, equals_the_reference_on_each_label_alone) {
   expect_reference(rule, noise_labels(60, 50, 90, 20, 20), {border, 2});
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ThinLabels, all_rules_and_borders(), rule_and_border_test_name);
+INSTANTIATE_TEST_SUITE_P(All, ThinLabels, testing::ValuesIn(rules_for_labels()),
+                         rule_and_border_test_name);
 
 TEST(ThinLabels, keeps_the_image_border_and_no_other) {
   LabelImage image = {20, 12};
@@ -174,6 +185,28 @@ TEST(ThinLabels, rejects_invalid_arguments_and_writes_nothing) {
   image.at(7, 19) = -3;
   EXPECT_EQ(rejected(image.view(), result.view(), {}, {.threads = 2}),
             "labels: expected 0 or more, got -3 in row 19, column 7");
+  EXPECT_TRUE(std::all_of(result.labels.begin(), result.labels.end(),
+                          [](std::int32_t label) { return label == kUntouched; }));
+}
+
+TEST(ThinLabels, rejects_rules_that_add_pixels_and_foreground_outside) {
+  LabelImage image = noise_labels(40, 20, 90, 10, 10);
+  LabelImage result = {40, 20};
+  for (const auto& [name, rule, border] : rules_and_borders()) {
+    if (border != Border::foreground && !rule.body()->adds_pixels()) continue;
+    const Rule& tested = rule;
+    const Thinning thinning = {border};
+    const std::string text =
+        rejection_of([&] { thin_labels(tested, image.view(), result.view(), thinning); });
+    EXPECT_TRUE(is_one_sentence(text)) << name << ": " << text;
+  }
+  const Rule life = Rule::named("life");
+  EXPECT_EQ(rejection_of([&] { thin_labels(life, image.view(), result.view()); }),
+            "life adds pixels, which would belong to no label; apply it to an image");
+  EXPECT_EQ(rejection_of([&] {
+              thin_labels(Rule::guo_hall, image.view(), result.view(), {Border::foreground});
+            }),
+            "guo_hall: labels have no border of foreground");
   EXPECT_TRUE(std::all_of(result.labels.begin(), result.labels.end(),
                           [](std::int32_t label) { return label == kUntouched; }));
 }

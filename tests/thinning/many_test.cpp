@@ -69,7 +69,8 @@ ImageList noise_of_many_sizes() {
 }
 
 /// Thins the images one by one; returns the maximum number of iterations.
-int thin_by_reference(BuiltInRule rule, ImageList& list, const reference::Repetition& repetition) {
+int thin_each_by_reference(const Rule& rule, ImageList& list,
+                           const reference::Repetition& repetition) {
   int iterations = 0;
   for (GappedImage& image : list.images) {
     ByteImage source(image.width, image.height);
@@ -85,10 +86,10 @@ int thin_by_reference(BuiltInRule rule, ImageList& list, const reference::Repeti
   return iterations;
 }
 
-void expect_reference(BuiltInRule rule, const ImageList& images,
+void expect_reference(const Rule& rule, const ImageList& images,
                       const reference::Repetition& repetition) {
   ImageList expected = images;
-  const int iterations = thin_by_reference(rule, expected, repetition);
+  const int iterations = thin_each_by_reference(rule, expected, repetition);
   for (const int threads : {1, 3}) {
     const Thinning thinning = {repetition.border, repetition.max_iterations};
     const Execution execution = {.threads = threads};
@@ -110,12 +111,21 @@ void expect_reference(BuiltInRule rule, const ImageList& images,
 class ThinMany : public testing::TestWithParam<RuleAndBorder> {};
 
 TEST_P(ThinMany, equals_the_reference_on_each_image) {
-  const auto [rule, border] = GetParam();
+  const auto& [name, rule, border] = GetParam();
   expect_reference(rule, noise_of_many_sizes(), {.border = border});
   expect_reference(rule, noise_of_many_sizes(), {border, 2});
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ThinMany, all_rules_and_borders(), rule_and_border_test_name);
+
+/// Their pixels must not spread over what is drawn beside an image.
+TEST(ThinMany, equals_the_reference_by_rules_that_add_and_remove_pixels) {
+  for (const char* name : {"life", "majority", "bridge"}) {
+    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
+      expect_reference(Rule::named(name), noise_of_many_sizes(), {border, 3});
+    }
+  }
+}
 
 TEST(ThinMany, takes_no_iteration_without_images_and_one_for_images_without_pixels) {
   EXPECT_EQ(thin_many(Rule::guo_hall, {}, {}), 0);

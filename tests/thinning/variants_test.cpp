@@ -19,10 +19,11 @@ constexpr std::uint8_t kUnwritten = 77;
 
 /// One result per element of kLimits. To save time, each continues from the one before, which gives
 /// the same; see reference/repetition_test.cpp.
-std::vector<Thinned> expected_by_limit(BuiltInRule rule, Border border, const ByteImage& image) {
+std::vector<Thinned> expected_by_limit(const Rule& rule, Border border, const ByteImage& image) {
   std::vector<Thinned> all;
   all.push_back(thinned_by_reference(rule, image, {border, 1}));
-  bool changed = rule != Rule::midpoint_scan && !equal(all[0].image.view(), image.view());
+  bool changed =
+      rule.body()->kind != RuleKind::midpoints && !equal(all[0].image.view(), image.view());
   while (all.size() < std::size(kLimits)) {
     const Thinned& before = all.back();
     Thinned next = {copy_of(before.image.view()), before.iterations};
@@ -43,7 +44,7 @@ struct NamedState {
 };
 
 /// States of all available variants for images of this size; threaded ones if `with_threads`.
-std::vector<NamedState> states_of(BuiltInRule rule, Index width, Index height,
+std::vector<NamedState> states_of(const Rule& rule, Index width, Index height,
                                   const Thinning& thinning, bool with_threads) {
   const ThinningParameters parameters = thinning_parameters(rule, thinning);
   std::vector<NamedState> states;
@@ -77,8 +78,8 @@ std::string difference(ThinningState& state, const ByteImage& image, const Thinn
 
 class EveryVariant : public testing::TestWithParam<RuleAndBorder> {
  protected:
-  [[nodiscard]] static BuiltInRule rule() { return std::get<BuiltInRule>(GetParam()); }
-  [[nodiscard]] static Border border() { return std::get<Border>(GetParam()); }
+  [[nodiscard]] static const Rule& rule() { return GetParam().rule; }
+  [[nodiscard]] static Border border() { return GetParam().border; }
 
   /// Checks all limits on all images of a size.
   static void expect_all_equal(Index width, Index height, bool with_threads) {
