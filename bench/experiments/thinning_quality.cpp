@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "api/catalogue.hpp"
 #include "harness/image_names.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
@@ -21,22 +20,23 @@ using Json = nlohmann::ordered_json;
 constexpr Index kBlobSide = 256;
 constexpr Index kBlobReach = 4;
 
-std::vector<Rule> measured_rules() {
-  std::vector<Rule> rules;
-  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
-    if (!operation.is_net) rules.push_back(operation.rule);
+/// All rules but nets, of which those that matter have the paper's rule.
+std::vector<BuiltInRule> measured_rules() {
+  std::vector<BuiltInRule> rules;
+  for (const RuleInfo& info : kRules) {
+    if (!info.name.starts_with("net_")) rules.push_back(info.rule);
   }
   return rules;
 }
 
-std::string name_of(Rule rule) {
+std::string name_of(BuiltInRule rule) {
   return std::string(rule_info(rule).operation);
 }
 
 /// The inputs that are always there, and names that the skeleton of another input would have.
 std::regex reserved_names() {
   std::vector<std::string> names;
-  for (const Rule rule : measured_rules()) names.push_back(name_of(rule));
+  for (const BuiltInRule rule : measured_rules()) names.push_back(name_of(rule));
   return std::regex(fmt::format("scene|blobs|.*_({})", fmt::join(names, "|")));
 }
 
@@ -45,7 +45,7 @@ struct Thinned {
   int iterations;
 };
 
-Thinned thinned(Rule rule, const ConstImageView& image) {
+Thinned thinned(BuiltInRule rule, const ConstImageView& image) {
   Thinned result{ByteImage(image.width, image.height), 0};
   result.iterations = thin(rule, image, result.skeleton.view());
   return result;
@@ -58,7 +58,7 @@ ByteImage rotated(const ConstImageView& image, int quarters) {
 }
 
 /// With the skeletons of the image rotated by one, two and three quarters, each rotated back.
-double min_overlap(Rule rule, const ConstImageView& image, const ConstImageView& skeleton) {
+double min_overlap(BuiltInRule rule, const ConstImageView& image, const ConstImageView& skeleton) {
   double least = 1;
   for (int quarters = 1; quarters < 4; ++quarters) {
     const ByteImage other = thinned(rule, rotated(image, quarters).view()).skeleton;
@@ -67,7 +67,8 @@ double min_overlap(Rule rule, const ConstImageView& image, const ConstImageView&
   return least;
 }
 
-Json measure(Rule rule, const QualityInput& input, const Topology& before, const ByteImage& axis) {
+Json measure(BuiltInRule rule, const QualityInput& input, const Topology& before,
+             const ByteImage& axis) {
   const ConstImageView image = input.image.view();
   const Thinned result = thinned(rule, image);
   const ConstImageView skeleton = result.skeleton.view();
@@ -135,7 +136,7 @@ void write_skeletons(const std::string& directory, const std::vector<QualityInpu
   for (const QualityInput& input : inputs) {
     const std::string stem = directory + "/quality_" + input.name;
     write_grey(stem + ".png", input.image.view());
-    for (const Rule rule : measured_rules()) {
+    for (const BuiltInRule rule : measured_rules()) {
       write_grey(stem + "_" + name_of(rule) + ".png",
                  thinned(rule, input.image.view()).skeleton.view());
     }
@@ -148,7 +149,8 @@ ExperimentReport thinning_quality(const std::vector<QualityInput>& inputs,
   for (const QualityInput& input : inputs) {
     const Topology before = topology_of(input.image.view());
     const ByteImage axis = medial_axis_of(input.image.view());
-    for (const Rule rule : measured_rules()) rows.push_back(measure(rule, input, before, axis));
+    for (const BuiltInRule rule : measured_rules())
+      rows.push_back(measure(rule, input, before, axis));
   }
   return report_of(
       "quality",

@@ -70,4 +70,7 @@ struct ThinningCase {
 /// that are left over become background. Variants take the images one by one or as a batch.
 [[nodiscard]] std::vector<Operation> batch_family();
 
+/// Lists of images and labels, by rules of every kind: an input is a grid of images, or of labels.
+[[nodiscard]] std::vector<Operation> collections_family();
+
 }  // namespace thinbench

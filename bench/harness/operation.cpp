@@ -51,7 +51,7 @@ const std::vector<Operation>& all_operations() {
     std::vector<Operation> all;
     for (const auto& family :
          {thinning_family(), edges_family(), regions_family(), localise_family(), distance_family(),
-          graph_family(), batch_family(), custom_family()}) {
+          graph_family(), batch_family(), custom_family(), collections_family()}) {
       all.insert(all.end(), family.begin(), family.end());
     }
     return all;

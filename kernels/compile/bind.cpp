@@ -7,27 +7,22 @@
 namespace thinbench::detail {
 namespace {
 
-/// As many sub-iterations as there are functions.
-template <class Functions>
-std::size_t count_of(const Functions& functions) {
-  return static_cast<std::size_t>(std::find(functions.begin(), functions.end(), nullptr) -
-                                  functions.begin());
-}
-
 BoundRule bind_built_in(BuiltInRule rule, Isa isa, Layout layout) {
   const BuiltInScans& kernels = kernels_of<BuiltInScans>(isa);
-  const auto& scans = layout == Layout::row ? kernels.row : kernels.words;
+  const TilePasses& tiles = kernels_of<BuiltInTilePasses>(isa).by_rule[rule];
   BoundRule bound;
   bound.register_elements = kernels.register_elements;
-  bound.sub_iterations = count_of(kernels.words[rule]);
+  bound.sub_iterations =
+      static_cast<std::size_t>(std::find(tiles.begin(), tiles.end(), nullptr) - tiles.begin());
   if (layout == Layout::tiles) {
-    bound.tile_passes = kernels_of<BuiltInTilePasses>(isa).by_rule[rule];
-  } else if (layout == Layout::words || layout == Layout::row) {
-    std::transform(scans[rule].begin(), scans[rule].end(), bound.scans.begin(),
+    bound.tile_passes = tiles;
+  } else if (layout == Layout::row) {
+    const ScanFunctions& scans = kernels.row[rule];
+    std::transform(scans.begin(), scans.end(), bound.scans.begin(),
                    [](ScanFunction scan) { return BoundScan{scan}; });
-  } else {
-    bound.repeat =
-        kernels.lanes[static_cast<int>(layout) - static_cast<int>(Layout::lanes_32)][rule];
+  } else if (is_in_place(layout)) {
+    const auto first = static_cast<int>(Layout::lanes_32);
+    bound.repeat = kernels.lanes[static_cast<int>(layout) - first][rule];
   }
   return bound;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compile/slots.hpp"
+#include "scan/bound_rule.hpp"
 #include "scan/window.hpp"
 #include "simd/gate.hpp"
 

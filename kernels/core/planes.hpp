@@ -24,6 +24,15 @@ class Plane {
     data_ = make_aligned<T>(static_cast<std::size_t>(storage));
     view_ = {data_.get() + block + kMarginRows * stride, width, height, stride, row_elements};
   }
+  /// Rows of one block each, without margins beside them: for kernels that hold a row in a
+  /// register.
+  [[nodiscard]] static Plane of_block_rows(Index width, Index height) {
+    constexpr Index block = static_cast<Index>(kAlignment / sizeof(T));
+    Plane plane;
+    plane.data_ = make_aligned<T>(static_cast<std::size_t>((height + 2 * kMarginRows) * block));
+    plane.view_ = {plane.data_.get() + kMarginRows * block, width, height, block, block};
+    return plane;
+  }
 
   [[nodiscard]] PlaneView<T> view() { return view_; }
   [[nodiscard]] ConstPlaneView<T> view() const { return view_; }

@@ -1,6 +1,8 @@
 // States that hold the image in a plane. They pack and unpack it by bands of rows.
 #pragma once
 
+#include <utility>
+
 #include "core/packed_rows.hpp"
 #include "core/packing.hpp"
 #include "core/planes.hpp"
@@ -12,8 +14,12 @@ namespace thinbench::detail {
 /// The source and result planes, and the conversions of one ISA.
 template <class T>
 struct Planes {
+  Planes(Isa isa, Plane<T> source_plane, Plane<T> result_plane)
+      : conversion(plane_conversion<T>(isa)),
+        source(std::move(source_plane)),
+        result(std::move(result_plane)) {}
   Planes(Isa isa, Index width, Index height)
-      : conversion(plane_conversion<T>(isa)), source(width, height), result(width, height) {}
+      : Planes(isa, Plane<T>(width, height), Plane<T>(width, height)) {}
   const PlaneConversion<T>& conversion;
   Plane<T> source;
   Plane<T> result;
@@ -103,7 +109,9 @@ void write_planes(const BandTeam& team, const Planes<T>& planes, const PackedVie
 template <class T>
 struct PlaneState : ThinningState {
   explicit PlaneState(const ThinningSetting& setting)
-      : planes(setting.isa, setting.width, setting.height),
+      : PlaneState(setting, {setting.isa, setting.width, setting.height}) {}
+  PlaneState(const ThinningSetting& setting, Planes<T> own_planes)
+      : planes(std::move(own_planes)),
         bands(setting.width, setting.height, setting.threads),
         team(bands.threads()),
         complemented(setting.complemented) {}

@@ -88,49 +88,36 @@ int iterate_rows(const BoundRule& rule, const std::uint64_t* fixed, const Bands&
   return iterations;
 }
 
-/// Image and margin rows, in words.
-std::size_t scratch_words(Index height) {
-  return static_cast<std::size_t>((height + 2 * kMarginRows) * kBlockWords);
+BitPlane rows_of(const ThinningSetting& setting) {
+  return BitPlane::of_block_rows(setting.width, setting.height);
 }
 
 class RowState final : public PlaneState<std::uint64_t> {
  public:
   RowState(BoundRule rule, const ThinningSetting& setting)
-      : PlaneState(setting),
+      : PlaneState(setting, {setting.isa, rows_of(setting), rows_of(setting)}),
         rule_(std::move(rule)),
         border_(setting.border),
         max_iterations_(setting.max_iterations),
-        fixed_(fixed_pixels<std::uint64_t>(setting.width, setting.border, rule_.adds_pixels)),
-        scratch_(make_aligned<std::uint64_t>(scratch_words(setting.height))) {}
+        fixed_(fixed_pixels<std::uint64_t>(setting.width, setting.border, rule_.adds_pixels)) {}
 
   int compute() override {
-    const Index height = source().height;
-    std::uint64_t* const rows = scratch_.get() + kMarginRows * kBlockWords;
-    for (Index y = 0; y < height; ++y) {
-      std::copy_n(source().row(y), kBlockWords, rows + y * kBlockWords);
+    const std::uint64_t* const fixed = fixed_.view().data;
+    const BitPlaneView rows = planes.result.view();
+    std::copy_n(source().data, rows.height * rows.stride, rows.data);
+    if (border_ != Border::keep) {
+      if (rows.height == 0) return 1;
+      return iterate_rows(rule_, fixed, {rows.data, rows.height}, max_iterations_);
     }
-    const int iterations = iterate_scratch(rows, height);
-    for (Index y = 0; y < height; ++y) {
-      std::copy_n(rows + y * kBlockWords, kBlockWords, planes.result.view().row(y));
-    }
-    return iterations;
+    if (rows.height <= 2) return 1;  // all rows are border
+    return iterate_rows(rule_, fixed, {rows.row(1), rows.height - 2}, max_iterations_);
   }
 
  private:
-  int iterate_scratch(std::uint64_t* rows, Index height) const {
-    const std::uint64_t* const fixed = fixed_.view().data;
-    if (border_ != Border::keep) {
-      return height == 0 ? 1 : iterate_rows(rule_, fixed, {rows, height}, max_iterations_);
-    }
-    if (height <= 2) return 1;  // all rows are border
-    return iterate_rows(rule_, fixed, {rows + kBlockWords, height - 2}, max_iterations_);
-  }
-
   BoundRule rule_;
   Border border_;
   int max_iterations_;
   BitPlane fixed_;
-  AlignedArray<std::uint64_t> scratch_;
 };
 
 }  // namespace

@@ -163,6 +163,16 @@ Rows rows_of(Border border, const BitPlaneView& image, Word* scratch) {
   return {scratch + stride + 1, stride, image, words, changing, margin, image.height - margin};
 }
 
+/// Returns the number of iterations, including the last.
+int thin_spta(Border border, int max_iterations, const ConstBitPlaneView& source,
+              const BitPlaneView& target, Word* scratch) {
+  const Rows rows = rows_of(border, target, scratch);
+  for (Index y = 0; y < source.height; ++y) copy(source.row(y), target.row(y), rows.words);
+  int iterations = 1;
+  while (iterate_once(rows) && iterations < max_iterations) ++iterations;
+  return iterations;
+}
+
 class SptaState final : public PlaneState<Word> {
  public:
   explicit SptaState(const ThinningSetting& setting)
@@ -173,12 +183,7 @@ class SptaState final : public PlaneState<Word> {
             static_cast<std::size_t>(scratch_words(setting.width, setting.height)))) {}
 
   int compute() override {
-    const BitPlaneView target = planes.result.view();
-    const Rows rows = rows_of(border_, target, scratch_.get());
-    for (Index y = 0; y < target.height; ++y) copy(source().row(y), target.row(y), rows.words);
-    int iterations = 1;
-    while (iterate_once(rows) && iterations < max_iterations_) ++iterations;
-    return iterations;
+    return thin_spta(border_, max_iterations_, source(), planes.result.view(), scratch_.get());
   }
 
  private:

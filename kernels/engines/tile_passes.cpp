@@ -22,6 +22,7 @@
 #include <algorithm>
 
 #include "core/exported.hpp"
+#include "scan/built_in.hpp"
 #include "scan/window.hpp"
 #include "simd/vector.hpp"
 

@@ -1,7 +1,6 @@
 #include "engines/variants.hpp"
 
 #include "compile/machine_code.hpp"
-#include "engines/words.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -19,15 +18,10 @@ bool has_fixed_pixels(const ThinningParameters& parameters) {
   return parameters.border == Border::keep || parameters.rule->adds_pixels();
 }
 
-std::unique_ptr<ThinningState> make_words(const ThinningSetting& setting) {
-  return std::make_unique<ScanState<std::uint64_t>>(
-      bind(setting.rule, setting.isa, Layout::words, has_fixed_pixels(setting)), setting);
-}
-
 std::vector<ThinningVariant> parallel_variants(bool built_in, bool adds_pixels) {
   ThinningVariants list;
   for (const Isa isa : all_isas()) {
-    list.add_with_threads("simd_bitpacked", isa, &make_words, {kWordsPriority});
+    if (!built_in) list.add_with_threads("simd_bitpacked", isa, &make_words, {kWordsPriority});
     if (built_in || (!adds_pixels && MachineCode::is_available(isa))) {
       list.add_with_threads("simd_bitpacked_tiles", isa, &make_tiles_or_words, {kTilesPriority});
     }

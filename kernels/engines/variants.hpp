@@ -19,6 +19,9 @@ namespace thinbench::detail {
 
 /// States of engines.
 [[nodiscard]] std::unique_ptr<ThinningState> make_words(const ThinningSetting& setting);
+/// By a rule that is bound to Layout::words.
+[[nodiscard]] std::unique_ptr<ThinningState> make_words(BoundRule rule,
+                                                        const ThinningSetting& setting);
 [[nodiscard]] std::unique_ptr<ThinningState> make_rows(const ThinningSetting& setting);
 /// nullptr if the rule has no passes on tiles.
 [[nodiscard]] std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting);

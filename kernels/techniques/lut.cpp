@@ -146,8 +146,8 @@ std::uint64_t table_lut_sliding(const TableRule* rule, const std::uint8_t* fixed
 
 }  // namespace
 
-constinit const PassesByRule LutPasses::kLut = passes_by_rule<Lut>();
-constinit const PassesByRule LutPasses::kLutSliding = passes_by_rule<LutSliding>();
+constinit const PassesByRule<std::uint8_t> LutPasses::kLut = passes_by_rule<Lut>();
+constinit const PassesByRule<std::uint8_t> LutPasses::kLutSliding = passes_by_rule<LutSliding>();
 constinit const BytePass LutPasses::kTableLut = &table_lut;
 constinit const BytePass LutPasses::kTableLutSliding = &table_lut_sliding;
 

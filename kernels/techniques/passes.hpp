@@ -84,24 +84,35 @@ consteval ByRule<SubIterations<Function>> sub_iterations_by_rule() {
 }
 
 using BytePass = Pass<std::uint8_t>;
-using PassesByRule = ByRule<SubIterations<BytePass>>;
+template <class T>
+using PassesByRule = ByRule<SubIterations<Pass<T>>>;
 
 template <class Engine>
-consteval PassesByRule passes_by_rule() {
-  return sub_iterations_by_rule<BytePass, Engine>();
+consteval PassesByRule<typename Engine::Element> passes_by_rule() {
+  return sub_iterations_by_rule<Pass<typename Engine::Element>, Engine>();
 }
 
 /// Compiled once, for the baseline. The last two require a TableRule.
 struct LutPasses {
-  static const PassesByRule kLut;
-  static const PassesByRule kLutSliding;
+  static const PassesByRule<std::uint8_t> kLut;
+  static const PassesByRule<std::uint8_t> kLutSliding;
   static const BytePass kTableLut;
   static const BytePass kTableLutSliding;
 };
 
 /// Compiled for every ISA.
 struct AutovecPasses {
-  PassesByRule bytes;
+  PassesByRule<std::uint8_t> bytes;
 };
+struct SimdPasses {
+  PassesByRule<std::uint8_t> bytes;
+  PassesByRule<std::uint64_t> words;
+};
+
+/// Built-in rules on words of 64 pixels in general registers. Compiled once, for the baseline.
+extern const PassesByRule<std::uint64_t> kScalarPasses;
+
+/// The interpreter on such words. Executes SlotNetworks that are not ternary, on Layout::words.
+extern const ScanFunction kScalarInterpreter;
 
 }  // namespace thinbench::detail

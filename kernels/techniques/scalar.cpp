@@ -3,15 +3,13 @@
 //
 // Cost per word: 3 loads, 1 store, 6 shifts and ORs for neighbours, the rule in two-input
 // operations (14 for Naccache-Shinghal) and its inversions.
-#include "techniques/scalar.hpp"
-
 #include "compile/interpreter.hpp"
-#include "scan/window.hpp"
+#include "techniques/word_pass.hpp"
 
 namespace thinbench::detail {
 
-constinit const ByRule<ScanFunctions> kScalarScans =
-    scan_functions_by_rule<PlaneRows<std::uint64_t>>();
+constinit const PassesByRule<std::uint64_t> kScalarPasses =
+    passes_by_rule<WordPass<std::uint64_t>>();
 
 constinit const ScanFunction kScalarInterpreter = &interpret<PlaneRows<std::uint64_t>>;
 

@@ -2,14 +2,11 @@
 
 #include "core/exported.hpp"
 #include "engines/variants.hpp"
-#include "engines/words.hpp"
 #include "midpoints/border.hpp"
 #include "midpoints/variants.hpp"
-#include "scan/built_in.hpp"
 #include "techniques/midpoints.hpp"
 #include "techniques/net_kernels.hpp"
 #include "techniques/pass_state.hpp"
-#include "techniques/scalar.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -17,10 +14,21 @@ namespace {
 using State = std::unique_ptr<ThinningState>;
 
 /// Priorities within an ISA, below those of the product.
-enum Priority : int { kLut, kLutSliding, kAutovec, kFloatBits, kFixedPoint, kBitpacked, kBytes };
+enum Priority : int {
+  kLut,
+  kLutSliding,
+  kAutovec,
+  kFloatBits,
+  kFixedPoint,
+  kBitpacked,
+  kBytes,
+  kSimdWords,
+};
 
-State make_passes(const PassesByRule& passes, const ThinningSetting& setting) {
-  return std::make_unique<PassState>(passes[setting.rule->circuits.value()].functions(), setting);
+template <class T>
+State make_passes(const PassesByRule<T>& passes, const ThinningSetting& setting) {
+  return std::make_unique<PassState<T>>(passes[setting.rule->circuits.value()].functions(),
+                                        setting);
 }
 
 State make_lut(const ThinningSetting& setting) {
@@ -32,31 +40,19 @@ State make_lut_sliding(const ThinningSetting& setting) {
 State make_autovec(const ThinningSetting& setting) {
   return make_passes(kernels_of<AutovecPasses>(setting.isa).bytes, setting);
 }
-
-/// A built-in rule by scan functions of one kind of word.
-BoundRule bound(const ByRule<ScanFunctions>& functions, Index register_elements,
-                const SharedRule& rule) {
-  BoundRule bound;
-  bound.register_elements = register_elements;
-  for (const ScanFunction scan : functions[rule->circuits.value()]) {
-    if (scan != nullptr) bound.scans[bound.sub_iterations++] = {scan};
-  }
-  return bound;
-}
-
 State make_bytes(const ThinningSetting& setting) {
-  const ByteScans& scans = kernels_of<ByteScans>(setting.isa);
-  return std::make_unique<ScanState<std::uint8_t>>(
-      bound(scans.functions, scans.register_elements, setting.rule), setting);
+  return make_passes(kernels_of<SimdPasses>(setting.isa).bytes, setting);
+}
+State make_simd_words(const ThinningSetting& setting) {
+  return make_passes(kernels_of<SimdPasses>(setting.isa).words, setting);
 }
 
 /// Words of 64 pixels in general registers: circuits, or for tables the interpreter.
 State make_bitpacked(const ThinningSetting& setting) {
-  BoundRule rule = setting.rule->circuits
-                       ? bound(kScalarScans, 1, setting.rule)
-                       : setting.rule->compiled->bind_interpreter(kScalarInterpreter, false, 1);
+  if (setting.rule->circuits) return make_passes(kScalarPasses, setting);
+  BoundRule rule = setting.rule->compiled->bind_interpreter(kScalarInterpreter, false, 1);
   rule.owner = setting.rule;
-  return std::make_unique<ScanState<std::uint64_t>>(std::move(rule), setting);
+  return make_words(std::move(rule), setting);
 }
 
 // Nets. Their table is enough for the techniques of look-up tables; the others do the arithmetic.
@@ -70,7 +66,8 @@ std::shared_ptr<const NetModel> model_of(const RuleBody& rule) {
 }
 
 State make_net_pass(const BytePass& pass, const ThinningSetting& setting) {
-  return std::make_unique<PassState>(std::span(&pass, 1), setting, model_of(*setting.rule));
+  return std::make_unique<PassState<std::uint8_t>>(std::span(&pass, 1), setting,
+                                                   model_of(*setting.rule));
 }
 
 State make_net_lut(const ThinningSetting& setting) {
@@ -120,6 +117,9 @@ void add_nets(const RuleBody& rule, ThinningVariants& list) {
     }
     list.add_with_threads("simd_float_bits", isa, &make_float_bits, {kFloatBits});
     if (is_linear(rule)) list.add("simd_fixed_point", isa, &make_fixed_point, {kFixedPoint});
+    if (rule.circuits) {
+      list.add_with_threads("simd_bitpacked", isa, &make_simd_words, {kSimdWords});
+    }
   }
 }
 
@@ -132,6 +132,7 @@ void add_built_in(BuiltInRule rule, ThinningVariants& list) {
   for (const Isa isa : all_isas()) {
     list.add("autovec", isa, &make_autovec, {kAutovec});
     list.add("simd_bytes", isa, &make_bytes, {kBytes});
+    list.add_with_threads("simd_bitpacked", isa, &make_simd_words, {kSimdWords});
   }
 }
 

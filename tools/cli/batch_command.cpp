@@ -228,13 +228,13 @@ Command add_batch_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("batch", "Do one operation on many image files");
   const auto options = std::make_shared<BatchOptions>();
   BatchOperationRequest& operation = options->operation;
-  app->add_option("OPERATION", operation.thinning.operation,
+  app->add_option("OPERATION", operation.thinning.rule,
                   "A thinning operation, holes, edges or edges_sobel and so on")
       ->required()
       ->type_name("");
   add_input_options(*app, *options);
   add_output_options(*app, *options);
-  add_isa_option(*app, operation.thinning.how.isa);
+  add_isa_option(*app, operation.thinning.execution.isa);
   options->settings.threads = std::min(tbb::info::default_concurrency(), kMaxThreads);
   add_threads_option(*app, options->settings.threads);
   add_thinning_options(*app, operation.thinning);

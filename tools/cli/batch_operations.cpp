@@ -1,6 +1,5 @@
 #include "cli/batch_operations.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -9,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/names.hpp"
 #include "cli/regions_json.hpp"
 #include "cli/usage.hpp"
 #include "images/regions.hpp"
@@ -23,9 +21,9 @@ constexpr const char* kHoles = "holes";
 constexpr const char* kEdges = "edges";
 
 /// What the record of every operation says of the input; returns its regions.
-Regions describe(const BinaryImage& binary, const BinariseOptions& options, const Options& how,
-                 BatchRecord& record) {
-  Regions found = find_regions(binary.image.view(), how);
+Regions describe(const BinaryImage& binary, const BinariseOptions& options,
+                 const Execution& execution, BatchRecord& record) {
+  Regions found = find_regions(binary.image.view(), execution);
   std::int64_t pixels = 0;
   for (const Region& object : found.objects) pixels += object.area;
   record.foreground = std::string(foreground_name(binary.foreground));
@@ -42,15 +40,16 @@ Regions describe(const BinaryImage& binary, const BinariseOptions& options, cons
 /// Thins images one after another. Memory is kept as long as their size is the same.
 class ThinningCompute {
  public:
-  ThinningCompute(Rule rule, Options how, BinariseOptions binarise)
-      : rule_(rule), how_(std::move(how)), binarise_(binarise) {}
+  ThinningCompute(RequestedThinning thinning, BinariseOptions binarise)
+      : thinning_(std::move(thinning)), binarise_(binarise) {}
 
   BatchResult operator()(ByteImage grey, BatchRecord& record) {
     BinaryImage binary = binarise(std::move(grey), binarise_);
     describe(binary, binarise_, {}, record);
     const ImageView image = binary.image.view();
     if (!thinner_ || image.width != width_ || image.height != height_) {
-      thinner_ = std::make_shared<Thinner>(rule_, image.width, image.height, how_);
+      thinner_ = std::make_shared<Thinner>(thinning_.rule, image.width, image.height,
+                                           thinning_.thinning, thinning_.execution);
       width_ = image.width;
       height_ = image.height;
     }
@@ -60,8 +59,7 @@ class ThinningCompute {
   }
 
  private:
-  Rule rule_;
-  Options how_;
+  RequestedThinning thinning_;
   BinariseOptions binarise_;
   std::shared_ptr<Thinner> thinner_;
   Index width_ = 0;
@@ -69,11 +67,9 @@ class ThinningCompute {
 };
 
 BatchOperation thinning_operation(const BatchOperationRequest& request) {
-  const Rule rule = rule_named(request.thinning.operation);
-  const Options how = options_for(rule, request.thinning);
-  return {
-      std::string(rule_info(rule).operation) + thinning_words(request.thinning),
-      [rule, how, binarise = request.binarise] { return ThinningCompute(rule, how, binarise); }};
+  const RequestedThinning thinning = requested_thinning(request.thinning);
+  return {thinning.name + thinning_words(request.thinning),
+          [thinning, binarise = request.binarise] { return ThinningCompute(thinning, binarise); }};
 }
 
 BatchResult compute_edges(ByteImage grey, BatchRecord& record, const BatchOperationRequest& request,
@@ -82,13 +78,13 @@ BatchResult compute_edges(ByteImage grey, BatchRecord& record, const BatchOperat
   describe(binary, request.binarise, {}, record);
   const EdgeThresholds thresholds = prepare_for_edges(grey, binary, request.edges);
   ByteImage edges(grey.width(), grey.height());
-  detect_edges(op, grey.view(), edges.view(), thresholds, request.thinning.how);
+  detect_edges(op, grey.view(), edges.view(), thresholds, request.thinning.execution);
   record.foreground_after = foreground_pixels(edges.view());
   return {std::move(edges), {}};
 }
 
 BatchOperation edges_operation(const BatchOperationRequest& request) {
-  const std::string& name = request.thinning.operation;
+  const std::string& name = request.thinning.rule;
   const EdgeOperator op =
       name == kEdges ? EdgeOperator::sobel : edge_operator_from_name(name).value();
   const auto compute = [request, op](ByteImage grey, BatchRecord& record) {
@@ -102,7 +98,7 @@ BatchResult compute_holes(ByteImage grey, BatchRecord& record,
                           const BatchOperationRequest& request) {
   const BinaryImage binary = binarise(std::move(grey), request.binarise);
   const std::int64_t min_area = request.min_area.value_or(1);
-  const Regions all = describe(binary, request.binarise, request.thinning.how, record);
+  const Regions all = describe(binary, request.binarise, request.thinning.execution, record);
   const Regions found = selected(all, kept_regions(all, min_area));
   record.components = static_cast<std::int64_t>(found.objects.size());
   record.holes = static_cast<std::int64_t>(found.holes.size());
@@ -119,7 +115,7 @@ BatchOperation holes_operation(const BatchOperationRequest& request) {
 }
 
 bool makes_edges(const BatchOperationRequest& request) {
-  const std::string& name = request.thinning.operation;
+  const std::string& name = request.thinning.rule;
   return name == kEdges || (name.rfind("edges_", 0) == 0 && edge_operator_from_name(name));
 }
 
@@ -131,28 +127,16 @@ BatchOperation operation_of(const BatchOperationRequest& request) {
 
 void check_applies(bool applies, const std::string& words, const BatchOperationRequest& request) {
   if (applies || words.empty()) return;
-  throw UsageError(request.thinning.operation + " has no option" +
-                   words.substr(0, words.find(' ', 1)));
-}
-
-void check_name(const std::string& name) {
-  std::vector<std::string_view> known = {kHoles, kEdges};
-  for (const RuleInfo& info : kRules) known.push_back(info.operation);
-  for (const EdgeOperatorInfo& info : kEdgeOperators) known.push_back(info.operation);
-  if (rule_from_name(name)) return;
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    reject_name("operation", name, known);
-  }
+  throw UsageError(request.thinning.rule + " has no option" + words.substr(0, words.find(' ', 1)));
 }
 
 }  // namespace
 
 bool makes_regions(const BatchOperationRequest& request) {
-  return request.thinning.operation == kHoles;
+  return request.thinning.rule == kHoles;
 }
 
 BatchOperation batch_operation(const BatchOperationRequest& request) {
-  check_name(request.thinning.operation);
   const bool edges = makes_edges(request);
   const bool regions = makes_regions(request);
   check_applies(edges, edge_words(request.edges), request);

@@ -20,7 +20,7 @@ struct EdgesOptions {
   std::string in;
   std::string out;
   std::string op = "sobel";
-  Options how;
+  Execution execution;
   EdgeRequest edges;
   BinariseOptions binarise;
 };
@@ -42,7 +42,7 @@ int run(const EdgesOptions& options, const Console& console) {
   binary.image = {};  // its memory is for the edges
   ByteImage edges(grey.width(), grey.height());
   const double milliseconds = milliseconds_of(
-      [&] { detect_edges(op, grey.view(), edges.view(), thresholds, options.how); });
+      [&] { detect_edges(op, grey.view(), edges.view(), thresholds, options.execution); });
   write_grey(options.out, edges.view());
   console.err << remarks.str();
   console.out << fmt::format("{}: {} x {}, {} edge pixels, {:.3f} ms\n",
@@ -66,8 +66,8 @@ Command add_edges_command(CLI::App& program) {
       ->capture_default_str();
   add_edge_thresholds(*app, options->edges);
   add_binarise_options(*app, options->binarise);
-  add_isa_option(*app, options->how.isa);
-  add_threads_option(*app, options->how.threads);
+  add_isa_option(*app, options->execution.isa);
+  add_threads_option(*app, options->execution.threads);
   app->footer(R"(Examples:
   thinbench edges parts.png edges.png
   thinbench edges night.jpg edges.png --operator mero_vassy_5x5 --foreground bright

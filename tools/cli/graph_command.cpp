@@ -16,6 +16,7 @@
 #include "cli/graph_formats.hpp"
 #include "cli/names.hpp"
 #include "cli/thinbench.hpp"
+#include "cli/thinning_request.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
 #include "support/text.hpp"
@@ -101,10 +102,17 @@ void check_transform(const AffineTransform& transform, const GraphCommandOptions
   }
 }
 
+RequestedThinning skeleton_rule(const GraphCommandOptions& options) {
+  ThinningRequest request;
+  request.rule = options.thinning;
+  return requested_thinning(request);
+}
+
 ByteImage skeleton_of(const ByteImage& image, const GraphCommandOptions& options) {
   ByteImage skeleton = copy_of(image.view());
   if (options.thinning != kNoThinning) {
-    thin(rule_named(options.thinning), image.view(), skeleton.view(), {.threads = options.threads});
+    thin(skeleton_rule(options).rule, image.view(), skeleton.view(), {},
+         {.threads = options.threads});
   }
   return skeleton;
 }
@@ -159,7 +167,7 @@ FoundGraph graph_of(const ByteImage& image, ByteImage& skeleton,
 int run(const GraphCommandOptions& options, const Console& console) {
   const AffineTransform transform = transform_of(options.transform);
   check_names(options);
-  if (options.thinning != kNoThinning) static_cast<void>(rule_named(options.thinning));
+  if (options.thinning != kNoThinning) static_cast<void>(skeleton_rule(options));
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const std::string png = options.overlay.empty() ? "" : png_of(grey.view());

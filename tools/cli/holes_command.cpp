@@ -22,7 +22,7 @@ namespace {
 struct HolesCommandOptions {
   std::string in;
   std::string overlay;
-  Options how;
+  Execution execution;
   std::int64_t min_area = 1;
   BinariseOptions binarise;
   bool json = false;
@@ -59,7 +59,7 @@ int run(const HolesCommandOptions& options, const Console& console) {
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const ByteImage shown = draws ? copy_of(grey.view()) : ByteImage();
   const BinaryImage binary = binarise(std::move(grey), options.binarise);
-  const Regions all = find_regions(binary.image.view(), options.how);
+  const Regions all = find_regions(binary.image.view(), options.execution);
   if (draws) {
     write_overlay(options.overlay, shown.view(), binary.image.view(), all, options.min_area);
   }
@@ -85,8 +85,8 @@ Command add_holes_command(CLI::App& program) {
                   "Image to write, with all that was found drawn on it")
       ->check(not_empty())
       ->type_name("OUT");
-  add_isa_option(*app, options->how.isa);
-  add_threads_option(*app, options->how.threads);
+  add_isa_option(*app, options->execution.isa);
+  add_threads_option(*app, options->execution.threads);
   add_binarise_options(*app, options->binarise);
   app->add_option("--min-area", options->min_area,
                   "Omit objects and holes of fewer than N pixels, 1 to 2^31")

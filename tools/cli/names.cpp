@@ -68,18 +68,13 @@ std::string enumeration(const std::vector<std::string_view>& words, const char* 
   return text;
 }
 
-Rule rule_named(std::string_view name) {
-  if (const auto rule = rule_from_name(name)) return *rule;
-  const auto name_of = [](const RuleInfo& info) { return info.operation; };
-  return named("operation", name, kRules, name_of).rule;
-}
-
 Isa isa_named(std::string_view name) {
   return named("instruction set", name, all_isas(), isa_name);
 }
 
 Border border_named(std::string_view name) {
-  return named("border", name, std::array{Border::background, Border::keep}, border_name);
+  return named("border", name, std::array{Border::background, Border::keep, Border::foreground},
+               border_name);
 }
 
 Direction direction_named(std::string_view name) {

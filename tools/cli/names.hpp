@@ -37,8 +37,6 @@ template <class Values, class NameOf>
 }
 
 /// Each throws UsageError for an unknown name.
-/// `name` is that of a rule or of its operation.
-[[nodiscard]] Rule rule_named(std::string_view name);
 [[nodiscard]] Isa isa_named(std::string_view name);
 [[nodiscard]] Border border_named(std::string_view name);
 [[nodiscard]] Direction direction_named(std::string_view name);

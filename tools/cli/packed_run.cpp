@@ -80,37 +80,27 @@ std::function<void(int, Index)> progress_on(const Console& console, Index tiles)
   };
 }
 
-void reject_for_out_of_core(const Options& how) {
-  if (how.net) throw UsageError("--weights does not apply to --out-of-core");
-  if (how.directions != Directions{}) {
-    throw UsageError("--directions does not apply to --out-of-core");
-  }
-}
-
 }  // namespace
 
 Index memory_of(const PackedOptions& options) {
   return bytes_of(options.memory.empty() ? kDefaultMemory : options.memory);
 }
 
-int thin_out_of_core(const PackedOptions& options, Rule rule, const PackedFiles& files,
-                     const Options& how, const Console& console) {
-  reject_for_out_of_core(how);
+int thin_out_of_core(const PackedOptions& options, const RequestedThinning& thinning,
+                     const PackedFiles& files, const Console& console) {
   // By default glibc keeps up to 64 MiB of what was freed.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   const PackedFormat& format = files.format;
-  const Index reach = std::max(1, rule_info(rule).reach);  // checked by the run
+  const Index reach = std::max(1, thinning.rule.reach());  // checked by the run
   const Tiling tiling = tiling_for(format.width, format.height, reach,
-                                   block_bytes_for(memory_of(options), how.threads));
-  const OutOfCoreRun run{rule,
+                                   block_bytes_for(memory_of(options), thinning.execution.threads));
+  const OutOfCoreRun run{thinning.rule,
                          files.in,
                          files.out,
                          format,
                          tiling,
-                         how.border,
-                         how.max_iterations,
-                         how.threads,
-                         how.isa,
+                         thinning.thinning,
+                         thinning.execution,
                          options.resume,
                          progress_on(console, tiling.count()),
                          files.conversion};
@@ -123,7 +113,7 @@ int thin_out_of_core(const PackedOptions& options, Rule rule, const PackedFiles&
                               result.foreground_before,
                               result.foreground_after,
                               milliseconds};
-  console.out << fmt::format("{}/out-of-core/{}: {}\n", rule_info(rule).operation, how.threads,
+  console.out << fmt::format("{}/out-of-core/{}: {}\n", thinning.name, thinning.execution.threads,
                              text_of(summary))
               << fmt::format("{} tile{} of {} x {} in {} pass{}\n", tiling.count(),
                              tiling.count() == 1 ? "" : "s", tiling.tile_width, tiling.tile_height,
@@ -159,14 +149,14 @@ bool is_packed_run(const PackedOptions& options, const std::string& out) {
   return !options.raw.empty() || options.out_of_core || extension_of(out) == ".pbm";
 }
 
-int run_packed(const PackedOptions& options, Rule rule, const ThinningFiles& files,
-               const Options& how, const Console& console) {
+int run_packed(const PackedOptions& options, const RequestedThinning& thinning,
+               const ThinningFiles& files, const Console& console) {
   check_target(files.out);
   const PackedFormat format = format_of(options, files.in);
   if (options.out_of_core) {
-    return thin_out_of_core(options, rule, {files.in, files.out, format, {}}, how, console);
+    return thin_out_of_core(options, thinning, {files.in, files.out, format, {}}, console);
   }
-  console.out << thin_packed_file(thinning_by(rule), files, format, how) << '\n';
+  console.out << thin_packed_file(thinning, files, format) << '\n';
   return kSuccess;
 }
 

@@ -38,11 +38,11 @@ struct PackedFiles {
 [[nodiscard]] Index memory_of(const PackedOptions& options);
 
 /// Thins a file by tiles and prints the summary.
-int thin_out_of_core(const PackedOptions& options, Rule rule, const PackedFiles& files,
-                     const Options& how, const Console& console);
+int thin_out_of_core(const PackedOptions& options, const RequestedThinning& thinning,
+                     const PackedFiles& files, const Console& console);
 
 /// Thins and prints the summary.
-int run_packed(const PackedOptions& options, Rule rule, const ThinningFiles& files,
-               const Options& how, const Console& console);
+int run_packed(const PackedOptions& options, const RequestedThinning& thinning,
+               const ThinningFiles& files, const Console& console);
 
 }  // namespace thinbench

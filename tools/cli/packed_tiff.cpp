@@ -24,8 +24,8 @@ BinaryImage binarised(const BrightPixels& count, const BinariseOptions& options,
   return binary;
 }
 
-int run_in_memory(Rule rule, const BinariseOptions& binarise, const ThinningFiles& files,
-                  const Options& how, const Console& console) {
+int run_in_memory(const RequestedThinning& thinning, const BinariseOptions& binarise,
+                  const ThinningFiles& files, const Console& console) {
   TiffReader reader(files.in);
   const TiffFormat format = reader.format();
   // Not initialised: memory is taken as rows are read, so that a damaged file takes little.
@@ -45,7 +45,7 @@ int run_in_memory(Rule rule, const BinariseOptions& binarise, const ThinningFile
     });
     console.err << remarks.str();
   };
-  console.out << thin_packed_image(thinning_by(rule), image, how, save) << '\n';
+  console.out << thin_packed_image(thinning, image, save) << '\n';
   return kSuccess;
 }
 
@@ -84,8 +84,9 @@ void check_memory(const TiffReader& reader, const std::string& in, Index memory)
                   static_cast<double>(reader.working_bytes()) / 1e6));
 }
 
-int run_out_of_core(const PackedOptions& options, Rule rule, const BinariseOptions& binarise,
-                    const ThinningFiles& files, const Options& how, const Console& console) {
+int run_out_of_core(const PackedOptions& options, const RequestedThinning& thinning,
+                    const BinariseOptions& binarise, const ThinningFiles& files,
+                    const Console& console) {
   if (binarise.threshold) {
     throw UsageError("--threshold does not apply to packed files, whose pixels are bright or dark");
   }
@@ -106,7 +107,7 @@ int run_out_of_core(const PackedOptions& options, Rule rule, const BinariseOptio
   conversion.name = fmt::format(", {}", foreground_name(foreground));
   const PackedFiles packed = {
       files.in, files.out, {format.width, format.height, kOrder}, conversion};
-  const int status = thin_out_of_core(options, rule, packed, how, console);
+  const int status = thin_out_of_core(options, thinning, packed, console);
   console.err << remarks.str();
   return status;
 }
@@ -120,11 +121,11 @@ bool is_tiff_run(const PackedOptions& options, const BinariseOptions& binarise,
   return options.out_of_core || (!binarise.threshold && is_bilevel_tiff(files.in));
 }
 
-int run_tiff(const PackedOptions& options, Rule rule, const BinariseOptions& binarise,
-             const ThinningFiles& files, const Options& how, const Console& console) {
+int run_tiff(const PackedOptions& options, const RequestedThinning& thinning,
+             const BinariseOptions& binarise, const ThinningFiles& files, const Console& console) {
   check_target(files.out);
-  if (!options.out_of_core) return run_in_memory(rule, binarise, files, how, console);
-  return run_out_of_core(options, rule, binarise, files, how, console);
+  if (!options.out_of_core) return run_in_memory(thinning, binarise, files, console);
+  return run_out_of_core(options, thinning, binarise, files, console);
 }
 
 }  // namespace thinbench

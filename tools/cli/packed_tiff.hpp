@@ -15,7 +15,7 @@ namespace thinbench {
 
 /// Thins and prints remarks and the summary. Pixels and remarks are those of the
 /// same image read as a grey one.
-int run_tiff(const PackedOptions& options, Rule rule, const BinariseOptions& binarise,
-             const ThinningFiles& files, const Options& how, const Console& console);
+int run_tiff(const PackedOptions& options, const RequestedThinning& thinning,
+             const BinariseOptions& binarise, const ThinningFiles& files, const Console& console);
 
 }  // namespace thinbench

@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
-#include "cli/names.hpp"
 #include "cli/packed_run.hpp"
 #include "cli/packed_tiff.hpp"
 #include "cli/thinbench.hpp"
@@ -20,27 +19,27 @@ struct RunOptions {
 };
 
 int run(const RunOptions& options, const Console& console) {
-  const Rule rule = rule_named(options.thinning.operation);
-  const Options how = options_for(rule, options.thinning);
+  const RequestedThinning thinning = requested_thinning(options.thinning);
   if (is_tiff_run(options.packed, options.binarise, options.files)) {
-    return run_tiff(options.packed, rule, options.binarise, options.files, how, console);
+    return run_tiff(options.packed, thinning, options.binarise, options.files, console);
   }
   if (is_packed_run(options.packed, options.files.out)) {
     reject_for_packed_files(options.binarise);
-    return run_packed(options.packed, rule, options.files, how, console);
+    return run_packed(options.packed, thinning, options.files, console);
   }
-  console.out << thin_image_file(thinning_by(rule), options.files, options.binarise, how, console)
-              << '\n';
+  console.out << thin_image_file(thinning, options.files, options.binarise, console) << '\n';
   return kSuccess;
 }
 
 }  // namespace
 
 Command add_run_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("run", "Thin an image file into another");
+  CLI::App* app =
+      program.add_subcommand("run", "Thin an image file into another, or apply any rule");
   const auto options = std::make_shared<RunOptions>();
-  app->add_option("OPERATION", options->thinning.operation,
-                  "Name of an operation, see 'thinbench list'")
+  app->add_option("RULE", options->thinning.rule,
+                  "Operation ('thinbench list'), named rule ('thinbench rule --list'), Hensel's "
+                  "notation such as B3/S23, or JSON file")
       ->required()
       ->type_name("");
   app->add_option("IN", options->files.in, "Image to read")->required()->type_name("");
@@ -48,8 +47,8 @@ Command add_run_command(CLI::App& program) {
                   "Image to write: .png, .pgm, .bmp, .tif or, from PBM (P4), .pbm")
       ->required()
       ->type_name("");
-  add_isa_option(*app, options->thinning.how.isa);
-  add_threads_option(*app, options->thinning.how.threads);
+  add_isa_option(*app, options->thinning.execution.isa);
+  add_threads_option(*app, options->thinning.execution.threads);
   add_thinning_options(*app, options->thinning);
   add_binarise_options(*app, options->binarise);
   add_packed_options(*app, options->packed);
@@ -60,6 +59,9 @@ Command add_run_command(CLI::App& program) {
   thinbench run thin_zhang_suen parts.png skeleton.png --border keep --max-iterations 3
   thinbench run net_two_layer_linear parts.png skeleton.png --weights weights.json
   thinbench run skeleton_scan parts.png marks.png --directions rows,columns
+  thinbench run majority parts.jpg smooth.png --foreground dark
+  thinbench run B3/S23 parts.png life.png --max-iterations 100
+  thinbench run my_rule.json parts.png out.png --border foreground --optimise
   thinbench run thin_guo_hall page.pbm skeleton.pbm
   thinbench run thin_guo_hall page.tif skeleton.tif
   thinbench run thin_guo_hall map.pbm skeleton.pbm --out-of-core --memory 256M

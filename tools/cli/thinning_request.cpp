@@ -1,23 +1,83 @@
 #include "cli/thinning_request.hpp"
 
 #include <climits>
-#include <memory>
+#include <filesystem>
 #include <variant>
 
 #include "cli/arguments.hpp"
 #include "cli/names.hpp"
 #include "cli/usage.hpp"
+#include "rules/rule_file.hpp"
 #include "rules/weights_file.hpp"
+#include "thinbench/named_rules.hpp"
+#include "thinbench/rule_notation.hpp"
 
 namespace thinbench {
 namespace {
 
-/// The directions named in a list such as "rows,columns"; all where the list is empty.
-Directions directions_named(Rule rule, const std::string& list) {
-  if (list.empty()) return {};
-  if (rule != Rule::midpoint_scan) {
-    throw UsageError("--directions: " + std::string(rule_info(rule).operation) +
-                     " is not a scan and has no directions");
+struct NamedValue {
+  std::string name;
+  Rule rule;
+};
+
+/// Whether it begins as Hensel's notation does.
+bool is_notation(const std::string& word) {
+  constexpr std::string_view sections = "bBsS";
+  constexpr std::string_view after_letter = "/0123456789bBsS";
+  return !word.empty() && sections.find(word[0]) != std::string_view::npos &&
+         (word.size() == 1 || after_letter.find(word[1]) != std::string_view::npos);
+}
+
+bool is_file(const std::string& word) {
+  std::error_code ignored;
+  return word.find('/') != std::string::npos || word.ends_with(".json") ||
+         std::filesystem::exists(word, ignored);
+}
+
+NamedValue rule_of_notation(const std::string& word, bool optimise) {
+  try {
+    return {word.substr(0, kMaxRuleNameLength),
+            Rule(table_from_hensel(word), {.optimise = optimise})};
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+NamedValue rule_of_file(const std::string& path, bool optimise) {
+  const RuleDescription read = read_rule_file(path);
+  return {read.name, Rule(read.sub_iterations, {read.border, read.max_iterations, optimise})};
+}
+
+/// Of a word that names nothing.
+[[noreturn]] void reject_rule(const std::string& word) {
+  std::vector<std::string_view> known;
+  for (const RuleInfo& info : kRules) known.push_back(info.operation);
+  for (const NamedRule& rule : named_rules()) known.push_back(rule.name);
+  reject_name("rule", word, known);
+}
+
+NamedValue rule_of_name(const std::string& word, bool optimise) {
+  if (const auto built_in = rule_from_name(word)) {
+    return {std::string(rule_info(*built_in).operation), *built_in};
+  }
+  const NamedRule* const found = find_named_rule(word);
+  if (found == nullptr) reject_rule(word);
+  return {word, Rule(found->sub_iterations, {found->border, found->max_iterations, optimise})};
+}
+
+NamedValue rule_of_word(const std::string& word, bool optimise) {
+  const bool is_name = rule_from_name(word).has_value() || find_named_rule(word) != nullptr;
+  if (!is_name && is_notation(word) && !word.ends_with(".json")) {
+    return rule_of_notation(word, optimise);
+  }
+  if (!is_name && is_file(word)) return rule_of_file(word, optimise);
+  return rule_of_name(word, optimise);
+}
+
+/// The directions named in a list such as "rows,columns".
+Directions directions_named(const NamedValue& rule, const std::string& list) {
+  if (rule.rule.name() != rule_name(Rule::midpoint_scan)) {
+    throw UsageError("--directions: " + rule.name + " is not a scan and has no directions");
   }
   Directions directions = kNoDirections;
   std::size_t end = 0;
@@ -33,24 +93,22 @@ Directions directions_named(Rule rule, const std::string& list) {
   return directions;
 }
 
-/// The net that `rule` makes of the weights in a file; nullptr where no file is named.
-std::shared_ptr<const NetModel> net_from_file(Rule rule, const std::string& path) {
-  if (path.empty()) return nullptr;
-  const std::string name(rule_info(rule).operation);
-  if (!name.starts_with("net_")) {
-    throw UsageError("--weights: " + name + " is not a net and has no weights");
+/// The net with the weights in a file.
+Rule net_from_file(const NamedValue& rule, const std::string& path) {
+  if (!rule.name.starts_with("net_")) {
+    throw UsageError("--weights: " + rule.name + " is not a net and has no weights");
   }
   const AnyWeights weights = read_weights(path);
-  const bool wants_cluster = rule == Rule::net_single_layer_cluster;
+  const bool wants_cluster = rule.name == rule_name(Rule::net_single_layer_cluster);
   if (wants_cluster != std::holds_alternative<ClusterWeights>(weights)) {
     const std::string wanted = wants_cluster ? "cluster" : "two_layer";
-    throw std::runtime_error(path + ": holds the wrong kind of weights; " + name + " needs " +
+    throw std::runtime_error(path + ": holds the wrong kind of weights; " + rule.name + " needs " +
                              wanted);
   }
-  if (wants_cluster) return cluster_net(std::get<ClusterWeights>(weights));
-  const bool is_linear = rule == Rule::net_two_layer_linear;
-  return two_layer_net(std::get<TwoLayerWeights>(weights),
-                       is_linear ? Activation::linear : Activation::sigmoid);
+  if (wants_cluster) return Rule(std::get<ClusterWeights>(weights));
+  const bool is_linear = rule.name == rule_name(Rule::net_two_layer_linear);
+  return Rule(std::get<TwoLayerWeights>(weights),
+              is_linear ? Activation::linear : Activation::sigmoid);
 }
 
 }  // namespace
@@ -61,9 +119,9 @@ void add_thinning_options(CLI::App& app, ThinningRequest& request) {
       ->type_name("FILE");
   app.add_option_function<std::string>(
          "--border",
-         [&request](const std::string& name) { request.how.border = border_named(name); },
-         "background: outside the image all is background; keep: the outermost rows and columns "
-         "never change, as in OpenCV (default: background)")
+         [&request](const std::string& name) { request.thinning.border = border_named(name); },
+         "What is outside the image: background, foreground, or keep: background, and the "
+         "outermost rows and columns never change, as in OpenCV (default: the rule's own)")
       ->check(not_empty())
       ->type_name("NAME");
   app.add_option(
@@ -71,17 +129,21 @@ void add_thinning_options(CLI::App& app, ThinningRequest& request) {
          "Where skeleton_scan looks: rows, columns, diagonals, antidiagonals (default: all)")
       ->check(not_empty())
       ->type_name("NAME,...");
-  app.add_option("--max-iterations", request.how.max_iterations,
-                 "Stop after N iterations (default: when nothing changes any more)")
+  app.add_option("--max-iterations", request.thinning.max_iterations,
+                 "Stop after N iterations (default: the rule's own limit, if it has one, else when "
+                 "nothing changes any more)")
       ->check(whole_number(1, INT_MAX))
       ->type_name("N");
+  app.add_flag("--optimise", request.optimise,
+               "Search longer for fewer gates of a rule given by tables: up to 2 s per table "
+               "instead of 20 ms");
 }
 
-Options options_for(Rule rule, const ThinningRequest& request) {
-  Options how = request.how;
-  how.net = net_from_file(rule, request.weights);
-  how.directions = directions_named(rule, request.directions);
-  return how;
+RequestedThinning requested_thinning(const ThinningRequest& request) {
+  NamedValue rule = rule_of_word(request.rule, request.optimise);
+  if (!request.weights.empty()) rule.rule = net_from_file(rule, request.weights);
+  if (!request.directions.empty()) rule.rule = Rule(directions_named(rule, request.directions));
+  return {rule.name, rule.rule, request.thinning, request.execution};
 }
 
 std::string thinning_words(const ThinningRequest& request) {
@@ -89,9 +151,10 @@ std::string thinning_words(const ThinningRequest& request) {
   const auto add = [&words](const char* option, std::string_view value) {
     words.append(" ").append(option).append(" ").append(value);
   };
-  if (request.how.border != Border::background) add("--border", border_name(request.how.border));
-  if (request.how.max_iterations != kUnlimited) {
-    add("--max-iterations", std::to_string(request.how.max_iterations));
+  const Thinning& thinning = request.thinning;
+  if (thinning.border) add("--border", border_name(*thinning.border));
+  if (thinning.max_iterations) {
+    add("--max-iterations", std::to_string(*thinning.max_iterations));
   }
   if (!request.weights.empty()) add("--weights", request.weights);
   if (!request.directions.empty()) add("--directions", request.directions);

@@ -1,4 +1,4 @@
-// Options of thinning operations: the commands that thin images take the same.
+// What thins: a rule by any of its names, and the options of the commands that apply rules.
 #pragma once
 
 #include <string>
@@ -10,19 +10,32 @@
 
 namespace thinbench {
 
+/// The words that users type.
 struct ThinningRequest {
-  std::string operation;
+  std::string rule;
   std::string weights;     // a file; empty: the default weights
   std::string directions;  // "rows,columns"; empty: all
-  Options how;
+  bool optimise = false;
+  Thinning thinning;
+  Execution execution;
 };
 
-/// --weights, --border, --directions and --max-iterations.
+/// --weights, --border, --directions, --max-iterations and --optimise.
 void add_thinning_options(CLI::App& app, ThinningRequest& request);
 
-/// `request.how` with the net and the directions. Throws UsageError and std::runtime_error for what
-/// does not apply to the rule or cannot be read.
-[[nodiscard]] Options options_for(Rule rule, const ThinningRequest& request);
+/// What they mean.
+struct RequestedThinning {
+  std::string name;  // of the operation, else of the rule
+  Rule rule;
+  Thinning thinning;
+  Execution execution;
+};
+
+/// A rule is a built-in rule or its operation, a named rule, Hensel's notation such as B3/S23, or a
+/// JSON file. What could be several of these is a name; if not that, a notation, unless it ends
+/// with .json. Throws UsageError and std::runtime_error for what does not apply to the rule or
+/// cannot be read.
+[[nodiscard]] RequestedThinning requested_thinning(const ThinningRequest& request);
 
 /// The options given that change results, each with a space before it: " --border keep".
 [[nodiscard]] std::string thinning_words(const ThinningRequest& request);

@@ -14,16 +14,6 @@
 namespace thinbench {
 namespace {
 
-template <class View>
-int thin_by(Rule rule, const View& image, const Options& how) {
-  return thin(rule, image, image, how);
-}
-
-template <class View>
-int thin_by(const CustomRule& rule, const View& image, const Options& how) {
-  return apply(rule, image, image, how);
-}
-
 Index foreground_of(const ImageView& image) {
   return foreground_pixels(image);
 }
@@ -34,11 +24,10 @@ Index foreground_of(const PackedView& image) {
 
 /// Thins in place.
 template <class View>
-std::string summary_of(const Thinning& thinning, const View& image, const Options& how) {
+std::string summary_of(const RequestedThinning& thinning, const View& image) {
   RunSummary summary{image.width, image.height, 0, foreground_of(image), 0, 0};
   summary.milliseconds = milliseconds_of([&] {
-    const auto thin_image = [&](const auto& rule) { return thin_by(rule, image, how); };
-    summary.iterations = std::visit(thin_image, thinning.rule);
+    summary.iterations = thin(thinning.rule, image, image, thinning.thinning, thinning.execution);
   });
   summary.foreground_after = foreground_of(image);
   return thinning.name + ": " + text_of(summary);
@@ -46,43 +35,38 @@ std::string summary_of(const Thinning& thinning, const View& image, const Option
 
 }  // namespace
 
-Thinning thinning_by(Rule rule) {
-  return {std::string(rule_info(rule).operation), rule};
-}
-
 std::string text_of(const RunSummary& run) {
   return fmt::format("{} x {}, {} iteration{}, {} foreground pixels before, {} after, {:.3f} ms",
                      run.width, run.height, run.iterations, run.iterations == 1 ? "" : "s",
                      run.foreground_before, run.foreground_after, run.milliseconds);
 }
 
-std::string thin_image_file(const Thinning& thinning, const ThinningFiles& files,
-                            const BinariseOptions& binarise, const Options& how,
-                            const Console& console) {
+std::string thin_image_file(const RequestedThinning& thinning, const ThinningFiles& files,
+                            const BinariseOptions& binarise, const Console& console) {
   check_extension(files.out);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage image = read_binary(files.in, binarise, &remarks);
-  std::string summary = summary_of(thinning, image.view(), how);
+  std::string summary = summary_of(thinning, image.view());
   write_grey(files.out, image.view());
   console.err << remarks.str();
   return summary;
 }
 
-std::string thin_packed_image(const Thinning& thinning, const PackedView& image, const Options& how,
+std::string thin_packed_image(const RequestedThinning& thinning, const PackedView& image,
                               const std::function<void()>& save) {
-  std::string summary = summary_of(thinning, image, how);
+  std::string summary = summary_of(thinning, image);
   save();
   return summary;
 }
 
-std::string thin_packed_file(const Thinning& thinning, const ThinningFiles& files,
-                             const PackedFormat& format, const Options& how) {
+std::string thin_packed_file(const RequestedThinning& thinning, const ThinningFiles& files,
+                             const PackedFormat& format) {
   std::string bytes = format.header;
   bytes.resize(static_cast<std::size_t>(format.file_bytes()));
   auto* const data = reinterpret_cast<std::uint8_t*>(bytes.data() + format.header_bytes());
   PackedFile::open(files.in, format).read({0, 0, format.width, format.height}, data);
   const PackedView image(data, format.width, format.height, format.order);
-  return thin_packed_image(thinning, image, how, [&] { write_whole_file(files.out, bytes); });
+  return thin_packed_image(thinning, image, [&] { write_whole_file(files.out, bytes); });
 }
 
 void reject_for_packed_files(const BinariseOptions& options) {

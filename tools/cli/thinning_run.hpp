@@ -1,16 +1,13 @@
-// Files thinned into files, by a rule of the library or by a custom rule.
+// Files thinned into files.
 #pragma once
 
 #include <functional>
 #include <string>
-#include <variant>
 
 #include "cli/command.hpp"
+#include "cli/thinning_request.hpp"
 #include "images/binarise.hpp"
 #include "images/packed_file.hpp"
-#include "thinbench/custom_rule.hpp"
-#include "thinbench/options.hpp"
-#include "thinbench/rule.hpp"
 
 namespace thinbench {
 
@@ -18,14 +15,6 @@ struct ThinningFiles {
   std::string in;
   std::string out;
 };
-
-/// What thins them.
-struct Thinning {
-  std::string name;
-  std::variant<Rule, CustomRule> rule;
-};
-
-[[nodiscard]] Thinning thinning_by(Rule rule);
 
 struct RunSummary {
   Index width;
@@ -42,17 +31,18 @@ struct RunSummary {
 // All return "NAME: " and the summary, without an end of line.
 
 /// Remarks on the foreground go to the console.
-[[nodiscard]] std::string thin_image_file(const Thinning& thinning, const ThinningFiles& files,
-                                          const BinariseOptions& binarise, const Options& how,
-                                          const Console& console);
+[[nodiscard]] std::string thin_image_file(const RequestedThinning& thinning,
+                                          const ThinningFiles& files,
+                                          const BinariseOptions& binarise, const Console& console);
 
 /// Thins an image in place, then calls `save`.
-[[nodiscard]] std::string thin_packed_image(const Thinning& thinning, const PackedView& image,
-                                            const Options& how, const std::function<void()>& save);
+[[nodiscard]] std::string thin_packed_image(const RequestedThinning& thinning,
+                                            const PackedView& image,
+                                            const std::function<void()>& save);
 
 /// Without a byte image in between.
-[[nodiscard]] std::string thin_packed_file(const Thinning& thinning, const ThinningFiles& files,
-                                           const PackedFormat& format, const Options& how);
+[[nodiscard]] std::string thin_packed_file(const RequestedThinning& thinning,
+                                           const ThinningFiles& files, const PackedFormat& format);
 
 /// Throws UsageError for options that choose the foreground among grey levels.
 void reject_for_packed_files(const BinariseOptions& options);

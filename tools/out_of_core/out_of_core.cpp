@@ -10,40 +10,53 @@
 
 #include <fmt/format.h>
 
-#include "api/catalogue.hpp"
-#include "api/option_checks.hpp"
 #include "core/checks.hpp"
 #include "core/thread_team.hpp"
-#include "engines/variants.hpp"
 #include "out_of_core/tile_worker.hpp"
 #include "out_of_core/work_files.hpp"
+#include "thinning/operations.hpp"
 
 namespace thinbench {
 namespace {
 
-const detail::ThinningOperation& checked_operation(const OutOfCoreRun& run) {
-  const detail::ThinningOperation& operation = detail::operation_of(run.rule);
-  detail::require(detail::is_parallel_rule(run.rule),
-                  std::string(operation.name) +
-                      " cannot run on tiles; only rules that compute all pixels of a "
-                      "sub-iteration from the same image can");
-  detail::require_threads(run.threads);
-  if (run.isa) static_cast<void>(isa_name(*run.isa));  // rejects what is none
-  detail::check_thinning_options(operation,
-                                 {.border = run.border, .max_iterations = run.max_iterations});
-  return operation;
+using detail::require;
+
+detail::ThinningParameters checked_parameters(const OutOfCoreRun& run) {
+  const std::string name(run.rule.name());
+  const auto parameters = detail::thinning_parameters(run.rule, run.thinning);
+  require(parameters.rule->kind == detail::RuleKind::parallel,
+          name +
+              " cannot run on tiles; only rules that compute all pixels of a sub-iteration from "
+              "the same image can");
+  require(!parameters.rule->adds_pixels() && !parameters.complemented,
+          name +
+              " cannot run on tiles; only rules that add no pixels, with background outside the "
+              "image, can");
+  detail::require_threads(run.execution.threads);
+  if (run.execution.isa) static_cast<void>(isa_name(*run.execution.isa));  // rejects what is none
+  return parameters;
+}
+
+/// A built-in rule by its name, others by their tables.
+std::string identity_of(const Rule& rule) {
+  std::string text(rule.name());
+  if (rule_from_name(text)) return text;
+  for (const WindowTable& table : rule.sub_iterations()) {
+    text += fmt::format(" {:x}", fmt::join(table.words, ""));
+  }
+  return text;
 }
 
 /// What must be equal for a run to be resumed.
-std::string identity_of(const OutOfCoreRun& run) {
+std::string identity_of(const OutOfCoreRun& run, const detail::ThinningParameters& parameters) {
   std::error_code ignored;
   const auto written = std::filesystem::last_write_time(run.in, ignored).time_since_epoch();
   return fmt::format(
       "{} of {} x {} pixels, border {}, {} iterations at most, tiles of {} x {} and {}, input of "
       "{}{}",
-      rule_info(run.rule).operation, run.format.width, run.format.height, border_name(run.border),
-      run.max_iterations, run.tiling.tile_width, run.tiling.tile_height, run.tiling.iterations,
-      written.count(), run.conversion.name);
+      identity_of(run.rule), run.format.width, run.format.height, border_name(parameters.border),
+      parameters.max_iterations, run.tiling.tile_width, run.tiling.tile_height,
+      run.tiling.iterations, written.count(), run.conversion.name);
 }
 
 int number_of_files(const OutOfCoreRun& run) {
@@ -54,15 +67,13 @@ class OutOfCore {
  public:
   explicit OutOfCore(const OutOfCoreRun& run)
       : run_(run),
-        operation_(checked_operation(run)),
-        options_{.border = run.border,
-                 .isa = run.isa,
-                 .technique = Technique::simd_bitpacked_tiles},  // takes the least memory
-        files_(run.in, run.out, run.format, run.conversion, number_of_files(run), identity_of(run)),
-        team_(static_cast<int>(std::min<Index>(run.threads, run.tiling.count()))) {
+        parameters_(checked_parameters(run)),
+        files_(run.in, run.out, run.format, run.conversion, number_of_files(run),
+               identity_of(run, parameters_)),
+        team_(static_cast<int>(std::min<Index>(run.execution.threads, run.tiling.count()))) {
     for (int i = 0; i < team_.threads(); ++i) {
-      workers_.push_back(
-          std::make_unique<TileWorker>(operation_, options_, run_.tiling, run_.format.order));
+      workers_.push_back(std::make_unique<TileWorker>(parameters_, run_.execution.isa, run_.tiling,
+                                                      run_.format.order));
     }
   }
 
@@ -71,14 +82,14 @@ class OutOfCore {
     while (true) {
       files_.open(state_.passes);
       const int iterations =
-          std::min(run_.tiling.iterations, run_.max_iterations - state_.iterations);
+          std::min(run_.tiling.iterations, parameters_.max_iterations - state_.iterations);
       run_pass(iterations);
       add_outcomes(iterations);
       const bool at_rest = std::ranges::none_of(state_.tiles, &TileState::unsettled);
-      if (at_rest || state_.iterations >= run_.max_iterations) {
-        const OutOfCoreResult result = {at_rest ? last_iteration(iterations) : run_.max_iterations,
-                                        state_.passes, state_.foreground_before,
-                                        state_.foreground_after};
+      if (at_rest || state_.iterations >= parameters_.max_iterations) {
+        const OutOfCoreResult result = {
+            at_rest ? last_iteration(iterations) : parameters_.max_iterations, state_.passes,
+            state_.foreground_before, state_.foreground_after};
         files_.finish();
         return result;
       }
@@ -156,15 +167,14 @@ class OutOfCore {
                                            outcomes_[static_cast<std::size_t>(tile)], last);
     }
     const Index total = Index{state_.iterations} - iterations + last + 1;
-    return static_cast<int>(std::min<Index>(total, run_.max_iterations));
+    return static_cast<int>(std::min<Index>(total, parameters_.max_iterations));
   }
   [[nodiscard]] int bound(Index tile) const {
     return outcomes_[static_cast<std::size_t>(tile)].last_change;
   }
 
   const OutOfCoreRun& run_;
-  const detail::ThinningOperation& operation_;
-  Options options_;
+  detail::ThinningParameters parameters_;
   WorkFiles files_;
   Checkpoint state_;
   std::vector<bool> active_;

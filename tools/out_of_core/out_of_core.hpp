@@ -19,10 +19,8 @@ struct OutOfCoreRun {
   std::string out = {};  // may be the same file
   PackedFormat format = {};
   Tiling tiling = {};
-  Border border = Border::background;
-  int max_iterations = kUnlimited;
-  int threads = 1;
-  std::optional<Isa> isa = std::nullopt;
+  Thinning thinning = {};
+  Execution execution = {};
   /// Continue after the last pass that an interrupted run finished, if there is one.
   bool resume = false;
   /// Called before each tile, by any thread, with the number of the pass and of the tile.
@@ -45,9 +43,10 @@ struct OutOfCoreResult {
 /// the names ".OUT.thinbench-a", "-b", "-state" and "-new". They are removed at the end; a run that
 /// fails or is ended after its first pass leaves them for `resume`.
 ///
-/// Throws std::invalid_argument for rules whose changes have no bounded reach (midpoint_scan, spta
-/// and nets) and for options out of range; FileError if a file cannot be read or written, the disk
-/// has too little space, or there is nothing suitable to resume.
+/// Throws std::invalid_argument for rules whose changes have no bounded reach (midpoint_scan and
+/// spta), that add pixels or have foreground outside, and for options out of range; FileError if a
+/// file cannot be read or written, the disk has too little space, or there is nothing suitable to
+/// resume.
 OutOfCoreResult thin_out_of_core(const OutOfCoreRun& run);
 
 }  // namespace thinbench

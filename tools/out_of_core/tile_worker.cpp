@@ -1,11 +1,28 @@
 #include "out_of_core/tile_worker.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace thinbench {
 
-TileWorker::TileWorker(const detail::ThinningOperation& operation, const Options& options,
+namespace {
+
+/// The variants that take the least memory: on tiles, if the rule has them.
+std::vector<detail::ThinningVariant> frugal_variants(const detail::RuleBody& rule) {
+  const auto& all = detail::thinning_variants(rule);
+  std::vector<detail::ThinningVariant> tiles;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(tiles),
+               [](const auto& one) { return one.technique == "simd_bitpacked_tiles"; });
+  return tiles.empty() ? all : tiles;
+}
+
+}  // namespace
+
+TileWorker::TileWorker(const detail::ThinningParameters& parameters, std::optional<Isa> isa,
                        const Tiling& tiling, BitOrder order)
-    : operation_(operation),
-      options_(options),
+    : parameters_(parameters),
+      isa_(isa),
+      variants_(frugal_variants(*parameters.rule)),
       tiling_(tiling),
       order_(order),
       bytes_(
@@ -41,11 +58,12 @@ int TileWorker::run(CachedState& cached, int iterations) {
   if (cached.state == nullptr || cached.width != block.width || cached.height != block.height ||
       cached.iterations != iterations) {
     cached.state.reset();  // before the next one takes memory
-    Options options = options_;
-    options.max_iterations = iterations;
-    const auto& variant = detail::choose(operation_, block.width, block.height, options);
-    cached = {detail::make_state(operation_, variant, block.width, block.height, options),
-              block.width, block.height, iterations};
+    detail::ThinningParameters parameters = parameters_;
+    parameters.max_iterations = iterations;
+    const auto& variant = detail::choose_variant(parameters.rule->operation, variants_, block.width,
+                                                 block.height, {.threads = 1, .isa = isa_});
+    cached = {detail::make_state(variant, block.width, block.height, parameters, 1), block.width,
+              block.height, iterations};
   }
   return cached.state->run(block, block);
 }

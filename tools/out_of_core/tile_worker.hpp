@@ -3,12 +3,14 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
-#include "api/catalogue.hpp"
 #include "core/byte_image.hpp"
 #include "images/packed_file.hpp"
 #include "out_of_core/checkpoint.hpp"
 #include "out_of_core/tiling.hpp"
+#include "thinning/operations.hpp"
 
 namespace thinbench {
 
@@ -27,8 +29,8 @@ struct TileOutcome {
 /// Rules only remove pixels, so a tile changes if and only if its number of foreground pixels does.
 class TileWorker {
  public:
-  /// All must outlive the worker.
-  TileWorker(const detail::ThinningOperation& operation, const Options& options,
+  /// Parameters and tiling must outlive the worker.
+  TileWorker(const detail::ThinningParameters& parameters, std::optional<Isa> isa,
              const Tiling& tiling, BitOrder order);
 
   /// Reads a tile with its halo and advances it by `iterations` iterations.
@@ -56,8 +58,9 @@ class TileWorker {
   [[nodiscard]] PackedView block_view() const;
   [[nodiscard]] PackedView tile_view() const;
 
-  const detail::ThinningOperation& operation_;
-  const Options& options_;
+  const detail::ThinningParameters& parameters_;
+  std::optional<Isa> isa_;
+  std::vector<detail::ThinningVariant> variants_;
   const Tiling& tiling_;
   BitOrder order_;
   detail::AlignedArray<std::uint8_t> bytes_;

@@ -130,7 +130,7 @@ WindowTable read_table(const JsonField& field) {
 
 std::vector<WindowTable> read_tables(const JsonField& field) {
   std::vector<WindowTable> tables;
-  const std::size_t count = field.count(1, CustomRule::kMaxSubIterations, "tables");
+  const std::size_t count = field.count(1, Rule::kMaxSubIterations, "tables");
   for (std::size_t i = 0; i < count; ++i) tables.push_back(read_table(field.element(i)));
   return tables;
 }

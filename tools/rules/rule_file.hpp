@@ -1,4 +1,4 @@
-// Custom rules as JSON files:
+// Rules given by tables as JSON files:
 //     {"name": "my rule",                  default: the file's name
 //      "sub_iterations": [table, ...],     1 to 8
 //      "border": "background",             or "keep" or "foreground"; default: background
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "thinbench/custom_rule.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench {
 
@@ -29,8 +29,6 @@ struct RuleDescription {
   std::vector<WindowTable> sub_iterations;
   Border border = Border::background;
   int max_iterations = kUnlimited;
-
-  [[nodiscard]] CustomRuleOptions options() const { return {border, max_iterations, false}; }
 };
 
 /// Reads a regular file of at most 1 MB. Throws std::runtime_error with one line that names the

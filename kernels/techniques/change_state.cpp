@@ -1,42 +1,13 @@
 #include "techniques/pass_state.hpp"
 
-#include <utility>
-
 namespace thinbench::detail {
-namespace {
-
-IterationPlan plan_of(std::size_t passes, const ThinningSetting& setting) {
-  return {static_cast<int>(passes), setting.max_iterations,
-          changing_rows(setting.height, setting.border)};
-}
-
-}  // namespace
-
-PassState::PassState(std::span<const BytePass> passes, const ThinningSetting& setting,
-                     std::shared_ptr<const TableRule> table)
-    : PlaneState(setting),
-      passes_(passes),
-      table_(std::move(table)),
-      plan_(plan_of(passes.size(), setting)),
-      activity_(plan_.rows, planes.result.view().row_elements, kWordBits),
-      fixed_(fixed_pixels<std::uint8_t>(setting.width, setting.border, false)),
-      scratch_(setting.width, setting.height) {}
-
-int PassState::compute() {
-  const std::uint8_t* const fixed = fixed_.view().data;
-  return iterate<std::uint8_t>(
-      plan_, {source(), planes.result.view(), scratch_.view()}, activity_, team,
-      [&](int sub, const ConstBytePlaneView& from, const BytePlaneView& to, const Band& band) {
-        return passes_[static_cast<std::size_t>(sub)](table_.get(), fixed, from, to, band);
-      });
-}
 
 ChangeState::ChangeState(ChangePass pass, const ThinningSetting& setting,
                          std::shared_ptr<const TableRule> table)
     : PlaneState(setting),
       pass_(pass),
       table_(std::move(table)),
-      plan_(plan_of(1, setting)),
+      plan_(iteration_plan(1, setting)),
       activity_(plan_.rows, planes.result.view().row_elements, 1),
       fixed_(fixed_pixels<std::uint64_t>(setting.width, setting.border, false)),
       scratch_{BitPlane(setting.width, setting.height), BitPlane(setting.width, setting.height)} {}

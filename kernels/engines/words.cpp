@@ -1,20 +1,19 @@
 // The word scan: double-buffered planes, in bands of rows that threads share. For images of any
 // width, and for rules that add pixels.
-#pragma once
-
 #include <utility>
 
 #include "engines/iterate.hpp"
 #include "engines/plane_state.hpp"
+#include "engines/variants.hpp"
 
 namespace thinbench::detail {
+namespace {
 
 /// Applies sub-iteration `sub` to the active columns of a band.
-template <class T>
-std::uint64_t scan_band(const BoundRule& rule, int sub, const T* fixed,
-                        const ConstPlaneView<T>& source, const PlaneView<T>& target,
+std::uint64_t scan_band(const BoundRule& rule, int sub, const std::uint64_t* fixed,
+                        const ConstBitPlaneView& source, const BitPlaneView& target,
                         const Band& band) {
-  constexpr auto bytes = static_cast<Index>(sizeof(T));
+  constexpr auto bytes = static_cast<Index>(sizeof(std::uint64_t));
   const BoundScan& scan = rule.scans[static_cast<std::size_t>(sub)];
   const Index rows = band.last - band.first;
   std::uint64_t changed = 0;
@@ -33,26 +32,22 @@ std::uint64_t scan_band(const BoundRule& rule, int sub, const T* fixed,
   return changed;
 }
 
-/// Applies a rule, bound to Layout::words. T = std::uint8_t: to lanes of bytes.
-template <class T>
-class ScanState final : public PlaneState<T> {
+class WordState final : public PlaneState<std::uint64_t> {
  public:
-  using PlaneState<T>::planes;
-
-  ScanState(BoundRule rule, const ThinningSetting& setting)
-      : PlaneState<T>(setting),
+  WordState(BoundRule rule, const ThinningSetting& setting)
+      : PlaneState(setting),
         rule_(std::move(rule)),
         plan_{static_cast<int>(rule_.sub_iterations), setting.max_iterations,
               changing_rows(setting.height, setting.border)},
-        activity_(plan_.rows, planes.result.view().row_elements, sizeof(T) == 1 ? kWordBits : 1),
-        fixed_(fixed_pixels<T>(setting.width, setting.border, rule_.adds_pixels)),
+        activity_(plan_.rows, planes.result.view().row_elements, 1),
+        fixed_(fixed_pixels<std::uint64_t>(setting.width, setting.border, rule_.adds_pixels)),
         scratch_(setting.width, setting.height) {}
 
   int compute() override {
-    const T* const fixed = fixed_.view().data;
-    return iterate<T>(
-        plan_, {this->source(), planes.result.view(), scratch_.view()}, activity_, this->team,
-        [&](int sub, const ConstPlaneView<T>& from, const PlaneView<T>& to, const Band& band) {
+    const std::uint64_t* const fixed = fixed_.view().data;
+    return iterate<std::uint64_t>(
+        plan_, {source(), planes.result.view(), scratch_.view()}, activity_, team,
+        [&](int sub, const ConstBitPlaneView& from, const BitPlaneView& to, const Band& band) {
           return scan_band(rule_, sub, fixed, from, to, band);
         });
   }
@@ -61,8 +56,19 @@ class ScanState final : public PlaneState<T> {
   BoundRule rule_;
   IterationPlan plan_;
   BandActivity activity_;
-  Plane<T> fixed_;
-  Plane<T> scratch_;
+  BitPlane fixed_;
+  BitPlane scratch_;
 };
+
+}  // namespace
+
+std::unique_ptr<ThinningState> make_words(const ThinningSetting& setting) {
+  return std::make_unique<WordState>(
+      bind(setting.rule, setting.isa, Layout::words, has_fixed_pixels(setting)), setting);
+}
+
+std::unique_ptr<ThinningState> make_words(BoundRule rule, const ThinningSetting& setting) {
+  return std::make_unique<WordState>(std::move(rule), setting);
+}
 
 }  // namespace thinbench::detail

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "harness/families.hpp"
+#include "reference.hpp"
+#include "thinbench/batch.hpp"
+#include "thinbench/labels.hpp"
+#include "thinbench/named_rules.hpp"
+
+namespace thinbench {
+namespace {
+
+using ThinImage = std::function<int(const ConstImageView& source, const ImageView& destination)>;
+
+struct CollectionCase {
+  std::string name;  // of the rule
+  Rule rule;
+  Thinning thinning = {};
+};
+
+/// Rules of every kind. Those that add pixels, or with foreground outside, are for lists only.
+std::vector<CollectionCase> cases() {
+  return {{"guo_hall", Rule::guo_hall},
+          {"guo_hall:keep", Rule::guo_hall, {.border = Border::keep}},
+          {"mb2", Rule::mb2},
+          {"midpoint_scan", Rule::midpoint_scan},
+          {"net_two_layer_rounded", Rule::net_two_layer_rounded},
+          {"golay_l", Rule::named("golay_l")},
+          {"guo_hall:foreground", Rule::guo_hall, {.border = Border::foreground}},
+          {"erode", Rule::named("erode")},
+          {"dilate", Rule::named("dilate")},
+          {"life:5", Rule::named("life"), {.max_iterations = 5}}};
+}
+
+bool suits_labels(const CollectionCase& one) {
+  const auto parameters = detail::thinning_parameters(one.rule, one.thinning);
+  return !parameters.complemented && !parameters.rule->adds_pixels();
+}
+
+ThinImage reference_of(const CollectionCase& one) {
+  const reference::Repetition repetition = {
+      one.thinning.border.value_or(one.rule.border()),
+      one.thinning.max_iterations.value_or(one.rule.max_iterations())};
+  const auto built_in = rule_from_name(one.rule.name());
+  if (built_in && repetition.border != Border::foreground) {
+    return [repetition, function = reference::thinning(*built_in)](const auto& from, const auto& to) {
+      return function(repetition, from, to);
+    };
+  }
+  return [repetition, rule = one.rule](const auto& from, const auto& to) {
+    return reference::apply_tables(rule.sub_iterations(), repetition, from, to);
+  };
+}
+
+/// The parts of an image of this size: a grid of images of four sizes.
+template <class View>
+std::vector<View> parts_of(const View& image) {
+  constexpr Index grid = 3;
+  std::vector<View> parts;
+  for (Index i = 0; i < grid * grid; ++i) {
+    const auto begin = [](Index size, Index part) { return size * part / grid; };
+    const Index x = begin(image.width, i % grid);
+    const Index y = begin(image.height, i / grid);
+    parts.emplace_back(image.data + y * image.stride + x, begin(image.width, i % grid + 1) - x,
+                       begin(image.height, i / grid + 1) - y, image.stride);
+  }
+  return parts;
+}
+
+constexpr std::int32_t kLabels = 3;
+
+/// A label in cells of 16 x 16 pixels, so that labels touch and have several components.
+std::int32_t label_at(Index x, Index y) {
+  constexpr Index cell = 16;
+  return static_cast<std::int32_t>((x / cell + 2 * (y / cell)) % kLabels) + 1;
+}
+
+/// Selects the foreground of one label. False if it has none.
+bool select(const ConstImageView& source, std::int32_t label, const ImageView& selected) {
+  bool any = false;
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      const bool is_selected = source.row(y)[x] != 0 && label_at(x, y) == label;
+      selected.row(y)[x] = is_selected ? 255 : 0;
+      any = any || is_selected;
+    }
+  }
+  return any;
+}
+
+int labels_by_reference(const ThinImage& thin, const ConstImageView& source,
+                        const ImageView& destination) {
+  ByteImage one(source.width, source.height);
+  int iterations = 0;
+  for (Index y = 0; y < source.height; ++y) {
+    std::fill_n(destination.row(y), source.width, std::uint8_t{0});
+  }
+  for (std::int32_t label = 1; label <= kLabels; ++label) {
+    if (!select(source, label, one.view())) continue;
+    iterations = std::max(iterations, thin(one.view(), one.view()));
+    for (Index y = 0; y < source.height; ++y) {
+      for (Index x = 0; x < source.width; ++x) {
+        if (one.at(x, y) != 0) destination.row(y)[x] = static_cast<std::uint8_t>(label);
+      }
+    }
+  }
+  return iterations;
+}
+
+int labels_by_library(const CollectionCase& one, const Execution& execution,
+                      const ConstImageView& source, const ImageView& destination) {
+  std::vector<std::int32_t> labels;
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      labels.push_back(source.row(y)[x] != 0 ? label_at(x, y) : 0);
+    }
+  }
+  const LabelView view(labels.data(), source.width, source.height);
+  const int iterations = thin_labels(one.rule, view, view, one.thinning, execution);
+  for (Index y = 0; y < source.height; ++y) {
+    std::copy_n(view.row(y), source.width, destination.row(y));
+  }
+  return iterations;
+}
+
+int list_by_reference(const ThinImage& thin, const ConstImageView& source,
+                      const ImageView& destination) {
+  const auto from = parts_of(source);
+  const auto to = parts_of(destination);
+  int iterations = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    iterations = std::max(iterations, thin(from[i], to[i]));
+  }
+  return iterations;
+}
+
+int list_by_library(const CollectionCase& one, const Execution& execution,
+                    const ConstImageView& source, const ImageView& destination) {
+  return thin_many(one.rule, parts_of(source), parts_of(destination), one.thinning, execution);
+}
+
+using ByReference = int (*)(const ThinImage&, const ConstImageView&, const ImageView&);
+using ByLibrary = int (*)(const CollectionCase&, const Execution&, const ConstImageView&,
+                          const ImageView&);
+
+Operation operation_of(const std::string& kind, const CollectionCase& one, ByReference by_reference,
+                       ByLibrary by_library) {
+  Operation operation = {
+      kind + "_" + one.name, "many images or labels, thinned in one call", InputKind::binary, {}, {}};
+  for (const Isa isa : all_isas()) {
+    for (const bool threaded : {false, true}) {
+      const detail::VariantInfo info = {"chosen", isa, threaded};
+      operation.variants.push_back(
+          {info.technique, "the library's choice", isa, threaded, false,
+           [=](Index, Index, int threads) {
+             return counting_job([=](const ConstImageView& input, const ImageView& output) {
+               return by_library(one, {threads, isa}, input, output);
+             });
+           },
+           [info](Index width) { return unavailable_reason(info, width); },
+           static_cast<int>(isa)});
+    }
+  }
+  operation.reference = [=, thin = reference_of(one)](Index, Index, int) {
+    return counting_job([=](const ConstImageView& input, const ImageView& output) {
+      return by_reference(thin, input, output);
+    });
+  };
+  operation.counter = "iterations";
+  operation.small_sets_only = true;
+  operation.timed = false;
+  return operation;
+}
+
+}  // namespace
+
+std::vector<Operation> collections_family() {
+  std::vector<Operation> family;
+  for (const CollectionCase& one : cases()) {
+    family.push_back(operation_of("list", one, &list_by_reference, &list_by_library));
+    if (!suits_labels(one)) continue;
+    family.push_back(operation_of("labels", one, &labels_by_reference, &labels_by_library));
+  }
+  return family;
+}
+
+}  // namespace thinbench
