@@ -14,7 +14,9 @@ using detail::BitPlane;
 using detail::kWordBits;
 using Row = detail::NeighbourRow<std::uint64_t>;
 
+/// Without memory for images without pixels, whatever their size.
 BitPlane packed(const ConstImageView& image) {
+  if (image.width == 0 || image.height == 0) return {};
   BitPlane plane(image.width, image.height);
   detail::plane_conversion<std::uint64_t>(best_isa()).read(image, plane.view());
   return plane;
@@ -58,9 +60,10 @@ void classify_pixels(ConstImageView image, ImageView classes, ImageView degrees)
   check_destination(image, degrees);
   if (classes.data != nullptr) check_destination(classes, degrees);
   const BitPlane plane = packed(image);
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index i = 0; i * kWordBits < image.width; ++i) {
-      classify_word(plane.view(), y, i, [&](Index x, PixelClass pixel_class, unsigned degree) {
+  const detail::ConstBitPlaneView bits = plane.view();
+  for (Index y = 0; y < bits.height; ++y) {
+    for (Index i = 0; i * kWordBits < bits.width; ++i) {
+      classify_word(bits, y, i, [&](Index x, PixelClass pixel_class, unsigned degree) {
         if (classes.data != nullptr) classes.row(y)[x] = static_cast<std::uint8_t>(pixel_class);
         if (degrees.data != nullptr) degrees.row(y)[x] = static_cast<std::uint8_t>(degree);
       });
@@ -72,11 +75,12 @@ FullBlocks full_blocks(ConstImageView image) {
   detail::check_views(image, image, detail::InPlace::allowed);
   detail::require_label_size(image.width, image.height);
   const BitPlane plane = packed(image);
+  const detail::ConstBitPlaneView bits = plane.view();
   FullBlocks found;
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index i = 0; i * kWordBits < image.width; ++i) {
-      const Row row = Row::load(plane.view().row(y) + i);
-      const Row below = Row::load(plane.view().row(y + 1) + i);
+  for (Index y = 0; y < bits.height; ++y) {
+    for (Index i = 0; i * kWordBits < bits.width; ++i) {
+      const Row row = Row::load(bits.row(y) + i);
+      const Row below = Row::load(bits.row(y + 1) + i);
       const std::uint64_t corners = row.here & row.east & below.here & below.east;
       if (found.count == 0 && corners != 0) {
         found.first = {static_cast<std::int32_t>(i * kWordBits + std::countr_zero(corners)),

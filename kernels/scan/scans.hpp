@@ -66,9 +66,9 @@ template <class Rule, int sub, class Rows, class Fixed, class Prefetch>
   return changed_bands;
 }
 
-/// The same as a ScanFunction.
+/// The same as a ScanFunction. Static, because ISAs may share a type of words.
 template <class Rule, int sub, class Rows>
-std::uint64_t scan_built_in(const void*, const ColumnScan& shared) {
+static std::uint64_t scan_built_in(const void*, const ColumnScan& shared) {
   const ColumnScan scan = shared;  // a local copy, which stores cannot alias
   using Traits = WordTraits<typename Rows::Word>;
   NoPrefetch none;
@@ -99,7 +99,7 @@ template <class Rule, class Rows, class Fixed>
 }
 
 template <class Rule, class Rows>
-int repeat_built_in(const ColumnScan& shared, int max_iterations, Prefetcher& prefetcher) {
+static int repeat_built_in(const ColumnScan& shared, int max_iterations, Prefetcher& prefetcher) {
   const ColumnScan scan = shared;
   using Traits = WordTraits<typename Rows::Word>;
   if (scan.fixed == nullptr) {

@@ -1,31 +1,44 @@
-// Thinning does not allocate memory while it runs.
+// Thinning does not allocate memory while it runs, and nothing does for images without pixels.
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
+#include "support/rule_parameters.hpp"
+#include "support/variant_of.hpp"
 #include "thinbench/batch.hpp"
+#include "thinbench/distance.hpp"
+#include "thinbench/edges.hpp"
+#include "thinbench/graph.hpp"
+#include "thinbench/labels.hpp"
+#include "thinbench/localise.hpp"
+#include "thinbench/packed.hpp"
+#include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace {
 // Allocations by all threads, counted by the operators below. They do not see oneTBB's own memory
 // pool, from which tasks are allocated.
 std::atomic<long> allocations = 0;
+std::atomic<std::size_t> allocated_bytes = 0;
 }  // namespace
 
 // Not inlined, because GCC would then warn that memory from `new` is passed to `free`. Every form
 // that the tests use is replaced, so that new and delete match.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
+  allocated_bytes += size;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
+  allocated_bytes += size;
   const auto align = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
   throw std::bad_alloc();
@@ -50,25 +63,19 @@ std::atomic<long> allocations = 0;
 namespace thinbench {
 namespace {
 
-TEST(Thinner, allocates_nothing_after_construction) {
+TEST(ThinningState, allocates_nothing_after_construction) {
   const ByteImage image = noise_image(300, 90, 97, 1, 5);
   ByteImage out(300, 90);
-  for (const detail::ThinningOperation& operation : detail::thinning_operations()) {
-    for (const detail::ThinningVariant& variant : operation.variants) {
-      for (const Border border : {Border::background, Border::keep}) {
-        if (!unavailable_reason(variant, 300, border).empty()) continue;
-        Thinner thinner(operation.rule, 300, 90,
-                        {.border = border,
-                         .threads = variant.threaded ? 3 : 1,
-                         .isa = variant.isa,
-                         .technique = variant.technique});
-        if (variant.threaded) thinner(image.view(), out.view());  // starts the threads
-        const long before = allocations;
-        thinner(image.view(), out.view());
-        EXPECT_EQ(allocations, before)
-            << operation.name << " by " << technique_name(variant.technique) << " at "
-            << isa_name(variant.isa);
-      }
+  for (const RuleInfo& info : kRules) {
+    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
+      if (border == Border::foreground && Rule(info.rule).sub_iterations().empty()) continue;
+      for_each_state(detail::thinning_parameters(info.rule, {.border = border}), 300, 90, 3,
+                     [&](detail::ThinningState& state, const std::string& name) {
+                       state.run(image.view(), out.view());  // starts the threads
+                       const long before = allocations;
+                       state.run(image.view(), out.view());
+                       EXPECT_EQ(allocations, before) << info.name << " by " << name;
+                     });
     }
   }
 }
@@ -78,13 +85,58 @@ TEST(ThinningBatch, allocates_nothing_after_construction) {
   const StackView stack = {pixels.data(), 50, 28, 28, 28, 28 * 28};
   for (const RuleInfo& info : kRules) {
     for (const int threads : {1, 3}) {
-      ThinningBatch batch(info.rule, 28, 28, {.threads = threads});
+      ThinningBatch batch(info.rule, 28, 28, {}, {.threads = threads});
       batch(stack, stack);  // starts the threads
       const long before = allocations;
       batch(stack, stack);
       EXPECT_EQ(allocations, before) << info.name;
     }
   }
+}
+
+/// Every function that takes an image, on one of this size without pixels.
+void call_all(Index width, Index height) {
+  const ConstImageView source(nullptr, width, height);
+  const ImageView destination(nullptr, width, height);
+  const LabelView labels(nullptr, width, height);
+  for (const auto& [name, rule, border] : rules_and_borders()) {
+    const Thinning thinning = {border};
+    const Execution execution = {.threads = 2};
+    thin(rule, source, destination, thinning, execution);
+    thin(rule, ConstPackedView(nullptr, width, height, BitOrder::msb_first),
+         {nullptr, width, height, BitOrder::msb_first}, thinning, execution);
+    thin_batch(rule, {nullptr, 3, width, height}, {nullptr, 3, width, height}, thinning, execution);
+    thin_many(rule, std::span(&source, 1), std::span(&destination, 1), thinning, execution);
+  }
+  thin_labels(Rule::guo_hall, labels, labels, {}, {.threads = 2});
+  static_cast<void>(find_regions(source, {.threads = 2}));
+  static_cast<void>(find_components(source));
+  static_cast<void>(euler_number(source));
+  static_cast<void>(euler_number_4(source));
+  fill_holes(source, destination);
+  label_regions(source, labels);
+  label_components(source, labels, Connectivity::four);
+  label_components(source, labels, Connectivity::eight);
+  for (const EdgeOperatorInfo& info : kEdgeOperators) detect_edges(info.op, source, destination);
+  static_cast<void>(localise_objects(source));
+  static_cast<void>(skeleton_graph(source));
+  prune(source, destination, {});
+  classify_pixels(source, destination, destination);
+  static_cast<void>(full_blocks(source));
+}
+
+TEST(EmptyImages, of_any_width_and_height_take_little_memory) {
+  constexpr Index huge = Index{1} << 29;
+  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, huge}, {huge, 0}}) {
+    call_all(width, height);  // compiles the rules
+    const std::size_t before = allocated_bytes;
+    call_all(width, height);
+    EXPECT_LT(allocated_bytes - before, std::size_t{1} << 22) << width << " x " << height;
+  }
+  const std::size_t before = allocated_bytes;
+  squared_distances({nullptr, 0, kMaxDistanceSide}, {nullptr, 0, kMaxDistanceSide});
+  squared_distances({nullptr, kMaxDistanceSide, 0}, {nullptr, kMaxDistanceSide, 0});
+  EXPECT_LT(allocated_bytes - before, std::size_t{1} << 16);
 }
 
 TEST(AllocationCounter, counts_aligned_and_plain_allocations) {

@@ -11,7 +11,6 @@
 
 #include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
-#include "thinbench/nets.hpp"
 
 namespace thinbench {
 namespace {
@@ -68,13 +67,15 @@ TEST(ThinBatch, rejects_stacks_with_interleaved_images_as_overlapping) {
 }
 
 /// The error for these options; checks that nothing was written.
-std::string rejected_options(Rule rule, const Options& options, Index width = 5) {
+std::string rejected_options(const Rule& rule, const Thinning& thinning,
+                             const Execution& execution = {}, Index width = 5) {
   std::vector<std::uint8_t> pixels(50 * 5, kUntouched);
   const StackView stack = {pixels.data(), 2, 5, 5, 5, 25};
-  const std::string text = rejection_of([&] { ThinningBatch(rule, width, 5, options); });
+  const std::string text =
+      rejection_of([&] { ThinningBatch(rule, width, 5, thinning, execution); });
   EXPECT_TRUE(is_one_sentence(text)) << text;
   if (width == 5) {
-    EXPECT_EQ(rejection_of([&] { thin_batch(rule, stack, stack, options); }), text);
+    EXPECT_EQ(rejection_of([&] { thin_batch(rule, stack, stack, thinning, execution); }), text);
   }
   EXPECT_TRUE(std::all_of(pixels.begin(), pixels.end(),
                           [](std::uint8_t byte) { return byte == kUntouched; }));
@@ -82,37 +83,20 @@ std::string rejected_options(Rule rule, const Options& options, Index width = 5)
 }
 
 TEST(ThinningBatch, rejects_unsuitable_options) {
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = 0}),
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {.threads = 0}),
             "threads: expected an integer in [1, 1024], got 0");
   EXPECT_EQ(rejected_options(Rule::guo_hall, {.max_iterations = 0}),
             "max_iterations: expected an integer of at least 1, got 0");
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, -5), "image size -5 x 5 is negative");
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {.directions = kNoDirections}),
-            "thin_guo_hall takes no directions");
-  EXPECT_EQ(rejected_options(Rule::mb2, {.net = two_layer_net(kPaperTwoLayer, Activation::linear)}),
-            "thin_mb2 takes no weights");
-  EXPECT_EQ(rejected_options(Rule::spta, {.isa = Isa::avx2}),
-            "thin_spta by any technique at avx2 on one thread: there is no such variant; its "
-            "instruction sets are baseline");
-  EXPECT_NE(rejected_options(Rule::guo_hall, {.technique = Technique::simd_runs}), "");
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {}, -5), "image size -5 x 5 is negative");
+  EXPECT_EQ(rejected_options(Rule::spta, {}, {.isa = Isa::avx2}),
+            "thin_spta at avx2 on one thread: its instruction sets are baseline");
 }
 
 TEST(ThinningBatch, rejects_invalid_enumerators) {
-  EXPECT_EQ(rejected_options(static_cast<Rule>(99), {}),
-            "rule: expected one of the enumeration, got number 99");
-  EXPECT_EQ(rejected_options(Rule::mb2, {.technique = static_cast<Technique>(99)}),
-            "technique: expected one of the enumeration, got number 99");
-  EXPECT_EQ(rejected_options(Rule::mb2, {.isa = static_cast<Isa>(99)}),
+  EXPECT_EQ(rejected_options(Rule::mb2, {}, {.isa = static_cast<Isa>(99)}),
             "isa: expected one of " + all_isa_names() + ", got number 99");
-  EXPECT_EQ(rejected_options(Rule::mb2, {.border = static_cast<Border>(2)}),
-            "border: expected background or keep, got 2");
-}
-
-TEST(TwoLayerNet, rejects_an_invalid_activation) {
-  EXPECT_EQ(rejection_of([] {
-              static_cast<void>(two_layer_net(kPaperTwoLayer, static_cast<Activation>(7)));
-            }),
-            "activation: expected sigmoid or linear, got number 7");
+  EXPECT_EQ(rejected_options(Rule::mb2, {.border = static_cast<Border>(3)}),
+            "border: expected background, keep or foreground, got 3");
 }
 
 TEST(ThinningBatch, rejects_images_of_another_size) {

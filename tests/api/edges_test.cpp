@@ -10,7 +10,6 @@
 #include "support/filled_image.hpp"
 #include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
-#include "thinbench/nets.hpp"
 
 namespace thinbench {
 namespace {
@@ -76,12 +75,12 @@ TEST(DetectEdges, rejects_invalid_views_and_any_overlap) {
   EXPECT_EQ(rejected_views(left, {view.data + 25, 20, 10, view.stride}), "") << "side by side";
 }
 
-std::string rejected(const EdgeThresholds& thresholds, const Options& options = {},
+std::string rejected(const EdgeThresholds& thresholds, const Execution& execution = {},
                      EdgeOperator op = EdgeOperator::sobel) {
   const ByteImage image = grey_noise_image(20, 10, 0, 255, 3);
   ByteImage out = untouched(20, 10);
   const std::string text =
-      rejection_of([&] { detect_edges(op, image.view(), out.view(), thresholds, options); });
+      rejection_of([&] { detect_edges(op, image.view(), out.view(), thresholds, execution); });
   EXPECT_TRUE(is_one_sentence(text)) << text;
   EXPECT_TRUE(is_untouched(out));
   return text;
@@ -98,31 +97,17 @@ TEST(DetectEdges, rejects_thresholds_out_of_range) {
 TEST(DetectEdges, rejects_invalid_enumerators) {
   EXPECT_EQ(rejected({}, {}, static_cast<EdgeOperator>(6)),
             "operator: expected one of the enumeration, got number 6");
-  EXPECT_EQ(rejected({}, {.technique = static_cast<Technique>(99)}),
-            "technique: expected one of the enumeration, got number 99");
   EXPECT_EQ(rejected({}, {.isa = static_cast<Isa>(99)}),
             "isa: expected one of " + all_isa_names() + ", got number 99");
 }
 
 TEST(DetectEdges, rejects_unsuitable_options) {
   EXPECT_EQ(rejected({}, {.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected({}, {.border = Border::keep}), "edges_sobel takes no border");
-  EXPECT_EQ(rejected({}, {.max_iterations = 3}), "edges_sobel takes no max_iterations");
-  EXPECT_EQ(rejected({}, {.directions = kNoDirections}), "edges_sobel takes no directions");
-  EXPECT_EQ(rejected({}, {.net = two_layer_net(kPaperTwoLayer, Activation::linear)}),
-            "edges_sobel takes no weights");
-  const std::string none = ": there is no such variant; ";
-  EXPECT_EQ(rejected({}, {.technique = Technique::union_find}),
-            "edges_sobel by union_find at any instruction set on one thread" + none +
-                "its techniques are autovec, simd_16bit");
   if (all_isas().back() == Isa::avx512icl) {
     EXPECT_EQ(rejected({}, {.isa = Isa::avx512icl}),
-              "edges_sobel by any technique at avx512icl on one thread" + none +
-                  "its instruction sets are baseline, sse4.2, avx2, avx512");
+              "edges_sobel at avx512icl on one thread: its instruction sets are baseline, sse4.2, "
+              "avx2, avx512");
   }
-  EXPECT_EQ(rejected({}, {.threads = 2, .technique = Technique::autovec}),
-            "edges_sobel by autovec at any instruction set with threads" + none +
-                "it runs on one thread only");
 }
 
 }  // namespace

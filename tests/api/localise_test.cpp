@@ -8,7 +8,6 @@
 #include "harness/test_images.hpp"
 #include "localise.hpp"
 #include "support/rejection.hpp"
-#include "thinbench/nets.hpp"
 
 namespace thinbench {
 namespace {
@@ -39,8 +38,9 @@ TEST(LocaliseObjects, finds_nothing_in_images_without_edges) {
 }
 
 std::string rejected(const ConstImageView& view, const EdgeThresholds& thresholds = {},
-                     const Options& options = {}) {
-  const std::string text = rejection_of([&] { (void)localise_objects(view, thresholds, options); });
+                     const Execution& execution = {}) {
+  const std::string text =
+      rejection_of([&] { (void)localise_objects(view, thresholds, execution); });
   EXPECT_TRUE(is_one_sentence(text)) << text;
   return text;
 }
@@ -63,17 +63,6 @@ TEST(LocaliseObjects, rejects_unsuitable_thresholds_and_options) {
   EXPECT_EQ(rejected(view, {0, -1}),
             "brightness_threshold: expected an integer in [0, 255], got -1");
   EXPECT_EQ(rejected(view, {}, {.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected(view, {}, {.border = Border::keep}), "localise_objects takes no border");
-  EXPECT_EQ(rejected(view, {}, {.max_iterations = 1}), "localise_objects takes no max_iterations");
-  EXPECT_EQ(rejected(view, {}, {.directions = kNoDirections}),
-            "localise_objects takes no directions");
-  EXPECT_EQ(rejected(view, {}, {.net = two_layer_net(kPaperTwoLayer, Activation::linear)}),
-            "localise_objects takes no weights");
-  EXPECT_EQ(rejected(view, {}, {.technique = Technique::lut}),
-            "localise_objects by lut at any instruction set on one thread: there is no such "
-            "variant; its techniques are bitpacked_runs, simd_runs");
-  EXPECT_EQ(rejected(view, {}, {.technique = static_cast<Technique>(99)}),
-            "technique: expected one of the enumeration, got number 99");
 }
 
 }  // namespace

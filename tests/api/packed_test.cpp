@@ -12,6 +12,7 @@
 #include "support/packed_image.hpp"
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
+#include "support/variant_of.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -22,17 +23,17 @@ constexpr std::array kOrders = {BitOrder::msb_first, BitOrder::lsb_first};
 class PackedThin : public testing::TestWithParam<RuleAndBorder> {};
 
 TEST_P(PackedThin, equals_thin_of_bytes_in_both_bit_orders_at_any_width_and_stride) {
-  const auto [rule, border] = GetParam();
+  const auto& [name, rule, border] = GetParam();
   for (const Index width : {1, 7, 8, 63, 64, 65, 133, 515, 1001}) {
     const ByteImage image = noise_image(width, 37, 80, 3, static_cast<std::uint64_t>(width));
     ByteImage expected(width, 37);
-    const Options options = {.border = border};
-    const int iterations = thin(rule, image.view(), expected.view(), options);
+    const Thinning thinning = {border};
+    const int iterations = thin(rule, image.view(), expected.view(), thinning);
     for (const BitOrder order : kOrders) {
       for (const Index gap : {0, 5}) {
         const PackedImage source(image.view(), order, gap, 0xFF);
         PackedImage result(width, 37, order, gap, 0xA5);
-        EXPECT_EQ(thin(rule, source.view(), result.view(), options), iterations);
+        EXPECT_EQ(thin(rule, source.view(), result.view(), thinning), iterations);
         EXPECT_EQ(result, PackedImage(expected.view(), order, gap, 0xA5)) << width;
       }
     }
@@ -41,18 +42,18 @@ TEST_P(PackedThin, equals_thin_of_bytes_in_both_bit_orders_at_any_width_and_stri
 
 INSTANTIATE_TEST_SUITE_P(Rules, PackedThin, all_rules_and_borders(), rule_and_border_test_name);
 
-TEST(PackedThin, techniques_on_bytes_and_threads_give_the_same_bits) {
+TEST(PackedThin, every_variant_gives_the_same_bits) {
   const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
   ByteImage expected(1100, 1000);
   thin(Rule::guo_hall, image.view(), expected.view());
   const PackedImage source(image.view(), BitOrder::msb_first);
-  for (const Options& options :
-       {Options{.technique = Technique::lut}, Options{.technique = Technique::autovec},
-        Options{.threads = 3}, Options{.threads = 3, .technique = Technique::bitpacked}}) {
-    PackedImage result(1100, 1000, BitOrder::lsb_first);
-    thin(Rule::guo_hall, source.view(), result.view(), options);
-    EXPECT_EQ(result, PackedImage(expected.view(), BitOrder::lsb_first));
-  }
+  const PackedImage bits(expected.view(), BitOrder::lsb_first);
+  for_each_state(detail::thinning_parameters(Rule::guo_hall, {}), 1100, 1000, 3,
+                 [&](detail::ThinningState& state, const std::string& name) {
+                   PackedImage result(1100, 1000, BitOrder::lsb_first);
+                   state.run(source.view(), result.view());
+                   EXPECT_EQ(result, bits) << name;
+                 });
 }
 
 TEST(PackedThin, works_in_place_and_from_one_bit_order_to_the_other) {
@@ -77,8 +78,8 @@ TEST(PackedThin, takes_one_iteration_for_images_without_pixels) {
 }
 
 std::string rejected(const ConstPackedView& source, const PackedView& destination,
-                     const Options& options = {}) {
-  return rejection_of([&] { thin(Rule::guo_hall, source, destination, options); });
+                     const Thinning& thinning = {}, const Execution& execution = {}) {
+  return rejection_of([&] { thin(Rule::guo_hall, source, destination, thinning, execution); });
 }
 
 TEST(PackedThin, rejects_invalid_views_and_options_and_writes_nothing) {
@@ -100,7 +101,8 @@ TEST(PackedThin, rejects_invalid_views_and_options_and_writes_nothing) {
             "destination has the bit order 2; expected msb_first or lsb_first");
   EXPECT_EQ(rejected({data + 1, 20, 10, order}, to),
             "source and destination overlap without being the same image");
-  EXPECT_EQ(rejected(from, to, {.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
+  EXPECT_EQ(rejected(from, to, {}, {.threads = 0}),
+            "threads: expected an integer in [1, 1024], got 0");
   EXPECT_EQ(rejected(from, to, {.max_iterations = 0}),
             "max_iterations: expected an integer of at least 1, got 0");
   EXPECT_EQ(bytes, std::vector<std::uint8_t>(100, 0x5A));

@@ -11,7 +11,6 @@
 #include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
-#include "thinbench/nets.hpp"
 
 namespace thinbench {
 namespace {
@@ -56,7 +55,7 @@ TEST(FillHoles, fills_holes_and_the_objects_inside_them) {
   fill_holes(image.view(), filled.view());
   EXPECT_EQ(text_of(filled), expected);
   filled = copy_of(image.view());
-  fill_holes(filled.view(), filled.view(), {.technique = Technique::union_find});
+  fill_holes(filled.view(), filled.view());
   EXPECT_EQ(text_of(filled), expected) << "in place";
 }
 
@@ -105,41 +104,27 @@ TEST(FillHoles, rejects_invalid_views_and_partial_overlap) {
   EXPECT_EQ(rejected(source, {view.data + 25, 20, 10, view.stride}), "") << "side by side";
 }
 
-/// find_regions' error for options; checks that fill_holes fails without writing.
-std::string rejected_options(const Options& options) {
+/// find_regions' error; checks that fill_holes fails without writing.
+std::string rejected_execution(const Execution& execution) {
   const ByteImage image = noise_image(10, 4, 50, 1, 2);
   ByteImage out = copy_of(image.view());
-  const std::string text = rejection_of([&] { (void)find_regions(image.view(), options); });
+  const std::string text = rejection_of([&] { (void)find_regions(image.view(), execution); });
   EXPECT_TRUE(is_one_sentence(text)) << text;
-  EXPECT_NE(rejection_of([&] { fill_holes(image.view(), out.view(), options); }), "");
-  EXPECT_NE(rejection_of([&] { (void)euler_number(image.view(), options); }), "");
+  EXPECT_NE(rejection_of([&] { fill_holes(image.view(), out.view(), execution); }), "");
+  EXPECT_NE(rejection_of([&] { (void)euler_number(image.view(), execution); }), "");
   EXPECT_TRUE(equal(out.view(), image.view()));
   return text;
 }
 
-TEST(FindRegions, rejects_unsuitable_options) {
-  EXPECT_EQ(rejected_options({.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected_options({.technique = Technique::simd_bytes}),
-            "holes by simd_bytes at any instruction set on one thread: there is no such variant; "
-            "its techniques are union_find, bitpacked_runs, simd_runs");
-  EXPECT_EQ(rejected_options({.technique = static_cast<Technique>(99)}),
-            "technique: expected one of the enumeration, got number 99");
-  EXPECT_EQ(rejected_options({.isa = static_cast<Isa>(99)}),
+TEST(FindRegions, rejects_an_unsuitable_execution) {
+  EXPECT_EQ(rejected_execution({.threads = 0}), "threads: expected an integer in [1, 1024], got 0");
+  EXPECT_EQ(rejected_execution({.isa = static_cast<Isa>(99)}),
             "isa: expected one of " + all_isa_names() + ", got number 99");
 }
 
 TEST(EulerNumber, of_one_row_takes_any_stride) {
   const std::array<std::uint8_t, 5> row = {0, 255, 0, 255, 255};
   EXPECT_EQ(euler_number({row.data(), 5, 1, PTRDIFF_MAX}), 2);
-}
-
-TEST(FindRegions, rejects_options_of_thinning) {
-  EXPECT_EQ(rejected_options({.border = Border::keep}), "holes takes no border");
-  EXPECT_EQ(rejected_options({.border = static_cast<Border>(7)}), "holes takes no border");
-  EXPECT_EQ(rejected_options({.max_iterations = 3}), "holes takes no max_iterations");
-  EXPECT_EQ(rejected_options({.directions = kNoDirections}), "holes takes no directions");
-  EXPECT_EQ(rejected_options({.net = two_layer_net(kPaperTwoLayer, Activation::linear)}),
-            "holes takes no weights");
 }
 
 }  // namespace

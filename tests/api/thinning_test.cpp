@@ -15,8 +15,10 @@
 #include "support/isa_parameters.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rejection.hpp"
+#include "support/rule_parameters.hpp"
 #include "thinbench/edges.hpp"
-#include "thinbench/nets.hpp"
+#include "thinbench/named_rules.hpp"
+#include "thinning/operations.hpp"
 
 namespace thinbench {
 namespace {
@@ -31,33 +33,69 @@ bool is_untouched(const ConstImageView& view) {
   return is_filled(view, kUntouched);
 }
 
-TEST(Thin, equals_the_reference_by_default_at_any_width) {
-  for (const RuleInfo& info : kRules) {
-    for (const Index width : {1, 64, 510, 512, 513, 1100}) {
-      const ByteImage image = noise_image(width, 20, 95, 1, 2);
-      const Thinned expected = thinned_by_reference(info.rule, image);
-      for (const int threads : {1, 3}) {
-        ByteImage out(width, 20);
-        EXPECT_EQ(thin(info.rule, image.view(), out.view(), {.threads = threads}),
-                  expected.iterations);
-        EXPECT_TRUE(equal(out.view(), expected.image.view())) << info.name << ", " << width;
-      }
+class ThinBy : public testing::TestWithParam<RuleAndBorder> {};
+
+TEST_P(ThinBy, equals_the_reference_by_default_at_any_width) {
+  const auto& [name, rule, border] = GetParam();
+  for (const Index width : {1, 64, 510, 512, 513, 1100, 2000}) {
+    const ByteImage image = noise_image(width, 20, 95, 1, 2);
+    const Thinned expected = thinned_by_reference(rule, image, {border});
+    Thinner thinner(rule, width, 20, {border, kUnlimited});
+    for (const int threads : {1, 3}) {
+      ByteImage out(width, 20);
+      EXPECT_EQ(thin(rule, image.view(), out.view(), {border, kUnlimited}, {.threads = threads}),
+                expected.iterations);
+      EXPECT_TRUE(equal(out.view(), expected.image.view())) << width;
+      EXPECT_EQ(thinner(image.view(), out.view()), expected.iterations);
+      EXPECT_TRUE(equal(out.view(), expected.image.view())) << width;
     }
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Rules, ThinBy, all_rules_and_borders(), rule_and_border_test_name);
+
+TEST(Thin, does_what_a_rule_says_unless_told_otherwise) {
+  const ByteImage image = noise_image(90, 30, 60, 3, 6);
+  for (const NamedRule& named : named_rules()) {
+    const Rule rule = Rule::named(named.name);
+    for (const Thinning& thinning : {Thinning{}, Thinning{Border::foreground, 2}}) {
+      const Border border = thinning.border.value_or(named.border);
+      const Thinned expected = thinned_by_reference(
+          rule, image, {border, thinning.max_iterations.value_or(named.max_iterations)});
+      ByteImage out(90, 30);
+      EXPECT_EQ(thin(rule, image.view(), out.view(), thinning), expected.iterations) << named.name;
+      EXPECT_TRUE(equal(out.view(), expected.image.view())) << named.name;
+    }
+  }
+}
+
+TEST(Thinner, runs_a_net_that_equals_the_rule_as_the_rule) {
+  const Rule rule = Rule::naccache_shinghal;
+  const Rule net(kPaperTwoLayer, Activation::linear);
+  for (const Index width : {600, 2048}) {
+    const ByteImage image = noise_image(width, 70, 90, 2, 3);
+    Thinner by_rule(rule, width, 70);
+    Thinner by_net(net, width, 70);
+    EXPECT_EQ(by_net.technique(), by_rule.technique());
+    EXPECT_EQ(by_net.isa(), by_rule.isa());
+    ByteImage expected(width, 70);
+    ByteImage out(width, 70);
+    EXPECT_EQ(by_rule(image.view(), expected.view()), by_net(image.view(), out.view()));
+    EXPECT_TRUE(equal(out.view(), expected.view())) << width;
+  }
+  EXPECT_EQ(&detail::thinning_variants(*net.body()), &detail::thinning_variants(*rule.body()));
+}
+
 TEST(Thin, large_image_has_the_same_result_on_one_and_on_three_threads) {
   const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
-  for (const Rule rule : {Rule::guo_hall, Rule::midpoint_scan, Rule::net_two_layer_linear}) {
-    for (const Border border : {Border::background, Border::keep}) {
+  for (const auto& [name, rule, border] : rules_and_borders()) {
+    if (name == "guo_hall" || name == "midpoint_scan" || name == "adding_tables") {
       ByteImage one(1100, 1000);
       ByteImage three(1100, 1000);
-      const Options options = {.border = border, .max_iterations = 4};
-      Options with_threads = options;
-      with_threads.threads = 3;
-      EXPECT_EQ(thin(rule, image.view(), one.view(), options),
-                thin(rule, image.view(), three.view(), with_threads));
-      EXPECT_TRUE(equal(one.view(), three.view())) << rule_name(rule);
+      const Thinning thinning = {border, 4};
+      EXPECT_EQ(thin(rule, image.view(), one.view(), thinning),
+                thin(rule, image.view(), three.view(), thinning, {.threads = 3}));
+      EXPECT_TRUE(equal(one.view(), three.view())) << name << ", border " << border_name(border);
     }
   }
 }
@@ -66,8 +104,9 @@ TEST(Thin, takes_one_iteration_for_images_without_pixels) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 7}, {7, 0}}) {
     for (const RuleInfo& info : kRules) {
       for (const Border border : {Border::background, Border::keep}) {
-        const Options options = {.border = border};
-        EXPECT_EQ(thin(info.rule, {nullptr, width, height}, {nullptr, width, height}, options), 1)
+        EXPECT_EQ(thin(info.rule, ConstImageView(nullptr, width, height), {nullptr, width, height},
+                       {border}),
+                  1)
             << info.name;
       }
     }
@@ -148,23 +187,25 @@ TEST(Thin, rejects_partial_overlap) {
 }
 
 /// The error that thin() and Thinner throw for these options; checks that nothing was written.
-std::string rejected_options(Rule rule, const Options& options) {
+std::string rejected_options(const Rule& rule, const Thinning& thinning,
+                             const Execution& execution = {}) {
   const ByteImage image = noise_image(60, 10, 80, 1, 5);
   ByteImage out = untouched(60, 10);
-  const std::string text = rejection_of([&] { thin(rule, image.view(), out.view(), options); });
+  const std::string text =
+      rejection_of([&] { thin(rule, image.view(), out.view(), thinning, execution); });
   EXPECT_TRUE(is_one_sentence(text)) << text;
   EXPECT_TRUE(is_untouched(out.view())) << text;
-  const std::string of_thinner = rejection_of([&] { Thinner(rule, 60, 10, options); });
+  const std::string of_thinner = rejection_of([&] { Thinner(rule, 60, 10, thinning, execution); });
   EXPECT_EQ(of_thinner, text);
   return text;
 }
 
 TEST(Thin, rejects_numbers_out_of_range) {
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = 0}),
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {.threads = 0}),
             "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = -1}),
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {.threads = -1}),
             "threads: expected an integer in [1, 1024], got -1");
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {.threads = 1025}),
+  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {.threads = 1025}),
             "threads: expected an integer in [1, 1024], got 1025");
   for (const RuleInfo& info : kRules) {
     EXPECT_EQ(rejected_options(info.rule, {.max_iterations = 0}),
@@ -177,11 +218,9 @@ TEST(Thin, rejects_numbers_out_of_range) {
 TEST(Enumerations, names_and_descriptions_of_values_outside_them_are_rejected) {
   const std::string end = ": expected one of the enumeration, got number 99";
   const auto rejection = [](auto ask) { return rejection_of([&] { static_cast<void>(ask()); }); };
-  EXPECT_EQ(rejection([] { return rule_info(static_cast<Rule>(99)).name; }), "rule" + end);
-  EXPECT_EQ(rejection([] { return rule_name(static_cast<Rule>(99)); }), "rule" + end);
+  EXPECT_EQ(rejection([] { return rule_info(static_cast<BuiltInRule>(99)).name; }), "rule" + end);
+  EXPECT_EQ(rejection([] { return rule_name(static_cast<BuiltInRule>(99)); }), "rule" + end);
   EXPECT_EQ(rejection([] { return border_name(static_cast<Border>(99)); }), "border" + end);
-  EXPECT_EQ(rejection([] { return technique_name(static_cast<Technique>(99)); }),
-            "technique" + end);
   EXPECT_EQ(rejection([] { return edge_operator_info(static_cast<EdgeOperator>(99)).name; }),
             "operator" + end);
 }
@@ -189,77 +228,30 @@ TEST(Enumerations, names_and_descriptions_of_values_outside_them_are_rejected) {
 TEST(Thin, rejects_invalid_enumerators) {
   const auto number = [](auto kind, int value) { return static_cast<decltype(kind)>(value); };
   for (const int value : {static_cast<int>(kRules.size()), 99, 255}) {
-    EXPECT_EQ(rejected_options(number(Rule{}, value), {}),
+    EXPECT_EQ(rejection_of([&] { Rule(number(BuiltInRule{}, value)); }),
               "rule: expected one of the enumeration, got number " + std::to_string(value));
   }
-  for (const int value : {static_cast<int>(kTechniques.size()), 99, 255}) {
-    EXPECT_EQ(rejected_options(Rule::mb2, {.technique = number(Technique{}, value)}),
-              "technique: expected one of the enumeration, got number " + std::to_string(value));
-  }
   for (const int value : {static_cast<int>(Isa::neon_sha3) + 1, 99, 255}) {
-    EXPECT_EQ(rejected_options(Rule::mb2, {.isa = number(Isa{}, value)}),
+    EXPECT_EQ(rejected_options(Rule::mb2, {}, {.isa = number(Isa{}, value)}),
               "isa: expected one of " + all_isa_names() + ", got number " + std::to_string(value));
   }
-  for (const int value : {2, 99, 255}) {
+  for (const int value : {3, 99, 255}) {
     for (const RuleInfo& info : kRules) {
       EXPECT_EQ(rejected_options(info.rule, {.border = number(Border{}, value)}),
-                "border: expected background or keep, got " + std::to_string(value));
+                "border: expected background, keep or foreground, got " + std::to_string(value));
     }
   }
-  EXPECT_EQ(rejected_options(Rule::midpoint_scan, {.directions = {0x10}}),
+  EXPECT_EQ(rejection_of([] { Rule(Directions{0x10}); }),
             "directions: expected bits in [0, 15], got 16");
-}
-
-TEST(Thin, rejects_directions_and_weights_for_other_rules) {
-  const auto linear = two_layer_net(kPaperTwoLayer, Activation::linear);
-  for (const RuleInfo& info : kRules) {
-    const bool takes_directions = info.rule == Rule::midpoint_scan;
-    const bool is_net = info.operation.starts_with("net_");
-    if (!takes_directions) {
-      EXPECT_EQ(rejected_options(info.rule, {.directions = kNoDirections}),
-                std::string(info.operation) + " takes no directions");
-    }
-    if (!is_net) {
-      EXPECT_EQ(rejected_options(info.rule, {.net = linear}),
-                std::string(info.operation) + " takes no weights");
-    }
-  }
-}
-
-TEST(Thin, rejects_weights_of_another_kind_of_net) {
-  const auto sigmoid = two_layer_net(kPaperTwoLayer, Activation::sigmoid);
-  const auto linear = two_layer_net(kPaperTwoLayer, Activation::linear);
-  const std::string text = ": the weights are those of another kind of net";
-  EXPECT_EQ(rejected_options(Rule::net_two_layer_linear, {.net = sigmoid}),
-            "net_two_layer_linear" + text);
-  EXPECT_EQ(rejected_options(Rule::net_two_layer_sigmoid, {.net = linear}),
-            "net_two_layer_sigmoid" + text);
-  EXPECT_EQ(rejected_options(Rule::net_single_layer_cluster, {.net = linear}),
-            "net_single_layer_cluster" + text);
-  ClusterWeights one_net = {.count = 1, .nets = {{255, kPaperTwoLayer.output}}};
-  EXPECT_EQ(rejected_options(Rule::net_two_layer_linear, {.net = cluster_net(one_net)}),
-            "net_two_layer_linear" + text);
 }
 
 bool has_row_kernel() {
   return best_isa() == Isa::avx512 || best_isa() == Isa::avx512icl;
 }
 
-TEST(Thin, error_for_a_missing_variant_lists_the_existing_ones) {
-  const std::string none = ": there is no such variant; ";
-  const std::string text = rejected_options(Rule::guo_hall, {.technique = Technique::simd_runs});
-  const std::string beginning = "thin_guo_hall by simd_runs at any instruction set on one thread" +
-                                none + "its techniques are lut, lut_sliding, bitpacked, ";
-  EXPECT_EQ(text.substr(0, beginning.size()), beginning);
-  EXPECT_EQ(
-      rejected_options(Rule::guo_hall, {.isa = Isa::avx2, .technique = Technique::lut}),
-      "thin_guo_hall by lut at avx2 on one thread" + none + "its instruction sets are baseline");
-  EXPECT_EQ(rejected_options(Rule::spta, {.isa = Isa::sse42}),
-            "thin_spta by any technique at sse4.2 on one thread" + none +
-                "its instruction sets are baseline");
-  EXPECT_EQ(rejected_options(Rule::spta, {.threads = 2, .technique = Technique::bitpacked}),
-            "thin_spta by bitpacked at any instruction set with threads" + none +
-                "it runs on one thread only");
+TEST(Thin, error_for_a_missing_variant_lists_the_existing_instruction_sets) {
+  EXPECT_EQ(rejected_options(Rule::spta, {}, {.isa = Isa::sse42}),
+            "thin_spta at sse4.2 on one thread: its instruction sets are baseline");
 }
 
 TEST(Thinner, chooses_the_latest_isa_and_the_technique_by_width) {
@@ -267,18 +259,15 @@ TEST(Thinner, chooses_the_latest_isa_and_the_technique_by_width) {
   const Thinner wide(Rule::naccache_shinghal, 2000, 10);
   EXPECT_EQ(narrow.isa(), best_isa());
   EXPECT_EQ(wide.isa(), best_isa());
-  EXPECT_EQ(narrow.technique(),
-            has_row_kernel() ? Technique::simd_bitpacked_row : Technique::simd_bitpacked_tiles);
-  EXPECT_EQ(wide.technique(), Technique::simd_bitpacked_tiles);
-  const Thinner sequential(Rule::spta, 2000, 2000, {.threads = 4});
-  EXPECT_EQ(sequential.technique(), Technique::bitpacked);
+  EXPECT_EQ(narrow.technique(), has_row_kernel() ? "simd_bitpacked_row" : "simd_bitpacked_tiles");
+  EXPECT_EQ(wide.technique(), "simd_bitpacked_tiles");
+  const Thinner sequential(Rule::spta, 2000, 2000, {}, {.threads = 4});
+  EXPECT_EQ(sequential.technique(), "bitpacked");
   EXPECT_EQ(sequential.isa(), Isa::baseline);
 }
 
-TEST(Thinner, reports_the_requested_technique_and_isa) {
-  const Options options = {.isa = Isa::baseline, .technique = Technique::autovec};
-  const Thinner thinner(Rule::zhang_suen, 100, 10, options);
-  EXPECT_EQ(thinner.technique(), Technique::autovec);
+TEST(Thinner, reports_the_requested_isa) {
+  const Thinner thinner(Rule::zhang_suen, 100, 10, {}, {.isa = Isa::baseline});
   EXPECT_EQ(thinner.isa(), Isa::baseline);
 }
 
@@ -300,7 +289,7 @@ TEST(Thinner, works_after_moves) {
   const ByteImage image = noise_image(60, 20, 90, 1, 4);
   const Thinned expected = thinned_by_reference(Rule::mb2, image);
   Thinner first(Rule::mb2, 60, 20);
-  const Technique technique = first.technique();
+  const std::string_view technique = first.technique();
   Thinner second(std::move(first));
   Thinner third(Rule::spta, 5, 5);
   third = std::move(second);

@@ -7,18 +7,18 @@
 
 #include <gtest/gtest.h>
 
-#include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
+#include "support/variant_of.hpp"
 
 namespace thinbench {
 namespace {
 
 using Numbers = std::vector<std::int32_t>;
 
-Numbers distances_of(const ConstImageView& image, const Options& options = {}) {
+Numbers distances_of(const ConstImageView& image, const Execution& execution = {}) {
   Numbers numbers(static_cast<std::size_t>(image.width * image.height));
-  squared_distances(image, {numbers.data(), image.width, image.height}, options);
+  squared_distances(image, {numbers.data(), image.width, image.height}, execution);
   return numbers;
 }
 
@@ -58,9 +58,7 @@ TEST(SquaredDistances, of_a_small_image_are_as_worked_by_hand) {
                                                  8, 5, 4, 5, 8}));
 }
 
-class Distances : public IsaTest {};
-
-TEST_P(Distances, equal_brute_force_by_every_technique) {
+TEST(SquaredDistances, equal_brute_force_by_every_variant) {
   std::mt19937 random(1);
   for (const int rarity : {2, 20, 500, 1'000'000}) {
     for (const auto& [width, height] :
@@ -68,24 +66,15 @@ TEST_P(Distances, equal_brute_force_by_every_technique) {
       const auto pixels = random_pixels(width * height, rarity, random);
       const ConstImageView image(pixels.data(), width, height);
       const Numbers expected = brute_force(image);
-      for (const Technique technique : {Technique::envelope, Technique::simd_32bit}) {
-        if (technique == Technique::envelope && GetParam() != Isa::baseline) continue;
-        for (const int threads : {1, 3}) {
-          EXPECT_EQ(
-              distances_of(image, {.threads = threads, .isa = GetParam(), .technique = technique}),
-              expected)
-              << width << " x " << height;
-        }
+      for (const auto& variant : detail::study::distance_operation().variants) {
+        if (!unavailable_reason(variant, width).empty()) continue;
+        Numbers found(expected.size());
+        make_state(variant, width, height, {}, 3)->run(image, {found.data(), width, height});
+        EXPECT_EQ(found, expected) << name_of(variant) << ", " << width << " x " << height;
       }
     }
   }
 }
-
-// The last instruction sets of both architectures have no variant of their own.
-INSTANTIATE_TEST_SUITE_P(
-    All, Distances,
-    testing::ValuesIn(all_isas().first(std::max<std::size_t>(1, all_isas().size() - 1))),
-    isa_test_name);
 
 TEST(SquaredDistances, are_exact_at_the_greatest_distance) {
   std::vector<std::uint8_t> pixels(kMaxDistanceSide, 1);
@@ -126,14 +115,14 @@ TEST(SquaredDistances, reject_unsuitable_arguments) {
   const std::vector<std::uint8_t> pixels(kMaxDistanceSide + 1);
   Numbers numbers(pixels.size());
   const auto rejected = [&](const ConstImageView& source, const LabelView& distances,
-                            const Options& options = {}) {
-    return rejection_of([&] { squared_distances(source, distances, options); });
+                            const Execution& execution = {}) {
+    return rejection_of([&] { squared_distances(source, distances, execution); });
   };
   EXPECT_EQ(
       rejected({pixels.data(), kMaxDistanceSide + 1, 1}, {numbers.data(), kMaxDistanceSide + 1, 1}),
       "image size 32768 x 1 has a side above 32767 pixels, the limit for distances");
-  EXPECT_EQ(rejected({pixels.data(), 3, 2}, {numbers.data(), 3, 2}, {.border = Border::keep}),
-            "squared_distances takes no border");
+  EXPECT_EQ(rejected({pixels.data(), 3, 2}, {numbers.data(), 3, 2}, {.threads = 0}),
+            "threads: expected an integer in [1, 1024], got 0");
   EXPECT_NE(rejected({pixels.data(), 3, 2}, {numbers.data(), 2, 3}), "");
 }
 

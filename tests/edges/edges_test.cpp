@@ -5,18 +5,18 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
 #include "harness/verify.hpp"
 #include "reference.hpp"
 #include "support/margins.hpp"
+#include "techniques/variants.hpp"
 
 namespace thinbench {
 namespace {
 
-using detail::edge_operations;
 using detail::EdgeOperation;
+using detail::study::edge_operations;
 
 /// A vertical step: 0 left of `column`, `height` from there on.
 ByteImage step_image(Index column, std::uint8_t height) {
@@ -49,9 +49,9 @@ TEST(EdgeThresholds, gradient_of_a_vertical_step_is_its_height) {
   for (const EdgeOperation& operation : edge_operations()) {
     const ByteImage image = step_image(40, 100);
     ByteImage out(80, 12);
-    detect_edges(operation.op, image.view(), out.view(), {99, 0});
+    detect_edges(operation.key, image.view(), out.view(), {99, 0});
     EXPECT_EQ(out.at(39, 6), 255) << operation.name;
-    detect_edges(operation.op, image.view(), out.view(), {100, 0});
+    detect_edges(operation.key, image.view(), out.view(), {100, 0});
     for (Index x = 0; x < 80; ++x) EXPECT_EQ(out.at(x, 6), 0) << operation.name << " " << x;
   }
 }
@@ -70,7 +70,7 @@ TEST(EdgeBorder, constant_image_has_no_edge_at_the_image_border) {
   for (const EdgeOperation& operation : edge_operations()) {
     const ByteImage image = step_image(0, 255);
     ByteImage out = grey_noise_image(80, 12, 0, 255, 1);
-    detect_edges(operation.op, image.view(), out.view(), {0, 0});
+    detect_edges(operation.key, image.view(), out.view(), {0, 0});
     EXPECT_TRUE(equal(out.view(), ByteImage(80, 12).view())) << operation.name;
   }
 }
@@ -82,7 +82,7 @@ TEST(PackedEdges, equal_the_reference_and_leave_the_margin_zero) {
     reference::edges(info.op)({}, image.view(), expected.view());
     for (const Isa isa : all_isas()) {
       if (!isa_available(isa)) continue;
-      detail::PackedEdges packed({info.op, {}, isa, 131, 20, 3});
+      detail::PackedEdges packed({{info.op, {}}, isa, 131, 20, 3});
       const detail::ConstBitPlaneView bits = packed.run(image.view());
       for (Index y = 0; y < 20; ++y) {
         for (Index x = 0; x < 131; ++x) {
@@ -99,10 +99,9 @@ TEST(EdgeVariants, prefer_8_bit_lanes_if_available_and_16_bit_lanes_otherwise) {
   for (const EdgeOperation& operation : edge_operations()) {
     const bool has_8_bit =
         std::any_of(operation.variants.begin(), operation.variants.end(),
-                    [](const auto& one) { return one.technique == Technique::simd_8bit; });
-    EXPECT_EQ(detail::choose(operation, 100, 10, {}).technique,
-              has_8_bit ? Technique::simd_8bit : Technique::simd_16bit)
-        << operation.name;
+                    [](const auto& one) { return one.technique == "simd_8bit"; });
+    const auto& chosen = detail::choose_variant(operation.name, operation.variants, 100, 10, {});
+    EXPECT_EQ(chosen.technique, has_8_bit ? "simd_8bit" : "simd_16bit") << operation.name;
   }
 }
 

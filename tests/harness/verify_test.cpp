@@ -119,7 +119,8 @@ TEST(FindKernelMismatch, compares_the_result_of_the_kernel_alone) {
   const detail::ThinningOperation& operation = detail::thinning_operations().front();
   const ByteImage input = noise_image(40, 20, 80, 2, 6);
   const Outcome expected = expected_of(operation.name, input.view());
-  const auto job = thinning_job(make_state(operation, operation.variants.front(), 40, 20, {}));
+  const auto job = thinning_job(make_state(operation.variants.front(), 40, 20,
+                                           detail::thinning_parameters(operation.key, {}), 1));
   EXPECT_EQ(find_kernel_mismatch(*job, input.view(), expected), std::nullopt);
   EXPECT_EQ(find_kernel_mismatch(*job, input.view(), {copy_of(expected.image.view()), {0}}),
             "iterations: " + std::to_string(expected.numbers[0]) + " instead of 0");

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "core/packing.hpp"
 #include "harness/test_images.hpp"
 #include "localise/state.hpp"
@@ -143,8 +142,7 @@ TEST(LocaliseState, every_variant_equals_the_reference_with_every_edge_operator)
         reference::localise_objects(reference::edges(edges.op), {40, 128}, grey);
     for (const LocaliseVariant& variant : localise_operation().variants) {
       if (!unavailable_reason(variant, grey.width).empty()) continue;
-      const auto state =
-          variant.make({edges.op, {40, 128}, variant.isa, grey.width, grey.height, 3});
+      const auto state = make_state(variant, grey.width, grey.height, {edges.op, {40, 128}}, 3);
       EXPECT_TRUE(same(state->run(grey), expected.objects, expected.holes))
           << edges.name << " at " << isa_name(variant.isa);
     }
@@ -158,8 +156,7 @@ TEST(LocaliseState, result_does_not_depend_on_the_previous_image) {
   const Regions expected = localise_objects(grey);
   for (const LocaliseVariant& variant : localise_operation().variants) {
     if (!unavailable_reason(variant, grey.width).empty()) continue;
-    const auto state =
-        make_state(localise_operation(), variant, grey.width, grey.height, {}, {.threads = 3});
+    const auto state = make_state(variant, grey.width, grey.height, {EdgeOperator::sobel, {}}, 3);
     static_cast<void>(state->run(grey));
     static_cast<void>(state->run(noise.view()));
     EXPECT_TRUE(same(state->run(grey), expected.objects, expected.holes)) << isa_name(variant.isa);

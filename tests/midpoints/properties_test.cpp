@@ -16,7 +16,7 @@ namespace {
 
 ByteImage scanned(const ByteImage& image, Directions directions = {}) {
   ByteImage result(image.width(), image.height());
-  thin(Rule::midpoint_scan, image.view(), result.view(), {.directions = directions});
+  thin(Rule(directions), image.view(), result.view());
   return result;
 }
 

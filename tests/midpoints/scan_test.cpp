@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "midpoints/counter.hpp"
 #include "midpoints/work.hpp"
 #include "reference.hpp"
 #include "support/filled_image.hpp"
 #include "support/text_image.hpp"
+#include "support/variant_of.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench::detail {
@@ -76,22 +76,6 @@ TEST(ReferenceMidpointScan, keeps_the_border_on_request) {
   EXPECT_EQ(marked({"####"}, kNoDirections, Border::keep), TextImage{"####"});
 }
 
-const ThinningOperation& scan_operation() {
-  return operation_of(Rule::midpoint_scan);
-}
-
-/// Calls `check(state, name)` for every variant that is available for this width and border.
-template <class Check>
-void for_each_variant(Index width, Index height, const Options& options, const Check& check) {
-  for (const ThinningVariant& variant : scan_operation().variants) {
-    if (!unavailable_reason(variant, width, options.border).empty()) continue;
-    const auto state = make_state(scan_operation(), variant, width, height, options);
-    check(*state, std::string(technique_name(variant.technique)) + " at " +
-                      std::string(isa_name(variant.isa)) + ", " + std::to_string(width) + " x " +
-                      std::to_string(height));
-  }
-}
-
 TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directions_and_border) {
   constexpr Index height = 150;
   for (const Index width : {70, 511, 512, 600}) {
@@ -102,11 +86,12 @@ TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directio
       const Directions directions = {static_cast<std::uint8_t>(bits % 16)};
       const Border border = bits < 16 ? Border::background : Border::keep;
       reference::midpoint_scan(directions, border, image.view(), expected.view());
-      const Options options = {.border = border, .threads = 3, .directions = directions};
-      for_each_variant(width, height, options, [&](ThinningState& state, const std::string& name) {
-        EXPECT_EQ(state.run(image.view(), found.view()), 1);
-        EXPECT_TRUE(equal(found.view(), expected.view())) << name << ", set " << bits;
-      });
+      for_each_state(detail::thinning_parameters(Rule(directions), {border}), width, height, 3,
+                     [&](ThinningState& state, const std::string& name) {
+                       EXPECT_EQ(state.run(image.view(), found.view()), 1);
+                       EXPECT_TRUE(equal(found.view(), expected.view()))
+                           << name << ", " << width << " wide, set " << bits;
+                     });
     }
   }
 }
@@ -120,10 +105,11 @@ TEST(MidpointScan, every_variant_equals_the_reference_on_runs_longer_than_short_
     ByteImage expected(width, height);
     ByteImage found(width, height);
     reference::midpoint_scan(Directions{}, Border::background, full.view(), expected.view());
-    for_each_variant(width, height, {}, [&](ThinningState& state, const std::string& name) {
-      state.run(full.view(), found.view());
-      EXPECT_TRUE(equal(found.view(), expected.view())) << name;
-    });
+    for_each_state(detail::thinning_parameters(Rule::midpoint_scan, {}), width, height, 1,
+                   [&](ThinningState& state, const std::string& name) {
+                     state.run(full.view(), found.view());
+                     EXPECT_TRUE(equal(found.view(), expected.view())) << name << ", " << width;
+                   });
   }
 }
 

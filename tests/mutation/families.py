@@ -52,60 +52,59 @@ DISTANCE = Check("distance_test")
 EDGES = Check("edges_test")
 GRAPH = Check("graph_test")
 LOCALISE = Check("localise_test")
-NETS = Check("nets_test")
+TECHNIQUES = Check("techniques_test")
 REGIONS = Check("regions_test")
 SCAN = Check("scan_test")
-SOME_APPLY = Check("custom_rules_test", "*RandomRules*variant/1:*lanes/1:BuiltIn*:Apply*:SmallImages*")
-INTERPRETED = Check("custom_rules_test", "*RandomRules*variant/1:BuiltIn*", (("THINBENCH_MACHINE_CODE", "off"),))
-APPLY = Check("custom_rules_test", "-ThoroughSearch*")
-TILE_GRID = Check("thinning_test", "TileGrid*")
-ITERATE = Check("thinning_test", "*Iterate*:*Tile*:*State*-*threads*")
+SOME_TABLES = Check("engines_test", "*RandomRules*variant/1:*lanes/1:BuiltIn*:Lanes*:SmallImages*")
+INTERPRETED = Check("engines_test", "*RandomRules*variant/1:BuiltIn*", (("THINBENCH_MACHINE_CODE", "off"),))
+COMPILE = Check("compile_test", "-ThoroughSearch*")
+TILE_GRID = Check("engines_test", "TileGrid*")
+ITERATE = Check("engines_test", "*Iterate*:*Tile*:*State*-*threads*")
 SIZES = Check("thinning_test", "*at_every_size*/guo_hall_border_keep:*at_every_size*/mb2_border_background")
 SOME_THINNING = (crosscheck(*SOME, images="sheets"), crosscheck(*SOME, images="shapes"), GOLDEN, SIZES)
-THINNING = (Check("thinning_test"), Check("batch_test"), crosscheck("thin_*"), APPLY, API)
-ENGINES = "thinning/engines/"
-ITERATION = "thinning/iteration/"
+THINNING = (Check("thinning_test"), Check("engines_test"), crosscheck("thin_*"), COMPILE, API)
 
 FAMILIES = (
-    Family("rules", ("thinning/rules/*.hpp",),
-           (crosscheck("thin_{stem}", "thin_{stem}_keep", images="shapes"), GOLDEN), THINNING,
-           first=(ENGINES + "bitpacked.cpp", ENGINES + "autovec.cpp", ENGINES + "simd.cpp")),
-    Family("planes", (ENGINES + "word_scan.hpp", ENGINES + "lut.cpp", ENGINES + "autovec.cpp",
-                      ENGINES + "passes.hpp", ENGINES + "rule_table.hpp", ITERATION + "iterate.*",
-                      ITERATION + "pass_state.hpp", ITERATION + "plane_state.hpp"),
-           SOME_THINNING + (ITERATE,), THINNING + (crosscheck("net_*"),),
-           first=(ENGINES + "bitpacked.cpp", ITERATION + "iterate.cpp", "thinning/variants.cpp")),
-    Family("rows", (ENGINES + "row_kernel.*", ITERATION + "row_state.hpp"), (*SOME_THINNING, SOME_APPLY),
-           THINNING + (crosscheck("net_*"),)),
-    Family("tiles", (ENGINES + "tile_*", ITERATION + "iterate_tiles.*", ITERATION + "tile_state.*"),
-           (*SOME_THINNING, ITERATE, SOME_APPLY), THINNING),
-    Family("lanes", (ENGINES + "lane_*", ENGINES + "layouts.hpp", "api/batch.cpp"),
-           (crosscheck("batch_*"), Check("batch_test"), SOME_APPLY), (API, APPLY)),
-    Family("spta", (ENGINES + "spta*",), (crosscheck("thin_spta", "thin_spta_keep", images="sh*"), GOLDEN,
-                                              Check("thinning_test", "*/spta_border*")), THINNING),
+    Family("rules", ("rules/built_in/*.hpp",),
+           (Check("rules_test"), crosscheck("thin_{stem}", "thin_{stem}_keep", images="shapes"), GOLDEN), THINNING,
+           first=("techniques/scalar.cpp", "techniques/autovec.cpp", "scan/built_in_scans.cpp")),
+    Family("tables", ("rules/*",), (Check("rules_test"), TECHNIQUES, GOLDEN), (*THINNING, crosscheck("net_*"))),
+    Family("scans", ("scan/*",), (*SOME_THINNING, SOME_TABLES), THINNING),
+    Family("planes", ("engines/words.hpp", "engines/iterate.*", "engines/plane_state.hpp"),
+           (*SOME_THINNING, ITERATE), (*THINNING, crosscheck("net_*")),
+           first=("engines/iterate.cpp", "engines/variants.cpp")),
+    Family("rows", ("engines/rows.cpp",), (*SOME_THINNING, SOME_TABLES), (*THINNING, crosscheck("net_*"))),
+    Family("tiles", ("engines/tile_*", "engines/iterate_tiles.*"), (*SOME_THINNING, ITERATE, SOME_TABLES), THINNING),
+    Family("lanes", ("engines/lane*", "thinning/batch.cpp"),
+           (crosscheck("batch_*"), Check("thinning_test", "*Batch*"), SOME_TABLES), (API, *THINNING)),
+    Family("spta", ("engines/spta*",), (crosscheck("thin_spta", "thin_spta_keep", images="sh*"), GOLDEN,
+                                       Check("thinning_test", "*/spta_border*")), THINNING),
     Family("midpoints", ("midpoints/*",), (crosscheck("skeleton_scan*", images="sheets"), SCAN, GOLDEN),
            (crosscheck("skeleton_scan*"), API)),
-    Family("nets", ("nets/*",), (NETS, GOLDEN, crosscheck("net_*_1", images="sheets")), (crosscheck("net_*"), API)),
+    Family("techniques", ("techniques/*",),
+           (TECHNIQUES, *SOME_THINNING, crosscheck("net_*_1", images="sheets"), SCAN, REGIONS),
+           (*THINNING, EDGES, DISTANCE, GRAPH, crosscheck("net_*")), first=("techniques/scalar.cpp",)),
     Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN, Check("api_test", "*dges*")),
            (API,)),
     Family("regions", ("regions/*",), (REGIONS, GOLDEN, LOCALISE),
            (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),
     Family("localise", ("localise/*",), (LOCALISE, crosscheck("localise_*"), GOLDEN), (API,)),
-    Family("distance", ("distance/*", "api/distance.cpp"), (DISTANCE, crosscheck("squared_distances", images="sh*")),
+    Family("distance", ("distance/*",), (DISTANCE, crosscheck("squared_distances", images="sh*")),
            (crosscheck("squared_distances"), API)),
-    Family("graph", ("graph/*", "api/graph.cpp", "api/pixel_classes.cpp", "api/polyline.cpp", "api/prune.cpp"),
-           (GRAPH, crosscheck("skeleton_graph", images="sh*")), (crosscheck("skeleton_graph"), API),
-           first=("graph/bitpacked.cpp",)),
-    Family("custom", ("custom/*",), (Check("custom_tables_test"), SOME_APPLY, INTERPRETED),
-           (APPLY, crosscheck("apply_*"), GOLDEN)),
-    Family("image", ("image/byte_image.cpp", "image/packed_rows.cpp", "image/packing.cpp"),
+    Family("graph", ("graph/*",), (GRAPH, crosscheck("skeleton_graph", images="sh*")),
+           (crosscheck("skeleton_graph"), API), first=("techniques/bitpacked_graph.cpp",)),
+    Family("compile", ("compile/*",), (COMPILE, SOME_TABLES, INTERPRETED),
+           (Check("engines_test"), crosscheck("apply_*"), GOLDEN)),
+    Family("core", ("core/byte_image.cpp", "core/packed_rows.cpp", "core/packing.cpp"),
            (CORE, LOCALISE, GOLDEN, Check("api_test", "*Pack*:*pack*"), SIZES), (*THINNING, EDGES, SCAN)),
-    Family("simd", ("simd/*",), (CORE, EDGES, NETS, SCAN, LOCALISE, TILE_GRID, *SOME_THINNING),
+    Family("simd", ("simd/*",), (CORE, EDGES, TECHNIQUES, SCAN, LOCALISE, TILE_GRID, *SOME_THINNING),
            (*THINNING, REGIONS, crosscheck("net_*")),
-           first=("image/packing.cpp", ENGINES + "simd.cpp", ENGINES + "tile_layout.cpp", "edges/simd.cpp")),
-    Family("api", ("api/canvases.*", "api/catalogue.cpp", "api/custom_rule.cpp", "api/edges.cpp", "api/labels.cpp",
-                   "api/localise.cpp", "api/many.cpp", "api/packed.cpp", "api/regions.cpp", "api/thinning.cpp"),
-           (API, REGIONS), (SOME_APPLY, Check("batch_test"), LOCALISE, GOLDEN)),
+           first=("core/packing.cpp", "scan/built_in_scans.cpp", "engines/tile_layout.cpp", "edges/simd.cpp")),
+    Family("lists", ("thinning/canvases.*", "thinning/labels.cpp", "thinning/many.cpp"),
+           (Check("thinning_test", "*ThinMany*:*ThinLabels*:*Layouts*"),), (Check("thinning_test"), API)),
+    Family("api", ("api/edges.cpp", "api/localise.cpp", "api/regions.cpp", "api/rule.cpp", "api/thinning.cpp",
+                   "thinning/operations.cpp"),
+           (API, REGIONS), (SOME_TABLES, Check("thinning_test"), LOCALISE, GOLDEN)),
 )
 
 

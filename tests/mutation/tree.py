@@ -14,16 +14,16 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 ISAS = ("baseline", "avx2", "avx512icl")  # 128, 256 and 512 bits
 ISAS_VARIABLE = "THINBENCH_MUTATION_ISAS"
-OBJECT = re.compile(r"^kernels/CMakeFiles/thinbench_(\w+)\.dir/(.+)\.o$")
+OBJECT = re.compile(r"^kernels/(techniques/)?CMakeFiles/thinbench_(?:techniques_)?(\w+)\.dir/(.+)\.o$")
 
 # In the copy other instruction sets are neither built nor available, and the variable says which are.
 EDITS: tuple[tuple[str, str, str], ...] = (
     ("kernels/CMakeLists.txt", "set(thinbench_isas ${isas}", "set(thinbench_isas " + " ".join(ISAS)),
     ("kernels/CMakeLists.txt", '"-O3;', '"-O1;'),
-    ("kernels/dispatch/exported.hpp", "kIsas[i]>::kKernels",
+    ("kernels/core/exported.hpp", "kIsas[i]>::kKernels",
      "(" + " || ".join(f"kIsas[i] == Isa::{isa}" for isa in ISAS) +
      ") ? kIsas[i] : Isa::baseline>::kKernels"),
-    ("kernels/dispatch/isa.cpp", "bool cpu_supports(Isa isa) {\n",
+    ("kernels/core/isa.cpp", "bool cpu_supports(Isa isa) {\n",
      "bool cpu_supports(Isa isa) {\n"
      f'  const char* const only = std::getenv("{ISAS_VARIABLE}");\n'
      f'  const std::string built = only == nullptr ? " {" ".join(ISAS)} " : only;\n'
@@ -102,7 +102,7 @@ class Tree:
     def stage_of(self, name: str) -> int:
         """Objects of ISAs after the baseline form stages of their own."""
         match = OBJECT.match(name)
-        return ISAS.index(match[1]) if match and match[1] in ISAS else 0
+        return ISAS.index(match[2]) if match and match[2] in ISAS else 0
 
     def is_kernel(self, name: str) -> bool:
         """Not an object of a test or of what tests use."""
@@ -111,12 +111,12 @@ class Tree:
     def is_common(self, name: str) -> bool:
         """Not compiled for each ISA."""
         match = OBJECT.match(name)
-        return match is None or match[1] not in ISAS
+        return match is None or match[2] not in ISAS
 
     def source_of(self, name: str) -> str:
         """The source of an object, relative to kernels/; empty if it is not there."""
         match = OBJECT.match(name)
-        return match[2] if match else ""
+        return (match[1] or "") + match[3] if match else ""
 
     def program(self, name: str) -> Path:
         """The unmutated program."""

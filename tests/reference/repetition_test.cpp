@@ -27,7 +27,7 @@ bool is_on_border(const ByteImage& image, Index x, Index y) {
   return x == 0 || y == 0 || x == image.width() - 1 || y == image.height() - 1;
 }
 
-class Repetition : public testing::TestWithParam<Rule> {};
+class Repetition : public testing::TestWithParam<BuiltInRule> {};
 
 TEST_P(Repetition, keeps_the_border_on_request) {
   for (const ByteImage& image : images()) {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "api/catalogue.hpp"
 #include "holes.hpp"
+#include "support/variant_of.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -14,14 +14,16 @@ template <class Check>
 void for_each_finder(const ConstImageView& image, const Check& check) {
   const reference::Regions found = reference::holes(image);
   check(Regions{found.objects, found.holes}, std::string("reference"));
-  for (const auto& variant : detail::operation_of(detail::RegionsTask::holes).variants) {
+  constexpr auto kTask = detail::RegionsTask::holes;
+  for (const detail::RegionsVariant& variant : detail::study::operation_of(kTask).variants) {
     if (!unavailable_reason(variant, image.width).empty()) continue;
-    const int threads = variant.threaded ? 3 : 1;
-    const Options options = {
-        .threads = threads, .isa = variant.isa, .technique = variant.technique};
-    check(find_regions(image, options), std::string(technique_name(variant.technique)) + "/" +
-                                            std::string(isa_name(variant.isa)) + "/" +
-                                            std::to_string(threads));
+    const auto state = make_state(variant, image.width, image.height, {kTask}, 3);
+    state->load(image);
+    state->compute();
+    const detail::RegionLists lists = state->regions();
+    check(Regions{{lists.objects.begin(), lists.objects.end()},
+                  {lists.holes.begin(), lists.holes.end()}},
+          name_of(variant));
   }
 }
 

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "holes.hpp"
 #include "scene/scene.hpp"
+#include "support/variant_of.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -89,12 +89,11 @@ void expect_equal_to_opencv(const ByteImage& image, const std::string& what) {
 class EulerCounters {
  public:
   EulerCounters(detail::RegionsTask task, Index width, Index height) {
-    const detail::RegionsOperation& operation = detail::operation_of(task);
+    const detail::RegionsOperation& operation = detail::study::operation_of(task);
     for (const detail::RegionsVariant& variant : operation.variants) {
       if (variant.threaded || !unavailable_reason(variant, width).empty()) continue;
-      names_.push_back(std::string(technique_name(variant.technique)) + " at " +
-                       std::string(isa_name(variant.isa)));
-      states_.push_back(make_state(operation, variant, width, height, {}));
+      names_.push_back(name_of(variant));
+      states_.push_back(make_state(variant, width, height, {task}, 1));
     }
     gives_lists_ = task == detail::RegionsTask::holes;
   }

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/test_images.hpp"
 #include "holes.hpp"
+#include "support/variant_of.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -24,10 +24,10 @@ TEST(RegionsState, result_does_not_depend_on_the_previous_image) {
   const ByteImage blocks = noise_image(300, 200, 50, 20, 3);
   const ByteImage noise = noise_image(300, 200, 50, 1, 4);
   const reference::Regions expected = reference::holes(blocks.view());
-  const RegionsOperation& operation = operation_of(RegionsTask::holes);
+  const RegionsOperation& operation = study::operation_of(RegionsTask::holes);
   for (const RegionsVariant& variant : operation.variants) {
     if (!unavailable_reason(variant, 300).empty()) continue;
-    const auto state = make_state(operation, variant, 300, 200, {.threads = 4});
+    const auto state = make_state(variant, 300, 200, {operation.key}, 4);
     for (const auto& view : {blocks.view(), noise.view(), blocks.view()}) {
       state->load(view);
       state->compute();
@@ -38,24 +38,24 @@ TEST(RegionsState, result_does_not_depend_on_the_previous_image) {
 
 TEST(RegionsState, compute_keeps_its_input_and_is_repeatable) {
   const ByteImage image = noise_image(150, 70, 55, 3, 5);
-  for (const RegionsOperation& operation : regions_operations()) {
+  for (const RegionsOperation& operation : study::regions_operations()) {
     for (const RegionsVariant& variant : operation.variants) {
       if (!unavailable_reason(variant, 150).empty()) continue;
-      const auto state = make_state(operation, variant, 150, 70, {.threads = 2});
+      const auto state = make_state(variant, 150, 70, {operation.key}, 2);
       state->load(image.view());
       state->compute();
       state->compute();
-      if (operation.task == RegionsTask::holes) {
+      if (operation.key == RegionsTask::holes) {
         expect_equal(state->regions(), reference::holes(image.view()));
-      } else if (operation.task == RegionsTask::components) {
+      } else if (operation.key == RegionsTask::components) {
         const std::vector<Region> expected = reference::components(image.view()).objects;
         const auto found = state->regions().objects;
         EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
-      } else if (operation.task == RegionsTask::euler_eight) {
+      } else if (operation.key == RegionsTask::euler_eight) {
         EXPECT_EQ(state->number(), reference::euler_number(image.view()));
-      } else if (operation.task == RegionsTask::euler_four) {
+      } else if (operation.key == RegionsTask::euler_four) {
         EXPECT_EQ(state->number(), reference::euler_number_4(image.view()));
-      } else if (operation.task == RegionsTask::fill) {
+      } else if (operation.key == RegionsTask::fill) {
         ByteImage expected(150, 70);
         ByteImage found(150, 70);
         reference::fill_holes(image.view(), expected.view());
@@ -67,29 +67,25 @@ TEST(RegionsState, compute_keeps_its_input_and_is_repeatable) {
 }
 
 TEST(RegionsState, rejects_results_of_other_tasks) {
-  const auto state_of = [](RegionsTask task, Technique technique) {
-    const RegionsOperation& operation = operation_of(task);
-    const Options options = {.technique = technique};
-    return make_state(operation, choose(operation, 9, 9, options), 9, 9, options);
+  const auto state_of = [](RegionsTask task, std::string_view technique) {
+    return make_state(variant_of(study::operation_of(task).variants, technique), 9, 9, {task}, 1);
   };
   ByteImage image(9, 9);
-  using enum Technique;
-  for (const Technique technique : {union_find, bitpacked_runs}) {
+  for (const char* technique : {"union_find", "bitpacked_runs"}) {
     EXPECT_THROW((void)state_of(RegionsTask::holes, technique)->number(), std::logic_error);
     EXPECT_THROW(state_of(RegionsTask::components, technique)->store(image.view()),
                  std::logic_error);
     EXPECT_THROW((void)state_of(RegionsTask::fill, technique)->regions(), std::logic_error);
   }
-  EXPECT_THROW((void)state_of(RegionsTask::euler_eight, lut)->regions(), std::logic_error);
+  EXPECT_THROW((void)state_of(RegionsTask::euler_eight, "lut")->regions(), std::logic_error);
 }
 
 TEST(RegionsState, rejects_sizes_and_thread_counts_out_of_range) {
-  const RegionsOperation& operation = operation_of(RegionsTask::holes);
-  const RegionsVariant& variant = operation.variants.front();
+  const RegionsVariant& variant = operation_of(RegionsTask::holes).variants.front();
   const auto make = [&](Index width, Index height, int threads = 1) {
-    static_cast<void>(make_state(operation, variant, width, height, {.threads = threads}));
+    static_cast<void>(make_state(variant, width, height, {RegionsTask::holes}, threads));
   };
-  EXPECT_THROW(make(kMaxRegionsSide + 1, 1), std::invalid_argument);
+  EXPECT_THROW(make((Index{1} << 29) + 1, 1), std::invalid_argument);
   EXPECT_THROW(make(1 << 17, 1 << 17), std::invalid_argument);
   EXPECT_THROW(make(-1, 1), std::invalid_argument);
   EXPECT_THROW(make(1, 1, kMaxThreads + 1), std::invalid_argument);

@@ -10,43 +10,40 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # The directories of kernels/ that each directory may include besides itself; "include" is the
 # public headers.
-BASE = {"include", "dispatch", "simd"}
+BASE = {"include", "core", "simd"}
+RULES = BASE | {"rules"}
+SCAN = RULES | {"scan"}
+COMPILE = SCAN | {"compile"}
+ENGINES = COMPILE | {"engines"}
 ALLOWED = {
     "include": set(),
     "simd": {"include"},
-    "dispatch": {"include"},
-    "image": BASE,
-    "thinning": BASE | {"image"},
-    "nets": BASE | {"image", "thinning", "custom"},
-    "midpoints": BASE | {"image", "thinning"},
-    "custom": BASE | {"image", "thinning"},
-    "edges": BASE | {"image"},
-    "regions": BASE | {"image"},
-    "localise": BASE | {"image", "edges", "regions"},
-    "distance": BASE | {"image"},
-    "graph": BASE | {"image"},
+    "core": {"include", "simd"},
+    "rules": BASE,
+    "scan": RULES,
+    "compile": SCAN,
+    "engines": COMPILE,
+    "midpoints": ENGINES,
+    "thinning": ENGINES | {"midpoints"},
+    "edges": BASE,
+    "regions": BASE,
+    "localise": BASE | {"edges", "regions"},
+    "distance": BASE,
+    "graph": BASE,
 }
-ALLOWED["api"] = set(ALLOWED)
-
-# Pairs of path prefixes: files of the first may not include files of the second.
-FORBIDDEN_WITHIN = [
-    ("thinning/rules/", "thinning/engines/"),
-    ("thinning/rules/", "thinning/iteration/"),
-    ("thinning/engines/", "thinning/iteration/"),
-]
+PRODUCT = set(ALLOWED)
+ALLOWED["api"] = PRODUCT
+ALLOWED["techniques"] = PRODUCT
 
 # Files that references share with the kernels besides the public headers: data only.
-SHARED_WITH_REFERENCES = {"nets/trained_cluster.hpp"}
+SHARED_WITH_REFERENCES = {"rules/trained_cluster.hpp"}
 
 # Files of kernels/ that tools/ uses besides the public headers.
 SHARED_WITH_TOOLS = {
-    "api/catalogue.hpp",
-    "api/option_checks.hpp",
-    "image/byte_image.hpp",
-    "image/checks.hpp",
-    "image/startable_threads.hpp",
-    "image/thread_team.hpp",
-    "thinning/variants.hpp",
+    "core/byte_image.hpp",
+    "core/checks.hpp",
+    "core/startable_threads.hpp",
+    "core/thread_team.hpp",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
@@ -87,8 +84,7 @@ def directory_of_target(target: str) -> str:
 def violations_in_kernels(root: Path) -> list[str]:
     found = []
     for one in includes_of(root, "kernels"):
-        place = one.file.removeprefix("kernels/")
-        directory = place.split("/")[0]
+        directory = one.file.removeprefix("kernels/").split("/")[0]
         if one.target.startswith("<thinbench"):
             found.append(f"{one}, which must be quoted")
         if one.target.startswith("<"):
@@ -98,9 +94,6 @@ def violations_in_kernels(root: Path) -> list[str]:
             found.append(f"{one}, but kernels/{directory} is not in the table of this test")
         elif target != directory and target not in ALLOWED[directory]:
             found.append(f"{one}, but kernels/{directory} may not include {target}")
-        for begin, forbidden in FORBIDDEN_WITHIN:
-            if place.startswith(begin) and one.target.startswith(forbidden):
-                found.append(f"{one}, but {begin} may not include {forbidden}")
     return found
 
 
@@ -195,20 +188,20 @@ def test_wrong_direction_is_reported_with_file_line_and_include(tmp_path):
     root = write_files(
         tmp_path,
         {
-            "kernels/image/planes.hpp": '// Planes.\n#include "image/layout.hpp"\n'
-            '  #  include "thinning/rules.hpp"\n',
-            "kernels/thinning/rules/one.hpp": '#include "thinning/engines/passes.hpp"\n',
+            "kernels/core/planes.hpp": '// Planes.\n#include "core/layout.hpp"\n'
+            '  #  include "thinning/many.hpp"\n',
+            "kernels/api/rule.cpp": '#include "techniques/variants.hpp"\n',
             "kernels/edges/state.cpp": '#include "reference.hpp"\n#include "bench/job.hpp"\n',
         },
     )
     assert violations_in_kernels(root) == [
+        "kernels/api/rule.cpp:1 includes techniques/variants.hpp, but kernels/api may not include "
+        "techniques",
+        "kernels/core/planes.hpp:3 includes thinning/many.hpp, but kernels/core may not include "
+        "thinning",
         "kernels/edges/state.cpp:1 includes reference.hpp, but kernels/edges may not include "
         "reference.hpp",
         "kernels/edges/state.cpp:2 includes bench/job.hpp, but kernels/edges may not include bench",
-        "kernels/image/planes.hpp:3 includes thinning/rules.hpp, but kernels/image may not include "
-        "thinning",
-        "kernels/thinning/rules/one.hpp:1 includes thinning/engines/passes.hpp, but "
-        "thinning/rules/ may not include thinning/engines/",
     ]
 
 
@@ -245,12 +238,12 @@ def test_cycle_is_found(tmp_path):
     root = write_files(
         tmp_path,
         {
-            "kernels/image/a.hpp": '#include "image/b.hpp"\n',
-            "kernels/image/b.hpp": '#include "image/c.hpp"\n#include "image/d.hpp"\n',
-            "kernels/image/c.hpp": "",
-            "kernels/image/d.hpp": '#include "image/a.hpp"\n',
+            "kernels/core/a.hpp": '#include "core/b.hpp"\n',
+            "kernels/core/b.hpp": '#include "core/c.hpp"\n#include "core/d.hpp"\n',
+            "kernels/core/c.hpp": "",
+            "kernels/core/d.hpp": '#include "core/a.hpp"\n',
         },
     )
     cycle = cycle_in(includes_by_file(root))
-    assert sorted(set(cycle)) == [f"kernels/image/{name}.hpp" for name in "abd"]
+    assert sorted(set(cycle)) == [f"kernels/core/{name}.hpp" for name in "abd"]
     assert cycle[0] == cycle[-1]

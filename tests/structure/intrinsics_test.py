@@ -10,7 +10,7 @@ import pytest
 
 KERNELS = Path(__file__).resolve().parents[2] / "kernels"
 SIMD = KERNELS / "simd"
-DETECTION = KERNELS / "dispatch" / "features.cpp"
+DETECTION = KERNELS / "core" / "features.cpp"
 
 ARCHITECTURE = re.compile(
     r"""\b_mm\d*_\w+ | \b__m(?:64|128|256|512)\w*\b | \b__mmask\d+ | \b__builtin_ia32_\w+

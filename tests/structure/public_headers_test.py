@@ -78,13 +78,13 @@ def test_only_the_header_for_opencv_includes_opencv():
 
 def test_included_internal_header_is_reported(tmp_path):
     (tmp_path / "thinbench").mkdir()
-    (tmp_path / "image").mkdir()
-    (tmp_path / "image" / "planes.hpp").write_text("#pragma once\n")
+    (tmp_path / "core").mkdir()
+    (tmp_path / "core" / "planes.hpp").write_text("#pragma once\n")
     (tmp_path / "thinbench" / "bad.hpp").write_text(
-        '#pragma once\n#include <vector>\n#include "image/planes.hpp"\n#include <tbb/version.h>\n'
+        '#pragma once\n#include <vector>\n#include "core/planes.hpp"\n#include <tbb/version.h>\n'
     )
     assert invalid_includes(tmp_path, "thinbench/bad.hpp") == [
-        'thinbench/bad.hpp:3 includes "image/planes.hpp"',
+        'thinbench/bad.hpp:3 includes "core/planes.hpp"',
         "thinbench/bad.hpp:4 includes <tbb/version.h>",
     ]
     assert [Path(path).name for path in included_outside(tmp_path, "thinbench/bad.hpp")] == [

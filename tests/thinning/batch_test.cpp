@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "compile/rule_body.hpp"
+#include "engines/lanes.hpp"
 #include "harness/splitmix64.hpp"
 #include "harness/test_images.hpp"
-#include "reference.hpp"
-#include "support/filled_image.hpp"
+#include "support/edge_case_images.hpp"
+#include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
-#include "thinning/edge_case_images.hpp"
 
 namespace thinbench {
 namespace {
@@ -74,12 +75,12 @@ struct Expected {
   int iterations;
 };
 
-Expected expected_of(Rule rule, const reference::Repetition& repetition, Stack& source) {
+Expected expected_of(const Rule& rule, const reference::Repetition& repetition, Stack& source) {
   const StackView view = source.view();
   Expected expected = {Stack(view.count, view.width, view.height), 0};
   for (Index i = 0; i < view.count; ++i) {
     const int iterations =
-        reference::thinning(rule)(repetition, view.image(i), expected.images.view().image(i));
+        thin_by_reference(rule, repetition, view.image(i), expected.images.view().image(i));
     expected.iterations = std::max(expected.iterations, iterations);
   }
   return expected;
@@ -93,42 +94,48 @@ Index first_difference(StackView a, StackView b) {
   return -1;
 }
 
-void expect_batch(Rule rule, Stack& source, const Options& options, Expected& expected) {
+void expect_batch(const Rule& rule, Stack& source, const Thinning& thinning,
+                  const Execution& execution, Expected& expected) {
   const StackView in = source.view();
   Stack out(in.count, in.width, in.height, 3, 5);
-  const int iterations = thin_batch(rule, in, out.view(), options);
+  const int iterations = thin_batch(rule, in, out.view(), thinning, execution);
   const bool same = iterations == expected.iterations &&
                     first_difference(out.view(), expected.images.view()) == -1 &&
                     out.gaps_are_intact();
-  ASSERT_TRUE(same) << rule_name(rule) << ", " << in.count << " images of " << in.width << " x "
-                    << in.height << " at " << isa_name(options.isa.value_or(best_isa()))
-                    << ", border " << border_name(options.border) << ", max_iterations "
-                    << options.max_iterations << ", threads " << options.threads << ": "
-                    << iterations << " iterations instead of " << expected.iterations
+  ASSERT_TRUE(same) << rule.name() << ", " << in.count << " images of " << in.width << " x "
+                    << in.height << " at " << isa_name(execution.isa.value_or(best_isa()))
+                    << ", border " << border_name(thinning.border.value_or(Border::background))
+                    << ", max_iterations " << thinning.max_iterations.value_or(kUnlimited)
+                    << ", threads " << execution.threads << ": " << iterations
+                    << " iterations instead of " << expected.iterations
                     << ", first different image "
                     << first_difference(out.view(), expected.images.view());
 }
 
+bool is_parallel(const Rule& rule) {
+  return rule.body()->kind == detail::RuleKind::parallel;
+}
+
 /// At every ISA if the rule is parallel, else at the default.
-void expect_batch_at_every_isa(Rule rule, Stack& source, const reference::Repetition& repetition,
-                               int threads) {
+void expect_batch_at_every_isa(const Rule& rule, Stack& source,
+                               const reference::Repetition& repetition, int threads) {
   Expected expected = expected_of(rule, repetition, source);
-  Options options = {
-      .border = repetition.border, .max_iterations = repetition.max_iterations, .threads = threads};
+  const Thinning thinning = {repetition.border, repetition.max_iterations};
+  Execution execution = {.threads = threads};
   for (const Isa isa : all_isas()) {
     if (!isa_available(isa)) continue;
-    if (detail::is_parallel_rule(rule)) options.isa = isa;
-    expect_batch(rule, source, options, expected);
-    if (testing::Test::HasFatalFailure() || !options.isa) return;
+    if (is_parallel(rule)) execution.isa = isa;
+    expect_batch(rule, source, thinning, execution, expected);
+    if (testing::Test::HasFatalFailure() || !execution.isa) return;
   }
 }
 
 class BatchOf : public testing::TestWithParam<RuleAndBorder> {
  protected:
-  [[nodiscard]] static Rule rule() { return std::get<Rule>(GetParam()); }
-  [[nodiscard]] static Border border() { return std::get<Border>(GetParam()); }
+  [[nodiscard]] static const Rule& rule() { return GetParam().rule; }
+  [[nodiscard]] static Border border() { return GetParam().border; }
   /// Other rules thin the images one by one, by code that other tests verify.
-  [[nodiscard]] static bool has_lanes() { return detail::is_parallel_rule(rule()); }
+  [[nodiscard]] static bool has_lanes() { return is_parallel(rule()); }
 };
 
 TEST_P(BatchOf, random_images_of_every_width_equals_the_reference) {
@@ -180,19 +187,10 @@ INSTANTIATE_TEST_SUITE_P(Rules, BatchOf, all_rules_and_borders(), rule_and_borde
 
 TEST(ThinningBatch, uses_lanes_for_parallel_rules_up_to_the_maximum_lane_width) {
   for (const RuleInfo& info : kRules) {
-    EXPECT_EQ(ThinningBatch(info.rule, 40, 31).one_by_one(), !detail::is_parallel_rule(info.rule))
-        << info.name;
+    EXPECT_EQ(ThinningBatch(info.rule, 40, 31).one_by_one(), !is_parallel(info.rule)) << info.name;
   }
   EXPECT_FALSE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth, 5).one_by_one());
   EXPECT_TRUE(ThinningBatch(Rule::guo_hall, detail::kMaxLaneWidth + 1, 5).one_by_one());
-}
-
-TEST(ThinningBatch, thins_one_by_one_if_a_technique_is_requested) {
-  const Options options = {.technique = Technique::bitpacked};
-  EXPECT_TRUE(ThinningBatch(Rule::guo_hall, 28, 28, options).one_by_one());
-  Stack source = random_stack(21, 40, 31, 5);
-  Expected expected = expected_of(Rule::guo_hall, {}, source);
-  expect_batch(Rule::guo_hall, source, options, expected);
 }
 
 TEST(ThinningBatch, treats_any_nonzero_byte_as_foreground) {
@@ -208,7 +206,7 @@ TEST(ThinningBatch, treats_any_nonzero_byte_as_foreground) {
     source.set(i, image.view());
   }
   Expected expected = expected_of(Rule::guo_hall, {}, binary);
-  expect_batch(Rule::guo_hall, source, {}, expected);
+  expect_batch(Rule::guo_hall, source, {}, {}, expected);
 }
 
 TEST(ThinningBatch, works_in_place) {
@@ -226,13 +224,13 @@ TEST(ThinningBatch, threads_share_the_images_with_and_without_lanes) {
     Stack source = random_stack(100, width, 12, 4);
     Expected expected = expected_of(Rule::guo_hall, {}, source);
     for (const int threads : {2, 3, 7}) {
-      expect_batch(Rule::guo_hall, source, {.threads = threads}, expected);
+      expect_batch(Rule::guo_hall, source, {}, {.threads = threads}, expected);
     }
   }
 }
 
 TEST(ThinningBatch, takes_a_different_number_of_images_in_each_call) {
-  ThinningBatch batch(Rule::guo_hall, 28, 28, {.threads = 2});
+  ThinningBatch batch(Rule::guo_hall, 28, 28, {}, {.threads = 2});
   for (const Index count : {40, 3, 0, 17}) {
     Stack source = random_stack(count, 28, 28, static_cast<std::uint64_t>(count));
     Expected expected = expected_of(Rule::guo_hall, {}, source);

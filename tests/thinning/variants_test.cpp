@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/splitmix64.hpp"
+#include "support/edge_case_images.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
-#include "thinning/edge_case_images.hpp"
+#include "support/variant_of.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -19,10 +19,11 @@ constexpr std::uint8_t kUnwritten = 77;
 
 /// One result per element of kLimits. To save time, each continues from the one before, which gives
 /// the same; see reference/repetition_test.cpp.
-std::vector<Thinned> expected_by_limit(Rule rule, Border border, const ByteImage& image) {
+std::vector<Thinned> expected_by_limit(const Rule& rule, Border border, const ByteImage& image) {
   std::vector<Thinned> all;
   all.push_back(thinned_by_reference(rule, image, {border, 1}));
-  bool changed = rule != Rule::midpoint_scan && !equal(all[0].image.view(), image.view());
+  bool changed =
+      rule.body()->kind != RuleKind::midpoints && !equal(all[0].image.view(), image.view());
   while (all.size() < std::size(kLimits)) {
     const Thinned& before = all.back();
     Thinned next = {copy_of(before.image.view()), before.iterations};
@@ -43,18 +44,14 @@ struct NamedState {
 };
 
 /// States of all available variants for images of this size; threaded ones if `with_threads`.
-std::vector<NamedState> states_of(Rule rule, Index width, Index height, Options options,
-                                  bool with_threads) {
-  const ThinningOperation& operation = operation_of(rule);
+std::vector<NamedState> states_of(const Rule& rule, Index width, Index height,
+                                  const Thinning& thinning, bool with_threads) {
+  const ThinningParameters parameters = thinning_parameters(rule, thinning);
   std::vector<NamedState> states;
-  for (const ThinningVariant& variant : operation.variants) {
-    if (!unavailable_reason(variant, width, options.border).empty()) continue;
+  for (const ThinningVariant& variant : variants_of(parameters)) {
+    if (!unavailable_reason(variant, width).empty()) continue;
     if (variant.threaded && !with_threads) continue;
-    options.threads = variant.threaded ? 3 : 1;
-    states.push_back({std::string(technique_name(variant.technique)) + " at " +
-                          std::string(isa_name(variant.isa)) + ", threads " +
-                          std::to_string(options.threads),
-                      make_state(operation, variant, width, height, options)});
+    states.push_back({name_of(variant), make_state(variant, width, height, parameters, 3)});
   }
   return states;
 }
@@ -81,8 +78,8 @@ std::string difference(ThinningState& state, const ByteImage& image, const Thinn
 
 class EveryVariant : public testing::TestWithParam<RuleAndBorder> {
  protected:
-  [[nodiscard]] static Rule rule() { return std::get<Rule>(GetParam()); }
-  [[nodiscard]] static Border border() { return std::get<Border>(GetParam()); }
+  [[nodiscard]] static const Rule& rule() { return GetParam().rule; }
+  [[nodiscard]] static Border border() { return GetParam().border; }
 
   /// Checks all limits on all images of a size.
   static void expect_all_equal(Index width, Index height, bool with_threads) {
@@ -93,8 +90,8 @@ class EveryVariant : public testing::TestWithParam<RuleAndBorder> {
       expected.push_back(expected_by_limit(rule(), border(), image));
     }
     for (std::size_t limit = 0; limit < std::size(kLimits); ++limit) {
-      const Options options = {.border = border(), .max_iterations = kLimits[limit]};
-      for (const NamedState& one : states_of(rule(), width, height, options, with_threads)) {
+      const Thinning thinning = {border(), kLimits[limit]};
+      for (const NamedState& one : states_of(rule(), width, height, thinning, with_threads)) {
         for (std::size_t i = 0; i < images.size(); ++i) {
           ASSERT_EQ(difference(*one.state, images[i], expected[i][limit], result), "")
               << one.name << ", " << width << " x " << height << ", image " << i << ", limit "
@@ -104,6 +101,10 @@ class EveryVariant : public testing::TestWithParam<RuleAndBorder> {
     }
   }
 };
+
+bool is_net(const Rule& rule) {
+  return !std::holds_alternative<std::monostate>(rule.body()->net);
+}
 
 /// Fewer sizes for large images, and for nets fewer still, because the references are slow.
 std::vector<Index> heights_for(Index width, bool is_net) {
@@ -118,7 +119,7 @@ TEST_P(EveryVariant, equals_the_reference_at_every_size_and_limit) {
     return height > kBandRows && (width == 2 || width == 65 || width >= 513);
   };
   for (const Index width : {1, 2, 3, 63, 64, 65, 127, 128, 129, 511, 512, 513, 1030}) {
-    for (const Index height : heights_for(width, operation_of(rule()).is_net)) {
+    for (const Index height : heights_for(width, is_net(rule()))) {
       expect_all_equal(width, height, with_threads(width, height));
       if (HasFatalFailure()) return;
     }
@@ -128,8 +129,7 @@ TEST_P(EveryVariant, equals_the_reference_at_every_size_and_limit) {
 TEST_P(EveryVariant, equals_the_reference_on_all_four_by_four) {
   std::vector<std::vector<NamedState>> by_limit;
   for (const int limit : kLimits) {
-    const Options options = {.border = border(), .max_iterations = limit};
-    by_limit.push_back(states_of(rule(), 4, 4, options, false));
+    by_limit.push_back(states_of(rule(), 4, 4, {border(), limit}, false));
   }
   ByteImage result(4, 4);
   for (std::uint64_t bits = 0; bits < 65536; ++bits) {

@@ -1,0 +1,92 @@
+// Machine code where the system denies executable memory.
+#include <cerrno>
+#include <cstddef>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "compile/machine_code.hpp"
+#include "core/byte_image.hpp"
+#include "reference.hpp"
+#include "thinbench/rule_notation.hpp"
+#include "thinbench/thinning.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+/// From now on this process cannot make memory executable.
+bool deny_executable_memory() {
+  constexpr unsigned kProtection = offsetof(seccomp_data, args[2]);
+  sock_filter instructions[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_mprotect, 0, 3),
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kProtection),
+      BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, PROT_EXEC, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EACCES),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+  };
+  const sock_fprog program = {std::size(instructions), instructions};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+constexpr int kRight = 0;
+constexpr int kWrong = 1;
+constexpr int kNotDenied = 2;
+
+bool is_right(const Rule& rule, int limit) {
+  ByteImage image(700, 40);  // wider than the row kernel
+  for (Index x = 0; x < image.width(); ++x) {
+    for (Index y = 10 + x % 7; y < 30; ++y) image.at(x, y) = 255;
+  }
+  ByteImage want(image.width(), image.height());
+  const int iterations = reference::apply_tables(rule.sub_iterations(), {Border::background, limit},
+                                                 image.view(), want.view());
+  return thin(rule, image.view(), image.view()) == iterations && equal(image.view(), want.view());
+}
+
+/// Life, and a rule for which tiles are chosen.
+bool rules_are_right(int limit) {
+  const WindowTable erode = make_window_table([](std::size_t window) { return window == 511; });
+  return is_right(Rule(table_from_hensel("B3/S23"), {.max_iterations = limit}), limit) &&
+         is_right(Rule(erode, {.max_iterations = limit}), limit);
+}
+
+[[noreturn]] void apply_without_executable_memory(bool after_use) {
+  if (after_use && !MachineCode::is_available(Isa::avx2)) std::exit(kNotDenied);
+  if (!deny_executable_memory()) std::exit(kNotDenied);
+  std::exit(rules_are_right(5) ? kRight : kWrong);
+}
+
+/// Runs `body` in a process of its own and returns its exit status.
+template <class Body>
+int status_of(const Body& body) {
+  const pid_t child = fork();
+  if (child == 0) body();
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : kWrong;
+}
+
+TEST(MachineCode, interpreter_runs_rules_where_memory_cannot_be_executable) {
+  const int status = status_of([] { apply_without_executable_memory(false); });
+  if (status == kNotDenied) GTEST_SKIP() << "this system does not let a process deny it";
+  EXPECT_EQ(status, kRight);
+}
+
+TEST(MachineCode, other_engines_run_rules_where_memory_is_denied_later) {
+  const int status = status_of([] { apply_without_executable_memory(true); });
+  if (status == kNotDenied) GTEST_SKIP() << "no machine code here, or nothing denies it";
+  EXPECT_EQ(status, kRight);
+}
+
+}  // namespace
+}  // namespace thinbench::detail

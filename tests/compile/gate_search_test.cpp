@@ -1,0 +1,162 @@
+// Circuits that the search finds: right, small, and always the same.
+#include "compile/gate_search.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "compile/compiled_rule.hpp"
+#include "compile/two_input.hpp"
+#include "harness/splitmix64.hpp"
+#include "support/temporary_directory.hpp"
+#include "thinbench/named_rules.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+constexpr SearchEffort kShort = {1'000'000};
+
+WindowTable random_table(std::uint64_t seed) {
+  WindowTable table;
+  for (std::size_t w = 0; w < table.words.size(); ++w) table.words[w] = splitmix64(seed, w);
+  return table;
+}
+
+/// The table that a network computes.
+WindowTable output_table(const GateNetwork& network) {
+  return tables_of(network)[static_cast<std::size_t>(network.output)];
+}
+
+/// The same in gates with two inputs.
+WindowTable two_input_table(const GateNetwork& network) {
+  const GateNetwork converted = in_two_input_gates(network);
+  for (const Gate& gate : converted.gates) EXPECT_TRUE(is_native<std::uint64_t>(gate.function));
+  return output_table(converted);
+}
+
+int gates_of(const WindowTable& table) {
+  const GateNetwork network = minimised_network(table, ternary_costs(), kThoroughSearch);
+  EXPECT_EQ(output_table(network), table);
+  return static_cast<int>(network.gates.size());
+}
+
+TEST(GateTable, has_the_gates_function_of_its_inputs) {
+  for (int function = 0; function < 256; ++function) {
+    const auto code = static_cast<std::uint8_t>(function);
+    const WindowTable table = gate_table(code, pixel_table(2), pixel_table(7), pixel_table(8));
+    for (std::size_t window = 0; window < WindowTable::kWindows; ++window) {
+      const std::size_t row = (window >> 2 & 1) << 2 | (window >> 7 & 1) << 1 | window >> 8;
+      ASSERT_EQ(table[window], (code >> row & 1) != 0) << function << " at window " << window;
+    }
+  }
+}
+
+TEST(TwoInputSteps, compute_every_gate_in_at_most_five_steps) {
+  for (int function = 0; function < 256; ++function) {
+    const auto code = static_cast<std::uint8_t>(function);
+    const GateNetwork network = {{{code, {1, 3, 5}}}, kWindowPixels};
+    EXPECT_EQ(two_input_table(network),
+              gate_table(code, pixel_table(1), pixel_table(3), pixel_table(5)))
+        << function;
+    EXPECT_LE(two_input_steps(code), 5) << function;
+  }
+}
+
+TEST(GateSearch, circuits_compute_their_tables) {
+  for (int i = 0; i < 40; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    WindowTable table = random_table(seed);
+    // Sparse, dense, only removing and only adding tables, too.
+    const WindowTable other = random_table(seed + 1000);
+    for (std::size_t w = 0; w < table.words.size(); ++w) {
+      const std::uint64_t centre = pixel_table(4).words[w];
+      const std::uint64_t choices[] = {table.words[w], table.words[w] & other.words[w],
+                                       table.words[w] | other.words[w], table.words[w] & centre,
+                                       table.words[w] | centre};
+      table.words[w] = choices[i % 5];
+    }
+    for (const GateCosts& costs : {ternary_costs(), two_input_costs()}) {
+      const GateNetwork network = minimised_network(table, costs, kShort);
+      EXPECT_EQ(output_table(network), table) << i;
+      EXPECT_EQ(two_input_table(network), table) << i;
+    }
+  }
+}
+
+TEST(GateSearch, needs_no_gate_for_pixels_and_one_for_constants) {
+  EXPECT_EQ(minimised_network(pixel_table(4), ternary_costs(), kShort).gates.size(), 0U);
+  EXPECT_EQ(minimised_network(WindowTable{}, ternary_costs(), kShort).gates.size(), 1U);
+}
+
+TEST(GateSearch, finds_equal_circuits_for_equal_tables) {
+  const WindowTable table = random_table(7);
+  const GateNetwork first = minimised_network(table, ternary_costs(), kShort);
+  const GateNetwork second = minimised_network(table, ternary_costs(), kShort);
+  ASSERT_EQ(first.gates.size(), second.gates.size());
+  for (std::size_t i = 0; i < first.gates.size(); ++i) {
+    EXPECT_EQ(first.gates[i].function, second.gates[i].function);
+    EXPECT_EQ(first.gates[i].inputs, second.gates[i].inputs);
+  }
+}
+
+WindowTable table_of(BuiltInRule rule, std::size_t sub_iteration) {
+  return Rule(rule).sub_iterations()[sub_iteration];
+}
+
+int max_gates_of_sub_iterations(BuiltInRule rule) {
+  const CompiledRule compiled({table_of(rule, 0), table_of(rule, 1)}, kThoroughSearch);
+  return std::max(cost_of(compiled.circuit(0), ternary_costs()),
+                  cost_of(compiled.circuit(1), ternary_costs()));
+}
+
+/// Built-in rules have circuits of 11, 10 and 19 gates, found in hours.
+TEST(ThoroughSearch, finds_small_circuits) {
+  EXPECT_LE(max_gates_of_sub_iterations(Rule::zhang_suen), 13);
+  EXPECT_LE(max_gates_of_sub_iterations(Rule::guo_hall), 11);
+  EXPECT_LE(max_gates_of_sub_iterations(Rule::zhang_suen_skimage), 23);
+  for (const std::uint64_t seed : {7U, 8U, 9U}) EXPECT_LE(gates_of(random_table(seed)), 75);
+}
+
+TEST(ThoroughSearch, computes_functions_of_rows_once) {
+  const WindowTable life = find_named_rule("life")->sub_iterations[0];
+  const GateNetwork network = minimised_network(life, ternary_costs(), kThoroughSearch);
+  EXPECT_LE(cost_of(network, ternary_costs()), 9);
+  EXPECT_GT(network.gates.size(), 9U);
+}
+
+/// The number of three-input gates that berkeley-abc finds for the table.
+int gates_of_abc(const WindowTable& table) {
+  const TemporaryDirectory directory;
+  const std::string truth = directory.file("table");
+  const std::string log = directory.file("log");
+  std::ofstream file(truth);
+  for (std::size_t window = WindowTable::kWindows; window-- > 0;) file << (table[window] ? 1 : 0);
+  file.close();
+  const std::string command = "berkeley-abc -c 'read_truth -x -f " + truth +
+                              "; strash; dch; if -K 3 -a; lutpack; print_stats' > " + log + " 2>&1";
+  if (std::system(command.c_str()) != 0) return 0;
+  std::ifstream output(log);
+  const std::string text((std::istreambuf_iterator<char>(output)), {});
+  const std::size_t at = text.rfind("nd =");
+  return at == std::string::npos ? 0 : std::stoi(text.substr(at + 4));
+}
+
+TEST(ThoroughSearch, beats_a_short_script_of_abc) {
+  if (std::system("command -v berkeley-abc > /dev/null") != 0) {
+    GTEST_SKIP() << "berkeley-abc is not installed";
+  }
+  const WindowTable tables[] = {table_of(Rule::zhang_suen, 0),
+                                table_of(Rule::zhang_suen_skimage, 1),
+                                find_named_rule("life")->sub_iterations[0], random_table(7)};
+  for (const WindowTable& table : tables) {
+    const int by_abc = gates_of_abc(table);
+    if (by_abc == 0) GTEST_SKIP() << "this berkeley-abc does not know the commands";
+    EXPECT_LE(gates_of(table), by_abc);
+  }
+}
+
+}  // namespace
+}  // namespace thinbench::detail

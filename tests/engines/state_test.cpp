@@ -1,0 +1,123 @@
+// Requirements on the states of all variants of all rules, besides the correct result.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "engines/plane_state.hpp"
+#include "harness/test_images.hpp"
+#include "support/filled_image.hpp"
+#include "support/margins.hpp"
+#include "support/variant_of.hpp"
+#include "techniques/byte_planes.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+constexpr Index kWidth = 133;
+constexpr Index kHeight = 41;
+
+/// Calls `check(state, name)` for a new state of every available variant of every rule, with every
+/// border.
+template <class Check>
+void for_each_state(const Check& check) {
+  for (const RuleInfo& info : kRules) {
+    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
+      if (border == Border::foreground && Rule(info.rule).sub_iterations().empty()) continue;
+      thinbench::for_each_state(thinning_parameters(info.rule, {.border = border}), kWidth, kHeight,
+                                2, [&](ThinningState& state, const std::string& name) {
+                                  check(state, std::string(info.name) + " by " + name +
+                                                   ", border " + std::string(border_name(border)));
+                                });
+    }
+  }
+}
+
+ByteImage noise(std::uint64_t seed) {
+  return noise_image(kWidth, kHeight, 95, 1, seed);
+}
+
+TEST(ThinningState, load_thin_store_equals_run) {
+  const ByteImage image = noise(6);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    ByteImage at_once(kWidth, kHeight);
+    const int iterations = state.run(image.view(), at_once.view());
+    ByteImage separately(kWidth, kHeight);
+    state.load(image.view());
+    EXPECT_EQ(state.thin(), iterations) << name;
+    state.store(separately.view());
+    EXPECT_TRUE(equal(separately.view(), at_once.view())) << name;
+  });
+}
+
+TEST(ThinningState, thin_keeps_its_input_and_is_repeatable) {
+  const ByteImage image = noise(7);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    state.load(image.view());
+    const int iterations = state.thin();
+    ByteImage first(kWidth, kHeight);
+    state.store(first.view());
+    EXPECT_EQ(state.thin(), iterations) << name;
+    ByteImage second(kWidth, kHeight);
+    state.store(second.view());
+    EXPECT_TRUE(equal(first.view(), second.view())) << name;
+  });
+}
+
+TEST(ThinningState, works_in_place) {
+  const ByteImage image = noise(8);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    ByteImage elsewhere(kWidth, kHeight);
+    state.run(image.view(), elsewhere.view());
+    ByteImage in_place = copy_of(image.view());
+    state.run(in_place.view(), in_place.view());
+    EXPECT_TRUE(equal(elsewhere.view(), in_place.view())) << name;
+  });
+}
+
+/// Whether the margins of the state's planes of T are zero; true if it has none.
+template <class T>
+bool margins_are_zero(ThinningState& state) {
+  const auto* planes = dynamic_cast<PlaneState<T>*>(&state);
+  if (planes == nullptr) return true;
+  return margin_is_zero(planes->planes.source.view()) &&
+         margin_is_zero(planes->planes.result.view());
+}
+
+TEST(ThinningState, margins_of_planes_remain_zero) {
+  const ByteImage image = noise(9);
+  const ByteImage full = filled_image(kWidth, kHeight, 255);
+  ByteImage result(kWidth, kHeight);
+  for_each_state([&](ThinningState& state, const std::string& name) {
+    state.run(full.view(), result.view());
+    state.run(image.view(), result.view());
+    EXPECT_TRUE(margins_are_zero<std::uint8_t>(state)) << name;
+    EXPECT_TRUE(margins_are_zero<std::uint64_t>(state)) << name;
+  });
+}
+
+TEST(MakeState, rejects_images_wider_than_the_limit_of_the_variant) {
+  const ThinningParameters parameters = thinning_parameters(Rule::naccache_shinghal, {});
+  for (const ThinningVariant& variant : variants_of(parameters)) {
+    if (variant.technique != "simd_bitpacked_row") continue;
+    EXPECT_EQ(variant.max_width, 512);
+    EXPECT_FALSE(unavailable_reason(variant, 513).empty());
+    EXPECT_THROW(static_cast<void>(make_state(variant, 513, 5, parameters, 1)),
+                 std::invalid_argument);
+  }
+}
+
+TEST(MakeState, rejects_sizes_and_thread_counts_out_of_range) {
+  const ThinningParameters parameters = thinning_parameters(Rule::naccache_shinghal, {});
+  const ThinningVariant variant = variants_of(parameters).front();
+  const auto make = [&](Index width, Index height, int threads = 1) {
+    static_cast<void>(make_state(variant, width, height, parameters, threads));
+  };
+  EXPECT_THROW(make(-1, 5), std::invalid_argument);
+  EXPECT_THROW(make(Index{1} << 40, 2), std::invalid_argument);
+  EXPECT_THROW(make(PTRDIFF_MAX, PTRDIFF_MAX), std::invalid_argument);
+  EXPECT_THROW(make(5, 5, 0), std::invalid_argument);
+  EXPECT_THROW(make(5, 5, kMaxThreads + 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace thinbench::detail

@@ -1,0 +1,167 @@
+// The documented properties of the rules: topology, idempotence, subset, symmetry.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/five_by_five.hpp"
+#include "support/flood_fill.hpp"
+#include "support/property_images.hpp"
+#include "support/rule_parameters.hpp"
+#include "thinbench/thinning.hpp"
+
+namespace thinbench {
+namespace {
+
+using five_by_five::Cell;
+using five_by_five::Sheet;
+
+ByteImage thinned(BuiltInRule rule, const ByteImage& image) {
+  ByteImage result(image.width(), image.height());
+  thin(rule, image.view(), result.view());
+  return result;
+}
+
+ByteImage rotated(const ByteImage& image) {
+  ByteImage result(image.height(), image.width());
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) result.at(y, image.width() - 1 - x) = image.at(x, y);
+  }
+  return result;
+}
+
+/// All but the midpoint scan, which has none of these properties, and the nets.
+std::vector<BuiltInRule> rules_without_nets() {
+  std::vector<BuiltInRule> rules;
+  for (const RuleInfo& info : kRules) {
+    if (info.rule == Rule::midpoint_scan) break;
+    rules.push_back(info.rule);
+  }
+  return rules;
+}
+
+std::string image_text(Cell cell) {
+  std::string text = "\n";
+  for (int y = 1; y <= five_by_five::kSide; ++y) {
+    for (int x = 1; x <= five_by_five::kSide; ++x) {
+      text += (cell >> (8 * y + x) & 1) != 0 ? '#' : '.';
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// Describes the first image of 5 x 5 pixels whose topology the rule changes; empty if none.
+std::optional<std::string> first_topology_change(BuiltInRule rule) {
+  Sheet sheet;
+  for (std::uint32_t first = 0; first < five_by_five::kCount; first += Sheet::kCells) {
+    sheet.fill(first);
+    thin(rule, sheet.view(), sheet.view());
+    for (std::uint32_t i = 0; i < Sheet::kCells; ++i) {
+      const Cell before = five_by_five::cell_of(first + i);
+      const Cell after = sheet.cell(i);
+      if (before == after || five_by_five::same_topology(before, after)) continue;
+      return image_text(before) + "becomes" + image_text(after);
+    }
+  }
+  return std::nullopt;
+}
+
+class KeepsTopology : public testing::TestWithParam<BuiltInRule> {};
+
+TEST_P(KeepsTopology, on_all_five_by_five) {
+  const auto changed = first_topology_change(GetParam());
+  EXPECT_FALSE(changed) << changed.value_or("");
+}
+
+TEST_P(KeepsTopology, on_noise_and_scenes) {
+  for (const ByteImage& image : property_images()) {
+    const ByteImage skeleton = thinned(GetParam(), image);
+    EXPECT_EQ(flood_fill::objects_of(image.view()).list.size(),
+              flood_fill::objects_of(skeleton.view()).list.size());
+    EXPECT_EQ(flood_fill::holes_of(image.view()).size(),
+              flood_fill::holes_of(skeleton.view()).size());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, KeepsTopology,
+                         testing::Values(Rule::guo_hall, Rule::guo_hall_skimage, Rule::spta,
+                                         Rule::spta_directional, Rule::mb2),
+                         rule_test_name);
+
+class EveryRule : public testing::TestWithParam<BuiltInRule> {};
+
+TEST_P(EveryRule, is_idempotent_and_gives_a_subset) {
+  for (const ByteImage& image : property_images()) {
+    const ByteImage skeleton = thinned(GetParam(), image);
+    EXPECT_TRUE(equal(thinned(GetParam(), skeleton).view(), skeleton.view()));
+    EXPECT_EQ(pixels_outside(skeleton, image), 0);
+  }
+}
+
+TEST_P(EveryRule, is_symmetric_under_quarter_turns_if_it_has_one_sub_iteration) {
+  const BuiltInRule rule = GetParam();
+  const bool expected = rule == Rule::naccache_shinghal || rule == Rule::mb2;
+  bool symmetric = true;
+  for (const ByteImage& image : property_images()) {
+    const ByteImage skeleton = thinned(rule, image);
+    symmetric = symmetric && equal(rotated(skeleton).view(), thinned(rule, rotated(image)).view());
+  }
+  EXPECT_EQ(symmetric, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(rules_without_nets()), rule_test_name);
+
+ByteImage block(Index width, Index height) {
+  ByteImage image(width + 4, height + 4);
+  for (Index y = 2; y < height + 2; ++y) {
+    for (Index x = 2; x < width + 2; ++x) image.at(x, y) = 255;
+  }
+  return image;
+}
+
+std::size_t objects_after(BuiltInRule rule, const ByteImage& image) {
+  return flood_fill::objects_of(thinned(rule, image).view()).list.size();
+}
+
+TEST(Rules, zhang_suen_removes_a_two_by_two_block) {
+  EXPECT_EQ(objects_after(Rule::zhang_suen, block(2, 2)), 0U);
+}
+
+TEST(Rules, guo_hall_keeps_one_object_of_a_two_by_two_block) {
+  EXPECT_EQ(objects_after(Rule::guo_hall, block(2, 2)), 1U);
+}
+
+TEST(Rules, naccache_shinghal_removes_bars_two_pixels_wide_and_keeps_bars_three_pixels_wide) {
+  for (const Index length : {2, 3, 8, 19}) {
+    EXPECT_EQ(objects_after(Rule::naccache_shinghal, block(2, length)), 0U) << length;
+    EXPECT_EQ(objects_after(Rule::naccache_shinghal, block(3, length + 2)), 1U) << length;
+  }
+}
+
+TEST(Rules, naccache_shinghal_breaks_a_slanted_line_two_pixels_wide) {
+  ByteImage line(60, 60);
+  for (Index i = 2; i < 50; ++i) line.at(i, i) = line.at(i + 1, i) = 255;
+  ASSERT_EQ(flood_fill::objects_of(line.view()).list.size(), 1U);
+  EXPECT_EQ(objects_after(Rule::naccache_shinghal, line), 2U);
+}
+
+TEST(Rules, topology_check_detects_changes_on_five_by_five) {
+  EXPECT_TRUE(first_topology_change(Rule::zhang_suen));
+  EXPECT_TRUE(first_topology_change(Rule::naccache_shinghal));
+}
+
+TEST(TopologyByBits, distinguishes_rings_from_discs_and_one_object_from_two) {
+  const Cell ring = five_by_five::cell_of(0x1F8C63F);
+  const Cell disc = five_by_five::cell_of(0x1FFFFFF);
+  EXPECT_EQ(five_by_five::euler_number(ring), 0);
+  EXPECT_EQ(five_by_five::euler_number(disc), 1);
+  EXPECT_FALSE(five_by_five::same_topology(disc, ring));
+  EXPECT_TRUE(five_by_five::same_topology(disc, Cell{1} << 27));
+  EXPECT_FALSE(five_by_five::same_topology(disc, 0));
+  EXPECT_FALSE(five_by_five::same_topology(disc, Cell{1} << 27 | Cell{1} << 29));
+}
+
+}  // namespace
+}  // namespace thinbench

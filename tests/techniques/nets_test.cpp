@@ -1,0 +1,72 @@
+// Nets by every variant: any weights, and when 8-bit weights are exact.
+#include <gtest/gtest.h>
+
+#include "rules/trained_cluster.hpp"
+#include "support/rejection.hpp"
+#include "support/rule_parameters.hpp"
+#include "techniques/given_weights.hpp"
+#include "thinbench/thinning.hpp"
+
+namespace thinbench {
+namespace {
+
+detail::NetModel linear_model(const TwoLayerWeights& weights) {
+  const Rule rule(weights, Activation::linear);
+  return detail::make_net_model(weights, Activation::linear, rule.sub_iterations().front());
+}
+
+TEST(NetModel, eight_bit_weights_are_exact_for_the_paper_s_linear_net) {
+  EXPECT_TRUE(linear_model(kPaperTwoLayer).fixed_point_is_exact);
+}
+
+TwoLayerWeights inexact_in_eight_bits() {
+  TwoLayerWeights weights = kPaperTwoLayer;
+  weights.output.bias = 1e30F;
+  return weights;
+}
+
+TEST(NetModel, eight_bit_weights_are_inexact_for_a_huge_bias) {
+  EXPECT_FALSE(linear_model(inexact_in_eight_bits()).fixed_point_is_exact);
+}
+
+TEST(Nets, every_variant_follows_weights_that_differ_from_the_rule) {
+  const ByteImage image = noise_image(130, 50, 90, 1, 4);
+  ByteImage by_rule(130, 50);
+  thin(Rule::naccache_shinghal, image.view(), by_rule.view());
+  for (const Activation activation : {Activation::linear, Activation::sigmoid}) {
+    const Outcome damaged =
+        reference_outcome(damaged_net(), activation, Border::background, image.view());
+    EXPECT_FALSE(equal(damaged.image.view(), by_rule.view()));
+    expect_every_variant_equals_reference(damaged_net(), activation);
+  }
+}
+
+/// The trained cluster with one net replaced by a constant: always foreground.
+ClusterWeights damaged_cluster() {
+  ClusterWeights weights = detail::kTrainedCluster;
+  weights.nets[5].neuron = {{}, 1.0F};
+  return weights;
+}
+
+TEST(Nets, every_variant_follows_other_weights_of_a_cluster) {
+  const ByteImage image = noise_image(130, 50, 90, 1, 4);
+  ByteImage expected(130, 50);
+  const int iterations = reference::net_single_layer_cluster(damaged_cluster(), {Border::keep},
+                                                             image.view(), expected.view());
+  ByteImage found(130, 50);
+  for_each_state(detail::thinning_parameters(Rule(damaged_cluster()), {Border::keep}), 130, 50, 2,
+                 [&](detail::ThinningState& state, const std::string& name) {
+                   EXPECT_EQ(state.run(image.view(), found.view()), iterations) << name;
+                   EXPECT_TRUE(equal(found.view(), expected.view())) << name;
+                 });
+}
+
+TEST(MakeState, rejects_fixed_point_for_a_net_without_exact_eight_bit_weights) {
+  const Rule rule(inexact_in_eight_bits(), Activation::linear);
+  ByteImage image(5, 5);
+  EXPECT_EQ(rejection_of([&] { thin_by("simd_fixed_point", rule, image.view(), image.view()); }),
+            "simd_fixed_point cannot run: no 8-bit weights reproduce the decisions of this net");
+}
+
+}  // namespace
+}  // namespace thinbench

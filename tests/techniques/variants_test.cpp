@@ -1,0 +1,114 @@
+// The lists of all operations with their variants, and the choice that the product makes from them.
+#include "techniques/variants.hpp"
+
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "localise/state.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+TEST(Catalogue, lists_every_enumerator_at_its_index) {
+  for (std::size_t i = 0; i < kRules.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(kRules[i].rule), i);
+    EXPECT_EQ(study::thinning_operations()[i].key.name(), kRules[i].name);
+    EXPECT_EQ(&study::operation_of(kRules[i].rule), &study::thinning_operations()[i]);
+  }
+  EXPECT_EQ(study::thinning_operations().size(), kRules.size());
+  for (std::size_t i = 0; i < kEdgeOperators.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(kEdgeOperators[i].op), i);
+    EXPECT_EQ(study::edge_operations()[i].key, kEdgeOperators[i].op);
+  }
+}
+
+TEST(Catalogue, names_are_unique_and_map_to_their_enumerators) {
+  std::set<std::string_view> names;
+  for (const RuleInfo& info : kRules) {
+    EXPECT_TRUE(names.insert(info.operation).second) << info.operation;
+    EXPECT_EQ(rule_from_name(info.name), info.rule);
+    EXPECT_EQ(rule_from_name(info.operation), info.rule);
+  }
+  for (const EdgeOperatorInfo& info : kEdgeOperators) {
+    EXPECT_TRUE(names.insert(info.operation).second) << info.operation;
+    EXPECT_EQ(edge_operator_from_name(info.name), info.op);
+    EXPECT_EQ(edge_operator_from_name(info.operation), info.op);
+  }
+  for (const RegionsOperation& operation : study::regions_operations()) {
+    EXPECT_TRUE(names.insert(operation.name).second) << operation.name;
+  }
+  EXPECT_TRUE(names.insert(localise_operation().name).second);
+  EXPECT_EQ(rule_from_name("thin_zhang"), std::nullopt);
+  EXPECT_EQ(edge_operator_from_name("canny"), std::nullopt);
+}
+
+template <class Operation>
+void expect_valid_variants(const Operation& operation) {
+  std::set<std::tuple<std::string_view, Isa, bool>> seen;
+  bool runs_anywhere = false;
+  for (const auto& variant : operation.variants) {
+    EXPECT_TRUE(seen.insert({variant.technique, variant.isa, variant.threaded}).second)
+        << operation.name << " by " << variant.technique << " twice";
+    EXPECT_EQ(study::technique_info(variant.technique).name, variant.technique);
+    EXPECT_NE(variant.make, nullptr);
+    runs_anywhere = runs_anywhere || (variant.isa == Isa::baseline && !variant.threaded &&
+                                      variant.max_width == kAnyWidth);
+  }
+  EXPECT_TRUE(runs_anywhere) << operation.name;
+}
+
+/// The product's variants are the last of the study's.
+template <class Operation>
+void expect_extended(const Operation& product, const Operation& study) {
+  EXPECT_EQ(product.name, study.name);
+  expect_valid_variants(product);
+  expect_valid_variants(study);
+  const std::size_t added = study.variants.size() - product.variants.size();
+  for (std::size_t i = 0; i < product.variants.size(); ++i) {
+    EXPECT_EQ(product.variants[i].make, study.variants[added + i].make) << product.name;
+  }
+}
+
+template <class Operations>
+void expect_all_extended(const Operations& product, const Operations& study) {
+  ASSERT_EQ(product.size(), study.size());
+  for (std::size_t i = 0; i < product.size(); ++i) expect_extended(product[i], study[i]);
+}
+
+TEST(Catalogue, every_operation_has_unique_variants_and_one_for_any_machine_and_image) {
+  expect_all_extended(thinning_operations(), study::thinning_operations());
+  expect_all_extended(edge_operations(), study::edge_operations());
+  expect_all_extended(regions_operations(), study::regions_operations());
+  expect_extended(distance_operation(), study::distance_operation());
+  expect_extended(graph_operation(), study::graph_operation());
+  expect_valid_variants(localise_operation());
+}
+
+TEST(Catalogue, rejects_techniques_without_a_description) {
+  EXPECT_THROW(static_cast<void>(study::technique_info("magic")), std::logic_error);
+}
+
+TEST(ChooseThinning, takes_the_highest_priority_which_is_the_latest_isa) {
+  for (const ThinningOperation& operation : study::thinning_operations()) {
+    const ThinningParameters parameters = thinning_parameters(operation.key, {});
+    const ThinningVariant& chosen = choose_thinning(parameters, 2000, 500, {});
+    for (const ThinningVariant& other : operation.variants) {
+      if (other.threaded || !unavailable_reason(other, 2000).empty()) continue;
+      EXPECT_LE(other.priority, chosen.priority) << operation.name;
+    }
+  }
+}
+
+TEST(ChooseThinning, takes_the_requested_isa) {
+  const ThinningParameters parameters = thinning_parameters(Rule::naccache_shinghal, {});
+  EXPECT_EQ(choose_thinning(parameters, 100, 10, {.isa = Isa::baseline}).isa, Isa::baseline);
+  const ThinningVariant& any = choose_thinning(parameters, 2000, 500, {});
+  EXPECT_EQ(any.isa, best_isa());
+  EXPECT_EQ(any.technique, "simd_bitpacked_tiles");
+}
+
+}  // namespace
+}  // namespace thinbench::detail
