@@ -44,6 +44,7 @@ SHARED_WITH_TOOLS = {
     "core/checks.hpp",
     "core/startable_threads.hpp",
     "core/thread_team.hpp",
+    "thinning/operations.hpp",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
