@@ -135,7 +135,7 @@ TEST_F(BatchCommand, result_that_would_replace_an_input_is_rejected) {
 
 TEST_F(BatchCommand, what_does_not_exist_is_rejected_before_anything_is_written) {
   EXPECT_EQ(failure({in}, 2, "thin_guo_hal"),
-            "no operation is named 'thin_guo_hal'; did you mean 'thin_guo_hall'?");
+            "no rule is named 'thin_guo_hal'; did you mean 'thin_guo_hall'?");
   EXPECT_EQ(failure({in, "--border", "keep"}, 2, "holes"), "holes has no option --border");
   EXPECT_EQ(failure({in, "--min-area", "3"}, 2), "thin_guo_hall has no option --min-area");
   EXPECT_EQ(failure({in, "--p1", "3"}, 2), "thin_guo_hall has no option --gradient-threshold");

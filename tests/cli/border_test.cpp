@@ -61,7 +61,7 @@ TEST_F(BorderOption, keep_applies_to_other_rules) {
 
 TEST_F(BorderOption, unknown_name_is_rejected_with_the_known_ones) {
   EXPECT_EQ(failure_of({"run", "thin_guo_hall", in, out, "--border", "wrap"}, 2),
-            "no border is named 'wrap'; known: background and keep");
+            "no border is named 'wrap'; known: background, keep and foreground");
 }
 
 }  // namespace

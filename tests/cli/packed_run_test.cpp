@@ -22,9 +22,10 @@ constexpr Index kHeight = 900;
 
 class PackedRun : public testing::Test {
  protected:
-  [[nodiscard]] std::string expected(Rule rule, BitOrder order, const Options& options = {}) const {
+  [[nodiscard]] std::string expected(const Rule& rule, BitOrder order,
+                                     const Thinning& thinning = {}) const {
     ByteImage skeleton(kWidth, kHeight);
-    thin(rule, image.view(), skeleton.view(), options);
+    thin(rule, image.view(), skeleton.view(), thinning);
     return raw_bytes(PackedImage(skeleton.view(), order));
   }
 
@@ -125,7 +126,7 @@ TEST_F(PackedRun, options_that_do_not_apply_are_rejected) {
 
 TEST_F(PackedRun, sequential_rules_do_not_run_out_of_core) {
   EXPECT_EQ(failure_of({"run", "thin_spta", pbm, out, "--out-of-core"}, 1),
-            "thin_spta cannot run on tiles; only rules that compute all pixels of a sub-iteration "
+            "spta cannot run on tiles; only rules that compute all pixels of a sub-iteration "
             "from the same image can");
 }
 

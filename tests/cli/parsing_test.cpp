@@ -53,7 +53,7 @@ TEST(Program, unknown_option_is_rejected_with_the_nearest_name) {
 }
 
 TEST(Program, missing_arguments_are_rejected) {
-  EXPECT_EQ(failure_of({"run"}, 2), "OPERATION is required; see 'thinbench run --help'");
+  EXPECT_EQ(failure_of({"run"}, 2), "RULE is required; see 'thinbench run --help'");
   EXPECT_EQ(failure_of({"run", kOperation, "in.png"}, 2),
             "OUT is required; see 'thinbench run --help'");
   EXPECT_EQ(run_failure({"--threshold"}), "--threshold needs a value; see 'thinbench run --help'");
@@ -67,7 +67,7 @@ TEST(Program, excess_arguments_are_rejected) {
 
 TEST(Program, names_of_commands_are_valid_arguments) {
   const std::string text = failure_of({"run", "list", "holes", "run"}, 2);
-  EXPECT_EQ(text.find("no operation is named 'list'; known: "), 0U) << text;
+  EXPECT_EQ(text.find("no rule is named 'list'; known: "), 0U) << text;
 }
 
 TEST(Program, empty_values_are_rejected) {

@@ -5,8 +5,8 @@
 
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
-#include "rules/trained_cluster.hpp"
 #include "program_run.hpp"
+#include "rules/trained_cluster.hpp"
 #include "support/temporary_directory.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/thinning.hpp"
@@ -128,17 +128,16 @@ TEST_F(RunCommand, directions_select_those_of_the_scan) {
     EXPECT_EQ(run_with({"run", "skeleton_scan", in, out, "--directions", names}).status, 0);
     return read_grey(out);
   };
-  Options how;
-  how.directions = kNoDirections;
-  how.directions.add(Direction::rows);
-  how.directions.add(Direction::diagonals);
+  Directions directions = kNoDirections;
+  directions.add(Direction::rows);
+  directions.add(Direction::diagonals);
   ByteImage expected = bars();
   for (Index y = 0; y < expected.height(); ++y) {
     for (Index x = 0; x < expected.width(); ++x) {
       expected.at(x, y) = expected.at(x, y) >= 61 ? 1 : 0;
     }
   }
-  thin(Rule::midpoint_scan, expected.view(), expected.view(), how);
+  thin(Rule(directions), expected.view(), expected.view());
   EXPECT_TRUE(equal(scan("rows,diagonals").view(), expected.view()));
   EXPECT_FALSE(equal(scan("columns").view(), expected.view()));
 }
@@ -162,7 +161,7 @@ TEST_F(RunCommand, empty_direction_is_rejected_with_the_known_ones) {
 
 TEST_F(RunCommand, unknown_operation_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"run", "thin_nacache", in, out}, 2),
-            "no operation is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?");
+            "no rule is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?");
 }
 
 TEST_F(RunCommand, unknown_isa_is_rejected_with_the_nearest_name) {

@@ -6,23 +6,37 @@
 
 #include <gtest/gtest.h>
 
-#include "engines/variants.hpp"
+#include "compile/rule_body.hpp"
 #include "harness/test_images.hpp"
 #include "out_of_core/packed_files.hpp"
 #include "scene/scene.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
 using Names = std::set<std::string>;
 
+bool runs_on_tiles(const RuleAndBorder& tested) {
+  const detail::RuleBody& rule = *tested.rule.body();
+  return rule.kind == detail::RuleKind::parallel && !rule.adds_pixels() &&
+         tested.border != Border::foreground;
+}
+
+std::vector<RuleAndBorder> rules_for_tiles() {
+  std::vector<RuleAndBorder> rules = rules_and_borders();
+  std::erase_if(rules, [](const RuleAndBorder& tested) { return !runs_on_tiles(tested); });
+  return rules;
+}
+
 class OutOfCore : public testing::TestWithParam<RuleAndBorder> {
  protected:
-  void SetUp() override {
-    if (!detail::is_parallel_rule(std::get<0>(GetParam()))) GTEST_SKIP() << "not for tiles";
+  [[nodiscard]] static OutOfCoreRun tested(std::optional<int> max_iterations = std::nullopt) {
+    const auto& [name, rule, border] = GetParam();
+    return {.rule = rule, .thinning = {border, max_iterations}};
   }
 };
 
@@ -32,8 +46,7 @@ void expect_equal_to_thin(const ByteImage& image, OutOfCoreRun options, int iter
   const PackedImage source(image.view(), order);
   PackedImage expected(image.width(), image.height(), order);
   const int expected_iterations =
-      thin(options.rule, source.view(), expected.view(),
-           {.border = options.border, .max_iterations = options.max_iterations});
+      thin(options.rule, source.view(), expected.view(), options.thinning);
   options.tiling = small_tiles(options.rule, source.view(), iterations);
   const PreparedRun prepared(source, options);
   const OutOfCoreResult result = thin_out_of_core(prepared.run);
@@ -45,36 +58,33 @@ void expect_equal_to_thin(const ByteImage& image, OutOfCoreRun options, int iter
 }
 
 TEST_P(OutOfCore, equals_thin_on_noise_of_odd_widths) {
-  const auto [rule, border] = GetParam();
   std::uint64_t seed = 0;
   for (const Index width : {1, 127, 300}) {
     for (const Index granularity : {2, 20}) {
       const ByteImage image = noise_image(width, 150, 75, granularity, ++seed);
       const BitOrder order = seed % 2 == 0 ? BitOrder::msb_first : BitOrder::lsb_first;
       for (const int iterations : {1, 4}) {
-        expect_equal_to_thin(image, {.rule = rule, .border = border}, iterations, order);
+        expect_equal_to_thin(image, tested(), iterations, order);
       }
     }
   }
 }
 
 TEST_P(OutOfCore, equals_thin_on_scenes) {
-  const auto [rule, border] = GetParam();
   for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
-    expect_equal_to_thin(render_scene({kind}).binary, {.rule = rule, .border = border}, 4);
+    expect_equal_to_thin(render_scene({kind}).binary, tested(), 4);
   }
 }
 
 TEST_P(OutOfCore, stops_after_the_maximum_number_of_iterations) {
-  const auto [rule, border] = GetParam();
   const ByteImage image = noise_image(200, 100, 85, 12, 5);
   for (const int max_iterations : {1, 2, 3, 4, 7, 12}) {
-    expect_equal_to_thin(image, {.rule = rule, .border = border, .max_iterations = max_iterations},
-                         3);
+    expect_equal_to_thin(image, tested(max_iterations), 3);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rules, OutOfCore, all_rules_and_borders(), rule_and_border_test_name);
+INSTANTIATE_TEST_SUITE_P(Rules, OutOfCore, testing::ValuesIn(rules_for_tiles()),
+                         rule_and_border_test_name);
 
 TEST(OutOfCore, counts_the_iterations_of_a_long_last_pass) {
   // One thick bar among thin ones: its tile changes long after all others.
@@ -95,7 +105,7 @@ TEST(OutOfCore, single_tile_and_several_threads_give_the_same) {
   const int iterations = thin(Rule::mb2, source.view(), expected.view());
   for (const int threads : {1, 3}) {
     for (const Index bytes : {1 << 11, 1 << 20}) {
-      OutOfCoreRun options{.rule = Rule::mb2, .threads = threads};
+      OutOfCoreRun options{.rule = Rule::mb2, .execution = {.threads = threads}};
       options.tiling = tiling_for(700, 500, 2, bytes);
       const PreparedRun prepared(source, options);
       EXPECT_EQ(thin_out_of_core(prepared.run).iterations, iterations) << bytes;
@@ -125,15 +135,31 @@ PreparedRun prepared_noise(const OutOfCoreRun& options) {
   return {source, run};
 }
 
+/// Checks that nothing was written.
+std::string rejection_on_tiles(const OutOfCoreRun& options) {
+  const PreparedRun prepared = prepared_noise(options);
+  std::string error = rejection_of([&] { thin_out_of_core(prepared.run); });
+  EXPECT_EQ(prepared.directory.names(), Names{"in"});
+  return error;
+}
+
 TEST(OutOfCore, rules_without_a_bounded_reach_are_rejected) {
-  for (const Rule rule : {Rule::spta, Rule::midpoint_scan, Rule::net_two_layer_linear}) {
-    const PreparedRun prepared = prepared_noise({.rule = rule});
-    EXPECT_EQ(rejection_of([&] { thin_out_of_core(prepared.run); }),
-              std::string(rule_info(rule).operation) +
+  for (const Rule& rule : {Rule(Rule::spta), Rule(Rule::midpoint_scan), Rule(Directions{3})}) {
+    EXPECT_EQ(rejection_on_tiles({.rule = rule}),
+              std::string(rule.name()) +
                   " cannot run on tiles; only rules that compute all pixels of a sub-iteration "
                   "from the same image can");
-    EXPECT_EQ(prepared.directory.names(), Names{"in"});
   }
+}
+
+TEST(OutOfCore, rules_that_add_pixels_and_foreground_outside_are_rejected) {
+  const std::string why =
+      " cannot run on tiles; only rules that add no pixels, with background outside the image, can";
+  EXPECT_EQ(rejection_on_tiles({.rule = Rule::named("dilate")}), "dilate" + why);
+  EXPECT_EQ(rejection_on_tiles({.rule = Rule::named("majority")}), "majority" + why);
+  EXPECT_EQ(rejection_on_tiles({.rule = adding_rule()}), "custom" + why);
+  EXPECT_EQ(rejection_on_tiles({.rule = Rule::guo_hall, .thinning = {Border::foreground}}),
+            "guo_hall" + why);
 }
 
 TEST(OutOfCore, input_of_another_length_is_rejected) {

@@ -27,10 +27,9 @@ struct PreparedRun {
 };
 
 /// Tiles that advance by `iterations` iterations in a pass, with the smallest halo.
-inline Tiling small_tiles(Rule rule, const ConstPackedView& image, int iterations, Index width = 64,
-                          Index height = 32) {
-  return {image.width, image.height, width, height, rule_info(rule).reach * iterations,
-          iterations};
+inline Tiling small_tiles(const Rule& rule, const ConstPackedView& image, int iterations,
+                          Index width = 64, Index height = 32) {
+  return {image.width, image.height, width, height, rule.reach() * iterations, iterations};
 }
 
 }  // namespace thinbench

@@ -143,7 +143,7 @@ TEST(Resume, run_with_other_options_is_rejected_and_keeps_the_files) {
   const Names names = prepared.directory.names();
   OutOfCoreRun other = prepared.run;
   other.resume = true;
-  other.border = Border::keep;
+  other.thinning.border = Border::keep;
   const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
   EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
   EXPECT_TRUE(is_one_sentence(error)) << error;
@@ -237,11 +237,11 @@ TEST(Resume, invalid_enumerators_and_limits_are_rejected_before_there_is_a_file)
     change(run);
     return rejection_of([&] { thin_out_of_core(run); });
   };
-  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.border = static_cast<Border>(9); }),
-            "border: expected background or keep, got 9");
-  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.isa = static_cast<Isa>(9); }),
+  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.thinning.border = static_cast<Border>(9); }),
+            "border: expected background, keep or foreground, got 9");
+  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.execution.isa = static_cast<Isa>(9); }),
             "isa: expected one of " + all_isa_names() + ", got number 9");
-  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.max_iterations = 0; }),
+  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.thinning.max_iterations = 0; }),
             "max_iterations: expected an integer of at least 1, got 0");
   EXPECT_EQ(prepared.directory.names(), Names{"in"});
 }

@@ -13,7 +13,7 @@ namespace thinbench {
 namespace {
 
 struct RuleAndType {
-  Rule rule;
+  BuiltInRule rule;
   cv::ximgproc::ThinningTypes type;
 };
 

@@ -80,8 +80,8 @@ TEST(RuleFile, options) {
       R"({"hensel": "B3/S23", "name": "Conway's", "border": "foreground", "max_iterations": 7})",
       "rule.json");
   EXPECT_EQ(rule.name, "Conway's");
-  EXPECT_EQ(rule.options().border, Border::foreground);
-  EXPECT_EQ(rule.options().max_iterations, 7);
+  EXPECT_EQ(rule.border, Border::foreground);
+  EXPECT_EQ(rule.max_iterations, 7);
   EXPECT_EQ(parse_rule(R"({"hensel": "B/S", "border": "keep"})", "").border, Border::keep);
 }
 

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "api/catalogue.hpp"
 #include "harness/families.hpp"
 #include "harness/verify.hpp"
 #include "images/image_file.hpp"
@@ -132,7 +131,7 @@ std::unique_ptr<detail::ThinningState> make_idle(const detail::ThinningSetting&)
 }
 
 TEST(VerifyReport, prints_a_mismatch_and_fails) {
-  detail::ThinningOperation idle = detail::thinning_operations().front();
+  detail::ThinningOperation idle = detail::study::thinning_operations().front();
   idle.variants.resize(1);
   idle.variants.front().make = &make_idle;
   const Operation operation = thinning_operation(idle);
@@ -145,7 +144,7 @@ TEST(VerifyReport, prints_a_mismatch_and_fails) {
 }
 
 TEST(VerifyReport, reports_that_every_image_is_too_wide) {
-  detail::ThinningOperation two = detail::thinning_operations().front();
+  detail::ThinningOperation two = detail::study::thinning_operations().front();
   two.variants = {two.variants.front(), two.variants.front()};
   two.variants[0].max_width = 4;
   const Operation operation = thinning_operation(two);

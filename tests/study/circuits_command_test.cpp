@@ -9,7 +9,7 @@ namespace thinbench {
 namespace {
 
 std::string checked_in() {
-  std::ifstream file(THINBENCH_SOURCE_DIR "/kernels/thinning/rules/circuits.hpp");
+  std::ifstream file(THINBENCH_SOURCE_DIR "/kernels/rules/built_in/circuits.hpp");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
