@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-TOP = "kernels|bench|reference|tests|report|python|cmake|docs|results"
+TOP = "kernels|tools|bench|reference|tests|report|python|cmake|docs|results"
 NAMED = re.compile(rf"(?<![\w/.<-])(?:{TOP})/(?:[\w.-]+/)*[\w.-]*\w|\]\(([\w./-]+)(?:#[\w-]*)?\)")
 WRITTEN = {"results/baselines"}  # by the user's own runs
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("report/*.md")])
