@@ -22,10 +22,9 @@ namespace {
 using Names = std::set<std::string>;
 
 /// A run of several passes.
-PreparedRun thick_strokes() {
+PreparedRun thick_strokes(const Rule& rule = Rule::guo_hall) {
   const PackedImage source(noise_image(260, 130, 75, 24, 3).view(), BitOrder::msb_first);
-  return {source,
-          {.rule = Rule::guo_hall, .tiling = small_tiles(Rule::guo_hall, source.view(), 3)}};
+  return {source, {.rule = rule, .tiling = small_tiles(rule, source.view(), 3)}};
 }
 
 struct Expected {
@@ -137,18 +136,27 @@ TEST(Resume, output_is_written_through_a_symbolic_link_and_keeps_mode_and_other_
   EXPECT_EQ(prepared.directory.names(), (Names{"in", "out", "other", "target"}));
 }
 
-TEST(Resume, run_with_other_options_is_rejected_and_keeps_the_files) {
-  PreparedRun prepared = thick_strokes();
+Rule as_tables(const Rule& rule) {
+  return Rule(rule.sub_iterations());
+}
+
+TEST(Resume, run_with_other_options_or_tables_is_rejected_and_keeps_the_files) {
+  PreparedRun prepared = thick_strokes(as_tables(Rule::guo_hall));
   ASSERT_TRUE(run_and_kill(prepared.run, 40));
   const Names names = prepared.directory.names();
-  OutOfCoreRun other = prepared.run;
-  other.resume = true;
-  other.thinning.border = Border::keep;
-  const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
-  EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
-  EXPECT_TRUE(is_one_sentence(error)) << error;
-  EXPECT_EQ(prepared.directory.names(), names);
+  OutOfCoreRun other_options = prepared.run;
+  other_options.thinning.border = Border::keep;
+  OutOfCoreRun other_tables = prepared.run;
+  other_tables.rule = as_tables(Rule::zhang_suen);
+  for (OutOfCoreRun other : {other_options, other_tables}) {
+    other.resume = true;
+    const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
+    EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+    EXPECT_TRUE(is_one_sentence(error)) << error;
+    EXPECT_EQ(prepared.directory.names(), names);
+  }
   prepared.run.resume = true;
+  prepared.run.rule = as_tables(Rule::guo_hall);
   thin_out_of_core(prepared.run);
   EXPECT_TRUE(prepared.result() == undisturbed().bytes);
 }
