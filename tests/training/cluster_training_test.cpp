@@ -79,11 +79,11 @@ TEST(ClusterTraining, fewer_nets_than_needed_are_rejected_with_the_number) {
 }
 
 TEST(ClusterTraining, the_committed_header_is_what_training_makes) {
-  std::ifstream file(THINBENCH_SOURCE_DIR "/kernels/nets/trained_cluster.hpp");
+  std::ifstream file(THINBENCH_SOURCE_DIR "/kernels/rules/trained_cluster.hpp");
   const std::string committed(std::istreambuf_iterator<char>(file), {});
   const std::string made = cluster_header(
       cluster_weights(trained(true)),
-      "thinbench-study train cluster --integer --header kernels/nets/trained_cluster.hpp");
+      "thinbench-study train cluster --integer --header kernels/rules/trained_cluster.hpp");
   EXPECT_EQ(made, committed);
 }
 
