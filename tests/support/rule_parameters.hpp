@@ -15,6 +15,7 @@ namespace thinbench {
 
 inline std::vector<BuiltInRule> all_rules() {
   std::vector<BuiltInRule> rules;
+  rules.reserve(kRules.size());
   for (const RuleInfo& info : kRules) rules.push_back(info.rule);
   return rules;
 }
@@ -46,6 +47,7 @@ struct RuleAndBorder {
   Border border;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest's name
 inline void PrintTo(const RuleAndBorder& tested, std::ostream* out) {
   *out << tested.name << ", border " << border_name(tested.border);
 }
