@@ -4,7 +4,7 @@ A picture shows a part of the image in which the rule changes many pixels, enlar
 remains is black, foreground that becomes background orange, background that becomes foreground
 blue.
 
-Usage: python3 bench/python/rule_pictures.py [PROGRAM [DIRECTORY]]
+Usage: python3 bench/python/rule_pictures.py [PROGRAMS [DIRECTORY]]
 PROGRAM is build/release/bin/thinbench unless given, DIRECTORY results/pictures/rules.
 """
 
@@ -33,23 +33,23 @@ Image = npt.NDArray[np.bool_]
 
 
 class Drawing:
-    """Runs the program in a directory."""
+    """Runs the programs in a directory."""
 
-    def __init__(self, program: Path, directory: Path) -> None:
-        self.program = program
+    def __init__(self, programs: Path, directory: Path) -> None:
+        self.programs = programs
         self.directory = directory
 
-    def run(self, *words: str) -> str:
-        return subprocess.run([self.program, *words], cwd=self.directory, check=True, text=True,
+    def run(self, *words: str, program: str = "thinbench") -> str:
+        return subprocess.run([self.programs / program, *words], cwd=self.directory, check=True, text=True,
                               capture_output=True).stdout
 
     def make_inputs(self) -> None:
-        self.run("scene", "parts.png", "--binary")
+        self.run("scene", "parts.png", "--binary", program="thinbench-study")
         self.run("run", "thin_guo_hall", "parts.png", "skeleton.png", "--foreground", "bright")
         self.run("run", "thin_naccache_shinghal", "parts.png", "fragments.png",
                  "--foreground", "bright")
-        self.run("scene", "grey.png", "--noise", "60")
-        self.run("rule", "B/S012345678", "grey.png", "noise.png", "--foreground", "dark")
+        self.run("scene", "grey.png", "--noise", "60", program="thinbench-study")
+        self.run("run", "B/S012345678", "grey.png", "noise.png", "--foreground", "dark")
 
     def read(self, name: str) -> Image:
         grey = cv2.imread(str(self.directory / name), cv2.IMREAD_GRAYSCALE)
@@ -57,7 +57,7 @@ class Drawing:
 
     def picture(self, rule: str) -> npt.NDArray[np.uint8]:
         name = next((name for name, rules in INPUTS.items() if rule in rules), "parts") + ".png"
-        self.run("rule", rule, name, "out.png", "--foreground", "bright")
+        self.run("run", rule, name, "out.png", "--foreground", "bright")
         before, after = self.read(name), self.read("out.png")
         part = telling_part(before, after)
         return enlarged(coloured(before[part], after[part]))
@@ -86,11 +86,11 @@ def enlarged(picture: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
 
 def main() -> None:
     arguments = [Path(word).resolve() for word in sys.argv[1:3]]
-    program = arguments[0] if arguments else ROOT / "build" / "release" / "bin" / "thinbench"
+    programs = arguments[0] if arguments else ROOT / "build" / "release" / "bin"
     target = arguments[1] if arguments[1:] else ROOT / "results" / "pictures" / "rules"
     target.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as directory:
-        drawing = Drawing(program, Path(directory))
+        drawing = Drawing(programs, Path(directory))
         drawing.make_inputs()
         for line in drawing.run("rule", "--list").splitlines()[1:]:
             rule = line.split()[0]

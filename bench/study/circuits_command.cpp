@@ -15,8 +15,8 @@
 #include "compile/gate_search.hpp"
 #include "compile/two_input.hpp"
 #include "rules/parallel_rules.hpp"
-#include "study/study.hpp"
 #include "rules/window.hpp"
+#include "study/study.hpp"
 
 namespace thinbench {
 namespace {
@@ -133,7 +133,7 @@ class Printer {
                     [&](const WindowTable& other) { return is_rotation_of(table, other); }))
       return;
     tables_.push_back(table);
-    const std::string key = fmt::format("<Rule::{}, {}>", rule_name(rule), sub);
+    const std::string key = fmt::format("<BuiltInRule::{}, {}>", rule_name(rule), sub);
     const auto print = [&](const char* variable, KnownCircuit in_library, bool ternary) {
       out_ << text_of(renewed(std::move(in_library), table, ternary, options_), variable + key)
            << std::flush;
@@ -196,7 +196,7 @@ Command add_circuits_command(CLI::App& program) {
       ->check(whole_number(1, 1'000'000'000))
       ->type_name("N");
   app->footer(R"(Examples:
-  thinbench-study circuits > kernels/thinning/rules/circuits.hpp
+  thinbench-study circuits > kernels/rules/built_in/circuits.hpp
   thinbench-study circuits spta_directional
   thinbench-study circuits lu_wang --effort 10000
 

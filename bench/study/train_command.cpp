@@ -27,7 +27,7 @@ either case; --integer goes on to shrink them.
 
 Examples:
   thinbench-study train cluster --out cluster.json
-  thinbench-study train cluster --integer --header kernels/nets/trained_cluster.hpp)";
+  thinbench-study train cluster --integer --header kernels/rules/trained_cluster.hpp)";
 
 constexpr std::uint64_t kMaxHidden = 64;
 constexpr std::uint64_t kMaxRestarts = 10000;

@@ -109,8 +109,7 @@ const SharedRule& built_in_body(BuiltInRule rule) {
   return entry.body;
 }
 
-SharedRule make_from_tables(std::span<const WindowTable> tables, const RuleOptions& options,
-                            std::string_view name) {
+SharedRule make_from_tables(std::span<const WindowTable> tables, const RuleOptions& options) {
   using detail::require;
   require(!tables.empty() && tables.size() <= Rule::kMaxSubIterations,
           "a rule has 1 to " + std::to_string(Rule::kMaxSubIterations) + " sub-iterations, not " +
@@ -121,8 +120,8 @@ SharedRule make_from_tables(std::span<const WindowTable> tables, const RuleOptio
   require(options.max_iterations >= 1, "max_iterations: expected an integer of at least 1, got " +
                                            std::to_string(options.max_iterations));
   auto body = std::make_shared<RuleBody>();
-  body->name = name;
-  body->operation = "apply";
+  body->name = options.name;
+  body->operation = options.name;
   body->reach = static_cast<int>(tables.size());
   body->border = options.border;
   body->max_iterations = options.max_iterations;
@@ -134,7 +133,7 @@ template <class... Weights>
 SharedRule make_net(const Weights&... weights) {
   auto body = std::make_shared<RuleBody>();
   body->name = "net";
-  body->operation = "apply";
+  body->operation = body->name;
   set_net(*body, weights...);
   return body;
 }
@@ -152,7 +151,7 @@ SharedRule make_midpoint_scan(Directions directions) {
 Rule::Rule(BuiltInRule rule) : body_(built_in_body(rule)) {}
 
 Rule::Rule(std::span<const WindowTable> sub_iterations, const RuleOptions& options)
-    : body_(make_from_tables(sub_iterations, options, "custom")) {}
+    : body_(make_from_tables(sub_iterations, options)) {}
 
 Rule::Rule(const TwoLayerWeights& weights, Activation activation)
     : body_(make_net(weights, activation)) {}
@@ -165,9 +164,9 @@ Rule Rule::named(std::string_view name) {
   if (const auto rule = rule_from_name(name)) return *rule;
   const NamedRule* const found = find_named_rule(name);
   detail::require(found != nullptr, "rule: expected a name, got " + detail::quoted(name));
-  return Rule(make_from_tables(found->sub_iterations,
-                               {.border = found->border, .max_iterations = found->max_iterations},
-                               found->name));
+  return Rule(found->sub_iterations, {.border = found->border,
+                                      .max_iterations = found->max_iterations,
+                                      .name = std::string(found->name)});
 }
 
 std::string_view Rule::name() const {

@@ -3,7 +3,7 @@
 
 #include <memory>
 #include <mutex>
-#include <string_view>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -26,8 +26,8 @@ using NetWeights = std::variant<std::monostate, TwoLayerNet, ClusterWeights>;
 
 /// Immutable.
 struct RuleBody {
-  std::string_view name;       // of a built-in or named rule, else "custom" or "net"
-  std::string_view operation;  // for messages
+  std::string name;
+  std::string operation;  // for messages: of a built-in rule, else the name
   RuleKind kind = RuleKind::parallel;
   int reach = 0;
   Border border = Border::background;

@@ -1,6 +1,6 @@
 // Weights of a cluster of single-layer nets (section 3.3) that is right on all 256 descriptors of
 // the modified Naccache-Shinghal rule, with as few nets as possible. Made by
-//     thinbench-study train cluster --integer --header kernels/nets/trained_cluster.hpp
+//     thinbench-study train cluster --integer --header kernels/rules/trained_cluster.hpp
 #pragma once
 
 #include "thinbench/nets.hpp"

@@ -43,7 +43,7 @@ ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinnin
   const SharedRule& body = rule.body();
   const Border border = thinning.border.value_or(body->border);
   const int max_iterations = thinning.max_iterations.value_or(body->max_iterations);
-  const std::string name(body->name);
+  const std::string& name = body->operation;
   require(static_cast<std::size_t>(border) < kBorderNames.size(),
           "border: expected background, keep or foreground, got " +
               std::to_string(static_cast<int>(border)));

@@ -126,7 +126,7 @@ TEST_F(PackedRun, options_that_do_not_apply_are_rejected) {
 
 TEST_F(PackedRun, sequential_rules_do_not_run_out_of_core) {
   EXPECT_EQ(failure_of({"run", "thin_spta", pbm, out, "--out-of-core"}, 1),
-            "spta cannot run on tiles; only rules that compute all pixels of a sub-iteration "
+            "thin_spta cannot run on tiles; only rules that compute all pixels of a sub-iteration "
             "from the same image can");
 }
 

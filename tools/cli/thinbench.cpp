@@ -9,7 +9,7 @@ const ProgramInfo& thinbench_program() {
       R"(Examples:
   thinbench list
   thinbench run thin_naccache_shinghal parts.png skeleton.png
-  thinbench rule majority parts.png smooth.png
+  thinbench run majority parts.png smooth.png
   thinbench batch thin_guo_hall scans --out skeletons
   thinbench edges parts.png edges.png --operator sobel
   thinbench holes parts.png --foreground dark --min-area 20 --overlay found.png

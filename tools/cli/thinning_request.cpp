@@ -37,7 +37,7 @@ bool is_file(const std::string& word) {
 NamedValue rule_of_notation(const std::string& word, bool optimise) {
   try {
     return {word.substr(0, kMaxRuleNameLength),
-            Rule(table_from_hensel(word), {.optimise = optimise})};
+            Rule(table_from_hensel(word), {.optimise = optimise, .name = word})};
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -45,7 +45,8 @@ NamedValue rule_of_notation(const std::string& word, bool optimise) {
 
 NamedValue rule_of_file(const std::string& path, bool optimise) {
   const RuleDescription read = read_rule_file(path);
-  return {read.name, Rule(read.sub_iterations, {read.border, read.max_iterations, optimise})};
+  return {read.name,
+          Rule(read.sub_iterations, {read.border, read.max_iterations, optimise, read.name})};
 }
 
 /// Of a word that names nothing.
@@ -62,7 +63,8 @@ NamedValue rule_of_name(const std::string& word, bool optimise) {
   }
   const NamedRule* const found = find_named_rule(word);
   if (found == nullptr) reject_rule(word);
-  return {word, Rule(found->sub_iterations, {found->border, found->max_iterations, optimise})};
+  return {word,
+          Rule(found->sub_iterations, {found->border, found->max_iterations, optimise, word})};
 }
 
 NamedValue rule_of_word(const std::string& word, bool optimise) {
@@ -95,18 +97,18 @@ Directions directions_named(const NamedValue& rule, const std::string& list) {
 
 /// The net with the weights in a file.
 Rule net_from_file(const NamedValue& rule, const std::string& path) {
-  if (!rule.name.starts_with("net_")) {
+  if (!rule.rule.name().starts_with("net_")) {
     throw UsageError("--weights: " + rule.name + " is not a net and has no weights");
   }
   const AnyWeights weights = read_weights(path);
-  const bool wants_cluster = rule.name == rule_name(Rule::net_single_layer_cluster);
+  const bool wants_cluster = rule.rule.name() == rule_name(Rule::net_single_layer_cluster);
   if (wants_cluster != std::holds_alternative<ClusterWeights>(weights)) {
     const std::string wanted = wants_cluster ? "cluster" : "two_layer";
     throw std::runtime_error(path + ": holds the wrong kind of weights; " + rule.name + " needs " +
                              wanted);
   }
   if (wants_cluster) return Rule(std::get<ClusterWeights>(weights));
-  const bool is_linear = rule.name == rule_name(Rule::net_two_layer_linear);
+  const bool is_linear = rule.rule.name() == rule_name(Rule::net_two_layer_linear);
   return Rule(std::get<TwoLayerWeights>(weights),
               is_linear ? Activation::linear : Activation::sigmoid);
 }

@@ -22,8 +22,8 @@ namespace {
 using detail::require;
 
 detail::ThinningParameters checked_parameters(const OutOfCoreRun& run) {
-  const std::string name(run.rule.name());
   const auto parameters = detail::thinning_parameters(run.rule, run.thinning);
+  const std::string& name = parameters.rule->operation;
   require(parameters.rule->kind == detail::RuleKind::parallel,
           name +
               " cannot run on tiles; only rules that compute all pixels of a sub-iteration from "
@@ -37,10 +37,9 @@ detail::ThinningParameters checked_parameters(const OutOfCoreRun& run) {
   return parameters;
 }
 
-/// A built-in rule by its name, others by their tables.
+/// The name of a rule and its tables.
 std::string identity_of(const Rule& rule) {
   std::string text(rule.name());
-  if (rule_from_name(text)) return text;
   for (const WindowTable& table : rule.sub_iterations()) {
     text += fmt::format(" {:x}", fmt::join(table.words, ""));
   }

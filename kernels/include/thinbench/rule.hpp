@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "thinbench/enumeration.hpp"
@@ -144,6 +145,8 @@ struct RuleOptions {
   int max_iterations = kUnlimited;
   /// Search longer for fewer gates: up to 2 s per table instead of 20 ms.
   bool optimise = false;
+  /// For messages.
+  std::string name = "custom";
 };
 
 /// A rule: one or more sub-iterations, each of which computes all pixels from the same image. (The
@@ -177,7 +180,7 @@ class THINBENCH_API Rule {
   /// thin_guo_hall.
   [[nodiscard]] static Rule named(std::string_view name);
 
-  /// "guo_hall", "majority"; "custom" for tables and "net" for weights.
+  /// "guo_hall", "majority"; RuleOptions::name for tables, "net" for weights.
   [[nodiscard]] std::string_view name() const;
   /// What is outside the image unless a call says otherwise.
   [[nodiscard]] Border border() const;
