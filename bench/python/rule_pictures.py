@@ -5,7 +5,7 @@ remains is black, foreground that becomes background orange, background that bec
 blue.
 
 Usage: python3 bench/python/rule_pictures.py [PROGRAMS [DIRECTORY]]
-PROGRAM is build/release/bin/thinbench unless given, DIRECTORY results/pictures/rules.
+PROGRAMS is build/release/bin unless given, DIRECTORY results/pictures/rules.
 """
 
 from __future__ import annotations

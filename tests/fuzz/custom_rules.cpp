@@ -68,9 +68,9 @@ void check(ByteSource& input, const DrawnRule& drawn, const Rule& rule) {
   const ImageView to = input.once_in(4) ? source.view() : destination.view();
   const int iterations = state->run(source.view(), to);
   ByteImage expected(size.width, size.height);
-  const auto [border, limit, optimised] = drawn.options;
-  must(iterations ==
-           reference::apply_tables(drawn.tables, {border, limit}, image.view(), expected.view()),
+  const RuleOptions& options = drawn.options;
+  must(iterations == reference::apply_tables(drawn.tables, {options.border, options.max_iterations},
+                                             image.view(), expected.view()),
        "other iterations");
   must_be_equal(to, expected.view(), std::string(variant.technique));
   source.must_be_intact();
