@@ -5,7 +5,7 @@
 // images changes; further iterations do not change an image that is done.
 //
 // The next group is prefetched: docs/experiments.md#prefetching-the-next-group.
-// Measured, not adopted: docs/experiments.md#packing-from-whole-loads.
+// Alternatives not adopted: docs/experiments.md#packing-from-whole-loads.
 #include "engines/lanes.hpp"
 
 #include "core/exported.hpp"

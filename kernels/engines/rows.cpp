@@ -3,7 +3,7 @@
 // neither it nor an adjacent band changed during the last iteration. One word is the bit set of all
 // bands.
 //
-// Measured, not adopted: docs/experiments.md#row-kernel.
+// Alternatives not adopted: docs/experiments.md#row-kernel.
 #include <algorithm>
 #include <array>
 #include <utility>

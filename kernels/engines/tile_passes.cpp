@@ -16,7 +16,7 @@
 // instructions account for 10, stores for 3 and line-crossing loads for 2. Tiles are faster for
 // deep strokes and large images, where most tiles are inactive.
 //
-// Measured, not adopted: docs/experiments.md#tiles.
+// Alternatives not adopted: docs/experiments.md#tiles.
 #include "engines/tile_passes.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 namespace thinbench::detail {
 namespace {
 
-/// Tiles need circuits or machine code; if the system denies the latter although it did not before,
-/// words compute the same.
+/// Tiles need compiled circuits or machine code. If the system denies machine code although it did
+/// not before, words compute the same.
 std::unique_ptr<ThinningState> make_tiles_or_words(const ThinningSetting& setting) {
   auto state = make_tiles(setting);
   return state != nullptr ? std::move(state) : make_words(setting);

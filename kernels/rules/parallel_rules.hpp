@@ -1,6 +1,6 @@
-// The parallel thinning rules: each sub-iteration computes all pixels from the same input. Each
-// file in rules/built_in/ defines one rule as an expression over any word type, and its entry in
-// the catalogue:
+// The parallel thinning rules: each sub-iteration computes all pixels from the same input. A file
+// in rules/built_in/ defines one rule as an expression over any word type, or by its circuits in
+// circuits.hpp there, and says which rule it is:
 //   template <>
 //   struct RuleType<BuiltInRule::guo_hall> { using Type = GuoHall; };
 #pragma once

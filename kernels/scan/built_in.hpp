@@ -20,7 +20,8 @@ struct ByRule {
 using ScanFunctions = std::array<ScanFunction, kMaxSubIterations>;
 using TilePasses = std::array<TilePass, kMaxSubIterations>;
 
-/// nullptr for layouts that the ISA does not have. No words: tiles and rows are faster, everywhere.
+/// nullptr for layouts that the ISA does not have. There are none for words: tiles and rows are
+/// faster everywhere.
 struct BuiltInScans {
   Index register_elements;
   ByRule<ScanFunctions> row;
