@@ -144,12 +144,12 @@ std::string rejection_on_tiles(const OutOfCoreRun& options) {
 }
 
 TEST(OutOfCore, rules_without_a_bounded_reach_are_rejected) {
-  for (const Rule& rule : {Rule(Rule::spta), Rule(Rule::midpoint_scan), Rule(Directions{3})}) {
-    EXPECT_EQ(rejection_on_tiles({.rule = rule}),
-              std::string(rule.name()) +
-                  " cannot run on tiles; only rules that compute all pixels of a sub-iteration "
-                  "from the same image can");
-  }
+  const std::string why =
+      " cannot run on tiles; only rules that compute all pixels of a sub-iteration from the same "
+      "image can";
+  EXPECT_EQ(rejection_on_tiles({.rule = Rule::spta}), "thin_spta" + why);
+  EXPECT_EQ(rejection_on_tiles({.rule = Rule::midpoint_scan}), "skeleton_scan" + why);
+  EXPECT_EQ(rejection_on_tiles({.rule = Rule(Directions{3})}), "skeleton_scan" + why);
 }
 
 TEST(OutOfCore, rules_that_add_pixels_and_foreground_outside_are_rejected) {
@@ -159,7 +159,7 @@ TEST(OutOfCore, rules_that_add_pixels_and_foreground_outside_are_rejected) {
   EXPECT_EQ(rejection_on_tiles({.rule = Rule::named("majority")}), "majority" + why);
   EXPECT_EQ(rejection_on_tiles({.rule = adding_rule()}), "custom" + why);
   EXPECT_EQ(rejection_on_tiles({.rule = Rule::guo_hall, .thinning = {Border::foreground}}),
-            "guo_hall" + why);
+            "thin_guo_hall" + why);
 }
 
 TEST(OutOfCore, input_of_another_length_is_rejected) {
