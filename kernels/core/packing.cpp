@@ -68,21 +68,16 @@ void unpack_tail(const std::uint64_t* word, std::uint8_t* row, Index width, Inde
   unpack_some(*word, row, tail);
 }
 
-/// Rows without pixels may have no memory.
-template <class View>
-Index rows_with_pixels(const View& view) {
-  return view.width == 0 ? 0 : view.height;
-}
-
 // Sizes are copied to locals because byte stores could alias them.
 void read_bits(const ConstImageView& source, const BitPlaneView& target) {
-  const Index height = rows_with_pixels(source);
+  if (source.width == 0) return;  // such rows need no memory
+  const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
   // Whole rows ahead, to skip the bytes between the rows of a view of a wider image; none where the
   // image has fewer, whose stride may be so large that the product overflows. Prefetching past the
   // image is harmless.
-  const Index rows_ahead = source.width == 0 ? 0 : kPrefetchBytes / source.width + 1;
+  const Index rows_ahead = kPrefetchBytes / source.width + 1;
   const Index ahead = rows_ahead < height ? rows_ahead * source.stride : 0;
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* bytes = source.row(y);
@@ -96,7 +91,8 @@ void read_bits(const ConstImageView& source, const BitPlaneView& target) {
 }
 
 void write_bits(const ConstBitPlaneView& source, const ImageView& target, bool non_temporal) {
-  const Index height = rows_with_pixels(source);
+  if (source.width == 0) return;  // such rows need no memory
+  const Index height = source.height;
   const Index words = source.width / kWordBits;
   const Index tail = source.width % kWordBits;
   for (Index y = 0; y < height; ++y) {

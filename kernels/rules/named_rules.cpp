@@ -154,28 +154,16 @@ constexpr EightTables make_gonzalez_woods() {
   return tables;
 }
 
-/// Both elements, then both rotated by 90 degrees, and so on.
-constexpr EightTables make_golay_l() {
+/// Two elements in four rotations by 90 degrees: both, then both rotated, and so on; otherwise all
+/// of the first, then all of the second.
+constexpr EightTables make_rotations(std::string_view first, std::string_view second,
+                                     bool alternate) {
   EightTables tables;
-  WindowPattern side = detail::pattern_of("000 .1. 111");
-  WindowPattern corner = detail::pattern_of(".00 110 .1.");
-  for (std::size_t i = 0; i < tables.size(); i += 2) {
-    tables[i] = removing(side);
-    tables[i + 1] = removing(corner);
-    side = permuted(side, detail::kRotateBy90);
-    corner = permuted(corner, detail::kRotateBy90);
-  }
-  return tables;
-}
-
-/// The first element in four rotations, then the second.
-constexpr EightTables make_prune() {
-  EightTables tables;
-  WindowPattern side = detail::pattern_of(".00 110 .00");
-  WindowPattern corner = detail::pattern_of("100 010 000");
+  WindowPattern side = detail::pattern_of(first);
+  WindowPattern corner = detail::pattern_of(second);
   for (std::size_t i = 0; i < 4; ++i) {
-    tables[i] = removing(side);
-    tables[i + 4] = removing(corner);
+    tables[alternate ? 2 * i : i] = removing(side);
+    tables[alternate ? 2 * i + 1 : i + 4] = removing(corner);
     side = permuted(side, detail::kRotateBy90);
     corner = permuted(corner, detail::kRotateBy90);
   }
@@ -183,8 +171,8 @@ constexpr EightTables make_prune() {
 }
 
 constexpr EightTables kGonzalezWoods = make_gonzalez_woods();
-constexpr EightTables kGolayL = make_golay_l();
-constexpr EightTables kPrune = make_prune();
+constexpr EightTables kGolayL = make_rotations("000 .1. 111", ".00 110 .1.", true);
+constexpr EightTables kPrune = make_rotations(".00 110 .00", "100 010 000", false);
 
 constexpr WindowTable kLife[] = {make_window_table([](std::size_t window) {
   const int neighbours = std::popcount(window & detail::kRingBits);

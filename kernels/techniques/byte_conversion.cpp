@@ -6,15 +6,10 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-/// Rows without pixels may have no memory.
-template <class View>
-Index rows_with_pixels(const View& view) {
-  return view.width == 0 ? 0 : view.height;
-}
-
 void read_bytes(const ConstImageView& source, const BytePlaneView& target) {
+  if (source.width == 0) return;  // such rows need no memory
   const Index width = source.width;
-  const Index height = rows_with_pixels(source);
+  const Index height = source.height;
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* __restrict from = source.row(y);
     std::uint8_t* __restrict to = target.row(y);
@@ -23,8 +18,9 @@ void read_bytes(const ConstImageView& source, const BytePlaneView& target) {
 }
 
 void write_bytes(const ConstBytePlaneView& source, const ImageView& target) {
+  if (source.width == 0) return;  // such rows need no memory
   const Index width = source.width;
-  const Index height = rows_with_pixels(source);
+  const Index height = source.height;
   for (Index y = 0; y < height; ++y) {
     const std::uint8_t* __restrict from = source.row(y);
     std::uint8_t* __restrict to = target.row(y);

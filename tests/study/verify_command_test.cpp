@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <memory>
 #include <regex>
 
 #include <gtest/gtest.h>
 
+#include "engines/variants.hpp"
 #include "harness/families.hpp"
 #include "harness/verify.hpp"
 #include "images/image_file.hpp"
@@ -109,37 +109,16 @@ TEST(VerifyCommand, verifies_peers_like_variants) {
   EXPECT_EQ(result.out, "3 passed, 0 failed, 0 skipped\n");
 }
 
-/// Returns its input unchanged.
-class IdleState final : public detail::ThinningState {
- public:
-  void load(const ConstImageView& source) override { image_ = copy_of(source); }
-  void load(const ConstPackedView&) override {}
-  int thin() override { return 1; }
-  void store(const PackedView&) const override {}
-  void store(const ImageView& destination) const override {
-    for (Index y = 0; y < destination.height; ++y) {
-      std::copy_n(image_.view().row(y), destination.width, destination.row(y));
-    }
-  }
-
- private:
-  ByteImage image_;
-};
-
-std::unique_ptr<detail::ThinningState> make_idle(const detail::ThinningSetting&) {
-  return std::make_unique<IdleState>();
-}
-
 TEST(VerifyReport, prints_a_mismatch_and_fails) {
-  detail::ThinningOperation idle = detail::study::thinning_operations().front();
-  idle.variants.resize(1);
-  idle.variants.front().make = &make_idle;
-  const Operation operation = thinning_operation(idle);
-  Verifier verifier({{&operation, &operation.variants.front(), 1, "an/idle/row/1"}});
+  detail::ThinningOperation wrong = detail::study::thinning_operations().front();
+  wrong.variants.resize(1);
+  wrong.variants.front().make = &detail::make_spta;  // another rule
+  const Operation operation = thinning_operation(wrong);
+  Verifier verifier({{&operation, &operation.variants.front(), 1, "a/wrong/row/1"}});
   verifier.show({"a block", noise_image(9, 9, 100, 1, 1)});
   std::ostringstream out;
   EXPECT_EQ(report_verdicts(verifier, out), kFailure);
-  EXPECT_EQ(out.str().find("mismatch: an/idle/row/1: a block: pixel ("), 0U) << out.str();
+  EXPECT_EQ(out.str().find("mismatch: a/wrong/row/1: a block: pixel ("), 0U) << out.str();
   EXPECT_EQ(last_line(out.str()), "0 passed, 1 failed, 0 skipped\n");
 }
 
