@@ -108,7 +108,7 @@ TEST(MidpointScan, every_variant_equals_the_reference_on_runs_longer_than_short_
     for_each_state(detail::thinning_parameters(Rule::midpoint_scan, {}), width, height, 1,
                    [&](ThinningState& state, const std::string& name) {
                      state.run(full.view(), found.view());
-                     EXPECT_TRUE(equal(found.view(), expected.view())) << name << ", " << width;
+                     EXPECT_TRUE(equal(found.view(), expected.view())) << name << ", " << full.width();
                    });
   }
 }
