@@ -75,7 +75,7 @@ class Line:
 
     def time_ratio(self, index: int) -> float | None:
         """How many times as fast as in the first run."""
-        return self._ratio(index, lambda row: 1 / row.median_ns)
+        return self._ratio(index, lambda row: 1 / row.time_ns)
 
     def speedup_ratio(self, index: int) -> float | None:
         """The same of speed-ups over the reference."""
@@ -121,7 +121,7 @@ class Comparison:
         """A line for each row and run; the row's own columns as in timings.csv."""
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(["row", "sweep", "run", "machine", "commit", "median_ns", "low", "high",
+        writer.writerow(["row", "sweep", "run", "machine", "commit", "time_ns", "high_ns",
                          "speedup_vs_reference", "speedup_low", "speedup_high", "flags",
                          "times_as_fast", "speedup_ratio"])
         for line in self.lines:
@@ -129,7 +129,7 @@ class Comparison:
                 if row is None:
                     continue
                 writer.writerow([line.name, line.sweep, row.run, row.machine, row.commit,
-                                 *map(_number, (row.median_ns, row.low, row.high,
+                                 *map(_number, (row.time_ns, row.high_ns,
                                                 row.speedup_vs_reference, row.speedup_low,
                                                 row.speedup_high)), row.flags,
                                  _number(line.time_ratio(index)),
@@ -209,7 +209,7 @@ def _best(rows: Sequence[Row]) -> dict[Key, Row]:
         if row.peer or row.scope != END_TO_END or row.threads != 1:
             continue
         key = (f"{row.case} / {row.input}", row.sweep)
-        if key not in best or row.median_ns < best[key].median_ns:
+        if key not in best or row.time_ns < best[key].time_ns:
             best[key] = row
     return best
 
@@ -258,7 +258,7 @@ def _row_cells(row: Row | None) -> tuple[str, str, str]:
     if row is None:
         return "", "", ""
     flag = " !" if row.flags else ""
-    return (f"{row.technique} {row.isa}", f"{row.median_ns / 1000:.4g}{flag}",
+    return (f"{row.technique} {row.isa}", f"{row.time_ns / 1000:.4g}{flag}",
             _number(row.speedup_vs_reference))
 
 

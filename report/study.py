@@ -5,16 +5,14 @@ from __future__ import annotations
 import argparse
 import datetime
 import subprocess
-import time
 from pathlib import Path
 
 from report.building import PROGRAMS, ROOT, build
 from report.errors import ReportError
 from report.git import commit_name
+from report.measure.converge import measure_until_converged
 from report.measure.run import machine_facts, write_run
-from report.measure.sampler import Json, Sampler, Samples, measure_interleaved, planned_seconds
-from report.measure.timings import disturbed_groups
-from report.progress import Progress
+from report.measure.sampler import Json, Sampler, Samples
 from report.row_options import (add_row_options, binarise_words, check_binarise_options,
                                 input_words, positive)
 
@@ -41,8 +39,7 @@ reference, or no row that matches."""
 def add_study_command(parser: argparse.ArgumentParser) -> None:
     """Its options."""
     parser.add_argument("--quick", action="store_true",
-                        help="fewer processes and sizes, and of each technique only the highest "
-                             "ISA and AVX2: under two minutes after the build")
+                        help="fewer sizes and less time: about a minute after the build")
     add_row_options(parser)
     parser.add_argument("--quality-image", metavar="FILE", type=Path, action="append", default=[],
                         help="measure the quality of skeletons on this image as well, without "
@@ -51,8 +48,12 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
                         help="time every operation on a square of N x N pixels; repeatable")
     parser.add_argument("--out", metavar="DIR", type=Path,
                         help="where results go; default results/<machine>/<date>-<commit>")
-    parser.add_argument("--processes", metavar="N", type=positive,
-                        help="fresh processes, the unit of sampling; default 9, with --quick 4")
+    parser.add_argument("--all", action="store_true",
+                        help="time every variant, not only the best of each ISA and the highest ISA "
+                             "of each technique")
+    parser.add_argument("--seconds", metavar="N", type=positive,
+                        help="budget of time for measuring; default 300, with --quick 45. Each "
+                             "result is measured at least three times, in fresh processes")
     parser.add_argument("--no-peers", action="store_true",
                         help="do not time other projects' code and the copy")
 
@@ -65,32 +66,15 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
     directory = options.out or default_directory(machine)
     sampler = Sampler(programs / "thinbench_sampler")
     samples = [Samples(sampler.plan(words)) for words in _plans(options)]
-    processes = options.processes or (4 if options.quick else 9)
-    measure(sampler, samples, processes)
+    seconds = options.seconds or (45 if options.quick else 300)
+    measure_until_converged([(sampler, part) for part in samples], seconds)
     write_pictures(programs / "thinbench-study", directory, options)
-    write_run(directory, machine, _options_json(options, processes),
+    write_run(directory, machine, _options_json(options, seconds),
               [("", part) for part in samples])
     count_instructions(programs / "thinbench-study", directory, options)
     measure_quality(programs / "thinbench-study", directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel
     return build_page(directory)
-
-
-def measure(sampler: Sampler, samples: list[Samples], processes: int) -> None:
-    """All plans, with progress. Groups of which too few processes were quiet are measured again, in
-    at most a third of the time."""
-    seconds = processes * sum(planned_seconds(part.plan) for part in samples)
-    progress = Progress("measuring", seconds)
-    start = time.monotonic()
-    measure_interleaved([(sampler, part) for part in samples], processes, progress.advance)
-    progress.close()
-    end = time.monotonic() + (time.monotonic() - start) / 3
-    for seed in range(processes, 2 * processes):
-        for part in samples:
-            disturbed = disturbed_groups(part)
-            if disturbed and time.monotonic() < end:
-                part.processes.append(
-                    sampler.measure(part.plan, seed, lambda group: None, disturbed))
 
 
 def default_directory(machine: Json) -> Path:
@@ -103,7 +87,7 @@ def default_directory(machine: Json) -> Path:
 def _plans(options: argparse.Namespace) -> list[list[str]]:
     """The words of each plan: the images, the series of sizes, and sizes that were asked for."""
     common = ["--no-peers"] if options.no_peers else []
-    variants = "quick" if options.quick else "all"
+    variants = "all" if options.all else "usual"
     plans = [[*common, *input_words(options), "--variants", variants, "--filter", options.filter]]
     if not options.filter:
         largest = 512 if options.quick else 4096
@@ -122,9 +106,9 @@ def _inputs(sizes: list[int]) -> list[str]:
     return [word for size in sizes for word in ("--input", f"square_{size}")]
 
 
-def _options_json(options: argparse.Namespace, processes: int) -> Json:
+def _options_json(options: argparse.Namespace, seconds: int) -> Json:
     """Images by their files' names, as directories are private."""
-    return {"quick": options.quick, "filter": options.filter, "processes": processes,
+    return {"quick": options.quick, "filter": options.filter, "seconds": seconds, "all": options.all,
             "peers": not options.no_peers, "foreground": options.foreground,
             "threshold": options.threshold, "sizes": options.size,
             "images": [image.name for image in options.image]}

@@ -5,8 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <map>
-#include <set>
+#include <optional>
 #include <stdexcept>
 
 #include "harness/splitmix64.hpp"
@@ -27,40 +26,50 @@ Times now() {
   return {nanoseconds(CLOCK_THREAD_CPUTIME_ID), wall};
 }
 
-/// The calls of a group by name: entries of the same name share one, so that controls are made of
-/// the very same memory.
+/// Memory of random size between what is allocated, as long as a group is measured: large blocks
+/// would lie at the same place of a page in every layout, and by chance at a good or a bad one.
+class Gaps {
+ public:
+  explicit Gaps(std::uint64_t seed) : seed_(seed) {}
+
+  void add() {
+    constexpr std::uint64_t kLines = 64;
+    const std::size_t bytes = detail::kAlignment * (splitmix64(seed_, gaps_.size()) % kLines);
+    gaps_.push_back(detail::make_aligned<std::uint8_t>(bytes));
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::vector<detail::AlignedArray<std::uint8_t>> gaps_;
+};
+
+/// The calls of a group in one layout. Every entry has a job of its own, controls too.
 class Calls {
  public:
   Calls(const Group& group, std::uint64_t seed, const std::vector<Operation>& operations,
-        const std::vector<TimedInput>& inputs)
+        const std::vector<TimedInput>& inputs, Gaps& gaps)
       : group_(group),
-        workspace_(row_named(group.entries.front().name, operations, inputs).view()) {
+        workspace_(row_named(group.entries.front().name, operations, inputs).view()),
+        calls_(group.entries.size()),
+        checked_(group.entries.size(), false) {
     for (const std::size_t i : shuffled(group.entries.size(), seed)) {
-      const std::string& name = group.entries[i].name;
-      gaps_.push_back(
-          detail::make_aligned<std::uint8_t>(detail::kAlignment * (splitmix64(seed, i) % 64)));
-      calls_.try_emplace(name, row_named(name, operations, inputs), workspace_.source(),
-                         workspace_.destination());
+      gaps.add();
+      calls_[i].emplace(row_named(group.entries[i].name, operations, inputs), workspace_.source(),
+                        workspace_.destination());
     }
   }
 
   /// Untimed calls come first because caches are as the calls of another row left them.
   Times visit(std::size_t index) {
     const Entry& entry = group_.entries[index];
-    TimedCall& call = calls_.at(entry.name);
+    TimedCall& call = *calls_[index];
     for (std::int64_t i = 0; i < entry.warm_up; ++i) call();
     const Times start = now();
     for (std::int64_t i = 0; i < entry.calls; ++i) call();
     const Times end = now();
-    if (checked_.insert(index).second) check(entry, call);
+    if (!checked_[index]) check(entry, call);
+    checked_[index] = true;
     return {end.thread_cpu - start.thread_cpu, end.wall - start.wall};
-  }
-
-  [[nodiscard]] std::vector<std::size_t> layout() const {
-    const auto place = [](const std::uint8_t* data) {
-      return static_cast<std::size_t>(reinterpret_cast<std::uintptr_t>(data) % kPage);
-    };
-    return {place(workspace_.source().data), place(workspace_.destination().data)};
   }
 
  private:
@@ -73,11 +82,8 @@ class Calls {
 
   const Group& group_;
   Workspace workspace_;
-  /// Between the memory of rows: without them it would lie at the same place of a page in every
-  /// process, and by chance at a good or a bad one.
-  std::vector<detail::AlignedArray<std::uint8_t>> gaps_;
-  std::map<std::string, TimedCall> calls_;
-  std::set<std::size_t> checked_;
+  std::vector<std::optional<TimedCall>> calls_;
+  std::vector<bool> checked_;
 };
 
 }  // namespace
@@ -97,10 +103,16 @@ void measure(const std::vector<Group>& groups, std::uint64_t seed,
              const std::function<void(const GroupTimes&)>& sink) {
   for (const std::size_t index : shuffled(groups.size(), seed)) {
     const Group& group = groups[index];
-    const std::uint64_t group_seed = splitmix64(seed, index);
-    Calls calls(group, group_seed, operations, inputs);
-    const auto visit = [&](std::size_t entry) { return calls.visit(entry); };
-    sink({index, measure_rounds(group, group_seed, visit), calls.layout()});
+    Gaps gaps(splitmix64(seed, index));
+    GroupTimes found{index, std::vector<std::vector<EntryTimes>>(group.entries.size())};
+    for (int layout = 0; layout < group.layouts; ++layout) {
+      const std::uint64_t layout_seed = splitmix64(splitmix64(seed, index), static_cast<std::uint64_t>(layout));
+      Calls calls(group, layout_seed, operations, inputs, gaps);
+      const auto visit = [&](std::size_t entry) { return calls.visit(entry); };
+      std::vector<EntryTimes> times = measure_rounds(group.entries, layout_seed, visit);
+      for (std::size_t i = 0; i < times.size(); ++i) found.entries[i].push_back(std::move(times[i]));
+    }
+    sink(found);
   }
 }
 

@@ -18,12 +18,11 @@ namespace thinbench {
 /// What one process found in one group.
 struct GroupTimes {
   std::size_t group = 0;
-  std::vector<EntryTimes> entries;
-  std::vector<std::size_t> layout;  // addresses of source and destination modulo 4096
+  std::vector<std::vector<EntryTimes>> entries;  // by entry and layout
 };
 
-/// Measures all groups, in an order that depends on the seed, and passes each to `sink`. The first
-/// result of every entry is compared with the verified one by its hash. Throws std::runtime_error
+/// Measures all groups, in an order that depends on the seed, and passes each to `sink`. Jobs are
+/// made for each layout anew. The first result of each is compared with the verified one by its hash. Throws std::runtime_error
 /// for another result or an unknown row.
 void measure(const std::vector<Group>& groups, std::uint64_t seed,
              const std::vector<Operation>& operations, const std::vector<TimedInput>& inputs,

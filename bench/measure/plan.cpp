@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "measure/measuring.hpp"
@@ -14,42 +13,34 @@ namespace {
 
 using Rows = std::vector<CalibratedRow>;
 
-constexpr int kMinRounds = 3;
-constexpr int kMinSweeps = 2;
-/// Short calls are visited more often in a round that long calls dominate.
-constexpr int kMaxSweeps = 12;
+constexpr int kMaxVisits = 15;
 
-Entry entry_of(const CalibratedRow& row) {
+/// Visits are chosen such that they take the time that a row has.
+Entry entry_of(const CalibratedRow& row, const PlanLimits& limits, int layouts) {
   Entry entry;
   entry.name = row.row->name;
   entry.threaded = row.row->threads > 1;
   entry.hash = row.hash;
-  entry.long_call = row.seconds > kLongCall;
-  if (!entry.long_call) {
-    entry.calls = std::max<std::int64_t>(1, std::llround(kEpoch / std::max(row.seconds, 1e-8)));
-  }
+  entry.calls = std::max<std::int64_t>(1, std::llround(kEpoch / std::max(row.seconds, 1e-8)));
   entry.counted = entry.calls;
   // Another row has left caches and branch predictor in its own state.
-  if (row.seconds <= kSlowCall) entry.warm_up = entry.long_call ? 1 : 1 + entry.calls / 3;
+  if (row.seconds <= kSlowCall) entry.warm_up = 1 + entry.calls / 3;
+  const double epoch = static_cast<double>(entry.calls + entry.warm_up) * row.seconds * layouts;
+  entry.visits = static_cast<int>(
+      std::clamp(limits.seconds_per_row / std::max(epoch, 1e-9), 1.0, 1.0 * kMaxVisits));
+  entry.seconds = entry.visits * epoch;
   return entry;
 }
 
-/// The fastest of the project's own rows on one thread, other than `excluded`.
-std::optional<std::size_t> fastest(const Rows& rows, std::optional<std::size_t> excluded = {}) {
+/// The fastest of the project's own rows on one thread; the first row where there is none.
+std::size_t fastest(const Rows& rows) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const TimedRow& row = *rows[i].row;
-    if (row.variant == nullptr || row.is_peer() || row.threads > 1 || i == excluded) continue;
+    if (row.variant == nullptr || row.is_peer() || row.threads > 1) continue;
     if (!best || rows[i].seconds < rows[*best].seconds) best = i;
   }
-  return best;
-}
-
-/// What the controls repeat. Not the anchor, if possible: between two epochs of its own a row finds
-/// its data in the cache and is up to 3 % faster.
-std::size_t control_row(const Rows& rows, std::size_t anchor) {
-  const auto other = fastest(rows, anchor);
-  return other && rows[*other].seconds <= kLongCall ? *other : anchor;
+  return best.value_or(0);
 }
 
 void add_controls(std::size_t base, Group& group) {
@@ -59,31 +50,9 @@ void add_controls(std::size_t base, Group& group) {
   slowed.role = Role::slowed;
   slowed.counted = 10 * std::max<std::int64_t>(1, same.calls / 10);
   slowed.calls = slowed.counted / 10 * 11;
+  slowed.seconds *= static_cast<double>(slowed.calls) / static_cast<double>(same.calls);
   group.entries.push_back(std::move(same));
   group.entries.push_back(std::move(slowed));
-}
-
-/// Chooses sweeps and rounds such that all rounds take `budget` seconds.
-void schedule(const Rows& rows, double budget, int max_rounds, Group& group) {
-  const auto epoch_seconds = [&](const Entry& entry) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const CalibratedRow& candidate) {
-      return candidate.row->name == entry.name;
-    });
-    return static_cast<double>(entry.calls + entry.warm_up) * row->seconds;
-  };
-  const double anchor = epoch_seconds(group.entries[group.anchor]);
-  double long_calls = 0;
-  double sweep = 0;
-  for (const Entry& entry : group.entries) {
-    (entry.long_call ? long_calls : sweep) += epoch_seconds(entry) + (entry.long_call ? 0 : anchor);
-  }
-  sweep = std::max(sweep, anchor);
-  const auto sweeps = static_cast<int>(std::min(long_calls / sweep, 1.0 * kMaxSweeps));
-  group.sweeps = std::max(kMinSweeps, sweeps);
-  const double round = long_calls + group.sweeps * sweep;
-  const double affordable = std::min(budget / round, 1.0 * max_rounds);
-  group.rounds = std::max(std::min(kMinRounds, max_rounds), static_cast<int>(affordable));
-  group.seconds = group.rounds * round;
 }
 
 int more_calls(double seconds) {
@@ -110,11 +79,10 @@ CalibratedRow calibrate(const TimedRow& row) {
 
 Group plan_group(const Rows& rows, const PlanLimits& limits) {
   Group group;
-  for (const CalibratedRow& row : rows) group.entries.push_back(entry_of(row));
-  group.anchor = fastest(rows).value_or(0);
-  add_controls(control_row(rows, group.anchor), group);
-  const double budget = limits.seconds_per_row * static_cast<double>(rows.size());
-  schedule(rows, budget, limits.max_rounds, group);
+  for (const CalibratedRow& row : rows) {
+    group.entries.push_back(entry_of(row, limits, group.layouts));
+  }
+  add_controls(fastest(rows), group);
   return group;
 }
 

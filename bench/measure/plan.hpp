@@ -9,9 +9,8 @@
 
 namespace thinbench {
 
-/// Seconds that an epoch of short calls lasts. A call longer than kLongCall is an epoch by itself.
+/// Seconds that an epoch of short calls lasts.
 inline constexpr double kEpoch = 0.0003;
-inline constexpr double kLongCall = 0.001;
 /// Calls longer than this warm themselves up.
 inline constexpr double kSlowCall = 0.005;
 
@@ -21,30 +20,27 @@ enum class Role {
   slowed,  // control with an injected slowdown of 10 %: 11 calls for every 10 that are counted
 };
 
-/// What a round visits.
+/// What is timed.
 struct Entry {
   std::string name;  // of the row; controls share it with theirs
   Role role = Role::row;
   std::int64_t calls = 1;    // in an epoch
   std::int64_t counted = 1;  // divisor of the epoch's time
   std::int64_t warm_up = 0;  // untimed calls before each epoch
-  bool long_call = false;
+  int visits = 1;            // epochs in each layout
   bool threaded = false;
-  std::string hash;  // of the verified result
+  double seconds = 0;  // expected, for all visits in all layouts
+  std::string hash;    // of the verified result
 };
 
-/// The rows of one case on one input, measured in common rounds.
+/// The rows of one case on one input, whose epochs are interleaved.
 struct Group {
   std::vector<Entry> entries;
-  std::size_t anchor = 0;  // the entry that all others are measured beside
-  int rounds = 0;
-  int sweeps = 2;      // visits of the short calls in a round
-  double seconds = 0;  // expected, for all rounds
+  int layouts = 3;  // how often a process makes the jobs again, at other addresses
 };
 
 struct PlanLimits {
-  double seconds_per_row = 0.003;  // in each process
-  int max_rounds = 41;
+  double seconds_per_row = 0.003;  // in each process; every row has an epoch in each layout
   double max_call_seconds = 1;  // slower rows are verified, but not measured
 };
 
@@ -58,8 +54,8 @@ struct CalibratedRow {
 /// Calls the row a few times.
 [[nodiscard]] CalibratedRow calibrate(const TimedRow& row);
 
-/// Plans rows of one case and input. The anchor is the fastest of the project's rows on one thread;
-/// the controls repeat the next fastest.
+/// Plans rows of one case and input. The controls repeat the fastest of the project's rows on one
+/// thread.
 [[nodiscard]] Group plan_group(const std::vector<CalibratedRow>& rows, const PlanLimits& limits);
 
 }  // namespace thinbench

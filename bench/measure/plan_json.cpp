@@ -18,9 +18,9 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Role,
 NLOHMANN_JSON_SERIALIZE_ENUM(Foreground, {{Foreground::automatic, "auto"},
                                           {Foreground::bright, "bright"},
                                           {Foreground::dark, "dark"}})
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Entry, name, role, calls, counted, warm_up, long_call, threaded,
-                                   hash)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Group, entries, anchor, rounds, sweeps, seconds)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Entry, name, role, calls, counted, warm_up, visits, threaded,
+                                   seconds, hash)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Group, entries, layouts)
 
 void to_json(json& object, const InputChoice& choice) {
   object = {{"pictures", choice.pictures},
@@ -65,7 +65,10 @@ json row_json(const TimedRow& row) {
                  {"input", row.input->name},
                  {"counter", or_null(row.counter)},
                  {"plan_bytes", or_null(row.plan_bytes)},
-                 {"peer", row.is_peer()}});
+                 {"peer", row.is_peer()},
+                 {"default", !is_reference && is_default(*row.operation, *row.variant,
+                                                         row.input->width())},
+                 {"scalar", is_reference || (!row.is_peer() && is_scalar(*row.variant))}});
   return object;
 }
 
@@ -110,11 +113,7 @@ Plan plan_from_json(const std::string& text) {
 }
 
 json group_times_json(const GroupTimes& times) {
-  json entries = json::array();
-  for (const EntryTimes& entry : times.entries) {
-    entries.push_back({{"logs", entry.logs}, {"anchor", entry.anchor}, {"ns", entry.ns}});
-  }
-  return {{"group", times.group}, {"layout", times.layout}, {"entries", std::move(entries)}};
+  return {{"group", times.group}, {"entries", times.entries}};
 }
 
 }  // namespace thinbench

@@ -21,9 +21,9 @@ void add_input_options(CLI::App& app, InputChoice& inputs) {
 }
 
 void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
-  static const std::map<std::string, VariantChoice> choices = {{"all", VariantChoice::all},
+  static const std::map<std::string, VariantChoice> choices = {{"usual", VariantChoice::usual},
+                                                               {"all", VariantChoice::all},
                                                                {"highest", VariantChoice::highest},
-                                                               {"quick", VariantChoice::quick},
                                                                {"best", VariantChoice::best}};
   add_input_options(app, inputs);
   app.add_option("--filter", rows.filter,
@@ -33,8 +33,9 @@ void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
                  "of OpenCV's rules are measured by default; spell out the name of another: "
                  "'^thin_mb2:keep/'");
   app.add_option("--variants", rows.variants,
-                 "all; highest: the highest ISA of each technique; quick: and AVX2; best: the "
-                 "library's choice and its best scalar variant")
+                 "usual, the default: the best of each ISA and each technique once; all; highest: "
+                 "the highest ISA of each technique; best: the library's choice and its best "
+                 "scalar variant")
       ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case))
       ->type_name("CHOICE");
   app.add_option("--threads", rows.threads, "threads of threaded variants (repeatable)")

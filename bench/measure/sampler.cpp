@@ -82,14 +82,10 @@ int measure_plan(const SamplerOptions& options) {
 void add_plan_options(CLI::App& app, SamplerOptions& options) {
   add_row_options(app, options.inputs, options.rows);
   app.add_option("--seconds-per-row", options.limits.seconds_per_row,
-                 "in each process; bounds the rounds, of which there are at least 3")
+                 "in each process; every row is called in each layout, whatever it takes")
       ->capture_default_str()
       ->check(real_number(0, 100))
       ->type_name("S");
-  app.add_option("--max-rounds", options.limits.max_rounds, "in each process")
-      ->capture_default_str()
-      ->check(whole_number(1, 1001))
-      ->type_name("N");
   app.add_option("--max-call", options.limits.max_call_seconds,
                  "rows whose call takes longer are verified, but not measured")
       ->capture_default_str()

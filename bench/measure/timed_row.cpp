@@ -10,6 +10,7 @@
 #include <malloc.h>
 
 #include "cli/usage.hpp"
+#include "core/thread_team.hpp"
 #include "harness/verify.hpp"
 #include "support/progress.hpp"
 
@@ -25,45 +26,61 @@ std::optional<std::int64_t> heap_bytes_in_use() {
   return bytes;
 }
 
-bool is_scalar(const Variant& variant) {
-  return variant.isa == Isa::baseline && !variant.technique.starts_with("simd") &&
-         variant.technique != "autovec";
-}
-
 /// Whether no other variant that runs on this width and fulfils the condition is better.
 template <class Condition, class Better>
-bool is_best(const Row& row, Index width, const Condition& condition, const Better& better) {
-  if (!condition(*row.variant)) return false;
+bool is_best(const Operation& operation, const Variant& variant, Index width,
+             const Condition& condition, const Better& better) {
+  if (variant.is_peer || !condition(variant)) return false;
   return std::none_of(
-      row.operation->variants.begin(), row.operation->variants.end(), [&](const Variant& other) {
-        return !other.is_peer && other.threaded == row.variant->threaded && condition(other) &&
-               other.unavailable_reason(width).empty() && better(other, *row.variant);
+      operation.variants.begin(), operation.variants.end(), [&](const Variant& other) {
+        return !other.is_peer && other.threaded == variant.threaded && condition(other) &&
+               other.unavailable_reason(width).empty() && better(other, variant);
       });
 }
 
 bool is_highest_isa(const Row& row, Index width) {
   return is_best(
-      row, width, [&](const Variant& other) { return other.technique == row.variant->technique; },
+      *row.operation, *row.variant, width,
+      [&](const Variant& other) { return other.technique == row.variant->technique; },
       [](const Variant& a, const Variant& b) { return a.isa > b.isa; });
 }
 
-bool is_preferred(const Row& row, Index width) {
-  const auto better = [](const Variant& a, const Variant& b) { return a.priority > b.priority; };
-  const auto any = [](const Variant&) { return true; };
-  return is_best(row, width, any, better) || is_best(row, width, is_scalar, better);
+bool has_higher_priority(const Variant& a, const Variant& b) {
+  return a.priority > b.priority;
 }
 
-bool is_chosen(const Row& row, Index width, VariantChoice choice) {
+bool is_default(const Row& row, Index width) {
+  return is_default(*row.operation, *row.variant, width);
+}
+
+bool is_best_scalar(const Row& row, Index width) {
+  return is_best(*row.operation, *row.variant, width, is_scalar, has_higher_priority);
+}
+
+bool is_best_of_isa(const Row& row, Index width) {
+  const auto same_isa = [&](const Variant& other) { return other.isa == row.variant->isa; };
+  return is_best(*row.operation, *row.variant, width, same_isa, has_higher_priority);
+}
+
+bool is_usual(const Row& row, const TimedInput& input) {
+  const Index width = input.width();
+  if (row.variant->threaded) {
+    return width * input.height() >= detail::kMinPixelsForThreads && is_default(row, width);
+  }
+  return is_best_of_isa(row, width) || is_highest_isa(row, width) || is_best_scalar(row, width);
+}
+
+bool is_chosen(const Row& row, const TimedInput& input, VariantChoice choice) {
   if (row.variant->is_peer) return true;
   switch (choice) {
+    case VariantChoice::usual:
+      return is_usual(row, input);
     case VariantChoice::all:
       return true;
     case VariantChoice::highest:
-      return is_highest_isa(row, width);
-    case VariantChoice::quick:
-      return row.variant->isa == Isa::avx2 || is_highest_isa(row, width);
+      return is_highest_isa(row, input.width());
     case VariantChoice::best:
-      return is_preferred(row, width);
+      return is_default(row, input.width()) || is_best_scalar(row, input.width());
   }
   return false;
 }
@@ -124,7 +141,7 @@ class Selector {
     Task task{&operation, &input, {}, false};
     for (const Row& row : all_rows_) {
       if (row.operation != &operation || (row.variant->is_peer && !choice_.peers)) continue;
-      if (!is_chosen(row, input.width(), choice_.variants)) continue;
+      if (!is_chosen(row, input, choice_.variants)) continue;
       std::vector<Scope> scopes = matching_scopes(row, input);
       if (!scopes.empty()) task.rows.push_back({&row, std::move(scopes)});
     }
@@ -135,7 +152,8 @@ class Selector {
 
   [[nodiscard]] std::vector<Scope> matching_scopes(const Row& row, const TimedInput& input) const {
     std::vector<Scope> scopes = {Scope::end_to_end};
-    if (row.variant->has_kernel_scope) scopes.insert(scopes.begin(), Scope::kernel);
+    const bool wanted = choice_.variants != VariantChoice::usual || is_default(row, input.width());
+    if (row.variant->has_kernel_scope && wanted) scopes.insert(scopes.begin(), Scope::kernel);
     std::erase_if(scopes, [&](Scope scope) {
       return !std::regex_search(timed_name(row, scope, input), pattern_);
     });
@@ -252,6 +270,16 @@ const Variant* variant_of(const Operation& operation, const std::vector<std::str
 }
 
 }  // namespace
+
+bool is_default(const Operation& operation, const Variant& variant, Index width) {
+  return is_best(
+      operation, variant, width, [](const Variant&) { return true; }, has_higher_priority);
+}
+
+bool is_scalar(const Variant& variant) {
+  return variant.isa == Isa::baseline && !variant.technique.starts_with("simd") &&
+         variant.technique != "autovec";
+}
 
 Selection select_rows(const RowChoice& choice, const std::vector<Operation>& operations,
                       const std::vector<TimedInput>& inputs) {

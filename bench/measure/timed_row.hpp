@@ -40,15 +40,16 @@ struct TimedRow {
 
 /// Which variants of an operation are measured. Peers always are, unless none are wanted.
 enum class VariantChoice {
+  usual,    // the best of each ISA and the highest ISA of each technique, end to end; with threads
+            // and as kernel the library's choice alone
   all,
   highest,  // of each technique the highest ISA that is available
-  quick,    // the same, and AVX2
   best,     // the library's own choice, and its best scalar one, with and without threads
 };
 
 struct RowChoice {
   std::string filter;  // regular expression for names of rows; empty for all
-  VariantChoice variants = VariantChoice::all;
+  VariantChoice variants = VariantChoice::usual;
   std::vector<int> threads = {2};  // of threaded variants
   bool peers = true;
 };
@@ -79,6 +80,12 @@ struct Selection {
 [[nodiscard]] Selection select_rows_or_explain(const RowChoice& choice,
                                                const std::vector<Operation>& operations,
                                                const std::vector<TimedInput>& inputs);
+
+/// Whether the library chooses this variant, for one thread or for several, of those that run here.
+[[nodiscard]] bool is_default(const Operation& operation, const Variant& variant, Index width);
+
+/// Whether a variant computes on single words or bytes, without vectors.
+[[nodiscard]] bool is_scalar(const Variant& variant);
 
 /// The row of this name, not verified again. It points to `operations` and `inputs`. Throws
 /// std::runtime_error for a name of no row.

@@ -45,8 +45,8 @@ def time_ratio(above: Row | None, below: Row | None) -> TimeRatio | None:
     """None where a row is missing."""
     if above is None or below is None:
         return None
-    return TimeRatio(above.median_ns / below.median_ns, above.low / below.high,
-                     above.high / below.low)
+    return TimeRatio(above.time_ns / below.time_ns, above.time_ns / below.high_ns,
+                     above.high_ns / below.time_ns)
 
 
 def order_of_table_two(rows: Rows) -> Claim:
@@ -135,5 +135,5 @@ def _fastest(rows: Rows, cases: Iterable[str], techniques: Iterable[str]) -> Row
 
 def _pairs_in_order(rows: list[tuple[PaperRow, Row]]) -> list[bool]:
     """For each pair of methods whether the faster one of the paper is the faster one here."""
-    return [(a.seconds < b.seconds) == (here.median_ns < there.median_ns)
+    return [(a.seconds < b.seconds) == (here.time_ns < there.time_ns)
             for (a, here), (b, there) in combinations(rows, 2)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import random
 import subprocess
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,13 +16,19 @@ from report.measure.load import LoadMeter
 
 Json = dict[str, Any]
 
+Choice = Mapping[int, Sequence[int]]
+"""Entries of a plan, by group."""
+
+Layouts = list[list[float]]
+"""Nanoseconds of a call by layout and epoch; empty where an entry was not measured."""
+
 
 @dataclass
 class Process:
     """What one measuring process found."""
 
     seed: int
-    groups: list[Json]  # in the order of the plan; empty where it did not measure one
+    groups: list[list[Layouts]]  # groups and entries in the order of the plan
     states: list[Json]  # of the machine, before and after
     foreign_load: float  # processors that other processes kept busy meanwhile
 
@@ -68,33 +74,53 @@ class Sampler:
         plan: Json = json.loads(done.stdout)
         return plan
 
-    def measure(self, plan: Json, seed: int, on_group: Callable[[Json], None],
-                only: Sequence[int] | None = None) -> Process:
-        """One fresh process; `on_group` is called with each group of the plan when it is done.
-        `only` are the groups to measure; those of the others stay empty."""
-        groups: list[Json] = [{} for _ in plan["groups"]]
-        chosen = range(len(groups)) if only is None else only
+    def measure(self, plan: Json, seed: int, on_seconds: Callable[[float], None],
+                chosen: Choice | None = None) -> Process:
+        """One fresh process. `chosen` are the entries to measure, by group; those of the others
+        stay empty. `on_seconds` hears how long the plan expects what was done to take."""
+        groups: list[list[Layouts]] = [[[] for _ in group["entries"]]
+                                       for group in plan["groups"]]
+        work = every_entry(plan) if chosen is None else chosen
+        order = list(work)
         states: list[Json] = []
         load = LoadMeter()
         with subprocess.Popen([self.program, "measure", "--seed", str(seed)], text=True,
                               stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
             assert process.stdin and process.stdout
             with suppress(BrokenPipeError):  # it has failed, as its exit status says
-                process.stdin.write(
-                    json.dumps({"sources": plan["sources"],
-                                "groups": [plan["groups"][index] for index in chosen]}))
+                json.dump({"sources": plan["sources"],
+                           "groups": [_part(plan["groups"][index], work[index])
+                                      for index in order]}, process.stdin)
                 process.stdin.close()
             for line in process.stdout:
                 result = json.loads(line)
                 if "group" not in result:
                     states.append(result)
                     continue
-                index = chosen[result.pop("group")]
-                groups[index] = result
-                on_group(plan["groups"][index])
+                index = order[result["group"]]
+                for entry, layouts in zip(work[index], result["entries"]):
+                    groups[index][entry] = layouts
+                on_seconds(seconds_of(plan, {index: work[index]}))
         if process.returncode != 0:
             raise ReportError("a measuring process failed; see the line above")
         return Process(seed, groups, states, load.foreign())
+
+
+def every_entry(plan: Json) -> Choice:
+    """All that a plan holds."""
+    return {index: list(range(len(group["entries"])))
+            for index, group in enumerate(plan["groups"])}
+
+
+def seconds_of(plan: Json, chosen: Choice | None = None) -> float:
+    """How long one process takes for these entries."""
+    work = every_entry(plan) if chosen is None else chosen
+    return float(sum(plan["groups"][index]["entries"][entry]["seconds"]
+                     for index, entries in work.items() for entry in entries))
+
+
+def _part(group: Json, entries: Sequence[int]) -> Json:
+    return group | {"entries": [group["entries"][entry] for entry in entries]}
 
 
 def measure_interleaved(jobs: Sequence[tuple[Sampler, Samples]], processes: int,
@@ -106,11 +132,5 @@ def measure_interleaved(jobs: Sequence[tuple[Sampler, Samples]], processes: int,
         order = [job for job in jobs if all(one.seed != seed for one in job[1].processes)]
         random.Random(seed).shuffle(order)
         for sampler, samples in order:
-            samples.processes.append(
-                sampler.measure(samples.plan, seed, lambda group: on_seconds(group["seconds"])))
+            samples.processes.append(sampler.measure(samples.plan, seed, on_seconds))
             on_process(samples)
-
-
-def planned_seconds(plan: Json) -> float:
-    """How long one process takes."""
-    return float(sum(group["seconds"] for group in plan["groups"]))

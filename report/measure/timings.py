@@ -6,27 +6,23 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import cached_property
 from pathlib import Path
 from types import UnionType
 from typing import Any, get_args, get_type_hints
 
-import numpy as np
-
 from report.errors import ReportError
 from report.files import read_bytes
-from report.measure.estimates import Estimate, GroupEstimates, QuietLogs, quiet_logs
+from report.measure.converge import floors
+from report.measure.estimates import Floor, ratio_of
 from report.measure.sampler import Json, Samples
 
 REFERENCE, END_TO_END, KERNEL = "reference", "end_to_end", "kernel"
-UNSTEADY_WIDTH = 0.25
-"""Relative width of the interval from which a row is flagged."""
 
-BUSY_WIDTH, BUSY_LOAD = 0.10, 0.25
-"""The same while other processes keep that many processors busy."""
-
-
+SAME_WITHIN, SLOWED_BEYOND = 0.02, 0.05
+"""How near to 1 a row's ratio to itself must be, and how much of the injected slowdown of 10 %
+must be found."""
 @dataclass(frozen=True)
 class Row:  # pylint: disable=too-many-instance-attributes
     """One line of timings.csv; the fields are its columns."""
@@ -40,29 +36,29 @@ class Row:  # pylint: disable=too-many-instance-attributes
     width: int
     height: int
     passes: int | None
-    median_ns: float
-    min_ns: float
+    time_ns: float
+    high_ns: float
+    typical_ns: float
     ns_per_pixel: float
     speedup_vs_reference: float | None
-    verified: bool
-    repetitions: int
-    spread_percent: float
-    peer: bool
     speedup_low: float | None
     speedup_high: float | None
-    speedup_from: str
+    processes: int
+    flags: str
+    speedup_vs_peer: float | None
+    peer_low: float | None
+    peer_high: float | None
+    peer_name: str
+    peer: bool
+    default: bool
+    scalar: bool
+    verified: bool
     plan_bytes: int | None
     border: str
     max_iterations: int | None
     run: str
     machine: str
     commit: str
-    low: float
-    high: float
-    samples: int
-    flags: str
-    speedup_vs_peer: float | None
-    peer_name: str
     sweep: str
 
     @cached_property
@@ -96,91 +92,65 @@ class Origin:
 
 def rows_of(samples: Samples, origin: Origin) -> list[Row]:
     """The rows of all groups of a plan."""
-    sizes = {item["name"]: item for item in samples.plan["inputs"]}
-    equal_peers = {peer["technique"] for peer in samples.plan["peers"] if peer["equal_output"]}
-    load = float(np.median([process.foreign_load for process in samples.processes]))
-    rows: list[Row] = []
-    for index, group in enumerate(samples.plan["groups"]):
-        maker = _GroupRows(samples, index, origin, sizes, load)
-        rows.extend(_with_peer(list(maker.rows(group)), equal_peers))
-    return rows
+    return [row for index in range(len(samples.plan["groups"]))
+            for row in _group_rows(samples, index, origin)]
 
 
-class _GroupRows:
-    """Makes the rows of one group."""
-
-    def __init__(self, samples: Samples, index: int, origin: Origin, sizes: dict[str, Json],
-                 load: float) -> None:
-        self.samples, self.index, self.origin, self.sizes = samples, index, origin, sizes
-        self.entries = samples.plan["groups"][index]["entries"]
-        quiet = quiet_group(samples, index)
-        self.disturbed = quiet.disturbed
-        self.estimates = GroupEstimates(quiet.logs, quiet.anchor_logs)
-        self.load = load
-        self.bases = [number for number, entry in enumerate(self.entries)
-                      if self._facts(entry)["technique"] == REFERENCE]
-
-    def rows(self, group: Json) -> Iterator[Row]:
-        """Without the controls."""
-        for number, entry in enumerate(group["entries"]):
-            if entry["role"] == "row":
-                yield self._row(number, entry)
-
-    def _facts(self, entry: Json) -> Json:
-        facts: Json = self.samples.plan["rows"][entry["name"]]
-        return facts
-
-    def _row(self, number: int, entry: Json) -> Row:
-        facts = self._facts(entry)
-        size = self.sizes[facts["input"]]
-        time = self.estimates.time(number)
-        speedup = self.estimates.speedup(number, self.bases[0]) if self.bases else None
-        found = [process.groups[self.index]["entries"][number]
-                 for process in self.samples.processes if process.groups[self.index]]
-        return Row(
-            **{key: facts[key] for key in ("operation", "technique", "isa", "threads", "scope",
-                                           "input", "plan_bytes", "border", "max_iterations",
-                                           "peer")},
-            width=size["width"], height=size["height"], passes=facts["counter"],
-            median_ns=time.value, min_ns=min(one["ns"][0] for one in found),
-            ns_per_pixel=time.value / (size["width"] * size["height"]),
-            speedup_vs_reference=speedup.value if speedup else None, verified=True,
-            repetitions=len(found), spread_percent=100 * time.width,
-            speedup_low=speedup.low if speedup else None,
-            speedup_high=speedup.high if speedup else None, speedup_from="paired",
-            run=self.origin.run, machine=self.origin.machine, commit=self.origin.commit,
-            low=time.low, high=time.high, samples=sum(max(len(one["logs"]), 1) for one in found),
-            flags=self._flag(number, speedup or time), speedup_vs_peer=None, peer_name="",
-            sweep=self.origin.sweep)
-
-    def _flag(self, number: int, estimate: Estimate) -> str:
-        if self.load > BUSY_LOAD and estimate.width > BUSY_WIDTH:
-            return "inconclusive"
-        disturbed = number in self.disturbed or self.disturbed.intersection(self.bases)
-        return "unsteady" if disturbed or estimate.width > UNSTEADY_WIDTH else ""
+def _group_rows(samples: Samples, index: int, origin: Origin) -> Iterator[Row]:
+    """Without the controls."""
+    plan = samples.plan
+    equal_peers = {peer["technique"] for peer in plan["peers"] if peer["equal_output"]}
+    found = [(plan["rows"][entry["name"]], floor)
+             for entry, floor in zip(plan["groups"][index]["entries"], floors(samples, index))
+             if entry["role"] == "row"]
+    reference = next((floor for facts, floor in found if facts["technique"] == REFERENCE), None)
+    peers = [(floor, facts["technique"]) for facts, floor in found
+             if facts["peer"] and facts["technique"] in equal_peers]
+    peer = min(peers, key=lambda one: one[0].time, default=None)
+    failed = control_flag(samples, index)
+    for facts, floor in found:
+        own = facts["peer"] or facts["scope"] != END_TO_END
+        yield _row(plan, facts, floor, reference, None if own else peer, failed, origin)
 
 
-def quiet_group(samples: Samples, index: int) -> QuietLogs:
-    """Of all entries of a group, the controls included."""
-    return quiet_logs([process.groups[index] for process in samples.processes],
-                      samples.plan["groups"][index]["anchor"])
+def _row(plan: Json, facts: Json, floor: Floor, reference: Floor | None,
+         peer: tuple[Floor, str] | None, failed: str, origin: Origin) -> Row:
+    size = next(item for item in plan["inputs"] if item["name"] == facts["input"])
+    speedup = ratio_of(reference, floor) if reference else None
+    over_peer = ratio_of(peer[0], floor) if peer else None
+    settled = floor.converged and (reference is None or reference.converged)
+    return Row(
+        **{key: facts[key] for key in ("operation", "technique", "isa", "threads", "scope", "input",
+                                       "plan_bytes", "border", "max_iterations", "peer", "default",
+                                       "scalar")},
+        width=size["width"], height=size["height"], passes=facts["counter"],
+        time_ns=floor.time, high_ns=floor.high, typical_ns=floor.typical,
+        ns_per_pixel=floor.time / (size["width"] * size["height"]), verified=True,
+        speedup_vs_reference=speedup.value if speedup else None,
+        speedup_low=speedup.low if speedup else None,
+        speedup_high=speedup.high if speedup else None, processes=floor.processes,
+        flags=failed if settled else "open",
+        speedup_vs_peer=over_peer.value if over_peer else None,
+        peer_low=over_peer.low if over_peer else None,
+        peer_high=over_peer.high if over_peer else None, peer_name=peer[1] if peer else "",
+        run=origin.run, machine=origin.machine, commit=origin.commit, sweep=origin.sweep)
 
 
-def disturbed_groups(samples: Samples) -> list[int]:
-    """Those with a row of which too few processes were quiet."""
-    return [index for index in range(len(samples.plan["groups"]))
-            if quiet_group(samples, index).disturbed]
+def control_flag(samples: Samples, index: int) -> str:
+    """"control" where the group's A/A control or its injected slowdown failed."""
+    same, slowed = control_ratios(samples, index)
+    good = abs(same - 1) <= SAME_WITHIN and slowed <= 1 - SLOWED_BEYOND
+    return "" if good else "control"
 
 
-def _with_peer(rows: list[Row], equal_peers: set[str]) -> list[Row]:
-    """Adds the ratio to the fastest peer with equal output, where there is one."""
-    peers = [row for row in rows if row.peer and row.technique in equal_peers]
-    if not peers:
-        return rows
-    best = min(peers, key=lambda row: row.median_ns)
-    return [row if row.peer or row.scope != END_TO_END else
-            replace(row, speedup_vs_peer=best.median_ns / row.median_ns, peer_name=best.technique)
-            for row in rows]
+def control_ratios(samples: Samples, index: int) -> tuple[float, float]:
+    """Speed of the A/A control and of the slowed row in a group over the row that they repeat."""
+    entries, times = samples.plan["groups"][index]["entries"], floors(samples, index)
+    base = next(number for number, entry in enumerate(entries)
+                if entry["name"] == entries[-1]["name"])
+    same, slowed = (times[next(number for number, entry in enumerate(entries)
+                               if entry["role"] == role)] for role in ("same", "slowed"))
+    return times[base].time / same.time, times[base].time / slowed.time
 
 
 def to_csv(rows: Iterable[Row]) -> str:

@@ -54,7 +54,7 @@ def claims_text(directory: Path) -> str:
 
 def summary(rows: Rows, lines: list[Headline], directory: Path) -> str:
     """For the terminal: headline rows, what is doubtful, and where the page is."""
-    cells = [(line.label, duration(line.best.median_ns), speedup_text(line.best),
+    cells = [(line.label, duration(line.best.time_ns), speedup_text(line.best),
               times(line.best.speedup_vs_peer) if line.peer else "", variant(line.best))
              for line in lines]
     head = ("operation", "time", "over plain C++ (interval)", "over peer", "technique")
@@ -74,9 +74,10 @@ def _timings(rows: Rows, lines: list[Headline]) -> str:
 
 
 def _case_table(rows: list[Row]) -> str:
-    cells = [(row.technique, row.isa, duration(row.median_ns),
-              f"{duration(row.low)} to {duration(row.high)}", speedup_text(row),
+    cells = [(row.technique, row.isa, duration(row.time_ns),
+              duration(row.high_ns), duration(row.typical_ns), speedup_text(row),
               times(row.speedup_vs_peer) if row.speedup_vs_peer else NOTHING, flag_text(row, ""))
-             for row in sorted(rows, key=lambda row: row.median_ns)]
-    return markdown_table(("technique", "ISA", "time", "interval", "over plain C++", "over peer",
-                           "flags"), cells, frozenset((2, 3, 4, 5)))
+             for row in sorted(rows, key=lambda row: row.time_ns)]
+    return markdown_table(("technique", "ISA", "time", "third process", "typical",
+                           "over plain C++", "over peer", "flags"), cells,
+                          frozenset((2, 3, 4, 5, 6)))

@@ -17,7 +17,7 @@ Curve = dict[str, Any]
 
 @dataclass(frozen=True)
 class Chart:
-    """Nanoseconds per pixel over something; `curves` holds points [x, value, low, high]."""
+    """Nanoseconds per pixel over something; `curves` holds points [x, value, high]."""
 
     group: str
     title: str
@@ -69,7 +69,7 @@ def sweep_charts(rows: Iterable[Row]) -> list[Chart]:
 
 def _curve(series: Series) -> Curve:
     return {"label": series.label,
-            "points": [[point.x, *_rounded(point.ns_per_pixel, point.low, point.high)]
+            "points": [[point.x, *_rounded(point.ns_per_pixel, point.high)]
                        for point in series.points]}
 
 
@@ -78,8 +78,8 @@ def _by_size(rows: Iterable[Row]) -> list[list[float]]:
     for row in rows:
         by_side.setdefault(row.width, []).append(row)
     best = [row for side in sorted(by_side) if (row := fastest(by_side[side]))]
-    return [[row.width, *_rounded(row.ns_per_pixel, row.low / row.width / row.height,
-                                  row.high / row.width / row.height)] for row in best]
+    return [[row.width, *_rounded(row.ns_per_pixel, row.high_ns / row.width / row.height)]
+            for row in best]
 
 
 def _rounded(*values: float) -> list[float]:

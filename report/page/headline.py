@@ -6,28 +6,29 @@ from report.formatting import NOTHING, duration, markdown_table, speedup_text, t
 from report.measure.timings import Row
 from report.page.operations import Headline
 
-HEADER = ("operation", "best here", "technique", "over plain C++", "AVX2", "peer, equal output",
-          "copy bound")
-LAYOUT = "lrlrrrr"
+HEADER = ("operation", "time", "technique", "over plain C++", "over best scalar", "AVX2",
+          "peer, equal output", "copy bound")
+LAYOUT = "lrlrrrrr"
 README_HEADER = ("operation", "time", "technique", "speed-up over plain reference",
                  "against OpenCV (equal output)")
 
 
 def headline_cells(lines: list[Headline]) -> list[tuple[str, ...]]:
     """A line for each case."""
-    return [(line.label, duration(line.best.median_ns), variant(line.best),
-             speedup_text(line.best), _time(line.avx2), peer_cell(line), copy_cell(line))
+    return [(line.label, duration(line.best.time_ns), variant(line.best),
+             speedup_text(line.best), times(line.over_scalar), _time(line.avx2), peer_cell(line),
+             copy_cell(line))
             for line in lines]
 
 
 def headline_table(lines: list[Headline]) -> str:
     """As Markdown."""
-    return markdown_table(HEADER, headline_cells(lines), frozenset((1, 3, 4, 5, 6)))
+    return markdown_table(HEADER, headline_cells(lines), frozenset((1, 3, 4, 5, 6, 7)))
 
 
 def readme_table(lines: list[Headline]) -> str:
     """As the README has it."""
-    cells = [(f"{line.label}, `{line.operation}`", duration(line.best.median_ns),
+    cells = [(f"{line.label}, `{line.operation}`", duration(line.best.time_ns),
               variant(line.best), speedup_text(line.best),
               times(line.best.speedup_vs_peer) if _is_opencv(line) else "")
              for line in lines]
@@ -38,18 +39,18 @@ def peer_cell(line: Headline) -> str:
     """Its time, and how many times as fast the best variant is."""
     if line.peer is None:
         return NOTHING
-    return f"{duration(line.peer.median_ns)} ({times(line.best.speedup_vs_peer)})"
+    return f"{duration(line.peer.time_ns)} ({times(line.best.speedup_vs_peer)})"
 
 
 def copy_cell(line: Headline) -> str:
     """Its time, and its share of the best variant's."""
     if line.copy is None or line.copy_share is None:
         return NOTHING
-    return f"{duration(line.copy.median_ns)} ({100 * line.copy_share:.0f} %)"
+    return f"{duration(line.copy.time_ns)} ({100 * line.copy_share:.0f} %)"
 
 
 def _time(row: Row | None) -> str:
-    return duration(row.median_ns) if row else NOTHING
+    return duration(row.time_ns) if row else NOTHING
 
 
 def _is_opencv(line: Headline) -> bool:

@@ -48,6 +48,9 @@ class Headline:
     case: str
     label: str
     best: Row
+    """The library's choice."""
+    scalar: Row | None
+    """The fastest variant without vectors."""
     avx2: Row | None
     peer: Row | None
     copy: Row | None
@@ -58,9 +61,14 @@ class Headline:
         return self.best.operation
 
     @property
+    def over_scalar(self) -> float | None:
+        """What vectors add."""
+        return self.scalar.time_ns / self.best.time_ns if self.scalar else None
+
+    @property
     def copy_share(self) -> float | None:
         """How much of the row's time a copy of its bytes takes."""
-        return self.copy.median_ns / self.best.median_ns if self.copy else None
+        return self.copy.time_ns / self.best.time_ns if self.copy else None
 
 
 class Rows:
@@ -93,13 +101,15 @@ class Rows:
 
     def headline(self, case: str) -> Headline | None:
         """None where nothing can be quoted."""
-        best = fastest(self.own(case))
+        own = self.own(case)
+        best = next((row for row in own if row.default), None) or fastest(own)
         if best is None:
             return None
-        avx2 = fastest(row for row in self.own(case) if row.isa == "avx2")
+        avx2 = fastest(row for row in own if row.isa == "avx2")
         peer = next((row for row in self.of(case) if row.peer and best.peer_name
                      and row.technique == best.peer_name), None)
-        return Headline(case, label(case), best, avx2, peer, self.copy(case))
+        scalar = fastest(row for row in own if row.scalar)
+        return Headline(case, label(case), best, scalar, avx2, peer, self.copy(case))
 
     def headlines(self, cases: Iterable[str] = HEADLINES) -> list[Headline]:
         """Those that were measured; all cases where none of these was."""
@@ -118,8 +128,8 @@ class Rows:
 
 
 def fastest(rows: Iterable[Row]) -> Row | None:
-    """The row of the smallest median, if there are rows."""
-    return min(rows, key=lambda row: row.median_ns, default=None)
+    """The row of the shortest time, if there are rows."""
+    return min(rows, key=lambda row: row.time_ns, default=None)
 
 
 def is_square(name: str) -> bool:

@@ -69,7 +69,7 @@ def _figure(rows: Rows, lines: list[Headline]) -> Figure:
 def marks(rows: Rows, line: Headline) -> list[Row]:
     """Of each technique the fastest row, and the copy."""
     found: dict[str, Row] = {}
-    for row in sorted(rows.of(line.case), key=lambda row: -row.median_ns):
+    for row in sorted(rows.of(line.case), key=lambda row: -row.time_ns):
         found[row.technique] = row
     if line.copy:
         found[line.copy.technique] = line.copy
@@ -77,10 +77,10 @@ def marks(rows: Rows, line: Headline) -> list[Row]:
 
 
 def _draw_case(axes: Axes, height: float, rows: list[Row], equal_peers: set[str]) -> None:
-    times = [row.median_ns for row in rows]
+    times = [row.time_ns for row in rows]
     axes.plot([min(times), max(times)], [height, height], color=GRID, linewidth=1.2, zorder=1)
     for row in rows:
-        _mark(axes, row.median_ns, height, family(row, equal_peers))
+        _mark(axes, row.time_ns, height, family(row, equal_peers))
 
 
 def _mark(axes: Axes, x: float, y: float, kind: Family) -> None:

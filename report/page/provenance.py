@@ -61,11 +61,10 @@ def _cache(cache: Json) -> str:
 def _controls(controls: Json) -> str:
     if not controls["same"]:
         return "none"
-    parts = [f"{words} {found['value']:.4f} ({found['low']:.4f} to {found['high']:.4f})"
-             for words, found in (("a row against itself", controls["same"]),
-                                  ("the same row slowed by 10 %", controls["slowed"]))]
     verdict = "passed" if controls["passed"] else "not passed"
-    return f"{'; '.join(parts)}; fresh processes: {controls['processes']}; {verdict}"
+    return (f"medians over {controls['groups']} groups: a row against itself {controls['same']:.4f}, "
+            f"the same row slowed by 10 % {controls['slowed']:.4f}; {controls['failed']} groups "
+            f"failed; {verdict}")
 
 
 def _input(item: Json) -> str:

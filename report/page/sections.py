@@ -58,7 +58,7 @@ def _section(rows: Rows, name: str, pictures: Pictures, limits: Limits) -> Secti
     own = [row for row in rows.rows if row.operation == name]
     copy = rows.copy(cases[0])
     own += [copy] if copy and copy not in own else []
-    own.sort(key=lambda row: row.median_ns)
+    own.sort(key=lambda row: row.time_ns)
     columns = _columns(own)
     texts = sum(column[0] in WORDS for column in columns)
     lines = tuple(Line(_data(row, rows), tuple(value(row) for _, value in columns)) for row in own)
@@ -83,8 +83,11 @@ def _columns(rows: list[Row]) -> list[Column]:
                            ("Image", lambda row: Cell(row.input)),
                            ("Flags", lambda row: Cell(row.flags)),
                            ("Threads", lambda row: Cell(str(row.threads), str(row.threads))),
-                           ("Time", lambda row: Cell(duration(row.median_ns), _number(row.median_ns))),
-                           ("Interval", _time_interval),
+                           ("Time", lambda row: Cell(duration(row.time_ns), _number(row.time_ns))),
+                           ("Third process", lambda row: Cell(duration(row.high_ns),
+                                                              _number(row.high_ns))),
+                           ("Typical", lambda row: Cell(duration(row.typical_ns),
+                                                        _number(row.typical_ns))),
                            ("ns/pixel", lambda row: Cell(f"{row.ns_per_pixel:.4f}",
                                                          _number(row.ns_per_pixel))),
                            ("Speed-up", lambda row: _ratio(row.speedup_vs_reference)),
@@ -109,7 +112,7 @@ def _data(row: Row, rows: Rows) -> dict[str, str]:
     return {"family": str(FAMILIES.index(family(row, rows.equal_peers))),
             "technique": row.technique, "isa": row.isa, "threads": str(row.threads),
             "options": options(row), "scope": scope_label(row.scope), "image": row.input,
-            "ns": _number(row.median_ns), "low": _number(row.low), "high": _number(row.high),
+            "ns": _number(row.time_ns), "high": _number(row.high_ns),
             "speedup": "" if row.speedup_vs_reference is None or row.is_reference
             else times(row.speedup_vs_reference)}
 
@@ -121,14 +124,10 @@ def _bound(line: Headline | None) -> str:
     share = line.copy_share or 0.0
     what = "reading its packed input" if line.copy.technique == "read_bits" else \
         "a copy of the same bytes"
-    best = duration(line.best.median_ns)
+    best = duration(line.best.time_ns)
     relation = f"{100 * share:.0f} % of" if share <= 1 else "more than"
-    return (f"Lower bound: {what} takes {duration(line.copy.median_ns)}, {relation} the fastest "
+    return (f"Lower bound: {what} takes {duration(line.copy.time_ns)}, {relation} the fastest "
             f"variant's {best}.")
-
-
-def _time_interval(row: Row) -> Cell:
-    return Cell(f"{duration(row.low)} to {duration(row.high)}", _number(row.low))
 
 
 def _ratio(value: float | None) -> Cell:

@@ -6,7 +6,6 @@ import datetime
 
 from report.formatting import counted, duration, interval, three_digits, times, variant
 from report.measure.run import Run
-from report.measure.timings import BUSY_LOAD
 from report.page.operations import PRINTED_RULE, Headline, Rows, peer_title, title
 from report.page.table_two import PAPER_MACHINE, PAPER_RULE
 
@@ -30,9 +29,8 @@ def warnings(run: Run) -> list[str]:
                      "inconclusive.")
     if flagged > MAX_FLAGGED * len(run.rows):
         load = run.facts["state"]["foreign_load"]
-        cause = (f"other processes kept {three_digits(load)} processors busy" if load > BUSY_LOAD
-                 else "something outside this system, such as its host, slowed it at times")
-        found.append(f"{flagged} of {counted(len(run.rows), 'row')} have wide intervals: {cause}. "
+        found.append(f"{flagged} of {counted(len(run.rows), 'result')} did not settle in the time "
+                     f"that there was; other processes kept {three_digits(load)} processors busy. "
                      "Measure on an idle machine.")
     return found
 
@@ -49,7 +47,7 @@ def _fastest(rows: Rows, lines: list[Headline]) -> str:
         return ""
     best = lines[0].best
     return (f"{_capital(title(lines[0].case))} of {best.width} × {best.height} pixels takes "
-            f"**{duration(best.median_ns)}** on one core: **{times(best.speedup_vs_reference)}** "
+            f"**{duration(best.time_ns)}** on one core: **{times(best.speedup_vs_reference)}** "
             f"({interval(best.speedup_low, best.speedup_high)}) as fast as plain C++, by "
             f"{variant(best)}.")
 
@@ -70,9 +68,9 @@ def _paper(rows: Rows) -> str:
     line = rows.headline(PRINTED_RULE)
     if line is None or (line.best.width, line.best.height) != (510, 412):
         return ""
-    seconds = line.best.median_ns / 1e9
+    seconds = line.best.time_ns / 1e9
     return (f"The paper's rule took {PAPER_RULE.seconds} s on a {PAPER_MACHINE} for an image of this "
-            f"size; here it takes **{duration(line.best.median_ns)}**, "
+            f"size; here it takes **{duration(line.best.time_ns)}**, "
             f"**{times(PAPER_RULE.seconds / seconds)}** as fast.")
 
 
@@ -82,8 +80,7 @@ def _verified(run: Run) -> str:
     text = f"All **{run.facts['verified']:,}** variants gave their reference's output before they "
     text += "were timed."
     if same and slowed:
-        text += (f" Controls: a row against itself {same['value']:.3f}, one slowed by 10 % "
-                 f"{slowed['value']:.3f}.")
+        text += f" Controls: a row against itself {same:.3f}, one slowed by 10 % {slowed:.3f}."
     return text
 
 

@@ -48,5 +48,5 @@ def table_two(rows: Rows) -> Table:
 
 
 def _time_and_ratio(row: Row | None, rule: Row | None) -> tuple[str, str]:
-    return (duration(row.median_ns) if row else NOTHING,
-            three_digits(row.median_ns / rule.median_ns) if row and rule else NOTHING)
+    return (duration(row.time_ns) if row else NOTHING,
+            three_digits(row.time_ns / rule.time_ns) if row and rule else NOTHING)

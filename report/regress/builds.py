@@ -3,8 +3,7 @@
 A busy neighbour on the same physical core slows calls for seconds at a time. So two processes are
 compared that run within half a second: each measures one group, without references, in about
 0.1 s, and each row gives ln(its time in one build / its time in the other). A time is the 10 %
-quantile of a row's own epochs, so it rests on no other row, and any kernel may have changed, the
-anchor's too. docs/regression.md has the figures that these choices rest on.
+quantile of a row's epochs. docs/regression.md has the figures that these choices rest on.
 """
 
 from __future__ import annotations
@@ -16,9 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from report.measure.estimates import Estimate, Floats, estimate_of_logs
-from report.measure.sampler import Json, Sampler, Samples, measure_interleaved
+from report.measure.sampler import Json, Sampler, Samples, measure_interleaved, seconds_of
 from report.measure.timings import REFERENCE
-from report.regress.stored import group_of
 from report.regress.verdicts import RowVerdict, Times, Verdict, judge, skipped
 
 PAIRS = 27
@@ -28,8 +26,7 @@ VISITS = 8
 LIMIT = 0.025
 """Tolerated loss of speed; the A/A control widens it."""
 
-QUANTILE = 1
-"""Of the quantiles that the sampler gives: 10 %."""
+QUANTILE = 0.1
 
 PROCESS_SECONDS, VISIT_SECONDS = 0.15, 0.0008
 
@@ -52,14 +49,11 @@ def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
     """The rows that both builds know, with equal results, and why others are missing."""
     results = [_results(plan) for plan in (before, now)]
     common = {name for name, result in results[0].items() if results[1].get(name) == result}
-    kept = {}
-    for plan in (now, before):  # the other build's anchor, where it has the group
-        kept |= {key: group for group in plan["groups"]
-                 for key, group in [_lean_group(group, common)] if group}
-    measured = {entry["name"] for group in kept.values() for entry in group["entries"]}
+    kept = [lean for group in now["groups"] if (lean := _lean_group(group, common))]
+    measured = {entry["name"] for group in kept for entry in group["entries"]}
     left_out = [skipped(name, _why_left_out(name, *results))
                 for name in sorted(results[1].keys() - measured)]
-    return now | {"groups": list(kept.values())}, left_out
+    return now | {"groups": kept}, left_out
 
 
 def measure_pairs(before: Sampler, now: Sampler, pairs: list[Pair], first_seed: int,
@@ -92,7 +86,7 @@ def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
 
 def planned_seconds(pairs: list[Pair]) -> float:
     """How long `measure_pairs` takes, about."""
-    return 2 * PAIRS * sum(pair.group["seconds"] for pair in pairs)
+    return 2 * PAIRS * sum(PROCESS_SECONDS + seconds_of(pair.now.plan) for pair in pairs)
 
 
 def _results(plan: Json) -> dict[str, str]:
@@ -101,16 +95,13 @@ def _results(plan: Json) -> dict[str, str]:
             if entry["name"].split("/")[1] != REFERENCE}
 
 
-def _lean_group(group: Json, common: set[str]) -> tuple[str, Json | None]:
-    """With common rows only, and None where its anchor or controls are not among them."""
-    entries = [entry for entry in group["entries"] if entry["name"] in common]
-    anchor = group["entries"][group["anchor"]]
-    key = group_of(group["entries"][0]["name"])
-    if anchor not in entries or not any(entry["role"] == "same" for entry in entries):
-        return key, None
-    seconds = PROCESS_SECONDS + len(entries) * VISITS * VISIT_SECONDS
-    return key, group | {"entries": entries, "anchor": entries.index(anchor), "sweeps": 2,
-                         "rounds": VISITS // 2, "seconds": seconds}
+def _lean_group(group: Json, common: set[str]) -> Json | None:
+    """With common rows only, and None where the controls are not among them."""
+    entries = [entry | {"visits": VISITS, "seconds": VISITS * VISIT_SECONDS}
+               for entry in group["entries"] if entry["name"] in common]
+    if not any(entry["role"] == "same" for entry in entries):
+        return None
+    return group | {"entries": entries, "layouts": 1}
 
 
 def _why_left_out(name: str, before: dict[str, str], now: dict[str, str]) -> str:
@@ -123,7 +114,7 @@ def _why_left_out(name: str, before: dict[str, str], now: dict[str, str]) -> str
 
 def _log_times(samples: Samples) -> Floats:
     """`[process, entry]`"""
-    return np.log([[entry["ns"][QUANTILE] for entry in process.groups[0]["entries"]]
+    return np.log([[np.quantile(layouts[0], QUANTILE) for layouts in process.groups[0]]
                    for process in samples.processes])
 
 

@@ -226,7 +226,7 @@ def _files(options: argparse.Namespace, machine: Json) -> tuple[Path, Path]:
 
 
 def _plan_words(options: argparse.Namespace) -> list[str]:
-    variants = "quick" if options.filter == FILTER else "all"
+    variants = "usual" if options.filter == FILTER else "all"
     return ["--no-peers", "--variants", variants, "--filter", options.filter,
             *input_words(options)]
 

@@ -61,7 +61,7 @@ def _stored_lines(sampler: Sampler, plan: Json, machine: Json,
     for attempt in range(attempts):
         before, now = loads[attempt % 4], loads[(attempt + attempt // 4) % 4]
         with _load(LOADS[before]):
-            first = stored.measured_from(times.measure(sampler, plan, 100 + attempt))
+            first = stored.measured_from(times.measure(sampler, plan))
         baseline = stored.baseline_from(first, machine, FILTER, "self-test", None)
         with _load(LOADS[now]):
             rows = times.verdicts_against(baseline, (sampler, plan), times.cache_bytes(machine),

@@ -1,9 +1,7 @@
-"""Comparison with a stored baseline: speed-ups over the reference, in the same state of the
-machine."""
+"""Comparison with a stored baseline, by floors."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,22 +11,20 @@ from report.files import read_json
 from report.measure.estimates import Estimate
 from report.measure.run import controls_of, state_of
 from report.measure.sampler import Json, Samples
-from report.measure.timings import BUSY_LOAD, Origin, Row, rows_of
-from report.regress.verdicts import RowVerdict, Times, Verdict, judge, skipped
+from report.measure.timings import Origin, Row, rows_of
+from report.regress.verdicts import RowVerdict, Times, Verdict, skipped
 from report.schemas import check_schema
 
-SCHEMA = 2
-PROCESSES = 9
+SCHEMA = 3
+SECONDS = 30
+"""Budget of an attempt."""
+
 LIMIT, LIMIT_BEYOND_CACHE = 0.10, 0.20
 """Tolerated loss of speed on another day."""
 
 SAME_STATE = 0.05
-"""How far the times of reference, copy and chain of additions may move. On a quiet machine the last
-two stay within 1 % and 2.5 % from process to process; a busy neighbour on the same physical core
-doubles both."""
-
-BUSY = f"other processes keep more than {BUSY_LOAD} processors busy"
-
+"""How far the reference's time may move before the machine counts as another one, on which only
+speed-ups compare. References never change."""
 
 @dataclass(frozen=True)
 class Measured:
@@ -51,10 +47,11 @@ def measured_from(samples: Samples) -> Measured:
 
 
 def why_unfit(now: Measured) -> str:
-    """Why a run can neither be a baseline nor be compared with one; else ""."""
+    """Why a run cannot be a baseline; else ""."""
     if not now.controls["passed"]:
-        return "a control failed"
-    return BUSY if now.state["foreign_load"] > BUSY_LOAD else ""
+        return "the controls failed"
+    unsettled = [row.name for row in now.rows if row.flags]
+    return f"{len(unsettled)} rows did not settle, such as {unsettled[0]}" if unsettled else ""
 
 
 def baseline_from(now: Measured, machine: Json, filter_: str, reason: str,
@@ -83,34 +80,27 @@ def against_baseline(now: Measured, baseline: Json, cache_bytes: float,
                      judge_threads: bool) -> list[RowVerdict]:
     """A verdict on every row of either."""
     known = {row.name for row in now.rows}
-    doubt = why_unfit(now) or _state_difference(baseline["state"], now.state)
-    new_neighbours = _groups_that_differ(baseline["rows"], known, now.rows)
     found = [_verdict(row, baseline["rows"].get(row.name), now, cache_bytes, judge_threads)
              for row in now.rows if not row.is_reference]
-    found = [_doubted(row, doubt, new_neighbours) for row in found]
     return found + [skipped(name, "not measured in this run") for name in baseline["rows"]
                     if name not in known]
 
 
-def group_of(name: str) -> str:
-    """Case and input: what is measured in common rounds."""
-    fields = name.split("/", 5)
-    return f"{fields[0]}/{fields[5]}"
-
-
 def _row_json(row: Row, input_hash: str) -> Json:
-    speedup = _speedup(row)
-    return {"input_hash": input_hash, "median_ns": row.median_ns,
-            "reference_ns": row.median_ns * speedup.value, "speedup": vars(speedup)}
+    return {"input_hash": input_hash, "time_ns": row.time_ns, "reference_ns": _reference_ns(row)}
 
 
-def _speedup(row: Row) -> Estimate:
-    assert row.speedup_vs_reference and row.speedup_low and row.speedup_high
-    return Estimate(row.speedup_vs_reference, row.speedup_low, row.speedup_high)
+def _reference_ns(row: Row) -> float:
+    assert row.speedup_vs_reference
+    return row.time_ns * row.speedup_vs_reference
+
+
+def _speedup_of(row: Json) -> float:
+    return float(row["reference_ns"] / row["time_ns"])
 
 
 def _change(before: Json, now: Json) -> float | None:
-    logs = [np.log(row["speedup"]["value"] / before[name]["speedup"]["value"])
+    logs = [np.log(_speedup_of(row) / _speedup_of(before[name]))
             for name, row in now.items() if name in before]
     return float(np.exp(np.mean(logs))) if logs else None
 
@@ -123,40 +113,29 @@ def _verdict(row: Row, before: Json | None, now: Measured, cache_bytes: float,
         return skipped(row.name, "another image than in the baseline")
     if row.threads > 1 and not judge_threads:
         return skipped(row.name, "threads are judged with --judge-threads only")
-    speedup, base = _speedup(row), before["speedup"]["value"]
-    change = Estimate(speedup.value / base, speedup.low / base, speedup.high / base)
-    beyond_cache = 2 * row.width * row.height > cache_bytes
-    limit = LIMIT_BEYOND_CACHE if beyond_cache else LIMIT
-    times = Times(row.median_ns, row.median_ns * speedup.value)
-    verdict = RowVerdict(row.name, judge(change, limit), "", change, limit,
-                         Times(before["median_ns"], before["reference_ns"]), times, speedup)
-    moved = _moved("the reference", before["reference_ns"], times.reference or 0)
-    return verdict.doubted(moved) if moved else verdict
+    limit = LIMIT_BEYOND_CACHE if 2 * row.width * row.height > cache_bytes else LIMIT
+    reference = _reference_ns(row)
+    moved = _moved(before["reference_ns"], reference)
+    factor = reference / before["reference_ns"] if moved else 1.0
+    change = Estimate(*(factor * before["time_ns"] / ns
+                        for ns in (row.time_ns, row.high_ns, row.time_ns)))
+    verdict = Verdict.FAIL if change.value < 1 - limit else Verdict.PASS
+    speedup = Estimate(reference / row.time_ns, *_bounds(row))
+    result = RowVerdict(row.name, verdict, "", change, limit,
+                        Times(before["time_ns"], before["reference_ns"]),
+                        Times(row.time_ns, reference), speedup)
+    doubt = moved or {"": "", "open": "its time did not settle",
+                      "control": "the controls of its group failed"}[row.flags]
+    return result.doubted(doubt) if verdict == Verdict.FAIL and doubt else result
 
 
-def _moved(what: str, before: float, now: float) -> str:
+def _bounds(row: Row) -> tuple[float, float]:
+    """Of the speed-up."""
+    assert row.speedup_low and row.speedup_high
+    return row.speedup_low, row.speedup_high
+
+
+def _moved(before: float, now: float) -> str:
     if abs(np.log(now / before)) <= SAME_STATE:
         return ""
-    return f"another state of the machine: {what} took {before:.4g} ns, now {now:.4g} ns"
-
-
-def _state_difference(before: Json, now: Json) -> str:
-    if before["foreign_load"] > BUSY_LOAD:
-        return "the baseline was measured on a busy machine"
-    return (_moved("an addition", before["chain_ns"], now["chain_ns"])
-            or _moved("a copy of 64 KiB", before["copy_ns"], now["copy_ns"]))
-
-
-def _groups_that_differ(before: Iterable[str], known: set[str], rows: list[Row]) -> set[str]:
-    references = {row.name for row in rows if row.is_reference}
-    return {group_of(name) for name in set(before) ^ (known - references)}
-
-
-def _doubted(row: RowVerdict, doubt: str, new_neighbours: set[str]) -> RowVerdict:
-    if row.verdict == Verdict.SKIPPED:
-        return row
-    if doubt:
-        return row.doubted(doubt)
-    if row.verdict == Verdict.FAIL and group_of(row.name) in new_neighbours:
-        return row.doubted("measured beside other rows than in the baseline")
-    return row
+    return f"another state of the machine: the reference took {before:.4g} ns, now {now:.4g} ns"

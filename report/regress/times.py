@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from report.measure.sampler import (Json, Sampler, Samples, measure_interleaved,
-                                    planned_seconds)
+from report.measure.converge import measure_until_converged
+from report.measure.sampler import Json, Sampler, Samples
 from report.progress import Progress
 from report.regress import builds, stored
 from report.regress.verdicts import Layer, RowVerdict, Verdict, decide, layer_of
@@ -32,20 +32,18 @@ def verdicts_against(baseline: Json, now: Build, cache: float,
                      judge_threads: bool) -> list[RowVerdict]:
     """All rows, those that do not pass measured twice."""
 
-    def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:
-        samples = measure(now[0], _with_rows(now[1], rows), number * stored.PROCESSES)
+    def attempt(_: int, rows: set[str] | None) -> list[RowVerdict]:
+        samples = measure(now[0], _with_rows(now[1], rows))
         return stored.against_baseline(stored.measured_from(samples), baseline, cache,
                                        judge_threads)
 
     return decide(attempt)
 
 
-def measure(sampler: Sampler, plan: Json, first_seed: int = 0) -> Samples:
-    """Fresh processes, each of which measures all groups."""
+def measure(sampler: Sampler, plan: Json) -> Samples:
+    """Until everything has converged or time is up."""
     samples = Samples(plan)
-    progress = Progress("measuring", stored.PROCESSES * planned_seconds(plan))
-    measure_interleaved([(sampler, samples)], stored.PROCESSES, progress.advance, first_seed)
-    progress.close()
+    measure_until_converged([(sampler, samples)], stored.SECONDS)
     return samples
 
 

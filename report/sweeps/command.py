@@ -9,9 +9,9 @@ from report.building import ROOT, build
 from report.errors import ReportError
 from report.files import write_file
 from report.git import commit_name
+from report.measure.converge import measure_until_converged
 from report.measure.run import RUN, SAMPLES, TIMINGS, load_run, machine_facts, write_run
-from report.measure.sampler import (Json, Sampler, Samples, measure_interleaved, planned_seconds)
-from report.progress import Progress
+from report.measure.sampler import Json, Sampler, Samples
 from report.row_options import positive
 from report.study import default_directory
 from report.sweeps.journal import NAME, Journal, Part
@@ -45,8 +45,9 @@ def add_sweeps_command(parser: argparse.ArgumentParser) -> None:
                         help="smaller images, coarser steps: half a minute instead of five")
     parser.add_argument("--only", metavar="NAME", choices=list(BY_NAME), action="append",
                         default=[], help=f"this sweep: {', '.join(BY_NAME)}; repeatable")
-    parser.add_argument("--processes", metavar="N", type=positive,
-                        help="fresh processes, the unit of sampling; default 9, with --quick 3")
+    parser.add_argument("--seconds", metavar="N", type=positive,
+                        help="budget of time for measuring; default 300, with --quick 30. Each "
+                             "result is measured at least three times, in fresh processes")
     parser.add_argument("--resume", action="store_true",
                         help="continue what was interrupted; other options must be the same")
     parser.add_argument("--compiler", choices=("clang",),
@@ -68,7 +69,7 @@ def run_sweeps(parser: argparse.ArgumentParser, options: argparse.Namespace) -> 
     directory = (options.out or _default(options, builds[GCC].machine, below)) / below
     key = _key(options, builds)
     journal = _resumed(directory, key) if options.resume else _begun(directory, key, builds)
-    complete = _measure(journal, builds, key["processes"])
+    complete = _measure(journal, builds, key["seconds"])
     runs = _write(directory, journal, builds, key)
     if not complete:
         raise ReportError(f"interrupted; {directory} holds what was measured, and the same command "
@@ -102,7 +103,7 @@ def _key(options: argparse.Namespace, builds: dict[str, Build]) -> Json:
     """What must not change when a measurement is continued."""
     sweeps = options.only or (["isa"] if options.compiler else list(BY_NAME))
     return {"quick": options.quick, "sweeps": list(dict.fromkeys(sweeps)),
-            "processes": options.processes or (3 if options.quick else 9),
+            "seconds": options.seconds or (30 if options.quick else 300),
             "commit": builds[GCC].machine["commit"],
             "machines": [one.machine["fingerprint"] for one in builds.values()]}
 
@@ -125,18 +126,13 @@ def _begun(directory: Path, key: Json, builds: dict[str, Build]) -> Journal:
     return Journal.begin(directory / NAME, key, parts)
 
 
-def _measure(journal: Journal, builds: dict[str, Build], processes: int) -> bool:
+def _measure(journal: Journal, builds: dict[str, Build], seconds: int) -> bool:
     """Whether it came to its end."""
-    seconds = sum(planned_seconds(part.samples.plan)
-                  * (processes - len(part.samples.processes)) for part in journal.parts)
-    progress = Progress("measuring", seconds)
     jobs = [(builds[part.build].sampler, part.samples) for part in journal.parts]
     try:
-        measure_interleaved(jobs, processes, progress.advance, on_process=journal.append)
+        measure_until_converged(jobs, seconds, on_process=journal.append)
     except KeyboardInterrupt:
         return False
-    finally:
-        progress.close()
     return True
 
 
@@ -150,7 +146,7 @@ def _write(directory: Path, journal: Journal, builds: dict[str, Build], key: Jso
             continue
         place = directory / one.preset if len(builds) > 1 else directory
         run_name = f"{directory.resolve().parent.name}/{directory.name}"
-        options = {name: key[name] for name in ("quick", "sweeps", "processes")}
+        options = {name: key[name] for name in ("quick", "sweeps", "seconds")}
         write_run(place, one.machine, options, parts, run_name)
         runs.append(place)
     return runs

@@ -19,12 +19,10 @@ NO_REFERENCE = ("density", "isa")
 
 @dataclass(frozen=True)
 class Point:
-    """Nanoseconds per pixel at one place of the axis, with the interval; the place of the sweep
-    of ISAs is a name."""
+    """Nanoseconds per pixel at one place of the axis; the place of the sweep of ISAs is a name."""
 
     x: Place
     ns_per_pixel: float
-    low: float
     high: float
     flags: str
 
@@ -70,8 +68,8 @@ def sweeps_markdown(series: Sequence[Series]) -> str:
 
 def _point(row: Row) -> Point:
     pixels = row.width * row.height
-    return Point(BY_NAME[row.sweep].place(row), row.ns_per_pixel, row.low / pixels,
-                 row.high / pixels, row.flags)
+    return Point(BY_NAME[row.sweep].place(row), row.ns_per_pixel, row.high_ns / pixels,
+                 row.flags)
 
 
 def _ordered(points: list[Point]) -> list[Point]:

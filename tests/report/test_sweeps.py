@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from fake_programs import install
 
+from report.measure.estimates import NEEDED
 from report.measure.run import load_run
 from report.measure.timings import Row
 from report.sweeps.journal import NAME
@@ -80,7 +81,7 @@ def test_markdown_has_a_table_for_each_case(run: Path) -> None:
 
 
 def test_an_interrupted_measurement_continues_where_it_was(programs: Path, tmp_path: Path) -> None:
-    words = [*SWEPT, "--processes", "3", "--out", tmp_path]
+    words = [*SWEPT, "--seconds", "3", "--out", tmp_path]
     path = tmp_path / "sweeps" / NAME
     # Interrupted by its own sampler in the fourth process, as Ctrl-C would do.
     stopping = tmp_path / "stopping"
@@ -90,21 +91,21 @@ def test_an_interrupted_measurement_continues_where_it_was(programs: Path, tmp_p
                 "{ kill -INT $PPID; exit 130; }\nexec", 1))
     done = sweeps(stopping, *words)
     assert done.returncode == 130 and "--resume continues" in done.stderr, done.stderr
-    assert sum(row.repetitions for row in load_run(tmp_path / "sweeps").rows) > 0
+    assert sum(row.processes for row in load_run(tmp_path / "sweeps").rows) > 0
 
     with path.open("a", encoding="utf-8") as stream:
         stream.write('{"part": 0, "se')  # a process that was not written to its end
     before = path.read_text().splitlines()[:-1]
     assert len(before) == 4
     assert "unfinished measurement" in sweeps(programs, *words).stderr
-    other = sweeps(programs, *words, "--processes", "4", "--resume")
+    other = sweeps(programs, *words, "--seconds", "4", "--resume")
     assert other.returncode == 1
-    assert "processes was 3 and is now 4; --resume needs the same" in other.stderr
+    assert "seconds was 3 and is now 4; --resume needs the same" in other.stderr
 
     done = sweeps(programs, *words, "--resume")
     assert done.returncode == 0, done.stderr
     assert not path.exists()
-    assert {row.repetitions for row in load_run(tmp_path / "sweeps").rows} == {3}
+    assert min(row.processes for row in load_run(tmp_path / "sweeps").rows) == NEEDED
 
 
 def test_nothing_to_continue_is_said(programs: Path, tmp_path: Path) -> None:

@@ -64,7 +64,7 @@
   const nameOf = ({ technique, isa, threads }) => [technique, isa === "native" || technique === "reference" ? "" : isa,
     threads === "1" ? "" : `${threads} threads`].filter(Boolean).join(" · ");
 
-  const pointOf = (row) => ({ x: Number(row.dataset.ns), y: nameOf(row.dataset), low: Number(row.dataset.low),
+  const pointOf = (row) => ({ x: Number(row.dataset.ns), y: nameOf(row.dataset), low: Number(row.dataset.ns),
     high: Number(row.dataset.high), speedup: row.dataset.speedup });
 
   const drawOperation = (section) => {
@@ -89,7 +89,7 @@
     };
     options.plugins.tooltip.callbacks = {
       title: (items) => items[0].raw.y,
-      label: ({ raw }) => [duration(raw.x), `interval ${duration(raw.low)} to ${duration(raw.high)}`,
+      label: ({ raw }) => [duration(raw.x), `third process ${duration(raw.high)}`,
         ...(raw.speedup ? [`${raw.speedup} over plain C++`] : [])],
     };
     options.plugins.legend.labels.font = { size: 11 };
@@ -226,11 +226,11 @@
     };
     options.scales.y.ticks.callback = (value) => (/^0?\.?0*[125]0*$/.test(String(value)) ? String(value) : null);
     options.plugins.tooltip.callbacks = { title: (items) => `${items[0].dataset.label}, ${items[0].label}`,
-      label: ({ raw }) => `${raw.y} ns per pixel (${raw.low} to ${raw.high})` };
+      label: ({ raw }) => `${raw.y} ns per pixel (third process ${raw.high})` };
     const datasets = curves.map(({ label, points }, index) => ({ label, borderColor: PALETTE[index % PALETTE.length],
       backgroundColor: PALETTE[index % PALETTE.length], borderWidth: 2, radius: 3.5, showLine: true,
       borderDash: index < PALETTE.length ? [] : [5, 3],
-      data: points.map(([place, y, low, high]) => ({ x: place, y, low, high })) }));
+      data: points.map(([place, y, high]) => ({ x: place, y, low: y, high })) }));
     part.hidden = false;
     redraw(part.querySelector("canvas"), { type: "line", data: { datasets }, options });
   };
