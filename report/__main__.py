@@ -48,7 +48,7 @@ def _commands(parser: argparse.ArgumentParser) -> None:
              page.run_build),
             ("claims", "print the paper's claims, judged by a run", page.add_directory,
              page.run_claims),
-            ("readme", "fill the tables of README.md from a run", page.add_readme_command,
+            ("readme", "fill the tables of README.md and docs/ from a run", page.add_readme_command,
              page.run_readme)):
         add(name, what, declare, run, page.EPILOG.format(name))
 

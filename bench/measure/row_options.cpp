@@ -33,16 +33,17 @@ void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
                  "of OpenCV's rules are measured by default; spell out the name of another: "
                  "'^thin_mb2:keep/'");
   app.add_option("--variants", rows.variants,
-                 "usual, the default: the best of each ISA and each technique once; all; highest: "
+                 "default all; usual: the best of each ISA and each technique once; highest: "
                  "the highest ISA of each technique; best: the library's choice and its best "
                  "scalar variant")
-      ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case))
-      ->type_name("CHOICE");
+      ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case).description(""))
+      ->type_name("all|usual|highest|best");
   app.add_option("--threads", rows.threads, "threads of threaded variants (repeatable)")
       ->check(whole_number(2, 1024))
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("!--no-peers", rows.peers, "omit other projects' code and the copy");
+  app.add_flag_callback(
+      "--no-peers", [&rows] { rows.peers = false; }, "omit other projects' code and the copy");
 }
 
 }  // namespace thinbench

@@ -49,7 +49,7 @@ enum class VariantChoice {
 
 struct RowChoice {
   std::string filter;  // regular expression for names of rows; empty for all
-  VariantChoice variants = VariantChoice::usual;
+  VariantChoice variants = VariantChoice::all;
   std::vector<int> threads = {2};  // of threaded variants
   bool peers = true;
 };

@@ -104,7 +104,8 @@ void report_skipped(const Results& results, const InstructionsOptions& options,
   if (!results.why_not_callgrind.empty()) {
     console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
   }
-  console.err << results.skipped << " rows are skipped: they take more than " << options.steps()
+  console.err << results.skipped << (results.skipped == 1 ? " row was" : " rows were")
+              << " not counted: more than " << options.steps()
               << " single steps\n";
 }
 

@@ -70,7 +70,8 @@ class Sampler:
         done = subprocess.run([self.program, "plan", *options], stdout=subprocess.PIPE, text=True,
                               check=False)
         if done.returncode != 0:
-            raise ReportError("verification failed; see the lines above", done.returncode)
+            what = "a variant differs from its reference" if done.stdout else "nothing was measured"
+            raise ReportError(f"{what}; see above", done.returncode)
         plan: Json = json.loads(done.stdout)
         return plan
 

@@ -19,10 +19,10 @@ def add_directory(parser: argparse.ArgumentParser) -> None:
 
 
 def add_readme_command(parser: argparse.ArgumentParser) -> None:
-    """The same and the file."""
+    """The same and the files."""
     add_directory(parser)
-    parser.add_argument("--readme", metavar="FILE", type=Path, default=ROOT / "README.md",
-                        help="file with the marks; default README.md")
+    parser.add_argument("documents", metavar="FILE", type=Path, nargs="*",
+                        help="files with marks; default README.md and what has marks in docs/")
 
 
 def run_build(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
@@ -39,5 +39,5 @@ def run_claims(_parser: argparse.ArgumentParser, options: argparse.Namespace) ->
 
 def run_readme(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
     """Returns what was done."""
-    from report.page.readme import fill_readme
-    return fill_readme(options.directory, options.readme)
+    from report.page.readme import fill_documents, marked
+    return fill_documents(options.directory, options.documents or marked(ROOT))

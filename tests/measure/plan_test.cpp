@@ -41,34 +41,27 @@ class RowsForTests {
   std::vector<CalibratedRow> calibrated_;
 };
 
-/// No limit of time.
-PlanLimits rounds_of(int max_rounds, double seconds_per_row = 100) {
-  return {seconds_per_row, max_rounds, 1};
-}
-
 TEST(Plan, epochs_of_all_short_rows_last_equally_long_and_long_calls_are_made_once) {
   RowsForTests rows(1e-2);
   rows.with("lut", 1e-4);
   rows.with("simd_bytes", 1e-5, Isa::avx2);
   const Group group = plan_group(rows.rows(), {});
   EXPECT_EQ(group.entries[0].calls, 1);
-  EXPECT_TRUE(group.entries[0].long_call);
+  EXPECT_EQ(group.entries[0].visits, 1);
   EXPECT_EQ(group.entries[1].calls, 3);
   EXPECT_EQ(group.entries[2].calls, 30);
-  EXPECT_FALSE(group.entries[2].long_call);
 }
 
-TEST(Plan, anchor_is_the_fastest_row_on_one_thread_and_controls_are_the_next) {
+TEST(Plan, controls_repeat_the_fastest_row_on_one_thread) {
   RowsForTests rows(1e-2);
   rows.with("lut", 1e-4);
   rows.with("simd_bytes", 2e-5, Isa::avx2);
   rows.with("simd_runs", 1e-5, Isa::avx2, 2);
   const Group group = plan_group(rows.rows(), {});
-  EXPECT_EQ(group.anchor, 2U);
   const auto control = std::find_if(group.entries.begin(), group.entries.end(),
                                     [](const Entry& entry) { return entry.role == Role::same; });
   ASSERT_NE(control, group.entries.end());
-  EXPECT_EQ(control->name, group.entries[1].name);
+  EXPECT_EQ(control->name, group.entries[2].name);
 }
 
 TEST(Plan, slowed_control_makes_11_calls_for_10) {
@@ -81,23 +74,15 @@ TEST(Plan, slowed_control_makes_11_calls_for_10) {
   }
 }
 
-TEST(Plan, rounds_keep_to_the_budget_but_are_three_at_least) {
-  RowsForTests rows(1e-3);
+TEST(Plan, visits_keep_to_the_time_of_a_row_but_there_is_one_in_each_layout) {
+  RowsForTests rows(1e-2);
   rows.with("lut", 1e-4);
-  EXPECT_EQ(plan_group(rows.rows(), rounds_of(41)).rounds, 41);
-  EXPECT_EQ(plan_group(rows.rows(), rounds_of(41, 0)).rounds, 3);
-  EXPECT_EQ(plan_group(rows.rows(), rounds_of(2, 0)).rounds, 2);
-  const Group group = plan_group(rows.rows(), rounds_of(41, 0.05));
-  EXPECT_GT(group.rounds, 3);
-  EXPECT_LE(group.seconds, 0.1);
-}
-
-TEST(Plan, short_rows_are_visited_more_often_beside_long_calls) {
-  RowsForTests rows(1);
-  rows.with("lut", 1e-4);
-  RowsForTests all_short(1e-4);
-  all_short.with("lut", 1e-4);
-  EXPECT_GT(plan_group(rows.rows(), {}).sweeps, plan_group(all_short.rows(), {}).sweeps);
+  const Group group = plan_group(rows.rows(), {.seconds_per_row = 0.006});
+  EXPECT_DOUBLE_EQ(group.entries[0].seconds, group.layouts * 1e-2);
+  EXPECT_GT(group.entries[1].visits, 1);
+  EXPECT_LE(group.entries[1].seconds, 0.006);
+  EXPECT_GT(group.entries[1].seconds, 0.003);
+  EXPECT_EQ(plan_group(rows.rows(), {.seconds_per_row = 0}).entries[1].visits, 1);
 }
 
 /// Everything that a process needs is in the text: writing the plan again gives the same.
@@ -128,13 +113,16 @@ TEST(Measure, gives_times_and_stops_where_a_result_is_not_the_verified_one) {
   const Selection selection = select_rows({.filter = "copy/good/"}, operations, inputs);
   std::vector<CalibratedRow> rows;
   for (const TimedRow& row : selection.rows) rows.push_back(calibrate(row));
-  std::vector<Group> groups = {plan_group(rows, rounds_of(2))};
+  std::vector<Group> groups = {plan_group(rows, {})};
   std::vector<GroupTimes> found;
   const auto sink = [&](const GroupTimes& times) { found.push_back(times); };
   measure(groups, 1, operations, inputs, sink);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].entries.size(), groups[0].entries.size());
-  EXPECT_NE(found[0].layout[0], found[0].layout[1]);
+  for (std::size_t i = 0; i < groups[0].entries.size(); ++i) {
+    ASSERT_EQ(found[0].entries[i].size(), static_cast<std::size_t>(groups[0].layouts));
+    EXPECT_EQ(found[0].entries[i][0].size(), static_cast<std::size_t>(groups[0].entries[i].visits));
+  }
   groups[0].entries.back().hash = "another";
   EXPECT_NE(rejection_of<std::runtime_error>([&] {
               measure(groups, 1, operations, inputs, sink);

@@ -18,7 +18,7 @@ sampler=$programs/thinbench_sampler
 [ "$(grep -c '"copy_ns"' "$work/lines")" = 2 ] || fail 'expected the state of the machine twice'
 [ "$(grep -c '"group":0' "$work/lines")" = 1 ] || fail 'expected one line for the group'
 
-sed -E 's/"hash":"[0-9a-f]{16}","long_call"/"hash":"0123456789abcdef","long_call"/g' \
+sed -E 's/"hash":"[0-9a-f]{16}","name"/"hash":"0123456789abcdef","name"/g' \
   "$work/plan.json" >"$work/wrong.json"
 "$sampler" measure <"$work/wrong.json" >/dev/null 2>"$work/err" && fail 'a wrong result was accepted'
 grep -q 'gave another result' "$work/err" || fail "unexpected: $(cat "$work/err")"

@@ -2,101 +2,60 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <gtest/gtest.h>
 
 namespace thinbench {
 namespace {
 
-/// An anchor, two short entries and a long one.
-Group group_for_tests() {
-  Group group;
-  group.entries.resize(4);
-  group.entries[3].long_call = true;
-  group.rounds = 3;
-  group.sweeps = 2;
-  return group;
-}
-
-/// The natural logarithm of the ratio to the anchor.
-double log_ratio(const EntryTimes& times) {
-  std::vector<int> logs = times.logs;
-  std::nth_element(logs.begin(), logs.begin() + static_cast<std::ptrdiff_t>(logs.size() / 2),
-                   logs.end());
-  return logs[logs.size() / 2] / 1e4;
-}
-
 /// Nanoseconds of an epoch by entry.
 constexpr std::array kTrue = {100.0, 200.0, 50.0, 1e4};
 
-TEST(Rounds, short_entries_stand_between_two_epochs_of_the_anchor) {
-  std::vector<std::size_t> order;
-  static_cast<void>(measure_rounds(group_for_tests(), 1, [&](std::size_t entry) {
-    order.push_back(entry);
-    return Times{1, 1};
-  }));
-  EXPECT_EQ(order.size(), 3 * (2 * 5 + 1));
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (order[i] != 1 && order[i] != 2) continue;
-    EXPECT_EQ(order.at(i - 1), 0U);
-    EXPECT_EQ(order.at(i + 1), 0U);
-  }
-  EXPECT_EQ(std::count(order.begin(), order.end(), 1), 6);
-  EXPECT_EQ(std::count(order.begin(), order.end(), 3), 3);
+/// The last entry is visited once in a layout.
+std::vector<Entry> entries_for_tests() {
+  std::vector<Entry> entries(kTrue.size());
+  for (Entry& entry : entries) entry.visits = 6;
+  entries.back().visits = 1;
+  return entries;
 }
 
-TEST(Rounds, give_the_logarithm_of_the_ratio_to_the_anchor) {
-  const auto times = measure_rounds(group_for_tests(), 1, [](std::size_t entry) {
+TEST(Rounds, visit_each_entry_as_often_as_it_says_and_none_twice_in_a_round) {
+  std::vector<std::size_t> order;
+  const auto times = measure_rounds(entries_for_tests(), 1, [&](std::size_t entry) {
+    order.push_back(entry);
     return Times{kTrue[entry], 3 * kTrue[entry]};
   });
-  EXPECT_TRUE(times[0].logs.empty());
-  for (std::size_t i = 0; i < kTrue.size(); ++i) {
-    for (const double ns : times[i].ns) EXPECT_DOUBLE_EQ(ns, kTrue[i]);
-    if (i == 0) continue;
-    EXPECT_NEAR(log_ratio(times[i]), std::log(kTrue[i] / kTrue[0]), 1e-4) << i;
+  ASSERT_EQ(order.size(), 3U * 6 + 1);
+  for (std::size_t i = 4; i + 3 <= order.size(); i += 3) {
+    std::vector<std::size_t> round(order.begin() + static_cast<std::ptrdiff_t>(i),
+                                   order.begin() + static_cast<std::ptrdiff_t>(i + 3));
+    std::sort(round.begin(), round.end());
+    EXPECT_EQ(round, (std::vector<std::size_t>{0, 1, 2}));
   }
-  EXPECT_EQ(times[1].logs.size(), 6U);
-  EXPECT_EQ(times[3].logs.size(), 3U);
+  EXPECT_EQ(times[0], EntryTimes(6, kTrue[0]));
+  EXPECT_EQ(times[3], EntryTimes(1, kTrue[3]));
 }
 
 TEST(Rounds, take_wall_time_for_entries_with_threads) {
-  Group group = group_for_tests();
-  group.entries[1].threaded = true;
-  const auto times = measure_rounds(group, 1, [](std::size_t entry) {
+  std::vector<Entry> entries = entries_for_tests();
+  entries[1].threaded = true;
+  const auto times = measure_rounds(entries, 1, [](std::size_t entry) {
     return Times{1, 3 * kTrue[entry]};
   });
-  EXPECT_DOUBLE_EQ(times[1].ns[0], 600);
-  EXPECT_NEAR(log_ratio(times[1]), std::log(2), 1e-4);
+  EXPECT_DOUBLE_EQ(times[1][0], 600);
+  EXPECT_DOUBLE_EQ(times[0][0], 1);
 }
 
-TEST(Rounds, divide_by_the_calls_that_count) {
-  Group group = group_for_tests();
-  group.entries[1].counted = 10;
-  const auto times = measure_rounds(group, 1, [](std::size_t) { return Times{100, 100}; });
-  EXPECT_DOUBLE_EQ(times[1].ns[0], 10);
-  EXPECT_NEAR(log_ratio(times[1]), std::log(0.1), 1e-4);
-}
-
-TEST(Rounds, a_machine_that_slows_down_steadily_leaves_ratios_of_short_entries_as_they_are) {
-  double slowness = 1;
-  const auto times = measure_rounds(group_for_tests(), 1, [&](std::size_t entry) {
-    slowness *= 1.01;
-    return Times{slowness * kTrue[entry], slowness * kTrue[entry]};
-  });
-  EXPECT_NEAR(log_ratio(times[1]), std::log(2), 1e-4);
-  EXPECT_NEAR(log_ratio(times[2]), std::log(0.5), 1e-4);
-}
-
-TEST(Rounds, one_interruption_moves_no_ratio) {
-  int visits = 0;
-  const auto times = measure_rounds(group_for_tests(), 1, [&](std::size_t entry) {
-    const double stolen = ++visits == 8 ? 1e9 : 0;
-    return Times{kTrue[entry] + stolen, kTrue[entry] + stolen};
-  });
-  for (std::size_t i = 1; i < kTrue.size(); ++i) {
-    EXPECT_NEAR(log_ratio(times[i]), std::log(kTrue[i] / kTrue[0]), 1e-4) << i;
-  }
+TEST(Rounds, divide_by_the_calls_that_count_and_round_to_five_digits) {
+  std::vector<Entry> entries = entries_for_tests();
+  entries[1].counted = 3;
+  const auto times = measure_rounds(entries, 1, [](std::size_t) { return Times{1e6, 1e6}; });
+  EXPECT_DOUBLE_EQ(times[1][0], 333330);
+  entries[1].counted = 3'000'000;
+  EXPECT_DOUBLE_EQ(measure_rounds(entries, 1, [](std::size_t) {
+                     return Times{1e6, 1e6};
+                   })[1][0],
+                   0.33333);
 }
 
 TEST(Shuffled, is_a_permutation_that_depends_on_the_seed) {

@@ -71,12 +71,34 @@ std::set<std::string> chosen(VariantChoice choice, const std::vector<TimedInput>
   return names;
 }
 
-TEST_F(SelectRows, quick_adds_avx2_to_the_highest_isa) {
-  std::set<std::string> expected = chosen(VariantChoice::highest, inputs);
-  for (const std::string& name : chosen(VariantChoice::all, inputs)) {
-    if (name.ends_with("/avx2")) expected.insert(name);
+TEST_F(SelectRows, usual_takes_each_technique_once_and_the_best_of_each_isa_on_one_thread) {
+  std::set<std::string> isas;
+  std::set<std::string> techniques;
+  operations = {operation_of("edges_sobel")};
+  for (const TimedRow& row : select_rows({"", VariantChoice::usual}, operations, inputs).rows) {
+    if (row.variant == nullptr || row.is_peer()) continue;
+    EXPECT_EQ(row.threads, 1) << row.name;  // the scene is too small for threads
+    isas.insert(std::string(row.variant->isa_label()));
+    techniques.insert(std::string(row.variant->technique));
+    const bool chosen_by_library = is_default(*row.operation, *row.variant, 510);
+    EXPECT_TRUE(row.scope == Scope::end_to_end || chosen_by_library) << row.name;
   }
-  EXPECT_EQ(chosen(VariantChoice::quick, inputs), expected);
+  for (const std::string& name : chosen(VariantChoice::all, inputs)) {
+    EXPECT_EQ(techniques.count(name.substr(0, name.find('/'))), 1U) << name;
+    EXPECT_EQ(isas.count(name.substr(name.find('/') + 1)), 1U) << name;
+  }
+}
+
+TEST_F(SelectRows, usual_takes_threads_where_the_library_does) {
+  operations = {operation_of("edges_sobel")};
+  inputs = timed_inputs({{}, {}, {"square_1024"}});
+  int threaded = 0;
+  for (const TimedRow& row : select_rows({"", VariantChoice::usual}, operations, inputs).rows) {
+    if (row.threads == 1) continue;
+    ++threaded;
+    EXPECT_TRUE(is_default(*row.operation, *row.variant, 1024)) << row.name;
+  }
+  EXPECT_EQ(threaded, 1);
 }
 
 TEST_F(SelectRows, best_takes_the_variant_of_the_highest_priority_and_the_best_scalar_one) {

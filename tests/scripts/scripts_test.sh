@@ -36,7 +36,7 @@ expect 2 '--foreground needs --image' study --foreground dark
 expect 2 "--filter: '(' is no regular expression" study --filter '('
 expect 2 "--only: invalid choice: 'sizes'" study sweeps --only sizes
 expect 2 '--compiler measures the sweep isa; leave out --only' study sweeps --compiler clang --only size
-expect 2 "expected an integer from 1 to 999999, got 'many'" study sweeps --processes many
+expect 2 "expected an integer from 1 to 999999, got 'many'" study sweeps --seconds many
 expect 1 'absent/run.json: cannot be read' study compare absent absent
 expect 2 'expected two runs or more' study compare absent
 expect 0 'usage: ./check fuzz' "$root/check" --no-install fuzz --help
