@@ -29,6 +29,8 @@ LABELS = {
     "holes": "objects and holes", "components": "objects", "fill_holes": "filled holes",
     "euler_number": "Euler number, 8-conn.", "euler_number_4": "Euler number, 4-conn.",
     "localise_objects": "grey image to centres",
+    "batch_guo_hall": "many images, Guo-Hall", "batch_zhang_suen": "many images, Zhang-Suen",
+    "batch_naccache_shinghal": "many images, the paper's rule",
     "skeleton_graph": "skeleton to graph", "squared_distances": "squared distances",
     "net_two_layer_linear": "two-layer net, linear", "net_two_layer_sigmoid": "two-layer net, sigmoid",
     "net_two_layer_rounded": "two-layer net, rounded", "net_single_layer_cluster": "cluster of nets"}
