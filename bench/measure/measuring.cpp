@@ -26,7 +26,7 @@ Times now() {
   return {nanoseconds(CLOCK_THREAD_CPUTIME_ID), wall};
 }
 
-/// Memory of random size between what is allocated, as long as a group is measured: large blocks
+/// Memory of random size between what is allocated, kept to the end: large blocks
 /// would lie at the same place of a page in every layout, and by chance at a good or a bad one.
 class Gaps {
  public:
@@ -101,18 +101,19 @@ std::string hash_of(const Outcome& outcome) {
 void measure(const std::vector<Group>& groups, std::uint64_t seed,
              const std::vector<Operation>& operations, const std::vector<TimedInput>& inputs,
              const std::function<void(const GroupTimes&)>& sink) {
-  for (const std::size_t index : shuffled(groups.size(), seed)) {
-    const Group& group = groups[index];
-    Gaps gaps(splitmix64(seed, index));
-    GroupTimes found{index, std::vector<std::vector<EntryTimes>>(group.entries.size())};
-    for (int layout = 0; layout < group.layouts; ++layout) {
-      const std::uint64_t layout_seed = splitmix64(splitmix64(seed, index), static_cast<std::uint64_t>(layout));
-      Calls calls(group, layout_seed, operations, inputs, gaps);
+  int layouts = 0;
+  for (const Group& group : groups) layouts = std::max(layouts, group.layouts);
+  Gaps gaps(seed);
+  for (int layout = 0; layout < layouts; ++layout) {
+    const std::uint64_t layout_seed = splitmix64(seed, static_cast<std::uint64_t>(layout));
+    for (const std::size_t index : shuffled(groups.size(), layout_seed)) {
+      const Group& group = groups[index];
+      if (layout >= group.layouts) continue;
+      const std::uint64_t group_seed = splitmix64(layout_seed, index);
+      Calls calls(group, group_seed, operations, inputs, gaps);
       const auto visit = [&](std::size_t entry) { return calls.visit(entry); };
-      std::vector<EntryTimes> times = measure_rounds(group.entries, layout_seed, visit);
-      for (std::size_t i = 0; i < times.size(); ++i) found.entries[i].push_back(std::move(times[i]));
+      sink({index, measure_rounds(group.entries, group_seed, visit)});
     }
-    sink(found);
   }
 }
 

@@ -15,14 +15,15 @@ namespace thinbench {
 /// 16 hexadecimal digits that name a result, image and numbers.
 [[nodiscard]] std::string hash_of(const Outcome& outcome);
 
-/// What one process found in one group.
+/// What one process found in one group, in one layout.
 struct GroupTimes {
   std::size_t group = 0;
-  std::vector<std::vector<EntryTimes>> entries;  // by entry and layout
+  std::vector<EntryTimes> entries;
 };
 
-/// Measures all groups, in an order that depends on the seed, and passes each to `sink`. Jobs are
-/// made for each layout anew. The first result of each is compared with the verified one by its hash. Throws std::runtime_error
+/// Measures all groups in one layout after the other, in an order that depends on the seed, and
+/// passes each to `sink`: so the epochs of an entry are spread over the time of the process. Jobs
+/// are made for each layout anew. The first result of each is compared with the verified one by its hash. Throws std::runtime_error
 /// for another result or an unknown row.
 void measure(const std::vector<Group>& groups, std::uint64_t seed,
              const std::vector<Operation>& operations, const std::vector<TimedInput>& inputs,

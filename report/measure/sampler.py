@@ -99,9 +99,10 @@ class Sampler:
                     states.append(result)
                     continue
                 index = order[result["group"]]
-                for entry, layouts in zip(work[index], result["entries"]):
-                    groups[index][entry] = layouts
-                on_seconds(seconds_of(plan, {index: work[index]}))
+                for entry, times in zip(work[index], result["entries"]):
+                    groups[index][entry].append(times)
+                on_seconds(seconds_of(plan, {index: work[index]})
+                           / plan["groups"][index]["layouts"])
         if process.returncode != 0:
             raise ReportError("a measuring process failed; see the line above")
         return Process(seed, groups, states, load.foreign())

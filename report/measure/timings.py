@@ -20,7 +20,7 @@ from report.measure.sampler import Json, Samples
 
 REFERENCE, END_TO_END, KERNEL = "reference", "end_to_end", "kernel"
 
-SAME_WITHIN, SLOWED_BEYOND = 0.02, 0.05
+SAME_WITHIN, SLOWED_BEYOND = 0.03, 0.05
 """How near to 1 a row's ratio to itself must be, and how much of the injected slowdown of 10 %
 must be found."""
 @dataclass(frozen=True)

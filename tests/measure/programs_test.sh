@@ -16,7 +16,7 @@ sampler=$programs/thinbench_sampler
   fail 'plan failed'
 "$sampler" measure --seed 1 <"$work/plan.json" >"$work/lines" || fail 'measure failed'
 [ "$(grep -c '"copy_ns"' "$work/lines")" = 2 ] || fail 'expected the state of the machine twice'
-[ "$(grep -c '"group":0' "$work/lines")" = 1 ] || fail 'expected one line for the group'
+[ "$(grep -c '"group":0' "$work/lines")" = 3 ] || fail 'expected a line for each layout'
 
 sed -E 's/"hash":"[0-9a-f]{16}","name"/"hash":"0123456789abcdef","name"/g' \
   "$work/plan.json" >"$work/wrong.json"

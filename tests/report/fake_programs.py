@@ -99,7 +99,8 @@ def _sampler(words: list[str]) -> int:
     state = json.dumps({"chain_ns": 0.3, "copy_ns": 1000.0})
     print(state)
     for index, group in reversed(list(enumerate(plan["groups"]))):
-        print(json.dumps({"group": index, "entries": make_group(group, dice, 0.005)}), flush=True)
+        for times in zip(*make_group(group, dice, 0.005)):  # by layout
+            print(json.dumps({"group": index, "entries": times}), flush=True)
     print(state)
     return 0
 
