@@ -21,7 +21,7 @@ from report.progress import Progress
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "asan"
 WORK = BUILD / "fuzz"
-SEEDS = ROOT / "tests" / "fuzz" / "seeds"
+SOURCES = ROOT / "tests" / "fuzz"
 LONGEST_INPUT = 4096  # bytes
 SLOWEST_INPUT = 60  # seconds
 # A decoder may ask for memory in vain; images are small.
@@ -49,16 +49,17 @@ class Outcome:
 
 def targets() -> list[str]:
     """Every target has seeds."""
-    return sorted(path.name for path in SEEDS.iterdir())
+    return sorted(path.stem for path in SOURCES.glob("*.seeds"))
 
 
 def command_of(target: str, seconds: int, corpus: Path, found: Path) -> list[str]:
     """New inputs stay in the corpus, so that the next run goes on from there."""
-    words = SEEDS.parent / f"{target}.dict"
+    words = SOURCES / f"{target}.dict"
     return [str(BUILD / "bin" / f"fuzz_{target}"), f"-max_total_time={seconds}",
             f"-max_len={LONGEST_INPUT}", f"-timeout={SLOWEST_INPUT}", "-rss_limit_mb=4096",
             f"-artifact_prefix={found}/", "-print_final_stats=1",
-            *([f"-dict={words}"] if words.exists() else []), str(corpus), str(SEEDS / target)]
+            *([f"-dict={words}"] if words.exists() else []), str(corpus),
+            str(WORK / "seeds" / target)]
 
 
 def run(target: str, seconds: int) -> Outcome:

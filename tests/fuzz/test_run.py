@@ -26,14 +26,14 @@ exit 77
 def _targets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Two targets: one finds something."""
     for name, script in (("quiet", QUIET), ("finds", FINDS)):
-        (tmp_path / "seeds" / name).mkdir(parents=True)
+        (tmp_path / f"{name}.seeds").touch()
         program = tmp_path / "bin" / f"fuzz_{name}"
         program.parent.mkdir(exist_ok=True)
         program.write_text(script)
         program.chmod(0o755)
     monkeypatch.setattr(run, "BUILD", tmp_path)
     monkeypatch.setattr(run, "WORK", tmp_path)
-    monkeypatch.setattr(run, "SEEDS", tmp_path / "seeds")
+    monkeypatch.setattr(run, "SOURCES", tmp_path)
     monkeypatch.setattr(run, "build", lambda preset, names: None)
     return tmp_path
 
