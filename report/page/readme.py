@@ -22,7 +22,7 @@ from report.measure.timings import Row
 from report.page.headline import readme_table
 from report.page.operations import Rows, fastest
 
-MARK = re.compile(r"(<!-- (\w+)([^:>]*): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
+MARK = re.compile(r"(<!-- (\w+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def fill_documents(directory: Path, documents: Sequence[Path]) -> str:

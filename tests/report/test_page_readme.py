@@ -12,7 +12,7 @@ from report.page.readme import fill_documents, marked
 
 MARKED = ("Before.\n<!-- headline: made by report readme -->\nold\n<!-- end -->\n"
           "Between.\n<!-- run: made by report readme -->\nold\n<!-- end -->\n"
-          "<!-- speed thin_guo_hall edges_sobel: made by report readme -->\n<!-- end -->\nAfter.\n")
+          "<!-- speed thin_guo_hall:keep edges_sobel: made by report readme -->\n<!-- end -->\nAfter.\n")
 
 
 def test_only_what_stands_between_the_marks_changes(tmp_path):
