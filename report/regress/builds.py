@@ -14,10 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from report.errors import ReportError
 from report.measure.estimates import Estimate, Floats, estimate_of_logs
 from report.measure.sampler import Json, Sampler, Samples, measure_interleaved, seconds_of
 from report.measure.timings import REFERENCE
-from report.regress.verdicts import RowVerdict, Times, Verdict, judge, skipped
+from report.regress.verdicts import EXIT_STATUS, RowVerdict, Times, Verdict, judge, skipped
 
 PAIRS = 27
 VISITS = 8
@@ -25,6 +26,9 @@ VISITS = 8
 
 LIMIT = 0.025
 """Tolerated loss of speed; the A/A control widens it."""
+
+MAX_LIMIT = 0.04
+"""As far as that; beyond it nothing can be said."""
 
 QUANTILE = 0.1
 
@@ -47,6 +51,10 @@ class Pair:
 
 def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
     """The rows that both builds know, with equal results, and why others are missing."""
+    if any("layouts" not in group for group in before["groups"]):
+        raise ReportError("nothing was compared: the other build measures in another way; "
+                          "--counts-only compares instructions",
+                          EXIT_STATUS[Verdict.SKIPPED])
     results = [_results(plan) for plan in (before, now)]
     common = {name for name, result in results[0].items() if results[1].get(name) == result}
     kept = [lean for group in now["groups"] if (lean := _lean_group(group, common))]
@@ -122,6 +130,8 @@ def _limit(pair: Pair, logs: Floats) -> tuple[float, str]:
     """The tolerated loss, and what is wrong with the controls of both builds, if anything."""
     same, slowed = (_control(pair, logs, role) for role in ("same", "slowed"))
     limit = max(LIMIT, 1 - same.low, same.high - 1)
+    if limit > MAX_LIMIT:
+        return MAX_LIMIT, f"a row differs from itself by {100 * limit:.1f} %"
     if judge(slowed, limit) != Verdict.FAIL:
         return limit, "the injected slowdown of 10 % was not found"
     return limit, ""

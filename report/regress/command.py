@@ -5,8 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import tempfile
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 
 from report.building import ROOT, build
@@ -29,11 +28,12 @@ Instructions are exact on the busiest machine: FAIL where a row takes over 1 % m
 or another number of iterations. Times: without --against, speed-ups over the references are
 compared with the baseline of this processor, compiler and flags, in the same state of the
 machine; a row may lose 10 % (20 % on images beyond the cache). With --against both builds are
-measured side by side, and a row may lose 2.5 %. What is not clear is measured again, up to four
+measured side by side, and a row may lose 2.5 %; the commit is built once, in build/against/. What is not clear is measured again, up to four
 times, and is FAIL only if two of them say so.
 
 examples:
   ./study regress --against main
+  ./study regress --base-build ../old/build/release/bin
   ./study regress --counts-only --against origin/main --junit regress.xml --github
   ./study regress --update --reason 'two rows of runs are read at once'
 
@@ -47,6 +47,9 @@ def add_regress_command(parser: argparse.ArgumentParser) -> None:
     """Its options."""
     parser.add_argument("--against", metavar="COMMIT",
                         help="compare the working tree with a commit, not with the baseline")
+    parser.add_argument("--base-build", metavar="DIR", type=_programs,
+                        help="compare with the programs in DIR, such as build/release/bin of "
+                             "another clone, not with a commit that is built first")
     add_row_options(parser, FILTER)
     parser.add_argument("--all", action="store_true", help="show rows that passed as well")
     parser.add_argument("--judge-threads", action="store_true",
@@ -71,6 +74,13 @@ def add_regress_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--self-test", action="store_true",
                         help="show how often the check is right about known slowdowns and loads")
     parser.add_argument("--quick", action="store_true", help="with --self-test: fewer attempts")
+
+
+def _programs(text: str) -> Path:
+    path = Path(text)
+    if not (path / "thinbench-study").is_file():
+        raise argparse.ArgumentTypeError(f"'{text}' holds no program thinbench-study")
+    return path.resolve()
 
 
 def build_programs(root: Path, targets: tuple[str, ...]) -> Path:
@@ -99,6 +109,8 @@ def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
                                f"{options.against}^{{commit}}") is None:
         parser.error(f"there is no commit '{options.against}' in this clone; a shallow one lacks "
                      "most of them")
+    if options.against is not None and options.base_build is not None:
+        parser.error("--against builds a commit, --base-build is a build: give one of them")
     if options.update:
         _check_update(parser, options)
 
@@ -106,8 +118,9 @@ def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
 def _check_update(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     if not options.reason:
         parser.error("--update needs --reason TEXT, which the history keeps")
-    if options.against or options.counts_only:
-        parser.error("--update makes a baseline; it excludes --against and --counts-only")
+    if options.against or options.base_build or options.counts_only:
+        parser.error("--update makes a baseline; it excludes --against, --base-build and "
+                     "--counts-only")
     if not is_clean():
         parser.error("--update needs a clone without changes: a baseline names its commit")
 
@@ -116,13 +129,11 @@ def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
     if options.self_test:
         return self_test.run(builder(ROOT, ("thinbench_study", "thinbench_sampler")),
                              options.quick)
-    with _other_tree(options) as other:
-        programs = builder(ROOT, _targets(options))
-        machine = machine_facts(programs / "thinbench-study", commit_name())
-        if options.update:
-            return _update(options, programs, machine), 0
-        before = builder(other, _targets(options, other)) if other else None
-        found = _compare(options, programs, before, machine)
+    programs = builder(ROOT, _targets(options))
+    machine = machine_facts(programs / "thinbench-study", commit_name())
+    if options.update:
+        return _update(options, programs, machine), 0
+    found = _compare(options, programs, _base_programs(options, builder), machine)
     _write(options, found)
     text = output.to_annotations(found) if options.github else ""
     return (text + output.to_text(found, options.all),
@@ -137,21 +148,19 @@ def _targets(options: argparse.Namespace, tree: Path = ROOT) -> tuple[str, ...]:
     return (counter, *counting, *timing)
 
 
-@contextmanager
-def _other_tree(options: argparse.Namespace) -> Iterator[Path | None]:
-    """The other commit in a scratch directory of its own."""
-    if not options.against:
-        yield None
-        return
-    with tempfile.TemporaryDirectory() as directory:
-        tree = Path(directory) / "tree"
-        try:
-            if git("worktree", "add", "--quiet", "--detach", str(tree), options.against) is None:
-                raise ReportError(f"cannot check out {options.against}")
-            _check_programs(options, tree)
-            yield tree
-        finally:
-            git("worktree", "remove", "--force", str(tree))
+def _base_programs(options: argparse.Namespace, builder: Builder) -> Path | None:
+    """The programs of the other build. A commit is checked out and built below build/, once."""
+    base: Path | None = options.base_build
+    if base is not None or not options.against:
+        return base
+    commit = git("rev-parse", f"{options.against}^{{commit}}")
+    tree = ROOT / "build" / "against" / str(commit)
+    # By force, as the directory of an earlier one may have been deleted.
+    if not tree.exists() and git("worktree", "add", "--force", "--quiet", "--detach", str(tree),
+                                 str(commit)) is None:
+        raise ReportError(f"cannot check out {options.against}")
+    _check_programs(options, tree)
+    return builder(tree, _targets(options, tree))
 
 
 def _check_programs(options: argparse.Namespace, tree: Path) -> None:
@@ -182,7 +191,7 @@ def _compare_counts(options: argparse.Namespace, programs: Path, before: Path | 
         counter = before / "thinbench-study"
         why_not = counts.count(counter if counter.exists() else before / "thinbench", words, file)
         if why_not:
-            return counts.not_compared(f"commit {options.against}: {why_not}")
+            return counts.not_compared(f"{options.against or options.base_build}: {why_not}")
         return counts.compare(program, words, file)
 
 
