@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <ostream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -12,30 +11,22 @@
 
 namespace thinbench::golden {
 
-/// The first four columns of a line; "-" for an option that does not apply.
+/// "-" stands for an option that does not apply.
 struct Case {
   std::string operation;
   std::string border;          // "background", "keep" or "-"
   std::string max_iterations;  // a number, or "-" for no limit
   std::string image;
 
-  /// The order of the lines.
+  /// The order of lines and columns.
   friend bool operator<(const Case& a, const Case& b) {
     return std::tie(a.operation, a.border, a.max_iterations, a.image) <
            std::tie(b.operation, b.border, b.max_iterations, b.image);
   }
 };
 
-/// The last two columns.
-struct Result {
-  std::string hash;
-  std::string iterations = "-";
-
-  friend bool operator==(const Result&, const Result&) = default;
-  friend std::ostream& operator<<(std::ostream& out, const Result& result) {
-    return out << "hash " << result.hash << ", iterations " << result.iterations;
-  }
-};
+/// The hash of the output and, of operations that iterate, "/" and the number of iterations.
+using Result = std::string;
 
 /// Not an operation: the hash of the input image. If it differs, the generator of the image has
 /// changed, and the other cases on this image are meaningless.

@@ -35,12 +35,12 @@ std::string text_of(const Case& one) {
          ", image " + one.image;
 }
 
-/// If the case throws, the result has the exception's message in place of the hash.
+/// If the case throws, the result is the exception's message.
 Result result_or_error(const Case& one, const ByteImage& image, int threads) {
   try {
     return run_case(one, image, threads);
   } catch (const std::exception& error) {
-    return {error.what()};
+    return error.what();
   }
 }
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -108,11 +109,16 @@ def pillow() -> dict:
                        for patterns in lists]}
 
 
+def text_of(content: dict) -> str:
+    """JSON with one line per operation and per list of patterns."""
+    return re.sub(r"\n {4,}|\n {3}(?=[]}])", "", json.dumps(content, indent=1))
+
+
 def main() -> None:
     thin = [hexadecimal(_skeletonize.G123_LUT), hexadecimal(_skeletonize.G123P_LUT)]
     content = {"bwmorph": bwmorph(), "pillow": pillow(),
                "skimage": {"scikit-image": skimage.__version__, "thin": thin}}
-    FILE.write_text(json.dumps(content, indent=1) + "\n")
+    FILE.write_text(text_of(content) + "\n")
 
 
 if __name__ == "__main__":
