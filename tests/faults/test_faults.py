@@ -41,7 +41,7 @@ COMMANDS = {
     "verify": "thinbench-study verify --quick --filter " + ROWS,
     "instructions": f"thinbench-study instructions --filter {ROWS} --out counts.json",
     "scene": "thinbench-study scene out.png",
-    "sampler": "thinbench_sampler plan --input square_64 --max-rounds 1 --filter ^edges_sobel/autovec/baseline/1",
+    "sampler": "thinbench_sampler plan --input square_64 --filter ^edges_sobel/autovec/baseline/1",
     "benchmarks": "thinbench_benchmarks --input square_64 --filter ^edges_sobel/autovec/baseline/1 "
                   "--benchmark_min_time=0.001",
 }
