@@ -4,7 +4,6 @@
 #include <string>
 
 #include "cli/arguments.hpp"
-#include "counts/comparison.hpp"
 #include "counts/documents.hpp"
 #include "counts/limits.hpp"
 #include "measure/timed_row.hpp"
@@ -14,14 +13,12 @@
 namespace thinbench {
 namespace {
 
-constexpr int kNothingCompared = 4;
 constexpr Index kQuickRows = 24;
 
 struct InstructionsOptions {
   std::string filter;
   std::string image;
   std::string out;
-  std::string against;
   BinariseOptions binarise;
   std::uint64_t max_steps = 0;  // 0 for what suits the input
   double issue_width = 6;
@@ -91,14 +88,6 @@ Results limited(const InstructionsOptions& options, std::ostream& log) {
           limits.callgrind.why_not};
 }
 
-int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
-                      const Console& console) {
-  const Comparison comparison = compare(before, now);
-  console.out << to_text(comparison);
-  if (comparison.compared == 0) return kNothingCompared;
-  return comparison.fails() ? kFailure : kSuccess;
-}
-
 void report_skipped(const Results& results, const InstructionsOptions& options,
                     const Console& console) {
   if (!results.why_not_callgrind.empty()) {
@@ -110,23 +99,17 @@ void report_skipped(const Results& results, const InstructionsOptions& options,
 }
 
 void check(const InstructionsOptions& options) {
-  if (!options.against.empty() && (options.json || options.limits)) {
-    throw UsageError("--against goes with neither --json nor --limits");
-  }
   if (options.quick && !options.limits) throw UsageError("--quick goes with --limits only");
   if (!options.out.empty()) check_target(options.out);
 }
 
 int run(const InstructionsOptions& options, const Console& console) {
   check(options);
-  nlohmann::json before;
-  if (!options.against.empty()) before = read_counts(options.against);
   const Results results =
       options.limits ? limited(options, console.err) : counted(options, console.err);
   const std::string json = results.document.dump(1) + "\n";
   if (!options.out.empty()) write_whole_file(options.out, json);
   report_skipped(results, options, console);
-  if (!options.against.empty()) return compare_and_print(before, results.document, console);
   console.out << (options.json ? json : results.table);
   return kSuccess;
 }
@@ -148,9 +131,6 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
   app.add_option("--out", options.out, "Write the data here, as JSON")
       ->check(not_empty())
       ->type_name("FILE");
-  app.add_option("--against", options.against, "Compare with the counts in this file")
-      ->check(not_empty())
-      ->type_name("FILE");
   app.add_flag("--limits", options.limits, "Time rows as well, and report their lower bounds");
   app.add_flag("--quick", options.quick,
                "With --limits: 24 rows of the image, the fastest row of each operation");
@@ -170,7 +150,6 @@ Command add_instructions_command(CLI::App& program) {
   add_options(*app, *options);
   app->footer(R"(Examples:
   thinbench-study instructions --filter 'simd_.*/avx2' --out counts.json
-  thinbench-study instructions --against counts.json
   thinbench-study instructions --limits --filter '^thin_guo_hall/.*_row/' --issue-width 6
 
 Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
@@ -182,10 +161,7 @@ are skipped. So the input is small: every 5th pixel of every 16th row of the ima
 of a row is the time in which --issue-width instructions per cycle would be issued; how many a core
 can issue is assumed, not measured, and more than 100 % shows that it can issue more.
 
-Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions or another number of
-iterations, 4 nothing could be compared: no row in common, or another compiler, flags, C library,
-ISA of the processor or input. Rows that were counted by another method, or under another valgrind, are
-not compared.)");
+./study regress compares the counts of two builds.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

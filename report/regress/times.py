@@ -47,12 +47,22 @@ def measure(sampler: Sampler, plan: Json) -> Samples:
     return samples
 
 
-def between_builds(before: Sampler, now: Sampler, words: Sequence[str],
+def between_builds(before: Sampler, now: Sampler, words: Sequence[str], same: set[str],
                    judge_threads: bool) -> Layer:
-    """Two builds, each with a plan of its own that verifies its rows."""
-    plan, left_out = builds.common_plan(before.plan(words), now.plan(words))
-    rows = decide(partial(attempt_between, (before, plan), (now, plan), judge_threads))
-    return layer_of(rows + left_out)
+    """Two builds, each with a plan of its own that verifies its rows. Rows of the ISAs in `same`
+    run the same machine code and are not measured."""
+    ours = now.plan(words)
+    equal = {name for name, facts in ours["rows"].items() if facts["isa"] in same
+             and name.split("/")[1] != REFERENCE}
+    rows = [RowVerdict(name, Verdict.PASS, "the same machine code") for name in sorted(equal)]
+    if equal != {name for name in ours["rows"] if name.split("/")[1] != REFERENCE}:
+        plan, left_out = builds.common_plan(before.plan(words), ours)
+        rest = {name for name in ours["rows"] if name not in equal}
+        measured = decide(partial(attempt_between, (before, plan), (now, plan), judge_threads),
+                          rest)
+        rows += [row for row in measured + left_out if row.name not in equal]
+    return layer_of(rows, f"times: {len(equal)} rows not measured, as they run the same machine "
+                          "code" if equal else "")
 
 
 def attempt_between(before: Build, now: Build, judge_threads: bool, number: int,
