@@ -8,6 +8,7 @@ from pathlib import Path
 
 from report.measure.converge import measure_until_converged
 from report.measure.sampler import Json, Sampler, Samples
+from report.measure.timings import REFERENCE
 from report.progress import Progress
 from report.regress import builds, stored
 from report.regress.verdicts import Layer, RowVerdict, Verdict, decide, layer_of

@@ -67,9 +67,10 @@ Measure = Callable[[int, set[str] | None], list[RowVerdict]]
 MAX_ATTEMPTS = 4
 
 
-def decide(measure: Measure) -> list[RowVerdict]:
-    """Measures; what is not settled is measured again by other processes, up to MAX_ATTEMPTS."""
-    found = {row.name: [row] for row in measure(0, None)}
+def decide(measure: Measure, rows: set[str] | None = None) -> list[RowVerdict]:
+    """Measures these rows, or all; what is not settled is measured again by other processes, up to
+    MAX_ATTEMPTS."""
+    found = {row.name: [row] for row in measure(0, rows)}
     for attempt in range(1, MAX_ATTEMPTS):
         open_rows = {name for name, rows in found.items() if settled(rows) is None}
         if not open_rows:
