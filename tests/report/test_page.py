@@ -134,8 +134,8 @@ def test_large_images_are_linked_not_embedded(tmp_path, capsys):
 
 def write_limits(directory: Path, model: str, **more: int) -> None:
     """One row, on a part of the image."""
-    row = {"row": "thin_guo_hall/lut/baseline/1/kernel/scene_24_rows", "operation": "thin_guo_hall",
-           "scope": "kernel", "instructions": 123456, "instructions_per_cycle": 3.5, "ns": 9e3,
+    row = {"row": "thin_guo_hall/lut/baseline/1/end_to_end/scene_24_rows",
+           "operation": "thin_guo_hall", "instructions": 123456, "instructions_per_cycle": 3.5, "ns": 9e3,
            "cycles": 40000, **more}
     (directory / "limits.json").write_bytes(to_json({
         "schema": 2, "input": {"name": "scene_24_rows", "width": 510, "height": 24},
@@ -155,7 +155,7 @@ def test_without_a_model_the_page_says_why_and_has_no_column_of_it(tmp_path, cap
     write_limits(directory, "none: LLVM 19 has no model of this processor (znver5)")
     page = build(directory, capsys).text("index.html")
     assert "no model to compare with: LLVM 19 has no model of this processor (znver5)." in page
-    assert "40,000" in page and "Cycles in the model" not in page
+    assert "40,000" in page and "Cycles of the model" not in page
 
 
 def test_a_run_that_has_no_end_to_end_rows_has_a_page(tmp_path, capsys):
