@@ -31,7 +31,7 @@ struct InstructionsOptions {
   [[nodiscard]] std::uint64_t steps() const {
     if (max_steps > 0) return max_steps;
     if (!limits) return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
-    return quick ? 100000 : 800000;
+    return quick ? 200000 : 800000;
   }
 };
 
@@ -137,7 +137,7 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
   add_binarise_options(app, options.binarise, image);
   app.add_option("--max-steps", options.max_steps,
                  "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
-                 "with --limits 800000, quick 100000)")
+                 "with --limits 800000, quick 200000)")
       ->check(whole_number(1, 100000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");
