@@ -1,5 +1,5 @@
-// thinbench-study instructions: what rows execute, counted exactly, and how near that comes to a
-// limit.
+// thinbench-study instructions: what rows execute, counted exactly, beside the cycles that they
+// take.
 #include <memory>
 #include <string>
 
@@ -21,7 +21,6 @@ struct InstructionsOptions {
   std::string out;
   BinariseOptions binarise;
   std::uint64_t max_steps = 0;  // 0 for what suits the input
-  double issue_width = 6;
   bool json = false;
   bool limits = false;
   bool quick = false;
@@ -29,7 +28,7 @@ struct InstructionsOptions {
   [[nodiscard]] std::uint64_t steps() const {
     if (max_steps > 0) return max_steps;
     if (!limits) return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
-    return quick ? 100000 : 800000;
+    return quick ? 200000 : 800000;
   }
 };
 
@@ -83,9 +82,7 @@ Results limited(const InstructionsOptions& options, std::ostream& log) {
   std::vector<TimedRow> rows = selected(options, inputs).rows;
   if (options.quick) rows = fastest_rows(rows);
   const Limits limits = limits_of(rows, options.steps());
-  return {limits_json(inputs.front(), limits, options.issue_width),
-          limits_table(limits, options.issue_width), limits.skipped.size(),
-          limits.callgrind.why_not};
+  return {limits_json(inputs.front(), limits), limits_table(limits), limits.skipped.size(), {}};
 }
 
 void report_skipped(const Results& results, const InstructionsOptions& options,
@@ -94,8 +91,7 @@ void report_skipped(const Results& results, const InstructionsOptions& options,
     console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
   }
   console.err << results.skipped << (results.skipped == 1 ? " row was" : " rows were")
-              << " not counted: more than " << options.steps()
-              << " single steps\n";
+              << " not counted: more than " << options.steps() << " single steps\n";
 }
 
 void check(const InstructionsOptions& options) {
@@ -124,42 +120,37 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
   add_binarise_options(app, options.binarise, image);
   app.add_option("--max-steps", options.max_steps,
                  "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
-                 "with --limits 800000, quick 100000)")
-      ->check(whole_number(1, 1000000000))
+                 "with --limits 800000, quick 200000)")
+      ->check(whole_number(1, 100000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");
   app.add_option("--out", options.out, "Write the data here, as JSON")
       ->check(not_empty())
       ->type_name("FILE");
-  app.add_flag("--limits", options.limits, "Time rows as well, and report their lower bounds");
+  app.add_flag("--limits", options.limits, "Time rows as well, and report their clock cycles");
   app.add_flag("--quick", options.quick,
                "With --limits: 24 rows of the image, the fastest row of each operation");
-  app.add_option("--issue-width", options.issue_width,
-                 "Instructions that the core is assumed to issue per cycle")
-      ->check(real_number(1, 100))
-      ->type_name("N")
-      ->capture_default_str();
 }
 
 }  // namespace
 
 Command add_instructions_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("instructions",
-                                         "Count the instructions of rows, and their lower bounds");
+                                         "Count the instructions of rows, and their clock cycles");
   const auto options = std::make_shared<InstructionsOptions>();
   add_options(*app, *options);
   app->footer(R"(Examples:
   thinbench-study instructions --filter 'simd_.*/avx2' --out counts.json
-  thinbench-study instructions --limits --filter '^thin_guo_hall/.*_row/' --issue-width 6
+  thinbench-study instructions --limits --filter '^thin_guo_hall/.*_row/'
 
 Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
 valgrind is installed, its callgrind counts all but AVX-512; the rest is counted by a trap of the
 processor after each instruction, which takes microseconds, and rows that take more than --max-steps
 are skipped. So the input is small: every 5th pixel of every 16th row of the image.
 
---limits takes the whole image, times the rows too, and measures the core's frequency. The lower bound
-of a row is the time in which --issue-width instructions per cycle would be issued; how many a core
-can issue is assumed, not measured, and more than 100 % shows that it can issue more.
+--limits takes the whole image, times the rows too, and measures the core's clock cycle: the floor of
+dependent additions during the whole run. All rows are counted by single steps, and the data holds the
+code that each executes, for a model of the processor.
 
 ./study regress compares the counts of two builds.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
