@@ -16,15 +16,11 @@
 namespace thinbench {
 namespace {
 
-double nanoseconds(clockid_t clock) {
+/// On the wall: in a virtual machine the clock of a thread sometimes omits time that it worked.
+double nanoseconds_now() {
   timespec now{};
-  clock_gettime(clock, &now);
+  clock_gettime(CLOCK_MONOTONIC, &now);
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
-}
-
-Times now() {
-  const double wall = nanoseconds(CLOCK_MONOTONIC);
-  return {nanoseconds(CLOCK_THREAD_CPUTIME_ID), wall};
 }
 
 /// Memory of random size between what is allocated, kept to the end: large blocks
@@ -61,16 +57,16 @@ class Calls {
   }
 
   /// Untimed calls come first because caches are as the calls of another row left them.
-  Times visit(std::size_t index) {
+  double visit(std::size_t index) {
     const Entry& entry = group_.entries[index];
     TimedCall& call = *calls_[index];
     for (std::int64_t i = 0; i < entry.warm_up; ++i) call();
-    const Times start = now();
+    const double start = nanoseconds_now();
     for (std::int64_t i = 0; i < entry.calls; ++i) call();
-    const Times end = now();
+    const double end = nanoseconds_now();
     if (!checked_[index]) check(entry, call);
     checked_[index] = true;
-    return {end.thread_cpu - start.thread_cpu, end.wall - start.wall};
+    return end - start;
   }
 
  private:
@@ -143,17 +139,17 @@ MachineState machine_state() {
   std::vector<char> destination(kBytes, 2);
   MachineState state{1e9, 1e9};
   for (int sample = 0; sample < kSamples; ++sample) {
-    const double start = nanoseconds(CLOCK_MONOTONIC);
+    const double start = nanoseconds_now();
     std::uint64_t sum = static_cast<std::uint64_t>(sample);
     for (std::size_t i = 0; i < kAdditions / kUnrolled; ++i) {
       sum = sum_of(sum, i, std::make_index_sequence<kUnrolled>());
     }
-    const double middle = nanoseconds(CLOCK_MONOTONIC);
+    const double middle = nanoseconds_now();
     for (int i = 0; i < 10; ++i) {
       std::memcpy(destination.data(), source.data(), kBytes);
       asm volatile("" : : "r"(destination.data()) : "memory");
     }
-    const double end = nanoseconds(CLOCK_MONOTONIC);
+    const double end = nanoseconds_now();
     state.chain_ns = std::min(state.chain_ns, (middle - start) / kAdditions);
     state.copy_ns = std::min(state.copy_ns, (end - middle) / 10);
   }
