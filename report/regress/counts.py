@@ -42,7 +42,8 @@ def count(program: Path, words: Sequence[str]) -> Json:
                               text=True, capture_output=True)
         if done.returncode != 0 or not out.exists():
             lines = done.stderr.strip().splitlines() or ["it says nothing"]
-            raise ReportError(f"instructions cannot be counted: {lines[-1]}")
+            raise ReportError(f"instructions cannot be counted: {lines[-1]}",
+                              done.returncode or 1)
         return read_counts(out)
 
 
@@ -94,7 +95,7 @@ def _verdict(old: Json, row: Json, documents: tuple[Json, Json]) -> RowVerdict:
     if abs(is_now - was) <= TOLERANCE * was:
         return RowVerdict(name, Verdict.PASS)
     return RowVerdict(name, Verdict.FAIL if is_now > was else Verdict.PASS,
-                      f"{was:,} instructions before, {is_now:,} now ({is_now / was - 1:+.1%})")
+                      f"{was:,} instructions before, {is_now:,} now ({100 * (is_now / was - 1):+.1f} %)")
 
 
 def _too_long(old: Json, max_steps: int) -> RowVerdict:
