@@ -28,8 +28,9 @@ Instructions are exact on the busiest machine: FAIL where a row takes over 1 % m
 or another number of iterations. Times: without --against, speed-ups over the references are
 compared with the baseline of this processor, compiler and flags, in the same state of the
 machine; a row may lose 10 % (20 % on images beyond the cache). With --against both builds are
-measured side by side, and a row may lose 2.5 %; the commit is built once, in build/against/. What is not clear is measured again, up to four
-times, and is FAIL only if two of them say so.
+measured side by side, and a row may lose 2.5 %; the commit is built once, in build/against/, and
+rows whose machine code is the same pass unmeasured. What is not clear is measured further, and is
+FAIL only if two rounds in a row say so.
 
 examples:
   ./study regress --against main
