@@ -7,7 +7,7 @@ import lzma
 import os
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 from report.errors import ReportError
 
@@ -46,15 +46,65 @@ def _target(path: Path) -> Path:
 
 
 def _replace(path: Path, finished: Path) -> None:
-    """Keeps the mode of a file. It is overwritten where other names (hard links), another owner or
-    another group would be lost."""
+    """Keeps the mode, owner and group of a file. It is overwritten where it has other names (hard links) or an owner
+    that cannot be given to another file."""
     if path.exists():
-        old, new = path.stat(), finished.stat()
-        if old.st_nlink > 1 or (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid):
-            path.write_bytes(finished.read_bytes())
+        old = path.stat()
+        if not _can_be_replaced(old, finished):
+            _overwrite(path, finished)
             return
         finished.chmod(old.st_mode & 0o7777)
     finished.replace(path)
+
+
+def _can_be_replaced(old: os.stat_result, finished: Path) -> bool:
+    if old.st_nlink > 1:
+        return False
+    new = finished.stat()
+    try:
+        if (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid):
+            os.chown(finished, old.st_uid, old.st_gid)
+    except PermissionError:
+        return False
+    return True
+
+
+def _overwrite(path: Path, finished: Path) -> None:
+    """Room on the disk is taken first. Until the copy is whole, the finished file has a second name, which neither a
+    signal nor a failure removes."""
+    with finished.open("rb") as source, path.open("r+b", buffering=0) as target:
+        size = finished.stat().st_size
+        _reserve(target, size, path)
+        whole = _second_name(finished, path)
+        try:
+            while os.sendfile(target.fileno(), source.fileno(), None, 1 << 30):
+                pass
+            target.truncate(size)
+            os.fsync(target.fileno())
+        except OSError as error:
+            raise ReportError(f"{path}: cannot be written: {error.strerror}; all of it is in '{whole}'") from None
+    whole.unlink()
+
+
+def _reserve(target: IO[bytes], size: int, path: Path) -> None:
+    """For a file that may grow; its bytes remain as they are."""
+    old_size = path.stat().st_size
+    try:
+        os.posix_fallocate(target.fileno(), 0, max(size, 1))
+    except OSError as error:
+        target.truncate(old_size)
+        raise ReportError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _second_name(finished: Path, path: Path) -> Path:
+    """One that no other file has."""
+    name = path.with_name(f"{path.name}.whole")
+    number = 1
+    while name.exists():
+        number += 1
+        name = path.with_name(f"{path.name}.whole{number}")
+    name.hardlink_to(finished)
+    return name
 
 
 def write_file(path: Path, data: bytes) -> None:
@@ -71,7 +121,7 @@ def read_json(path: Path) -> Any:
     """Raises ReportError where the file is missing or no JSON."""
     try:
         return json.loads(read_bytes(path))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ReportError(f"{path}: not JSON: {error}") from None
 
 

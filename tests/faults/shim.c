@@ -1,6 +1,6 @@
 /* Faults that no limit of the system makes, for programs that are started with LD_PRELOAD. FAULT names one: "clock"
-   (the time of day jumps by years), "proc" (nothing below /proc can be opened), "threads" (none can be started) or
-   "kill" (SIGKILL before a file is renamed). Without it, nothing changes. */
+   (the time of day jumps by years), "proc" (nothing below /proc can be opened), "threads" (none can be started) 
+   "kill" (SIGKILL before a file is renamed) or "interrupt" (SIGINT in the middle of a copy). Without it, nothing changes. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -13,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/sendfile.h>
 #include <sys/time.h>
 #include <time.h>
 
@@ -91,4 +92,12 @@ ssize_t readlink(const char* restrict path, char* restrict to, size_t size) {
 int rename(const char* from, const char* to) {
   if (has_fault("kill")) raise(SIGKILL);
   return ORIGINAL(rename)(from, to);
+}
+
+/* Half of it is copied. */
+ssize_t sendfile(int to, int from, off_t* offset, size_t count) {
+  const int interrupts = has_fault("interrupt");
+  const ssize_t copied = ORIGINAL(sendfile)(to, from, offset, interrupts ? count / 2 : count);
+  if (interrupts) raise(SIGINT);
+  return copied;
 }

@@ -257,6 +257,28 @@ def test_killed_before_the_result_has_its_name(name: str, inputs: Path, tmp_path
     works(name)
 
 
+# Outputs of which other names remain.
+
+def test_full_disk_keeps_an_output_of_two_names(inputs: Path, tmp_path: Path) -> None:
+    """There is room for the finished file, but not for a second one of its size."""
+    if subprocess.run([*SMALL_DISK[:4], "mount -t tmpfs none /mnt"], check=False, capture_output=True).returncode:
+        pytest.skip("mounting needs root or namespaces of users")
+    disk = ('mount -t tmpfs -o size=2500k none "$PWD" && cd "$PWD" && echo old >out.pgm && ln out.pgm other && '
+            '"$@" >/dev/null; status=$?; ls -A; cat other; exit $status')
+    result = run(words_of("run_pgm", inputs), tmp_path, Fault("", prefix=("unshare", "-rm", "sh", "-c", disk, "sh")))
+    assert result.status == 1 and result.out == b"other\nout.pgm\nold\n", result
+    assert len(result.errors) == 1 and "No space left on device" in result.errors[0], result
+
+
+def test_interrupt_keeps_a_whole_file(inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
+    """Beside an output of two names that is half-written."""
+    (tmp_path / "out.pgm").write_bytes(b"old")
+    (tmp_path / "other").hardlink_to(tmp_path / "out.pgm")
+    assert run(words_of("run_pgm", inputs), tmp_path, shim("interrupt")).status == -signal.SIGINT
+    assert sorted(files_in(tmp_path)) == ["other", "out.pgm", "out.pgm.whole"]
+    assert (tmp_path / "out.pgm.whole").read_bytes() == expected("run_pgm")["out.pgm"]
+
+
 # What only a library in front of the system's can do.
 
 def shim(fault: str) -> Fault:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import resource
 import subprocess
 from pathlib import Path
 
 import pytest
 
+from report import files
 from report.building import build
 from report.errors import ReportError
 from report.files import read_bytes, write_file
@@ -45,6 +47,44 @@ def test_replaced_files_keep_their_mode_and_their_other_names(tmp_path: Path) ->
     other.hardlink_to(path)
     write_file(path, b"newer")
     assert other.read_bytes() == b"newer" and other.samefile(path)
+
+
+def write_on_full_disk(path: Path, data: bytes, most: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Once the finished file is there, no file may grow beyond so many bytes."""
+    replace, limits = files._replace, resource.getrlimit(resource.RLIMIT_FSIZE)
+
+    def replace_with_limit(target: Path, finished: Path) -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (most, limits[1]))
+        try:
+            replace(target, finished)
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    monkeypatch.setattr(files, "_replace", replace_with_limit)
+    write_file(path, data)
+
+
+def test_full_disk_keeps_an_old_file_of_two_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "a.json"
+    path.write_bytes(b"old")
+    (tmp_path / "b.json").hardlink_to(path)
+    with pytest.raises(ReportError, match="a.json: cannot be written: File too large$"):
+        write_on_full_disk(path, bytes(100_000), 20_000, monkeypatch)
+    assert path.read_bytes() == b"old" and sorted(os.listdir(tmp_path)) == ["a.json", "b.json"]
+
+
+def test_interrupt_while_a_file_of_two_names_is_overwritten_leaves_the_whole(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "a.json"
+    path.write_bytes(b"old")
+    (tmp_path / "b.json").hardlink_to(path)
+
+    def interrupt(*_: object) -> int:
+        raise KeyboardInterrupt
+    monkeypatch.setattr(os, "sendfile", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        write_file(path, b"new")
+    assert (tmp_path / "a.json.whole").read_bytes() == b"new"
+    assert sorted(os.listdir(tmp_path)) == ["a.json", "a.json.whole", "b.json"]
 
 
 def test_unwritable_tree_is_named_before_the_build_can_be_blamed(tmp_path: Path) -> None:

@@ -2,11 +2,14 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "support/file_size_limit.hpp"
+#include "support/rejection.hpp"
 #include "support/temporary_directory.hpp"
 #include "support/unfinished_file.hpp"
 
@@ -116,6 +119,52 @@ TEST(WholeFile, replaced_file_keeps_its_other_names) {
     EXPECT_EQ(std::filesystem::hard_link_count(file), 2U);
   }
   EXPECT_EQ(directory.names(), (Names{"a.json", "b.json"}));
+}
+
+/// Writes so many bytes; then no file may grow beyond the limit.
+void write_then_limit(const std::string& path, std::size_t bytes, rlim_t limit) {
+  std::optional<FileSizeLimit> full;
+  write_whole_file(path, [&](const std::string& name) {
+    std::ofstream(name) << std::string(bytes, 'x');
+    full.emplace(limit);
+  });
+}
+
+TEST(WholeFile, full_disk_keeps_an_old_file_of_two_names) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.json", "old");
+  std::filesystem::create_hard_link(file, directory.file("b.json"));
+  EXPECT_EQ(rejection_of<FileError>([&] { write_then_limit(file, 100'000, 20'000); }),
+            "cannot write '" + file + "': File too large");
+  EXPECT_EQ(bytes_of(directory.file("b.json")), "old");
+  EXPECT_EQ(directory.names(), (Names{"a.json", "b.json"}));
+}
+
+TEST(WholeFile, kill_while_a_file_of_two_names_is_overwritten_leaves_all_bytes_of_one) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.json", std::string(50'000, 'o'));
+  std::filesystem::create_hard_link(file, directory.file("b.json"));
+  const auto write_and_die = [&] {
+    write_whole_file(file, [&](const std::string& name) {
+      std::ofstream(name) << std::string(100'000, 'x');
+      static const FileSizeLimit full(20'000);
+      std::signal(SIGXFSZ, SIG_DFL);
+    });
+  };
+  EXPECT_EXIT(write_and_die(), testing::KilledBySignal(SIGXFSZ), "");
+  EXPECT_EQ(bytes_of(file), std::string(50'000, 'o'));
+}
+
+TEST(WholeFile, owner_of_a_replaced_file_remains) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give files to others";
+  const TemporaryDirectory directory;
+  const std::string file = directory.with("a.json", "old");
+  ASSERT_EQ(chown(file.c_str(), 1234, 5678), 0);
+  write_whole_file(file, "new");
+  struct stat facts {};
+  ASSERT_EQ(stat(file.c_str(), &facts), 0);
+  EXPECT_EQ(facts.st_uid, 1234U);
+  EXPECT_EQ(facts.st_gid, 5678U);
 }
 
 TEST(WholeFile, signals_that_end_the_program_leave_the_old_file_and_no_other) {

@@ -11,6 +11,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -83,19 +84,84 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// Whether the other names of a file (hard links), its owner and its group are not lost when
-/// another file takes its place.
-bool is_replaceable(const struct stat& old, const struct stat& finished) {
-  return old.st_nlink == 1 && old.st_uid == finished.st_uid && old.st_gid == finished.st_gid;
+/// Whether a finished file can take the place of another: it has no other names (hard links), and
+/// its owner and its group can be given to the finished one.
+bool can_be_replaced(const struct stat& old, const std::string& finished) {
+  struct stat facts {};
+  if (old.st_nlink > 1 || stat(finished.c_str(), &facts) != 0) return false;
+  if (old.st_uid == facts.st_uid && old.st_gid == facts.st_gid) return true;
+  return lchown(finished.c_str(), old.st_uid, old.st_gid) == 0;
 }
 
+/// Gives a file one more name, which no other file has.
+std::string second_name(const std::string& file, const std::string& wish) {
+  std::string name = wish;
+  for (int i = 2; link(file.c_str(), name.c_str()) != 0; ++i) {
+    if (errno != EEXIST) cannot_write_by_errno(name);
+    name = wish + std::to_string(i);
+  }
+  return name;
+}
+
+class Descriptor {
+ public:
+  Descriptor(const std::string& path, int flags) : number_(open(path.c_str(), flags | O_CLOEXEC)) {
+    if (number_ < 0) cannot_write_by_errno(path);
+  }
+  ~Descriptor() { close(number_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] off_t size() const {
+    struct stat facts {};
+    return fstat(number_, &facts) == 0 ? facts.st_size : 0;
+  }
+
+ private:
+  int number_;
+};
+
+/// Takes the room on the disk for a file that may grow; its bytes remain as they are.
+void reserve(const Descriptor& to, off_t size, const std::string& path) {
+  const off_t old_size = to.size();
+  int error = 0;
+  do {
+    error = size > 0 ? posix_fallocate(to.number(), 0, size) : 0;
+  } while (error == EINTR);
+  if (error == 0) return;
+  static_cast<void>(!ftruncate(to.number(), old_size));
+  cannot_write(path, std::generic_category().message(error));
+}
+
+/// False with errno where not all bytes are on the disk.
+bool copy_bytes(const Descriptor& from, const Descriptor& to) {
+  const off_t size = from.size();
+  for (off_t done = 0; done < size;) {
+    const ssize_t count =
+        sendfile(to.number(), from.number(), nullptr, static_cast<std::size_t>(size - done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count == 0) errno = EIO;  // it became shorter
+    if (count <= 0) return false;
+    done += count;
+  }
+  return ftruncate(to.number(), size) == 0 && fsync(to.number()) == 0;
+}
+
+/// Copies into a file whose names and owner remain. Until the copy is whole, the finished file has
+/// a second name, which neither a signal nor a failure removes.
 void overwrite(const std::string& path, const std::string& finished) {
-  errno = 0;
-  std::ifstream from(finished, std::ios::binary);
-  std::ofstream to(path, std::ios::binary | std::ios::trunc);
-  if (from.peek() != std::ifstream::traits_type::eof()) to << from.rdbuf();
-  to.close();
-  if (!from.is_open() || !to) cannot_write_by_errno(path);
+  const Descriptor from(finished, O_RDONLY);
+  const Descriptor to(path, O_WRONLY);
+  reserve(to, from.size(), path);
+  const std::string whole = second_name(finished, path + ".whole");
+  if (!copy_bytes(from, to)) {
+    cannot_write(path,
+                 std::generic_category().message(errno) + "; all of it is in '" + whole + "'");
+  }
+  unlink(whole.c_str());
   unlink(finished.c_str());
 }
 
@@ -130,10 +196,8 @@ void check_target(const std::string& path) {
 void replace_file(const std::string& path, const std::string& finished) {
   const std::string target = target_of(path);
   struct stat old {};
-  struct stat facts {};
   if (stat(target.c_str(), &old) == 0) {
-    if (stat(finished.c_str(), &facts) != 0) cannot_write_by_errno(path);
-    if (!is_replaceable(old, facts)) return overwrite(target, finished);
+    if (!can_be_replaced(old, finished)) return overwrite(target, finished);
     if (chmod(finished.c_str(), old.st_mode & 07777) != 0) cannot_write_by_errno(path);
   }
   if (std::rename(finished.c_str(), target.c_str()) != 0) cannot_write_by_errno(path);
