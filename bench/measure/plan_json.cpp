@@ -8,6 +8,7 @@
 
 #include "harness/case_json.hpp"
 #include "peers/peers.hpp"
+#include "support/json_field.hpp"
 
 namespace thinbench {
 
@@ -105,7 +106,7 @@ json plan_json(const Plan& plan, const Selection& selection, const std::vector<T
 
 Plan plan_from_json(const std::string& text) {
   try {
-    const json object = json::parse(text);
+    const json object = parse_json(text, "standard input");
     return {object.at("sources").get<InputChoice>(), object.at("groups").get<std::vector<Group>>()};
   } catch (const json::exception& error) {
     throw std::runtime_error(std::string("standard input holds no plan: ") + error.what());

@@ -4,6 +4,7 @@
 
 #include "machine/machine.hpp"
 #include "study/study.hpp"
+#include "support/json_field.hpp"
 
 namespace thinbench {
 namespace {
@@ -15,8 +16,11 @@ struct MachineOptions {
 };
 
 nlohmann::json parsed_options(const std::string& text) {
-  auto options = nlohmann::json::parse(text, nullptr, false);
-  if (options.is_object()) return options;
+  try {
+    auto options = parse_json(text, "--options");
+    if (options.is_object()) return options;
+  } catch (const std::runtime_error&) {
+  }
   throw UsageError("--options: '" + text + R"(' is not a JSON object such as {"quick": true})");
 }
 

@@ -44,7 +44,7 @@ class Journal:
         whole, _, _ = read_bytes(path).rpartition(b"\n")
         try:
             header, *lines = [json.loads(line) for line in whole.decode().splitlines()]
-        except ValueError:
+        except (ValueError, RecursionError):
             raise ReportError(f"{path}: cannot be continued; delete it, or choose another "
                               "--out") from None
         check_schema("unfinished", header, str(path))

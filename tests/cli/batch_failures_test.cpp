@@ -143,6 +143,17 @@ TEST_F(BatchFailures, file_that_is_no_manifest_is_never_replaced) {
   EXPECT_EQ(manifest_format("A.CSV"), ManifestFormat::csv);
 }
 
+TEST(ManifestText, nested_values_are_no_records) {
+  constexpr int depth = 100'000;
+  const std::string nested = std::string(depth, '[') + std::string(depth, ']');
+  for (const std::string key : {"page", "output", "other"}) {
+    const std::string line = R"({"file":"a",")" + key + "\":" + nested + "}\n";
+    EXPECT_EQ(rejection_of<std::runtime_error>(
+                  [&] { static_cast<void>(parse_manifest(line, ManifestFormat::json_lines)); }),
+              "it is no manifest of this program: a line is no record");
+  }
+}
+
 TEST(ManifestText, values_of_wrong_types_are_no_records) {
   for (const char* line :
        {R"({"file":1,"output":7,"error":null})", R"({"file":1,"page":1e300,"error":null})",

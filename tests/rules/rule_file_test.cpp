@@ -143,7 +143,9 @@ TEST(RuleFile, errors_of_structure) {
             R"(rule.json: the key "hensel" is repeated)");
   EXPECT_EQ(error_of(R"({"sub_iterations": [{"hensel": "B/S"}, {"raster": 1, "raster": 2}]})"),
             R"(rule.json: the key "raster" is repeated)");
-  EXPECT_EQ(error_of(R"({"sub_iterations": [{"patterns": [[]]}]})"),
+  EXPECT_EQ(error_of(std::string(16, '[') + std::string(16, ']')),
+            "rule.json: the outermost value must be an object");
+  EXPECT_EQ(error_of(std::string(17, '[') + std::string(17, ']')),
             "rule.json: values are nested too deep");
   EXPECT_EQ(error_of(std::string(900000, '[')), "rule.json: values are nested too deep");
   EXPECT_EQ(error_of(R"({"hensel": "B/S", "max_iterations": 1e999})"),

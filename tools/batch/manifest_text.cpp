@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/usage.hpp"
+#include "support/json_field.hpp"
 #include "support/text.hpp"
 
 namespace thinbench {
@@ -141,14 +142,15 @@ ManifestText parse_csv(std::string_view text) {
 /// A line of JSON with its newline.
 ManifestLine line_of_json(const std::string& line) {
   try {
-    const Json json = Json::parse(line);
-    const Json page = json.value("page", Json(1));
+    const nlohmann::json json = parse_json(line, "a line");
+    const nlohmann::json page = json.value("page", nlohmann::json(1));
     return {line, json.value("output", ""),
             static_cast<int>(page.get_ref<const Json::number_integer_t&>()),
             json.value("operation", ""), !json.at("error").is_null()};
-  } catch (const Json::exception&) {
-    fail("a line is no record");
+  } catch (const nlohmann::json::exception&) {  // falls through, as the next
+  } catch (const std::runtime_error&) {
   }
+  fail("a line is no record");
 }
 
 ManifestText parse_json_lines(std::string_view text) {

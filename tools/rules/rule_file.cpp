@@ -21,7 +21,6 @@ using Json = nlohmann::json;
 using Values = std::vector<std::uint8_t>;
 
 constexpr std::size_t kMaxBytes = 1'000'000;
-constexpr int kMaxDepth = 4;  // the rule, its list, a table, the table's list
 
 /// The table that `make` returns; its errors name the field.
 template <class Make>
@@ -164,30 +163,23 @@ int read_limit(const JsonField& field) {
   return static_cast<int>(limit);
 }
 
-/// Rejects repeated keys, of which the parser would take the last, and values too deep.
-class StructureCheck {
+/// Rejects repeated keys, of which the parser would take the last.
+class RepeatedKeys {
  public:
-  explicit StructureCheck(const std::string& file) : file_(file) {}
+  explicit RepeatedKeys(const std::string& file) : file_(file) {}
 
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     const auto level = static_cast<std::size_t>(depth);
-    const bool begins =
-        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-    if (begins && depth >= kMaxDepth) fail("values are nested too deep");
     if (event == Json::parse_event_t::object_start) keys_[level + 1].clear();
     if (event == Json::parse_event_t::key && !keys_[level].insert(parsed.dump()).second) {
-      fail("the key " + shown(parsed) + " is repeated");
+      throw std::runtime_error(file_ + ": the key " + shown(parsed) + " is repeated");
     }
     return true;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw std::runtime_error(file_ + ": " + problem);
-  }
-
   const std::string& file_;
-  std::set<std::string> keys_[kMaxDepth + 1];  // of the object at each depth
+  std::set<std::string> keys_[kMaxJsonDepth + 1];  // of the object at each depth
 };
 
 std::string hexadecimal(const WindowTable& table) {
@@ -203,7 +195,7 @@ std::string hexadecimal(const WindowTable& table) {
 }  // namespace
 
 RuleDescription parse_rule(const std::string& text, const std::string& name) {
-  StructureCheck check(name);
+  RepeatedKeys check(name);
   const Json json = parse_json(text, name, std::ref(check));
   const JsonField root(json, name, "");
   root.allow_only({"name", "sub_iterations", "hensel", "border", "max_iterations"});

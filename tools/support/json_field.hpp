@@ -85,11 +85,22 @@ class JsonField {
   std::string name_;
 };
 
+/// Of objects and lists within each other: nlohmann_json copies and prints them by recursion.
+inline constexpr int kMaxJsonDepth = 16;
+
 /// JSON of a text; `name` stands for the file in errors. `filter` as for nlohmann::json::parse.
 inline nlohmann::json parse_json(const std::string& text, const std::string& name,
                                  const nlohmann::json::parser_callback_t& filter = nullptr) {
+  using Event = nlohmann::json::parse_event_t;
+  const auto check = [&](int depth, Event event, nlohmann::json& parsed) {
+    const bool begins = event == Event::object_start || event == Event::array_start;
+    if (begins && depth >= kMaxJsonDepth) {
+      throw std::runtime_error(name + ": values are nested too deep");
+    }
+    return !filter || filter(depth, event, parsed);
+  };
   try {
-    return nlohmann::json::parse(text, filter);
+    return nlohmann::json::parse(text, check);
   } catch (const nlohmann::json::parse_error& error) {
     throw std::runtime_error(name + ": not JSON, or truncated, at byte " +
                              std::to_string(error.byte) + " of " + std::to_string(text.size()));
