@@ -1,5 +1,7 @@
 // Runs that are killed and resumed.
+#include <climits>
 #include <csignal>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 
@@ -148,7 +150,9 @@ TEST(Resume, run_with_other_options_or_tables_is_rejected_and_keeps_the_files) {
   other_options.thinning.border = Border::keep;
   OutOfCoreRun other_tables = prepared.run;
   other_tables.rule = as_tables(Rule::zhang_suen);
-  for (OutOfCoreRun other : {other_options, other_tables}) {
+  OutOfCoreRun other_order = prepared.run;
+  other_order.format.order = BitOrder::lsb_first;
+  for (OutOfCoreRun other : {other_options, other_tables, other_order}) {
     other.resume = true;
     const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
     EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
@@ -254,22 +258,88 @@ TEST(Resume, invalid_enumerators_and_limits_are_rejected_before_there_is_a_file)
   EXPECT_EQ(prepared.directory.names(), Names{"in"});
 }
 
+constexpr const char* kDamaged = "': the file is damaged; run without --resume to begin again";
+
 TEST(Resume, damaged_state_is_reported) {
   PreparedRun prepared = thick_strokes();
   ASSERT_TRUE(run_and_kill(prepared.run, 40));
-  const std::string state = prepared.directory.with(".out.thinbench-state", "{\"run\": 3");
+  const std::string state = prepared.directory.file(".out.thinbench-state");
+  const std::string bytes = bytes_of(state);
   prepared.run.resume = true;
-  EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
-            "cannot resume from '" + state + "': the file is damaged");
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ 1);
+    static_cast<void>(prepared.directory.with(".out.thinbench-state", damaged));
+    EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
+              "cannot resume from '" + state + kDamaged)
+        << damaged;
+  }
+  static_cast<void>(prepared.directory.with(".out.thinbench-state", bytes));
+  thin_out_of_core(prepared.run);
+  EXPECT_TRUE(prepared.result() == undisturbed().bytes);
 }
 
-TEST(Resume, numbers_of_a_state_that_are_no_integers_are_damage) {
+TEST(Resume, values_that_no_run_writes_are_damage_even_with_their_checksum) {
   const TemporaryDirectory directory;
-  const std::string state = directory.with(
-      "state",
-      R"({"run": "r", "passes": 1e300, "iterations": 1, "foreground_before": 1, "foreground_after": 1, "tiles": "0"})");
-  EXPECT_EQ(rejection_of<FileError>([&] { static_cast<void>(load_checkpoint(state, "r", 1)); }),
-            "cannot resume from '" + state + "': the file is damaged");
+  const std::string state = directory.file("state");
+  const CheckpointLimits limits{2, 100, 5};
+  const Checkpoint good{5, 100, 9, {true, false}, "0"};
+  const auto saved_and_loaded = [&](const auto& change) {
+    Checkpoint checkpoint = good;
+    change(checkpoint);
+    save_checkpoint(state, "run", checkpoint);
+    return rejection_of<FileError>(
+        [&] { static_cast<void>(load_checkpoint(state, "run", limits)); });
+  };
+  EXPECT_EQ(saved_and_loaded([](Checkpoint&) {}), "");
+  const std::string damaged = "cannot resume from '" + state + kDamaged;
+  for (const int passes : {-1, 0, 6, INT_MAX}) {
+    EXPECT_EQ(saved_and_loaded([&](Checkpoint& one) { one.passes = passes; }), damaged) << passes;
+  }
+  for (const Index pixels : {Index{-1}, Index{101}, INT64_MAX}) {
+    EXPECT_EQ(saved_and_loaded([&](Checkpoint& one) { one.foreground_before = pixels; }), damaged);
+    EXPECT_EQ(saved_and_loaded([&](Checkpoint& one) { one.foreground_after = pixels; }), damaged);
+  }
+  for (const std::size_t tiles : {0U, 1U, 3U}) {
+    EXPECT_EQ(saved_and_loaded([&](Checkpoint& one) { one.unsettled.resize(tiles); }), damaged);
+  }
+}
+
+void flip_a_bit(const std::string& file) {
+  std::string bytes = bytes_of(file);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+TEST(Resume, work_file_that_is_needed_is_checked_and_the_other_is_not_needed) {
+  const Expected expected = undisturbed();
+  PreparedRun prepared = thick_strokes();
+  ASSERT_TRUE(run_and_kill(prepared.run, 60));  // in the third pass: from b to a
+  prepared.run.resume = true;
+  const std::string needed = prepared.directory.file(".out.thinbench-b");
+  flip_a_bit(needed);
+  EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
+            "cannot read '" + needed +
+                "': its pixels are not those that the interrupted run wrote; run without --resume "
+                "to begin again");
+  flip_a_bit(needed);
+  flip_a_bit(prepared.directory.file(".out.thinbench-a"));
+  EXPECT_EQ(thin_out_of_core(prepared.run).iterations, expected.iterations);
+  EXPECT_TRUE(prepared.result() == expected.bytes);
+}
+
+TEST(Resume, another_input_of_the_same_size_and_time_is_rejected) {
+  PreparedRun prepared = thick_strokes();
+  ASSERT_TRUE(run_and_kill(prepared.run, 40));
+  prepared.run.resume = true;
+  const auto time = std::filesystem::last_write_time(prepared.run.in);
+  flip_a_bit(prepared.run.in);
+  std::filesystem::last_write_time(prepared.run.in, time);
+  const std::string error = rejection_of<FileError>([&] { thin_out_of_core(prepared.run); });
+  EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+  flip_a_bit(prepared.run.in);  // its time is another, but not its pixels
+  thin_out_of_core(prepared.run);
+  EXPECT_TRUE(prepared.result() == undisturbed().bytes);
 }
 
 }  // namespace

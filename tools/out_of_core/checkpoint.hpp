@@ -9,19 +9,20 @@
 
 namespace thinbench {
 
-/// What a pass did with a tile.
-struct TileState {
-  bool changed = false;    // the pass removed pixels of it
-  bool unsettled = false;  // so did the last iteration of the pass
-};
-
 /// The state after a pass.
 struct Checkpoint {
   int passes = 0;
-  int iterations = 0;  // of all passes
   Index foreground_before = 0;
   Index foreground_after = 0;
-  std::vector<TileState> tiles;
+  std::vector<bool> unsettled;  // for each tile, whether the last iteration removed pixels of it
+  std::string pixels;           // a hash of the image that the pass wrote
+};
+
+/// What the checkpoints of a run can hold.
+struct CheckpointLimits {
+  Index tiles = 0;
+  Index pixels = 0;
+  int max_passes = 0;
 };
 
 /// Writes a file, which may be replaced by half of it after a kill. `identity` is a text that only
@@ -29,9 +30,10 @@ struct Checkpoint {
 void save_checkpoint(const std::string& path, const std::string& identity,
                      const Checkpoint& checkpoint);
 
-/// Nothing if there is no such file. Throws FileError if the file is damaged, has another identity
-/// or another number of tiles.
+/// Nothing if there is no such file. Throws FileError if the file has another identity, a checksum
+/// that is not that of the rest, or a value of another type or beyond the limits.
 [[nodiscard]] std::optional<Checkpoint> load_checkpoint(const std::string& path,
-                                                        const std::string& identity, Index tiles);
+                                                        const std::string& identity,
+                                                        const CheckpointLimits& limits);
 
 }  // namespace thinbench

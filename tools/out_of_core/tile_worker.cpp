@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "support/content_hash.hpp"
+
 namespace thinbench {
 
 namespace {
@@ -51,6 +53,14 @@ void TileWorker::read(const PackedFile& source, Index tile) {
 void TileWorker::write(const PackedFile& target) const {
   const PackedView tile = tile_view();
   target.write(tile_, tile.data, tile.stride);
+}
+
+std::uint64_t TileWorker::hash() const {
+  const PackedView tile = tile_view();
+  const auto bytes = static_cast<std::size_t>(packed_row_bytes(tile.width));
+  std::uint64_t hash = 0;
+  for (Index y = 0; y < tile.height; ++y) hash = hash_of(tile.row(y), bytes, hash);
+  return hash;
 }
 
 int TileWorker::run(CachedState& cached, int iterations) {

@@ -18,6 +18,12 @@ namespace thinbench {
 /// states of 1.25 times its size, one for many iterations and one for the last.
 inline constexpr Index kMemoryPerBlockByte = 4;
 
+/// What a pass did with a tile.
+struct TileState {
+  bool changed = false;    // the pass removed pixels of it
+  bool unsettled = false;  // so did the last iteration of the pass
+};
+
 struct TileOutcome {
   TileState state;
   Index before = 0;  // foreground pixels
@@ -39,6 +45,8 @@ class TileWorker {
   void read(const PackedFile& source, Index tile);
   /// Writes the tile that was read last.
   void write(const PackedFile& target) const;
+  /// A hash of the tile that was read last, as it is now.
+  [[nodiscard]] std::uint64_t hash() const;
 
   /// The exact last iteration of a pass that removed pixels of a tile, if it is above `at_least`;
   /// else `at_least`. `outcome` is that of advance() from the same source.

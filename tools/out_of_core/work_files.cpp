@@ -49,12 +49,8 @@ LockedFile::~LockedFile() {
 }
 
 WorkFiles::WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
-                     Conversion conversion, int files, std::string identity)
-    : in_(in),
-      out_(out),
-      format_(format),
-      conversion_(std::move(conversion)),
-      identity_(std::move(identity)) {
+                     Conversion conversion, int files)
+    : in_(in), out_(out), format_(format), conversion_(std::move(conversion)) {
   check_target(out);
   const std::string target = target_of(out);
   const std::string base = fmt::format("{}/.{}.thinbench-", directory_of(target),
@@ -80,8 +76,9 @@ void WorkFiles::check_space(int files) const {
                               megabytes(needed), directory, megabytes(free)));
 }
 
-std::optional<Checkpoint> WorkFiles::load(Index tiles) const {
-  return load_checkpoint(state_name_, identity_, tiles);
+std::optional<Checkpoint> WorkFiles::load(const std::string& identity,
+                                          const CheckpointLimits& limits) const {
+  return load_checkpoint(state_name_, identity, limits);
 }
 
 void WorkFiles::drop_checkpoint() {
@@ -98,17 +95,17 @@ PackedFile WorkFiles::open_input() const {
   return file;
 }
 
-void WorkFiles::open(int pass) {
+void WorkFiles::open(int pass, bool new_target) {
   source_ = pass == 0
                 ? open_input()
                 : PackedFile::reopen(names_[static_cast<std::size_t>((pass - 1) % 2)], format_);
   const std::string& name = names_[static_cast<std::size_t>(pass % 2)];
-  target_ = pass < 2 ? PackedFile::create(name, format_) : PackedFile::reopen(name, format_);
+  target_ = new_target ? PackedFile::create(name, format_) : PackedFile::reopen(name, format_);
 }
 
-void WorkFiles::save(const Checkpoint& checkpoint) {
+void WorkFiles::save(const std::string& identity, const Checkpoint& checkpoint) {
   target_.synchronise();
-  save_checkpoint(new_file_->name(), identity_, checkpoint);
+  save_checkpoint(new_file_->name(), identity, checkpoint);
   replace_file(state_name_, new_file_->name());
   for (std::optional<UnfinishedFile>& file : unfinished_) {
     if (file) file->keep();

@@ -33,9 +33,9 @@ class LockedFile {
 class WorkFiles {
  public:
   /// Checks that the directory of `out` has room for `files` work files and that no other run
-  /// writes them. `identity` as in Checkpoint.
+  /// writes them.
   WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
-            Conversion conversion, int files, std::string identity);
+            Conversion conversion, int files);
   /// Removes the work files unless there is a checkpoint; so do signals that end the program.
   ~WorkFiles();
   WorkFiles(const WorkFiles&) = delete;
@@ -44,16 +44,17 @@ class WorkFiles {
   WorkFiles& operator=(WorkFiles&&) = delete;
 
   /// The checkpoint of an interrupted run, if there is one.
-  [[nodiscard]] std::optional<Checkpoint> load(Index tiles) const;
+  [[nodiscard]] std::optional<Checkpoint> load(const std::string& identity,
+                                               const CheckpointLimits& limits) const;
   /// Removes the checkpoint: the run begins again, or has ended.
   void drop_checkpoint();
 
-  /// Opens the files of a pass.
-  void open(int pass);
+  /// Opens the files of a pass; the target is new where nothing of it is needed.
+  void open(int pass, bool new_target);
   [[nodiscard]] const PackedFile& source() const { return source_; }
   [[nodiscard]] const PackedFile& target() const { return target_; }
   /// Saves the state after a pass, with all that the pass wrote.
-  void save(const Checkpoint& checkpoint);
+  void save(const std::string& identity, const Checkpoint& checkpoint);
   /// Makes the target the output, or the output of the target.
   void finish();
 
@@ -65,7 +66,6 @@ class WorkFiles {
   std::string out_;
   PackedFormat format_;
   Conversion conversion_;
-  std::string identity_;
   std::array<std::string, 2> names_;
   std::string state_name_;
   std::optional<LockedFile> lock_;

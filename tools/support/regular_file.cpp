@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "support/content_hash.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -31,7 +33,7 @@ class RegularFile {
 
   [[nodiscard]] std::int64_t size() const { return size_; }
 
-  /// The first bytes; fewer if it became shorter.
+  /// The next bytes; fewer at the end.
   [[nodiscard]] std::string bytes(std::size_t count) const {
     std::string text(count, '\0');
     std::size_t done = 0;
@@ -68,6 +70,18 @@ std::string read_whole_file(const std::string& path, std::size_t max_bytes) {
   if (size > max_bytes)
     cannot_read(path, fmt::format("it has more than {} bytes", fmt::group_digits(max_bytes)));
   return file.bytes(size);
+}
+
+std::uint64_t hash_of_file(const std::string& path) {
+  constexpr std::size_t part = 1 << 18;
+  const RegularFile file(path);
+  std::uint64_t hash = 0;
+  std::string bytes;
+  do {
+    bytes = file.bytes(part);
+    hash = hash_of(bytes.data(), bytes.size(), hash);
+  } while (bytes.size() == part);
+  return hash;
 }
 
 }  // namespace thinbench

@@ -18,4 +18,7 @@ namespace thinbench {
 /// All bytes of a regular file. Throws FileError, too, if it has more than `max_bytes`.
 [[nodiscard]] std::string read_whole_file(const std::string& path, std::size_t max_bytes);
 
+/// A hash of all bytes of a regular file (content_hash.hpp). Throws FileError.
+[[nodiscard]] std::uint64_t hash_of_file(const std::string& path);
+
 }  // namespace thinbench
