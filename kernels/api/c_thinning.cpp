@@ -34,8 +34,7 @@ Stack part_of(Stack stack, Index first, Index last) {
 /// A number of threads for which each has enough images.
 int useful_threads(Index images, int threads) {
   constexpr Index images_per_thread = 16;
-  return static_cast<int>(
-      std::clamp<Index>((images + images_per_thread - 1) / images_per_thread, 1, threads));
+  return static_cast<int>(std::clamp<Index>((images - 1) / images_per_thread + 1, 1, threads));
 }
 
 /// Thins a stack in parts that stay in the cache until their foreground has its value.
@@ -46,6 +45,7 @@ int run_stack(ThinningCall call, const ConstStackView& source, const StackView& 
   require_threads(call.execution.threads);
   call.execution.threads = useful_threads(source.count, call.execution.threads);
   ThinningBatch batch(call.rule, source.width, source.height, call.thinning, call.execution);
+  if (source.width == 0 || source.height == 0) return batch(source, destination);
   const Index image_bytes = std::max<Index>(1, source.height * source.stride);
   const Index part = std::max<Index>(16, part_bytes / image_bytes * call.execution.threads);
   int iterations = 0;

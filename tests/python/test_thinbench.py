@@ -79,6 +79,12 @@ def test_small_and_empty_images_are_accepted(shape):
         assert thinbench.regions(np.ones(shape, bool), return_labels=True)[1].shape == shape
 
 
+@pytest.mark.parametrize("rule", ["guo_hall", "majority", "mb2", "spta"])
+@pytest.mark.parametrize("shape", [(2**62, 0, 0), (2**62, 0, 1), (2**62, 1, 0)])
+def test_stacks_without_pixels_take_no_time(rule, shape):
+    assert thinbench.thin(np.empty(shape, bool), rule, threads=2).shape == shape
+
+
 def read_only() -> np.ndarray:
     array = np.zeros((4, 4), bool)
     array.flags.writeable = False
