@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,8 @@ PROGRAMS = ("thinbench_study", "thinbench_sampler", "thinbench_benchmarks",
 
 def build(preset: str, targets: Sequence[str] = (), root: Path = ROOT) -> Path:
     """Returns the directory of the programs. The log is shown only if something fails."""
+    if shutil.which("cmake") is None:
+        raise ReportError("there is no program 'cmake'; leave out --no-install, or install it")
     log = root / "build" / f"{preset}.log"
     _check_writable(root / "build" / preset, log)
     with log.open("w", encoding="utf-8") as out:

@@ -13,7 +13,7 @@ from typing import Any
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.errors import ReportError
-from report.files import write_files
+from report.files import check_directory, write_files
 from report.measure.run import Run, load_run
 from report.measure.timings import END_TO_END, Row
 
@@ -45,6 +45,7 @@ def run_compare(parser: argparse.ArgumentParser, options: argparse.Namespace) ->
     """Returns the summary to print."""
     if len(options.runs) < 2:
         parser.error(f"expected two runs or more, got {options.runs[0]} alone")
+    check_directory(options.out)
     return compare_runs([load_run(directory) for directory in options.runs], options.out)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import lzma
 import os
+import tempfile
 from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any
@@ -35,6 +36,19 @@ def write_files(directory: Path, outputs: dict[str, bytes]) -> None:
         for temporary, _ in staged:
             with suppress(OSError):
                 temporary.unlink()
+
+
+def check_directory(directory: Path) -> None:
+    """Rejects what writing would fail at after all the work. Nothing is made."""
+    existing = directory.absolute()
+    while not os.path.lexists(existing):
+        existing = existing.parent
+    try:
+        with tempfile.TemporaryFile(dir=existing):
+            pass
+    except OSError as error:
+        raise ReportError(f"{existing}: cannot be written: {error.strerror}; "
+                          "a directory that may be written to is needed") from None
 
 
 def _target(path: Path) -> Path:

@@ -9,9 +9,12 @@ from report.building import ROOT
 
 
 def git(*arguments: str, root: Path = ROOT) -> str | None:
-    """The output of a git command, or None where it fails."""
-    done = subprocess.run(["git", "-C", root, *arguments], check=False, text=True,
-                          capture_output=True)
+    """The output of a git command, or None where it fails or there is no git."""
+    try:
+        done = subprocess.run(["git", "-C", root, *arguments], check=False, text=True,
+                              capture_output=True)
+    except FileNotFoundError:
+        return None
     return done.stdout.strip() if done.returncode == 0 else None
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from report.building import PROGRAMS, ROOT, build
 from report.errors import ReportError
+from report.files import check_directory
 from report.git import commit_name
 from report.measure.converge import measure_until_converged
 from report.measure.run import machine_facts, write_run
@@ -16,6 +17,8 @@ from report.measure.sampler import Json, Sampler, Samples
 from report.model import add_model
 from report.row_options import (add_row_options, binarise_words, check_binarise_options,
                                 input_words, positive)
+
+RESULTS = ROOT / "results"
 
 SERIES = "^(thin_naccache_shinghal|edges_sobel|holes|localise_objects)/.*/end_to_end/"
 """What the default series of sizes measures."""
@@ -62,6 +65,7 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
 def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
     """Returns the summary to print."""
     check_binarise_options(parser, options, options.image + options.quality_image)
+    check_directory(options.out or RESULTS)
     programs = build("release", PROGRAMS)
     machine = machine_facts(programs / "thinbench-study", commit_name())
     directory = options.out or default_directory(machine)
@@ -82,7 +86,7 @@ def default_directory(machine: Json) -> Path:
     """Below results/, by machine, date and commit."""
     today = datetime.datetime.now(datetime.timezone.utc).date()
     name = f"{today}-{machine['commit']}"
-    return ROOT / "results" / str(machine["fingerprint"]) / name
+    return RESULTS / str(machine["fingerprint"]) / name
 
 
 def _plans(options: argparse.Namespace) -> list[list[str]]:

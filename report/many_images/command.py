@@ -13,12 +13,12 @@ from typing import Any
 
 from report.building import build
 from report.errors import ReportError
-from report.files import write_file, write_files
+from report.files import check_directory, write_file, write_files
 from report.git import commit_name
 from report.measure.load import LoadMeter
 from report.measure.run import machine_facts
 from report.row_options import positive
-from report.study import default_directory
+from report.study import RESULTS, default_directory
 
 CSV = "many_images.csv"
 
@@ -68,6 +68,7 @@ def add_many_images_command(parser: argparse.ArgumentParser) -> None:
 
 def run_many_images(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
     """Returns the summary to print."""
+    check_directory(options.out or RESULTS)
     programs = build("release", ("thinbench_program", "thinbench_study", "thinbench_python"))
     chosen = {name: value for name in ("files", "rounds") if (value := getattr(options, name))}
     sizes = Sizes(**vars(QUICK if options.quick else Sizes()) | chosen)

@@ -109,7 +109,7 @@ def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
     if options.against is not None and git("rev-parse", "--verify", "--quiet",
                                f"{options.against}^{{commit}}") is None:
         parser.error(f"there is no commit '{options.against}' in this clone; a shallow one lacks "
-                     "most of them")
+                     "most of them, and without git there are none")
     if options.against is not None and options.base_build is not None:
         parser.error("--against builds a commit, --base-build is a build: give one of them")
     if options.update:

@@ -7,13 +7,13 @@ from pathlib import Path
 
 from report.building import ROOT, build
 from report.errors import ReportError
-from report.files import write_file
+from report.files import check_directory, write_file
 from report.git import commit_name
 from report.measure.converge import measure_until_converged
 from report.measure.run import RUN, SAMPLES, TIMINGS, load_run, machine_facts, write_run
 from report.measure.sampler import Json, Sampler, Samples
 from report.row_options import positive
-from report.study import default_directory
+from report.study import RESULTS, default_directory
 from report.sweeps.journal import NAME, Journal, Part
 from report.sweeps.plans import BY_NAME, SWEEPS, plan_words
 from report.sweeps.series import DIRECTORY, sweep_series, sweeps_markdown
@@ -62,6 +62,7 @@ def run_sweeps(parser: argparse.ArgumentParser, options: argparse.Namespace) -> 
     """Returns the summary to print."""
     if options.compiler and options.only not in ([], ["isa"]):
         parser.error("--compiler measures the sweep isa; leave out --only")
+    check_directory(options.out or RESULTS)
     presets = [GCC] + ([options.compiler] if options.compiler else [])
     builds = {preset: Build(preset, build(preset, ("thinbench_study", "thinbench_sampler")))
               for preset in presets}

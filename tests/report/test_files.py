@@ -12,7 +12,8 @@ import pytest
 from report import files
 from report.building import build
 from report.errors import ReportError
-from report.files import read_bytes, write_file
+from report.files import check_directory, read_bytes, write_file
+from report.git import commit_name
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -91,6 +92,44 @@ def test_unwritable_tree_is_named_before_the_build_can_be_blamed(tmp_path: Path)
     (tmp_path / "build").write_text("in the way")
     with pytest.raises(ReportError, match="build/release' cannot be written: .*; the build needs a"):
         build("release", (), tmp_path)
+
+
+PREPARE = """
+import sys
+import report.__main__, report.building, report.compare, report.many_images.command, report.study, report.sweeps.command
+def late(*_, **__):
+    sys.exit("too late")
+for module in (report.many_images.command, report.study, report.sweeps.command):
+    module.build = late
+report.compare.load_run = late
+sys.exit(report.__main__.main(sys.argv[1:]))
+"""
+
+
+@pytest.mark.parametrize("command", [["study"], ["sweeps"], ["many-images"], ["compare", "a", "b"]])
+def test_outputs_that_cannot_be_written_are_named_before_the_work(command: list[str], tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_text("in the way")
+    (tmp_path / "link").symlink_to("absent")
+    for name, why in (("file", "Not a directory"), ("file/a/b", "Not a directory"), ("link", "No such file")):
+        done = subprocess.run(["/usr/bin/python3", "-c", PREPARE, *command, "--out", tmp_path / name], check=False,
+                              text=True, capture_output=True, env=os.environ | {"PYTHONPATH": str(ROOT)})
+        blamed = tmp_path / name.split("/", 1)[0]
+        assert done.returncode == 1 and done.stderr.count("\n") == 1
+        assert done.stderr.startswith(f"study: {blamed}: cannot be written: {why}")
+    assert sorted(os.listdir(tmp_path)) == ["file", "link"]
+
+
+def test_directories_that_can_be_written_are_not_made_yet(tmp_path: Path) -> None:
+    check_directory(tmp_path / "a" / "b")
+    assert os.listdir(tmp_path) == []
+
+
+def test_missing_programs_are_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert commit_name() == "unknown"
+    with pytest.raises(ReportError, match="there is no program 'cmake'; leave out --no-install, or install it"):
+        build("release")
 
 
 def test_no_commit_is_named_by_nothing() -> None:
