@@ -184,7 +184,7 @@ TEST_F(BatchFailures, manifest_belongs_to_one_run_at_a_time) {
   const int descriptor = open(file.c_str(), O_RDWR);
   flock(descriptor, LOCK_EX);
   EXPECT_EQ(failure_of(words({in, "--manifest", file}, "thin_guo_hall"), 1),
-            "cannot write '" + file + "': another run is writing to it");
+            "cannot write '" + file + "': another run is writing it");
   close(descriptor);
 }
 

@@ -7,7 +7,6 @@
 #include <unordered_map>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include "support/regular_file.hpp"
@@ -19,30 +18,18 @@ Manifest::Manifest(std::string path, bool resumes)
     : path_(std::move(path)), format_(manifest_format(path_)), resumes_(resumes) {
   check_target(path_);
   const bool is_new = access(path_.c_str(), F_OK) != 0;
-  open_file();
+  file_.emplace(path_, path_, O_APPEND);
   try {
     read_lines();
     if (!resumes_) size_ = 0;
     if (!resumes_) lines_.clear();
-    if (ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) cannot_write_by_errno(path_);
+    if (ftruncate(file_->descriptor(), static_cast<off_t>(size_)) != 0)
+      cannot_write_by_errno(path_);
     if (size_ == 0) write_text(manifest_head(format_));
   } catch (...) {
-    close(descriptor_);
     if (is_new) unlink(path_.c_str());
     throw;
   }
-}
-
-Manifest::~Manifest() {
-  close(descriptor_);
-}
-
-void Manifest::open_file() {
-  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) cannot_write_by_errno(path_);
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-  close(descriptor_);
-  cannot_write(path_, "another run is writing to it");
 }
 
 void Manifest::read_lines() {
@@ -63,11 +50,11 @@ void Manifest::read_lines() {
 void Manifest::write_text(const std::string& text) {
   std::size_t done = 0;
   while (done < text.size()) {
-    const ssize_t written = write(descriptor_, text.data() + done, text.size() - done);
+    const ssize_t written = write(file_->descriptor(), text.data() + done, text.size() - done);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int error = errno;
-      static_cast<void>(!ftruncate(descriptor_, static_cast<off_t>(size_)));
+      static_cast<void>(!ftruncate(file_->descriptor(), static_cast<off_t>(size_)));
       errno = error;
       cannot_write_by_errno(path_);
     }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "batch/jobs.hpp"
 #include "batch/manifest_text.hpp"
+#include "support/locked_file.hpp"
 
 namespace thinbench {
 
@@ -19,9 +21,6 @@ class Manifest {
   /// Begins a new manifest, or goes on with one where `resumes`. What is not a manifest is never
   /// replaced.
   Manifest(std::string path, bool resumes);
-  ~Manifest();
-  Manifest(const Manifest&) = delete;
-  Manifest& operator=(const Manifest&) = delete;
 
   /// Whether the last line of each of the job's pages says that this operation wrote it.
   [[nodiscard]] bool says_done(const BatchJob& job, const std::string& operation) const;
@@ -35,14 +34,13 @@ class Manifest {
  private:
   using Key = std::pair<std::string, int>;  // output and page
 
-  void open_file();
   void read_lines();
   void write_text(const std::string& text);
 
   std::string path_;
   ManifestFormat format_;
   bool resumes_;
-  int descriptor_ = -1;
+  std::optional<LockedFile> file_;
   std::size_t size_ = 0;
   std::map<Key, ManifestLine> lines_;  // the last of each key
 };

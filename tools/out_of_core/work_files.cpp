@@ -1,13 +1,9 @@
 #include "out_of_core/work_files.hpp"
 
-#include <cerrno>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -33,20 +29,6 @@ std::string megabytes(Index bytes) {
 }
 
 }  // namespace
-
-LockedFile::LockedFile(const std::string& path, const std::string& purpose)
-    : descriptor_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-  const int number = errno;
-  if (descriptor_ >= 0) close(descriptor_);
-  throw FileError(fmt::format("cannot write '{}': {}", purpose,
-                              number == EWOULDBLOCK ? "another run is writing it"
-                                                    : std::generic_category().message(number)));
-}
-
-LockedFile::~LockedFile() {
-  close(descriptor_);
-}
 
 WorkFiles::WorkFiles(const std::string& in, const std::string& out, const PackedFormat& format,
                      Conversion conversion, int files)

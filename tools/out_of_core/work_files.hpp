@@ -8,24 +8,10 @@
 #include "images/packed_file.hpp"
 #include "out_of_core/checkpoint.hpp"
 #include "out_of_core/conversion.hpp"
+#include "support/locked_file.hpp"
 #include "support/unfinished_file.hpp"
 
 namespace thinbench {
-
-/// A file that no other process has locked; it is created if there is none.
-class LockedFile {
- public:
-  /// `purpose` is the file that the lock protects, for the error message.
-  LockedFile(const std::string& path, const std::string& purpose);
-  ~LockedFile();
-  LockedFile(const LockedFile&) = delete;
-  LockedFile& operator=(const LockedFile&) = delete;
-  LockedFile(LockedFile&&) = delete;
-  LockedFile& operator=(LockedFile&&) = delete;
-
- private:
-  int descriptor_;
-};
 
 /// Pass p reads what pass p - 1 wrote, the first one the input, and writes file p % 2. Both have
 /// the format of the output, so that the last one written becomes the output. An input that must be
