@@ -134,6 +134,8 @@ def real(name: str, value: Any) -> float:
         return float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name}: expected a number, got {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{name}: expected less than 2**1024 in magnitude") from None
 
 
 def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:

@@ -106,8 +106,9 @@ def _rule(root: Any) -> Rule:
 
 
 def _check_name(name: Any) -> None:
-    if not isinstance(name, str) or re.search(r"[\0-\x1f\x7f]", name) \
-            or not 1 <= len(name.encode(errors="replace")) <= _MAX_NAME_LENGTH:
+    """As UTF-8, which has no lone surrogates."""
+    if not isinstance(name, str) or re.search(r"[\0-\x1f\x7f\ud800-\udfff]", name) \
+            or not 1 <= len(name.encode()) <= _MAX_NAME_LENGTH:
         raise ValueError("name must have 1 to 100 bytes without control characters")
 
 

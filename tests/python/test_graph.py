@@ -191,6 +191,11 @@ def test_edges_without_cost_remain_in_csgraph():
     assert costs[0].tolist() == [0, 0, 1, 4]
 
 
+def test_number_beyond_floats_is_named():
+    with pytest.raises(ValueError, match=r"min_length: expected less than 2\*\*1024 in magnitude"):
+        thinbench.prune(RING_WITH_TAILS, 10**400)
+
+
 @pytest.mark.parametrize("value", ["a", None, [1, 2]])
 def test_what_is_no_number_is_named(value):
     with pytest.raises(TypeError, match="min_length: expected a number, got"):

@@ -418,6 +418,7 @@ LIFE = '"hensel": "B3/S23", "max_iterations": 1'
     ('{"sub_iterations": [{"patterns": [[]]}]}', "patterns is invalid"),
     ('{"sub_iterations": [{"patterns": 5}]}', "patterns is invalid"),
     (900_000 * "[", "nested too deep"),
+    (r'{"hensel": "B/S", "name": "a\ud800"}', "name must have 1 to 100 bytes"),
     ('{"hensel": "B/S"}' + 1_000_000 * " ", "more than 1,000,000 bytes"),
 ])
 def test_invalid_files_are_rejected_in_one_line(content, message, tmp_path):
@@ -564,3 +565,12 @@ def test_results_do_not_depend_on_machine_code():
     assert len(compiled.split()) == 36
     assert output(THINBENCH_MACHINE_CODE="off") == compiled
     assert output(THINBENCH_MAX_ISA="baseline") == compiled
+
+
+@pytest.mark.parametrize("shape", [(20, 30), (20, 300), (3, 20, 30)])
+def test_sub_iterations_that_undo_one_another_go_on(shape):
+    complement = np.arange(512) & 16 == 0
+    image = np.random.default_rng(1).random(shape) < 0.5
+    result, iterations = thinbench.thin(image, Rule([complement, complement], max_iterations=7), return_iterations=True)
+    np.testing.assert_array_equal(result, image)
+    assert iterations == 7
