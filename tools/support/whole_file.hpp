@@ -17,10 +17,10 @@ namespace thinbench {
 void check_target(const std::string& path);
 
 /// Gives a finished file the place of `path`, on the same file system, or of what `path` leads to
-/// through symbolic links. The mode, owner and group of a file that is replaced remain. Where it has
-/// other names (hard links), or an owner that cannot be given to another file, it is overwritten
-/// instead: room on the disk is taken first, and until all is written, the finished file is also
-/// there as `path` + ".whole", which remains if the program is killed. Throws FileError.
+/// through symbolic links. The mode, owner and group of a file that is replaced remain. Where it
+/// has other names (hard links), or an owner that cannot be given to another file, it is
+/// overwritten instead: room on the disk is taken first, and until all is written, the finished
+/// file is also there as `path` + ".whole", which a kill or a failure leaves. Throws FileError.
 void replace_file(const std::string& path, const std::string& finished);
 
 /// Writes a hidden file beside the target, then replaces the target as replace_file does; nothing
