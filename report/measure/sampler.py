@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import random
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -123,16 +122,3 @@ def seconds_of(plan: Json, chosen: Choice | None = None) -> float:
 
 def _part(group: Json, entries: Sequence[int]) -> Json:
     return group | {"entries": [group["entries"][entry] for entry in entries]}
-
-
-def measure_interleaved(jobs: Sequence[tuple[Sampler, Samples]], processes: int,
-                        on_seconds: Callable[[float], None], first_seed: int = 0,
-                        on_process: Callable[[Samples], None] = lambda samples: None) -> None:
-    """Appends `processes` processes to each job, all in random order within each round of jobs.
-    Seeds that a job has already are skipped; `on_process` is called after each process."""
-    for seed in range(first_seed, first_seed + processes):
-        order = [job for job in jobs if all(one.seed != seed for one in job[1].processes)]
-        random.Random(seed).shuffle(order)
-        for sampler, samples in order:
-            samples.processes.append(sampler.measure(samples.plan, seed, on_seconds))
-            on_process(samples)
