@@ -13,6 +13,7 @@ from report.git import commit_name
 from report.measure.converge import measure_until_converged
 from report.measure.run import machine_facts, write_run
 from report.measure.sampler import Json, Sampler, Samples
+from report.model import add_model
 from report.row_options import (add_row_options, binarise_words, check_binarise_options,
                                 input_words, positive)
 
@@ -120,13 +121,17 @@ def write_pictures(program: Path, directory: Path, options: argparse.Namespace) 
 
 
 def count_instructions(program: Path, directory: Path, options: argparse.Namespace) -> None:
-    """Instructions and lower bounds of the rows on one thread."""
+    """Instructions and clock cycles of rows on one thread, and what a model makes of them."""
+    path = directory / "limits.json"
+    path.unlink(missing_ok=True)
     words = ["--limits", "--quick"]
     if options.image:
         words += ["--image", str(options.image[0]), *binarise_words(options)]
     if options.filter:
         words += ["--filter", options.filter]
-    _run(program, "instructions", *words, "--out", str(directory / "limits.json"), allowed=(0, 2))
+    _run(program, "instructions", *words, "--out", str(path), allowed=(0, 2))
+    if path.exists():
+        add_model(path)
 
 
 def measure_quality(program: Path, directory: Path, options: argparse.Namespace) -> None:

@@ -68,16 +68,16 @@ double rounded(double value, double scale) {
   return std::round(value * scale) / scale;
 }
 
-Json limit_json(const RowLimit& limit, double issue_width) {
-  Json json = row_json(limit.count);
-  json["ns"] = rounded(limit.time.seconds * 1e9, 10);
-  json["cycle_ns"] = rounded(limit.time.seconds_per_cycle * 1e9, 1e5);
-  json["instructions_per_cycle"] = rounded(limit.instructions_per_cycle(), 1000);
-  json["limit_ns"] = rounded(limit.limit_seconds(issue_width) * 1e9, 10);
-  json["percent_of_limit"] = rounded(100 * limit.instructions_per_cycle() / issue_width, 10);
-  if (const auto each = instructions_per_row_and_iteration(limit.count)) {
+Json limit_json(const RowLimit& limit, const Limits& limits) {
+  const auto& [count, code] = limit.code;
+  Json json = row_json(count);
+  json["ns"] = rounded(limit.seconds * 1e9, 10);
+  json["cycles"] = rounded(limits.cycles(limit), 1);
+  json["instructions_per_cycle"] = rounded(limits.instructions_per_cycle(limit), 1000);
+  if (const auto each = instructions_per_row_and_iteration(count)) {
     json["instructions_per_row_and_iteration"] = rounded(*each, 10);
   }
+  json["code"] = {{"instructions", code.instructions}, {"order", code.order}};
   return json;
 }
 
@@ -101,12 +101,10 @@ Json counts_json(const TimedInput& input, const RowCounts& counts, std::uint64_t
   return document;
 }
 
-Json limits_json(const TimedInput& input, const Limits& limits, double issue_width) {
-  Json document = document_of("limits", kLimitsSchema, input, limits.callgrind, limits.skipped);
-  document["issue_width"] = issue_width;
-  for (const RowLimit& limit : limits.rows) {
-    document["rows"].push_back(limit_json(limit, issue_width));
-  }
+Json limits_json(const TimedInput& input, const Limits& limits) {
+  Json document = document_of("limits", kLimitsSchema, input, {}, limits.skipped);
+  document["cycle_ns"] = rounded(limits.seconds_per_cycle * 1e9, 1e5);
+  for (const RowLimit& limit : limits.rows) document["rows"].push_back(limit_json(limit, limits));
   return document;
 }
 
@@ -120,14 +118,14 @@ std::string counts_table(const RowCounts& counts) {
   return text;
 }
 
-std::string limits_table(const Limits& limits, double issue_width) {
-  std::string text = fmt::format("{:<80} {:>12} {:>10} {:>9} {:>10} {:>9}\n", "row", "instructions",
-                                 "us", "per cycle", "limit us", "of limit");
+std::string limits_table(const Limits& limits) {
+  std::string text = fmt::format("{:<80} {:>12} {:>10} {:>10} {:>9}\n", "row", "instructions", "us",
+                                 "cycles", "per cycle");
   for (const RowLimit& limit : limits.rows) {
-    text += fmt::format("{:<80} {:>12} {:>10.2f} {:>9.2f} {:>10.2f} {:>7.0f} %\n",
-                        limit.count.row->name, limit.count.instructions, limit.time.seconds * 1e6,
-                        limit.instructions_per_cycle(), limit.limit_seconds(issue_width) * 1e6,
-                        100 * limit.instructions_per_cycle() / issue_width);
+    const RowCount& count = limit.code.count;
+    text += fmt::format("{:<80} {:>12} {:>10.2f} {:>10.0f} {:>9.2f}\n", count.row->name,
+                        count.instructions, limit.seconds * 1e6, limits.cycles(limit),
+                        limits.instructions_per_cycle(limit));
   }
   return text;
 }

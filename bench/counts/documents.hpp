@@ -12,7 +12,7 @@
 namespace thinbench {
 
 inline constexpr int kCountsSchema = 3;
-inline constexpr int kLimitsSchema = 1;
+inline constexpr int kLimitsSchema = 2;
 inline constexpr const char* kInstructionsKind = "instructions";
 
 /// What must be equal for counts to be comparable: compiler and flags, the C library and the
@@ -22,10 +22,9 @@ inline constexpr const char* kInstructionsKind = "instructions";
 /// Flat rows, so that any tool makes CSV of them.
 [[nodiscard]] nlohmann::ordered_json counts_json(const TimedInput& input, const RowCounts& counts,
                                                  std::uint64_t max_steps);
-[[nodiscard]] nlohmann::ordered_json limits_json(const TimedInput& input, const Limits& limits,
-                                                 double issue_width);
+[[nodiscard]] nlohmann::ordered_json limits_json(const TimedInput& input, const Limits& limits);
 
 [[nodiscard]] std::string counts_table(const RowCounts& counts);
-[[nodiscard]] std::string limits_table(const Limits& limits, double issue_width);
+[[nodiscard]] std::string limits_table(const Limits& limits);
 
 }  // namespace thinbench

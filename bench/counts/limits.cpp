@@ -1,10 +1,14 @@
 #include "counts/limits.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "measure/measuring.hpp"
+#include "measure/plan.hpp"
+#include "measure/timed_call.hpp"
 #include "support/progress.hpp"
 
 namespace thinbench {
@@ -46,32 +50,51 @@ namespace {
 /// What fast rows reach; slow ones reach less and are skipped anyway.
 constexpr double kExpectedInstructionsPerCycle = 3;
 
-/// Callgrind counts hundreds of them while one is stepped over.
-constexpr std::uint64_t kUnderCallgrindPerStep = 250;
-
-bool is_too_long(const CallTime& time, std::uint64_t most_instructions) {
-  return kExpectedInstructionsPerCycle * time.seconds / time.seconds_per_cycle >
-         static_cast<double>(most_instructions);
+bool is_too_long(double cycles, std::uint64_t max_steps) {
+  return kExpectedInstructionsPerCycle * cycles > static_cast<double>(max_steps);
 }
 
-using RowTimes = std::map<const TimedRow*, CallTime>;
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
-RowTimes times_of(const std::vector<TimedRow>& rows) {
-  RowTimes times;
-  Progress progress("timing", static_cast<double>(rows.size()));
-  for (const TimedRow& row : rows) {
-    times[&row] = time_of(row);
-    progress.advance(1);
+/// The least of a few epochs, in memory of its own.
+double time_of(const TimedRow& row) {
+  constexpr int kEpochs = 10;
+  TimedCall call(row);
+  call();
+  double start = now();
+  call();
+  const double one = now() - start;
+  const int calls = std::max(1, static_cast<int>(kEpoch / std::max(one, 1e-8)));
+  double least = one;
+  for (int epoch = 0; epoch < kEpochs; ++epoch) {
+    start = now();
+    for (int i = 0; i < calls; ++i) call();
+    least = std::min(least, (now() - start) / calls);
   }
-  return times;
+  return least;
+}
+
+/// Rounds through all rows: what disturbs one for a while leaves its other rounds.
+Limits timed(const std::vector<TimedRow>& rows) {
+  constexpr int kRounds = 5;
+  Limits limits;
+  limits.seconds_per_cycle = 1;
+  for (const TimedRow& row : rows) limits.rows.push_back({{{&row, 0}, {}}, 1e9});
+  Progress progress("timing", static_cast<double>(kRounds * rows.size()));
+  for (int round = 0; round < kRounds; ++round) {
+    for (RowLimit& limit : limits.rows) {
+      limit.seconds = std::min(limit.seconds, time_of(*limit.code.count.row));
+      limits.seconds_per_cycle =
+          std::min(limits.seconds_per_cycle, machine_state().chain_ns * 1e-9);
+      progress.advance(1);
+    }
+  }
+  return limits;
 }
 
 }  // namespace
-
-CallTime time_of(const TimedRow& row) {
-  const double cycle = machine_state().chain_ns * 1e-9;  // of a dependent addition: one cycle
-  return {calibrate(row).seconds, cycle};
-}
 
 std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
   struct Best {
@@ -94,23 +117,20 @@ std::vector<TimedRow> fastest_rows(const std::vector<TimedRow>& rows) {
 }
 
 Limits limits_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps) {
-  const RowTimes times = times_of(rows);
-  Limits limits;
-  std::vector<const TimedRow*> countable;
-  for (const TimedRow& row : rows) {
-    const std::uint64_t factor = callgrind_knows(row) ? kUnderCallgrindPerStep : 1;
-    if (!is_too_long(times.at(&row), factor * max_steps)) {
-      countable.push_back(&row);
-    } else {
+  Limits limits = timed(rows);
+  Progress progress("counting", static_cast<double>(rows.size()));
+  std::erase_if(limits.rows, [&](RowLimit& limit) {
+    const TimedRow& row = *limit.code.count.row;
+    std::optional<RowCode> code;
+    if (!is_too_long(limits.cycles(limit), max_steps)) code = code_of(row, max_steps);
+    progress.advance(1);
+    if (!code) {
       limits.skipped.push_back({row.name, kTooManySteps});
+    } else {
+      limit.code = std::move(*code);
     }
-  }
-  const RowCounts counts = counts_of(countable, max_steps, [&](const TimedRow& row) {
-    return is_too_long(times.at(&row), max_steps);
+    return !code;
   });
-  for (const RowCount& count : counts.rows) limits.rows.push_back({count, times.at(count.row)});
-  limits.skipped.insert(limits.skipped.end(), counts.skipped.begin(), counts.skipped.end());
-  limits.callgrind = counts.callgrind;
   return limits;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <exception>
 #include <functional>
 #include <iterator>
@@ -11,6 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,37 +22,43 @@
 namespace thinbench {
 namespace {
 
-/// What the child reports of its call.
-struct Answer {
-  std::uint64_t instructions = 0;
-  bool finished = false;  // within the steps it had
-  std::array<char, 200> why_not{};
-};
-
-Answer answer_of(const TimedRow& row, std::uint64_t max_steps) {
-  std::optional<std::uint64_t> instructions;
-  with_warm_call(row,
-                 [&](const CountedCall& call) { instructions = instructions_of(call, max_steps); });
-  return {instructions.value_or(0), instructions.has_value(), {}};
-}
+using Json = nlohmann::json;
 
 [[noreturn]] void throw_errno(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-int answer_into(int pipe_end, const TimedRow& row, std::uint64_t max_steps) {
-  Answer answer;
+/// What the child finds of its call: {} where that takes too many steps.
+using Find = std::function<Json(const Steps&)>;
+
+Json answer_of(const TimedRow& row, std::uint64_t max_steps, const Find& find) {
+  Json answer = Json::object();
   try {
-    answer = answer_of(row, max_steps);
+    with_warm_call(row, [&](const CountedCall& call) {
+      if (const auto steps = steps_of(call, max_steps)) answer = find(*steps);
+    });
   } catch (const std::exception& error) {
-    std::strncpy(answer.why_not.data(), error.what(), answer.why_not.size() - 1);
+    answer = {{"why_not", error.what()}};
   }
-  return write(pipe_end, &answer, sizeof answer) == sizeof answer ? 0 : 1;
+  return answer;
 }
 
-/// Ends without the destructors and buffers of the parent, whose copies these are.
-[[noreturn]] void answer_and_exit(const TimedRow& row, std::uint64_t max_steps, int pipe_end) {
-  _exit(answer_into(pipe_end, row, max_steps));
+int write_to(int pipe_end, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t written = write(pipe_end, text.data() + done, text.size() - done);
+    if (written <= 0) return 1;
+    done += static_cast<std::size_t>(written);
+  }
+  return 0;
+}
+
+std::string read_from(int pipe_end) {
+  std::string text;
+  std::array<char, 4096> more{};
+  for (ssize_t got = 0; (got = read(pipe_end, more.data(), more.size())) > 0;) {
+    text.append(more.data(), static_cast<std::size_t>(got));
+  }
+  return text;
 }
 
 std::string end_of(int status) {
@@ -60,21 +66,21 @@ std::string end_of(int status) {
   return "status " + std::to_string(WEXITSTATUS(status));
 }
 
-Answer answer_of_child(const TimedRow& row, std::uint64_t max_steps) {
+/// The child ends without the destructors and buffers of the parent, whose copies these are.
+Json answer_of_child(const TimedRow& row, std::uint64_t max_steps, const Find& find) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw_errno("no pipe");
   const pid_t child = fork();
   if (child < 0) throw_errno("no process to count in");
-  if (child == 0) answer_and_exit(row, max_steps, ends[1]);
+  if (child == 0) _exit(write_to(ends[1], answer_of(row, max_steps, find).dump()));
   close(ends[1]);
-  Answer answer;
-  const bool whole = read(ends[0], &answer, sizeof answer) == sizeof answer;
+  Json answer = Json::parse(read_from(ends[0]), nullptr, false);
   close(ends[0]);
   int status = 0;
   waitpid(child, &status, 0);
-  const bool has_ended = whole && status == 0;
-  const std::string why_not =
-      has_ended ? answer.why_not.data() : "the process that counts ended with " + end_of(status);
+  const bool has_ended = answer.is_object() && status == 0;
+  const std::string why_not = has_ended ? answer.value("why_not", "")
+                                        : "the process that counts ended with " + end_of(status);
   if (why_not.empty()) return answer;
   throw std::runtime_error("instructions of " + row.name + " cannot be counted: " + why_not);
 }
@@ -90,13 +96,16 @@ bool is_far_too_long(const TimedRow& row, double seconds_per_cycle, std::uint64_
 using Rows = std::vector<const TimedRow*>;
 using Counted = std::map<const TimedRow*, RowCount>;
 
-void step_through(const Rows& rows, std::uint64_t max_steps, const IsTooLong& is_too_long,
-                  Counted& counted) {
+/// Variants whose kernel takes too many steps are not tried end to end.
+void step_through(const Rows& rows, std::uint64_t max_steps, Counted& counted) {
+  const double cycle = machine_state().chain_ns * 1e-9;
   const Variant* too_long = nullptr;
   Progress progress("counting", static_cast<double>(rows.size()));
   for (const TimedRow* row : rows) {
     std::optional<std::uint64_t> instructions;
-    if (row->variant != too_long && !is_too_long(*row)) instructions = count_of(*row, max_steps);
+    if (row->variant != too_long && !is_far_too_long(*row, cycle, max_steps)) {
+      instructions = count_of(*row, max_steps);
+    }
     if (instructions) {
       counted[row] = {row, *instructions, Method::single_steps};
     } else {
@@ -115,36 +124,48 @@ Rows those_that(const Rows& rows, const Is& is) {
 
 /// Callgrind runs beside the single steps of what it does not know; what it should have counted and
 /// did not is stepped through, too.
-Counted counted_in_two_ways(const Rows& rows, std::uint64_t max_steps, const IsTooLong& is_too_long,
-                            CallgrindUse& use) {
+Counted counted_in_two_ways(const Rows& rows, std::uint64_t max_steps, CallgrindUse& use) {
   const auto is_known = [](const TimedRow* row) { return callgrind_knows(*row); };
   const Rows known = those_that(rows, is_known);
   CallgrindRun callgrind(known);
   Counted counted;
-  step_through(those_that(rows, std::not_fn(is_known)), max_steps, is_too_long, counted);
+  step_through(those_that(rows, std::not_fn(is_known)), max_steps, counted);
   const CallgrindCounts counts = callgrind.counts();
   use = counts.use;
   for (const auto& [row, instructions] : counts.instructions) {
     counted[row] = {row, instructions, Method::callgrind};
   }
   const auto is_left = [&](const TimedRow* row) { return !counted.contains(row); };
-  step_through(those_that(known, is_left), max_steps, is_too_long, counted);
+  step_through(those_that(known, is_left), max_steps, counted);
   return counted;
 }
 
 }  // namespace
 
 std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps) {
-  const Answer answer = answer_of_child(row, max_steps);
-  if (!answer.finished) return std::nullopt;
-  return answer.instructions;
+  const Json answer = answer_of_child(row, max_steps, [](const Steps& steps) {
+    return Json{{"instructions", steps.instructions}};
+  });
+  if (answer.empty()) return std::nullopt;
+  return answer.at("instructions").get<std::uint64_t>();
 }
 
-RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t max_steps,
-                    const IsTooLong& is_too_long) {
+std::optional<RowCode> code_of(const TimedRow& row, std::uint64_t max_steps) {
+  const Json answer = answer_of_child(row, max_steps, [](const Steps& steps) {
+    const ExecutedCode code = executed_code(steps.addresses);
+    return Json{
+        {"count", steps.instructions}, {"instructions", code.instructions}, {"order", code.order}};
+  });
+  if (answer.empty()) return std::nullopt;
+  return RowCode{{&row, answer.at("count")}, {answer.at("instructions"), answer.at("order")}};
+}
+
+RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps) {
+  Rows all;
+  for (const TimedRow& row : rows) all.push_back(&row);
   RowCounts counts;
-  const Counted counted = counted_in_two_ways(rows, max_steps, is_too_long, counts.callgrind);
-  for (const TimedRow* row : rows) {
+  const Counted counted = counted_in_two_ways(all, max_steps, counts.callgrind);
+  for (const TimedRow* row : all) {
     const auto found = counted.find(row);
     if (found != counted.end()) {
       counts.rows.push_back(found->second);
@@ -153,14 +174,6 @@ RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t max_
     }
   }
   return counts;
-}
-
-RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps) {
-  Rows all;
-  for (const TimedRow& row : rows) all.push_back(&row);
-  const double cycle = machine_state().chain_ns * 1e-9;
-  return counts_of(all, max_steps,
-                   [&](const TimedRow& row) { return is_far_too_long(row, cycle, max_steps); });
 }
 
 }  // namespace thinbench

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "counts/callgrind.hpp"
+#include "counts/executed_code.hpp"
 #include "measure/timed_row.hpp"
 
 namespace thinbench {
@@ -39,15 +39,15 @@ struct RowCounts {
 /// Throws std::runtime_error where the child fails.
 [[nodiscard]] std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps);
 
-/// Whether the single steps of a row need not be tried.
-using IsTooLong = std::function<bool(const TimedRow&)>;
+/// The same count, and the code.
+struct RowCode {
+  RowCount count;
+  ExecutedCode code;
+};
+[[nodiscard]] std::optional<RowCode> code_of(const TimedRow& row, std::uint64_t max_steps);
 
 /// All these rows, of one input, which outlive the counts: by callgrind where it knows them, else
-/// by single steps. A variant whose kernel takes too many steps is not tried end to end.
-[[nodiscard]] RowCounts counts_of(const std::vector<const TimedRow*>& rows, std::uint64_t max_steps,
-                                  const IsTooLong& is_too_long);
-
-/// The same, and rows are too long whose time says so, by far.
+/// by single steps, for which a row is too long where its time says so, by far.
 [[nodiscard]] RowCounts counts_of(const std::vector<TimedRow>& rows, std::uint64_t max_steps);
 
 }  // namespace thinbench

@@ -1,7 +1,11 @@
 #include "counts/single_steps.hpp"
 
 #if defined(__x86_64__)
+#include <algorithm>
+#include <atomic>
 #include <csignal>
+#include <memory>
+#include <span>
 #include <system_error>
 
 #include <ucontext.h>
@@ -13,22 +17,22 @@ namespace {
 constexpr unsigned long long kTrapFlag = 0x100;
 
 /// What the handler of the traps keeps: it gets no argument of ours.
-struct Steps {
+struct Walk {
   std::uint64_t most = 0;
   std::uint64_t taken = 0;
   std::uint64_t instructions = 0;
-  greg_t next = 0;  // the instruction that the latest trap stood before
+  std::uint64_t* addresses = nullptr;  // room for one more than `most`
 };
 
-Steps steps;
+Walk walk;
 
 /// A trap comes before an instruction. Where that is the same as before, it repeats itself.
 void on_trap(int, siginfo_t*, void* context) {
   auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
-  const greg_t next = registers[REG_RIP];
-  if (next != steps.next) ++steps.instructions;
-  steps.next = next;
-  if (++steps.taken > steps.most) registers[REG_EFL] &= ~static_cast<greg_t>(kTrapFlag);
+  const auto next = static_cast<std::uint64_t>(registers[REG_RIP]);
+  const bool repeats = walk.instructions > 0 && next == walk.addresses[walk.instructions - 1];
+  if (!repeats) walk.addresses[walk.instructions++] = next;
+  if (++walk.taken > walk.most) registers[REG_EFL] &= ~static_cast<greg_t>(kTrapFlag);
 }
 
 class TrapHandler {
@@ -52,23 +56,39 @@ class TrapHandler {
 };
 
 /// The instructions of a call and of setting and clearing the flag round it.
-[[gnu::noinline]] Steps steps_round(const std::function<void()>& call, std::uint64_t most) {
-  steps = {.most = most};
+[[gnu::noinline]] Walk walk_through(const std::function<void()>& call, std::uint64_t most,
+                                    std::uint64_t* addresses) {
+  walk = {.most = most, .addresses = addresses};
+  std::atomic_signal_fence(std::memory_order_seq_cst);
   __writeeflags(__readeflags() | kTrapFlag);
   call();
   __writeeflags(__readeflags() & ~kTrapFlag);
-  return steps;
+  std::atomic_signal_fence(std::memory_order_seq_cst);
+  return walk;
+}
+
+std::unique_ptr<std::uint64_t[]> room_for(std::uint64_t most) {
+  return std::make_unique_for_overwrite<std::uint64_t[]>(most + 1);
 }
 
 }  // namespace
 
-std::optional<std::uint64_t> instructions_of(const std::function<void()>& call,
-                                             std::uint64_t max_steps) {
+std::optional<Steps> steps_of(const std::function<void()>& call, std::uint64_t max_steps) {
+  constexpr std::uint64_t kMostRoundACall = 1000;
   const TrapHandler handler;
-  const Steps none = steps_round([] {}, ~std::uint64_t{0});
-  const Steps all = steps_round(call, max_steps + none.taken);
+  const auto round_it = room_for(kMostRoundACall);
+  const Walk empty = walk_through([] {}, kMostRoundACall, round_it.get());
+  const auto room = room_for(max_steps + empty.taken);
+  const Walk all = walk_through(call, max_steps + empty.taken, room.get());
   if (all.taken > all.most) return std::nullopt;
-  return all.instructions - none.instructions;
+  const std::span before(round_it.get(), empty.instructions);
+  const std::span steps(room.get(), all.instructions);
+  const auto first = std::ranges::mismatch(steps, before).in1;
+  const auto last =
+      std::mismatch(steps.rbegin(), steps.rend(), before.rbegin(), before.rend()).first;
+  Steps found{all.instructions - empty.instructions, {}};
+  if (first < last.base()) found.addresses.assign(first, last.base());
+  return found;
 }
 
 }  // namespace thinbench
@@ -77,7 +97,7 @@ std::optional<std::uint64_t> instructions_of(const std::function<void()>& call,
 
 namespace thinbench {
 
-std::optional<std::uint64_t> instructions_of(const std::function<void()>&, std::uint64_t) {
+std::optional<Steps> steps_of(const std::function<void()>&, std::uint64_t) {
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "harness/splitmix64.hpp"
 #include "measure/timed_call.hpp"
@@ -15,15 +16,11 @@
 namespace thinbench {
 namespace {
 
-double nanoseconds(clockid_t clock) {
+/// On the wall: in a virtual machine the clock of a thread sometimes omits time that it worked.
+double nanoseconds_now() {
   timespec now{};
-  clock_gettime(clock, &now);
+  clock_gettime(CLOCK_MONOTONIC, &now);
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
-}
-
-Times now() {
-  const double wall = nanoseconds(CLOCK_MONOTONIC);
-  return {nanoseconds(CLOCK_THREAD_CPUTIME_ID), wall};
 }
 
 /// Memory of random size between what is allocated, kept to the end: large blocks
@@ -60,16 +57,16 @@ class Calls {
   }
 
   /// Untimed calls come first because caches are as the calls of another row left them.
-  Times visit(std::size_t index) {
+  double visit(std::size_t index) {
     const Entry& entry = group_.entries[index];
     TimedCall& call = *calls_[index];
     for (std::int64_t i = 0; i < entry.warm_up; ++i) call();
-    const Times start = now();
+    const double start = nanoseconds_now();
     for (std::int64_t i = 0; i < entry.calls; ++i) call();
-    const Times end = now();
+    const double end = nanoseconds_now();
     if (!checked_[index]) check(entry, call);
     checked_[index] = true;
-    return {end.thread_cpu - start.thread_cpu, end.wall - start.wall};
+    return end - start;
   }
 
  private:
@@ -117,26 +114,42 @@ void measure(const std::vector<Group>& groups, std::uint64_t seed,
   }
 }
 
+namespace {
+
+/// Additions that wait for each other, with no jump in between. `step` is a register: some
+/// processors add constants without taking a cycle.
+template <std::size_t... i>
+std::uint64_t sum_of(std::uint64_t sum, std::uint64_t step, std::index_sequence<i...>) {
+  const auto add = [&](std::size_t) {
+    sum += step;
+    asm volatile("" : "+r"(sum), "+r"(step));
+  };
+  (add(i), ...);
+  return sum;
+}
+
+}  // namespace
+
 MachineState machine_state() {
   constexpr int kSamples = 50;
+  constexpr std::size_t kUnrolled = 100;
   constexpr int kAdditions = 100'000;
   constexpr std::size_t kBytes = 64 << 10;
   std::vector<char> source(kBytes, 1);
   std::vector<char> destination(kBytes, 2);
   MachineState state{1e9, 1e9};
   for (int sample = 0; sample < kSamples; ++sample) {
-    const double start = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+    const double start = nanoseconds_now();
     std::uint64_t sum = static_cast<std::uint64_t>(sample);
-    for (int i = 0; i < kAdditions; ++i) {
-      sum += static_cast<std::uint64_t>(i);
-      asm volatile("" : "+r"(sum));
+    for (std::size_t i = 0; i < kAdditions / kUnrolled; ++i) {
+      sum = sum_of(sum, i, std::make_index_sequence<kUnrolled>());
     }
-    const double middle = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+    const double middle = nanoseconds_now();
     for (int i = 0; i < 10; ++i) {
       std::memcpy(destination.data(), source.data(), kBytes);
       asm volatile("" : : "r"(destination.data()) : "memory");
     }
-    const double end = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+    const double end = nanoseconds_now();
     state.chain_ns = std::min(state.chain_ns, (middle - start) / kAdditions);
     state.copy_ns = std::min(state.copy_ns, (end - middle) / 10);
   }

@@ -31,11 +31,13 @@ void measure(const std::vector<Group>& groups, std::uint64_t seed,
 
 /// How fast the machine is, whatever the project's code does.
 struct MachineState {
-  double chain_ns = 0;  // a dependent addition
+  double chain_ns = 0;  // a dependent addition: a clock cycle
   double copy_ns = 0;   // a copy of 64 KiB
 };
 
-/// The minimum of many short samples, about 20 ms in all.
+/// The minimum of many short samples, about 2 ms in all. Wall-clock time: in a virtual machine the
+/// clock of the thread's processor time omits what it takes for stolen, and reads up to 30 % too
+/// little for one sample in 10,000, which a minimum would find.
 [[nodiscard]] MachineState machine_state();
 
 }  // namespace thinbench

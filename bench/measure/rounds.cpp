@@ -33,9 +33,7 @@ std::vector<EntryTimes> measure_rounds(const std::vector<Entry>& entries, std::u
     for (const std::size_t i : shuffled(entries.size(), splitmix64(seed, static_cast<std::uint64_t>(round)))) {
       if (round >= entries[i].visits) continue;
       more = true;
-      const Times taken = visit(i);
-      const double ns = entries[i].threaded ? taken.wall : taken.thread_cpu;
-      times[i].push_back(five_digits(ns / static_cast<double>(entries[i].counted)));
+      times[i].push_back(five_digits(visit(i) / static_cast<double>(entries[i].counted)));
     }
   }
   return times;

@@ -9,17 +9,10 @@
 
 namespace thinbench {
 
-/// Nanoseconds on both clocks.
-struct Times {
-  double thread_cpu = 0;
-  double wall = 0;
-};
+/// Makes the calls of an epoch and returns their nanoseconds.
+using Visit = std::function<double(std::size_t entry)>;
 
-/// Makes the calls of an epoch and returns their total time.
-using Visit = std::function<Times(std::size_t entry)>;
-
-/// Nanoseconds of a counted call, for each epoch: thread CPU time for entries on one thread, wall
-/// time for others. Rounded to five digits.
+/// Nanoseconds of a counted call, for each epoch. Rounded to five digits.
 using EntryTimes = std::vector<double>;
 
 /// 0 .. n - 1 in an order that depends on the seed alone.

@@ -1,10 +1,9 @@
-// thinbench-study instructions: what rows execute, counted exactly, and how near that comes to a
-// limit.
+// thinbench-study instructions: what rows execute, counted exactly, beside the cycles that they
+// take.
 #include <memory>
 #include <string>
 
 #include "cli/arguments.hpp"
-#include "counts/comparison.hpp"
 #include "counts/documents.hpp"
 #include "counts/limits.hpp"
 #include "measure/timed_row.hpp"
@@ -14,17 +13,14 @@
 namespace thinbench {
 namespace {
 
-constexpr int kNothingCompared = 4;
 constexpr Index kQuickRows = 24;
 
 struct InstructionsOptions {
   std::string filter;
   std::string image;
   std::string out;
-  std::string against;
   BinariseOptions binarise;
   std::uint64_t max_steps = 0;  // 0 for what suits the input
-  double issue_width = 6;
   bool json = false;
   bool limits = false;
   bool quick = false;
@@ -32,7 +28,7 @@ struct InstructionsOptions {
   [[nodiscard]] std::uint64_t steps() const {
     if (max_steps > 0) return max_steps;
     if (!limits) return why_no_callgrind().empty() ? 400000 : 30000;  // two minutes, or one
-    return quick ? 100000 : 800000;
+    return quick ? 200000 : 800000;
   }
 };
 
@@ -86,17 +82,7 @@ Results limited(const InstructionsOptions& options, std::ostream& log) {
   std::vector<TimedRow> rows = selected(options, inputs).rows;
   if (options.quick) rows = fastest_rows(rows);
   const Limits limits = limits_of(rows, options.steps());
-  return {limits_json(inputs.front(), limits, options.issue_width),
-          limits_table(limits, options.issue_width), limits.skipped.size(),
-          limits.callgrind.why_not};
-}
-
-int compare_and_print(const nlohmann::json& before, const nlohmann::json& now,
-                      const Console& console) {
-  const Comparison comparison = compare(before, now);
-  console.out << to_text(comparison);
-  if (comparison.compared == 0) return kNothingCompared;
-  return comparison.fails() ? kFailure : kSuccess;
+  return {limits_json(inputs.front(), limits), limits_table(limits), limits.skipped.size(), {}};
 }
 
 void report_skipped(const Results& results, const InstructionsOptions& options,
@@ -105,28 +91,21 @@ void report_skipped(const Results& results, const InstructionsOptions& options,
     console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
   }
   console.err << results.skipped << (results.skipped == 1 ? " row was" : " rows were")
-              << " not counted: more than " << options.steps()
-              << " single steps\n";
+              << " not counted: more than " << options.steps() << " single steps\n";
 }
 
 void check(const InstructionsOptions& options) {
-  if (!options.against.empty() && (options.json || options.limits)) {
-    throw UsageError("--against goes with neither --json nor --limits");
-  }
   if (options.quick && !options.limits) throw UsageError("--quick goes with --limits only");
   if (!options.out.empty()) check_target(options.out);
 }
 
 int run(const InstructionsOptions& options, const Console& console) {
   check(options);
-  nlohmann::json before;
-  if (!options.against.empty()) before = read_counts(options.against);
   const Results results =
       options.limits ? limited(options, console.err) : counted(options, console.err);
   const std::string json = results.document.dump(1) + "\n";
   if (!options.out.empty()) write_whole_file(options.out, json);
   report_skipped(results, options, console);
-  if (!options.against.empty()) return compare_and_print(before, results.document, console);
   console.out << (options.json ? json : results.table);
   return kSuccess;
 }
@@ -141,51 +120,39 @@ void add_options(CLI::App& app, InstructionsOptions& options) {
   add_binarise_options(app, options.binarise, image);
   app.add_option("--max-steps", options.max_steps,
                  "Skip rows that take more single steps (default: 400000, without valgrind 30000, "
-                 "with --limits 800000, quick 100000)")
-      ->check(whole_number(1, 1000000000))
+                 "with --limits 800000, quick 200000)")
+      ->check(whole_number(1, 100000000))
       ->type_name("N");
   app.add_flag("--json", options.json, "Print JSON instead of a table");
   app.add_option("--out", options.out, "Write the data here, as JSON")
       ->check(not_empty())
       ->type_name("FILE");
-  app.add_option("--against", options.against, "Compare with the counts in this file")
-      ->check(not_empty())
-      ->type_name("FILE");
-  app.add_flag("--limits", options.limits, "Time rows as well, and report their lower bounds");
+  app.add_flag("--limits", options.limits, "Time rows as well, and report their clock cycles");
   app.add_flag("--quick", options.quick,
                "With --limits: 24 rows of the image, the fastest row of each operation");
-  app.add_option("--issue-width", options.issue_width,
-                 "Instructions that the core is assumed to issue per cycle")
-      ->check(real_number(1, 100))
-      ->type_name("N")
-      ->capture_default_str();
 }
 
 }  // namespace
 
 Command add_instructions_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("instructions",
-                                         "Count the instructions of rows, and their lower bounds");
+                                         "Count the instructions of rows, and their clock cycles");
   const auto options = std::make_shared<InstructionsOptions>();
   add_options(*app, *options);
   app->footer(R"(Examples:
   thinbench-study instructions --filter 'simd_.*/avx2' --out counts.json
-  thinbench-study instructions --against counts.json
-  thinbench-study instructions --limits --filter '^thin_guo_hall/.*_row/' --issue-width 6
+  thinbench-study instructions --limits --filter '^thin_guo_hall/.*_row/'
 
 Rows are named operation/technique/isa/threads/scope/input; those on one thread are counted. Where
 valgrind is installed, its callgrind counts all but AVX-512; the rest is counted by a trap of the
 processor after each instruction, which takes microseconds, and rows that take more than --max-steps
 are skipped. So the input is small: every 5th pixel of every 16th row of the image.
 
---limits takes the whole image, times the rows too, and measures the core's frequency. The lower bound
-of a row is the time in which --issue-width instructions per cycle would be issued; how many a core
-can issue is assumed, not measured, and more than 100 % shows that it can issue more.
+--limits takes the whole image, times the rows too, and measures the core's clock cycle: the floor of
+dependent additions during the whole run. All rows are counted by single steps, and the data holds the
+code that each executes, for a model of the processor.
 
-Exit status of --against: 0 as before, 1 a row takes over 1 % more instructions or another number of
-iterations, 4 nothing could be compared: no row in common, or another compiler, flags, C library,
-ISA of the processor or input. Rows that were counted by another method, or under another valgrind, are
-not compared.)");
+./study regress compares the counts of two builds.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

@@ -537,7 +537,8 @@ class Search {
       }
       Circuit next = circuit;
       work_left_ -= kExpansionWork;
-      if (!next.expand(random_.below(next.gates()), random_order(random_))) continue;
+      const PixelOrder order = random_order(random_);
+      if (!next.expand(random_.below(next.gates()), order)) continue;
       shrink(next);
       const int rise = next.cost() - circuit.cost();
       if (rise > 1 || (rise == 1 && random_.below(10) > 0)) continue;

@@ -15,16 +15,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.stats import binom
 
-COVERAGE = 0.95
 TOLERANCE, NEEDED = 0.02, 3
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -69,20 +63,3 @@ def floor_of(processes: Sequence[Sequence[Sequence[float]]]) -> Floor:
 def ratio_of(above: Floor, below: Floor) -> Estimate:
     """Of two times."""
     return Estimate(above.time / below.time, above.time / below.high, above.high / below.time)
-
-
-@cache
-def interval_ranks(count: int) -> tuple[int, int]:
-    """Indices of the narrowest symmetric pair of `count` ordered values that covers their
-    distribution's median with at least 95 %; the outermost pair below six values."""
-    for low in range(count // 2 - 1, -1, -1):
-        if 1 - 2 * float(binom.cdf(low, count, 0.5)) >= COVERAGE:
-            return low, count - 1 - low
-    return 0, count - 1
-
-
-def estimate_of_logs(logs: ArrayLike) -> Estimate:
-    """exp() of the median of paired differences, with its interval; for comparisons of builds."""
-    ordered = np.sort(np.asarray(logs, float))
-    low, high = (float(np.exp(ordered[rank])) for rank in interval_ranks(len(ordered)))
-    return Estimate(float(np.exp(np.median(ordered))), low, high)

@@ -13,7 +13,6 @@ from report.errors import ReportError
 from report.formatting import counted, duration, flag_text, interval, times, variant
 from report.page.charts import chart_groups
 from report.page.families import FAMILIES
-from report.page.limits import HEADER as LIMITS_HEADER
 from report.page.limits import load_limits
 from report.page.operations import Headline, Rows, peer_title
 from report.page.pictures import Pictures
@@ -40,7 +39,7 @@ def to_html(rows: Rows, lines: list[Headline], svg: str, claims: list[Claim],
         run=run, date=date_of(run), lines=lines, input=rows.input, claims=claims, files=FILES,
         overview=Markup(svg), sentences=[*map(_with_figures, sentences(rows, lines))],
         warnings=warnings(run), peers=_peers(rows, lines), pictures=pictures.first(),
-        sections=sections(rows, pictures, limits), limits=limits, limits_header=LIMITS_HEADER,
+        sections=sections(rows, pictures, limits), limits=limits,
         charts=chart_groups(rows, [*sweeps, *run.rows]), experiments=experiments,
         facts=provenance(run), skipped=skipped(run), families=[vars(one) for one in FAMILIES],
         implied=IMPLIED, chart_js=Markup(chart_js()))

@@ -1,9 +1,8 @@
-"""Comparison of two builds: processes of both alternate, and the clock decides.
+"""Comparison of two builds: processes of both alternate, and their floors are compared.
 
-A busy neighbour on the same physical core slows calls for seconds at a time. So two processes are
-compared that run within half a second: each measures one group, without references, in about
-0.1 s, and each row gives ln(its time in one build / its time in the other). A time is the 10 %
-quantile of a row's epochs. docs/regression.md has the figures that these choices rest on.
+Each process measures one group, without references, in about 0.1 s. Processes of both builds follow
+each other in pairs, so that both meet the same states of the machine. docs/regression.md has the
+figures that these choices rest on.
 """
 
 from __future__ import annotations
@@ -12,15 +11,16 @@ import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-import numpy as np
-
 from report.errors import ReportError
-from report.measure.estimates import Estimate, Floats, estimate_of_logs
+from report.measure.converge import floors
+from report.measure.estimates import Floor, floor_of, ratio_of
 from report.measure.sampler import Json, Sampler, Samples, measure_interleaved, seconds_of
 from report.measure.timings import REFERENCE
 from report.regress.verdicts import EXIT_STATUS, RowVerdict, Times, Verdict, judge, skipped
 
-PAIRS = 27
+PAIRS = 9
+"""In a round."""
+
 VISITS = 8
 """Epochs of a row in each process."""
 
@@ -29,8 +29,6 @@ LIMIT = 0.025
 
 MAX_LIMIT = 0.04
 """As far as that; beyond it nothing can be said."""
-
-QUANTILE = 0.1
 
 PROCESS_SECONDS, VISIT_SECONDS = 0.15, 0.0008
 
@@ -64,10 +62,11 @@ def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
     return now | {"groups": kept}, left_out
 
 
-def measure_pairs(before: Sampler, now: Sampler, pairs: list[Pair], first_seed: int,
+def measure_round(before: Sampler, now: Sampler, pairs: list[Pair], number: int,
                   on_seconds: Callable[[float], None]) -> None:
-    """The groups in random order, the processes of a pair one after the other."""
-    for seed in range(first_seed, first_seed + PAIRS):
+    """PAIRS more of each group: the groups in random order, the processes of a pair one after the
+    other."""
+    for seed in range(number * PAIRS, (number + 1) * PAIRS):
         order = list(pairs)
         random.Random(seed).shuffle(order)
         for pair in order:
@@ -76,19 +75,17 @@ def measure_pairs(before: Sampler, now: Sampler, pairs: list[Pair], first_seed: 
 
 def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
     """On the rows of a group."""
-    before, now = _log_times(pair.before), _log_times(pair.now)
-    limit, doubt = _limit(pair, np.concatenate([before, now]))
-    for index, entry in enumerate(pair.group["entries"]):
+    limit, doubt = _limit(pair)
+    for entry, before, now in zip(pair.group["entries"], floors(pair.before, 0),
+                                  floors(pair.now, 0)):
         if entry["role"] != "row":
             continue
         if entry["threaded"] and not judge_threads:
             yield skipped(entry["name"], "threads are judged with --judge-threads only")
             continue
-        change = estimate_of_logs(before[:, index] - now[:, index])
-        # Of the paired ratio, so that times and change agree: the two medians are not paired.
-        middle = np.exp(np.median((before + now)[:, index]) / 2)
-        times = [Times(float(middle * change.value ** power)) for power in (0.5, -0.5)]
-        row = RowVerdict(entry["name"], judge(change, limit), "", change, limit, *times)
+        change = ratio_of(before, now)
+        row = RowVerdict(entry["name"], judge(change, limit), "", change, limit,
+                         Times(before.time), Times(now.time))
         yield row.doubted(doubt) if doubt else row
 
 
@@ -120,25 +117,25 @@ def _why_left_out(name: str, before: dict[str, str], now: dict[str, str]) -> str
     return "the rows that it is measured beside are not the same in both builds"
 
 
-def _log_times(samples: Samples) -> Floats:
-    """`[process, entry]`"""
-    return np.log([[np.quantile(layouts[0], QUANTILE) for layouts in process.groups[0]]
-                   for process in samples.processes])
-
-
-def _limit(pair: Pair, logs: Floats) -> tuple[float, str]:
+def _limit(pair: Pair) -> tuple[float, str]:
     """The tolerated loss, and what is wrong with the controls of both builds, if anything."""
-    same, slowed = (_control(pair, logs, role) for role in ("same", "slowed"))
-    limit = max(LIMIT, 1 - same.low, same.high - 1)
-    if limit > MAX_LIMIT:
-        return MAX_LIMIT, f"a row differs from itself by {100 * limit:.1f} %"
-    if judge(slowed, limit) != Verdict.FAIL:
+    control, same, slowed = _controls(pair)
+    apart = abs(ratio_of(control, same).value - 1)
+    if apart > MAX_LIMIT:
+        return MAX_LIMIT, f"a row differs from itself by {100 * apart:.1f} %"
+    limit = max(LIMIT, apart)
+    if judge(ratio_of(control, slowed), limit) != Verdict.FAIL:
         return limit, "the injected slowdown of 10 % was not found"
     return limit, ""
 
 
-def _control(pair: Pair, logs: Floats, role: str) -> Estimate:
-    roles = [entry["role"] for entry in pair.group["entries"]]
-    control = roles.index(role)
-    names = [entry["name"] for entry in pair.group["entries"]]
-    return estimate_of_logs(logs[:, names.index(names[control])] - logs[:, control])
+def _controls(pair: Pair) -> tuple[Floor, Floor, Floor]:
+    """A row, the same row again, and the one that is slowed down; processes of both builds."""
+    entries = pair.group["entries"]
+    same, slowed = ([entry["role"] for entry in entries].index(role)
+                    for role in ("same", "slowed"))
+    control = [entry["name"] for entry in entries].index(entries[same]["name"])
+    processes = pair.before.processes + pair.now.processes
+    found = [floor_of([process.groups[0][entry] for process in processes])
+             for entry in (control, same, slowed)]
+    return found[0], found[1], found[2]

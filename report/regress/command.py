@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from report.git import commit_name, git, is_clean
 from report.measure.run import machine_facts
 from report.measure.sampler import Json, Sampler
 from report.regress import counts, output, self_test, stored, times
+from report.regress.machine_code import same_isas
 from report.regress.verdicts import EXIT_STATUS, WRONG_USAGE, Layer, Verdict, exit_status
 from report.row_options import (add_row_options, binarise_words, check_binarise_options,
                                 input_words)
@@ -140,12 +140,10 @@ def _run(options: argparse.Namespace, builder: Builder) -> tuple[str, int]:
             exit_status(found.instructions, found.times, options.counts_only))
 
 
-def _targets(options: argparse.Namespace, tree: Path = ROOT) -> tuple[str, ...]:
-    """A commit before `thinbench-study` has its commands in `thinbench`."""
-    counter = "thinbench_study" if (tree / "bench" / "study").exists() else "thinbench_program"
+def _targets(options: argparse.Namespace) -> tuple[str, ...]:
     counting = () if options.no_instructions else ("thinbench_counted_calls",)
     timing = () if options.counts_only else ("thinbench_sampler",)
-    return (counter, *counting, *timing)
+    return ("thinbench_study", *counting, *timing)
 
 
 def _base_programs(options: argparse.Namespace, builder: Builder) -> Path | None:
@@ -160,11 +158,11 @@ def _base_programs(options: argparse.Namespace, builder: Builder) -> Path | None
                                  str(commit)) is None:
         raise ReportError(f"cannot check out {options.against}")
     _check_programs(options, tree)
-    return builder(tree, _targets(options, tree))
+    return builder(tree, _targets(options))
 
 
 def _check_programs(options: argparse.Namespace, tree: Path) -> None:
-    needed = "bench/counts" if options.counts_only else "bench/measure/sampler.cpp"
+    needed = "bench/study" if options.counts_only else "bench/measure/sampler.cpp"
     if not (tree / needed).exists():
         raise ReportError(f"nothing was compared: commit {options.against} has no {needed}",
                           EXIT_STATUS[Verdict.SKIPPED])
@@ -172,36 +170,42 @@ def _check_programs(options: argparse.Namespace, tree: Path) -> None:
 
 def _compare(options: argparse.Namespace, programs: Path, before: Path | None,
              machine: Json) -> output.Outcome:
+    isas = machine["isa_available"]
+    same = same_isas(before, programs, isas) if before else set()
     exact = counts.not_compared("--no-instructions")
-    if not options.no_instructions:
+    if same == set(isas):
+        exact = counts.Counts(Layer(Verdict.PASS, [], "instructions: not counted, as both builds "
+                                                      "are the same machine code"))
+    elif not options.no_instructions:
         exact = _compare_counts(options, programs, before, machine)
     layer = Layer(Verdict.SKIPPED, [], "times are not compared: --counts-only")
     if not options.counts_only:
-        layer = _compare_times(options, programs, before, machine)
+        layer = _compare_times(options, programs, before, same, machine)
     return output.Outcome(exact.layer, layer, exact.instructions)
 
 
 def _compare_counts(options: argparse.Namespace, programs: Path, before: Path | None,
                     machine: Json) -> counts.Counts:
-    program, words = programs / "thinbench-study", _count_words(options)
-    if before is None:
-        return counts.compare(program, words, _files(options, machine)[1])
-    with tempfile.TemporaryDirectory() as directory:
-        file = Path(directory) / "counts.json"
-        counter = before / "thinbench-study"
-        why_not = counts.count(counter if counter.exists() else before / "thinbench", words, file)
-        if why_not:
-            return counts.not_compared(f"{options.against or options.base_build}: {why_not}")
-        return counts.compare(program, words, file)
+    words, file = _count_words(options), _files(options, machine)[1]
+    if before is None and not file.exists():
+        return counts.not_compared(f"there is no '{file}'; ./study regress --update writes it")
+    try:
+        old = (counts.count(before / "thinbench-study", words) if before
+               else counts.read_counts(file))
+        return counts.compare(old, counts.count(programs / "thinbench-study", words))
+    except ReportError as error:
+        if error.status != WRONG_USAGE:
+            raise
+        return counts.not_compared(str(error))  # such as a filter without rows on one thread
 
 
 def _compare_times(options: argparse.Namespace, programs: Path, before: Path | None,
-                   machine: Json) -> Layer:
+                   same: set[str], machine: Json) -> Layer:
     sampler, words = Sampler(programs / "thinbench_sampler"), _plan_words(options)
     if before is None:
         return times.against_stored(sampler, words, machine, _files(options, machine)[0],
                                     options.judge_threads)
-    return times.between_builds(Sampler(before / "thinbench_sampler"), sampler, words,
+    return times.between_builds(Sampler(before / "thinbench_sampler"), sampler, words, same,
                                 options.judge_threads)
 
 
@@ -210,13 +214,8 @@ def _update(options: argparse.Namespace, programs: Path, machine: Json) -> str:
     file, counts_file = _files(options, machine)
     outputs: dict[str, bytes] = {}
     if not options.no_instructions:
-        with tempfile.TemporaryDirectory() as directory:
-            counted = Path(directory) / "counts.json"
-            why_not = counts.count(programs / "thinbench-study", _count_words(options), counted)
-            if why_not:
-                raise ReportError(f"instructions cannot be counted: {why_not}; "
-                                  "--no-instructions leaves them out")
-            outputs[counts_file.name] = counted.read_bytes()
+        outputs[counts_file.name] = to_json(counts.count(programs / "thinbench-study",
+                                                         _count_words(options)))
     sampler = Sampler(programs / "thinbench_sampler")
     now = stored.measured_from(times.measure(sampler, sampler.plan(_plan_words(options))))
     if why_not := stored.why_unfit(now):

@@ -1,4 +1,4 @@
-"""The exact layer: `thinbench-study instructions` counts and compares, this reads what it says."""
+"""The exact layer: `thinbench-study instructions` counts, this compares."""
 
 from __future__ import annotations
 
@@ -10,11 +10,15 @@ from pathlib import Path
 
 from report.errors import ReportError
 from report.files import read_json
-from report.regress.verdicts import Layer, RowVerdict, Verdict
+from report.measure.sampler import Json
+from report.regress.verdicts import Layer, RowVerdict, Verdict, layer_of, skipped
+from report.schemas import check_schema
 
-NOTHING_COMPARED = 4
-MORE = ("(+", "too many to count", "iterations before")
-"""What marks a row that takes over 1 % more instructions, or another number of iterations."""
+TOLERANCE = 0.01
+"""Counts below this part of a change are the same: memory may lie a little differently."""
+
+SINGLE_STEPS, TOO_MANY_STEPS = "single_steps", "more steps than are counted"
+"""A method of counting, and why a row was skipped; both as bench/counts/row_counts.hpp has them."""
 
 
 @dataclass(frozen=True)
@@ -30,59 +34,73 @@ def not_compared(why: str) -> Counts:
     return Counts(Layer(Verdict.SKIPPED, [], f"instructions are not compared: {why}"))
 
 
-def count(program: Path, words: Sequence[str], out: Path) -> str:
-    """Counts into a file. Returns why that was impossible, or ""."""
-    done = _run(program, [*words, "--out", str(out)])
-    return "" if done.returncode == 0 and out.exists() else _last_line(done.stderr)
-
-
-def compare(program: Path, words: Sequence[str], before: Path) -> Counts:
-    """This build's counts with those in a file. A file of another version, or a filter without
-    rows on one thread, is nothing to compare; a build that cannot count is an error."""
-    if not before.exists():
-        return not_compared(f"there is no '{before}'; ./study regress --update writes it")
+def count(program: Path, words: Sequence[str]) -> Json:
+    """What a build counts. Raises ReportError where it cannot."""
     with tempfile.TemporaryDirectory() as directory:
         out = Path(directory) / "counts.json"
-        done = _run(program, [*words, "--out", str(out), "--against", str(before)])
-        if not out.exists():
-            return _why_not(done, before)
-        if done.returncode not in (0, 1, NOTHING_COMPARED):
-            raise ReportError(f"instructions cannot be compared: {_last_line(done.stderr)}")
-        found = _instructions_in(out)
-    known = [row for row in found if row in _instructions_in(before)]
-    return Counts(layer_from(done.stdout, done.returncode, known), found)
+        done = subprocess.run([program, "instructions", *words, "--out", str(out)], check=False,
+                              text=True, capture_output=True)
+        if done.returncode != 0 or not out.exists():
+            lines = done.stderr.strip().splitlines() or ["it says nothing"]
+            raise ReportError(f"instructions cannot be counted: {lines[-1]}",
+                              done.returncode or 1)
+        return read_counts(out)
 
 
-def layer_from(text: str, status: int, names: Sequence[str]) -> Layer:
-    """From the output and exit status of a comparison of these rows."""
-    lines = text.strip().splitlines() or ["no row was counted before"]
-    if status == NOTHING_COMPARED:
-        return not_compared(lines[0].removeprefix("nothing compared: ")).layer
-    remarks = dict(line.rsplit(": ", 1) for line in lines[:-1] if "/" in line)
-    rows = [RowVerdict(name, Verdict.FAIL, remark) for name, remark in remarks.items()
-            if any(mark in remark for mark in MORE)]
-    failed = {row.name for row in rows}
-    rows += [RowVerdict(name, Verdict.PASS, remarks.get(name, "")) for name in names
-             if name not in failed]
-    return Layer(Verdict.FAIL if status == 1 else Verdict.PASS, rows, lines[-1])
+def read_counts(file: Path) -> Json:
+    """The document in a file."""
+    document: Json = read_json(file)
+    check_schema("counts", document, str(file))
+    return document
 
 
-def _instructions_in(file: Path) -> dict[str, int]:
-    return {row["row"]: row["instructions"] for row in read_json(file)["rows"]}
+def compare(before: Json, now: Json) -> Counts:
+    """Rows that both documents have. FAIL is over 1 % more, or another number of iterations, which
+    no speed of a kernel explains."""
+    why_not = _difference_of(before, now)
+    if why_not:
+        return not_compared(why_not)
+    old = {row["row"]: row for row in before["rows"]}
+    rows = [_verdict(old[row["row"]], row, (before, now)) for row in now["rows"]
+            if row["row"] in old]
+    rows += [_too_long(old[row["row"]], now["max_steps"]) for row in now["skipped"]
+             if row["row"] in old and row["reason"] == TOO_MANY_STEPS]
+    compared = [row for row in rows if row.verdict != Verdict.SKIPPED]
+    if not compared:
+        return not_compared("no row was counted in the same way before")
+    failed = sum(row.verdict == Verdict.FAIL for row in compared)
+    summary = (f"instructions: {len(compared)} rows compared, {failed} of them FAIL, "
+               f"{sum(bool(row.reason) for row in compared) - failed} take fewer (tolerance 1 %)")
+    return Counts(layer_of(rows, summary), {row["row"]: row["instructions"] for row in now["rows"]})
 
 
-def _why_not(done: subprocess.CompletedProcess[str], before: Path) -> Counts:
-    why = _last_line(done.stderr)
-    if done.returncode == 2 or (done.returncode == 1 and why.startswith(f"'{before}' ")):
-        return not_compared(why)
-    raise ReportError(f"instructions cannot be counted: {why}")
+def _difference_of(before: Json, now: Json) -> str:
+    """What keeps the documents from being compared."""
+    for name, value in now["build"].items():
+        if before["build"].get(name) != value:
+            return f"the counts before are of another {name.replace('_', ' ')}"
+    return "" if before["input"] == now["input"] else "the counts before are of another input"
 
 
-def _run(program: Path, words: Sequence[str]) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([program, "instructions", *words], check=False, text=True,
-                          capture_output=True)
+def _verdict(old: Json, row: Json, documents: tuple[Json, Json]) -> RowVerdict:
+    name, was, is_now = row["row"], old["instructions"], row["instructions"]
+    methods = {(one["method"], one["method"] != SINGLE_STEPS and document["valgrind"])
+               for one, document in zip((old, row), documents)}
+    if len(methods) > 1:
+        return skipped(name, "counted by another method or valgrind before")
+    iterations = [one.get("iterations") for one in (old, row)]
+    if None not in iterations and iterations[0] != iterations[1]:
+        return RowVerdict(name, Verdict.FAIL, f"{iterations[0]} iterations before, "
+                                              f"{iterations[1]} now")
+    if abs(is_now - was) <= TOLERANCE * was:
+        return RowVerdict(name, Verdict.PASS)
+    return RowVerdict(name, Verdict.FAIL if is_now > was else Verdict.PASS,
+                      f"{was:,} instructions before, {is_now:,} now ({100 * (is_now / was - 1):+.1f} %)")
 
 
-def _last_line(text: str) -> str:
-    lines = text.strip().splitlines() or ["it says nothing"]
-    return lines[-1].removeprefix("thinbench: ")
+def _too_long(old: Json, max_steps: int) -> RowVerdict:
+    """A row that was counted before and has become too long for it."""
+    if old["method"] != SINGLE_STEPS or old["instructions"] > max_steps:
+        return skipped(old["row"], "counted with other limits before")
+    return RowVerdict(old["row"], Verdict.FAIL,
+                      f"{old['instructions']:,} instructions before, now too many to count")

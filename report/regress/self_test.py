@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import os
+import random
 import signal
 import subprocess
 import sys
@@ -11,13 +12,15 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
+from itertools import islice
 from pathlib import Path
 
 from report.measure.run import machine_facts
-from report.measure.sampler import Json, Sampler
+from report.measure.sampler import Json, Process, Sampler, Samples, measure_interleaved
 from report.regress import builds, stored, times
-from report.regress.verdicts import RowVerdict, Verdict, decide
+from report.regress.verdicts import MAX_ROUNDS, RowVerdict, Verdict, decide
 
 FILTER = ("^(skeleton_scan/.*bitpacked|edges_sobel/simd_16bit|holes/.*_runs)/[a-z0-9.]+/1/"
           "end_to_end/")
@@ -25,69 +28,121 @@ BUSY_LOOP = "while :; do :; done"
 COMPILER = "while :; do echo '#include <regex>' | c++ -std=c++20 -O2 -x c++ -c -o /dev/null -; done"
 LOADS: dict[str, Sequence[str]] = {"idle": (), "one loop": (BUSY_LOOP,),
                                    "two loops": (BUSY_LOOP, BUSY_LOOP), "compiler": (COMPILER,)}
-NEEDED = {10: 0.9, 5: 0.8}
-"""Share of attempts in which a slowdown of so many percent must be FAIL."""
+SLOWER = (0, 3, 5, 10)
+"""Percent."""
+
+NEEDED = {5: 0.8, 10: 0.9}
+"""Share of trials in which a slowdown of so many percent must be FAIL."""
+
+FALSE_ALARMS = 0.001
+"""Share of trials without a slowdown that may be FAIL."""
+
+RECORDED = 2 * builds.PAIRS * MAX_ROUNDS
+"""Processes: a trial without a verdict to the end."""
 
 WARM_UP_SECONDS = 0.5
 
 
 def run(programs: Path, quick: bool) -> tuple[str, int]:
-    """The table and the exit status: 0 where everything holds."""
+    """The tables and the exit status: 0 where everything holds."""
     sampler = Sampler(programs / "thinbench_sampler")
-    machine = machine_facts(programs / "thinbench", "self-test")
+    machine = machine_facts(programs / "thinbench-study", "self-test")
     plan = sampler.plan(["--no-peers", "--variants", "highest", "--filter", FILTER])
-    lines, good = ["Same build, other load between baseline and check (rows):"], True
-    decided = 0
-    for text, found in _stored_lines(sampler, plan, machine, 8 if quick else 20):
-        lines.append(text)
-        good &= found[Verdict.FAIL] == 0
-        decided += found[Verdict.PASS]
-    if decided == 0:  # then no FAIL shows nothing
-        lines.append("  no row was decided: repeat this on an idle machine")
-        good = False
-    lines.append("Two builds, one row slowed down (attempts):")
-    for percent, share in NEEDED.items():
-        text, right = _slowdown_line(sampler, plan, percent, share, 3 if quick else 10)
-        lines.append(text)
-        good &= right
-    lines.append("self-test " + ("PASS" if good else "FAIL"))
-    return "\n".join(lines), 0 if good else 1
+    parts = [_replay(sampler, plan, 100 if quick else 500), _live(sampler, plan),
+             _stored(sampler, plan, machine, 4 if quick else 16)]
+    good = all(passed for _, passed in parts)
+    return ("\n".join([*(text for text, _ in parts), f"self-test {'PASS' if good else 'FAIL'}"]),
+            0 if good else 1)
 
 
-def _stored_lines(sampler: Sampler, plan: Json, machine: Json,
-                  attempts: int) -> Iterator[tuple[str, Counter[Verdict]]]:
-    """Every load follows every other one, and itself."""
-    loads = list(LOADS)
-    for attempt in range(attempts):
-        before, now = loads[attempt % 4], loads[(attempt + attempt // 4) % 4]
-        with _load(LOADS[before]):
-            first = stored.measured_from(times.measure(sampler, plan))
-        baseline = stored.baseline_from(first, machine, FILTER, "self-test", None)
-        with _load(LOADS[now]):
-            rows = times.verdicts_against(baseline, (sampler, plan), times.cache_bytes(machine),
-                                          False)
-        found = Counter(row.verdict for row in rows)
-        _say(f"baseline {attempt + 1} of {attempts}")
-        yield f"  {before:9} -> {now:9}  {_counted(found)}{_why(rows)}", found
+def _replay(sampler: Sampler, plan: Json, trials: int) -> tuple[str, bool]:
+    """Trials on recorded processes, one row of one build slowed down afterwards."""
+    lines, good = [f"Two builds, {trials} trials each on recorded processes:",
+                   "  load       slower   FAIL  INCONCLUSIVE  PASS   pairs"], True
+    for load, scripts in LOADS.items():
+        _say(f"recording, {load}")
+        with _load(scripts):
+            groups = record(sampler, plan, RECORDED)
+        for percent in SLOWER:
+            found, pairs = replay(groups, percent, trials)
+            lines.append(f"  {load:9}  {percent:4} %  " + "".join(
+                f"{100 * found[verdict] / trials:{width}.1f} %" for verdict, width in
+                ((Verdict.FAIL, 6), (Verdict.INCONCLUSIVE, 11), (Verdict.PASS, 6)))
+                + f"  {pairs:.0f}")
+            share = found[Verdict.FAIL] / trials
+            good &= (share <= FALSE_ALARMS if percent == 0 else
+                     share >= NEEDED.get(percent, 0) and found[Verdict.PASS] <= trials / 10
+                     or percent < 5)
+    return "\n".join(lines), good
 
 
-def _slowdown_line(sampler: Sampler, plan: Json, percent: int, share: float,
-                   attempts: int) -> tuple[str, bool]:
+def record(sampler: Sampler, plan: Json, processes: int) -> list[Samples]:
+    """Processes of each group as a comparison of builds starts them."""
     common = builds.common_plan(plan, plan)[0]
+    groups = [Samples(common | {"groups": [group]}) for group in common["groups"]]
+    measure_interleaved([(sampler, group) for group in groups], processes, lambda _: None)
+    return groups
+
+
+def replay(groups: Sequence[Samples], percent: float, trials: int) -> tuple[Counter[Verdict], float]:
+    """What becomes of a row that one build computes in so many percent more time, and the mean
+    number of pairs that it takes. Each trial starts at another process."""
+    dice = random.Random(percent)
     found: Counter[Verdict] = Counter()
-    others: Counter[Verdict] = Counter()
-    for attempt in range(attempts):
-        group = common["groups"][attempt % len(common["groups"])]
-        names = [entry["name"] for entry in group["entries"] if entry["role"] == "row"]
-        name = names[attempt % len(names)]
+    pairs = 0
+    for _ in range(trials):
+        group = dice.choice(groups)
+        name = dice.choice([entry["name"] for entry in group.plan["groups"][0]["entries"]
+                            if entry["role"] == "row"])
+        pair = builds.Pair(Samples(group.plan), Samples(group.plan))
+        source = _from(group, name, percent, dice)
+        row, = decide(partial(_replayed_round, pair, source), {name})
+        found[row.verdict] += 1
+        pairs += len(pair.now.processes)
+    return found, pairs / trials
+
+
+def _from(group: Samples, name: str, percent: float,
+          dice: random.Random) -> Iterator[tuple[Process, Process]]:
+    """Pairs of neighbours in random order, the second of which is slower."""
+    start, count = dice.randrange(len(group.processes)), len(group.processes)
+    for index in range(0, count - 1, 2):
+        both = [group.processes[(start + index + i) % count] for i in (0, 1)]
+        dice.shuffle(both)
+        yield both[0], _slower(both[1], group.plan["groups"][0], name, 1 + percent / 100)
+
+
+def _slower(process: Process, group: Json, name: str, factor: float) -> Process:
+    """The row and the controls that repeat it."""
+    entries = [[[time * (factor if entry["name"] == name else 1) for time in layout]
+                for layout in layouts]
+               for entry, layouts in zip(group["entries"], process.groups[0])]
+    return replace(process, groups=[entries])
+
+
+def _replayed_round(pair: builds.Pair, source: Iterator[tuple[Process, Process]], _: int,
+                    __: set[str] | None) -> list[RowVerdict]:
+    for before, now in islice(source, builds.PAIRS):
+        pair.before.processes.append(before)
+        pair.now.processes.append(now)
+    return list(builds.verdicts_of(pair, False))
+
+
+def _live(sampler: Sampler, plan: Json) -> tuple[str, bool]:
+    """Each slowdown once, by calls that are not counted."""
+    common = builds.common_plan(plan, plan)[0]
+    lines, good = ["Two builds, measured now (rows):"], True
+    for percent, group in zip((5, 10), common["groups"]):
+        name = next(entry["name"] for entry in group["entries"] if entry["role"] == "row")
         before, now = (_slowed(common | {"groups": [group]}, name, percent, extra)
                        for extra in (False, True))
-        rows = decide(partial(times.attempt_between, (sampler, before), (sampler, now), False))
-        for row in rows:
-            (found if row.name == name else others)[row.verdict] += 1
-        _say(f"{percent} % slower, attempt {attempt + 1} of {attempts}")
-    good = found[Verdict.FAIL] >= share * attempts and others[Verdict.FAIL] == 0
-    return f"  {percent:2} % slower  {_counted(found)}   other rows: {_counted(others)}", good
+        _say(f"{percent} % slower")
+        rows = decide(times.rounds_of((sampler, before), (sampler, now), False))
+        found, others = (Counter(row.verdict for row in rows if (row.name == name) == slow)
+                         for slow in (True, False))
+        good &= found[Verdict.PASS] == 0 and others[Verdict.FAIL] == 0
+        lines.append(f"  {percent:2} % slower  {_counted(found)}   other rows: {_counted(others)}")
+    return "\n".join(lines), good
 
 
 def _slowed(plan: Json, name: str, percent: int, extra: bool) -> Json:
@@ -100,6 +155,26 @@ def _slowed(plan: Json, name: str, percent: int, extra: bool) -> Json:
             entry["counted"] = parts * max(1, round(entry["counted"] / parts))
             entry["calls"] = round(entry["counted"] * calls)
     return changed
+
+
+def _stored(sampler: Sampler, plan: Json, machine: Json, attempts: int) -> tuple[str, bool]:
+    """Every load follows every other one, and itself. No row may be FAIL, and some must be PASS,
+    as else no FAIL would show nothing."""
+    lines, total = ["The same build and a baseline of it, under other loads (rows):"], Counter()
+    loads = list(LOADS)
+    for attempt in range(attempts):
+        before, now = loads[attempt % 4], loads[(attempt + attempt // 4) % 4]
+        _say(f"baseline {attempt + 1} of {attempts}")
+        with _load(LOADS[before]):
+            first = stored.measured_from(times.measure(sampler, plan))
+        baseline = stored.baseline_from(first, machine, FILTER, "self-test", None)
+        with _load(LOADS[now]):
+            rows = times.verdicts_against(baseline, (sampler, plan), times.cache_bytes(machine),
+                                          False)
+        found = Counter(row.verdict for row in rows)
+        lines.append(f"  {before:9} -> {now:9}  {_counted(found)}{_why(rows)}")
+        total += found
+    return "\n".join(lines), total[Verdict.FAIL] == 0 and total[Verdict.PASS] > 0
 
 
 @contextmanager

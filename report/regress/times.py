@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 
 from report.measure.converge import measure_until_converged
 from report.measure.sampler import Json, Sampler, Samples
+from report.measure.timings import REFERENCE
 from report.progress import Progress
 from report.regress import builds, stored
-from report.regress.verdicts import Layer, RowVerdict, Verdict, decide, layer_of
+from report.regress.verdicts import Layer, Measure, RowVerdict, Verdict, decide, layer_of
 
 
 Build = tuple[Sampler, Json]
@@ -30,14 +30,14 @@ def against_stored(sampler: Sampler, words: Sequence[str], machine: Json, file: 
 
 def verdicts_against(baseline: Json, now: Build, cache: float,
                      judge_threads: bool) -> list[RowVerdict]:
-    """All rows, those that do not pass measured twice."""
+    """All rows, those that do not pass measured again."""
 
-    def attempt(_: int, rows: set[str] | None) -> list[RowVerdict]:
+    def measure_again(_: int, rows: set[str] | None) -> list[RowVerdict]:
         samples = measure(now[0], _with_rows(now[1], rows))
         return stored.against_baseline(stored.measured_from(samples), baseline, cache,
                                        judge_threads)
 
-    return decide(attempt)
+    return decide(measure_again)
 
 
 def measure(sampler: Sampler, plan: Json) -> Samples:
@@ -47,24 +47,36 @@ def measure(sampler: Sampler, plan: Json) -> Samples:
     return samples
 
 
-def between_builds(before: Sampler, now: Sampler, words: Sequence[str],
+def between_builds(before: Sampler, now: Sampler, words: Sequence[str], same: set[str],
                    judge_threads: bool) -> Layer:
-    """Two builds, each with a plan of its own that verifies its rows."""
-    plan, left_out = builds.common_plan(before.plan(words), now.plan(words))
-    rows = decide(partial(attempt_between, (before, plan), (now, plan), judge_threads))
-    return layer_of(rows + left_out)
+    """Two builds, each with a plan of its own that verifies its rows. Rows of the ISAs in `same`
+    run the same machine code and are not measured."""
+    ours = now.plan(words)
+    names = {name for name in ours["rows"] if name.split("/")[1] != REFERENCE}
+    equal = {name for name in names if ours["rows"][name]["isa"] in same}
+    rows = [RowVerdict(name, Verdict.PASS, "the same machine code") for name in sorted(equal)]
+    if equal != names:
+        plan, left_out = builds.common_plan(before.plan(words), ours)
+        measured = decide(rounds_of((before, plan), (now, plan), judge_threads), names - equal)
+        rows += [row for row in measured + left_out if row.name not in equal]
+    return layer_of(rows, f"times: {len(equal)} rows not measured, as they run the same machine "
+                          "code" if equal else "")
 
 
-def attempt_between(before: Build, now: Build, judge_threads: bool, number: int,
-                    rows: set[str] | None) -> list[RowVerdict]:
-    """Measures the groups of these rows in both builds."""
-    plans = [_with_rows(plan, rows) for _, plan in (before, now)]
-    pairs = [builds.Pair(*(Samples(plan | {"groups": [group]}) for plan, group in zip(plans, both)))
-             for both in zip(*(plan["groups"] for plan in plans))]
-    progress = Progress("measuring both builds", builds.planned_seconds(pairs))
-    builds.measure_pairs(before[0], now[0], pairs, number * builds.PAIRS, progress.advance)
-    progress.close()
-    return [row for pair in pairs for row in builds.verdicts_of(pair, judge_threads)]
+def rounds_of(before: Build, now: Build, judge_threads: bool) -> Measure:
+    """Each measures more of the groups of its rows, in both builds, and judges what there is."""
+    pairs = [builds.Pair(*(Samples(plan | {"groups": [group]}) for plan, group
+                           in zip((before[1], now[1]), groups)))
+             for groups in zip(before[1]["groups"], now[1]["groups"])]
+
+    def measure_more(number: int, rows: set[str] | None) -> list[RowVerdict]:
+        chosen = [pair for pair in pairs if _holds(pair.group, rows)]
+        progress = Progress("measuring both builds", builds.planned_seconds(chosen))
+        builds.measure_round(before[0], now[0], chosen, number, progress.advance)
+        progress.close()
+        return [row for pair in chosen for row in builds.verdicts_of(pair, judge_threads)]
+
+    return measure_more
 
 
 def cache_bytes(machine: Json) -> float:
@@ -75,7 +87,8 @@ def cache_bytes(machine: Json) -> float:
 
 def _with_rows(plan: Json, rows: set[str] | None) -> Json:
     """The plan of the groups that hold these rows, or of all."""
-    if rows is None:
-        return plan
-    return plan | {"groups": [group for group in plan["groups"]
-                              if any(entry["name"] in rows for entry in group["entries"])]}
+    return plan | {"groups": [group for group in plan["groups"] if _holds(group, rows)]}
+
+
+def _holds(group: Json, rows: set[str] | None) -> bool:
+    return rows is None or any(entry["name"] in rows for entry in group["entries"])

@@ -61,42 +61,29 @@ def judge(change: Estimate, limit: float) -> Verdict:
 
 
 Measure = Callable[[int, set[str] | None], list[RowVerdict]]
-"""Measures and judges: the number of the attempt, and the rows, or None for all."""
+"""Measures more and judges: the number of the round, and the rows, or None for all."""
 
 
-MAX_ATTEMPTS = 4
+MAX_ROUNDS = 5
 
 
-def decide(measure: Measure) -> list[RowVerdict]:
-    """Measures; what is not settled is measured again by other processes, up to MAX_ATTEMPTS."""
-    found = {row.name: [row] for row in measure(0, None)}
-    for attempt in range(1, MAX_ATTEMPTS):
-        open_rows = {name for name, rows in found.items() if settled(rows) is None}
-        if not open_rows:
+def decide(measure: Measure, rows: set[str] | None = None) -> list[RowVerdict]:
+    """Measures these rows, or all, and what is not settled again, for up to MAX_ROUNDS rounds. PASS
+    is settled, FAIL once the next round says it as well."""
+    found: dict[str, RowVerdict] = {}
+    unsettled = rows
+    for number in range(MAX_ROUNDS):
+        latest = {row.name: row for row in measure(number, unsettled)
+                  if unsettled is None or row.name in unsettled}
+        failed = {name for name, row in found.items() if row.verdict == Verdict.FAIL}
+        found |= latest
+        unsettled = {name for name, row in latest.items() if row.verdict == Verdict.INCONCLUSIVE
+                     or (row.verdict == Verdict.FAIL and name not in failed)}
+        if not unsettled:
             break
-        for row in measure(attempt, open_rows):
-            if row.name in open_rows:
-                found[row.name].append(row)
-    return [settled(rows) or unsettled(rows) for rows in found.values()]
-
-
-def settled(rows: list[RowVerdict]) -> RowVerdict | None:
-    """FAIL is what two attempts say, PASS what one says and none calls FAIL."""
-    by_verdict = {verdict: [row for row in rows if row.verdict == verdict] for verdict in Verdict}
-    if by_verdict[Verdict.SKIPPED]:
-        return rows[-1]
-    if len(by_verdict[Verdict.FAIL]) >= 2:
-        return by_verdict[Verdict.FAIL][-1]
-    if by_verdict[Verdict.PASS] and not by_verdict[Verdict.FAIL]:
-        return by_verdict[Verdict.PASS][-1]
-    return None
-
-
-def unsettled(rows: list[RowVerdict]) -> RowVerdict:
-    """INCONCLUSIVE, for the last reason given or because attempts disagree."""
-    reasons = [row.reason for row in rows if row.reason]
-    said = ", ".join(row.verdict for row in rows)
-    return rows[-1].doubted(reasons[-1] if reasons else f"{len(rows)} attempts: {said}")
+    return [row.doubted("FAIL in the last round only")
+            if row.verdict == Verdict.FAIL and row.name in (unsettled or ()) else row
+            for row in found.values()]
 
 
 def overall(verdicts: Iterable[Verdict]) -> Verdict:

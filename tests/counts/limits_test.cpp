@@ -13,24 +13,28 @@ const std::vector<TimedInput>& scene() {
 }
 
 /// A call of 1 us with 9000 instructions at 3 GHz.
-RowLimit known_limit() {
+Limits known_limits() {
   static const Selection selection = select_rows(
       {.filter = "^thin_guo_hall/lut/baseline/1/end_to_end"}, all_operations(), scene());
-  return {{&selection.rows.back(), 9000}, {1e-6, 1e-9 / 3}};
+  Limits limits;
+  limits.seconds_per_cycle = 1e-9 / 3;
+  limits.rows.push_back({{{&selection.rows.back(), 9000}, {"90 c3", "0-1*1"}}, 1e-6});
+  return limits;
 }
 
-TEST(Limits, instructions_time_and_frequency_make_the_limit) {
-  EXPECT_NEAR(known_limit().instructions_per_cycle(), 3, 1e-9);
-  EXPECT_NEAR(known_limit().limit_seconds(4) * 1e9, 750, 1e-6);
+TEST(Limits, time_and_length_of_a_cycle_make_cycles) {
+  const Limits limits = known_limits();
+  EXPECT_NEAR(limits.cycles(limits.rows[0]), 3000, 1e-6);
+  EXPECT_NEAR(limits.instructions_per_cycle(limits.rows[0]), 3, 1e-9);
 }
 
-TEST(Limits, the_file_says_what_was_assumed_and_what_a_row_takes_in_an_iteration) {
-  const auto json = limits_json(scene().front(), {{known_limit()}, {}}, 4);
-  EXPECT_EQ(json.at("schema"), 1);
-  EXPECT_EQ(json.at("issue_width"), 4);
+TEST(Limits, the_file_has_one_cycle_and_for_each_row_its_cycles_and_its_code) {
+  const auto json = limits_json(scene().front(), known_limits());
+  EXPECT_EQ(json.at("schema"), 2);
+  EXPECT_EQ(json.at("cycle_ns"), 0.33333);
   const auto& row = json.at("rows").at(0);
-  EXPECT_EQ(row.at("percent_of_limit"), 75);
-  EXPECT_EQ(row.at("limit_ns"), 750);
+  EXPECT_EQ(row.at("cycles"), 3000);
+  EXPECT_EQ(row.at("code"), (nlohmann::json{{"instructions", "90 c3"}, {"order", "0-1*1"}}));
   const double iterations = row.at("iterations");
   EXPECT_NEAR(row.at("instructions_per_row_and_iteration"), 9000 / (412 * iterations), 0.05);
 }

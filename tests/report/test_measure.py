@@ -13,7 +13,7 @@ from fake_programs import MACHINE, TIMES, install, make_group, make_plan
 
 from report.errors import ReportError
 from report.measure.converge import measure_until_converged, open_entries
-from report.measure.estimates import NEEDED, TOLERANCE, estimate_of_logs, floor_of, interval_ranks
+from report.measure.estimates import NEEDED, TOLERANCE, floor_of
 from report.measure.run import controls_of, load_run, load_samples, write_run
 from report.measure.sampler import Process, Sampler, Samples, every_entry, measure_interleaved
 from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
@@ -56,14 +56,6 @@ def test_quotients_of_published_times_are_the_published_speedups(tmp_path: Path,
         if row.peer_name:
             peer = peers[row.peer_name, row.input]
             assert row.speedup_vs_peer == pytest.approx(peer.time_ns / row.time_ns, rel=0.005)
-
-
-def test_intervals_are_the_second_and_eighth_of_nine_values() -> None:
-    assert interval_ranks(9) == (1, 7)
-    assert interval_ranks(6) == interval_ranks(7)[:1] + (5,) == (0, 5)
-    assert interval_ranks(3) == (0, 2)
-    estimate = estimate_of_logs(np.log([5, 1, 9, 2, 8, 3, 7, 4, 6]))
-    assert (estimate.low, estimate.value, estimate.high) == pytest.approx((2, 5, 8))
 
 
 def test_a_machine_that_is_slower_for_all_rows_leaves_speedups_alone(

@@ -132,14 +132,30 @@ def test_large_images_are_linked_not_embedded(tmp_path, capsys):
     assert 'href="pictures/scene_thin_guo_hall.png"' in build(directory, capsys).text("index.html")
 
 
-def test_instruction_counts_stand_with_their_operation(tmp_path, capsys):
+def write_limits(directory: Path, model: str, **more: int) -> None:
+    """One row, on a part of the image."""
+    row = {"row": "thin_guo_hall/lut/baseline/1/end_to_end/scene_24_rows",
+           "operation": "thin_guo_hall", "instructions": 123456, "instructions_per_cycle": 3.5, "ns": 9e3,
+           "cycles": 40000, **more}
+    (directory / "limits.json").write_bytes(to_json({
+        "schema": 2, "input": {"name": "scene_24_rows", "width": 510, "height": 24},
+        "cycle_ns": 0.25, "model": model, "rows": [row]}))
+
+
+def test_clock_cycles_stand_with_their_operation_and_the_image_that_was_counted(tmp_path, capsys):
     directory = write_run(tmp_path / "run", all_rows())
-    row = {"row": "thin_guo_hall/lut/baseline/1/kernel/scene", "operation": "thin_guo_hall",
-           "scope": "kernel", "instructions": 123456, "instructions_per_cycle": 3.5, "ns": 4e6,
-           "limit_ns": 3e6, "percent_of_limit": 75.0}
-    (directory / "limits.json").write_bytes(to_json({"issue_width": 6, "rows": [row]}))
+    write_limits(directory, "llvm-mca 19, znver4", model_cycles=30000)
     page = build(directory, capsys).text("index.html")
-    assert "123,456" in page and "assumes a core that issues 6 instructions" in page
+    assert "clock cycles of the middle 24 rows of scene, 510 × 24 pixels</summary>" in page
+    assert "123,456" in page and "The model (llvm-mca 19, znver4)" in page and ">75 %<" in page
+
+
+def test_without_a_model_the_page_says_why_and_has_no_column_of_it(tmp_path, capsys):
+    directory = write_run(tmp_path / "run", all_rows())
+    write_limits(directory, "none: LLVM 19 has no model of this processor (znver5)")
+    page = build(directory, capsys).text("index.html")
+    assert "no model to compare with: LLVM 19 has no model of this processor (znver5)." in page
+    assert "40,000" in page and "Cycles of the model" not in page
 
 
 def test_a_run_that_has_no_end_to_end_rows_has_a_page(tmp_path, capsys):
@@ -168,9 +184,9 @@ def test_a_directory_without_a_run_is_rejected_in_one_line(tmp_path, rejection):
     assert "run.json: cannot be read" in rejection("build", tmp_path)
 
 
-def test_a_damaged_bound_is_rejected_before_anything_is_written(tmp_path, rejection):
+def test_damaged_clock_cycles_are_rejected_before_anything_is_written(tmp_path, rejection):
     directory = write_run(tmp_path / "run", all_rows())
-    (directory / "limits.json").write_bytes(to_json({"rows": [{}]}))
+    (directory / "limits.json").write_bytes(to_json({"schema": 2, "rows": [{}]}))
     assert "limits.json" in rejection("build", directory)
 
 

@@ -31,20 +31,6 @@ TEST(InstructionsCommand, counts_are_reproducible) {
   EXPECT_NE(first.out.find("euler_number/bitpacked/baseline/1/kernel/scene_small"),
             std::string::npos);
   EXPECT_EQ(run_with(count_command({"--json"})).out, bytes_of(file));
-  const ProgramRun again = run_with(count_command({"--against", file}));
-  EXPECT_EQ(again.status, 0);
-  EXPECT_EQ(again.out, "2 rows compared: 0 take more instructions, 0 fewer (tolerance 1 %)\n");
-}
-
-TEST(InstructionsCommand, exits_with_1_for_more_instructions_and_with_4_for_no_common_case) {
-  const TemporaryDirectory directory;
-  Json counts = Json::parse(run_with(count_command({"--json"})).out);
-  counts["rows"][0]["instructions"] = 100;
-  const std::string less = directory.with("less.json", counts.dump());
-  EXPECT_EQ(run_with(count_command({"--against", less})).status, 1);
-  counts["rows"] = Json::array();
-  const std::string none = directory.with("none.json", counts.dump());
-  EXPECT_EQ(run_with(count_command({"--against", none})).status, 4);
 }
 
 TEST(InstructionsCommand, limits_give_instructions_per_cycle) {
@@ -74,12 +60,8 @@ TEST(InstructionsCommand, image_is_binarised_by_the_given_options) {
   EXPECT_NE(hash({"--foreground", "dark", "--threshold", "1"}), bright);
 }
 
-TEST(InstructionsCommand, incompatible_options_are_rejected) {
-  EXPECT_EQ(failure_of({"instructions", "--against", "x", "--limits"}, 2),
-            "--against goes with neither --json nor --limits");
+TEST(InstructionsCommand, quick_without_limits_is_rejected) {
   EXPECT_EQ(failure_of({"instructions", "--quick"}, 2), "--quick goes with --limits only");
-  EXPECT_EQ(failure_of({"instructions", "--against", "absent.json"}, 1),
-            "cannot read 'absent.json': there is no such file");
 }
 
 }  // namespace
