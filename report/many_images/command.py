@@ -20,8 +20,6 @@ from report.measure.run import machine_facts
 from report.row_options import positive
 from report.study import default_directory
 
-CSV = "many_images.csv"
-
 EPILOG = """examples:
   ./study many-images
   ./study many-images --quick --out /tmp/many
@@ -88,9 +86,9 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
     import cv2
     from distributed import Client, LocalCluster
 
-    from report.many_images.results import Origin, results_of, to_csv
+    from report.many_images.results import CSV, Origin, results_of, to_csv
     from report.many_images.steps import measure
-    from report.many_images.tables import tables
+    from report.many_images.tables import TABLES
     cv2.setNumThreads(1)
     cores = machine["cores"]
     load = LoadMeter()
@@ -105,7 +103,7 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
                     load.foreign())
     results = results_of(steps, samples, origin)
     write_file(directory / CSV, to_csv(results).encode())
-    return "\n".join([*tables(results).values(), f"{directory} holds {CSV}"])
+    return "\n".join([*(table(results) for table in TABLES.values()), f"{directory} holds {CSV}"])
 
 
 def _ignore_interrupts() -> None:

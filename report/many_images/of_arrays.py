@@ -19,10 +19,8 @@ from distributed import wait
 
 import thinbench
 import thinbench.dask
-from report.many_images.steps import Figures, Key, Step
+from report.many_images.steps import CHUNKS, IN_MEMORY, LARGE, Figures, Key, Step
 
-CHUNKS, LARGE = "dask", "out_of_core"
-IN_MEMORY = "in memory"
 THREADS, WORKERS = "threads of one process", "worker processes"
 
 EPOCHS = 3

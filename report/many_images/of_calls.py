@@ -16,10 +16,9 @@ from skimage import measure, morphology
 
 import thinbench
 from report.many_images.inputs import Image
-from report.many_images.steps import Figures, Key, Step
+from report.many_images.steps import CALLS, Figures, Key, Step
 from thinbench import compat
 
-CALLS = "calls"
 SECONDS = 0.1
 """Of calls in a round; at least one."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import subprocess
 import time
 from collections.abc import Callable, Sequence
@@ -19,14 +20,12 @@ from skimage import morphology
 import thinbench
 from report.errors import ReportError
 from report.many_images.inputs import Image
-from report.many_images.steps import Figures, Key, Step, digest_of_images
+from report.many_images.steps import IMAGES, STAGES, WORKERS, Figures, Key, Step
 from thinbench import compat
 
-IMAGES, WORKERS = "images", "workers"
 THREADS = "threads of thinbench batch"
 SHARDS = "processes of thinbench batch --shard"
 DASK = "dask worker processes"
-STAGES = ("decode", "compute", "encode")
 
 Thin = Callable[[Image], Any]
 """A skeleton of 0 and anything else; takes 255 on the foreground."""
@@ -83,7 +82,16 @@ def worker_counts(cores: int) -> list[int]:
 
 def _step(key: Key, base: Key, run: Callable[[Path], Figures], work: Path) -> Step:
     out = _directory(work, key)
-    return Step(key, base, lambda: run(out), lambda: digest_of_images(out))
+    return Step(key, base, lambda: run(out), lambda: _digest(out))
+
+
+def _digest(directory: Path) -> str:
+    """Of the names and pixels of all PNG files."""
+    found = hashlib.sha256()
+    for path in sorted(directory.glob("*.png")):
+        found.update(path.name.encode())
+        found.update(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE).tobytes())
+    return found.hexdigest()
 
 
 def _timed_step(key: Key, base: Key, run: Callable[[int, Path], None], work: Path,

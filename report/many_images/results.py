@@ -14,6 +14,8 @@ from report.files import read_bytes
 from report.many_images.steps import Samples, Step, floors
 from report.measure.estimates import Floor, ratio_of
 
+CSV = "many_images.csv"
+
 
 @dataclass(frozen=True)
 class Origin:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-import hashlib
 import random
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import NamedTuple
-
-import cv2
 
 from report.errors import ReportError
 from report.measure.estimates import Floor, floor_of
 from report.progress import Progress
+
+IMAGES, WORKERS, CALLS, CHUNKS, LARGE = "images", "workers", "calls", "dask", "out_of_core"
+"""The experiments."""
+
+IN_MEMORY = "in memory"
+
+STAGES = ("decode", "compute", "encode")
+"""Of a file."""
 
 Figures = dict[str, list[float]]
 """Quantity to its epochs in one round. Every quantity is a time, so that the lowest counts."""
@@ -82,12 +86,3 @@ def _verify(steps: list[Step]) -> dict[Key, float]:
         progress.advance(1)
     progress.close()
     return seconds
-
-
-def digest_of_images(directory: Path) -> str:
-    """Of the names and pixels of all PNG files."""
-    found = hashlib.sha256()
-    for path in sorted(directory.glob("*.png")):
-        found.update(path.name.encode())
-        found.update(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE).tobytes())
-    return found.hexdigest()

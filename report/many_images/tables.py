@@ -1,20 +1,12 @@
-"""The tables of docs/, from the CSV file."""
+"""Tables in Markdown: times, and ratios with their intervals."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from report.formatting import duration, interval, markdown_table, three_digits
-from report.many_images.of_arrays import CHUNKS, IN_MEMORY, LARGE
-from report.many_images.of_calls import CALLS
-from report.many_images.of_files import IMAGES, STAGES, WORKERS
 from report.many_images.results import Result, series
-
-
-def tables(results: list[Result]) -> dict[str, str]:
-    """Markdown by experiment: times, and ratios with their intervals."""
-    return {IMAGES: _images(results), WORKERS: _workers(results), CALLS: _calls(results),
-            CHUNKS: _dask(results), LARGE: _out_of_core(results)}
+from report.many_images.steps import CALLS, CHUNKS, IMAGES, IN_MEMORY, LARGE, STAGES, WORKERS
 
 
 def _images(results: list[Result]) -> str:
@@ -69,6 +61,11 @@ def _lines(results: list[Result], experiment: str, quantity: str) -> Iterator[tu
 
 def _ratio(one: Result) -> str:
     if one.ratio is None:
-        return one.flags
+        return ""
     flags = f", {one.flags}" if one.flags else ""
     return f"{three_digits(one.ratio)} ({interval(one.ratio_low, one.ratio_high)}{flags})"
+
+
+TABLES: dict[str, Callable[[list[Result]], str]] = {
+    IMAGES: _images, WORKERS: _workers, CALLS: _calls, CHUNKS: _dask, LARGE: _out_of_core}
+"""By experiment."""
