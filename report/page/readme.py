@@ -1,37 +1,51 @@
 """Fills the marked parts of README and docs/ with the figures of a run; nothing else is touched.
 
-    <!-- headline: made by report readme -->        the first table
-    <!-- speed CASE...: made by report readme -->   speed-ups of all techniques of these cases
-    <!-- run: made by report readme -->             which run it was
+    <!-- headline: made by report readme -->               the first table
+    <!-- speed CASE...: made by report readme -->          speed-ups of all techniques of these cases
+    <!-- run: made by report readme -->                    which run it was
+    <!-- many-images EXPERIMENT: made by report readme --> a table of `./study many-images`, and its run
     ...
     <!-- end -->
+
+A directory fills the parts of what it holds: a run, many images, or both.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from report.errors import ReportError
 from report.files import write_file
-from report.formatting import NOTHING, markdown_table, speedup_text
-from report.measure.run import Run, load_run
+from report.formatting import NOTHING, markdown_table, speedup_text, three_digits
+from report.many_images.results import CSV, Result
+from report.many_images.results import read_csv as read_many_images
+from report.many_images.tables import TABLES
+from report.measure.run import RUN, load_run
 from report.measure.timings import Row
 from report.page.headline import readme_table
 from report.page.operations import Rows, fastest
 
-MARK = re.compile(r"(<!-- (\w+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
+MARK = re.compile(r"(<!-- ([\w-]+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
+
+MANY_IMAGES = Path("many-images", CSV)
+"""In the directory of a run."""
+
+Maker = Callable[[list[str], Path], str]
+"""Takes the words after the first, and where the document is."""
+
+NAMES = ("headline", "speed", "run", "many-images")
 
 
 def fill_documents(directory: Path, documents: Sequence[Path]) -> str:
     """Returns what was done. Nothing is written unless every document has marks that are known."""
-    rows = Rows(load_run(directory))
-    texts = {document: _filled(document, rows) for document in documents}
+    makers = _makers(directory)
+    texts = {document: _filled(document, makers) for document in documents}
     for document, text in texts.items():
         write_file(document, text.encode())
-    return f"filled from {directory}: {', '.join(path.name for path in documents)}"
+    return f"filled {', '.join(makers)} from {directory}: {', '.join(path.name for path in documents)}"
 
 
 def marked(directory: Path) -> list[Path]:
@@ -40,26 +54,37 @@ def marked(directory: Path) -> list[Path]:
             if MARK.search(path.read_text(encoding="utf-8"))]
 
 
-def _filled(document: Path, rows: Rows) -> str:
+def _makers(directory: Path) -> dict[str, Maker]:
+    """By the first word of a mark. Raises ReportError where the directory holds nothing to quote."""
+    many = directory / MANY_IMAGES
+    makers: dict[str, Maker] = {}
+    if (directory / RUN).exists() or not many.exists():
+        rows = Rows(load_run(directory))
+        makers |= {"headline": lambda _, __: readme_table(rows.headlines()),
+                   "speed": lambda cases, _: speed_table(rows, cases),
+                   "run": lambda _, folder: _run_line(rows, folder)}
+    if many.exists():
+        results = read_many_images(many)
+        makers["many-images"] = lambda words, folder: _many_images(results, words, many, folder)
+    return makers
+
+
+def _filled(document: Path, makers: dict[str, Maker]) -> str:
     try:
         text = document.read_text(encoding="utf-8")
     except OSError as error:
         raise ReportError(f"{document}: cannot be read: {error.strerror}") from None
-    if not MARK.search(text):
-        raise ReportError(f"{document}: no '<!-- headline: made by report readme -->' with its "
-                          "'<!-- end -->', and no other mark")
-    return MARK.sub(lambda found: f"{found[1]}{_part(found[2], found[3].split(), rows, document)}"
-                                  f"{found[4]}", text)
+    names = [mark[2] for mark in MARK.finditer(text)]
+    unknown = [name for name in names if name not in NAMES]
+    if unknown or not names:
+        what = f"'{unknown[0]}' is no mark" if unknown else "there is no mark"
+        raise ReportError(f"{document}: {what}; expected '<!-- NAME: made by report readme -->' and "
+                          f"its '<!-- end -->', NAME one of {', '.join(NAMES)}")
 
-
-def _part(name: str, words: list[str], rows: Rows, document: Path) -> str:
-    if name == "headline":
-        return readme_table(rows.headlines())
-    if name == "speed" and words:
-        return speed_table(rows, words)
-    if name == "run":
-        return _run_line(rows.run, document)
-    raise ReportError(f"{document}: '{name}': expected headline, speed CASE... or run")
+    def part(found: re.Match[str]) -> str:
+        maker = makers.get(found[2])
+        return f"{found[1]}{maker(found[3].split(), document.parent)}{found[4]}" if maker else found[0]
+    return MARK.sub(part, text)
 
 
 def speed_table(rows: Rows, cases: Sequence[str]) -> str:
@@ -81,8 +106,18 @@ def _equal_peer(rows: Rows, case: str) -> str:
     return best.peer_name if best else ""
 
 
-def _run_line(run: Run, document: Path) -> str:
-    where = os.path.relpath(run.directory, document.parent)
+def _run_line(rows: Rows, folder: Path) -> str:
+    run = rows.run
+    where = os.path.relpath(run.directory, folder)
     machine = run.machine
     return (f"Run of commit {machine['commit']} on {machine['cpu']['name']} "
             f"({machine['fingerprint']}), one thread: [all timings]({where}/timings.csv).\n")
+
+
+def _many_images(results: list[Result], words: list[str], file: Path, folder: Path) -> str:
+    if len(words) != 1 or words[0] not in TABLES:
+        raise ReportError(f"'many-images {' '.join(words)}': expected one of {', '.join(TABLES)}")
+    one = results[0]
+    return (f"{TABLES[words[0]](results)}\nRun of commit {one.commit} on {one.processor} ({one.machine}), {one.cores} "
+            f"cores, of which other processes kept {three_digits(one.foreign_load)} busy: "
+            f"[all figures]({os.path.relpath(file, folder)}).\n")
