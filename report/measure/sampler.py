@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -72,6 +73,7 @@ class Sampler:
             what = "a variant differs from its reference" if done.stdout else "nothing was measured"
             raise ReportError(f"{what}; see above", done.returncode)
         plan: Json = json.loads(done.stdout)
+        _report_skipped(plan)
         return plan
 
     def measure(self, plan: Json, seed: int, on_seconds: Callable[[float], None],
@@ -105,6 +107,18 @@ class Sampler:
         if process.returncode != 0:
             raise ReportError("a measuring process failed; see the line above")
         return Process(seed, groups, states, load.foreign())
+
+
+_reported: set[str] = set()
+"""Reasons."""
+
+
+def _report_skipped(plan: Json) -> None:
+    """Why rows are missing, each reason once, whatever the number of plans."""
+    reasons = {row["reason"] for row in plan["skipped"]} - _reported
+    _reported.update(reasons)
+    for reason in sorted(reasons):
+        print(f"note: some rows are skipped: {reason}", file=sys.stderr, flush=True)
 
 
 def every_entry(plan: Json) -> Choice:

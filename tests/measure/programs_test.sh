@@ -25,7 +25,7 @@ grep -q 'gave another result' "$work/err" || fail "unexpected: $(cat "$work/err"
 
 "$sampler" plan --filter no_such_row >/dev/null 2>"$work/err"
 [ $? = 2 ] || fail 'expected exit status 2 where no row matches'
-grep -q "no row to measure; the filter is 'no_such_row'" "$work/err" || fail 'no row: other message'
+grep -q "no row matches the filter 'no_such_row'" "$work/err" || fail 'no row: other message'
 "$sampler" plan --bogus >/dev/null 2>"$work/err"
 [ $? = 2 ] || fail 'expected exit status 2 for an unknown option'
 grep -q "there is no option '--bogus'" "$work/err" || fail 'unknown option: other message'
