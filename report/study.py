@@ -163,8 +163,8 @@ def measure_quality(program: Path, directory: Path, options: argparse.Namespace)
 
 
 def _shown(options: argparse.Namespace) -> tuple[str, ...]:
-    """How lines begin that the sampler has printed: remarks on timed images, and what is skipped."""
-    return ("skipped ", *(f"{kind}: {image}: " for image in options.image
+    """How lines begin that say nothing new: remarks on timed images, what is skipped, and files."""
+    return ("skipped ", "wrote ", *(f"{kind}: {image}: " for image in options.image
                           for kind in ("note", "warning")))
 
 

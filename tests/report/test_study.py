@@ -42,7 +42,7 @@ def test_a_note_appears_once_and_the_image_is_on_the_page(study, image, tmp_path
     status, errors = study("--image", str(image), "--filter", "^thin_guo_hall/", "--threads", "2,3")
     assert status == 0
     assert errors.count(f"note: {image}: foreground is dark") == 1
-    assert "thinbench-study: " not in errors and "skipped 0" not in errors
+    assert "thinbench-study: " not in errors and "wrote" not in errors
     page = (tmp_path / "run" / "index.html").read_text(encoding="utf-8")
     assert 'alt="the input, bolt"' in page
     assert load_run(tmp_path / "run").facts["options"]["threads"] == [2, 3]
