@@ -34,7 +34,8 @@ void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
                  "'^thin_mb2:keep/'");
   app.add_option("--variants", rows.variants,
                  "default all; usual: the best of each ISA and each technique once; highest: "
-                 "the highest ISA of each technique; best: the library's choice and its best "
+                 "the highest ISA of each technique, both with threads only where the library "
+                 "would use them; best: the library's choice and its best "
                  "scalar variant")
       ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case).description(""))
       ->type_name("all|usual|highest|best");
