@@ -112,6 +112,12 @@ std::span<const RegionsOperation> regions_operations() {
   return all;
 }
 
+std::span<const LabelsOperation> labels_operations() {
+  static const auto all =
+      extended(detail::labels_operations(), [](const auto&) { return LabelsVariants(); });
+  return all;
+}
+
 const DistanceOperation& distance_operation() {
   static const DistanceOperation operation = [] {
     VariantList<DistanceState> list;
