@@ -1,17 +1,21 @@
 #include "regions/labels_state.hpp"
 
+#include "regions/contact_labels.hpp"
+
 namespace thinbench::detail {
 namespace {
 
-std::vector<LabelsVariant> labels_variants() {
+std::vector<LabelsVariant> labels_variants(LabelsTask task) {
   LabelsVariants list;
   list.add("bitpacked_runs", Isa::baseline, &make_run_labels, {0});
+  if (task == LabelsTask::regions) return list.take();
+  list.add("bitpacked_contacts", Isa::baseline, &make_bitpacked_contacts, {1});
   return list.take();
 }
 
 std::vector<LabelsOperation> make_labels_operations() {
   const auto operation = [](LabelsTask task, std::string_view name, std::string_view description) {
-    return LabelsOperation{task, name, description, labels_variants()};
+    return LabelsOperation{task, name, description, labels_variants(task)};
   };
   return {
       operation(LabelsTask::image_eight, "label_image", "label image of 8-connected objects"),

@@ -1,0 +1,78 @@
+#include "regions/contact_labels.hpp"
+
+#include <vector>
+
+#include "core/exported.hpp"
+#include "core/layout.hpp"
+#include "regions/label_kernels.hpp"
+
+namespace thinbench::detail {
+namespace {
+
+constexpr Region kNoPixels = {0, 0, 0, INT32_MAX, 0, -1, 0, 0};
+
+/// Memory for the runs of images of one size. It grows on demand and is reused.
+class RunForestMemory {
+ public:
+  explicit RunForestMemory(Index bands)
+      : first_(make_aligned<Label>(static_cast<std::size_t>(bands + 1))), bands_(bands) {}
+
+  [[nodiscard]] Label* first() { return first_.get(); }
+  /// Room for the runs that `first` counts; contents are lost.
+  RunForest with_room() {
+    const Label runs = first_[static_cast<std::size_t>(bands_)];
+    if (runs > capacity_) {
+      capacity_ = runs + runs / 2;
+      parents_ = make_aligned<Label>(capacity_);
+      ids_ = make_aligned<Label>(capacity_ + 2 * std::size_t{kRunPadding});
+    }
+    return {parents_.get(), ids_.get() + kRunPadding, first_.get()};
+  }
+
+ private:
+  AlignedArray<Label> first_;
+  AlignedArray<Label> parents_;
+  AlignedArray<Label> ids_;
+  Index bands_;
+  std::size_t capacity_ = 0;
+};
+
+class ContactLabelsState final : public LabelsState {
+ public:
+  ContactLabelsState(const LabelEngine& engine, const LabelsSetting& setting)
+      : LabelsState(setting),
+        kernels_(is_four_connected(setting.task) ? engine.four : engine.eight),
+        has_list_(has_list(setting.task)),
+        memory_(
+            bands_of(is_four_connected(setting.task) ? Band::row : Band::pair, setting.height)) {}
+
+  [[nodiscard]] RegionLists regions() const override { return {list_, {}}; }
+  [[nodiscard]] Label objects() const override { return objects_; }
+
+ private:
+  void compute() override {
+    kernels_.count(image(), memory_.first());
+    runs_ = memory_.with_room();
+    kernels_.unite(image(), runs_);
+    objects_ = kernels_.number(image(), runs_);
+    if (!has_list_) return;
+    list_.assign(objects_, kNoPixels);
+    kernels_.sum(image(), runs_, list_.data());
+  }
+  void store(const LabelView& labels) override { kernels_.paint(image(), runs_, labels); }
+
+  LabelKernels kernels_;
+  bool has_list_;
+  RunForestMemory memory_;
+  RunForest runs_ = {};
+  Label objects_ = 0;
+  std::vector<Region> list_;
+};
+
+}  // namespace
+
+std::unique_ptr<LabelsState> make_bitpacked_contacts(const LabelsSetting& setting) {
+  return std::make_unique<ContactLabelsState>(kBitpackedLabelEngine, setting);
+}
+
+}  // namespace thinbench::detail

@@ -1,0 +1,275 @@
+// Runs as bits: a run is the bit where it begins, and its number is the count of such bits up to
+// it. There are no lists of runs. Safe to include in ISA files.
+//
+// Two rows that are OR-ed are one row of runs, from "Bit-Merge-Run-Scan", W. Lee, F. Bolelli,
+// S. Allegretti, C. Grana: Fast Run-Based Connected Components Labeling for Bitonal Images,
+// ICIEV 2021. Here contacts between bands are bits, too, one for each two runs that touch.
+#pragma once
+
+#include "regions/label_kernels.hpp"
+
+namespace thinbench::detail {
+
+[[gnu::always_inline]] inline Label count_bits(std::uint64_t bits) {
+  return static_cast<Label>(__builtin_popcountll(bits));
+}
+
+/// Bit i is set where bit i - 1 is; bit 0 comes from `carry`, which becomes the highest bit.
+[[gnu::always_inline]] inline std::uint64_t shifted(std::uint64_t bits, std::uint64_t& carry) {
+  const std::uint64_t result = bits << 1 | carry;
+  carry = bits >> 63;
+  return result;
+}
+
+/// Marks all bits that follow a seed, up to the next stop: bits after it that are reached without
+/// passing one. An addition carries seeds through the bits between stops. Words from low to high.
+class Follow {
+ public:
+  [[gnu::always_inline]] std::uint64_t operator()(std::uint64_t seeds, std::uint64_t stops) {
+    const std::uint64_t open = ~stops;
+    const std::uint64_t entries = shifted(seeds, seed_) & open;
+    unsigned long long sum = 0;
+    const bool first = __builtin_uaddll_overflow(open, entries, &sum);
+    const bool second = __builtin_uaddll_overflow(sum, carry_, &sum);
+    // A carry from the word before sets bit 0 as a seed would.
+    const std::uint64_t reached = ((sum ^ open) | entries | carry_) & open;
+    carry_ = first || second ? 1 : 0;
+    return reached;
+  }
+
+ private:
+  std::uint64_t seed_ = 0;
+  std::uint64_t carry_ = 0;
+};
+
+/// A band as bits.
+template <Band band>
+struct BandBits {
+  const std::uint64_t* top;
+  std::uint64_t carry = 0;
+  Index stride;
+
+  [[gnu::always_inline]] BandBits(const ConstBitPlaneView& image, Index number)
+      : top(image.row(number * rows_of(band))), stride(image.stride) {}
+
+  /// The last row.
+  [[gnu::always_inline]] std::uint64_t bottom(Index word) const {
+    return band == Band::pair ? top[stride + word] : top[word];
+  }
+  [[gnu::always_inline]] std::uint64_t merged(Index word) const { return top[word] | bottom(word); }
+  /// Where runs begin; for words from the left.
+  [[gnu::always_inline]] std::uint64_t starts(Index word) {
+    const std::uint64_t bits = merged(word);
+    return bits & ~shifted(bits, carry);
+  }
+};
+
+[[gnu::always_inline]] inline Index words_of(const ConstBitPlaneView& image) {
+  return (image.width + kWordBits - 1) / kWordBits;
+}
+
+template <Band band>
+[[gnu::always_inline]] inline void count_runs(const ConstBitPlaneView& image, Label* first) {
+  const Index words = words_of(image);
+  const Index bands = bands_of(band, image.height);
+  Label runs = 0;
+  for (Index number = 0; number < bands; ++number) {
+    first[number] = runs;
+    BandBits<band> here(image, number);
+    for (Index word = 0; word < words; ++word) runs += count_bits(here.starts(word));
+  }
+  first[bands] = runs;
+}
+
+/// Contacts of a row with the row below: both runs have begun at or before the bit, and they touch
+/// at it. For pairs of rows, at the bit or one before it.
+template <Band band>
+class Contacts {
+ public:
+  [[gnu::always_inline]] std::uint64_t operator()(std::uint64_t upper, std::uint64_t lower) {
+    if constexpr (band == Band::row) return upper & lower;
+    const std::uint64_t lower_west = shifted(lower, lower_);
+    const std::uint64_t upper_west = shifted(upper, upper_);
+    return (upper & (lower | lower_west)) | (lower & upper_west);
+  }
+
+ private:
+  std::uint64_t lower_ = 0;
+  std::uint64_t upper_ = 0;
+};
+
+/// Unites the runs of a band with those of the band above. The first contact of a run copies a
+/// parent; only later ones need the forest.
+template <Band band>
+[[gnu::always_inline]] inline void unite_band(const ConstBitPlaneView& image, Index number,
+                                              const RunForest& runs) {
+  BandBits<band> above(image, number - 1);
+  BandBits<band> here(image, number);
+  Contacts<band> contacts;
+  Follow in_both, in_lower;
+  Label* const parents = runs.parents;
+  Label before_above = runs.first[number - 1] - 1;  // the last run before the word
+  Label before_here = runs.first[number] - 1;
+  const Index words = words_of(image);
+  for (Index word = 0; word < words; ++word) {
+    const std::uint64_t upper = above.starts(word);
+    const std::uint64_t lower = here.starts(word);
+    const std::uint64_t all = contacts(above.bottom(word), here.top[word]);
+    const std::uint64_t distinct = all & ~in_both(all, upper | lower);
+    const std::uint64_t later = distinct & in_lower(distinct, lower);
+    for (std::uint64_t left = distinct & ~later; left != 0; left &= left - 1) {
+      const std::uint64_t upto = left ^ (left - 1);
+      parents[before_here + count_bits(lower & upto)] =
+          parents[before_above + count_bits(upper & upto)];
+    }
+    for (std::uint64_t left = later; __builtin_expect(left != 0, 0); left &= left - 1) {
+      const std::uint64_t upto = left ^ (left - 1);
+      unite(parents, parents[before_here + count_bits(lower & upto)],
+            parents[before_above + count_bits(upper & upto)]);
+    }
+    before_above += count_bits(upper);
+    before_here += count_bits(lower);
+  }
+}
+
+template <Band band>
+[[gnu::always_inline]] inline void unite_runs(const ConstBitPlaneView& image,
+                                              const RunForest& runs) {
+  const Index bands = bands_of(band, image.height);
+  const Label count = runs.first[bands];
+  for (Label run = 0; run < count; ++run) runs.parents[run] = run;
+  for (Index number = 1; number < bands; ++number) {
+    const bool none_above = runs.first[number - 1] == runs.first[number];
+    const bool none_here = runs.first[number] == runs.first[number + 1];
+    if (!none_above && !none_here) unite_band<band>(image, number, runs);
+  }
+}
+
+/// Numbers objects by the order of their first runs.
+[[gnu::always_inline]] inline Label number_in_order(const RunForest& runs, Label begin, Label end,
+                                                    Label objects) {
+  for (Label run = begin; run < end; ++run) {
+    const Label parent = runs.parents[run];
+    objects += parent == run ? 1 : 0;
+    runs.ids[run] = objects;
+    if (parent != run) runs.ids[run] = runs.ids[parent];
+  }
+  return objects;
+}
+
+/// The root of a run among the runs of its band, or a run before the band.
+[[gnu::always_inline]] inline Label root_in_band(const Label* parents, Label run, Label first) {
+  while (run >= first && parents[run] != run) run = parents[run];
+  return run;
+}
+
+/// The same for a pair of rows in which some runs have no pixel in the first row: objects that have
+/// one come first.
+[[gnu::always_inline]] inline Label number_pair(const ConstBitPlaneView& image, Index number,
+                                                const RunForest& runs, Label objects) {
+  const Label first = runs.first[number];
+  const Label end = runs.first[number + 1];
+  for (Label run = first; run < end; ++run) runs.ids[run] = 0;
+  BandBits<Band::pair> here(image, number);
+  Follow in_run;
+  Label before = first - 1;
+  const Index words = words_of(image);
+  for (Index word = 0; word < words; ++word) {
+    const std::uint64_t starts = here.starts(word);
+    const std::uint64_t top = here.top[word];
+    for (std::uint64_t left = top & ~in_run(top, starts); left != 0; left &= left - 1) {
+      const Label run = before + count_bits(starts & (left ^ (left - 1)));
+      const Label root = root_in_band(runs.parents, run, first);
+      if (root >= first && runs.ids[root] == 0) runs.ids[root] = ++objects;
+    }
+    before += count_bits(starts);
+  }
+  for (Label run = first; run < end; ++run) {
+    const Label parent = runs.parents[run];
+    if (parent != run) {
+      runs.ids[run] = runs.ids[parent];
+    } else if (runs.ids[run] == 0) {
+      runs.ids[run] = ++objects;
+    }
+  }
+  return objects;
+}
+
+/// Whether every run has a pixel in the first row of the pair.
+[[gnu::always_inline]] inline bool all_reach_top(const ConstBitPlaneView& image, Index number,
+                                                 Label count) {
+  BandBits<Band::pair> here(image, number);
+  Follow in_run;
+  const Index words = words_of(image);
+  for (Index word = 0; word < words; ++word) {
+    const std::uint64_t starts = here.starts(word);
+    count -= count_bits(here.top[word] & ~in_run(here.top[word], starts));
+  }
+  return count == 0;
+}
+
+[[gnu::always_inline]] inline bool has_root(const Label* parents, Label begin, Label end) {
+  bool found = false;
+  for (Label run = begin; run < end; ++run) found |= parents[run] == run;
+  return found;
+}
+
+template <Band band>
+[[gnu::always_inline]] inline Label number_runs(const ConstBitPlaneView& image,
+                                                const RunForest& runs) {
+  const Index bands = bands_of(band, image.height);
+  if constexpr (band == Band::row) return number_in_order(runs, 0, runs.first[bands], 0);
+  Label objects = 0;
+  for (Index number = 0; number < bands; ++number) {
+    const Label begin = runs.first[number];
+    const Label end = runs.first[number + 1];
+    const bool by_rows =
+        has_root(runs.parents, begin, end) && !all_reach_top(image, number, end - begin);
+    objects = by_rows ? number_pair(image, number, runs, objects)
+                      : number_in_order(runs, begin, end, objects);
+  }
+  return objects;
+}
+
+/// Calls use(begin, end, id) for every run of a row, from the left.
+template <Band band, class Use>
+[[gnu::always_inline]] inline void for_runs_of_row(const ConstBitPlaneView& image, Index y,
+                                                   const RunForest& runs, const Use& use) {
+  const Index number = y / rows_of(band);
+  BandBits<band> here(image, number);
+  const std::uint64_t* const row = image.row(y);
+  const Label* const ids = runs.ids + runs.first[number] - 1;
+  const Index words = words_of(image);
+  Label before = 0;
+  std::uint64_t carry = 0;
+  Index begin = 0;
+  Label id = 0;
+  for (Index word = 0; word <= words; ++word) {  // the last run may end at the first bit after
+    const std::uint64_t starts = here.starts(word);
+    for (std::uint64_t left = row[word] ^ shifted(row[word], carry); left != 0; left &= left - 1) {
+      const std::uint64_t upto = left ^ (left - 1);
+      const Index x = word * kWordBits + __builtin_ctzll(left);
+      if ((row[word] & left & -left) != 0) {
+        begin = x;
+        id = ids[before + count_bits(starts & upto)];
+      } else {
+        use(begin, x, id);
+      }
+    }
+    before += count_bits(starts);
+  }
+}
+
+template <Band band>
+[[gnu::always_inline]] inline void sum_runs(const ConstBitPlaneView& image, const RunForest& runs,
+                                            Region* objects) {
+  for (Index y = 0; y < image.height; ++y) {
+    for_runs_of_row<band>(image, y, runs, [&](Index begin, Index end, Label id) {
+      Region& region = objects[id - 1];
+      if (region.area == 0) region.top = static_cast<std::int32_t>(y);
+      add_run(region, begin, end, y);
+    });
+  }
+}
+
+}  // namespace thinbench::detail
