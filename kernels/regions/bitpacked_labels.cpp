@@ -10,7 +10,7 @@ namespace {
 
 template <Band band>
 void count(const ConstBitPlaneView& image, Label* first) {
-  count_runs<band>(image, first);
+  count_runs<band>(image, 0, first);
 }
 
 template <Band band>
@@ -30,23 +30,42 @@ void sum(const ConstBitPlaneView& image, const RunForest& runs, Region* objects)
 
 template <Band band>
 void paint(const ConstBitPlaneView& image, const RunForest& runs, const LabelView& labels) {
-  for (Index y = 0; y < image.height; ++y) {
-    std::int32_t* const row = labels.row(y);
-    Index painted = 0;
-    for_runs_of_row<band>(image, y, runs, [&](Index begin, Index end, Label id) {
-      for (; painted < begin; ++painted) row[painted] = 0;
-      for (; painted < end; ++painted) row[painted] = static_cast<std::int32_t>(id);
-    });
-    for (; painted < image.width; ++painted) row[painted] = 0;
-  }
+  paint_runs<band>(image, runs, labels);
 }
 
 template <Band band>
 constexpr LabelKernels kKernels = {&count<band>, &unite_all<band>, &number<band>, &sum<band>,
                                    &paint<band>};
 
+void count_background(const ConstBitPlaneView& image, Label* first) {
+  count_runs<Band::background>(image, 1, first);
+}
+
+void unite_holes(const ConstBitPlaneView& image, const RunForest& runs) {
+  unite_background(image, runs);
+}
+
+Label number_holes(const ConstBitPlaneView& image, const RunForest& runs, Label objects) {
+  runs.ids[0] = 0;
+  return number_in_order(runs, 1, runs.first[image.height], objects);
+}
+
+void sum_all_holes(const ConstBitPlaneView& image, const RunForest& foreground,
+                   const RunForest& background, Label objects, Region* holes) {
+  sum_holes(image, foreground, background, objects, holes);
+}
+
+void paint_all(const ConstBitPlaneView& image, const RunForest& foreground,
+               const RunForest& background, const LabelView& labels) {
+  paint_all_runs(image, foreground, background, labels);
+}
+
+constexpr HoleKernels kHoleKernels = {&count_background, &unite_holes, &number_holes,
+                                      &sum_all_holes, &paint_all};
+
 }  // namespace
 
-constinit const LabelEngine kBitpackedLabelEngine = {kKernels<Band::pair>, kKernels<Band::row>};
+constinit const LabelEngine kBitpackedLabelEngine = {kKernels<Band::pair>, kKernels<Band::row>,
+                                                     kHoleKernels};
 
 }  // namespace thinbench::detail

@@ -21,8 +21,8 @@ class RunForestMemory {
   /// Room for the runs that `first` counts; contents are lost.
   RunForest with_room() {
     const Label runs = first_[static_cast<std::size_t>(bands_)];
-    if (runs > capacity_) {
-      capacity_ = runs + runs / 2;
+    if (runs >= capacity_) {
+      capacity_ = runs + runs / 2 + 1;
       parents_ = make_aligned<Label>(capacity_);
       ids_ = make_aligned<Label>(capacity_ + 2 * std::size_t{kRunPadding});
     }
@@ -37,7 +37,7 @@ class RunForestMemory {
   std::size_t capacity_ = 0;
 };
 
-class ContactLabelsState final : public LabelsState {
+class ContactLabelsState : public LabelsState {
  public:
   ContactLabelsState(const LabelEngine& engine, const LabelsSetting& setting)
       : LabelsState(setting),
@@ -49,7 +49,7 @@ class ContactLabelsState final : public LabelsState {
   [[nodiscard]] RegionLists regions() const override { return {list_, {}}; }
   [[nodiscard]] Label objects() const override { return objects_; }
 
- private:
+ protected:
   void compute() override {
     kernels_.count(image(), memory_.first());
     runs_ = memory_.with_room();
@@ -61,6 +61,9 @@ class ContactLabelsState final : public LabelsState {
   }
   void store(const LabelView& labels) override { kernels_.paint(image(), runs_, labels); }
 
+  [[nodiscard]] const RunForest& runs() const { return runs_; }
+
+ private:
   LabelKernels kernels_;
   bool has_list_;
   RunForestMemory memory_;
@@ -69,10 +72,51 @@ class ContactLabelsState final : public LabelsState {
   std::vector<Region> list_;
 };
 
+class ContactRegionsState final : public ContactLabelsState {
+ public:
+  ContactRegionsState(const LabelEngine& engine, const LabelsSetting& setting)
+      : ContactLabelsState(engine, setting), kernels_(engine.holes), memory_(setting.height) {}
+
+  [[nodiscard]] RegionLists regions() const override {
+    return {ContactLabelsState::regions().objects, list_};
+  }
+
+ private:
+  void compute() override {
+    ContactLabelsState::compute();
+    kernels_.count(image(), memory_.first());
+    background_ = memory_.with_room();
+    kernels_.unite(image(), background_);
+    const Label last = kernels_.number(image(), background_, objects());
+    list_.assign(last - objects(), kNoPixels);
+    kernels_.sum(image(), runs(), background_, objects(), list_.data());
+  }
+  void store(const LabelView& labels) override {
+    kernels_.paint(image(), runs(), background_, labels);
+  }
+
+  HoleKernels kernels_;
+  RunForestMemory memory_;
+  RunForest background_ = {};
+  std::vector<Region> list_;
+};
+
+std::unique_ptr<LabelsState> make_contacts(const LabelEngine& engine,
+                                           const LabelsSetting& setting) {
+  if (setting.task == LabelsTask::regions) {
+    return std::make_unique<ContactRegionsState>(engine, setting);
+  }
+  return std::make_unique<ContactLabelsState>(engine, setting);
+}
+
 }  // namespace
 
 std::unique_ptr<LabelsState> make_bitpacked_contacts(const LabelsSetting& setting) {
-  return std::make_unique<ContactLabelsState>(kBitpackedLabelEngine, setting);
+  return make_contacts(kBitpackedLabelEngine, setting);
+}
+
+std::unique_ptr<LabelsState> make_simd_contacts(const LabelsSetting& setting) {
+  return make_contacts(kernels_of<LabelEngine>(setting.isa), setting);
 }
 
 }  // namespace thinbench::detail

@@ -6,5 +6,6 @@
 namespace thinbench::detail {
 
 [[nodiscard]] std::unique_ptr<LabelsState> make_bitpacked_contacts(const LabelsSetting& setting);
+[[nodiscard]] std::unique_ptr<LabelsState> make_simd_contacts(const LabelsSetting& setting);
 
 }  // namespace thinbench::detail

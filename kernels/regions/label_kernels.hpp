@@ -6,13 +6,13 @@
 
 namespace thinbench::detail {
 
-/// What a run is: foreground pixels of one row (4-connected objects), or of a pair of rows that are
-/// OR-ed first. Pixels of adjacent columns in a pair are neighbours in any case, so a run of the
-/// pair is connected (8-connected objects).
-enum class Band : std::uint8_t { row, pair };
+/// What a run is: foreground pixels of one row (4-connected objects), background pixels of one row
+/// (holes), or foreground pixels of a pair of rows that are OR-ed first. Pixels of adjacent columns
+/// in a pair are neighbours in any case, so a run of the pair is connected (8-connected objects).
+enum class Band : std::uint8_t { row, background, pair };
 
 [[gnu::always_inline]] inline constexpr Index rows_of(Band band) {
-  return band == Band::row ? 1 : 2;
+  return band == Band::pair ? 2 : 1;
 }
 
 /// The number of bands of an image; the last one may lack its second row.
@@ -43,10 +43,27 @@ struct LabelKernels {
   void (*paint)(const ConstBitPlaneView& image, const RunForest& runs, const LabelView& labels);
 };
 
+/// Background is 4-connected. Run 0 is everything outside the image, connected to all background on
+/// the image border; its id is 0.
+struct HoleKernels {
+  void (*count)(const ConstBitPlaneView& image, Label* first);
+  void (*unite)(const ConstBitPlaneView& image, const RunForest& runs);
+  /// Sets `ids`, for holes from `objects` + 1; returns the last id.
+  Label (*number)(const ConstBitPlaneView& image, const RunForest& runs, Label objects);
+  /// Adds all pixels to the regions of their holes, `holes[0]` being that of id `objects` + 1, and
+  /// sets the enclosing objects.
+  void (*sum)(const ConstBitPlaneView& image, const RunForest& foreground,
+              const RunForest& background, Label objects, Region* holes);
+  /// Writes the id of every pixel.
+  void (*paint)(const ConstBitPlaneView& image, const RunForest& foreground,
+                const RunForest& background, const LabelView& labels);
+};
+
 /// Compiled for every ISA.
 struct LabelEngine {
   LabelKernels eight;
   LabelKernels four;
+  HoleKernels holes;  // of 8-connected objects
 };
 
 /// The kernels of bitpacked_contacts.

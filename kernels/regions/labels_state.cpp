@@ -5,17 +5,20 @@
 namespace thinbench::detail {
 namespace {
 
-std::vector<LabelsVariant> labels_variants(LabelsTask task) {
+std::vector<LabelsVariant> labels_variants() {
   LabelsVariants list;
   list.add("bitpacked_runs", Isa::baseline, &make_run_labels, {0});
-  if (task == LabelsTask::regions) return list.take();
   list.add("bitpacked_contacts", Isa::baseline, &make_bitpacked_contacts, {1});
+  for (const Isa isa : all_isas()) {
+    if (isa == Isa::baseline) continue;  // the same as `bitpacked_contacts`
+    list.add("simd_contacts", isa, &make_simd_contacts, {2});
+  }
   return list.take();
 }
 
 std::vector<LabelsOperation> make_labels_operations() {
   const auto operation = [](LabelsTask task, std::string_view name, std::string_view description) {
-    return LabelsOperation{task, name, description, labels_variants(task)};
+    return LabelsOperation{task, name, description, labels_variants()};
   };
   return {
       operation(LabelsTask::image_eight, "label_image", "label image of 8-connected objects"),

@@ -42,37 +42,52 @@ class Follow {
   std::uint64_t carry_ = 0;
 };
 
-/// A band as bits.
-template <Band band>
-struct BandBits {
-  const std::uint64_t* top;
-  std::uint64_t carry = 0;
-  Index stride;
-
-  [[gnu::always_inline]] BandBits(const ConstBitPlaneView& image, Index number)
-      : top(image.row(number * rows_of(band))), stride(image.stride) {}
-
-  /// The last row.
-  [[gnu::always_inline]] std::uint64_t bottom(Index word) const {
-    return band == Band::pair ? top[stride + word] : top[word];
-  }
-  [[gnu::always_inline]] std::uint64_t merged(Index word) const { return top[word] | bottom(word); }
-  /// Where runs begin; for words from the left.
-  [[gnu::always_inline]] std::uint64_t starts(Index word) {
-    const std::uint64_t bits = merged(word);
-    return bits & ~shifted(bits, carry);
-  }
-};
-
 [[gnu::always_inline]] inline Index words_of(const ConstBitPlaneView& image) {
   return (image.width + kWordBits - 1) / kWordBits;
 }
 
+/// A band as bits. Words from 0 to words_of(image), the last of which has no pixels.
 template <Band band>
-[[gnu::always_inline]] inline void count_runs(const ConstBitPlaneView& image, Label* first) {
+class BandBits {
+ public:
+  [[gnu::always_inline]] BandBits(const ConstBitPlaneView& image, Index number)
+      : row_(image.row(number * rows_of(band))), stride_(image.stride), width_(image.width) {}
+
+  /// The first row.
+  [[gnu::always_inline]] std::uint64_t top(Index word) const {
+    return band == Band::background ? ~row_[word] & inside(word) : row_[word];
+  }
+  /// The last row.
+  [[gnu::always_inline]] std::uint64_t bottom(Index word) const {
+    return band == Band::pair ? row_[stride_ + word] : top(word);
+  }
+  [[gnu::always_inline]] std::uint64_t merged(Index word) const { return top(word) | bottom(word); }
+  /// Where runs begin; for words from the left.
+  [[gnu::always_inline]] std::uint64_t starts(Index word) {
+    const std::uint64_t bits = merged(word);
+    return bits & ~shifted(bits, carry_);
+  }
+
+ private:
+  /// The bits that are pixels.
+  [[gnu::always_inline]] std::uint64_t inside(Index word) const {
+    const Index left = width_ - word * kWordBits;
+    if (left >= kWordBits) return ~std::uint64_t{0};
+    return left <= 0 ? 0 : (std::uint64_t{1} << left) - 1;
+  }
+
+  const std::uint64_t* row_;
+  Index stride_;
+  Index width_;
+  std::uint64_t carry_ = 0;
+};
+
+/// Counts the runs from number `runs` on.
+template <Band band>
+[[gnu::always_inline]] inline void count_runs(const ConstBitPlaneView& image, Label runs,
+                                              Label* first) {
   const Index words = words_of(image);
   const Index bands = bands_of(band, image.height);
-  Label runs = 0;
   for (Index number = 0; number < bands; ++number) {
     first[number] = runs;
     BandBits<band> here(image, number);
@@ -87,7 +102,7 @@ template <Band band>
 class Contacts {
  public:
   [[gnu::always_inline]] std::uint64_t operator()(std::uint64_t upper, std::uint64_t lower) {
-    if constexpr (band == Band::row) return upper & lower;
+    if constexpr (band != Band::pair) return upper & lower;
     const std::uint64_t lower_west = shifted(lower, lower_);
     const std::uint64_t upper_west = shifted(upper, upper_);
     return (upper & (lower | lower_west)) | (lower & upper_west);
@@ -114,7 +129,7 @@ template <Band band>
   for (Index word = 0; word < words; ++word) {
     const std::uint64_t upper = above.starts(word);
     const std::uint64_t lower = here.starts(word);
-    const std::uint64_t all = contacts(above.bottom(word), here.top[word]);
+    const std::uint64_t all = contacts(above.bottom(word), here.top(word));
     const std::uint64_t distinct = all & ~in_both(all, upper | lower);
     const std::uint64_t later = distinct & in_lower(distinct, lower);
     for (std::uint64_t left = distinct & ~later; left != 0; left &= left - 1) {
@@ -132,16 +147,39 @@ template <Band band>
   }
 }
 
+[[gnu::always_inline]] inline void separate_runs(const RunForest& runs, Label count) {
+  for (Label run = 0; run < count; ++run) runs.parents[run] = run;
+}
+
 template <Band band>
 [[gnu::always_inline]] inline void unite_runs(const ConstBitPlaneView& image,
                                               const RunForest& runs) {
   const Index bands = bands_of(band, image.height);
-  const Label count = runs.first[bands];
-  for (Label run = 0; run < count; ++run) runs.parents[run] = run;
+  separate_runs(runs, runs.first[bands]);
   for (Index number = 1; number < bands; ++number) {
     const bool none_above = runs.first[number - 1] == runs.first[number];
     const bool none_here = runs.first[number] == runs.first[number + 1];
     if (!none_above && !none_here) unite_band<band>(image, number, runs);
+  }
+}
+
+/// Background that reaches the image border belongs to run 0.
+[[gnu::always_inline]] inline void unite_background(const ConstBitPlaneView& image,
+                                                    const RunForest& runs) {
+  const Label* const first = runs.first;
+  const Index last = image.height - 1;
+  separate_runs(runs, first[image.height]);
+  const Index right = image.width - 1;
+  for (Index y = 0; y <= last; ++y) {
+    if (first[y] == first[y + 1]) continue;
+    if (y > 0 && first[y - 1] != first[y]) unite_band<Band::background>(image, y, runs);
+    const std::uint64_t* const row = image.row(y);
+    if ((row[0] & 1) == 0) unite(runs.parents, first[y], 0);
+    if ((row[right / kWordBits] >> right % kWordBits & 1) == 0) {
+      unite(runs.parents, first[y + 1] - 1, 0);
+    }
+    if (y > 0 && y < last) continue;
+    for (Label run = first[y]; run < first[y + 1]; ++run) unite(runs.parents, run, 0);
   }
 }
 
@@ -176,7 +214,7 @@ template <Band band>
   const Index words = words_of(image);
   for (Index word = 0; word < words; ++word) {
     const std::uint64_t starts = here.starts(word);
-    const std::uint64_t top = here.top[word];
+    const std::uint64_t top = here.top(word);
     for (std::uint64_t left = top & ~in_run(top, starts); left != 0; left &= left - 1) {
       const Label run = before + count_bits(starts & (left ^ (left - 1)));
       const Label root = root_in_band(runs.parents, run, first);
@@ -203,7 +241,7 @@ template <Band band>
   const Index words = words_of(image);
   for (Index word = 0; word < words; ++word) {
     const std::uint64_t starts = here.starts(word);
-    count -= count_bits(here.top[word] & ~in_run(here.top[word], starts));
+    count -= count_bits(here.top(word) & ~in_run(here.top(word), starts));
   }
   return count == 0;
 }
@@ -218,7 +256,7 @@ template <Band band>
 [[gnu::always_inline]] inline Label number_runs(const ConstBitPlaneView& image,
                                                 const RunForest& runs) {
   const Index bands = bands_of(band, image.height);
-  if constexpr (band == Band::row) return number_in_order(runs, 0, runs.first[bands], 0);
+  if constexpr (band != Band::pair) return number_in_order(runs, 0, runs.first[bands], 0);
   Label objects = 0;
   for (Index number = 0; number < bands; ++number) {
     const Label begin = runs.first[number];
@@ -237,7 +275,7 @@ template <Band band, class Use>
                                                    const RunForest& runs, const Use& use) {
   const Index number = y / rows_of(band);
   BandBits<band> here(image, number);
-  const std::uint64_t* const row = image.row(y);
+  const bool is_top = y % rows_of(band) == 0;
   const Label* const ids = runs.ids + runs.first[number] - 1;
   const Index words = words_of(image);
   Label before = 0;
@@ -246,10 +284,11 @@ template <Band band, class Use>
   Label id = 0;
   for (Index word = 0; word <= words; ++word) {  // the last run may end at the first bit after
     const std::uint64_t starts = here.starts(word);
-    for (std::uint64_t left = row[word] ^ shifted(row[word], carry); left != 0; left &= left - 1) {
+    const std::uint64_t row = is_top ? here.top(word) : here.bottom(word);
+    for (std::uint64_t left = row ^ shifted(row, carry); left != 0; left &= left - 1) {
       const std::uint64_t upto = left ^ (left - 1);
       const Index x = word * kWordBits + __builtin_ctzll(left);
-      if ((row[word] & left & -left) != 0) {
+      if ((row & left & -left) != 0) {
         begin = x;
         id = ids[before + count_bits(starts & upto)];
       } else {
@@ -269,6 +308,65 @@ template <Band band>
       if (region.area == 0) region.top = static_cast<std::int32_t>(y);
       add_run(region, begin, end, y);
     });
+  }
+}
+
+/// The id of the run at a foreground pixel.
+template <Band band>
+[[gnu::always_inline]] inline Label id_at(const ConstBitPlaneView& image, const RunForest& runs,
+                                          Index x, Index y) {
+  const Index number = y / rows_of(band);
+  BandBits<band> here(image, number);
+  Label run = runs.first[number] - 1;
+  for (Index word = 0; word < x / kWordBits; ++word) run += count_bits(here.starts(word));
+  const std::uint64_t upto = ~std::uint64_t{0} >> (kWordBits - 1 - x % kWordBits);
+  return runs.ids[run + count_bits(here.starts(x / kWordBits) & upto)];
+}
+
+/// The pixel to the west of a hole's first pixel belongs to the enclosing object.
+[[gnu::always_inline]] inline void sum_holes(const ConstBitPlaneView& image,
+                                             const RunForest& foreground,
+                                             const RunForest& background, Label objects,
+                                             Region* holes) {
+  for (Index y = 0; y < image.height; ++y) {
+    for_runs_of_row<Band::background>(image, y, background, [&](Index begin, Index end, Label id) {
+      if (id == 0) return;
+      Region& region = holes[id - objects - 1];
+      if (region.area == 0) {
+        region.top = static_cast<std::int32_t>(y);
+        region.enclosing_object = id_at<Band::pair>(image, foreground, begin - 1, y);
+      }
+      add_run(region, begin, end, y);
+    });
+  }
+}
+
+/// Writes the ids of runs to row y, others are left as they are.
+template <Band band>
+[[gnu::always_inline]] inline void paint_runs_of_row(const ConstBitPlaneView& image, Index y,
+                                                     const RunForest& runs, std::int32_t* row) {
+  for_runs_of_row<band>(image, y, runs, [&](Index begin, Index end, Label id) {
+    for (Index x = begin; x < end; ++x) row[x] = static_cast<std::int32_t>(id);
+  });
+}
+
+template <Band band>
+[[gnu::always_inline]] inline void paint_runs(const ConstBitPlaneView& image, const RunForest& runs,
+                                              const LabelView& labels) {
+  for (Index y = 0; y < image.height; ++y) {
+    std::int32_t* const row = labels.row(y);
+    for (Index x = 0; x < image.width; ++x) row[x] = 0;
+    paint_runs_of_row<band>(image, y, runs, row);
+  }
+}
+
+[[gnu::always_inline]] inline void paint_all_runs(const ConstBitPlaneView& image,
+                                                  const RunForest& foreground,
+                                                  const RunForest& background,
+                                                  const LabelView& labels) {
+  for (Index y = 0; y < image.height; ++y) {
+    paint_runs_of_row<Band::pair>(image, y, foreground, labels.row(y));
+    paint_runs_of_row<Band::background>(image, y, background, labels.row(y));
   }
 }
 

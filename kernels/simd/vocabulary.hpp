@@ -17,6 +17,7 @@
 // - kHasTranspose: transposition of a square of 32-bit lanes in registers
 // - kHasPopcount: population count of each 64-bit lane
 // - kHasByteLookUp: 16-byte tables and horizontal sums of bytes, faster than scalar popcnt
+// - kHasLanePermute: permutations of 32-bit lanes by a vector of indices
 // - kHasBitGather: gather and scatter of the bits of a 64-bit word (PEXT, PDEP)
 #pragma once
 
@@ -197,6 +198,17 @@ template <int count>
 /// beyond the lanes are ignored. [kHasCompress]
 [[gnu::always_inline]] inline void store_compressed(std::uint32_t* to, Lanes32 a,
                                                     std::uint32_t selected);
+
+/// Lane i is the number of set bits among bits 0 to i. [kHasLanePermute]
+[[gnu::always_inline]] inline Lanes32 counts_upto(std::uint32_t bits);
+
+/// Lane i is lane index[i] of `a` where bit i of `selected` is set, else 0; bits beyond the lanes
+/// are ignored. [kHasLanePermute]
+[[gnu::always_inline]] inline Lanes32 permuted_where(Lanes32 a, Lanes32 index,
+                                                     std::uint32_t selected);
+
+/// Stores the first `count` lanes, fewer than all. [kHasLanePermute]
+[[gnu::always_inline]] inline void store_first(std::uint32_t* to, Lanes32 a, Index count);
 
 /// The number of set bits of each lane. [kHasPopcount]
 [[gnu::always_inline]] inline WordBatch popcounts(WordBatch a);

@@ -1,0 +1,209 @@
+// Label images by words, painted by lane permutations where the ISA has them. Compiled for every
+// ISA.
+//
+// Cost of painting, per register of 4-byte labels of each of two rows: a population count or a
+// look-up for the runs that begin up to each lane, a load of the ids of these runs, and for each
+// row a permutation and a store. There are no branches that depend on pixels. Finding and joining
+// runs is that of bitpacked_labels.cpp.
+#include "core/exported.hpp"
+#include "regions/run_bits.hpp"
+#include "simd/vector.hpp"
+
+namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
+namespace {
+
+constexpr Index kLanes = static_cast<Index>(Lanes32::size);
+
+template <Band band>
+void count(const ConstBitPlaneView& image, Label* first) {
+  count_runs<band>(image, 0, first);
+}
+
+template <Band band>
+void unite_all(const ConstBitPlaneView& image, const RunForest& runs) {
+  unite_runs<band>(image, runs);
+}
+
+template <Band band>
+Label number(const ConstBitPlaneView& image, const RunForest& runs) {
+  return number_runs<band>(image, runs);
+}
+
+template <Band band>
+void sum(const ConstBitPlaneView& image, const RunForest& runs, Region* objects) {
+  sum_runs<band>(image, runs, objects);
+}
+
+/// A word of a band, to be painted.
+struct BandWord {
+  std::uint64_t starts;
+  std::uint64_t top;
+  std::uint64_t bottom;
+  const Label* ids;  // of the last run before the word
+};
+
+/// Writes up to `count` labels of each row. The top row comes last: if the image ends with it, both
+/// rows are the same memory.
+template <Band band>
+[[gnu::always_inline]] inline void paint_word(const BandWord& word, std::uint32_t* top,
+                                              std::uint32_t* bottom, Index count) {
+  for (Index x = 0; x < kWordBits; x += kLanes) {
+    if (x >= count) return;
+    const std::uint64_t before = (std::uint64_t{1} << x) - 1;
+    const auto near = Lanes32::load_unaligned(word.ids + count_bits(word.starts & before));
+    const Lanes32 index = counts_upto(static_cast<std::uint32_t>(word.starts >> x));
+    const auto write = [&](std::uint32_t* row, std::uint64_t pixels) {
+      const Lanes32 labels = permuted_where(near, index, static_cast<std::uint32_t>(pixels >> x));
+      if (x + kLanes <= count) {
+        labels.store_unaligned(row + x);
+      } else {
+        store_first(row + x, labels, count - x);
+      }
+    };
+    if constexpr (band == Band::pair) write(bottom, word.bottom);
+    write(top, word.top);
+  }
+}
+
+template <Band band>
+[[gnu::always_inline]] inline void paint_band(const ConstBitPlaneView& image, Index number,
+                                              const RunForest& runs, std::uint32_t* top,
+                                              std::uint32_t* bottom) {
+  BandBits<band> here(image, number);
+  const Label* ids = runs.ids + runs.first[number] - 1;
+  const Index whole = image.width / kWordBits;
+  const auto word_at = [&](Index word) {
+    return BandWord{here.starts(word), here.top(word), here.bottom(word), ids};
+  };
+  for (Index word = 0; word < whole; ++word) {
+    const BandWord bits = word_at(word);
+    paint_word<band>(bits, top + word * kWordBits, bottom + word * kWordBits, kWordBits);
+    ids += count_bits(bits.starts);
+  }
+  if (image.width % kWordBits == 0) return;
+  paint_word<band>(word_at(whole), top + whole * kWordBits, bottom + whole * kWordBits,
+                   image.width % kWordBits);
+}
+
+template <Band band>
+[[gnu::always_inline]] inline void paint_bands(const ConstBitPlaneView& image,
+                                               const RunForest& runs, const LabelView& labels) {
+  const auto row = [&](Index y) { return reinterpret_cast<std::uint32_t*>(labels.row(y)); };
+  for (Index number = 0; number < bands_of(band, image.height); ++number) {
+    const Index y = number * rows_of(band);
+    paint_band<band>(image, number, runs, row(y), row(y + 1 < image.height ? y + 1 : y));
+  }
+}
+
+template <Band band>
+void paint(const ConstBitPlaneView& image, const RunForest& runs, const LabelView& labels) {
+  if constexpr (kHasLanePermute) {
+    paint_bands<band>(image, runs, labels);
+  } else {
+    paint_runs<band>(image, runs, labels);
+  }
+}
+
+template <Band band>
+constexpr LabelKernels kKernels = {&count<band>, &unite_all<band>, &number<band>, &sum<band>,
+                                   &paint<band>};
+
+/// Objects and holes of a word of one row.
+struct RowWord {
+  std::uint64_t foreground;
+  std::uint64_t background;
+  std::uint64_t foreground_starts;
+  std::uint64_t background_starts;
+  const Label* objects;  // ids of the last runs before the word
+  const Label* holes;
+};
+
+template <Band band>
+[[gnu::always_inline]] inline void paint_row_word(const RowWord& word, std::uint32_t* row,
+                                                  Index count) {
+  for (Index x = 0; x < count; x += kLanes) {
+    const auto labels_of = [&](std::uint64_t pixels, std::uint64_t starts, const Label* ids) {
+      const std::uint64_t before = (std::uint64_t{1} << x) - 1;
+      return permuted_where(Lanes32::load_unaligned(ids + count_bits(starts & before)),
+                            counts_upto(static_cast<std::uint32_t>(starts >> x)),
+                            static_cast<std::uint32_t>(pixels >> x));
+    };
+    const Lanes32 labels = labels_of(word.foreground, word.foreground_starts, word.objects) |
+                           labels_of(word.background, word.background_starts, word.holes);
+    if (x + kLanes <= count) {
+      labels.store_unaligned(row + x);
+    } else {
+      store_first(row + x, labels, count - x);
+    }
+  }
+}
+
+template <Band band>
+[[gnu::always_inline]] inline void paint_rows(const ConstBitPlaneView& image,
+                                              const RunForest& foreground,
+                                              const RunForest& background,
+                                              const LabelView& labels) {
+  const Index words = words_of(image);
+  for (Index y = 0; y < image.height; ++y) {
+    BandBits<band> objects(image, y / rows_of(band));
+    BandBits<Band::background> holes(image, y);
+    const bool is_top = y % rows_of(band) == 0;
+    auto* const row = reinterpret_cast<std::uint32_t*>(labels.row(y));
+    const Label* object_ids = foreground.ids + foreground.first[y / rows_of(band)] - 1;
+    const Label* hole_ids = background.ids + background.first[y] - 1;
+    for (Index word = 0; word < words; ++word) {
+      const RowWord bits = {is_top ? objects.top(word) : objects.bottom(word),
+                            holes.top(word),
+                            objects.starts(word),
+                            holes.starts(word),
+                            object_ids,
+                            hole_ids};
+      const Index left = image.width - word * kWordBits;
+      paint_row_word<band>(bits, row + word * kWordBits, left < kWordBits ? left : kWordBits);
+      object_ids += count_bits(bits.foreground_starts);
+      hole_ids += count_bits(bits.background_starts);
+    }
+  }
+}
+
+void count_background(const ConstBitPlaneView& image, Label* first) {
+  count_runs<Band::background>(image, 1, first);
+}
+
+void unite_holes(const ConstBitPlaneView& image, const RunForest& runs) {
+  unite_background(image, runs);
+}
+
+Label number_holes(const ConstBitPlaneView& image, const RunForest& runs, Label objects) {
+  runs.ids[0] = 0;
+  return number_in_order(runs, 1, runs.first[image.height], objects);
+}
+
+void sum_all_holes(const ConstBitPlaneView& image, const RunForest& foreground,
+                   const RunForest& background, Label objects, Region* holes) {
+  sum_holes(image, foreground, background, objects, holes);
+}
+
+void paint_all(const ConstBitPlaneView& image, const RunForest& foreground,
+               const RunForest& background, const LabelView& labels) {
+  if constexpr (kHasLanePermute) {
+    paint_rows<Band::pair>(image, foreground, background, labels);
+  } else {
+    paint_all_runs(image, foreground, background, labels);
+  }
+}
+
+constexpr HoleKernels kHoleKernels = {&count_background, &unite_holes, &number_holes,
+                                      &sum_all_holes, &paint_all};
+
+}  // namespace
+
+}  // namespace THINBENCH_ISA
+
+template <>
+constinit const LabelEngine Exported<LabelEngine, kThisIsa>::kKernels = {
+    THINBENCH_ISA::kKernels<Band::pair>, THINBENCH_ISA::kKernels<Band::row>,
+    THINBENCH_ISA::kHoleKernels};
+
+}  // namespace thinbench::detail
