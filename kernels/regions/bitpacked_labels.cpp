@@ -37,31 +37,34 @@ template <Band band>
 constexpr LabelKernels kKernels = {&count<band>, &unite_all<band>, &number<band>, &sum<band>,
                                    &paint<band>};
 
-void count_background(const ConstBitPlaneView& image, Label* first) {
-  count_runs<Band::background>(image, 1, first);
+void invert(const ConstBitPlaneView& image, const BitPlaneView& background) {
+  write_background(image, background);
 }
 
-void unite_holes(const ConstBitPlaneView& image, const RunForest& runs) {
-  unite_background(image, runs);
+void count_background(const ConstBitPlaneView& background, Label* first) {
+  count_runs<Band::row>(background, 1, first);
 }
 
-Label number_holes(const ConstBitPlaneView& image, const RunForest& runs, Label objects) {
-  runs.ids[0] = 0;
-  return number_in_order(runs, 1, runs.first[image.height], objects);
+void unite_holes(const Background& background) {
+  unite_background(background.image, background.runs);
 }
 
-void sum_all_holes(const ConstBitPlaneView& image, const RunForest& foreground,
-                   const RunForest& background, Label objects, Region* holes) {
-  sum_holes(image, foreground, background, objects, holes);
+Label number_holes(const Background& background, Label objects) {
+  background.runs.ids[0] = 0;
+  return number_in_order(background.runs, 1, background.runs.first[background.image.height],
+                         objects);
 }
 
-void paint_all(const ConstBitPlaneView& image, const RunForest& foreground,
-               const RunForest& background, const LabelView& labels) {
-  paint_all_runs(image, foreground, background, labels);
+void sum_all_holes(const Objects& objects, const Background& background, Region* holes) {
+  sum_holes(objects, background, holes);
 }
 
-constexpr HoleKernels kHoleKernels = {&count_background, &unite_holes, &number_holes,
-                                      &sum_all_holes, &paint_all};
+void paint_all(const Objects& objects, const Background& background, const LabelView& labels) {
+  paint_all_runs(objects, background, labels);
+}
+
+constexpr HoleKernels kHoleKernels = {&invert,       &count_background, &unite_holes,
+                                      &number_holes, &sum_all_holes,    &paint_all};
 
 }  // namespace
 

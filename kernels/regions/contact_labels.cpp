@@ -75,30 +75,34 @@ class ContactLabelsState : public LabelsState {
 class ContactRegionsState final : public ContactLabelsState {
  public:
   ContactRegionsState(const LabelEngine& engine, const LabelsSetting& setting)
-      : ContactLabelsState(engine, setting), kernels_(engine.holes), memory_(setting.height) {}
+      : ContactLabelsState(engine, setting),
+        kernels_(engine.holes),
+        inverted_(setting.width, setting.height),
+        memory_(setting.height) {}
 
   [[nodiscard]] RegionLists regions() const override {
-    return {ContactLabelsState::regions().objects, list_};
+    return {ContactLabelsState::regions().objects, holes_};
   }
 
  private:
   void compute() override {
     ContactLabelsState::compute();
-    kernels_.count(image(), memory_.first());
-    background_ = memory_.with_room();
-    kernels_.unite(image(), background_);
-    const Label last = kernels_.number(image(), background_, objects());
-    list_.assign(last - objects(), kNoPixels);
-    kernels_.sum(image(), runs(), background_, objects(), list_.data());
+    kernels_.invert(image(), inverted_.view());
+    kernels_.count(inverted_.view(), memory_.first());
+    background_ = {inverted_.view(), memory_.with_room()};
+    kernels_.unite(background_);
+    holes_.assign(kernels_.number(background_, objects()) - objects(), kNoPixels);
+    kernels_.sum({image(), runs(), objects()}, background_, holes_.data());
   }
   void store(const LabelView& labels) override {
-    kernels_.paint(image(), runs(), background_, labels);
+    kernels_.paint({image(), runs(), objects()}, background_, labels);
   }
 
   HoleKernels kernels_;
+  BitPlane inverted_;
   RunForestMemory memory_;
-  RunForest background_ = {};
-  std::vector<Region> list_;
+  Background background_ = {};
+  std::vector<Region> holes_;
 };
 
 std::unique_ptr<LabelsState> make_contacts(const LabelEngine& engine,

@@ -6,10 +6,10 @@
 
 namespace thinbench::detail {
 
-/// What a run is: foreground pixels of one row (4-connected objects), background pixels of one row
-/// (holes), or foreground pixels of a pair of rows that are OR-ed first. Pixels of adjacent columns
-/// in a pair are neighbours in any case, so a run of the pair is connected (8-connected objects).
-enum class Band : std::uint8_t { row, background, pair };
+/// What a run is: pixels of one row (4-connected objects), or of a pair of rows that are OR-ed
+/// first. Pixels of adjacent columns in a pair are neighbours in any case, so a run of the pair is
+/// connected (8-connected objects).
+enum class Band : std::uint8_t { row, pair };
 
 [[gnu::always_inline]] inline constexpr Index rows_of(Band band) {
   return band == Band::pair ? 2 : 1;
@@ -43,20 +43,33 @@ struct LabelKernels {
   void (*paint)(const ConstBitPlaneView& image, const RunForest& runs, const LabelView& labels);
 };
 
+/// An image, and its runs in pairs of rows.
+struct Objects {
+  ConstBitPlaneView image;
+  RunForest runs;
+  Label count;
+};
+
+/// Its background as an image, and the runs of single rows.
+struct Background {
+  ConstBitPlaneView image;
+  RunForest runs;
+};
+
 /// Background is 4-connected. Run 0 is everything outside the image, connected to all background on
 /// the image border; its id is 0.
 struct HoleKernels {
-  void (*count)(const ConstBitPlaneView& image, Label* first);
-  void (*unite)(const ConstBitPlaneView& image, const RunForest& runs);
+  /// Writes the background.
+  void (*invert)(const ConstBitPlaneView& image, const BitPlaneView& background);
+  void (*count)(const ConstBitPlaneView& background, Label* first);
+  void (*unite)(const Background& background);
   /// Sets `ids`, for holes from `objects` + 1; returns the last id.
-  Label (*number)(const ConstBitPlaneView& image, const RunForest& runs, Label objects);
-  /// Adds all pixels to the regions of their holes, `holes[0]` being that of id `objects` + 1, and
-  /// sets the enclosing objects.
-  void (*sum)(const ConstBitPlaneView& image, const RunForest& foreground,
-              const RunForest& background, Label objects, Region* holes);
+  Label (*number)(const Background& background, Label objects);
+  /// Adds all pixels to the regions of their holes, which are empty before, and sets the enclosing
+  /// objects.
+  void (*sum)(const Objects& objects, const Background& background, Region* holes);
   /// Writes the id of every pixel.
-  void (*paint)(const ConstBitPlaneView& image, const RunForest& foreground,
-                const RunForest& background, const LabelView& labels);
+  void (*paint)(const Objects& objects, const Background& background, const LabelView& labels);
 };
 
 /// Compiled for every ISA.

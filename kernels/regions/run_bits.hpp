@@ -51,12 +51,10 @@ template <Band band>
 class BandBits {
  public:
   [[gnu::always_inline]] BandBits(const ConstBitPlaneView& image, Index number)
-      : row_(image.row(number * rows_of(band))), stride_(image.stride), width_(image.width) {}
+      : row_(image.row(number * rows_of(band))), stride_(image.stride) {}
 
   /// The first row.
-  [[gnu::always_inline]] std::uint64_t top(Index word) const {
-    return band == Band::background ? ~row_[word] & inside(word) : row_[word];
-  }
+  [[gnu::always_inline]] std::uint64_t top(Index word) const { return row_[word]; }
   /// The last row.
   [[gnu::always_inline]] std::uint64_t bottom(Index word) const {
     return band == Band::pair ? row_[stride_ + word] : top(word);
@@ -69,16 +67,8 @@ class BandBits {
   }
 
  private:
-  /// The bits that are pixels.
-  [[gnu::always_inline]] std::uint64_t inside(Index word) const {
-    const Index left = width_ - word * kWordBits;
-    if (left >= kWordBits) return ~std::uint64_t{0};
-    return left <= 0 ? 0 : (std::uint64_t{1} << left) - 1;
-  }
-
   const std::uint64_t* row_;
   Index stride_;
-  Index width_;
   std::uint64_t carry_ = 0;
 };
 
@@ -163,6 +153,18 @@ template <Band band>
   }
 }
 
+[[gnu::always_inline]] inline void write_background(const ConstBitPlaneView& image,
+                                                    const BitPlaneView& background) {
+  const Index whole = image.width / kWordBits;
+  const std::uint64_t rest = (std::uint64_t{1} << image.width % kWordBits) - 1;
+  for (Index y = 0; y < image.height; ++y) {
+    const std::uint64_t* const from = image.row(y);
+    std::uint64_t* const to = background.row(y);
+    for (Index word = 0; word < whole; ++word) to[word] = ~from[word];
+    if (rest != 0) to[whole] = ~from[whole] & rest;
+  }
+}
+
 /// Background that reaches the image border belongs to run 0.
 [[gnu::always_inline]] inline void unite_background(const ConstBitPlaneView& image,
                                                     const RunForest& runs) {
@@ -172,10 +174,10 @@ template <Band band>
   const Index right = image.width - 1;
   for (Index y = 0; y <= last; ++y) {
     if (first[y] == first[y + 1]) continue;
-    if (y > 0 && first[y - 1] != first[y]) unite_band<Band::background>(image, y, runs);
+    if (y > 0 && first[y - 1] != first[y]) unite_band<Band::row>(image, y, runs);
     const std::uint64_t* const row = image.row(y);
-    if ((row[0] & 1) == 0) unite(runs.parents, first[y], 0);
-    if ((row[right / kWordBits] >> right % kWordBits & 1) == 0) {
+    if ((row[0] & 1) != 0) unite(runs.parents, first[y], 0);
+    if ((row[right / kWordBits] >> right % kWordBits & 1) != 0) {
       unite(runs.parents, first[y + 1] - 1, 0);
     }
     if (y > 0 && y < last) continue;
@@ -324,20 +326,19 @@ template <Band band>
 }
 
 /// The pixel to the west of a hole's first pixel belongs to the enclosing object.
-[[gnu::always_inline]] inline void sum_holes(const ConstBitPlaneView& image,
-                                             const RunForest& foreground,
-                                             const RunForest& background, Label objects,
+[[gnu::always_inline]] inline void sum_holes(const Objects& objects, const Background& background,
                                              Region* holes) {
-  for (Index y = 0; y < image.height; ++y) {
-    for_runs_of_row<Band::background>(image, y, background, [&](Index begin, Index end, Label id) {
+  for (Index y = 0; y < objects.image.height; ++y) {
+    const auto add = [&](Index begin, Index end, Label id) {
       if (id == 0) return;
-      Region& region = holes[id - objects - 1];
+      Region& region = holes[id - objects.count - 1];
       if (region.area == 0) {
         region.top = static_cast<std::int32_t>(y);
-        region.enclosing_object = id_at<Band::pair>(image, foreground, begin - 1, y);
+        region.enclosing_object = id_at<Band::pair>(objects.image, objects.runs, begin - 1, y);
       }
       add_run(region, begin, end, y);
-    });
+    };
+    for_runs_of_row<Band::row>(background.image, y, background.runs, add);
   }
 }
 
@@ -360,13 +361,12 @@ template <Band band>
   }
 }
 
-[[gnu::always_inline]] inline void paint_all_runs(const ConstBitPlaneView& image,
-                                                  const RunForest& foreground,
-                                                  const RunForest& background,
+[[gnu::always_inline]] inline void paint_all_runs(const Objects& objects,
+                                                  const Background& background,
                                                   const LabelView& labels) {
-  for (Index y = 0; y < image.height; ++y) {
-    paint_runs_of_row<Band::pair>(image, y, foreground, labels.row(y));
-    paint_runs_of_row<Band::background>(image, y, background, labels.row(y));
+  for (Index y = 0; y < labels.height; ++y) {
+    paint_runs_of_row<Band::pair>(objects.image, y, objects.runs, labels.row(y));
+    paint_runs_of_row<Band::row>(background.image, y, background.runs, labels.row(y));
   }
 }
 

@@ -119,8 +119,8 @@ struct RowWord {
   const Label* holes;
 };
 
-template <Band band>
-[[gnu::always_inline]] inline void paint_row_word(const RowWord& word, std::uint32_t* row,
+template <class Word>
+[[gnu::always_inline]] inline void paint_row_word(const Word& word, std::uint32_t* row,
                                                   Index count) {
   for (Index x = 0; x < count; x += kLanes) {
     const auto labels_of = [&](std::uint64_t pixels, std::uint64_t starts, const Label* ids) {
@@ -140,62 +140,58 @@ template <Band band>
 }
 
 template <Band band>
-[[gnu::always_inline]] inline void paint_rows(const ConstBitPlaneView& image,
-                                              const RunForest& foreground,
-                                              const RunForest& background,
-                                              const LabelView& labels) {
-  const Index words = words_of(image);
-  for (Index y = 0; y < image.height; ++y) {
-    BandBits<band> objects(image, y / rows_of(band));
-    BandBits<Band::background> holes(image, y);
-    const bool is_top = y % rows_of(band) == 0;
-    auto* const row = reinterpret_cast<std::uint32_t*>(labels.row(y));
-    const Label* object_ids = foreground.ids + foreground.first[y / rows_of(band)] - 1;
-    const Label* hole_ids = background.ids + background.first[y] - 1;
-    for (Index word = 0; word < words; ++word) {
-      const RowWord bits = {is_top ? objects.top(word) : objects.bottom(word),
-                            holes.top(word),
-                            objects.starts(word),
-                            holes.starts(word),
-                            object_ids,
-                            hole_ids};
-      const Index left = image.width - word * kWordBits;
-      paint_row_word<band>(bits, row + word * kWordBits, left < kWordBits ? left : kWordBits);
-      object_ids += count_bits(bits.foreground_starts);
-      hole_ids += count_bits(bits.background_starts);
-    }
+[[gnu::always_inline]] inline void paint_row(const Objects& objects, const Background& background,
+                                             Index y, std::uint32_t* row) {
+  const Index number = y / rows_of(band);
+  BandBits<band> bands(objects.image, number);
+  BandBits<Band::row> holes(background.image, y);
+  const Label* object_ids = objects.runs.ids + objects.runs.first[number] - 1;
+  const Label* hole_ids = background.runs.ids + background.runs.first[y] - 1;
+  for (Index word = 0; word < words_of(objects.image); ++word) {
+    const RowWord bits = {objects.image.row(y)[word], holes.top(word), bands.starts(word),
+                          holes.starts(word),         object_ids,      hole_ids};
+    const Index left = objects.image.width - word * kWordBits;
+    paint_row_word(bits, row + word * kWordBits, left < kWordBits ? left : kWordBits);
+    object_ids += count_bits(bits.foreground_starts);
+    hole_ids += count_bits(bits.background_starts);
   }
 }
 
-void count_background(const ConstBitPlaneView& image, Label* first) {
-  count_runs<Band::background>(image, 1, first);
+void invert(const ConstBitPlaneView& image, const BitPlaneView& background) {
+  write_background(image, background);
 }
 
-void unite_holes(const ConstBitPlaneView& image, const RunForest& runs) {
-  unite_background(image, runs);
+void count_background(const ConstBitPlaneView& background, Label* first) {
+  count_runs<Band::row>(background, 1, first);
 }
 
-Label number_holes(const ConstBitPlaneView& image, const RunForest& runs, Label objects) {
-  runs.ids[0] = 0;
-  return number_in_order(runs, 1, runs.first[image.height], objects);
+void unite_holes(const Background& background) {
+  unite_background(background.image, background.runs);
 }
 
-void sum_all_holes(const ConstBitPlaneView& image, const RunForest& foreground,
-                   const RunForest& background, Label objects, Region* holes) {
-  sum_holes(image, foreground, background, objects, holes);
+Label number_holes(const Background& background, Label objects) {
+  background.runs.ids[0] = 0;
+  return number_in_order(background.runs, 1, background.runs.first[background.image.height],
+                         objects);
 }
 
-void paint_all(const ConstBitPlaneView& image, const RunForest& foreground,
-               const RunForest& background, const LabelView& labels) {
+void sum_all_holes(const Objects& objects, const Background& background, Region* holes) {
+  sum_holes(objects, background, holes);
+}
+
+template <Band band>
+void paint_all(const Objects& objects, const Background& background, const LabelView& labels) {
   if constexpr (kHasLanePermute) {
-    paint_rows<Band::pair>(image, foreground, background, labels);
+    for (Index y = 0; y < labels.height; ++y) {
+      paint_row<band>(objects, background, y, reinterpret_cast<std::uint32_t*>(labels.row(y)));
+    }
   } else {
-    paint_all_runs(image, foreground, background, labels);
+    paint_all_runs(objects, background, labels);
   }
 }
 
-constexpr HoleKernels kHoleKernels = {&count_background, &unite_holes, &number_holes,
-                                      &sum_all_holes, &paint_all};
+constexpr HoleKernels kHoleKernels = {&invert,       &count_background, &unite_holes,
+                                      &number_holes, &sum_all_holes,    &paint_all<Band::pair>};
 
 }  // namespace
 
