@@ -1,15 +1,19 @@
 #include "regions/labels_state.hpp"
 
+#include "core/features.hpp"
 #include "regions/contact_labels.hpp"
 
 namespace thinbench::detail {
 namespace {
 
+constexpr Features kContactFeatures =
+    feature("popcnt") | feature("avx2") | feature("avx512bw") | feature("avx512vpopcntdq");
+
 std::vector<LabelsVariant> labels_variants() {
   LabelsVariants list;
   list.add("bitpacked_runs", Isa::baseline, &make_run_labels, {0});
   list.add("bitpacked_contacts", Isa::baseline, &make_bitpacked_contacts, {1});
-  for (const Isa isa : all_isas()) {
+  for (const Isa isa : isas_with(kContactFeatures)) {
     if (isa == Isa::baseline) continue;  // the same as `bitpacked_contacts`
     list.add("simd_contacts", isa, &make_simd_contacts, {2});
   }

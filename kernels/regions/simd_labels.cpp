@@ -5,7 +5,9 @@
 // look-up for the runs that begin up to each lane, a load of the ids of these runs, and for each
 // row a permutation and a store. There are no branches that depend on pixels. Finding and joining
 // runs is that of bitpacked_labels.cpp.
+#include "core/byte_image.hpp"
 #include "core/exported.hpp"
+#include "regions/line_writer.hpp"
 #include "regions/run_bits.hpp"
 #include "simd/vector.hpp"
 
@@ -66,34 +68,84 @@ template <Band band>
   }
 }
 
+/// Paints a band from the left.
 template <Band band>
-[[gnu::always_inline]] inline void paint_band(const ConstBitPlaneView& image, Index number,
-                                              const RunForest& runs, std::uint32_t* top,
-                                              std::uint32_t* bottom) {
-  BandBits<band> here(image, number);
-  const Label* ids = runs.ids + runs.first[number] - 1;
-  const Index whole = image.width / kWordBits;
-  const auto word_at = [&](Index word) {
-    return BandWord{here.starts(word), here.top(word), here.bottom(word), ids};
-  };
-  for (Index word = 0; word < whole; ++word) {
-    const BandWord bits = word_at(word);
-    paint_word<band>(bits, top + word * kWordBits, bottom + word * kWordBits, kWordBits);
-    ids += count_bits(bits.starts);
+class BandPainter {
+ public:
+  [[gnu::always_inline]] BandPainter(const ConstBitPlaneView& image, Index number,
+                                     const RunForest& runs)
+      : bits_(image, number), ids_(runs.ids + runs.first[number] - 1) {}
+
+  /// Writes the next `count` labels of each row, whole words except at the end of the row.
+  [[gnu::always_inline]] void paint(std::uint32_t* top, std::uint32_t* bottom, Index count) {
+    const Index whole = count / kWordBits;
+    for (Index i = 0; i < whole; ++i, top += kWordBits, bottom += kWordBits) {
+      paint_word<band>(next(), top, bottom, kWordBits);
+    }
+    if (count % kWordBits != 0) paint_word<band>(next(), top, bottom, count % kWordBits);
   }
-  if (image.width % kWordBits == 0) return;
-  paint_word<band>(word_at(whole), top + whole * kWordBits, bottom + whole * kWordBits,
-                   image.width % kWordBits);
+
+ private:
+  [[gnu::always_inline]] BandWord next() {
+    const BandWord word = {bits_.starts(word_), bits_.top(word_), bits_.bottom(word_), ids_};
+    ids_ += count_bits(word.starts);
+    ++word_;
+    return word;
+  }
+
+  BandBits<band> bits_;
+  const Label* ids_;
+  Index word_ = 0;
+};
+
+/// Rows of a band, as memory; the same one twice where there is only one.
+struct BandRows {
+  std::uint32_t* top;
+  std::uint32_t* bottom;
+};
+
+[[gnu::always_inline]] inline BandRows rows_of_band(Band band, const LabelView& labels,
+                                                    Index number) {
+  const Index y = number * rows_of(band);
+  const Index last = y + rows_of(band) - 1;
+  const auto row = [&](Index at) { return reinterpret_cast<std::uint32_t*>(labels.row(at)); };
+  return {row(y), row(last < labels.height ? last : y)};
+}
+
+/// Paints to a buffer first, from which whole cache lines are written.
+template <Band band>
+[[gnu::always_inline]] inline void stream_band(BandPainter<band> painter, const BandRows& rows,
+                                               Index width) {
+  constexpr Index labels = 1024;
+  alignas(kAlignment) std::uint32_t room[2][labels + LineWriter::kLine];
+  LineWriter top, bottom;
+  for (Index x = 0; x < width; x += labels) {
+    const Index count = width - x < labels ? width - x : labels;
+    std::uint32_t* const of_top = LineWriter::start_in(room[0], rows.top + x);
+    std::uint32_t* const of_bottom = LineWriter::start_in(room[1], rows.bottom + x);
+    painter.paint(of_top, of_bottom, count);
+    top.write(rows.top + x, of_top, count);
+    if (rows.top != rows.bottom) bottom.write(rows.bottom + x, of_bottom, count);
+  }
+  top.flush();
+  bottom.flush();
 }
 
 template <Band band>
 [[gnu::always_inline]] inline void paint_bands(const ConstBitPlaneView& image,
                                                const RunForest& runs, const LabelView& labels) {
-  const auto row = [&](Index y) { return reinterpret_cast<std::uint32_t*>(labels.row(y)); };
+  constexpr Index label_bytes = static_cast<Index>(sizeof(Label));
+  const bool large = labels.width * labels.height * label_bytes >= kNonTemporalLabelBytes;
   for (Index number = 0; number < bands_of(band, image.height); ++number) {
-    const Index y = number * rows_of(band);
-    paint_band<band>(image, number, runs, row(y), row(y + 1 < image.height ? y + 1 : y));
+    const BandRows rows = rows_of_band(band, labels, number);
+    BandPainter<band> painter(image, number, runs);
+    if (large) {
+      stream_band(painter, rows, image.width);
+    } else {
+      painter.paint(rows.top, rows.bottom, image.width);
+    }
   }
+  if (large) finish_non_temporal_stores();
 }
 
 template <Band band>
