@@ -25,11 +25,11 @@ std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& s
 
 /// Writes the labels; returns a state that holds the lists.
 std::unique_ptr<LabelsState> labelled(LabelsTask task, const ConstImageView& source,
-                                      const LabelView& labels) {
+                                      const LabelView& labels, const Execution& execution) {
   detail::require_label_size(source.width, source.height);
   detail::check_views(source, labels);
-  auto state =
-      detail::make_best_state(detail::operation_of(task), source.width, source.height, {task}, {});
+  auto state = detail::make_best_state(detail::operation_of(task), source.width, source.height,
+                                       {task}, execution);
   state->run(source, labels);
   return state;
 }
@@ -51,19 +51,22 @@ std::vector<Region> find_components(ConstImageView source, const Execution& exec
   return copy_of(state->regions().objects);
 }
 
-Regions label_regions(ConstImageView source, LabelView labels) {
-  const auto state = labelled(LabelsTask::regions, source, labels);
+Regions label_regions(ConstImageView source, LabelView labels, const Execution& execution) {
+  const auto state = labelled(LabelsTask::regions, source, labels, execution);
   const detail::RegionLists lists = state->regions();
   return {copy_of(lists.objects), copy_of(lists.holes)};
 }
 
 std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                     Connectivity connectivity) {
-  detail::require(
-      connectivity == Connectivity::four || connectivity == Connectivity::eight,
-      "connectivity: expected 4 or 8, got " + std::to_string(static_cast<int>(connectivity)));
-  const auto state = labelled(detail::labels_task(connectivity, true), source, labels);
-  return copy_of(state->regions().objects);
+                                     Connectivity connectivity, const Execution& execution) {
+  const LabelsTask task = detail::labels_task(connectivity, true);
+  return copy_of(labelled(task, source, labels, execution)->regions().objects);
+}
+
+std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity connectivity,
+                          const Execution& execution) {
+  const LabelsTask task = detail::labels_task(connectivity, false);
+  return labelled(task, source, labels, execution)->objects();
 }
 
 std::int64_t euler_number(ConstImageView source, const Execution& execution) {

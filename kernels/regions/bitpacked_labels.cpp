@@ -15,7 +15,7 @@ void count(const ConstBitPlaneView& image, Label* first) {
 
 template <Band band>
 void unite_all(const ConstBitPlaneView& image, const RunForest& runs) {
-  unite_runs<band>(image, runs);
+  unite_runs<band>(image, runs, [&](Index number) { unite_band<band>(image, number, runs); });
 }
 
 template <Band band>
@@ -46,7 +46,8 @@ void count_background(const ConstBitPlaneView& background, Label* first) {
 }
 
 void unite_holes(const Background& background) {
-  unite_background(background.image, background.runs);
+  const auto& [image, runs] = background;
+  unite_background(image, runs, [&](Index y) { unite_band<Band::row>(image, y, runs); });
 }
 
 Label number_holes(const Background& background, Label objects) {

@@ -26,7 +26,8 @@ struct LabelsParameters {
 };
 using LabelsSetting = Setting<LabelsParameters>;
 
-/// The task of label_components(), with or without the list.
+/// The task of label_components() and, without the list, label_image(). Throws
+/// std::invalid_argument.
 [[nodiscard]] LabelsTask labels_task(Connectivity connectivity, bool with_list);
 
 [[nodiscard]] constexpr bool is_four_connected(LabelsTask task) {

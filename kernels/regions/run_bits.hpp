@@ -103,8 +103,31 @@ class Contacts {
   std::uint64_t upper_ = 0;
 };
 
-/// Unites the runs of a band with those of the band above. The first contact of a run copies a
-/// parent; only later ones need the forest.
+/// Where runs begin in a word of a band and of the band above, and the last runs before it.
+struct TwoBands {
+  std::uint64_t upper;
+  std::uint64_t lower;
+  Label before_above;
+  Label before_here;
+};
+
+/// Joins runs at contacts: at those that are the first of a run it copies a parent, and only later
+/// ones need the forest.
+[[gnu::always_inline]] inline void join_runs(Label* parents, const TwoBands& word,
+                                             std::uint64_t first, std::uint64_t later) {
+  const auto above = [&](std::uint64_t contacts) {
+    return parents[word.before_above + count_bits(word.upper & (contacts ^ (contacts - 1)))];
+  };
+  const auto here = [&](std::uint64_t contacts) -> Label& {
+    return parents[word.before_here + count_bits(word.lower & (contacts ^ (contacts - 1)))];
+  };
+  for (; first != 0; first &= first - 1) here(first) = above(first);
+  for (; __builtin_expect(later != 0, 0); later &= later - 1) {
+    unite(parents, here(later), above(later));
+  }
+}
+
+/// Unites the runs of a band with those of the band above.
 template <Band band>
 [[gnu::always_inline]] inline void unite_band(const ConstBitPlaneView& image, Index number,
                                               const RunForest& runs) {
@@ -112,7 +135,6 @@ template <Band band>
   BandBits<band> here(image, number);
   Contacts<band> contacts;
   Follow in_both, in_lower;
-  Label* const parents = runs.parents;
   Label before_above = runs.first[number - 1] - 1;  // the last run before the word
   Label before_here = runs.first[number] - 1;
   const Index words = words_of(image);
@@ -122,16 +144,7 @@ template <Band band>
     const std::uint64_t all = contacts(above.bottom(word), here.top(word));
     const std::uint64_t distinct = all & ~in_both(all, upper | lower);
     const std::uint64_t later = distinct & in_lower(distinct, lower);
-    for (std::uint64_t left = distinct & ~later; left != 0; left &= left - 1) {
-      const std::uint64_t upto = left ^ (left - 1);
-      parents[before_here + count_bits(lower & upto)] =
-          parents[before_above + count_bits(upper & upto)];
-    }
-    for (std::uint64_t left = later; __builtin_expect(left != 0, 0); left &= left - 1) {
-      const std::uint64_t upto = left ^ (left - 1);
-      unite(parents, parents[before_here + count_bits(lower & upto)],
-            parents[before_above + count_bits(upper & upto)]);
-    }
+    join_runs(runs.parents, {upper, lower, before_above, before_here}, distinct & ~later, later);
     before_above += count_bits(upper);
     before_here += count_bits(lower);
   }
@@ -141,15 +154,16 @@ template <Band band>
   for (Label run = 0; run < count; ++run) runs.parents[run] = run;
 }
 
-template <Band band>
-[[gnu::always_inline]] inline void unite_runs(const ConstBitPlaneView& image,
-                                              const RunForest& runs) {
+/// `unite_with_above(number)` is unite_band().
+template <Band band, class UniteWithAbove>
+[[gnu::always_inline]] inline void unite_runs(const ConstBitPlaneView& image, const RunForest& runs,
+                                              const UniteWithAbove& unite_with_above) {
   const Index bands = bands_of(band, image.height);
   separate_runs(runs, runs.first[bands]);
   for (Index number = 1; number < bands; ++number) {
     const bool none_above = runs.first[number - 1] == runs.first[number];
     const bool none_here = runs.first[number] == runs.first[number + 1];
-    if (!none_above && !none_here) unite_band<band>(image, number, runs);
+    if (!none_above && !none_here) unite_with_above(number);
   }
 }
 
@@ -166,15 +180,17 @@ template <Band band>
 }
 
 /// Background that reaches the image border belongs to run 0.
+template <class UniteWithAbove>
 [[gnu::always_inline]] inline void unite_background(const ConstBitPlaneView& image,
-                                                    const RunForest& runs) {
+                                                    const RunForest& runs,
+                                                    const UniteWithAbove& unite_with_above) {
   const Label* const first = runs.first;
   const Index last = image.height - 1;
   separate_runs(runs, first[image.height]);
   const Index right = image.width - 1;
   for (Index y = 0; y <= last; ++y) {
     if (first[y] == first[y + 1]) continue;
-    if (y > 0 && first[y - 1] != first[y]) unite_band<Band::row>(image, y, runs);
+    if (y > 0 && first[y - 1] != first[y]) unite_with_above(y);
     const std::uint64_t* const row = image.row(y);
     if ((row[0] & 1) != 0) unite(runs.parents, first[y], 0);
     if ((row[right / kWordBits] >> right % kWordBits & 1) != 0) {

@@ -8,7 +8,7 @@
 #include "core/byte_image.hpp"
 #include "core/exported.hpp"
 #include "regions/line_writer.hpp"
-#include "regions/run_bits.hpp"
+#include "regions/run_blocks.hpp"
 #include "simd/vector.hpp"
 
 namespace thinbench::detail {
@@ -22,9 +22,24 @@ void count(const ConstBitPlaneView& image, Label* first) {
   count_runs<band>(image, 0, first);
 }
 
+/// Narrower images are faster word by word.
+constexpr Index kMinBlockWidth = 193;
+
+template <Band band>
+[[gnu::always_inline]] inline void unite_with_above(const ConstBitPlaneView& image, Index number,
+                                                    const RunForest& runs) {
+  if constexpr (kHasRunBlocks) {
+    if (image.width >= kMinBlockWidth) {
+      unite_band_in_blocks<band, WordBatch>(image, number, runs);
+      return;
+    }
+  }
+  unite_band<band>(image, number, runs);
+}
+
 template <Band band>
 void unite_all(const ConstBitPlaneView& image, const RunForest& runs) {
-  unite_runs<band>(image, runs);
+  unite_runs<band>(image, runs, [&](Index number) { unite_with_above<band>(image, number, runs); });
 }
 
 template <Band band>
@@ -218,7 +233,8 @@ void count_background(const ConstBitPlaneView& background, Label* first) {
 }
 
 void unite_holes(const Background& background) {
-  unite_background(background.image, background.runs);
+  const auto& [image, runs] = background;
+  unite_background(image, runs, [&](Index y) { unite_with_above<Band::row>(image, y, runs); });
 }
 
 Label number_holes(const Background& background, Label objects) {

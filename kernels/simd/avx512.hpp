@@ -198,6 +198,35 @@ inline WordBatch next_word(WordBatch a) {
 
 // Two permutations and a funnel shift (without VBMI2 two shifts and an OR). Permutations use the
 // low three bits of an index, so lane 0 gets lane 8 - n.
+inline WordBatch previous_word(WordBatch a, WordBatch before) {
+  return _mm512_alignr_epi64(a, before, 7);
+}
+
+// A lane passes a carry on if it is all ones, and a carry through these lanes is one of the
+// addition of their masks.
+inline WordBatch sum_with_carry(WordBatch a, WordBatch b, std::uint64_t& carry) {
+  const __m512i ones = _mm512_set1_epi64(-1);
+  const __m512i sum = _mm512_add_epi64(a, b);
+  const std::uint64_t carries = _mm512_cmplt_epu64_mask(sum, a);
+  const std::uint64_t passing = _mm512_cmpeq_epi64_mask(sum, ones);
+  const std::uint64_t entering = ((carries << 1 | carry) + passing) ^ passing;
+  carry = entering >> 8;
+  return _mm512_mask_sub_epi64(sum, static_cast<__mmask8>(entering), sum, ones);
+}
+
+inline WordBatch sums_before(WordBatch a) {
+  const __m512i zero = _mm512_setzero_si512();
+  __m512i sums = _mm512_alignr_epi64(a, zero, 7);
+  sums = _mm512_add_epi64(sums, _mm512_alignr_epi64(sums, zero, 7));
+  sums = _mm512_add_epi64(sums, _mm512_alignr_epi64(sums, zero, 6));
+  return _mm512_add_epi64(sums, _mm512_alignr_epi64(sums, zero, 4));
+}
+
+template <class Block>
+inline Block lowest_word(std::uint64_t word) {
+  return _mm512_maskz_set1_epi64(1, static_cast<long long>(word));
+}
+
 inline WordBatch rotated(WordBatch row, Index pixels) {
   const __m512i lanes = _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 6, 7);
   const __m512i here = _mm512_sub_epi64(lanes, _mm512_set1_epi64(pixels / 64));

@@ -185,6 +185,21 @@ template <int count>
 [[gnu::always_inline]] inline WordBatch previous_word(WordBatch a);
 [[gnu::always_inline]] inline WordBatch next_word(WordBatch a);
 
+/// Lane i is lane i - 1 of `a`; lane 0 is the last lane of `before`. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline WordBatch previous_word(WordBatch a, WordBatch before);
+
+/// The sum of `a`, `b` and the carry as numbers of 512 bits, lane 0 lowest; the carry, 0 or 1,
+/// becomes that of the sum. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline WordBatch sum_with_carry(WordBatch a, WordBatch b,
+                                                       std::uint64_t& carry);
+
+/// Lane i is the sum of the lanes before it. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline WordBatch sums_before(WordBatch a);
+
+/// Lane 0 is `word`, the others 0. [kRegisterHoldsRow]
+template <class Block = WordBatch>
+[[gnu::always_inline]] inline Block lowest_word(std::uint64_t word);
+
 /// The 512 pixels rotated to the east by `pixels`, 0 <= pixels < 512. [kRegisterHoldsRow]
 [[gnu::always_inline]] inline WordBatch rotated(WordBatch row, Index pixels);
 
