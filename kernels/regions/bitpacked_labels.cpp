@@ -56,8 +56,8 @@ Label number_holes(const Background& background, Label objects) {
                          objects);
 }
 
-void sum_all_holes(const Objects& objects, const Background& background, Region* holes) {
-  sum_holes(objects, background, holes);
+void sum_all(const Objects& objects, const Background& background, Region* regions) {
+  sum_all_runs<Band::pair>(objects, background, regions);
 }
 
 void paint_all(const Objects& objects, const Background& background, const LabelView& labels) {
@@ -65,7 +65,7 @@ void paint_all(const Objects& objects, const Background& background, const Label
 }
 
 constexpr HoleKernels kHoleKernels = {&invert,       &count_background, &unite_holes,
-                                      &number_holes, &sum_all_holes,    &paint_all};
+                                      &number_holes, &sum_all,          &paint_all};
 
 }  // namespace
 

@@ -50,11 +50,14 @@ class ContactLabelsState : public LabelsState {
   [[nodiscard]] Label objects() const override { return objects_; }
 
  protected:
-  void compute() override {
+  void find_objects() {
     kernels_.count(image(), memory_.first());
     runs_ = memory_.with_room();
     kernels_.unite(image(), runs_);
     objects_ = kernels_.number(image(), runs_);
+  }
+  void compute() override {
+    find_objects();
     if (!has_list_) return;
     list_.assign(objects_, kNoPixels);
     kernels_.sum(image(), runs_, list_.data());
@@ -81,18 +84,20 @@ class ContactRegionsState final : public ContactLabelsState {
         memory_(setting.height) {}
 
   [[nodiscard]] RegionLists regions() const override {
-    return {ContactLabelsState::regions().objects, holes_};
+    const std::span<const Region> all(regions_);
+    if (all.empty()) return {};  // no pixels
+    return {all.subspan(1, objects()), all.subspan(1 + objects())};
   }
 
  private:
   void compute() override {
-    ContactLabelsState::compute();
+    find_objects();
     kernels_.invert(image(), inverted_.view());
     kernels_.count(inverted_.view(), memory_.first());
     background_ = {inverted_.view(), memory_.with_room()};
     kernels_.unite(background_);
-    holes_.assign(kernels_.number(background_, objects()) - objects(), kNoPixels);
-    kernels_.sum({image(), runs(), objects()}, background_, holes_.data());
+    regions_.assign(kernels_.number(background_, objects()) + std::size_t{1}, kNoPixels);
+    kernels_.sum({image(), runs(), objects()}, background_, regions_.data());
   }
   void store(const LabelView& labels) override {
     kernels_.paint({image(), runs(), objects()}, background_, labels);
@@ -102,7 +107,7 @@ class ContactRegionsState final : public ContactLabelsState {
   BitPlane inverted_;
   RunForestMemory memory_;
   Background background_ = {};
-  std::vector<Region> holes_;
+  std::vector<Region> regions_;  // outside, objects, holes
 };
 
 std::unique_ptr<LabelsState> make_contacts(const LabelEngine& engine,

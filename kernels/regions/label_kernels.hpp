@@ -65,9 +65,9 @@ struct HoleKernels {
   void (*unite)(const Background& background);
   /// Sets `ids`, for holes from `objects` + 1; returns the last id.
   Label (*number)(const Background& background, Label objects);
-  /// Adds all pixels to the regions of their holes, which are empty before, and sets the enclosing
-  /// objects.
-  void (*sum)(const Objects& objects, const Background& background, Region* holes);
+  /// Adds all pixels to the region at their id, empty before, and sets the enclosing objects of
+  /// holes. `regions[0]` is what is outside, for any use.
+  void (*sum)(const Objects& objects, const Background& background, Region* regions);
   /// Writes the id of every pixel.
   void (*paint)(const Objects& objects, const Background& background, const LabelView& labels);
 };

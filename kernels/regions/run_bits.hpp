@@ -354,32 +354,89 @@ template <Band band>
   }
 }
 
-/// The id of the run at a foreground pixel.
+/// The bits of a word of one row, and how to find the ids of its runs of both colours.
+struct RowRuns {
+  std::uint64_t foreground;
+  std::uint64_t background;
+  std::uint64_t foreground_starts;
+  std::uint64_t background_starts;
+  const Label* objects;  // ids of the last runs before the word
+  const Label* holes;
+
+  /// Of the run that begins at the lowest bit of `at`.
+  [[gnu::always_inline]] Label id_at(std::uint64_t at) const {
+    const std::uint64_t upto = at ^ (at - 1);
+    return (foreground & at & -at) != 0 ? objects[count_bits(foreground_starts & upto)]
+                                        : holes[count_bits(background_starts & upto)];
+  }
+};
+
+/// The words of a row, from the left.
 template <Band band>
-[[gnu::always_inline]] inline Label id_at(const ConstBitPlaneView& image, const RunForest& runs,
-                                          Index x, Index y) {
-  const Index number = y / rows_of(band);
-  BandBits<band> here(image, number);
-  Label run = runs.first[number] - 1;
-  for (Index word = 0; word < x / kWordBits; ++word) run += count_bits(here.starts(word));
-  const std::uint64_t upto = ~std::uint64_t{0} >> (kWordBits - 1 - x % kWordBits);
-  return runs.ids[run + count_bits(here.starts(x / kWordBits) & upto)];
+class RowReader {
+ public:
+  [[gnu::always_inline]] RowReader(const Objects& objects, const Background& background, Index y)
+      : row_(objects.image.row(y)),
+        pair_(objects.image, y / rows_of(band)),
+        background_(background.image, y),
+        objects_(objects.runs.ids + objects.runs.first[y / rows_of(band)] - 1),
+        holes_(background.runs.ids + background.runs.first[y] - 1) {}
+
+  [[gnu::always_inline]] RowRuns next() {
+    const RowRuns runs = {row_[word_],
+                          background_.top(word_),
+                          pair_.starts(word_),
+                          background_.starts(word_),
+                          objects_,
+                          holes_};
+    objects_ += count_bits(runs.foreground_starts);
+    holes_ += count_bits(runs.background_starts);
+    ++word_;
+    return runs;
+  }
+
+ private:
+  const std::uint64_t* row_;
+  BandBits<band> pair_;
+  BandBits<Band::row> background_;
+  const Label* objects_;
+  const Label* holes_;
+  Index word_ = 0;
+};
+
+/// The pixel to the west of a hole's first pixel belongs to the enclosing object, whose id is
+/// `west`.
+[[gnu::always_inline]] inline void add_run_of(Region& region, Index begin, Index end, Index y,
+                                              Label west) {
+  if (region.area == 0) {
+    region.top = static_cast<std::int32_t>(y);
+    region.enclosing_object = west;
+  }
+  add_run(region, begin, end, y);
 }
 
-/// The pixel to the west of a hole's first pixel belongs to the enclosing object.
-[[gnu::always_inline]] inline void sum_holes(const Objects& objects, const Background& background,
-                                             Region* holes) {
+template <Band band>
+[[gnu::always_inline]] inline void sum_all_runs(const Objects& objects,
+                                                const Background& background, Region* regions) {
+  const Index words = words_of(objects.image);
   for (Index y = 0; y < objects.image.height; ++y) {
-    const auto add = [&](Index begin, Index end, Label id) {
-      if (id == 0) return;
-      Region& region = holes[id - objects.count - 1];
-      if (region.area == 0) {
-        region.top = static_cast<std::int32_t>(y);
-        region.enclosing_object = id_at<Band::pair>(objects.image, objects.runs, begin - 1, y);
+    RowReader<band> reader(objects, background, y);
+    std::uint64_t carry = ~objects.image.row(y)[0] & 1;  // the first run begins at the border
+    Index begin = 0;
+    Label west = 0, id = 0;
+    for (Index word = 0; word < words; ++word) {
+      const RowRuns runs = reader.next();
+      const std::uint64_t inside = runs.foreground | runs.background;
+      std::uint64_t left = (runs.foreground ^ shifted(runs.foreground, carry)) & inside;
+      for (; left != 0; left &= left - 1) {
+        const Index x = word * kWordBits + __builtin_ctzll(left);
+        add_run_of(regions[id], begin, x, y, id > objects.count ? west : 0);
+        begin = x;
+        west = id;
+        id = runs.id_at(left);
       }
-      add_run(region, begin, end, y);
-    };
-    for_runs_of_row<Band::row>(background.image, y, background.runs, add);
+    }
+    add_run_of(regions[id], begin, objects.image.width, y, id > objects.count ? west : 0);
   }
 }
 

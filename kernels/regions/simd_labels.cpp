@@ -176,16 +176,6 @@ template <Band band>
 constexpr LabelKernels kKernels = {&count<band>, &unite_all<band>, &number<band>, &sum<band>,
                                    &paint<band>};
 
-/// Objects and holes of a word of one row.
-struct RowWord {
-  std::uint64_t foreground;
-  std::uint64_t background;
-  std::uint64_t foreground_starts;
-  std::uint64_t background_starts;
-  const Label* objects;  // ids of the last runs before the word
-  const Label* holes;
-};
-
 template <class Word>
 [[gnu::always_inline]] inline void paint_row_word(const Word& word, std::uint32_t* row,
                                                   Index count) {
@@ -209,18 +199,9 @@ template <class Word>
 template <Band band>
 [[gnu::always_inline]] inline void paint_row(const Objects& objects, const Background& background,
                                              Index y, std::uint32_t* row) {
-  const Index number = y / rows_of(band);
-  BandBits<band> bands(objects.image, number);
-  BandBits<Band::row> holes(background.image, y);
-  const Label* object_ids = objects.runs.ids + objects.runs.first[number] - 1;
-  const Label* hole_ids = background.runs.ids + background.runs.first[y] - 1;
-  for (Index word = 0; word < words_of(objects.image); ++word) {
-    const RowWord bits = {objects.image.row(y)[word], holes.top(word), bands.starts(word),
-                          holes.starts(word),         object_ids,      hole_ids};
-    const Index left = objects.image.width - word * kWordBits;
-    paint_row_word(bits, row + word * kWordBits, left < kWordBits ? left : kWordBits);
-    object_ids += count_bits(bits.foreground_starts);
-    hole_ids += count_bits(bits.background_starts);
+  RowReader<band> reader(objects, background, y);
+  for (Index left = objects.image.width; left > 0; left -= kWordBits, row += kWordBits) {
+    paint_row_word(reader.next(), row, left < kWordBits ? left : kWordBits);
   }
 }
 
@@ -243,8 +224,8 @@ Label number_holes(const Background& background, Label objects) {
                          objects);
 }
 
-void sum_all_holes(const Objects& objects, const Background& background, Region* holes) {
-  sum_holes(objects, background, holes);
+void sum_all(const Objects& objects, const Background& background, Region* regions) {
+  sum_all_runs<Band::pair>(objects, background, regions);
 }
 
 template <Band band>
@@ -259,7 +240,7 @@ void paint_all(const Objects& objects, const Background& background, const Label
 }
 
 constexpr HoleKernels kHoleKernels = {&invert,       &count_background, &unite_holes,
-                                      &number_holes, &sum_all_holes,    &paint_all<Band::pair>};
+                                      &number_holes, &sum_all,          &paint_all<Band::pair>};
 
 }  // namespace
 
