@@ -110,22 +110,14 @@ class ContactRegionsState final : public ContactLabelsState {
   std::vector<Region> regions_;  // outside, objects, holes
 };
 
-std::unique_ptr<LabelsState> make_contacts(const LabelEngine& engine,
-                                           const LabelsSetting& setting) {
+}  // namespace
+
+std::unique_ptr<LabelsState> make_contact_labels(const LabelsSetting& setting) {
+  const LabelEngine& engine = kernels_of<LabelEngine>(setting.isa);
   if (setting.task == LabelsTask::regions) {
     return std::make_unique<ContactRegionsState>(engine, setting);
   }
   return std::make_unique<ContactLabelsState>(engine, setting);
-}
-
-}  // namespace
-
-std::unique_ptr<LabelsState> make_bitpacked_contacts(const LabelsSetting& setting) {
-  return make_contacts(kBitpackedLabelEngine, setting);
-}
-
-std::unique_ptr<LabelsState> make_simd_contacts(const LabelsSetting& setting) {
-  return make_contacts(kernels_of<LabelEngine>(setting.isa), setting);
 }
 
 }  // namespace thinbench::detail

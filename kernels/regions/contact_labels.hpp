@@ -5,7 +5,7 @@
 
 namespace thinbench::detail {
 
-[[nodiscard]] std::unique_ptr<LabelsState> make_bitpacked_contacts(const LabelsSetting& setting);
-[[nodiscard]] std::unique_ptr<LabelsState> make_simd_contacts(const LabelsSetting& setting);
+/// By the kernels of the setting's ISA.
+[[nodiscard]] std::unique_ptr<LabelsState> make_contact_labels(const LabelsSetting& setting);
 
 }  // namespace thinbench::detail

@@ -79,7 +79,4 @@ struct LabelEngine {
   HoleKernels holes;  // of 8-connected objects
 };
 
-/// The kernels of bitpacked_contacts.
-extern const LabelEngine kBitpackedLabelEngine;
-
 }  // namespace thinbench::detail

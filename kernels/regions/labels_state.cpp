@@ -11,11 +11,10 @@ constexpr Features kContactFeatures =
 
 std::vector<LabelsVariant> labels_variants() {
   LabelsVariants list;
-  list.add("bitpacked_runs", Isa::baseline, &make_run_labels, {0});
-  list.add("bitpacked_contacts", Isa::baseline, &make_bitpacked_contacts, {1});
+  list.add("bitpacked_contacts", Isa::baseline, &make_contact_labels, {1});
   for (const Isa isa : isas_with(kContactFeatures)) {
     if (isa == Isa::baseline) continue;  // the same as `bitpacked_contacts`
-    list.add("simd_contacts", isa, &make_simd_contacts, {2});
+    list.add("simd_contacts", isa, &make_contact_labels, {2});
   }
   return list.take();
 }

@@ -85,7 +85,4 @@ using LabelsOperation = Operation<LabelsTask, LabelsState>;
 [[nodiscard]] std::span<const LabelsOperation> labels_operations();
 [[nodiscard]] const LabelsOperation& operation_of(LabelsTask task);
 
-/// From lists of all runs.
-[[nodiscard]] std::unique_ptr<LabelsState> make_run_labels(const LabelsSetting& setting);
-
 }  // namespace thinbench::detail

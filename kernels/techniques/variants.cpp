@@ -73,6 +73,12 @@ RegionsVariants regions_techniques(RegionsTask task) {
   return list;
 }
 
+LabelsVariants labels_techniques() {
+  LabelsVariants list;
+  list.add("bitpacked_runs", Isa::baseline, &make_run_labels, {0});
+  return list;
+}
+
 std::unique_ptr<EdgeState> make_autovec_edges(const EdgeSetting& setting) {
   const AutovecEdgeKernels& kernels = kernels_of<AutovecEdgeKernels>(setting.isa);
   return std::make_unique<EdgeState>(kernels.bytes[setting.op], setting);
@@ -117,7 +123,7 @@ std::span<const RegionsOperation> regions_operations() {
 
 std::span<const LabelsOperation> labels_operations() {
   static const auto all =
-      extended(detail::labels_operations(), [](const auto&) { return LabelsVariants(); });
+      extended(detail::labels_operations(), [](const auto&) { return labels_techniques(); });
   return all;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "regions/labelled_runs.hpp"
-#include "regions/labels_state.hpp"
+#include "techniques/regions.hpp"
 
 namespace thinbench::detail {
 namespace {
