@@ -97,17 +97,26 @@ class ContactRegionsState final : public ContactLabelsState {
     background_ = {inverted_.view(), memory_.with_room()};
     kernels_.unite(background_);
     regions_.assign(kernels_.number(background_, objects()) + std::size_t{1}, kNoPixels);
-    kernels_.sum({image(), runs(), objects()}, background_, regions_.data());
+    ids_.resize(max_row_runs() + 2 * std::size_t{kRunPadding});
+    kernels_.sum({image(), runs(), objects()}, background_, regions_.data(), ids());
   }
   void store(const LabelView& labels) override {
-    kernels_.paint({image(), runs(), objects()}, background_, labels);
+    kernels_.paint(image(), background_.image, ids(), labels);
   }
+
+  /// Between two runs of a row in the foreground is one in the background.
+  [[nodiscard]] std::size_t max_row_runs() {
+    const auto height = static_cast<std::size_t>(image().height);
+    return 2 * std::size_t{memory_.first()[height]} + height;
+  }
+  [[nodiscard]] Label* ids() { return ids_.data() + kRunPadding; }
 
   HoleKernels kernels_;
   BitPlane inverted_;
   RunForestMemory memory_;
   Background background_ = {};
   std::vector<Region> regions_;  // outside, objects, holes
+  std::vector<Label> ids_;       // of all runs of rows
 };
 
 }  // namespace

@@ -82,21 +82,22 @@ Label number_holes(const Background& background, Label objects) {
                          objects);
 }
 
-void sum_all(const Objects& objects, const Background& background, Region* regions) {
-  sum_all_runs<Band::pair>(objects, background, regions);
+void sum_all(const Objects& objects, const Background& background, Region* regions, Label* ids) {
+  sum_all_runs<Band::pair>(objects, background, regions, ids);
 }
 
 template <Band band>
-void paint_all(const Objects& objects, const Background& background, const LabelView& labels) {
+void paint_all(const ConstBitPlaneView& image, const ConstBitPlaneView& background,
+               const Label* ids, const LabelView& labels) {
   if constexpr (kHasLanePermute) {
-    paint_rows<band>(objects, background, labels);
+    paint_rows<band>(image, background, ids, labels);
   } else {
-    paint_all_runs(objects, background, labels);
+    paint_all_runs(image, background, ids, labels);
   }
 }
 
 constexpr HoleKernels kHoleKernels = {&invert,       &count_background, &unite_holes,
-                                      &number_holes, &sum_all,          &paint_all<Band::pair>};
+                                      &number_holes, &sum_all,          &paint_all<Band::row>};
 
 }  // namespace
 

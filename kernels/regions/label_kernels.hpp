@@ -66,10 +66,12 @@ struct HoleKernels {
   /// Sets `ids`, for holes from `objects` + 1; returns the last id.
   Label (*number)(const Background& background, Label objects);
   /// Adds all pixels to the region at their id, empty before, and sets the enclosing objects of
-  /// holes. `regions[0]` is what is outside, for any use.
-  void (*sum)(const Objects& objects, const Background& background, Region* regions);
-  /// Writes the id of every pixel.
-  void (*paint)(const Objects& objects, const Background& background, const LabelView& labels);
+  /// holes. `regions[0]` is what is outside, for any use. Writes the ids of all runs of single
+  /// rows, of both colours, in raster order.
+  void (*sum)(const Objects& objects, const Background& background, Region* regions, Label* ids);
+  /// Writes the id of every pixel from those of the runs, between kRunPadding elements.
+  void (*paint)(const ConstBitPlaneView& image, const ConstBitPlaneView& background,
+                const Label* ids, const LabelView& labels);
 };
 
 /// Compiled for every ISA.

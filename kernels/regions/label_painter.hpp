@@ -38,9 +38,11 @@ template <Band band>
                                               std::uint32_t* bottom, Index count) {
   for (Index x = 0; x < kWordBits; x += kLabelLanes) {
     if (x >= count) return;
-    const std::uint64_t before = (std::uint64_t{1} << x) - 1;
-    const auto near = Lanes32::load_unaligned(word.ids + count_bits(word.starts & before));
-    const Lanes32 index = counts_upto(static_cast<std::uint32_t>(word.starts >> x));
+    // From the run of the first lane on: as many lanes as runs at most.
+    const std::uint64_t upto_first = (std::uint64_t{2} << x) - 1;
+    const auto near = Lanes32::load_unaligned(word.ids + count_bits(word.starts & upto_first));
+    const Lanes32 index =
+        counts_upto(static_cast<std::uint32_t>(word.starts >> x & ~std::uint64_t{1}));
     const auto write = [&](std::uint32_t* row, std::uint64_t pixels) {
       store_labels(row + x, permuted_where(near, index, static_cast<std::uint32_t>(pixels >> x)),
                    count - x);
@@ -50,24 +52,14 @@ template <Band band>
   }
 }
 
-/// Paints a band from the left.
+/// The words of a band, from the left.
 template <Band band>
-class BandPainter {
+class BandReader {
  public:
-  [[gnu::always_inline]] BandPainter(const ConstBitPlaneView& image, Index number,
-                                     const RunForest& runs)
+  [[gnu::always_inline]] BandReader(const ConstBitPlaneView& image, Index number,
+                                    const RunForest& runs)
       : bits_(image, number), ids_(runs.ids + runs.first[number] - 1) {}
 
-  /// Writes the next `count` labels of each row, whole words except at the end of the row.
-  [[gnu::always_inline]] void paint(std::uint32_t* top, std::uint32_t* bottom, Index count) {
-    const Index whole = count / kWordBits;
-    for (Index i = 0; i < whole; ++i, top += kWordBits, bottom += kWordBits) {
-      paint_word<band>(next(), top, bottom, kWordBits);
-    }
-    if (count % kWordBits != 0) paint_word<band>(next(), top, bottom, count % kWordBits);
-  }
-
- private:
   [[gnu::always_inline]] BandWord next() {
     const BandWord word = {bits_.starts(word_), bits_.top(word_), bits_.bottom(word_), ids_};
     ids_ += count_bits(word.starts);
@@ -75,10 +67,43 @@ class BandPainter {
     return word;
   }
 
+ private:
   BandBits<band> bits_;
   const Label* ids_;
   Index word_ = 0;
 };
+
+/// The words of a row with all its runs, whose ids are listed.
+class RowReader {
+ public:
+  [[gnu::always_inline]] RowReader(const ConstBitPlaneView& image,
+                                   const ConstBitPlaneView& background, Index y, const Label* ids)
+      : bits_(image, background, y), ids_(ids - 1) {}
+
+  [[gnu::always_inline]] BandWord next() {
+    const BandWord word = {bits_.starts(word_), bits_.inside(word_), 0, ids_};
+    ids_ += count_bits(word.starts);
+    ++word_;
+    return word;
+  }
+  /// Of the next row.
+  [[nodiscard]] const Label* ids() const { return ids_ + 1; }
+
+ private:
+  RowBoundaries bits_;
+  const Label* ids_;
+  Index word_ = 0;
+};
+
+/// Writes the next `count` labels of each row, whole words except at the end of the row.
+template <Band band, class Reader>
+[[gnu::always_inline]] inline void paint_words(Reader& reader, std::uint32_t* top,
+                                               std::uint32_t* bottom, Index count) {
+  for (; count >= kWordBits; count -= kWordBits, top += kWordBits, bottom += kWordBits) {
+    paint_word<band>(reader.next(), top, bottom, kWordBits);
+  }
+  if (count > 0) paint_word<band>(reader.next(), top, bottom, count);
+}
 
 /// Rows of a band, as memory; the same one twice where there is only one.
 struct BandRows {
@@ -102,16 +127,15 @@ inline constexpr Index kBufferedLabels = 1024;
   return labels.width * labels.height * label_bytes >= kNonTemporalLabelBytes;
 }
 
-template <Band band>
-[[gnu::always_inline]] inline void stream_band(BandPainter<band> painter, const BandRows& rows,
-                                               Index width) {
+template <Band band, class Reader>
+[[gnu::always_inline]] inline void stream_band(Reader& reader, const BandRows& rows, Index width) {
   alignas(kAlignment) std::uint32_t room[2][kBufferedLabels + LineWriter::kLine];
   LineWriter top, bottom;
   for (Index x = 0; x < width; x += kBufferedLabels) {
     const Index count = width - x < kBufferedLabels ? width - x : kBufferedLabels;
     std::uint32_t* const of_top = LineWriter::start_in(room[0], rows.top + x);
     std::uint32_t* const of_bottom = LineWriter::start_in(room[1], rows.bottom + x);
-    painter.paint(of_top, of_bottom, count);
+    paint_words<band>(reader, of_top, of_bottom, count);
     top.write(rows.top + x, of_top, count);
     if (rows.top != rows.bottom) bottom.write(rows.bottom + x, of_bottom, count);
   }
@@ -119,77 +143,37 @@ template <Band band>
   bottom.flush();
 }
 
+template <Band band, class Reader>
+[[gnu::always_inline]] inline void paint_band(Reader& reader, const LabelView& labels,
+                                              Index number) {
+  const BandRows rows = rows_of_band(band, labels, number);
+  if (is_large(labels)) {
+    stream_band<band>(reader, rows, labels.width);
+  } else {
+    paint_words<band>(reader, rows.top, rows.bottom, labels.width);
+  }
+}
+
 template <Band band>
 [[gnu::always_inline]] inline void paint_bands(const ConstBitPlaneView& image,
                                                const RunForest& runs, const LabelView& labels) {
-  const bool large = is_large(labels);
-  for (Index number = 0; number < bands_of(band, image.height); ++number) {
-    const BandRows rows = rows_of_band(band, labels, number);
-    BandPainter<band> painter(image, number, runs);
-    if (large) {
-      stream_band(painter, rows, image.width);
-    } else {
-      painter.paint(rows.top, rows.bottom, image.width);
-    }
+  for (Index number = 0; number < bands_of(band, labels.height); ++number) {
+    BandReader<band> reader(image, number, runs);
+    paint_band<band>(reader, labels, number);
   }
-  if (large) finish_non_temporal_stores();
-}
-
-/// Writes up to `count` labels of objects and holes.
-template <class Word>
-[[gnu::always_inline]] inline void paint_row_word(const Word& word, std::uint32_t* row,
-                                                  Index count) {
-  for (Index x = 0; x < count; x += kLabelLanes) {
-    const auto labels_of = [&](std::uint64_t pixels, std::uint64_t starts, const Label* ids) {
-      const std::uint64_t before = (std::uint64_t{1} << x) - 1;
-      return permuted_where(Lanes32::load_unaligned(ids + count_bits(starts & before)),
-                            counts_upto(static_cast<std::uint32_t>(starts >> x)),
-                            static_cast<std::uint32_t>(pixels >> x));
-    };
-    store_labels(row + x,
-                 labels_of(word.foreground, word.foreground_starts, word.objects) |
-                     labels_of(word.background, word.background_starts, word.holes),
-                 count - x);
-  }
-}
-
-/// Writes the next `count` labels of a row, whole words except at its end.
-template <Band band>
-[[gnu::always_inline]] inline void paint_row(RowReader<band>& reader, std::uint32_t* row,
-                                             Index count) {
-  for (; count > 0; count -= kWordBits, row += kWordBits) {
-    paint_row_word(reader.next(), row, count < kWordBits ? count : kWordBits);
-  }
+  if (is_large(labels)) finish_non_temporal_stores();
 }
 
 template <Band band>
-[[gnu::always_inline]] inline void stream_row(RowReader<band>& reader, std::uint32_t* row,
-                                              Index width) {
-  alignas(kAlignment) std::uint32_t room[kBufferedLabels + LineWriter::kLine];
-  LineWriter writer;
-  for (Index x = 0; x < width; x += kBufferedLabels) {
-    const Index count = width - x < kBufferedLabels ? width - x : kBufferedLabels;
-    std::uint32_t* const labels = LineWriter::start_in(room, row + x);
-    paint_row(reader, labels, count);
-    writer.write(row + x, labels, count);
-  }
-  writer.flush();
-}
-
-template <Band band>
-[[gnu::always_inline]] inline void paint_rows(const Objects& objects, const Background& background,
+[[gnu::always_inline]] inline void paint_rows(const ConstBitPlaneView& image,
+                                              const ConstBitPlaneView& background, const Label* ids,
                                               const LabelView& labels) {
-  const bool large = is_large(labels);
   for (Index y = 0; y < labels.height; ++y) {
-    RowReader<band> reader(objects, background, y);
-    auto* const row = reinterpret_cast<std::uint32_t*>(labels.row(y));
-    if (large) {
-      stream_row(reader, row, labels.width);
-    } else {
-      paint_row(reader, row, labels.width);
-    }
+    RowReader reader(image, background, y, ids);
+    paint_band<band>(reader, labels, y);
+    ids = reader.ids();
   }
-  if (large) finish_non_temporal_stores();
+  if (is_large(labels)) finish_non_temporal_stores();
 }
 
 }  // namespace THINBENCH_ISA

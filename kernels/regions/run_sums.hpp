@@ -51,7 +51,6 @@ template <Band band>
 /// The bits of a word of one row, and how to find the ids of its runs of both colours.
 struct RowRuns {
   std::uint64_t foreground;
-  std::uint64_t background;
   std::uint64_t foreground_starts;
   std::uint64_t background_starts;
   const Label* objects;  // ids of the last runs before the word
@@ -65,27 +64,44 @@ struct RowRuns {
   }
 };
 
-/// The words of a row, from the left.
-template <Band band>
-class RowReader {
+/// Runs of both colours in a row: where they begin, for words from the left.
+class RowBoundaries {
  public:
-  [[gnu::always_inline]] RowReader(const Objects& objects, const Background& background, Index y)
+  [[gnu::always_inline]] RowBoundaries(const ConstBitPlaneView& image,
+                                       const ConstBitPlaneView& background, Index y)
+      : image_(image.row(y)),
+        background_(background.row(y)),
+        carry_(~image_[0] & 1) {}  // the first run begins at the border
+
+  [[gnu::always_inline]] std::uint64_t inside(Index word) const {
+    return image_[word] | background_[word];
+  }
+  [[gnu::always_inline]] std::uint64_t starts(Index word) {
+    return (image_[word] ^ shifted(image_[word], carry_)) & inside(word);
+  }
+
+ private:
+  const std::uint64_t* image_;
+  const std::uint64_t* background_;
+  std::uint64_t carry_;
+};
+
+/// The ids of the runs of a row, for words from the left.
+template <Band band>
+class RowIds {
+ public:
+  [[gnu::always_inline]] RowIds(const Objects& objects, const Background& background, Index y)
       : row_(objects.image.row(y)),
         pair_(objects.image, y / rows_of(band)),
         background_(background.image, y),
         objects_(objects.runs.ids + objects.runs.first[y / rows_of(band)] - 1),
         holes_(background.runs.ids + background.runs.first[y] - 1) {}
 
-  [[gnu::always_inline]] RowRuns next() {
-    const RowRuns runs = {row_[word_],
-                          background_.top(word_),
-                          pair_.starts(word_),
-                          background_.starts(word_),
-                          objects_,
+  [[gnu::always_inline]] RowRuns of_word(Index word) {
+    const RowRuns runs = {row_[word], pair_.starts(word), background_.starts(word), objects_,
                           holes_};
     objects_ += count_bits(runs.foreground_starts);
     holes_ += count_bits(runs.background_starts);
-    ++word_;
     return runs;
   }
 
@@ -95,7 +111,6 @@ class RowReader {
   BandBits<Band::row> background_;
   const Label* objects_;
   const Label* holes_;
-  Index word_ = 0;
 };
 
 /// The pixel to the west of a hole's first pixel belongs to the enclosing object, whose id is
@@ -111,36 +126,27 @@ class RowReader {
 
 template <Band band>
 [[gnu::always_inline]] inline void sum_all_runs(const Objects& objects,
-                                                const Background& background, Region* regions) {
+                                                const Background& background, Region* regions,
+                                                Label* ids) {
   const Index words = words_of(objects.image);
   for (Index y = 0; y < objects.image.height; ++y) {
-    RowReader<band> reader(objects, background, y);
-    std::uint64_t carry = ~objects.image.row(y)[0] & 1;  // the first run begins at the border
+    RowBoundaries boundaries(objects.image, background.image, y);
+    RowIds<band> row(objects, background, y);
     Index begin = 0;
     Label west = 0, id = 0;
     for (Index word = 0; word < words; ++word) {
-      const RowRuns runs = reader.next();
-      const std::uint64_t inside = runs.foreground | runs.background;
-      std::uint64_t left = (runs.foreground ^ shifted(runs.foreground, carry)) & inside;
-      for (; left != 0; left &= left - 1) {
+      const RowRuns runs = row.of_word(word);
+      for (std::uint64_t left = boundaries.starts(word); left != 0; left &= left - 1) {
         const Index x = word * kWordBits + __builtin_ctzll(left);
         add_run_of(regions[id], begin, x, y, id > objects.count ? west : 0);
         begin = x;
         west = id;
         id = runs.id_at(left);
+        *ids++ = id;
       }
     }
     add_run_of(regions[id], begin, objects.image.width, y, id > objects.count ? west : 0);
   }
-}
-
-/// Writes the ids of runs to row y, others are left as they are.
-template <Band band>
-[[gnu::always_inline]] inline void paint_runs_of_row(const ConstBitPlaneView& image, Index y,
-                                                     const RunForest& runs, std::int32_t* row) {
-  for_runs_of_row<band>(image, y, runs, [&](Index begin, Index end, Label id) {
-    for (Index x = begin; x < end; ++x) row[x] = static_cast<std::int32_t>(id);
-  });
 }
 
 template <Band band>
@@ -149,16 +155,28 @@ template <Band band>
   for (Index y = 0; y < image.height; ++y) {
     std::int32_t* const row = labels.row(y);
     for (Index x = 0; x < image.width; ++x) row[x] = 0;
-    paint_runs_of_row<band>(image, y, runs, row);
+    for_runs_of_row<band>(image, y, runs, [&](Index begin, Index end, Label id) {
+      for (Index x = begin; x < end; ++x) row[x] = static_cast<std::int32_t>(id);
+    });
   }
 }
 
-[[gnu::always_inline]] inline void paint_all_runs(const Objects& objects,
-                                                  const Background& background,
-                                                  const LabelView& labels) {
+/// From the ids of all runs.
+[[gnu::always_inline]] inline void paint_all_runs(const ConstBitPlaneView& image,
+                                                  const ConstBitPlaneView& background,
+                                                  const Label* ids, const LabelView& labels) {
   for (Index y = 0; y < labels.height; ++y) {
-    paint_runs_of_row<Band::pair>(objects.image, y, objects.runs, labels.row(y));
-    paint_runs_of_row<Band::row>(background.image, y, background.runs, labels.row(y));
+    RowBoundaries boundaries(image, background, y);
+    std::int32_t* const row = labels.row(y);
+    Index x = 0;
+    for (Index word = 0; word < words_of(image); ++word) {
+      for (std::uint64_t left = boundaries.starts(word); left != 0; left &= left - 1) {
+        const Index end = word * kWordBits + __builtin_ctzll(left);
+        for (; x < end; ++x) row[x] = static_cast<std::int32_t>(ids[-1]);
+        ++ids;
+      }
+    }
+    for (; x < labels.width; ++x) row[x] = static_cast<std::int32_t>(ids[-1]);
   }
 }
 
