@@ -1,9 +1,9 @@
 // Runs as bits: a run is the bit where it begins, and its number is the count of such bits up to
 // it. There are no lists of runs. Safe to include in ISA files.
 //
-// Two rows that are OR-ed are one row of runs, from "Bit-Merge-Run-Scan", W. Lee, F. Bolelli,
-// S. Allegretti, C. Grana: Fast Run-Based Connected Components Labeling for Bitonal Images,
-// ICIEV 2021. Here contacts between bands are bits, too, one for each two runs that touch.
+// Two rows that are OR-ed are one row of runs: "Bit-Merge-Run-Scan", W. Lee and others, Fast
+// Run-Based Connected Components Labeling for Bitonal Images, ICIEV 2021. Here contacts between
+// bands are bits, too, one for each two runs that touch.
 #pragma once
 
 #include "regions/label_kernels.hpp"

@@ -36,7 +36,7 @@ struct Regions {
                                                                 const Execution& execution = {});
 
 /// Finds objects and holes and writes the label of each pixel's region: the id of its object, or
-/// the number of objects plus the id of its hole, or 0 outside. Takes 8 bytes of memory per run of
+/// the number of objects plus the id of its hole, or 0 outside. Takes 12 bytes of memory per run of
 /// equal pixels besides the result. Both views must have the same size, at most 2^31 pixels, and
 /// share no byte. Nothing is written if it throws.
 THINBENCH_API Regions label_regions(ConstImageView source, LabelView labels,
