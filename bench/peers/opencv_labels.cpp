@@ -16,7 +16,7 @@ class LabelsJob : public Job {
  public:
   explicit LabelsJob(int connectivity) : connectivity_(connectivity) { cv::setNumThreads(1); }
   void run(const ConstImageView& input, const ImageView&) final {
-    if (input.width > 0 && input.height > 0) label(mat_of(input));
+    if (input.width > 0 && input.height > 0) label(mat_of(input), labels_);
   }
   [[nodiscard]] bool gives_image() const final { return false; }
 
@@ -35,12 +35,12 @@ class LabelsJob : public Job {
   }
 
  protected:
-  virtual void label(const cv::Mat& source) = 0;
+  virtual void label(const cv::Mat& source, cv::Mat& labels) = 0;
   [[nodiscard]] int connectivity() const { return connectivity_; }
-  cv::Mat labels_;
 
  private:
   int connectivity_;
+  cv::Mat labels_;
 };
 
 class ComponentsJob final : public LabelsJob {
@@ -48,8 +48,8 @@ class ComponentsJob final : public LabelsJob {
   ComponentsJob(int connectivity, int algorithm) : LabelsJob(connectivity), algorithm_(algorithm) {}
 
  private:
-  void label(const cv::Mat& source) override {
-    cv::connectedComponents(source, labels_, connectivity(), CV_32S, algorithm_);
+  void label(const cv::Mat& source, cv::Mat& labels) override {
+    cv::connectedComponents(source, labels, connectivity(), CV_32S, algorithm_);
   }
 
   int algorithm_;
@@ -60,8 +60,8 @@ class StatsJob final : public LabelsJob {
   using LabelsJob::LabelsJob;
 
  private:
-  void label(const cv::Mat& source) override {
-    cv::connectedComponentsWithStats(source, labels_, stats_, centres_, connectivity());
+  void label(const cv::Mat& source, cv::Mat& labels) override {
+    cv::connectedComponentsWithStats(source, labels, stats_, centres_, connectivity());
   }
 
   cv::Mat stats_;

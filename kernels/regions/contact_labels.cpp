@@ -22,9 +22,11 @@ class RunForestMemory {
   RunForest with_room() {
     const Label runs = first_[static_cast<std::size_t>(bands_)];
     if (runs >= capacity_) {
-      capacity_ = runs + runs / 2 + 1;
-      parents_ = make_aligned<Label>(capacity_);
-      ids_ = make_aligned<Label>(capacity_ + 2 * std::size_t{kRunPadding});
+      const std::size_t larger = std::size_t{runs} + runs / 2 + 1;
+      capacity_ = 0;  // in case that memory is short
+      parents_ = make_aligned<Label>(larger);
+      ids_ = make_aligned<Label>(larger + 2 * std::size_t{kRunPadding});
+      capacity_ = larger;
     }
     return {parents_.get(), ids_.get() + kRunPadding, first_.get()};
   }

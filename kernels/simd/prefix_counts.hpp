@@ -1,10 +1,12 @@
-// How many bits of a byte are set up to each of its bits, for architectures that look it up.
+// How many bits of a byte are set up to each of its bits, for architectures that look it up. For
+// ISA files only.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 namespace thinbench::detail {
+inline namespace THINBENCH_ISA {
 
 using PrefixCounts = std::array<std::array<std::uint8_t, 8>, 256>;
 
@@ -21,4 +23,5 @@ inline constexpr PrefixCounts kPrefixCounts = [] {
   return all;
 }();
 
+}  // namespace THINBENCH_ISA
 }  // namespace thinbench::detail
