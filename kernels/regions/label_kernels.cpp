@@ -72,8 +72,9 @@ void count_background(const ConstBitPlaneView& background, Label* first) {
 }
 
 void unite_holes(const Background& background) {
-  const auto& [image, runs] = background;
-  unite_background(image, runs, [&](Index y) { unite_with_above<Band::row>(image, y, runs); });
+  unite_background(background.image, background.runs, [&](Index y) {
+    unite_with_above<Band::row>(background.image, y, background.runs);
+  });
 }
 
 Label number_holes(const Background& background, Label objects) {
