@@ -91,9 +91,9 @@ class Rows:
                             if peer["equal_output"]}
         self.cases = sorted({row.case for row in self.rows}, key=place)
 
-    def of(self, case: str) -> list[Row]:
+    def of(self, case: str, image: str = "") -> list[Row]:
         """End to end and on one thread, as tables quote them."""
-        return [row for row in self.rows if row.case == case and row.input == self.input
+        return [row for row in self.rows if row.case == case and row.input == (image or self.input)
                 and row.threads == 1 and row.scope == END_TO_END]
 
     def own(self, case: str) -> list[Row]:

@@ -1,7 +1,9 @@
 """Fills the marked parts of README and docs/ with the figures of a run; nothing else is touched.
 
     <!-- headline: made by report readme -->               the first table
-    <!-- speed CASE...: made by report readme -->          speed-ups of all techniques of these cases
+    <!-- speed CASE...: made by report readme -->          speed-ups of all techniques of these cases,
+                                                           CASE@INPUT for another image
+    <!-- quality: made by report readme -->                skeletons of the scene, by results/experiments
     <!-- run: made by report readme -->                    which run it was
     <!-- many-images EXPERIMENT: made by report readme --> a table of `./study many-images`, and its run
     ...
@@ -25,8 +27,9 @@ from report.many_images.results import read_csv as read_many_images
 from report.many_images.tables import TABLES
 from report.measure.run import RUN, load_run
 from report.measure.timings import Row
+from report.page.experiments import experiment_tables, load_experiments
 from report.page.headline import readme_table
-from report.page.operations import Rows, fastest
+from report.page.operations import Rows
 
 MARK = re.compile(r"(<!-- ([\w-]+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -36,13 +39,13 @@ MANY_IMAGES = Path("many-images", CSV)
 Maker = Callable[[list[str], Path], str]
 """Takes the words after the first, and where the document is."""
 
-NAMES = ("headline", "speed", "run", "many-images")
+NAMES = ("headline", "speed", "run", "quality", "many-images")
 
 
 def fill_documents(directory: Path, documents: Sequence[Path]) -> str:
     """Returns what was done. Nothing is written unless every document has marks that are known."""
-    makers = _makers(directory)
-    texts = {document: _filled(document, makers) for document in documents}
+    makers = makers_of(directory)
+    texts = {document: filled(document, makers) for document in documents}
     for document, text in texts.items():
         write_file(document, text.encode())
     return f"filled {', '.join(makers)} from {directory}: {', '.join(path.name for path in documents)}"
@@ -54,10 +57,10 @@ def marked(directory: Path) -> list[Path]:
             if MARK.search(path.read_text(encoding="utf-8"))]
 
 
-def _makers(directory: Path) -> dict[str, Maker]:
+def makers_of(directory: Path) -> dict[str, Maker]:
     """By the first word of a mark. Raises ReportError where the directory holds nothing to quote."""
     many = directory / MANY_IMAGES
-    makers: dict[str, Maker] = {}
+    makers: dict[str, Maker] = {"quality": lambda _, __: _quality()}
     if (directory / RUN).exists() or not many.exists():
         rows = Rows(load_run(directory))
         makers |= {"headline": lambda _, __: readme_table(rows.headlines()),
@@ -69,7 +72,8 @@ def _makers(directory: Path) -> dict[str, Maker]:
     return makers
 
 
-def _filled(document: Path, makers: dict[str, Maker]) -> str:
+def filled(document: Path, makers: dict[str, Maker]) -> str:
+    """Its text with new figures."""
     try:
         text = document.read_text(encoding="utf-8")
     except OSError as error:
@@ -91,19 +95,22 @@ def speed_table(rows: Rows, cases: Sequence[str]) -> str:
     """A line for each technique and ISA, the fastest first, a column for each case."""
     found: dict[tuple[str, str], dict[str, Row]] = {}
     for case in cases:
-        for row in sorted(rows.of(case), key=lambda row: row.time_ns):
-            if not row.is_reference and (not row.peer or row.technique == _equal_peer(rows, case)):
+        timed = rows.of(*case.split("@"))
+        peers = {row.peer_name for row in timed}
+        for row in sorted(timed, key=lambda row: row.time_ns):
+            if not row.is_reference and (not row.peer or row.technique in peers):
                 found.setdefault((row.technique, row.isa), {})[case] = row
     lines = [[f"`{technique}`", isa, *(speedup_text(own[case]) if case in own else NOTHING
                                        for case in cases)]
              for (technique, isa), own in found.items()]
-    return markdown_table(["technique", "ISA", *(f"`{case}`" for case in cases)], lines,
-                          frozenset(range(2, 2 + len(cases))))
+    titles = [f"`{case.replace('@', '` on `')}`" for case in cases]
+    return markdown_table(["technique", "ISA", *titles], lines, frozenset(range(2, 2 + len(cases))))
 
 
-def _equal_peer(rows: Rows, case: str) -> str:
-    best = fastest(rows.own(case))
-    return best.peer_name if best else ""
+def _quality() -> str:
+    """The first table of the experiment."""
+    table = experiment_tables(load_experiments())[0]
+    return markdown_table(table.header, table.rows, frozenset(range(1, len(table.header))))
 
 
 def _run_line(rows: Rows, folder: Path) -> str:

@@ -11,11 +11,12 @@ from conftest import ROOT, all_rows, write_run
 from report.errors import ReportError
 from report.many_images.results import Result, read_csv, to_csv
 from report.measure.run import load_run
-from report.page.readme import MANY_IMAGES, fill_documents, marked
+from report.page.readme import MANY_IMAGES, fill_documents, filled, makers_of, marked
 
 MARKED = ("Before.\n<!-- headline: made by report readme -->\nold\n<!-- end -->\n"
           "Between.\n<!-- run: made by report readme -->\nold\n<!-- end -->\n"
-          "<!-- speed thin_guo_hall:keep edges_sobel: made by report readme -->\n<!-- end -->\nAfter.\n")
+          "<!-- speed thin_guo_hall:keep edges_sobel holes@square_64: made by report readme -->\n"
+          "<!-- end -->\nAfter.\n")
 
 
 def test_only_what_stands_between_the_marks_changes(tmp_path):
@@ -27,7 +28,9 @@ def test_only_what_stands_between_the_marks_changes(tmp_path):
     assert "| Guo-Hall, border kept, `thin_guo_hall` | 64.0 µs | simd_bitpacked, avx512 | 156× " \
            "(153 to 159) | 1,406× |" in text
     assert "[all timings](run/timings.csv)" in text
-    assert "| `simd_bitpacked` | avx512 | 156× (153 to 159) | 156× (153 to 159) |" in text
+    assert "| `simd_bitpacked` | avx512 | 156× (153 to 159) | 156× (153 to 159) | \N{EN DASH} |" in text
+    assert "| `holes` on `square_64` |" in text
+    assert "| `simd_runs` | avx2 | \N{EN DASH} | \N{EN DASH} | 15.6× (15.3 to 15.9) |" in text
     assert "| `opencv` | native |" in text
 
 
@@ -85,6 +88,17 @@ def test_every_run_that_a_document_quotes_is_in_the_tree():
     for document in documents:
         quoted = set(re.findall(r"[Rr]uns? of commit\s+([0-9a-f]+)", document.read_text()))
         assert quoted <= kept, f"{document} quotes {quoted - kept}, which is not in results/"
+
+
+def test_documents_have_the_figures_of_the_runs_that_they_quote():
+    directories = {path.parent for path in runs()}
+    directories |= {path.parents[1] for path in (ROOT / "results").glob(f"*/*/{MANY_IMAGES}")}
+    for document in marked(ROOT):
+        text = document.read_text(encoding="utf-8")
+        assert "readme -->\n<!-- end -->" not in text, f"{document} has a part that is not filled"
+        for directory in directories:
+            if str(directory.relative_to(ROOT)) in text:
+                assert filled(document, makers_of(directory)) == text, f"./study readme {directory}"
 
 
 def runs():
