@@ -11,10 +11,6 @@ from report.measure.sampler import Choice, Json, Sampler, Samples, seconds_of
 from report.progress import Progress
 
 
-FILLED, MAX_MORE_VISITS = 1.0, 8
-"""Seconds that a process measures if little is open, by visiting it more often."""
-
-
 def floors(samples: Samples, group: int) -> list[Floor]:
     """Of the entries of a group, the controls included."""
     return [floor_of(found) for found in
@@ -51,14 +47,11 @@ def _advance(sampler: Sampler, samples: Samples, seconds: float, progress: Progr
     """One more process, unless nothing is open or the budget is spent."""
     chosen = open_entries(samples)
     spent = time.monotonic() - progress.start
-    planned = seconds_of(samples.plan, chosen)
-    is_needed = len(samples.processes) < NEEDED
-    if not chosen or (spent + planned > seconds and not is_needed):
+    fits = spent + seconds_of(samples.plan, chosen) <= seconds
+    if not chosen or (not fits and len(samples.processes) >= NEEDED):
         return False
-    # A process that measures little would spend its time on its start.
-    more_visits = 1 if is_needed else max(1, min(MAX_MORE_VISITS, round(FILLED / planned)))
     samples.processes.append(sampler.measure(
         samples.plan, len(samples.processes),
-        lambda _: progress.set(time.monotonic() - progress.start), chosen, more_visits))
+        lambda _: progress.set(time.monotonic() - progress.start), chosen))
     on_process(samples)
     return True

@@ -75,9 +75,9 @@ class Sampler:
         return plan
 
     def measure(self, plan: Json, seed: int, on_seconds: Callable[[float], None],
-                chosen: Choice | None = None, more_visits: int = 1) -> Process:
+                chosen: Choice | None = None) -> Process:
         """One fresh process. `chosen` are the entries to measure, by group; those of the others
-        stay empty. They get `more_visits` times as many visits as planned. `on_seconds` hears how long the plan expects what was done to take."""
+        stay empty. `on_seconds` hears how long the plan expects what was done to take."""
         groups: list[list[Layouts]] = [[[] for _ in group["entries"]]
                                        for group in plan["groups"]]
         work = every_entry(plan) if chosen is None else chosen
@@ -89,7 +89,7 @@ class Sampler:
             assert process.stdin and process.stdout
             with suppress(BrokenPipeError):  # it has failed, as its exit status says
                 json.dump({"sources": plan["sources"],
-                           "groups": [_part(plan["groups"][index], work[index], more_visits)
+                           "groups": [_part(plan["groups"][index], work[index])
                                       for index in order]}, process.stdin)
                 process.stdin.close()
             for line in process.stdout:
@@ -120,7 +120,5 @@ def seconds_of(plan: Json, chosen: Choice | None = None) -> float:
                      for index, entries in work.items() for entry in entries))
 
 
-def _part(group: Json, entries: Sequence[int], more_visits: int) -> Json:
-    chosen = [group["entries"][entry] for entry in entries]
-    return group | {"entries": [entry | {"visits": more_visits * entry["visits"]}
-                                for entry in chosen]}
+def _part(group: Json, entries: Sequence[int]) -> Json:
+    return group | {"entries": [group["entries"][entry] for entry in entries]}
