@@ -43,8 +43,8 @@ void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
   app.add_option_function<std::string>(
          "--variants", [&rows](const std::string& name) { choose_variants(rows, name); },
          "default all; usual: the best of each ISA and each technique once; highest: "
-         "the highest ISA of each technique; best: the library's choice and its best "
-         "scalar variant")
+         "the highest ISA of each technique, both with threads only where the library would "
+         "use them; best: the library's choice and its best scalar variant")
       ->check(one_of({kVariantChoices.begin(), kVariantChoices.end()}))
       ->type_name("all|usual|highest|best");
   app.add_option("--threads", rows.threads, "threads of threaded variants (repeatable)")

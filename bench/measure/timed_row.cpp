@@ -62,27 +62,22 @@ bool is_best_of_isa(const Row& row, Index width) {
   return is_best(*row.operation, *row.variant, width, same_isa, has_higher_priority);
 }
 
-bool is_usual(const Row& row, const TimedInput& input) {
+/// Whether the library would use threads.
+bool threads_pay(const Row& row, const TimedInput& input) {
   const Index width = input.width();
-  if (row.variant->threaded) {
-    return width * input.height() >= detail::kMinPixelsForThreads && is_default(row, width);
-  }
+  return width * input.height() >= detail::kMinPixelsForThreads && is_default(row, width);
+}
+
+bool is_usual(const Row& row, Index width) {
   return is_best_of_isa(row, width) || is_highest_isa(row, width) || is_best_scalar(row, width);
 }
 
 bool is_chosen(const Row& row, const TimedInput& input, VariantChoice choice) {
-  if (row.variant->is_peer) return true;
-  switch (choice) {
-    case VariantChoice::usual:
-      return is_usual(row, input);
-    case VariantChoice::all:
-      return true;
-    case VariantChoice::highest:
-      return is_highest_isa(row, input.width());
-    case VariantChoice::best:
-      return is_default(row, input.width()) || is_best_scalar(row, input.width());
-  }
-  return false;
+  if (row.variant->is_peer || choice == VariantChoice::all) return true;
+  if (row.variant->threaded && choice != VariantChoice::best) return threads_pay(row, input);
+  if (choice == VariantChoice::usual) return is_usual(row, input.width());
+  if (choice == VariantChoice::highest) return is_highest_isa(row, input.width());
+  return is_default(row, input.width()) || is_best_scalar(row, input.width());
 }
 
 std::string reference_name(const Operation& operation, const TimedInput& input) {

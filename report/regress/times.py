@@ -39,10 +39,10 @@ def verdicts_against(baseline: Json, now: Build, cache: float,
     return decide(measure_again)
 
 
-def measure(sampler: Sampler, plan: Json) -> Samples:
+def measure(sampler: Sampler, plan: Json, seconds: float = stored.SECONDS) -> Samples:
     """Until everything has converged or time is up."""
     samples = Samples(plan)
-    measure_until_converged([(sampler, samples)], stored.SECONDS)
+    measure_until_converged([(sampler, samples)], seconds)
     return samples
 
 
