@@ -13,6 +13,7 @@
 #include "core/thread_team.hpp"
 #include "harness/verify.hpp"
 #include "support/progress.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {
@@ -323,6 +324,11 @@ Selection select_rows_or_explain(const RowChoice& choice, const std::vector<Oper
     check_filter(choice.filter);
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string("--filter: ") + error.what());
+  }
+  try {
+    static_cast<void>(isa_cap());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
   }
   Selection selection = select_rows(choice, operations, inputs);
   for (const std::string& mismatch : selection.mismatches) {
