@@ -79,10 +79,9 @@ class Flood {
 constexpr std::uint32_t kOutside = UINT32_MAX;
 
 /// The western neighbour of a hole's first pixel belongs to the enclosing object.
-Regions find(const ConstImageView& source, Neighbours of_objects) {
+Regions find(Flood& flood, const ConstImageView& source, Neighbours of_objects) {
   const Neighbours of_holes =
       of_objects == Neighbours::eight ? Neighbours::four : Neighbours::eight;
-  Flood flood(source);
   Regions found;
   static_cast<void>(flood.fill(-1, -1, of_holes, kOutside));
   for (Index y = 0; y < source.height; ++y) {
@@ -98,6 +97,23 @@ Regions find(const ConstImageView& source, Neighbours of_objects) {
   return found;
 }
 
+Regions find(const ConstImageView& source, Neighbours of_objects) {
+  Flood flood(source);
+  return find(flood, source, of_objects);
+}
+
+std::vector<Region> label_objects(const ConstImageView& source, const LabelView& labels,
+                                  Neighbours neighbours) {
+  Flood flood(source);
+  Regions found = find(flood, source, neighbours);
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      labels.row(y)[x] = flood.foreground(x, y) ? static_cast<std::int32_t>(flood.number(x, y)) : 0;
+    }
+  }
+  return found.objects;
+}
+
 std::int64_t objects_minus_holes(const Regions& found) {
   return static_cast<std::int64_t>(found.objects.size()) -
          static_cast<std::int64_t>(found.holes.size());
@@ -111,6 +127,27 @@ Regions holes(ConstImageView source) {
 
 Regions components(ConstImageView source) {
   return {find(source, Neighbours::eight).objects, {}};
+}
+
+Regions label_regions(ConstImageView source, LabelView labels) {
+  Flood flood(source);
+  Regions found = find(flood, source, Neighbours::eight);
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      const std::uint32_t number = flood.number(x, y);
+      const std::size_t before = flood.foreground(x, y) ? 0 : found.objects.size();
+      labels.row(y)[x] = number == kOutside ? 0 : static_cast<std::int32_t>(before + number);
+    }
+  }
+  return found;
+}
+
+std::vector<Region> label_components(ConstImageView source, LabelView labels) {
+  return label_objects(source, labels, Neighbours::eight);
+}
+
+std::vector<Region> label_components_4(ConstImageView source, LabelView labels) {
+  return label_objects(source, labels, Neighbours::four);
 }
 
 void fill_holes(ConstImageView source, ImageView destination) {

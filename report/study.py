@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import argparse
 import datetime
+import re
 import subprocess
+import sys
 from pathlib import Path
 
 from report.building import PROGRAMS, ROOT, build
@@ -55,11 +57,25 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--all", action="store_true",
                         help="time every variant, not only the best of each ISA and the highest ISA "
                              "of each technique")
+    parser.add_argument("--threads", metavar="LIST", type=_thread_counts, default=[2],
+                        help="numbers of threads, such as 2,4,8, for variants with threads; default "
+                             "2. They are timed where the library would use them: on images of "
+                             "2^20 pixels and more; with --all on every image")
     parser.add_argument("--seconds", metavar="N", type=positive,
                         help="budget of time for measuring; default 300, with --quick 45. Each "
                              "result is measured at least three times, in fresh processes")
     parser.add_argument("--no-peers", action="store_true",
                         help="do not time other projects' code and the copy")
+
+
+def _thread_counts(text: str) -> list[int]:
+    """Such as 2,4,8."""
+    if not re.fullmatch("[0-9]{1,4}(,[0-9]{1,4})*", text):
+        raise argparse.ArgumentTypeError(f"expected integers with commas between them, got '{text}'")
+    counts = [int(one) for one in text.split(",")]
+    if not all(2 <= count <= 1024 for count in counts):
+        raise argparse.ArgumentTypeError(f"expected integers in [2, 1024], got '{text}'")
+    return list(dict.fromkeys(counts))
 
 
 def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
@@ -92,6 +108,7 @@ def default_directory(machine: Json) -> Path:
 def _plans(options: argparse.Namespace) -> list[list[str]]:
     """The words of each plan: the images, the series of sizes, and sizes that were asked for."""
     common = ["--no-peers"] if options.no_peers else []
+    common += [word for count in options.threads for word in ("--threads", str(count))]
     variants = "all" if options.all else "usual"
     plans = [[*common, *input_words(options), "--variants", variants, "--filter", options.filter]]
     if not options.filter:
@@ -114,27 +131,27 @@ def _inputs(sizes: list[int]) -> list[str]:
 def _options_json(options: argparse.Namespace, seconds: int) -> Json:
     """Images by their files' names, as directories are private."""
     return {"quick": options.quick, "filter": options.filter, "seconds": seconds, "all": options.all,
-            "peers": not options.no_peers, "foreground": options.foreground,
+            "peers": not options.no_peers, "threads": options.threads, "foreground": options.foreground,
             "threshold": options.threshold, "sizes": options.size,
             "images": [image.name for image in options.image]}
 
 
 def write_pictures(program: Path, directory: Path, options: argparse.Namespace) -> None:
     """The inputs and what operations make of them, for the page."""
-    _run(program, "pictures", "--out", str(directory / "pictures"), *input_words(options))
+    _run(program, "pictures", ["--out", str(directory / "pictures"), *input_words(options)],
+         _shown(options))
 
 
 def count_instructions(program: Path, directory: Path, options: argparse.Namespace) -> None:
     """Instructions and clock cycles of rows on one thread, and what a model makes of them."""
     path = directory / "limits.json"
     path.unlink(missing_ok=True)
-    words = ["--limits", "--quick"]
+    words = ["--limits", "--quick", "--out", str(path)]
     if options.image:
         words += ["--image", str(options.image[0]), *binarise_words(options)]
     if options.filter:
         words += ["--filter", options.filter]
-    _run(program, "instructions", *words, "--out", str(path), allowed=(0, 2))
-    if path.exists():
+    if _run(program, "instructions", words, _shown(options), may_be_nothing=True):
         add_model(path)
 
 
@@ -144,11 +161,33 @@ def measure_quality(program: Path, directory: Path, options: argparse.Namespace)
     if images:
         words = [word for image in images for word in ("--image", str(image))]
         (directory / "experiments").mkdir(exist_ok=True)
-        _run(program, "experiment", "quality", *words, *binarise_words(options),
-             "--out", str(directory / "experiments" / "quality.json"))
+        _run(program, "experiment", ["quality", *words, *binarise_words(options),
+                                     "--out", str(directory / "experiments" / "quality.json")],
+             _shown(options))
 
 
-def _run(program: Path, *words: str, allowed: tuple[int, ...] = (0,)) -> None:
-    done = subprocess.run([program, *words], stdout=subprocess.DEVNULL, check=False)
-    if done.returncode not in allowed:
-        raise ReportError(f"thinbench-study {words[0]} failed; see the line above")
+def _shown(options: argparse.Namespace) -> tuple[str, ...]:
+    """How lines begin that say nothing new: remarks on timed images, what is skipped, and files."""
+    return ("skipped ", "wrote ", *(f"{kind}: {image}: " for image in options.image
+                          for kind in ("note", "warning")))
+
+
+def _run(program: Path, command: str, words: list[str], shown: tuple[str, ...],
+         may_be_nothing: bool = False) -> bool:
+    """Whether it did something; the sampler has accepted the options, so wrong usage means that none
+    of the rows suit the command. Lines that were shown before are left out."""
+    with subprocess.Popen([program, command, *words], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr
+        failure = ""
+        for line in process.stderr:
+            if line.startswith(f"{program.name}: "):
+                failure = line
+            elif not line.startswith(shown):
+                sys.stderr.write(line)
+    if process.returncode == 2 and may_be_nothing:
+        return False
+    if process.returncode != 0:
+        sys.stderr.write(failure)
+        raise ReportError(f"thinbench-study {command} failed; see the line above")
+    return True

@@ -60,6 +60,9 @@ struct ThinningCase {
 /// One operation, with the default thresholds.
 [[nodiscard]] std::vector<Operation> localise_family();
 
+/// Numbers: the label of every pixel, then lists as numbers_of() gives them.
+[[nodiscard]] std::vector<Operation> labels_family();
+
 /// Numbers: the squared distance of every pixel.
 [[nodiscard]] std::vector<Operation> distance_family();
 

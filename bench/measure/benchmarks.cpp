@@ -40,6 +40,7 @@ void run_row(benchmark::State& state, const TimedRow& row) {
 int run(const BenchmarkOptions& options) {
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
   const Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
+  report_skipped(selection);
   for (const TimedRow& row : selection.rows) {
     auto* registered = benchmark::RegisterBenchmark(
         row.name.c_str(), [&row](benchmark::State& state) { run_row(state, row); });

@@ -1,10 +1,22 @@
 #include "measure/row_options.hpp"
 
-#include <map>
+#include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "cli/arguments.hpp"
 
 namespace thinbench {
+namespace {
+
+constexpr std::array<std::string_view, 4> kVariantChoices = {"usual", "all", "highest", "best"};
+
+void choose_variants(RowChoice& rows, const std::string& name) {
+  const auto* const found = std::find(kVariantChoices.begin(), kVariantChoices.end(), name);
+  rows.variants = static_cast<VariantChoice>(found - kVariantChoices.begin());
+}
+
+}  // namespace
 
 void add_input_options(CLI::App& app, InputChoice& inputs) {
   CLI::Option* image =
@@ -21,10 +33,6 @@ void add_input_options(CLI::App& app, InputChoice& inputs) {
 }
 
 void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
-  static const std::map<std::string, VariantChoice> choices = {{"usual", VariantChoice::usual},
-                                                               {"all", VariantChoice::all},
-                                                               {"highest", VariantChoice::highest},
-                                                               {"best", VariantChoice::best}};
   add_input_options(app, inputs);
   app.add_option("--filter", rows.filter,
                  "rows whose name case/technique/isa/threads/scope/input matches this regular "
@@ -32,11 +40,12 @@ void add_row_options(CLI::App& app, InputChoice& inputs, RowChoice& rows) {
                  "and ':N' for at most N iterations. Of the cases that keep the border only those "
                  "of OpenCV's rules are measured by default; spell out the name of another: "
                  "'^thin_mb2:keep/'");
-  app.add_option("--variants", rows.variants,
-                 "default all; usual: the best of each ISA and each technique once; highest: "
-                 "the highest ISA of each technique; best: the library's choice and its best "
-                 "scalar variant")
-      ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case).description(""))
+  app.add_option_function<std::string>(
+         "--variants", [&rows](const std::string& name) { choose_variants(rows, name); },
+         "default all; usual: the best of each ISA and each technique once; highest: "
+         "the highest ISA of each technique, both with threads only where the library would "
+         "use them; best: the library's choice and its best scalar variant")
+      ->check(one_of({kVariantChoices.begin(), kVariantChoices.end()}))
       ->type_name("all|usual|highest|best");
   app.add_option("--threads", rows.threads, "threads of threaded variants (repeatable)")
       ->check(whole_number(2, 1024))

@@ -2,6 +2,7 @@
 // it; see docs/measuring.md.
 #include <iostream>
 #include <iterator>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -25,12 +26,18 @@ struct SamplerOptions {
   std::uint64_t seed = 0;
 };
 
-std::vector<CalibratedRow> calibrate_all(const Selection& selection, double max_seconds) {
+/// Rows that take longer are listed as skipped.
+std::vector<CalibratedRow> calibrate_all(Selection& selection, double max_seconds) {
+  std::ostringstream reason;
+  reason << "a call takes more than " << max_seconds << " s";
   std::vector<CalibratedRow> rows;
   Progress progress("calibrating", static_cast<double>(selection.rows.size()));
   for (const TimedRow& row : selection.rows) {
     rows.push_back(calibrate(row));
-    if (rows.back().seconds > max_seconds) rows.pop_back();
+    if (rows.back().seconds > max_seconds) {
+      rows.pop_back();
+      selection.skipped.push_back({row.name, reason.str()});
+    }
     progress.advance(1);
   }
   return rows;
@@ -51,7 +58,7 @@ std::vector<std::vector<CalibratedRow>> by_case_and_input(const std::vector<Cali
 
 int plan(const SamplerOptions& options) {
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
-  const Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
+  Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
   const std::vector<CalibratedRow> rows = calibrate_all(selection, options.limits.max_call_seconds);
   Plan plan{options.inputs, {}};
   for (const auto& group : by_case_and_input(rows)) {

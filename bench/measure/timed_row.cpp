@@ -13,6 +13,7 @@
 #include "core/thread_team.hpp"
 #include "harness/verify.hpp"
 #include "support/progress.hpp"
+#include "thinbench/isa.hpp"
 
 namespace thinbench {
 namespace {
@@ -62,27 +63,22 @@ bool is_best_of_isa(const Row& row, Index width) {
   return is_best(*row.operation, *row.variant, width, same_isa, has_higher_priority);
 }
 
-bool is_usual(const Row& row, const TimedInput& input) {
+/// Whether the library would use threads.
+bool threads_pay(const Row& row, const TimedInput& input) {
   const Index width = input.width();
-  if (row.variant->threaded) {
-    return width * input.height() >= detail::kMinPixelsForThreads && is_default(row, width);
-  }
+  return width * input.height() >= detail::kMinPixelsForThreads && is_default(row, width);
+}
+
+bool is_usual(const Row& row, Index width) {
   return is_best_of_isa(row, width) || is_highest_isa(row, width) || is_best_scalar(row, width);
 }
 
 bool is_chosen(const Row& row, const TimedInput& input, VariantChoice choice) {
-  if (row.variant->is_peer) return true;
-  switch (choice) {
-    case VariantChoice::usual:
-      return is_usual(row, input);
-    case VariantChoice::all:
-      return true;
-    case VariantChoice::highest:
-      return is_highest_isa(row, input.width());
-    case VariantChoice::best:
-      return is_default(row, input.width()) || is_best_scalar(row, input.width());
-  }
-  return false;
+  if (row.variant->is_peer || choice == VariantChoice::all) return true;
+  if (row.variant->threaded && choice != VariantChoice::best) return threads_pay(row, input);
+  if (choice == VariantChoice::usual) return is_usual(row, input.width());
+  if (choice == VariantChoice::highest) return is_highest_isa(row, input.width());
+  return is_default(row, input.width()) || is_best_scalar(row, input.width());
 }
 
 std::string reference_name(const Operation& operation, const TimedInput& input) {
@@ -93,29 +89,34 @@ std::string timed_name(const Row& row, Scope scope, const TimedInput& input) {
   return row.name + "/" + std::string(scope_name(scope)) + "/" + input.name;
 }
 
+/// Throws std::invalid_argument for a malformed filter.
+void check_filter(const std::string& filter) {
+  static_cast<void>(matching_rows(filter, {1}, {}));
+}
+
 class Selector {
  public:
   Selector(const RowChoice& choice, const std::vector<Operation>& operations,
            const std::vector<TimedInput>& inputs)
       : choice_(choice), operations_(operations), inputs_(inputs) {
     all_rows_ = matching_rows("", choice.threads, operations);
-    static_cast<void>(matching_rows(choice.filter, {1}, {}));  // rejects a malformed filter
+    check_filter(choice.filter);
     pattern_ = std::regex(choice.filter);
   }
 
   Selection select() {
-    std::vector<Task> tasks;
+    const std::vector<Task> tasks = all_tasks();
     double pixels = 0;
-    for (const TimedInput& input : inputs_) {
-      for (const Operation& operation : operations_) {
-        if (!is_requested(operation, choice_.filter)) continue;
-        tasks.push_back(task_of(operation, input));
-        pixels += tasks.back().pixels();
-      }
-    }
+    for (const Task& task : tasks) pixels += task.pixels();
     Progress progress("verifying", pixels);
     for (const Task& task : tasks) carry_out(task, progress);
     return std::move(selection_);
+  }
+
+  /// Whether any row is chosen, available or not.
+  [[nodiscard]] bool chooses_rows() const {
+    const std::vector<Task> tasks = all_tasks();
+    return std::any_of(tasks.begin(), tasks.end(), [](const Task& task) { return task.reference; });
   }
 
  private:
@@ -136,6 +137,16 @@ class Selector {
       return area * static_cast<double>(rows.size() + (reference ? 1 : 0));
     }
   };
+
+  [[nodiscard]] std::vector<Task> all_tasks() const {
+    std::vector<Task> tasks;
+    for (const TimedInput& input : inputs_) {
+      for (const Operation& operation : operations_) {
+        if (is_requested(operation, choice_.filter)) tasks.push_back(task_of(operation, input));
+      }
+    }
+    return tasks;
+  }
 
   [[nodiscard]] Task task_of(const Operation& operation, const TimedInput& input) const {
     Task task{&operation, &input, {}, false};
@@ -227,15 +238,36 @@ class Selector {
   Selection selection_;
 };
 
-void report_selection(const Selection& selection) {
-  for (const std::string& mismatch : selection.mismatches) {
-    std::cerr << "not equal to the reference, not measured: " << mismatch << '\n';
-  }
+/// Rows that are skipped, by reason.
+std::map<std::string, int> reasons_of(const Selection& selection) {
   std::map<std::string, int> reasons;
   for (const SkippedRow& row : selection.skipped) ++reasons[row.reason];
-  for (const auto& [reason, count] : reasons) {
-    std::cerr << "skipped " << count << " rows: " << reason << '\n';
+  return reasons;
+}
+
+/// Whether there is a row that the filter names, and not only the references of others.
+bool has_named_rows(const Selection& selection, const std::string& filter) {
+  const std::regex pattern(filter);
+  return std::any_of(selection.rows.begin(), selection.rows.end(), [&](const TimedRow& row) {
+    return row.variant != nullptr || std::regex_search(row.name, pattern);
+  });
+}
+
+/// Why there is no such row.
+std::string explanation(const RowChoice& choice, const Selection& selection,
+                        const std::vector<Operation>& operations,
+                        const std::vector<TimedInput>& inputs) {
+  const std::string filter = "the filter '" + choice.filter + "'";
+  if (!selection.skipped.empty()) {
+    return "every row that matches " + filter +
+           " is skipped: " + reasons_of(selection).begin()->first;
   }
+  RowChoice all = choice;
+  all.variants = VariantChoice::all;
+  if (Selector(all, operations, inputs).chooses_rows()) {
+    return "no usual row matches " + filter + "; ./study --all, here --variants all, takes others";
+  }
+  return "no row matches " + filter + "; see 'thinbench-study list --variants'";
 }
 
 template <class Thing>
@@ -289,13 +321,29 @@ Selection select_rows(const RowChoice& choice, const std::vector<Operation>& ope
 Selection select_rows_or_explain(const RowChoice& choice, const std::vector<Operation>& operations,
                                  const std::vector<TimedInput>& inputs) {
   try {
-    Selection selection = select_rows(choice, operations, inputs);
-    report_selection(selection);
-    if (!selection.rows.empty()) return selection;
+    check_filter(choice.filter);
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string("--filter: ") + error.what());
   }
-  throw UsageError("no row to measure; the filter is '" + choice.filter + "'");
+  try {
+    static_cast<void>(isa_cap());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  Selection selection = select_rows(choice, operations, inputs);
+  for (const std::string& mismatch : selection.mismatches) {
+    std::cerr << "not equal to the reference, not measured: " << mismatch << '\n';
+  }
+  if (selection.mismatches.empty() && !has_named_rows(selection, choice.filter)) {
+    throw UsageError(explanation(choice, selection, operations, inputs));
+  }
+  return selection;
+}
+
+void report_skipped(const Selection& selection) {
+  for (const auto& [reason, count] : reasons_of(selection)) {
+    std::cerr << "skipped " << count << (count == 1 ? " row: " : " rows: ") << reason << '\n';
+  }
 }
 
 TimedRow row_named(const std::string& name, const std::vector<Operation>& operations,

@@ -38,7 +38,8 @@ struct TimedRow {
   [[nodiscard]] bool is_peer() const { return variant != nullptr && variant->is_peer; }
 };
 
-/// Which variants of an operation are measured. Peers always are, unless none are wanted.
+/// Which variants of an operation are measured. Peers always are, unless none are wanted. In the
+/// order of kVariantChoices in row_options.cpp.
 enum class VariantChoice {
   usual,    // the best of each ISA and the highest ISA of each technique, end to end; with threads
             // and as kernel the library's choice alone
@@ -75,11 +76,14 @@ struct Selection {
                                     const std::vector<Operation>& operations,
                                     const std::vector<TimedInput>& inputs);
 
-/// The same, with mismatches and the number of skipped rows on standard error. Throws UsageError
-/// for a malformed filter and where no row is left.
+/// The same, with mismatches on standard error. Throws UsageError for a malformed filter and, saying
+/// why, where none of the rows that the filter names is left.
 [[nodiscard]] Selection select_rows_or_explain(const RowChoice& choice,
                                                const std::vector<Operation>& operations,
                                                const std::vector<TimedInput>& inputs);
+
+/// How many rows were skipped and why, on standard error.
+void report_skipped(const Selection& selection);
 
 /// Whether the library chooses this variant, for one thread or for several, of those that run here.
 [[nodiscard]] bool is_default(const Operation& operation, const Variant& variant, Index width);

@@ -7,8 +7,9 @@ namespace {
 
 using PeersOf = std::vector<Variant> (*)(const Operation&);
 
-constexpr PeersOf kAllPeers[] = {&copy_peers,         &opencv_edge_peers,     &copy_bits_peers,
-                                 &opencv_holes_peers, &opencv_thinning_peers, &leptonica_peers};
+constexpr PeersOf kAllPeers[] = {&copy_peers,         &opencv_edge_peers,   &copy_bits_peers,
+                                 &opencv_holes_peers, &opencv_labels_peers, &opencv_thinning_peers,
+                                 &leptonica_peers};
 
 class ImageOnlyJob final : public Job {
  public:
@@ -34,6 +35,9 @@ const std::vector<Peer>& peers() {
       {"opencv_contours", opencv_description() + "; areas and centres of polygons, not of pixels"},
       {"opencv_stats", opencv_description() + "; does less: no holes"},
       {"opencv_components", opencv_description() + "; labels objects, counts no holes"},
+      {"opencv_spaghetti", opencv_description() + "; the default; its own numbers"},
+      {"opencv_bbdt", opencv_description() + "; its own numbers"},
+      {"opencv_sauf", opencv_description() + "; its own numbers"},
       {"leptonica_4", leptonica_description()},
       {"leptonica_8", leptonica_description()}};
   return all;

@@ -30,6 +30,7 @@ struct Peer {
 [[nodiscard]] std::vector<Variant> opencv_edge_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> copy_bits_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> opencv_holes_peers(const Operation& operation);
+[[nodiscard]] std::vector<Variant> opencv_labels_peers(const Operation& operation);
 [[nodiscard]] std::vector<Variant> opencv_thinning_peers(const Operation& operation);
 
 /// A peer with its technique and its description; runs everywhere, on one thread.

@@ -55,10 +55,14 @@ Selection selected(const InstructionsOptions& options, const std::vector<TimedIn
   if (!selection.mismatches.empty()) {
     throw std::runtime_error("rows that are not equal to their references are not counted");
   }
+  report_skipped(selection);
   std::erase_if(selection.rows, [](const TimedRow& row) {
     return row.variant == nullptr || row.variant->threaded;
   });
-  if (selection.rows.empty()) throw UsageError("only references or rows with threads match");
+  if (selection.rows.empty()) {
+    throw UsageError("no row to count; the filter '" + options.filter +
+                     "' matches only references or rows with threads");
+  }
   return selection;
 }
 
@@ -90,6 +94,7 @@ void report_skipped(const Results& results, const InstructionsOptions& options,
   if (!results.why_not_callgrind.empty()) {
     console.err << results.why_not_callgrind << ": rows are counted by single steps instead\n";
   }
+  if (results.skipped == 0) return;
   console.err << results.skipped << (results.skipped == 1 ? " row was" : " rows were")
               << " not counted: more than " << options.steps() << " single steps\n";
 }

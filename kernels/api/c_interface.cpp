@@ -102,8 +102,21 @@ thinbench_status thinbench_find_regions(const thinbench_stack* source, int32_t* 
       hand_over(find_regions(image, given), regions);
       return;
     }
-    require(given.threads == 1 && !given.isa, "execution: with labels nothing may be set");
-    hand_over(label_regions(image, {labels, image.width, image.height, labels_stride}), regions);
+    hand_over(label_regions(image, {labels, image.width, image.height, labels_stride}, given),
+              regions);
+  });
+}
+
+thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* labels,
+                                       ptrdiff_t labels_stride, int32_t connectivity,
+                                       const thinbench_execution* execution, uint32_t* objects) {
+  return guarded([&] {
+    require_pointer(objects, "objects");
+    require(connectivity == 4 || connectivity == 8,
+            "connectivity: expected 4 or 8, got " + std::to_string(connectivity));
+    const ConstImageView image = image_of(source);
+    *objects = label_image(image, {labels, image.width, image.height, labels_stride},
+                           static_cast<Connectivity>(connectivity), execution_of(execution));
   });
 }
 

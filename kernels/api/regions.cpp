@@ -1,12 +1,14 @@
 #include "thinbench/regions.hpp"
 
 #include "core/checks.hpp"
-#include "regions/label_image.hpp"
+#include "regions/labels_state.hpp"
 #include "regions/state.hpp"
 
 namespace thinbench {
 namespace {
 
+using detail::LabelsState;
+using detail::LabelsTask;
 using detail::RegionsState;
 using detail::RegionsTask;
 
@@ -21,11 +23,19 @@ std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& s
   return state;
 }
 
-/// Rejects views that label images cannot be made of; returns whether there are pixels.
-bool check_labels(const ConstImageView& source, const LabelView& labels) {
+/// Writes the labels; returns a state that holds the lists.
+std::unique_ptr<LabelsState> labelled(LabelsTask task, const ConstImageView& source,
+                                      const LabelView& labels, const Execution& execution) {
   detail::require_label_size(source.width, source.height);
   detail::check_views(source, labels);
-  return source.width > 0 && source.height > 0;
+  auto state = detail::make_best_state(detail::operation_of(task), source.width, source.height,
+                                       {task}, execution);
+  state->run(source, labels);
+  return state;
+}
+
+std::vector<Region> copy_of(std::span<const Region> regions) {
+  return {regions.begin(), regions.end()};
 }
 
 }  // namespace
@@ -33,27 +43,30 @@ bool check_labels(const ConstImageView& source, const LabelView& labels) {
 Regions find_regions(ConstImageView source, const Execution& execution) {
   const auto state = computed(RegionsTask::holes, source, execution);
   const detail::RegionLists lists = state->regions();
-  return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
+  return {copy_of(lists.objects), copy_of(lists.holes)};
 }
 
 std::vector<Region> find_components(ConstImageView source, const Execution& execution) {
   const auto state = computed(RegionsTask::components, source, execution);
-  const detail::RegionLists lists = state->regions();
-  return {lists.objects.begin(), lists.objects.end()};
+  return copy_of(state->regions().objects);
 }
 
-Regions label_regions(ConstImageView source, LabelView labels) {
-  return check_labels(source, labels) ? detail::paint_regions(source, labels) : Regions{};
+Regions label_regions(ConstImageView source, LabelView labels, const Execution& execution) {
+  const auto state = labelled(LabelsTask::regions, source, labels, execution);
+  const detail::RegionLists lists = state->regions();
+  return {copy_of(lists.objects), copy_of(lists.holes)};
 }
 
 std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                     Connectivity connectivity) {
-  detail::require(
-      connectivity == Connectivity::four || connectivity == Connectivity::eight,
-      "connectivity: expected 4 or 8, got " + std::to_string(static_cast<int>(connectivity)));
-  if (!check_labels(source, labels)) return {};
-  return connectivity == Connectivity::four ? detail::paint_four_connected(source, labels)
-                                            : detail::paint_eight_connected(source, labels);
+                                     Connectivity connectivity, const Execution& execution) {
+  const LabelsTask task = detail::labels_task(connectivity, true);
+  return copy_of(labelled(task, source, labels, execution)->regions().objects);
+}
+
+std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity connectivity,
+                          const Execution& execution) {
+  const LabelsTask task = detail::labels_task(connectivity, false);
+  return labelled(task, source, labels, execution)->objects();
 }
 
 std::int64_t euler_number(ConstImageView source, const Execution& execution) {

@@ -250,11 +250,16 @@ typedef struct thinbench_regions thinbench_regions;
 
 /* Of one image; *regions must be destroyed; NULL on failure. With `labels`, int32_t values with
  * `labels_stride` values from row to row, every pixel gets the number of its object from 1, or the
- * number of objects plus that of its hole, or 0. Then `execution` must be NULL. */
+ * number of objects plus that of its hole, or 0. */
 THINBENCH_API thinbench_status thinbench_find_regions(const thinbench_stack* source,
                                                       int32_t* labels, ptrdiff_t labels_stride,
                                                       const thinbench_execution* execution,
                                                       thinbench_regions** regions);
+/* The labels of objects alone, which are 8- or 4-connected; *objects is their number. */
+THINBENCH_API thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* labels,
+                                                     ptrdiff_t labels_stride, int32_t connectivity,
+                                                     const thinbench_execution* execution,
+                                                     uint32_t* objects);
 /* Sobel's edges of a grey image, filled, and the regions of the result. */
 THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
                                                   int32_t gradient_threshold,

@@ -3,6 +3,7 @@
 
 #include <immintrin.h>
 
+#include "simd/prefix_counts.hpp"
 #include "simd/vocabulary.hpp"
 
 namespace thinbench::detail {
@@ -12,6 +13,7 @@ inline constexpr bool kHasFunnelShift = false;
 inline constexpr bool kHasMaskedBytes = false;
 inline constexpr bool kHasCompress = false;
 inline constexpr bool kHasByteCompress = false;
+inline constexpr bool kHasLanePermute = true;
 inline constexpr bool kHasTranspose = false;
 inline constexpr bool kHasPopcount = false;
 inline constexpr bool kHasByteLookUp = true;
@@ -78,6 +80,26 @@ inline std::uint32_t highest_bits(Lanes32 a) {
 
 inline std::uint32_t nonzero_lanes(Lanes32 a) {
   return ~highest_bits(Lanes32(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))) & 0xFF;
+}
+
+inline Lanes32 counts_upto(std::uint32_t bits) {
+  const std::uint8_t* counts = kPrefixCounts[bits & 0xFF].data();
+  return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(counts)));
+}
+
+/// All ones in the lanes whose bits are set.
+[[gnu::always_inline]] inline __m256i lanes_of_bits(std::uint32_t bits) {
+  const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+  const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
+  return _mm256_cmpeq_epi32(_mm256_and_si256(all, lane_bit), lane_bit);
+}
+
+inline Lanes32 permuted_where(Lanes32 a, Lanes32 index, std::uint32_t selected) {
+  return _mm256_and_si256(_mm256_permutevar8x32_epi32(a, index), lanes_of_bits(selected));
+}
+
+inline void store_first(std::uint32_t* to, Lanes32 a, Index count) {
+  _mm256_maskstore_epi32(reinterpret_cast<int*>(to), lanes_of_bits((1U << count) - 1), a);
 }
 
 inline std::uint32_t lowest_bits(Lanes32 a) {
@@ -155,9 +177,7 @@ inline FloatBatch add_where(LaneMask mask, FloatBatch sum, FloatBatch value) {
 }
 
 inline LaneMask lane_mask(std::uint64_t bits) {
-  const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-  const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
-  return _mm256_castsi256_ps(_mm256_cmpeq_epi32(_mm256_and_si256(all, lane_bit), lane_bit));
+  return _mm256_castsi256_ps(lanes_of_bits(static_cast<std::uint32_t>(bits)));
 }
 
 inline std::uint64_t bits_of(LaneMask lanes) {

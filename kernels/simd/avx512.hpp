@@ -4,6 +4,7 @@
 
 #include <immintrin.h>
 
+#include "simd/prefix_counts.hpp"
 #include "simd/vocabulary.hpp"
 #include "simd/word.hpp"
 
@@ -25,6 +26,7 @@ inline namespace THINBENCH_ISA {
 
 inline constexpr bool kHasMaskedBytes = true;
 inline constexpr bool kHasCompress = true;
+inline constexpr bool kHasLanePermute = true;
 inline constexpr bool kHasTranspose = true;
 inline constexpr bool kHasByteLookUp = true;
 inline constexpr bool kHasBitGather = true;
@@ -80,9 +82,25 @@ inline WordBatch popcounts(WordBatch a) {
   return _mm512_popcnt_epi64(a);
 }
 
+inline Lanes32 counts_upto(std::uint32_t bits) {
+  const __m512i upto = _mm512_setr_epi32(1, 3, 7, 15, 31, 63, 127, 255, 511, 1023, 2047, 4095, 8191,
+                                         16383, 32767, 65535);
+  return _mm512_popcnt_epi32(_mm512_and_si512(_mm512_set1_epi32(static_cast<int>(bits)), upto));
+}
+
 #else
 
 inline constexpr bool kHasPopcount = false;
+
+inline Lanes32 counts_upto(std::uint32_t bits) {
+  const auto counts = [](std::uint32_t byte) {
+    return _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPrefixCounts[byte & 0xFF].data()));
+  };
+  const __m128i low = counts(bits);
+  const __m128i high = _mm_add_epi8(
+      counts(bits >> 8), _mm_set1_epi8(static_cast<char>(kPrefixCounts[bits & 0xFF][7])));
+  return _mm512_cvtepu8_epi32(_mm_unpacklo_epi64(low, high));
+}
 
 #endif
 
@@ -146,6 +164,14 @@ inline std::uint32_t nonzero_lanes(WordBatch a) {
   return _mm512_test_epi64_mask(a, a);
 }
 
+inline Lanes32 permuted_where(Lanes32 a, Lanes32 index, std::uint32_t selected) {
+  return _mm512_maskz_permutexvar_epi32(static_cast<__mmask16>(selected), index, a);
+}
+
+inline void store_first(std::uint32_t* to, Lanes32 a, Index count) {
+  _mm512_mask_storeu_epi32(to, static_cast<__mmask16>((1U << count) - 1), a);
+}
+
 inline std::uint32_t highest_bits(Lanes32 a) {
   return _mm512_movepi32_mask(a);
 }
@@ -172,6 +198,35 @@ inline WordBatch next_word(WordBatch a) {
 
 // Two permutations and a funnel shift (without VBMI2 two shifts and an OR). Permutations use the
 // low three bits of an index, so lane 0 gets lane 8 - n.
+inline WordBatch previous_word(WordBatch a, WordBatch before) {
+  return _mm512_alignr_epi64(a, before, 7);
+}
+
+// A lane passes a carry on if it is all ones, and a carry through these lanes is one of the
+// addition of their masks.
+inline WordBatch sum_with_carry(WordBatch a, WordBatch b, std::uint64_t& carry) {
+  const __m512i ones = _mm512_set1_epi64(-1);
+  const __m512i sum = _mm512_add_epi64(a, b);
+  const std::uint64_t carries = _mm512_cmplt_epu64_mask(sum, a);
+  const std::uint64_t passing = _mm512_cmpeq_epi64_mask(sum, ones);
+  const std::uint64_t entering = ((carries << 1 | carry) + passing) ^ passing;
+  carry = entering >> 8;
+  return _mm512_mask_sub_epi64(sum, static_cast<__mmask8>(entering), sum, ones);
+}
+
+inline WordBatch sums_before(WordBatch a) {
+  const __m512i zero = _mm512_setzero_si512();
+  __m512i sums = _mm512_alignr_epi64(a, zero, 7);
+  sums = _mm512_add_epi64(sums, _mm512_alignr_epi64(sums, zero, 7));
+  sums = _mm512_add_epi64(sums, _mm512_alignr_epi64(sums, zero, 6));
+  return _mm512_add_epi64(sums, _mm512_alignr_epi64(sums, zero, 4));
+}
+
+template <class Block>
+inline Block lowest_word(std::uint64_t word) {
+  return _mm512_maskz_set1_epi64(1, static_cast<long long>(word));
+}
+
 inline WordBatch rotated(WordBatch row, Index pixels) {
   const __m512i lanes = _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 6, 7);
   const __m512i here = _mm512_sub_epi64(lanes, _mm512_set1_epi64(pixels / 64));

@@ -29,6 +29,7 @@ inline constexpr bool kHasFunnelShift = true;
 inline constexpr bool kHasMaskedBytes = false;
 inline constexpr bool kHasCompress = false;
 inline constexpr bool kHasByteCompress = false;
+inline constexpr bool kHasLanePermute = false;
 inline constexpr bool kHasTranspose = false;
 inline constexpr bool kHasPopcount = true;
 inline constexpr bool kHasByteLookUp = false;

@@ -12,6 +12,7 @@ inline constexpr bool kHasFunnelShift = false;
 inline constexpr bool kHasMaskedBytes = false;
 inline constexpr bool kHasCompress = false;
 inline constexpr bool kHasByteCompress = false;
+inline constexpr bool kHasLanePermute = false;
 inline constexpr bool kHasTranspose = false;
 inline constexpr bool kHasPopcount = false;
 inline constexpr bool kHasByteLookUp = false;  // SSSE3 has it, but one popcnt per word is as fast

@@ -17,6 +17,7 @@
 // - kHasTranspose: transposition of a square of 32-bit lanes in registers
 // - kHasPopcount: population count of each 64-bit lane
 // - kHasByteLookUp: 16-byte tables and horizontal sums of bytes, faster than scalar popcnt
+// - kHasLanePermute: permutations of 32-bit lanes by a vector of indices
 // - kHasBitGather: gather and scatter of the bits of a 64-bit word (PEXT, PDEP)
 #pragma once
 
@@ -184,6 +185,21 @@ template <int count>
 [[gnu::always_inline]] inline WordBatch previous_word(WordBatch a);
 [[gnu::always_inline]] inline WordBatch next_word(WordBatch a);
 
+/// Lane i is lane i - 1 of `a`; lane 0 is the last lane of `before`. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline WordBatch previous_word(WordBatch a, WordBatch before);
+
+/// The sum of `a`, `b` and the carry as numbers of 512 bits, lane 0 lowest; the carry, 0 or 1,
+/// becomes that of the sum. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline WordBatch sum_with_carry(WordBatch a, WordBatch b,
+                                                       std::uint64_t& carry);
+
+/// Lane i is the sum of the lanes before it. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline WordBatch sums_before(WordBatch a);
+
+/// Lane 0 is `word`, the others 0. [kRegisterHoldsRow]
+template <class Block = WordBatch>
+[[gnu::always_inline]] inline Block lowest_word(std::uint64_t word);
+
 /// The 512 pixels rotated to the east by `pixels`, 0 <= pixels < 512. [kRegisterHoldsRow]
 [[gnu::always_inline]] inline WordBatch rotated(WordBatch row, Index pixels);
 
@@ -197,6 +213,17 @@ template <int count>
 /// beyond the lanes are ignored. [kHasCompress]
 [[gnu::always_inline]] inline void store_compressed(std::uint32_t* to, Lanes32 a,
                                                     std::uint32_t selected);
+
+/// Lane i is the number of set bits among bits 0 to i. [kHasLanePermute]
+[[gnu::always_inline]] inline Lanes32 counts_upto(std::uint32_t bits);
+
+/// Lane i is lane index[i] of `a` where bit i of `selected` is set, else 0; bits beyond the lanes
+/// are ignored. [kHasLanePermute]
+[[gnu::always_inline]] inline Lanes32 permuted_where(Lanes32 a, Lanes32 index,
+                                                     std::uint32_t selected);
+
+/// Stores the first `count` lanes, fewer than all. [kHasLanePermute]
+[[gnu::always_inline]] inline void store_first(std::uint32_t* to, Lanes32 a, Index count);
 
 /// The number of set bits of each lane. [kHasPopcount]
 [[gnu::always_inline]] inline WordBatch popcounts(WordBatch a);

@@ -26,6 +26,9 @@ constexpr std::array kTechniques = {
     TechniqueInfo{"bitpacked", "64 pixels per word, the minimal circuit"},
     TechniqueInfo{"bitpacked_runs",
                   "runs of packed pixels by count-trailing-zeros, union-find over runs"},
+    TechniqueInfo{"bitpacked_contacts",
+                  "runs of packed pixels and their contacts as bits, union-find where runs meet"},
+    TechniqueInfo{"simd_contacts", "the same, labels painted by lane permutations"},
     TechniqueInfo{"simd_bytes", "xsimd, one pixel per byte lane"},
     TechniqueInfo{"simd_bitpacked", "xsimd on packed words, any width"},
     TechniqueInfo{"simd_bitpacked_tiles",
@@ -70,6 +73,12 @@ RegionsVariants regions_techniques(RegionsTask task) {
   return list;
 }
 
+LabelsVariants labels_techniques() {
+  LabelsVariants list;
+  list.add("bitpacked_runs", Isa::baseline, &make_run_labels, {0});
+  return list;
+}
+
 std::unique_ptr<EdgeState> make_autovec_edges(const EdgeSetting& setting) {
   const AutovecEdgeKernels& kernels = kernels_of<AutovecEdgeKernels>(setting.isa);
   return std::make_unique<EdgeState>(kernels.bytes[setting.op], setting);
@@ -109,6 +118,12 @@ std::span<const RegionsOperation> regions_operations() {
   static const auto all = extended(detail::regions_operations(), [](const auto& operation) {
     return regions_techniques(operation.key);
   });
+  return all;
+}
+
+std::span<const LabelsOperation> labels_operations() {
+  static const auto all =
+      extended(detail::labels_operations(), [](const auto&) { return labels_techniques(); });
   return all;
 }
 

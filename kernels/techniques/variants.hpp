@@ -8,6 +8,7 @@
 #include "edges/state.hpp"
 #include "graph/state.hpp"
 #include "localise/state.hpp"
+#include "regions/labels_state.hpp"
 #include "regions/state.hpp"
 #include "thinning/operations.hpp"
 
@@ -17,6 +18,7 @@ namespace thinbench::detail::study {
 [[nodiscard]] std::span<const ThinningOperation> thinning_operations();
 [[nodiscard]] std::span<const EdgeOperation> edge_operations();
 [[nodiscard]] std::span<const RegionsOperation> regions_operations();
+[[nodiscard]] std::span<const LabelsOperation> labels_operations();
 [[nodiscard]] const DistanceOperation& distance_operation();
 [[nodiscard]] const GraphOperation& graph_operation();
 

@@ -70,6 +70,7 @@ polyline = _checked("polyline", _POINTER, _SIZE, ctypes.c_double, _POINTER, _POI
 skeleton_graph = _checked("skeleton_graph", _BYTES, _BYTES, _POINTER)
 prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
+label_image = _checked("label_image", _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _POINTER)
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_holes = _checked("fill_holes", _BYTES, _BYTES, _BYTES)
 euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)

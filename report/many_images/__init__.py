@@ -1,1 +1,1 @@
-"""`./study many-images`: batches of files, workers, dask and large images, measured and plotted."""
+"""`./study many-images`: batches of files, workers, calls from Python, dask and large images."""

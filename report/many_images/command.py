@@ -1,4 +1,4 @@
-"""`./study many-images`: builds, draws inputs, verifies, measures, writes a CSV file and plots."""
+"""`./study many-images`: builds, draws inputs, verifies, measures and writes a CSV file."""
 
 from __future__ import annotations
 
@@ -13,14 +13,12 @@ from typing import Any
 
 from report.building import build
 from report.errors import ReportError
-from report.files import check_directory, write_file, write_files
+from report.files import check_directory, write_file
 from report.git import commit_name
 from report.measure.load import LoadMeter
 from report.measure.run import machine_facts
 from report.row_options import positive
 from report.study import RESULTS, default_directory
-
-CSV = "many_images.csv"
 
 EPILOG = """examples:
   ./study many-images
@@ -39,17 +37,17 @@ class Sizes:
     """What is drawn and how often it is measured."""
 
     files: int = 240
-    files_per_round: int = 12  # for loops, of which some take 0.2 s per image
-    rounds: int = 9
+    loop_files: int = 24  # for loops, of which some take 0.2 s per image
+    rounds: int = 15
     dask_side: int = 3000
     chunk_sides: tuple[int, ...] = (250, 500, 1000, 1500)
-    scale: int = 4  # of the scene in images for out of core
-    large_sides: tuple[int, ...] = (6000, 9000, 12000)
+    scale: int = 4  # of the scene in the image for out of core
+    large_side: int = 20000
     limits: tuple[str, ...] = ("4M", "16M", "64M")
 
 
-QUICK = Sizes(files=8, files_per_round=2, rounds=2, dask_side=600, chunk_sides=(200, 300), scale=1,
-              large_sides=(1000, 2000), limits=("1M",))
+QUICK = Sizes(files=8, loop_files=2, rounds=2, dask_side=600, chunk_sides=(200, 300), scale=1,
+              large_side=2000, limits=("1M",))
 
 
 def add_many_images_command(parser: argparse.ArgumentParser) -> None:
@@ -60,7 +58,8 @@ def add_many_images_command(parser: argparse.ArgumentParser) -> None:
                         help=f"image files to draw; default {Sizes.files}, with --quick "
                              f"{QUICK.files}")
     parser.add_argument("--rounds", metavar="N", type=positive,
-                        help=f"default {Sizes.rounds}, with --quick {QUICK.rounds}")
+                        help=f"at most; what has converged is left out earlier; default "
+                             f"{Sizes.rounds}, with --quick {QUICK.rounds}")
     parser.add_argument("--out", metavar="DIR", type=Path,
                         help="where results go; default "
                              "results/<machine>/<date>-<commit>/many-images")
@@ -88,8 +87,9 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
     import cv2
     from distributed import Client, LocalCluster
 
-    from report.many_images.results import Origin, results_of, to_csv
+    from report.many_images.results import CSV, Origin, results_of, to_csv
     from report.many_images.steps import measure
+    from report.many_images.tables import TABLES
     cv2.setNumThreads(1)
     cores = machine["cores"]
     load = LoadMeter()
@@ -102,8 +102,9 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
             samples = measure(steps, sizes.rounds)
     origin = Origin(machine["commit"], machine["fingerprint"], machine["cpu"]["name"], cores,
                     load.foreign())
-    write_file(directory / CSV, to_csv(results_of(steps, samples, origin)).encode())
-    return draw(directory)
+    results = results_of(steps, samples, origin)
+    write_file(directory / CSV, to_csv(results).encode())
+    return "\n".join([*(table(results) for table in TABLES.values()), f"{directory} holds {CSV}"])
 
 
 def _ignore_interrupts() -> None:
@@ -111,31 +112,20 @@ def _ignore_interrupts() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def draw(directory: Path) -> str:
-    """Draws the plots of a CSV file; returns its tables."""
-    from report.many_images.plots import plots
-    from report.many_images.results import read_csv
-    from report.many_images.tables import tables
-    results = read_csv(directory / CSV)
-    drawn = plots(results)
-    write_files(directory, drawn)
-    return "\n".join([*tables(results).values(),
-                      f"{directory} holds {CSV} and {', '.join(drawn)}"])
-
-
 def _steps(program: Path, work: Path, sizes: Sizes, client: Any, cores: int) -> list[Any]:
     """Draws inputs."""
     from report.many_images.inputs import draw_files, draw_packed, draw_scene, repeated
     from report.many_images.of_arrays import DaskSteps, large_steps
+    from report.many_images.of_calls import call_steps
     from report.many_images.of_files import image_steps, worker_steps
     files = draw_files(draw_scene(program, work), work / "files", sizes.files)
     binary = draw_scene(program, work, "--binary")
     image = repeated(binary, sizes.dask_side, sizes.dask_side)
-    large = draw_scene(program, work, "--binary", "--scale", str(sizes.scale))
-    packed = {side: work / f"large_{side}.pbm" for side in sizes.large_sides}
-    for side, file in packed.items():
-        draw_packed(large, file, side)
-    return [*image_steps(program, files, work, sizes.files_per_round),
+    packed = work / "large.pbm"
+    draw_packed(draw_scene(program, work, "--binary", "--scale", str(sizes.scale)), packed,
+                sizes.large_side)
+    return [*image_steps(program, files[:sizes.loop_files], work),
             *worker_steps(program, files, work, client, cores),
+            *call_steps(binary),
             *DaskSteps(image, client, cores).steps(list(sizes.chunk_sides)),
-            *large_steps(program, packed, list(sizes.limits))]
+            *large_steps(program, packed, sizes.large_side, list(sizes.limits))]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import subprocess
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from math import fsum
 from pathlib import Path
-from statistics import median
+from statistics import fmean
 from typing import Any
 
 import cv2
@@ -20,14 +20,12 @@ from skimage import morphology
 import thinbench
 from report.errors import ReportError
 from report.many_images.inputs import Image
-from report.many_images.steps import Figures, Key, Step, digest_of_images
+from report.many_images.steps import IMAGES, STAGES, WORKERS, Figures, Key, Step
 from thinbench import compat
 
-IMAGES, WORKERS = "images", "workers"
 THREADS = "threads of thinbench batch"
 SHARDS = "processes of thinbench batch --shard"
 DASK = "dask worker processes"
-STAGES = ("decode", "compute", "encode")
 
 Thin = Callable[[Image], Any]
 """A skeleton of 0 and anything else; takes 255 on the foreground."""
@@ -53,15 +51,15 @@ ALL_EQUALS = (
             "skimage.morphology.skeletonize": lambda image: morphology.skeletonize(image != 0)}))
 
 
-def image_steps(program: Path, files: list[Path], work: Path, per_round: int) -> list[Step]:
-    """One thread; each round takes the next files."""
+def image_steps(program: Path, files: list[Path], work: Path) -> list[Step]:
+    """One thread."""
     steps = []
     for equals in ALL_EQUALS:
         base = Key(IMAGES, f"thinbench batch {' '.join(equals.batch)}")
-        steps.append(_step(base, base, _batch_run(program, equals.batch, files, per_round), work))
+        steps.append(_step(base, base, _batch_run(program, equals.batch, files), work))
         for name, thin in equals.loops.items():
             key = Key(IMAGES, f"Python loop over {name}")
-            steps.append(_step(key, base, _loop_run(thin, files, per_round), work))
+            steps.append(_step(key, base, _loop_run(thin, files), work))
     return steps
 
 
@@ -82,18 +80,27 @@ def worker_counts(cores: int) -> list[int]:
     return sorted({1 << power for power in range(cores.bit_length())} | {cores})
 
 
-def _step(key: Key, base: Key, run: Callable[[int, Path], Figures], work: Path) -> Step:
+def _step(key: Key, base: Key, run: Callable[[Path], Figures], work: Path) -> Step:
     out = _directory(work, key)
-    return Step(key, base, lambda number: run(number, out), lambda: digest_of_images(out))
+    return Step(key, base, lambda: run(out), lambda: _digest(out))
+
+
+def _digest(directory: Path) -> str:
+    """Of the names and pixels of all PNG files."""
+    found = hashlib.sha256()
+    for path in sorted(directory.glob("*.png")):
+        found.update(path.name.encode())
+        found.update(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE).tobytes())
+    return found.hexdigest()
 
 
 def _timed_step(key: Key, base: Key, run: Callable[[int, Path], None], work: Path,
                 images: int) -> Step:
     """`run` takes the number of workers."""
-    def timed(_number: int, out: Path) -> Figures:
+    def timed(out: Path) -> Figures:
         start = time.perf_counter()
         run(key.x, out)
-        return {"images_per_second": images / (time.perf_counter() - start)}
+        return {"ms_per_image": [1e3 * (time.perf_counter() - start) / images]}
     return _step(key, base, timed, work)
 
 
@@ -104,27 +111,19 @@ def _directory(work: Path, key: Key) -> Path:
     return out
 
 
-def _batch_run(program: Path, words: Sequence[str], files: list[Path],
-               per_round: int) -> Callable[[int, Path], Figures]:
-    def run(number: int, out: Path) -> Figures:
-        names = "".join(f"{file}\n" for file in _files_of(number, files, per_round))
-        subprocess.run(_command(program, words, "-", out), input=names, text=True, check=True,
-                       capture_output=True)
+def _batch_run(program: Path, words: Sequence[str],
+               files: list[Path]) -> Callable[[Path], Figures]:
+    def run(out: Path) -> Figures:
+        subprocess.run(_command(program, words, "-", out), text=True, check=True,
+                       input="".join(f"{file}\n" for file in files), capture_output=True)
         with (out / "manifest.csv").open(encoding="utf-8", newline="") as manifest:
             lines = list(csv.DictReader(manifest))
         return _figures([[float(line[f"{stage}_seconds"]) for stage in STAGES] for line in lines])
     return run
 
 
-def _loop_run(thin: Thin, files: list[Path], per_round: int) -> Callable[[int, Path], Figures]:
-    def run(number: int, out: Path) -> Figures:
-        return _figures([_thin_file(thin, file, out)
-                         for file in _files_of(number, files, per_round)])
-    return run
-
-
-def _files_of(number: int, files: list[Path], per_round: int) -> list[Path]:
-    return [files[(number * per_round + index) % len(files)] for index in range(per_round)]
+def _loop_run(thin: Thin, files: list[Path]) -> Callable[[Path], Figures]:
+    return lambda out: _figures([_thin_file(thin, file, out) for file in files])
 
 
 def _thin_file(thin: Thin, file: Path, out: Path) -> list[float]:
@@ -141,10 +140,9 @@ def _thin_file(thin: Thin, file: Path, out: Path) -> list[float]:
 
 
 def _figures(seconds: list[list[float]]) -> Figures:
-    """Medians over images of each stage, and of all stages together."""
-    figures = {f"{stage}_ms": 1e3 * median(one[index] for one in seconds)
-               for index, stage in enumerate(STAGES)}
-    return figures | {"images_per_second": 1 / median(fsum(one) for one in seconds)}
+    """Means over the images, which are the same in every round."""
+    means = [1e3 * fmean(stage) for stage in zip(*seconds)]
+    return {f"{stage}_ms": [mean] for stage, mean in zip(STAGES, means)} | {"total_ms": [sum(means)]}
 
 
 def _command(program: Path, words: Sequence[str], source: Path | str, out: Path,

@@ -1,19 +1,20 @@
-"""The CSV file: medians over rounds, with intervals."""
+"""The CSV file: the lowest time of each quantity, how well it comes back, and ratios."""
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from statistics import median
 from typing import Any
 
 from report.errors import ReportError
 from report.files import read_bytes
-from report.measure.estimates import Estimate, interval_ranks
-from report.many_images.steps import Figures, Samples, Step
+from report.many_images.steps import Samples, Step, floors
+from report.measure.estimates import Floor, ratio_of
+
+CSV = "many_images.csv"
 
 
 @dataclass(frozen=True)
@@ -29,21 +30,22 @@ class Origin:
 
 @dataclass(frozen=True)
 class Result:  # pylint: disable=too-many-instance-attributes
-    """A quantity of a step. The ratio is that of the step to its base, where both have the quantity
-    and are not the same."""
+    """A quantity of a step; `time`, `high` and `typical` are those of report.measure.estimates, and
+    the ratio is that of its time to the base's, none for the base itself."""
 
     experiment: str
     method: str
     x: int
     quantity: str
-    median: float
-    low: float
+    time: float
     high: float
+    typical: float
     base: str
     ratio: float | None
     ratio_low: float | None
     ratio_high: float | None
     rounds: int
+    flags: str
     commit: str
     machine: str
     processor: str
@@ -53,30 +55,26 @@ class Result:  # pylint: disable=too-many-instance-attributes
 
 def results_of(steps: list[Step], samples: Samples, origin: Origin) -> list[Result]:
     """A result for each quantity of each step."""
-    return [_result(step, quantity, samples, origin)
-            for step in steps for quantity in samples[step.key][0]]
+    found = {key: floors(rounds) for key, rounds in samples.items()}
+    return [_result(step, quantity, floor, found[step.base][quantity], origin)
+            for step in steps for quantity, floor in found[step.key].items()]
 
 
-def _result(step: Step, quantity: str, samples: Samples, origin: Origin) -> Result:
-    own, base = samples[step.key], samples[step.base]
-    values = _estimate([one[quantity] for one in own])
-    ratio: tuple[float | None, float | None, float | None] = (None, None, None)
-    if step.base != step.key and _has_ratio(quantity, base):
-        ratios = _estimate([one[quantity] / other[quantity] for one, other in zip(own, base)])
-        ratio = ratios.value, ratios.low, ratios.high
+def _result(step: Step, quantity: str, own: Floor, base: Floor, origin: Origin) -> Result:
+    ratio = None if step.base == step.key else ratio_of(own, base)
     base_name = f"{step.base.method}, {step.base.x}" if step.base.x else step.base.method
-    return Result(*step.key, quantity, values.value, values.low, values.high, base_name, *ratio,
-                  len(own), **asdict(origin))
+    return Result(*step.key, quantity, own.time, own.high, own.typical, base_name,
+                  ratio and ratio.value, ratio and ratio.low, ratio and ratio.high, own.processes,
+                  "" if own.converged and base.converged else "open", **asdict(origin))
 
 
-def _has_ratio(quantity: str, base: Sequence[Figures]) -> bool:
-    return all(figures.get(quantity, 0) > 0 for figures in base)
-
-
-def _estimate(values: Sequence[float]) -> Estimate:
-    low, high = interval_ranks(len(values))
-    ordered = sorted(values)
-    return Estimate(median(values), ordered[low], ordered[high])
+def series(results: list[Result], experiment: str, quantity: str) -> dict[str, list[Result]]:
+    """By method, in the order of the file."""
+    found: dict[str, list[Result]] = {}
+    for one in results:
+        if (one.experiment, one.quantity) == (experiment, quantity):
+            found.setdefault(one.method, []).append(one)
+    return found
 
 
 def to_csv(results: Iterable[Result]) -> str:

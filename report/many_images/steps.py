@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-import hashlib
 import random
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import NamedTuple
 
-import cv2
-
 from report.errors import ReportError
+from report.measure.estimates import Floor, floor_of
 from report.progress import Progress
 
-Figures = dict[str, float]
-"""Quantity to value."""
+IMAGES, WORKERS, CALLS, CHUNKS, LARGE = "images", "workers", "calls", "dask", "out_of_core"
+"""The experiments."""
+
+IN_MEMORY = "in memory"
+
+STAGES = ("decode", "compute", "encode")
+"""Of a file."""
+
+Figures = dict[str, list[float]]
+"""Quantity to its epochs in one round. Every quantity is a time, so that the lowest counts."""
 
 
 class Key(NamedTuple):
@@ -29,12 +34,12 @@ class Key(NamedTuple):
 
 @dataclass(frozen=True)
 class Step:
-    """`run` takes the number of the round. `digest` tells what the latest run computed; it must be
-    that of `base`, a step before this one, which ratios refer to."""
+    """`digest` tells what the latest run computed; it must be that of `base`, a step before this one,
+    which ratios refer to."""
 
     key: Key
     base: Key
-    run: Callable[[int], Figures]
+    run: Callable[[], Figures]
     digest: Callable[[], str]
 
 
@@ -42,16 +47,29 @@ Samples = dict[Key, list[Figures]]
 
 
 def measure(steps: list[Step], rounds: int) -> Samples:
-    """Verifies every step, then runs all of them in each round, in random order."""
+    """Verifies every step, then runs in each round, in random order, what has not converged.
+
+    A round takes the place of a process: this one holds arrays, OpenCV and dask's workers, which take
+    seconds to start; what is a program of its own is started in each round."""
     seconds = _verify(steps)
     samples: Samples = {step.key: [] for step in steps}
     progress = Progress("measuring", rounds * sum(seconds.values()))
     for number in range(rounds):
-        for step in random.Random(number).sample(steps, len(steps)):
-            samples[step.key].append(step.run(number))
+        work = [step for step in steps if not _converged(samples[step.key])]
+        for step in random.Random(number).sample(work, len(work)):
+            samples[step.key].append(step.run())
             progress.advance(seconds[step.key])
     progress.close()
     return samples
+
+
+def floors(rounds: list[Figures]) -> dict[str, Floor]:
+    """Of each quantity of a step."""
+    return {quantity: floor_of([[found[quantity]] for found in rounds]) for quantity in rounds[0]}
+
+
+def _converged(rounds: list[Figures]) -> bool:
+    return bool(rounds) and all(floor.converged for floor in floors(rounds).values())
 
 
 def _verify(steps: list[Step]) -> dict[Key, float]:
@@ -60,7 +78,7 @@ def _verify(steps: list[Step]) -> dict[Key, float]:
     seconds, digests = {}, {}
     for step in steps:
         start = time.monotonic()
-        step.run(0)
+        step.run()
         seconds[step.key] = time.monotonic() - start
         digests[step.key] = step.digest()
         if digests[step.key] != digests[step.base]:
@@ -68,12 +86,3 @@ def _verify(steps: list[Step]) -> dict[Key, float]:
         progress.advance(1)
     progress.close()
     return seconds
-
-
-def digest_of_images(directory: Path) -> str:
-    """Of the names and pixels of all PNG files."""
-    found = hashlib.sha256()
-    for path in sorted(directory.glob("*.png")):
-        found.update(path.name.encode())
-        found.update(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE).tobytes())
-    return found.hexdigest()

@@ -1,77 +1,71 @@
-"""The tables of docs/, from the CSV file."""
+"""Tables in Markdown: times, and ratios with their intervals."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable, Iterator
 
-from report.formatting import interval, markdown_table, three_digits
-from report.many_images.of_arrays import CHUNKS, LARGE
-from report.many_images.of_files import IMAGES, STAGES, WORKERS
-from report.many_images.plots import series
-from report.many_images.results import Result
-
-
-def tables(results: list[Result]) -> dict[str, str]:
-    """Markdown by experiment: medians, in brackets intervals."""
-    return {IMAGES: _images(results), WORKERS: _workers(results), CHUNKS: _dask(results),
-            LARGE: _out_of_core(results)}
+from report.formatting import duration, interval, markdown_table, three_digits
+from report.many_images.results import Result, series
+from report.many_images.steps import CALLS, CHUNKS, IMAGES, IN_MEMORY, LARGE, STAGES, WORKERS
 
 
 def _images(results: list[Result]) -> str:
-    of = {quantity: series(results, IMAGES, quantity)
-          for quantity in (*(f"{stage}_ms" for stage in STAGES), "images_per_second")}
-    lines = []
-    for method, (rate,) in of["images_per_second"].items():
-        stages = [of[f"{stage}_ms"][method][0] for stage in STAGES]
-        lines.append([f"`{method}`", *(three_digits(one.median) for one in stages),
-                      _ratio(stages[1]), three_digits(rate.median), _ratio(_inverse(rate))])
+    stages = [dict(_lines(results, IMAGES, f"{stage}_ms")) for stage in STAGES]
+    lines = [[f"`{method}`", *(three_digits(of[method].time) for of in stages),
+              _ratio(stages[1][method]), three_digits(1e3 / total.time), _ratio(total)]
+             for method, total in _lines(results, IMAGES, "total_ms")]
     return markdown_table(["one thread", *(f"{stage}, ms" for stage in STAGES),
-                           "compute / the batch's", "images/s",
-                           "the batch's images/s / these"], lines, frozenset(range(1, 7)))
+                           "compute / the batch's", "images/s", "time / the batch's"], lines,
+                          frozenset(range(1, 7)))
 
 
 def _workers(results: list[Result]) -> str:
-    lines = [[method, str(one.x), _value(one), _ratio(one)]
-             for method, curve in series(results, WORKERS, "images_per_second").items()
-             for one in curve]
-    return markdown_table(["workers", "number", "images/s", "ratio to one thread"], lines,
+    lines = [[method, str(one.x), three_digits(1e3 / one.time), _ratio(one)]
+             for method, one in _lines(results, WORKERS, "ms_per_image")]
+    return markdown_table(["workers", "number", "images/s", "time / one thread's"], lines,
                           frozenset({1, 2, 3}))
 
 
+def _calls(results: list[Result]) -> str:
+    found = dict(_lines(results, CALLS, "ms_per_call"))
+    lines = [[f"`{one.base}`", duration(1e6 * found[one.base].time), f"`{method}`",
+              duration(1e6 * one.time), _ratio(one)]
+             for method, one in found.items() if one.ratio]
+    return markdown_table(["here", "time", "the same by", "its time", "its time / ours"], lines,
+                          frozenset({1, 3, 4}))
+
+
 def _dask(results: list[Result]) -> str:
-    whole = series(results, CHUNKS, "ns_per_pixel")
-    lines = []
-    for method, curve in series(results, CHUNKS, "ms_per_chunk_beyond_memory").items():
-        ratios = {one.x: one for one in whole[method]}
-        lines += [[method, f"{one.x:,} x {one.x:,}", _value(one), _ratio(ratios[one.x])]
-                  for one in curve]
+    """What dask takes for a chunk is the difference of two times."""
+    found = list(_lines(results, CHUNKS, "ns_per_pixel"))
+    memory = dict(found)[IN_MEMORY].time
+    lines = [[method, f"{one.x:,} x {one.x:,}", three_digits(1e-6 * one.x**2 * (one.time - memory)),
+              _ratio(one)] for method, one in found if method != IN_MEMORY]
     return markdown_table(["dask on", "chunk", "ms per chunk beyond memory",
-                           "all processor time, ratio to one call"], lines, frozenset({2, 3}))
+                           "processor time / that of one call"], lines, frozenset({2, 3}))
 
 
 def _out_of_core(results: list[Result]) -> str:
-    walls = series(results, LARGE, "wall_ns_per_pixel")
-    lines = []
-    for method, curve in series(results, LARGE, "ns_per_pixel").items():
-        lines += [[method, f"{one.x:,} x {one.x:,}", _value(one), _ratio(one), _ratio(wall)]
-                  for one, wall in zip(curve, walls[method])]
-    return markdown_table(["", "image", "processor time per pixel, ns", "ratio to in memory",
-                           "wall time, ratio"], lines, frozenset({2, 3, 4}))
+    walls = dict(_lines(results, LARGE, "wall_ns_per_pixel"))
+    lines = [[method, three_digits(one.time), _ratio(one), _ratio(walls[method])]
+             for method, one in _lines(results, LARGE, "ns_per_pixel")]
+    return markdown_table(["", "processor time per pixel, ns", "ratio to in memory",
+                           "wall time, ratio"], lines, frozenset({1, 2, 3}))
 
 
-def _value(one: Result) -> str:
-    return f"{three_digits(one.median)} ({interval(one.low, one.high)})"
-
-
-def _inverse(one: Result) -> Result:
-    """With the ratio of the base to it."""
-    if one.ratio is None or one.ratio_low is None or one.ratio_high is None:
-        return one
-    return replace(one, ratio=1 / one.ratio, ratio_low=1 / one.ratio_high,
-                   ratio_high=1 / one.ratio_low)
+def _lines(results: list[Result], experiment: str, quantity: str) -> Iterator[tuple[str, Result]]:
+    """Each result with its method, by method."""
+    for method, curve in series(results, experiment, quantity).items():
+        yield from ((method, one) for one in curve)
 
 
 def _ratio(one: Result) -> str:
     if one.ratio is None:
         return ""
-    return f"{three_digits(one.ratio)} ({interval(one.ratio_low, one.ratio_high)})"
+    flags = f", {one.flags}" if one.flags else ""
+    return f"{three_digits(one.ratio)} ({interval(one.ratio_low, one.ratio_high)}{flags})"
+
+
+TABLES: dict[str, Callable[[list[Result]], str]] = {
+    IMAGES: _images, WORKERS: _workers, CALLS: _calls, CHUNKS: _dask, LARGE: _out_of_core}
+"""By experiment."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-import random
 import subprocess
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -73,6 +73,7 @@ class Sampler:
             what = "a variant differs from its reference" if done.stdout else "nothing was measured"
             raise ReportError(f"{what}; see above", done.returncode)
         plan: Json = json.loads(done.stdout)
+        _report_skipped(plan)
         return plan
 
     def measure(self, plan: Json, seed: int, on_seconds: Callable[[float], None],
@@ -108,6 +109,18 @@ class Sampler:
         return Process(seed, groups, states, load.foreign())
 
 
+_reported: set[str] = set()
+"""Reasons."""
+
+
+def _report_skipped(plan: Json) -> None:
+    """Why rows are missing, each reason once, whatever the number of plans."""
+    reasons = {row["reason"] for row in plan["skipped"]} - _reported
+    _reported.update(reasons)
+    for reason in sorted(reasons):
+        print(f"note: some rows are skipped: {reason}", file=sys.stderr, flush=True)
+
+
 def every_entry(plan: Json) -> Choice:
     """All that a plan holds."""
     return {index: list(range(len(group["entries"])))
@@ -123,16 +136,3 @@ def seconds_of(plan: Json, chosen: Choice | None = None) -> float:
 
 def _part(group: Json, entries: Sequence[int]) -> Json:
     return group | {"entries": [group["entries"][entry] for entry in entries]}
-
-
-def measure_interleaved(jobs: Sequence[tuple[Sampler, Samples]], processes: int,
-                        on_seconds: Callable[[float], None], first_seed: int = 0,
-                        on_process: Callable[[Samples], None] = lambda samples: None) -> None:
-    """Appends `processes` processes to each job, all in random order within each round of jobs.
-    Seeds that a job has already are skipped; `on_process` is called after each process."""
-    for seed in range(first_seed, first_seed + processes):
-        order = [job for job in jobs if all(one.seed != seed for one in job[1].processes)]
-        random.Random(seed).shuffle(order)
-        for sampler, samples in order:
-            samples.processes.append(sampler.measure(samples.plan, seed, on_seconds))
-            on_process(samples)

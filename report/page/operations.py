@@ -27,6 +27,9 @@ LABELS = {
     "edges_roberts4": "Roberts edges, 2 × 2", "edges_roberts9": "Roberts edges, 3 × 3",
     "edges_mero_vassy": "Mero-Vassy edges, 3 × 3", "edges_mero_vassy_5x5": "Mero-Vassy edges, 5 × 5",
     "holes": "objects and holes", "components": "objects", "fill_holes": "filled holes",
+    "label_image": "label image", "label_image_4": "label image, 4-conn.",
+    "label_components": "label image and objects", "label_components_4": "label image and objects, 4-conn.",
+    "label_regions": "label image, objects and holes",
     "euler_number": "Euler number, 8-conn.", "euler_number_4": "Euler number, 4-conn.",
     "localise_objects": "grey image to centres",
     "batch_guo_hall": "many images, Guo-Hall", "batch_zhang_suen": "many images, Zhang-Suen",
@@ -88,9 +91,9 @@ class Rows:
                             if peer["equal_output"]}
         self.cases = sorted({row.case for row in self.rows}, key=place)
 
-    def of(self, case: str) -> list[Row]:
+    def of(self, case: str, image: str = "") -> list[Row]:
         """End to end and on one thread, as tables quote them."""
-        return [row for row in self.rows if row.case == case and row.input == self.input
+        return [row for row in self.rows if row.case == case and row.input == (image or self.input)
                 and row.threads == 1 and row.scope == END_TO_END]
 
     def own(self, case: str) -> list[Row]:

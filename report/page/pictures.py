@@ -1,10 +1,13 @@
-"""The images of a run: inside the page where they are small, as links where they are not."""
+"""The images of a run: inside the page, scaled down where they are large."""
 
 from __future__ import annotations
 
 import base64
+import io
 from dataclasses import dataclass
 from pathlib import Path
+
+from PIL import Image
 
 from report.page.operations import Rows, title
 
@@ -12,13 +15,16 @@ FIRST = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "edges_so
 """What the first screen shows beside the input, as far as it was made."""
 
 MAX_BYTES = 200_000
+SIDES = (1024, 768, 512, 384)
+"""Of images that are scaled down; even noise of the last is small enough."""
+
 MAX_TOTAL_BYTES = 1_000_000
 """Of all images in the page, which is to stay small."""
 
 
 @dataclass(frozen=True)
 class Picture:
-    """An image with its words; `source` is a data URI, "" where the image is too large."""
+    """An image with its words; `source` is a data URI, "" where the page is full."""
 
     source: str
     path: str
@@ -50,8 +56,27 @@ class Pictures:
         path = self.directory / "pictures" / name
         if not path.is_file():
             return None
-        size = path.stat().st_size
-        fits = size <= MAX_BYTES and self.bytes + size <= MAX_TOTAL_BYTES
-        self.bytes += size if fits else 0
-        data = base64.b64encode(path.read_bytes()).decode() if fits else ""
-        return Picture(f"data:image/png;base64,{data}" if fits else "", f"pictures/{name}", caption)
+        data = path.read_bytes() if path.stat().st_size <= MAX_BYTES else b""
+        if not data:
+            data = _scaled_down(path)
+            caption += ", scaled down"
+        fits = self.bytes + len(data) <= MAX_TOTAL_BYTES
+        self.bytes += len(data) if fits else 0
+        source = f"data:image/png;base64,{base64.b64encode(data).decode()}" if fits else ""
+        return Picture(source, f"pictures/{name}", caption)
+
+
+def _scaled_down(path: Path) -> bytes:
+    """A PNG file of at most MAX_BYTES, of any image."""
+    Image.MAX_IMAGE_PIXELS = None  # a file of the run itself
+    with Image.open(path) as file:
+        image = file.convert("L")
+    data = b""
+    for side in SIDES:
+        image.thumbnail((side, side))
+        out = io.BytesIO()
+        image.save(out, "PNG", optimize=True)
+        data = out.getvalue()
+        if len(data) <= MAX_BYTES:
+            break
+    return data

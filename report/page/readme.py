@@ -1,37 +1,54 @@
 """Fills the marked parts of README and docs/ with the figures of a run; nothing else is touched.
 
-    <!-- headline: made by report readme -->        the first table
-    <!-- speed CASE...: made by report readme -->   speed-ups of all techniques of these cases
-    <!-- run: made by report readme -->             which run it was
+    <!-- headline: made by report readme -->               the first table
+    <!-- speed CASE...: made by report readme -->          speed-ups of all techniques of these cases,
+                                                           CASE@INPUT for another image
+    <!-- quality: made by report readme -->                skeletons of the scene, by results/experiments
+    <!-- run: made by report readme -->                    which run it was
+    <!-- many-images EXPERIMENT: made by report readme --> a table of `./study many-images`, and its run
     ...
     <!-- end -->
+
+A directory fills the parts of what it holds: a run, many images, or both.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from report.errors import ReportError
 from report.files import write_file
-from report.formatting import NOTHING, markdown_table, speedup_text
-from report.measure.run import Run, load_run
+from report.formatting import NOTHING, markdown_table, speedup_text, three_digits
+from report.many_images.results import CSV, Result
+from report.many_images.results import read_csv as read_many_images
+from report.many_images.tables import TABLES
+from report.measure.run import RUN, load_run
 from report.measure.timings import Row
+from report.page.experiments import experiment_tables, load_experiments
 from report.page.headline import readme_table
-from report.page.operations import Rows, fastest
+from report.page.operations import Rows
 
-MARK = re.compile(r"(<!-- (\w+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
+MARK = re.compile(r"(<!-- ([\w-]+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
+
+MANY_IMAGES = Path("many-images", CSV)
+"""In the directory of a run."""
+
+Maker = Callable[[list[str], Path], str]
+"""Takes the words after the first, and where the document is."""
+
+NAMES = ("headline", "speed", "run", "quality", "many-images")
 
 
 def fill_documents(directory: Path, documents: Sequence[Path]) -> str:
     """Returns what was done. Nothing is written unless every document has marks that are known."""
-    rows = Rows(load_run(directory))
-    texts = {document: _filled(document, rows) for document in documents}
+    makers = makers_of(directory)
+    texts = {document: filled(document, makers) for document in documents}
     for document, text in texts.items():
         write_file(document, text.encode())
-    return f"filled from {directory}: {', '.join(path.name for path in documents)}"
+    return f"filled {', '.join(makers)} from {directory}: {', '.join(path.name for path in documents)}"
 
 
 def marked(directory: Path) -> list[Path]:
@@ -40,49 +57,74 @@ def marked(directory: Path) -> list[Path]:
             if MARK.search(path.read_text(encoding="utf-8"))]
 
 
-def _filled(document: Path, rows: Rows) -> str:
+def makers_of(directory: Path) -> dict[str, Maker]:
+    """By the first word of a mark. Raises ReportError where the directory holds nothing to quote."""
+    many = directory / MANY_IMAGES
+    makers: dict[str, Maker] = {"quality": lambda _, __: _quality()}
+    if (directory / RUN).exists() or not many.exists():
+        rows = Rows(load_run(directory))
+        makers |= {"headline": lambda _, __: readme_table(rows.headlines()),
+                   "speed": lambda cases, _: speed_table(rows, cases),
+                   "run": lambda _, folder: _run_line(rows, folder)}
+    if many.exists():
+        results = read_many_images(many)
+        makers["many-images"] = lambda words, folder: _many_images(results, words, many, folder)
+    return makers
+
+
+def filled(document: Path, makers: dict[str, Maker]) -> str:
+    """Its text with new figures."""
     try:
         text = document.read_text(encoding="utf-8")
     except OSError as error:
         raise ReportError(f"{document}: cannot be read: {error.strerror}") from None
-    if not MARK.search(text):
-        raise ReportError(f"{document}: no '<!-- headline: made by report readme -->' with its "
-                          "'<!-- end -->', and no other mark")
-    return MARK.sub(lambda found: f"{found[1]}{_part(found[2], found[3].split(), rows, document)}"
-                                  f"{found[4]}", text)
+    names = [mark[2] for mark in MARK.finditer(text)]
+    unknown = [name for name in names if name not in NAMES]
+    if unknown or not names:
+        what = f"'{unknown[0]}' is no mark" if unknown else "there is no mark"
+        raise ReportError(f"{document}: {what}; expected '<!-- NAME: made by report readme -->' and "
+                          f"its '<!-- end -->', NAME one of {', '.join(NAMES)}")
 
-
-def _part(name: str, words: list[str], rows: Rows, document: Path) -> str:
-    if name == "headline":
-        return readme_table(rows.headlines())
-    if name == "speed" and words:
-        return speed_table(rows, words)
-    if name == "run":
-        return _run_line(rows.run, document)
-    raise ReportError(f"{document}: '{name}': expected headline, speed CASE... or run")
+    def part(found: re.Match[str]) -> str:
+        maker = makers.get(found[2])
+        return f"{found[1]}{maker(found[3].split(), document.parent)}{found[4]}" if maker else found[0]
+    return MARK.sub(part, text)
 
 
 def speed_table(rows: Rows, cases: Sequence[str]) -> str:
     """A line for each technique and ISA, the fastest first, a column for each case."""
     found: dict[tuple[str, str], dict[str, Row]] = {}
     for case in cases:
-        for row in sorted(rows.of(case), key=lambda row: row.time_ns):
-            if not row.is_reference and (not row.peer or row.technique == _equal_peer(rows, case)):
+        timed = rows.of(*case.split("@"))
+        peers = {row.peer_name for row in timed}
+        for row in sorted(timed, key=lambda row: row.time_ns):
+            if not row.is_reference and (not row.peer or row.technique in peers):
                 found.setdefault((row.technique, row.isa), {})[case] = row
     lines = [[f"`{technique}`", isa, *(speedup_text(own[case]) if case in own else NOTHING
                                        for case in cases)]
              for (technique, isa), own in found.items()]
-    return markdown_table(["technique", "ISA", *(f"`{case}`" for case in cases)], lines,
-                          frozenset(range(2, 2 + len(cases))))
+    titles = [f"`{case.replace('@', '` on `')}`" for case in cases]
+    return markdown_table(["technique", "ISA", *titles], lines, frozenset(range(2, 2 + len(cases))))
 
 
-def _equal_peer(rows: Rows, case: str) -> str:
-    best = fastest(rows.own(case))
-    return best.peer_name if best else ""
+def _quality() -> str:
+    """The first table of the experiment."""
+    table = experiment_tables(load_experiments())[0]
+    return markdown_table(table.header, table.rows, frozenset(range(1, len(table.header))))
 
 
-def _run_line(run: Run, document: Path) -> str:
-    where = os.path.relpath(run.directory, document.parent)
+def _run_line(rows: Rows, folder: Path) -> str:
+    run = rows.run
+    where = os.path.relpath(run.directory, folder)
     machine = run.machine
     return (f"Run of commit {machine['commit']} on {machine['cpu']['name']} "
             f"({machine['fingerprint']}), one thread: [all timings]({where}/timings.csv).\n")
+
+
+def _many_images(results: list[Result], words: list[str], file: Path, folder: Path) -> str:
+    if len(words) != 1 or words[0] not in TABLES:
+        raise ReportError(f"'many-images {' '.join(words)}': expected one of {', '.join(TABLES)}")
+    one = results[0]
+    return (f"{TABLES[words[0]](results)}\nRun of commit {one.commit} on {one.processor} ({one.machine}), {one.cores} "
+            f"cores, of which other processes kept {three_digits(one.foreign_load)} busy: "
+            f"[all figures]({os.path.relpath(file, folder)}).\n")

@@ -8,14 +8,15 @@ figures that these choices rest on.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from report.errors import ReportError
 from report.measure.converge import floors
 from report.measure.estimates import Floor, floor_of, ratio_of
-from report.measure.sampler import Json, Sampler, Samples, measure_interleaved, seconds_of
+from report.measure.sampler import Json, Sampler, Samples, seconds_of
 from report.measure.timings import REFERENCE
+from report.progress import Progress
 from report.regress.verdicts import EXIT_STATUS, RowVerdict, Times, Verdict, judge, skipped
 
 PAIRS = 9
@@ -31,6 +32,10 @@ MAX_LIMIT = 0.04
 """As far as that; beyond it nothing can be said."""
 
 PROCESS_SECONDS, VISIT_SECONDS = 0.15, 0.0008
+
+
+Job = tuple[Sampler, Samples]
+"""A program and what it found."""
 
 
 @dataclass
@@ -62,15 +67,17 @@ def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
     return now | {"groups": kept}, left_out
 
 
-def measure_round(before: Sampler, now: Sampler, pairs: list[Pair], number: int,
-                  on_seconds: Callable[[float], None]) -> None:
-    """PAIRS more of each group: the groups in random order, the processes of a pair one after the
-    other."""
-    for seed in range(number * PAIRS, (number + 1) * PAIRS):
-        order = list(pairs)
-        random.Random(seed).shuffle(order)
-        for pair in order:
-            measure_interleaved([(before, pair.before), (now, pair.now)], 1, on_seconds, seed)
+def measure_in_turn(what: str, sets: Sequence[Sequence[Job]], rounds: range) -> None:
+    """A process of each job for each round: the sets in random order, the jobs of a set one after
+    the other, every other time from the last to the first."""
+    progress = Progress(what, len(rounds) * sum(_seconds(job) for jobs in sets for job in jobs))
+    for seed in rounds:
+        for jobs in random.Random(seed).sample(sets, len(sets)):
+            for job in jobs if seed % 2 else reversed(jobs):
+                sampler, samples = job
+                samples.processes.append(sampler.measure(samples.plan, seed, lambda _: None))
+                progress.advance(_seconds(job))
+    progress.close()
 
 
 def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
@@ -89,9 +96,8 @@ def verdicts_of(pair: Pair, judge_threads: bool) -> Iterator[RowVerdict]:
         yield row.doubted(doubt) if doubt else row
 
 
-def planned_seconds(pairs: list[Pair]) -> float:
-    """How long `measure_pairs` takes, about."""
-    return 2 * PAIRS * sum(PROCESS_SECONDS + seconds_of(pair.now.plan) for pair in pairs)
+def _seconds(job: Job) -> float:
+    return PROCESS_SECONDS + seconds_of(job[1].plan)
 
 
 def _results(plan: Json) -> dict[str, str]:

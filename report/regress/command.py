@@ -218,7 +218,8 @@ def _update(options: argparse.Namespace, programs: Path, machine: Json) -> str:
         outputs[counts_file.name] = to_json(counts.count(programs / "thinbench-study",
                                                          _count_words(options)))
     sampler = Sampler(programs / "thinbench_sampler")
-    now = stored.measured_from(times.measure(sampler, sampler.plan(_plan_words(options))))
+    now = stored.measured_from(times.measure(sampler, sampler.plan(_plan_words(options)),
+                                             stored.UPDATE_SECONDS))
     if why_not := stored.why_unfit(now):
         raise ReportError(f"no baseline was written: {why_not}; a quiet machine is needed",
                           EXIT_STATUS[Verdict.INCONCLUSIVE])

@@ -18,7 +18,7 @@ from itertools import islice
 from pathlib import Path
 
 from report.measure.run import machine_facts
-from report.measure.sampler import Json, Process, Sampler, Samples, measure_interleaved
+from report.measure.sampler import Json, Process, Sampler, Samples
 from report.regress import builds, stored, times
 from report.regress.verdicts import MAX_ROUNDS, RowVerdict, Verdict, decide
 
@@ -60,9 +60,8 @@ def _replay(sampler: Sampler, plan: Json, trials: int) -> tuple[str, bool]:
     lines, good = [f"Two builds, {trials} trials each on recorded processes:",
                    "  load       slower   FAIL  INCONCLUSIVE  PASS   pairs"], True
     for load, scripts in LOADS.items():
-        _say(f"recording, {load}")
         with _load(scripts):
-            groups = record(sampler, plan, RECORDED)
+            groups = _record(sampler, plan, f"recording, {load}")
         for percent in SLOWER:
             found, pairs = replay(groups, percent, trials)
             lines.append(f"  {load:9}  {percent:4} %  " + "".join(
@@ -76,11 +75,11 @@ def _replay(sampler: Sampler, plan: Json, trials: int) -> tuple[str, bool]:
     return "\n".join(lines), good
 
 
-def record(sampler: Sampler, plan: Json, processes: int) -> list[Samples]:
+def _record(sampler: Sampler, plan: Json, what: str) -> list[Samples]:
     """Processes of each group as a comparison of builds starts them."""
     common = builds.common_plan(plan, plan)[0]
     groups = [Samples(common | {"groups": [group]}) for group in common["groups"]]
-    measure_interleaved([(sampler, group) for group in groups], processes, lambda _: None)
+    builds.measure_in_turn(what, [[(sampler, group)] for group in groups], range(RECORDED))
     return groups
 
 
@@ -160,7 +159,8 @@ def _slowed(plan: Json, name: str, percent: int, extra: bool) -> Json:
 def _stored(sampler: Sampler, plan: Json, machine: Json, attempts: int) -> tuple[str, bool]:
     """Every load follows every other one, and itself. No row may be FAIL, and some must be PASS,
     as else no FAIL would show nothing."""
-    lines, total = ["The same build and a baseline of it, under other loads (rows):"], Counter()
+    lines = ["The same build and a baseline of it, under other loads (rows):"]
+    total: Counter[Verdict] = Counter()
     loads = list(LOADS)
     for attempt in range(attempts):
         before, now = loads[attempt % 4], loads[(attempt + attempt // 4) % 4]

@@ -16,8 +16,8 @@ from report.regress.verdicts import RowVerdict, Times, Verdict, skipped
 from report.schemas import check_schema
 
 SCHEMA = 3
-SECONDS = 30
-"""Budget of an attempt."""
+SECONDS, UPDATE_SECONDS = 30, 180
+"""Budget of a comparison, and of a baseline, all rows of which must settle."""
 
 LIMIT, LIMIT_BEYOND_CACHE = 0.10, 0.20
 """Tolerated loss of speed on another day."""

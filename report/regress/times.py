@@ -8,7 +8,6 @@ from pathlib import Path
 from report.measure.converge import measure_until_converged
 from report.measure.sampler import Json, Sampler, Samples
 from report.measure.timings import REFERENCE
-from report.progress import Progress
 from report.regress import builds, stored
 from report.regress.verdicts import Layer, Measure, RowVerdict, Verdict, decide, layer_of
 
@@ -40,10 +39,10 @@ def verdicts_against(baseline: Json, now: Build, cache: float,
     return decide(measure_again)
 
 
-def measure(sampler: Sampler, plan: Json) -> Samples:
+def measure(sampler: Sampler, plan: Json, seconds: float = stored.SECONDS) -> Samples:
     """Until everything has converged or time is up."""
     samples = Samples(plan)
-    measure_until_converged([(sampler, samples)], stored.SECONDS)
+    measure_until_converged([(sampler, samples)], seconds)
     return samples
 
 
@@ -71,9 +70,9 @@ def rounds_of(before: Build, now: Build, judge_threads: bool) -> Measure:
 
     def measure_more(number: int, rows: set[str] | None) -> list[RowVerdict]:
         chosen = [pair for pair in pairs if _holds(pair.group, rows)]
-        progress = Progress("measuring both builds", builds.planned_seconds(chosen))
-        builds.measure_round(before[0], now[0], chosen, number, progress.advance)
-        progress.close()
+        builds.measure_in_turn("measuring both builds", [
+            [(before[0], pair.before), (now[0], pair.now)] for pair in chosen
+        ], range(number * builds.PAIRS, (number + 1) * builds.PAIRS))
         return [row for pair in chosen for row in builds.verdicts_of(pair, judge_threads)]
 
     return measure_more

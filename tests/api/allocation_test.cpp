@@ -117,6 +117,7 @@ void call_all(Index width, Index height) {
   label_regions(source, labels);
   label_components(source, labels, Connectivity::four);
   label_components(source, labels, Connectivity::eight);
+  label_image(source, labels, Connectivity::eight);
   for (const EdgeOperatorInfo& info : kEdgeOperators) detect_edges(info.op, source, destination);
   static_cast<void>(localise_objects(source));
   static_cast<void>(skeleton_graph(source));

@@ -217,18 +217,19 @@ static void finds_regions_and_labels(void) {
   CHECK(thinbench_euler_number(&one, 4, NULL, &number) == THINBENCH_OK && number == 0);
 }
 
-static void labels_take_no_execution(void) {
+static void labels_objects(void) {
   const thinbench_stack one = source(1);
   int32_t labels[HEIGHT][WIDTH];
-  thinbench_regions* regions = NULL;
-  thinbench_execution execution[2] = {THINBENCH_EXECUTION_INIT, THINBENCH_EXECUTION_INIT};
-  int i;
-  execution[0].threads = 2;
-  execution[1].isa = "baseline";
-  for (i = 0; i < 2; ++i) {
-    rejects(thinbench_find_regions(&one, &labels[0][0], WIDTH, &execution[i], &regions),
-            "with labels");
-  }
+  uint32_t objects = 9;
+  thinbench_execution execution = THINBENCH_EXECUTION_INIT;
+  draw();
+  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, &objects) == THINBENCH_OK);
+  CHECK(objects == 1 && labels[0][0] == 0 && labels[2][2] == 1 && labels[5][7] == 0);
+  execution.isa = "baseline";
+  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 4, &execution, &objects) == THINBENCH_OK);
+  CHECK(objects == 1 && labels[2][2] == 1);
+  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 6, NULL, &objects), "6");
+  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, NULL), "objects");
 }
 
 static void fills_holes_and_finds_edges(void) {
@@ -647,7 +648,7 @@ int main(void) {
   thins_labels_each_alone();
   thinner_equals_thin();
   finds_regions_and_labels();
-  labels_take_no_execution();
+  labels_objects();
   fills_holes_and_finds_edges();
   packed_equals_bytes();
   rules_are_made_from_tables();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/job.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench::golden {
 
@@ -32,25 +33,12 @@ using Result = std::string;
 /// changed, and the other cases on this image are meaningless.
 inline constexpr const char* kInput = "input";
 
-inline constexpr std::array kThinning = {"thin_naccache_shinghal",
-                                         "thin_zhang_suen",
-                                         "thin_zhang_suen_skimage",
-                                         "thin_lu_wang",
-                                         "thin_guo_hall",
-                                         "thin_guo_hall_skimage",
-                                         "thin_spta",
-                                         "thin_spta_directional",
-                                         "thin_mb2",
-                                         "skeleton_scan",
-                                         "net_two_layer_sigmoid",
-                                         "net_two_layer_rounded",
-                                         "net_two_layer_linear",
-                                         "net_single_layer_cluster"};
 /// Recorded for one iteration, too.
 inline constexpr std::array kOneIteration = {"net_two_layer_sigmoid", "net_two_layer_linear",
                                              "net_single_layer_cluster"};
-inline constexpr std::array kOtherBinary = {"holes", "components", "fill_holes", "euler_number",
-                                            "euler_number_4"};
+inline constexpr std::array kOtherBinary = {
+    "holes",       "components",    "fill_holes",       "euler_number",       "euler_number_4",
+    "label_image", "label_image_4", "label_components", "label_components_4", "label_regions"};
 inline constexpr std::array kGrey = {"edges_roberts4",       "edges_roberts9", "edges_mero_vassy",
                                      "edges_mero_vassy_5x5", "edges_sobel",    "edges_prewitt",
                                      "localise_objects"};
@@ -58,7 +46,9 @@ inline constexpr std::array kGrey = {"edges_roberts4",       "edges_roberts9", "
 inline std::vector<Case> thinning_cases_on(const std::string& image) {
   std::vector<Case> cases;
   for (const char* border : {"background", "keep"}) {
-    for (const char* name : kThinning) cases.push_back({name, border, "-", image});
+    for (const RuleInfo& rule : kRules) {
+      cases.push_back({std::string(rule.operation), border, "-", image});
+    }
     for (const char* name : kOneIteration) cases.push_back({name, border, "1", image});
   }
   return cases;

@@ -55,6 +55,24 @@ inline std::vector<std::int64_t> lists_of(const Regions& found) {
   return numbers_of({found.objects, found.holes});
 }
 
+/// What a list holds and all labels.
+inline std::vector<std::int64_t> labels_found(std::string_view operation, ConstImageView image,
+                                              const Execution& execution) {
+  std::vector<std::int32_t> labels(static_cast<std::size_t>(image.width * image.height), -1);
+  const LabelView view = {labels.data(), image.width, image.height};
+  const auto connectivity = operation.ends_with("_4") ? Connectivity::four : Connectivity::eight;
+  std::vector<std::int64_t> numbers;
+  if (operation == "label_regions") {
+    numbers = lists_of(label_regions(image, view, execution));
+  } else if (operation.starts_with("label_components")) {
+    numbers = lists_of({label_components(image, view, connectivity, execution), {}});
+  } else {
+    numbers = {label_image(image, view, connectivity, execution)};
+  }
+  numbers.insert(numbers.end(), labels.begin(), labels.end());
+  return numbers;
+}
+
 /// Throws std::invalid_argument for an unknown name.
 inline std::vector<std::int64_t> numbers_found(std::string_view operation, ConstImageView image,
                                                int threads) {
@@ -63,6 +81,7 @@ inline std::vector<std::int64_t> numbers_found(std::string_view operation, Const
   if (operation == "components") return lists_of({find_components(image, execution), {}});
   if (operation == "euler_number") return {euler_number(image, execution)};
   if (operation == "euler_number_4") return {euler_number_4(image, execution)};
+  if (operation.starts_with("label_")) return labels_found(operation, image, execution);
   if (operation == "localise_objects") return lists_of(localise_objects(image, {}, execution));
   throw std::invalid_argument("no operation is named " + std::string(operation));
 }

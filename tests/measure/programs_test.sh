@@ -23,9 +23,13 @@ sed -E 's/"hash":"[0-9a-f]{16}","name"/"hash":"0123456789abcdef","name"/g' \
 "$sampler" measure <"$work/wrong.json" >/dev/null 2>"$work/err" && fail 'a wrong result was accepted'
 grep -q 'gave another result' "$work/err" || fail "unexpected: $(cat "$work/err")"
 
+"$sampler" plan --input square_64 --filter '^edges_sobel/autovec/baseline/1' --max-call 1e-9 >"$work/slow.json" ||
+  fail 'a plan without rows failed'
+grep -q '"reason":"a call takes more than 1e-09 s"' "$work/slow.json" || fail 'slow rows: other reason'
+
 "$sampler" plan --filter no_such_row >/dev/null 2>"$work/err"
 [ $? = 2 ] || fail 'expected exit status 2 where no row matches'
-grep -q "no row to measure; the filter is 'no_such_row'" "$work/err" || fail 'no row: other message'
+grep -q "no row matches the filter 'no_such_row'" "$work/err" || fail 'no row: other message'
 "$sampler" plan --bogus >/dev/null 2>"$work/err"
 [ $? = 2 ] || fail 'expected exit status 2 for an unknown option'
 grep -q "there is no option '--bogus'" "$work/err" || fail 'unknown option: other message'

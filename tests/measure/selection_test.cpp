@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/usage.hpp"
 #include "measure/copy_operation.hpp"
 #include "measure/timed_call.hpp"
 #include "measure/timed_row.hpp"
@@ -47,15 +48,16 @@ TEST_F(SelectRows, reference_comes_along_with_any_row_and_nothing_else_does) {
   EXPECT_TRUE(select_rows({.filter = "no_such_row"}, operations, inputs).rows.empty());
 }
 
-TEST_F(SelectRows, highest_takes_one_isa_of_each_technique) {
+TEST_F(SelectRows, highest_takes_one_isa_of_each_technique_and_on_small_images_one_thread) {
   operations = {operation_of("thin_naccache_shinghal")};
-  const std::string filter = "simd_bitpacked/.*/1/end_to_end|simd_bitpacked_row/.*/end_to_end";
+  const std::string filter = "simd_bitpacked/.*/end_to_end|simd_bitpacked_row/.*/end_to_end";
   const Selection selection = select_rows({filter, VariantChoice::highest}, operations, inputs);
   std::set<std::string> techniques;
   for (const TimedRow& row : selection.rows) {
     if (row.variant == nullptr) continue;
     EXPECT_TRUE(techniques.insert(std::string(row.variant->technique)).second) << row.name;
     EXPECT_EQ(row.variant->isa, best_isa()) << row.name;
+    EXPECT_EQ(row.threads, 1) << row.name;
   }
   EXPECT_FALSE(techniques.empty());
 }
@@ -148,6 +150,27 @@ TEST_F(SelectRows, cases_without_a_peer_are_selected_where_the_filter_spells_the
 TEST_F(SelectRows, rejects_malformed_filters) {
   EXPECT_THROW(static_cast<void>(select_rows({.filter = "("}, operations, inputs)),
                std::invalid_argument);
+}
+
+TEST_F(SelectRows, why_there_is_no_row_is_explained) {
+  const auto explanation = [&](const RowChoice& choice) {
+    try {
+      static_cast<void>(select_rows_or_explain(choice, operations, inputs));
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string("rows");
+  };
+  EXPECT_EQ(explanation({.filter = "nothing"}),
+            "no row matches the filter 'nothing'; see 'thinbench-study list --variants'");
+  EXPECT_EQ(explanation({.filter = "copy/absent/"}),
+            "every row that matches the filter 'copy/absent/' is skipped: this machine lacks it");
+  EXPECT_EQ(explanation({.filter = "copy/(absent|reference)/"}), "rows");
+  EXPECT_EQ(explanation({.filter = "copy/bad/"}), "rows") << "the mismatch was reported";
+  EXPECT_EQ(explanation({.filter = "("}).rfind("--filter: '(' is no regular expression", 0), 0U);
+  operations = {operation_of("edges_sobel")};
+  EXPECT_EQ(explanation({"simd_16bit/.*/kernel/|/2/", VariantChoice::usual}).rfind("no usual row", 0),
+            0U);
 }
 
 TEST(Rows, every_row_has_a_name_of_its_own) {

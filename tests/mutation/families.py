@@ -87,7 +87,7 @@ FAMILIES = (
     Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN, Check("api_test", "*dges*")),
            (API,)),
     Family("regions", ("regions/*",), (REGIONS, GOLDEN, LOCALISE),
-           (crosscheck("components", "euler_number*", "fill_holes", "holes"), API)),
+           (crosscheck("components", "euler_number*", "fill_holes", "holes", "label_*"), API)),
     Family("localise", ("localise/*",), (LOCALISE, crosscheck("localise_*"), GOLDEN), (API,)),
     Family("distance", ("distance/*",), (DISTANCE, crosscheck("squared_distances", images="sh*")),
            (crosscheck("squared_distances"), API)),

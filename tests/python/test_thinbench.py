@@ -124,6 +124,7 @@ IMAGE = np.ones((4, 4), bool)
     (lambda out: thinbench.edges(np.ones((4, 4), np.uint8), gradient_threshold=256), ValueError,
      "256"),
     (lambda out: thinbench.euler_number(IMAGE, 6), ValueError, "6"),
+    (lambda out: thinbench.label(IMAGE, 6), ValueError, "6"),
     (lambda out: thinbench.localise(np.ones((4, 4), np.uint8), brightness_threshold=-1),
      ValueError, "-1"),
 ])
@@ -157,6 +158,13 @@ def test_regions_agree_with_scipy():
         objects = np.flatnonzero(~table["is_hole"])
         assert len(objects) == count
         np.testing.assert_array_equal(np.where(image, labels, 0), expected)
+        alone, alone_count = thinbench.label(image)
+        assert alone_count == count
+        np.testing.assert_array_equal(alone, expected)
+        four, four_count = thinbench.label(image, connectivity=4)
+        expected_four, count_four = ndimage.label(image)
+        assert four_count == count_four
+        np.testing.assert_array_equal(four, expected_four)
         filled = ndimage.binary_fill_holes(image)
         np.testing.assert_array_equal(thinbench.fill_holes(image), filled)
         np.testing.assert_array_equal(labels > count, filled & ~image)

@@ -26,6 +26,8 @@ class Labels {
   }
   [[nodiscard]] bool beside_unwritten(Index y) const { return at(width_, y) == kUnwritten; }
 
+  [[nodiscard]] bool equal(const Labels& other) const { return values_ == other.values_; }
+
   /// Whether no pixel has been written.
   [[nodiscard]] bool unwritten() const {
     return values_ == std::vector<std::int32_t>(values_.size(), kUnwritten);
@@ -95,13 +97,22 @@ bool labels_equal_the_lists(const ConstImageView& image) {
   return from_labels == all && neighbours_agree(labels, image, true);
 }
 
+/// Whether the labels without a list are those with one.
+bool image_equals(const Labels& expected, const ConstImageView& image, Connectivity connectivity,
+                  std::size_t objects) {
+  Labels labels(image);
+  return label_image(image, labels.view(image.height), connectivity) == objects &&
+         labels.equal(expected);
+}
+
 bool components_are_connected_as(const ConstImageView& image, Connectivity connectivity) {
   Labels labels(image);
   const auto found = label_components(image, labels.view(image.height), connectivity);
   const std::int64_t holes =
       static_cast<std::int64_t>(found.size()) -
       (connectivity == Connectivity::eight ? euler_number(image) : euler_number_4(image));
-  return holes >= 0 && summed(labels, image, found.size()) == found &&
+  return holes >= 0 && image_equals(labels, image, connectivity, found.size()) &&
+         summed(labels, image, found.size()) == found &&
          neighbours_agree(labels, image, connectivity == Connectivity::eight);
 }
 
@@ -140,6 +151,8 @@ TEST(Labels, reject_sizes_that_differ_overlaps_and_other_connectivities) {
   EXPECT_THROW(
       static_cast<void>(label_components(image.view(), view, static_cast<Connectivity>(6))),
       std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(label_image(image.view(), view, static_cast<Connectivity>(6))),
+               std::invalid_argument);
   EXPECT_TRUE(labels.unwritten());
 }
 

@@ -15,7 +15,7 @@ from report.errors import ReportError
 from report.measure.converge import measure_until_converged, open_entries
 from report.measure.estimates import NEEDED, TOLERANCE, floor_of
 from report.measure.run import controls_of, load_run, load_samples, write_run
-from report.measure.sampler import Process, Sampler, Samples, every_entry, measure_interleaved
+from report.measure.sampler import Process, Sampler, Samples, every_entry
 from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
 from report.schemas import check_schema
 
@@ -126,16 +126,12 @@ def test_a_directory_without_a_run_is_rejected_in_one_line(tmp_path: Path) -> No
 def test_processes_are_fresh_and_their_groups_in_the_order_of_the_plan(tmp_path: Path) -> None:
     sampler = Sampler(install(tmp_path) / "thinbench_sampler")
     samples = Samples(sampler.plan(["--input", "scene", "--input", "square_64"]))
-    other = Samples(samples.plan)
     seen: list[float] = []
-    measure_interleaved([(sampler, samples), (sampler, other)], 2, seen.append)
-    assert [process.seed for process in samples.processes] == [0, 1]
-    assert sum(seen) == pytest.approx(4 * 2 * 8 * 0.01)
+    samples.processes = [sampler.measure(samples.plan, seed, seen.append) for seed in (0, 1)]
+    assert sum(seen) == pytest.approx(2 * 2 * 8 * 0.01)
     assert len(samples.processes[0].groups) == 2
     assert samples.processes[0].states == STATES
     assert samples.processes[0].groups != samples.processes[1].groups
-    measure_interleaved([(sampler, samples)], 3, seen.append)
-    assert [process.seed for process in samples.processes] == [0, 1, 2]
 
 
 def noisy_time(dice: random.Random, state: dict[str, float]) -> float:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import base64
 import csv
+import io
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
 
+import numpy as np
 import pytest
+from PIL import Image
 from conftest import Built, all_rows, build, change_facts, make_rows, write_run
 
 from report.errors import ReportError
@@ -126,10 +130,16 @@ def test_a_run_of_one_operation_has_a_page(tmp_path, capsys):
     assert "Euler number" in built.stdout and 'id="euler_number_4"' in built.text("index.html")
 
 
-def test_large_images_are_linked_not_embedded(tmp_path, capsys):
+def test_large_images_are_scaled_down(tmp_path, capsys):
     directory = write_run(tmp_path / "run", all_rows())
-    (directory / "pictures" / "scene_thin_guo_hall.png").write_bytes(bytes(300_000))
-    assert 'href="pictures/scene_thin_guo_hall.png"' in build(directory, capsys).text("index.html")
+    noise = np.random.RandomState(1).randint(0, 256, (900, 3000), np.uint8)
+    Image.fromarray(noise).save(directory / "pictures" / "scene_grey.png")
+    page = build(directory, capsys).text("index.html")
+    found = re.search(r'src="data:image/png;base64,([^"]*)" alt="the input, scene, scaled down"', page)
+    assert found
+    with Image.open(io.BytesIO(base64.b64decode(found[1]))) as image:
+        assert image.width > 300 and round(image.width / image.height, 1) == 3.3
+    assert len(page) < 2_000_000
 
 
 def write_limits(directory: Path, model: str, **more: int) -> None:

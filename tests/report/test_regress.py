@@ -14,7 +14,7 @@ from junitparser import JUnitXml
 from report.__main__ import main
 from report.errors import ReportError
 from report.measure.estimates import Estimate
-from report.measure.sampler import Json, Process, Samples
+from report.measure.sampler import Json, Process, Sampler, Samples
 from report.regress import builds, command, output, self_test, stored
 from report.regress.verdicts import (Layer, RowVerdict, Verdict, decide, exit_status, judge,
                                      layer_of, skipped)
@@ -188,6 +188,21 @@ def test_replayed_slowdowns_are_found_and_equal_builds_pass() -> None:
 
 def test_replayed_noise_beyond_the_limit_gives_no_verdict() -> None:
     assert self_test.replay(recorded(9.0), 3, 20)[0] == {INCONCLUSIVE: 20}
+
+
+def test_processes_of_two_builds_take_turns() -> None:
+    order = []
+
+    class Named(Sampler):
+        """Notes when it measures."""
+
+        def measure(self, plan: Json, seed: int, *_: object) -> Process:
+            order.append(str(self.program))
+            return Process(seed, [], [], 0)
+
+    jobs = [(Named(Path(name)), Samples(make_plan())) for name in ("before", "now")]
+    builds.measure_in_turn("measuring", [jobs], range(3))
+    assert order == ["now", "before", "before", "now", "now", "before"]
 
 
 def test_builds_are_compared_on_the_rows_with_equal_results() -> None:

@@ -32,6 +32,8 @@ expect 2 "--foreground: invalid choice: 'black'" study --foreground black
 for threshold in 256 -1 1.5 ottsu; do
   expect 2 "expected an integer in [0, 255] or 'otsu', got '$threshold'" study --threshold=$threshold
 done
+expect 2 "expected integers in [2, 1024], got '1,4'" study --threads 1,4
+expect 2 "expected integers with commas between them, got 'two'" study --threads two
 expect 2 '--foreground needs --image' study --foreground dark
 expect 2 "--filter: '(' is no regular expression" study --filter '('
 expect 2 "--only: invalid choice: 'sizes'" study sweeps --only sizes

@@ -36,16 +36,22 @@ struct Regions {
                                                                 const Execution& execution = {});
 
 /// Finds objects and holes and writes the label of each pixel's region: the id of its object, or
-/// the number of objects plus the id of its hole, or 0 outside. Takes 8 bytes of memory per run of
+/// the number of objects plus the id of its hole, or 0 outside. Takes 12 bytes of memory per run of
 /// equal pixels besides the result. Both views must have the same size, at most 2^31 pixels, and
 /// share no byte. Nothing is written if it throws.
-THINBENCH_API Regions label_regions(ConstImageView source, LabelView labels);
+THINBENCH_API Regions label_regions(ConstImageView source, LabelView labels,
+                                    const Execution& execution = {});
 
 enum class Connectivity : std::uint8_t { four = 4, eight = 8 };
 
 /// The same for objects alone, which may be 4-connected; holes get label 0.
 THINBENCH_API std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                                   Connectivity connectivity);
+                                                   Connectivity connectivity,
+                                                   const Execution& execution = {});
+
+/// The same labels without the list, in half the time. Returns the number of objects.
+THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
+                                        Connectivity connectivity, const Execution& execution = {});
 
 /// Number of objects minus number of holes. euler_number_4 uses 4-connected objects and 8-connected
 /// holes.

@@ -1,0 +1,82 @@
+"""`./study` on the programs of the build: what it says, and the user's image on the page."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ROOT, main
+from PIL import Image
+
+import report.study
+from report.measure.run import load_run
+
+PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
+Study = Callable[..., tuple[int, str]]
+
+
+@pytest.fixture(name="study")
+def _study(tmp_path, monkeypatch, capfd) -> Study:
+    monkeypatch.setattr(report.study, "build", lambda preset, targets: PROGRAMS)
+
+    def run(*words: str) -> tuple[int, str]:
+        """Status and what is on standard error, but for the progress on a slow machine."""
+        status = main(["study", "--quick", "--seconds", "1", "--out", str(tmp_path / "run"), *words])
+        lines = capfd.readouterr().err.splitlines(keepends=True)
+        return status, "".join(line for line in lines if " s left" not in line)
+    return run
+
+
+@pytest.fixture(name="image")
+def _image(tmp_path) -> Path:
+    """A dark object on light ground."""
+    pixels = np.full((60, 90), 230, np.uint8)
+    pixels[20:40, 10:70] = 40
+    Image.fromarray(pixels).save(tmp_path / "bolt.png")
+    return tmp_path / "bolt.png"
+
+
+def test_a_note_appears_once_and_the_image_is_on_the_page(study, image, tmp_path):
+    status, errors = study("--image", str(image), "--filter", "^thin_guo_hall/", "--threads", "2,3")
+    assert status == 0
+    assert errors.count(f"note: {image}: foreground is dark") == 1
+    assert "thinbench-study: " not in errors and "wrote" not in errors
+    page = (tmp_path / "run" / "index.html").read_text(encoding="utf-8")
+    assert 'alt="the input, bolt"' in page
+    assert load_run(tmp_path / "run").facts["options"]["threads"] == [2, 3]
+
+
+def test_what_cannot_be_counted_is_no_failure(study, tmp_path):
+    status, errors = study("--filter", "^thin_guo_hall:keep/opencv/")
+    assert (status, errors) == (0, "")
+    assert not (tmp_path / "run" / "limits.json").exists()
+
+
+@pytest.mark.parametrize("words, why", [
+    (("--filter", "nothing"), "no row matches the filter 'nothing'"),
+    (("--filter", "^thin_guo_hall/simd_bytes/baseline/"), "no usual row matches the filter"),
+    (("--filter", "/avx2/"), "is skipped: above the ISA cap")])
+def test_where_nothing_can_be_measured_the_reason_is_given(study, monkeypatch, words, why):
+    monkeypatch.setenv("THINBENCH_MAX_ISA", "sse4.2")
+    status, errors = study(*words)
+    assert status == 2
+    sampler, own = errors.splitlines()
+    assert sampler.startswith("thinbench_sampler: ") and why in sampler
+    assert own == "study: nothing was measured; see above"
+
+
+def test_rows_above_the_cap_are_mentioned_once(study, monkeypatch):
+    monkeypatch.setattr(report.measure.sampler, "_reported", set())
+    monkeypatch.setenv("THINBENCH_MAX_ISA", "sse4.2")
+    status, errors = study("--filter", "^euler_number/", "--size", "64")
+    assert (status, errors) == (0, "note: some rows are skipped: above the ISA cap\n")
+
+
+def test_a_file_that_is_no_image_is_named(study, image):
+    image.write_text("text")
+    status, errors = study("--image", str(image))
+    assert status == 1 and f"cannot read '{image}': it is not an image" in errors
+    assert "differs" not in errors
