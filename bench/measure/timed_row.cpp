@@ -319,12 +319,15 @@ Selection select_rows(const RowChoice& choice, const std::vector<Operation>& ope
 
 Selection select_rows_or_explain(const RowChoice& choice, const std::vector<Operation>& operations,
                                  const std::vector<TimedInput>& inputs) {
+  Selection selection;
+  std::string option = "--filter: ";
   try {
     check_filter(choice.filter);
+    option.clear();  // what else may be wrong is the cap of the ISA
+    selection = select_rows(choice, operations, inputs);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--filter: ") + error.what());
+    throw UsageError(option + error.what());
   }
-  Selection selection = select_rows(choice, operations, inputs);
   for (const std::string& mismatch : selection.mismatches) {
     std::cerr << "not equal to the reference, not measured: " << mismatch << '\n';
   }
