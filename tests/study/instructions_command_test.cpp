@@ -67,7 +67,6 @@ TEST(InstructionsCommand, why_there_is_nothing_to_count_is_explained) {
       failure_of({"instructions", "--filter", "^euler_number/reference/"}, 2),
       "no row to count; the filter '^euler_number/reference/' matches only references or rows "
       "with threads");
-  const IsaCap cap("baseline");
   EXPECT_EQ(
       failure_of({"instructions", "--filter", "^euler_number/.*/avx2/"}, 2),
       "every row that matches the filter '^euler_number/.*/avx2/' is skipped: above the ISA cap");
