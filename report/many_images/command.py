@@ -94,7 +94,7 @@ def measure_many_images(program: Path, machine: dict[str, Any], sizes: Sizes,
     cores = machine["cores"]
     load = LoadMeter()
     with tempfile.TemporaryDirectory() as work:
-        with LocalCluster(n_workers=cores, threads_per_worker=1, dashboard_address=None,
+        with LocalCluster(n_workers=cores, threads_per_worker=1, dashboard_address=":0",
                           local_directory=work) as cluster, Client(cluster) as client:
             logging.getLogger("asyncio").setLevel(logging.CRITICAL)  # of tasks at an interrupt
             client.run(_ignore_interrupts)

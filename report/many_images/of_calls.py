@@ -76,7 +76,7 @@ def _regionprops(image: Binary) -> Any:
 
 
 class _TimedCall:
-    """Thread CPU time of each call."""
+    """Wall time of each call, as the sampler takes it."""
 
     def __init__(self, call: Call) -> None:
         self.call = call
@@ -87,9 +87,9 @@ class _TimedCall:
         epochs: list[float] = []
         end = time.perf_counter() + SECONDS
         while not epochs or time.perf_counter() < end:
-            start = time.thread_time()
+            start = time.perf_counter()
             self.latest = self.call()
-            epochs.append(1e3 * (time.thread_time() - start))
+            epochs.append(1e3 * (time.perf_counter() - start))
         return {"ms_per_call": epochs}
 
     def digest(self) -> str:

@@ -61,10 +61,11 @@ def results_of(steps: list[Step], samples: Samples, origin: Origin) -> list[Resu
 
 
 def _result(step: Step, quantity: str, own: Floor, base: Floor, origin: Origin) -> Result:
-    ratio = None if step.base == step.key else ratio_of(own, base)
+    ratio = ratio_of(own, base)
+    ratios = (None, None, None) if step.base == step.key else (ratio.value, ratio.low, ratio.high)
     base_name = f"{step.base.method}, {step.base.x}" if step.base.x else step.base.method
     return Result(*step.key, quantity, own.time, own.high, own.typical, base_name,
-                  ratio and ratio.value, ratio and ratio.low, ratio and ratio.high, own.processes,
+                  *ratios, own.processes,
                   "" if own.converged and base.converged else "open", **asdict(origin))
 
 

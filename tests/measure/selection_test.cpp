@@ -169,8 +169,9 @@ TEST_F(SelectRows, why_there_is_no_row_is_explained) {
   EXPECT_EQ(explanation({.filter = "copy/bad/"}), "rows") << "the mismatch was reported";
   EXPECT_EQ(explanation({.filter = "("}).rfind("--filter: '(' is no regular expression", 0), 0U);
   operations = {operation_of("edges_sobel")};
-  EXPECT_EQ(explanation({"simd_16bit/.*/kernel/|/2/", VariantChoice::usual}).rfind("no usual row", 0),
-            0U);
+  EXPECT_EQ(
+      explanation({"simd_16bit/.*/kernel/|/2/", VariantChoice::usual}).rfind("no usual row", 0),
+      0U);
 }
 
 TEST(Rows, every_row_has_a_name_of_its_own) {

@@ -30,6 +30,7 @@ TEST(InstructionsCommand, counts_are_reproducible) {
   EXPECT_EQ(first.status, 0) << first.err;
   EXPECT_NE(first.out.find("euler_number/bitpacked/baseline/1/kernel/scene_small"),
             std::string::npos);
+  EXPECT_EQ(first.err.find("not counted"), std::string::npos) << first.err;
   EXPECT_EQ(run_with(count_command({"--json"})).out, bytes_of(file));
 }
 
@@ -58,6 +59,17 @@ TEST(InstructionsCommand, image_is_binarised_by_the_given_options) {
   const std::string bright = hash({"--foreground", "bright", "--threshold", "1"});
   EXPECT_EQ(hash({}), bright + " noted");
   EXPECT_NE(hash({"--foreground", "dark", "--threshold", "1"}), bright);
+}
+
+TEST(InstructionsCommand, why_there_is_nothing_to_count_is_explained) {
+  const IsaCap cap("baseline");
+  EXPECT_EQ(
+      failure_of({"instructions", "--filter", "^euler_number/reference/"}, 2),
+      "no row to count; the filter '^euler_number/reference/' matches only references or rows "
+      "with threads");
+  EXPECT_EQ(
+      failure_of({"instructions", "--filter", "^euler_number/.*/avx2/"}, 2),
+      "every row that matches the filter '^euler_number/.*/avx2/' is skipped: above the ISA cap");
 }
 
 TEST(InstructionsCommand, quick_without_limits_is_rejected) {
