@@ -23,6 +23,18 @@ double nanoseconds_now() {
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
+/// Additions that wait for each other, with no jump in between. `step` is a register: some
+/// processors add constants without taking a cycle.
+template <std::size_t... i>
+std::uint64_t sum_of(std::uint64_t sum, std::uint64_t step, std::index_sequence<i...>) {
+  const auto add = [&](std::size_t) {
+    sum += step;
+    asm volatile("" : "+r"(sum), "+r"(step));
+  };
+  (add(i), ...);
+  return sum;
+}
+
 /// Memory of random size between what is allocated, kept to the end: large blocks
 /// would lie at the same place of a page in every layout, and by chance at a good or a bad one.
 class Gaps {
@@ -43,9 +55,10 @@ class Gaps {
 /// The calls of a group in one layout. Every entry has a job of its own, controls too.
 class Calls {
  public:
-  Calls(const Group& group, std::uint64_t seed, const std::vector<Operation>& operations,
-        const std::vector<TimedInput>& inputs, Gaps& gaps)
+  Calls(const Group& group, double plan_cycle, std::uint64_t seed,
+        const std::vector<Operation>& operations, const std::vector<TimedInput>& inputs, Gaps& gaps)
       : group_(group),
+        plan_cycle_(plan_cycle),
         workspace_(row_named(group.entries.front().name, operations, inputs).view()),
         calls_(group.entries.size()),
         checked_(group.entries.size(), false) {
@@ -61,15 +74,29 @@ class Calls {
     const Entry& entry = group_.entries[index];
     TimedCall& call = *calls_[index];
     for (std::int64_t i = 0; i < entry.warm_up; ++i) call();
-    const double start = nanoseconds_now();
-    for (std::int64_t i = 0; i < entry.calls; ++i) call();
-    const double end = nanoseconds_now();
+    const double time = epoch(entry.calls, call);
     if (!checked_[index]) check(entry, call);
     checked_[index] = true;
-    return end - start;
+    return time;
   }
 
  private:
+  /// The clock of a processor changes within a millisecond. So its cycle is measured between parts
+  /// of the epoch, and the shortest one counts: an interrupted sample would seem a slow clock.
+  double epoch(std::int64_t calls, TimedCall& call) const {
+    constexpr std::int64_t kParts = 4;
+    const std::int64_t part = (calls + kParts - 1) / kParts;
+    double cycle = cycle_ns();
+    double time = 0;
+    for (std::int64_t left = calls; left > 0; left -= part) {
+      const double start = nanoseconds_now();
+      for (std::int64_t i = std::min(part, left); i > 0; --i) call();
+      time += nanoseconds_now() - start;
+      cycle = std::min(cycle, cycle_ns());
+    }
+    return time / cycle * plan_cycle_;
+  }
+
   static void check(const Entry& entry, const TimedCall& call) {
     const std::string hash = hash_of(call.outcome());
     if (hash == entry.hash) return;
@@ -78,6 +105,7 @@ class Calls {
   }
 
   const Group& group_;
+  double plan_cycle_;
   Workspace workspace_;
   std::vector<std::optional<TimedCall>> calls_;
   std::vector<bool> checked_;
@@ -95,63 +123,50 @@ std::string hash_of(const Outcome& outcome) {
   return text.data();
 }
 
-void measure(const std::vector<Group>& groups, std::uint64_t seed,
-             const std::vector<Operation>& operations, const std::vector<TimedInput>& inputs,
+void measure(const Plan& plan, std::uint64_t seed, const std::vector<Operation>& operations,
+             const std::vector<TimedInput>& inputs,
              const std::function<void(const GroupTimes&)>& sink) {
   int layouts = 0;
-  for (const Group& group : groups) layouts = std::max(layouts, group.layouts);
+  for (const Group& group : plan.groups) layouts = std::max(layouts, group.layouts);
   Gaps gaps(seed);
   for (int layout = 0; layout < layouts; ++layout) {
     const std::uint64_t layout_seed = splitmix64(seed, static_cast<std::uint64_t>(layout));
-    for (const std::size_t index : shuffled(groups.size(), layout_seed)) {
-      const Group& group = groups[index];
+    for (const std::size_t index : shuffled(plan.groups.size(), layout_seed)) {
+      const Group& group = plan.groups[index];
       if (layout >= group.layouts) continue;
       const std::uint64_t group_seed = splitmix64(layout_seed, index);
-      Calls calls(group, group_seed, operations, inputs, gaps);
+      Calls calls(group, plan.cycle_ns, group_seed, operations, inputs, gaps);
       const auto visit = [&](std::size_t entry) { return calls.visit(entry); };
       sink({index, measure_rounds(group.entries, group_seed, visit)});
     }
   }
 }
 
-namespace {
-
-/// Additions that wait for each other, with no jump in between. `step` is a register: some
-/// processors add constants without taking a cycle.
-template <std::size_t... i>
-std::uint64_t sum_of(std::uint64_t sum, std::uint64_t step, std::index_sequence<i...>) {
-  const auto add = [&](std::size_t) {
-    sum += step;
-    asm volatile("" : "+r"(sum), "+r"(step));
-  };
-  (add(i), ...);
-  return sum;
+double cycle_ns() {
+  constexpr std::size_t kUnrolled = 100;
+  constexpr std::size_t kRepetitions = 200;
+  const double start = nanoseconds_now();
+  std::uint64_t sum = 1;
+  for (std::size_t i = 0; i < kRepetitions; ++i) {
+    sum = sum_of(sum, i, std::make_index_sequence<kUnrolled>());
+  }
+  return (nanoseconds_now() - start) / (kUnrolled * kRepetitions);
 }
 
-}  // namespace
-
 MachineState machine_state() {
-  constexpr int kSamples = 50;
-  constexpr std::size_t kUnrolled = 100;
-  constexpr int kAdditions = 100'000;
+  constexpr int kSamples = 200;
   constexpr std::size_t kBytes = 64 << 10;
   std::vector<char> source(kBytes, 1);
   std::vector<char> destination(kBytes, 2);
   MachineState state{1e9, 1e9};
   for (int sample = 0; sample < kSamples; ++sample) {
+    state.chain_ns = std::min(state.chain_ns, cycle_ns());
     const double start = nanoseconds_now();
-    std::uint64_t sum = static_cast<std::uint64_t>(sample);
-    for (std::size_t i = 0; i < kAdditions / kUnrolled; ++i) {
-      sum = sum_of(sum, i, std::make_index_sequence<kUnrolled>());
-    }
-    const double middle = nanoseconds_now();
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 4; ++i) {
       std::memcpy(destination.data(), source.data(), kBytes);
       asm volatile("" : : "r"(destination.data()) : "memory");
     }
-    const double end = nanoseconds_now();
-    state.chain_ns = std::min(state.chain_ns, (middle - start) / kAdditions);
-    state.copy_ns = std::min(state.copy_ns, (end - middle) / 10);
+    state.copy_ns = std::min(state.copy_ns, (nanoseconds_now() - start) / 4);
   }
   return state;
 }

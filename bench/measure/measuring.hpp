@@ -23,15 +23,19 @@ struct GroupTimes {
 
 /// Measures all groups in one layout after the other, in an order that depends on the seed, and
 /// passes each to `sink`: so the epochs of an entry are spread over the time of the process. Jobs
-/// are made for each layout anew. The first result of each is compared with the verified one by its hash. Throws std::runtime_error
-/// for another result or an unknown row.
-void measure(const std::vector<Group>& groups, std::uint64_t seed,
-             const std::vector<Operation>& operations, const std::vector<TimedInput>& inputs,
+/// are made for each layout anew. Times are those that the clock cycles of a call take at the clock
+/// of the plan. The first result of each row is compared with the verified one by its hash. Throws
+/// std::runtime_error for another result or an unknown row.
+void measure(const Plan& plan, std::uint64_t seed, const std::vector<Operation>& operations,
+             const std::vector<TimedInput>& inputs,
              const std::function<void(const GroupTimes&)>& sink);
+
+/// Nanoseconds of a dependent addition, which is a clock cycle: one sample of about 5 us.
+[[nodiscard]] double cycle_ns();
 
 /// How fast the machine is, whatever the project's code does.
 struct MachineState {
-  double chain_ns = 0;  // a dependent addition: a clock cycle
+  double chain_ns = 0;  // a clock cycle
   double copy_ns = 0;   // a copy of 64 KiB
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/inputs.hpp"
 #include "measure/timed_row.hpp"
 
 namespace thinbench {
@@ -39,9 +40,16 @@ struct Group {
   int layouts = 3;  // how often a process makes the jobs again, at other addresses
 };
 
+/// All that measuring processes and the reader of their samples have to know.
+struct Plan {
+  InputChoice inputs;
+  double cycle_ns = 0;  // the clock cycle that times are given at
+  std::vector<Group> groups;
+};
+
 struct PlanLimits {
   double seconds_per_row = 0.003;  // in each process; every row has an epoch in each layout
-  double max_call_seconds = 1;  // slower rows are verified, but not measured
+  double max_call_seconds = 1;     // slower rows are verified, but not measured
 };
 
 /// A row with the time of its fastest call.

@@ -59,17 +59,17 @@ json input_json(const TimedInput& input) {
 json row_json(const TimedRow& row) {
   const bool is_reference = row.variant == nullptr;
   json object = case_json<json>(*row.operation);
-  object.update({{"technique", is_reference ? "reference" : row.variant->technique},
-                 {"isa", is_reference ? "baseline" : row.variant->isa_label()},
-                 {"threads", row.threads},
-                 {"scope", scope_name(row.scope)},
-                 {"input", row.input->name},
-                 {"counter", or_null(row.counter)},
-                 {"plan_bytes", or_null(row.plan_bytes)},
-                 {"peer", row.is_peer()},
-                 {"default", !is_reference && is_default(*row.operation, *row.variant,
-                                                         row.input->width())},
-                 {"scalar", is_reference || (!row.is_peer() && is_scalar(*row.variant))}});
+  object.update(
+      {{"technique", is_reference ? "reference" : row.variant->technique},
+       {"isa", is_reference ? "baseline" : row.variant->isa_label()},
+       {"threads", row.threads},
+       {"scope", scope_name(row.scope)},
+       {"input", row.input->name},
+       {"counter", or_null(row.counter)},
+       {"plan_bytes", or_null(row.plan_bytes)},
+       {"peer", row.is_peer()},
+       {"default", !is_reference && is_default(*row.operation, *row.variant, row.input->width())},
+       {"scalar", is_reference || (!row.is_peer() && is_scalar(*row.variant))}});
   return object;
 }
 
@@ -92,10 +92,15 @@ json peers_json(const Selection& selection) {
 
 json plan_json(const Plan& plan, const Selection& selection, const std::vector<TimedInput>& inputs,
                const std::vector<CalibratedRow>& rows) {
-  json object = {{"sources", plan.inputs},         {"groups", plan.groups},
-                 {"inputs", json::array()},        {"rows", json::object()},
-                 {"skipped", json::array()},       {"peers", peers_json(selection)},
-                 {"verified", selection.verified}, {"mismatches", selection.mismatches}};
+  json object = {{"sources", plan.inputs},
+                 {"cycle_ns", plan.cycle_ns},
+                 {"groups", plan.groups},
+                 {"inputs", json::array()},
+                 {"rows", json::object()},
+                 {"skipped", json::array()},
+                 {"peers", peers_json(selection)},
+                 {"verified", selection.verified},
+                 {"mismatches", selection.mismatches}};
   for (const TimedInput& input : inputs) object["inputs"].push_back(input_json(input));
   for (const CalibratedRow& row : rows) object["rows"][row.row->name] = row_json(*row.row);
   for (const SkippedRow& row : selection.skipped) {
@@ -107,7 +112,8 @@ json plan_json(const Plan& plan, const Selection& selection, const std::vector<T
 Plan plan_from_json(const std::string& text) {
   try {
     const json object = parse_json(text, "standard input");
-    return {object.at("sources").get<InputChoice>(), object.at("groups").get<std::vector<Group>>()};
+    return {object.at("sources").get<InputChoice>(), object.at("cycle_ns").get<double>(),
+            object.at("groups").get<std::vector<Group>>()};
   } catch (const json::exception& error) {
     throw std::runtime_error(std::string("standard input holds no plan: ") + error.what());
   }

@@ -13,12 +13,6 @@
 
 namespace thinbench {
 
-/// All that measuring processes and the reader of their samples have to know.
-struct Plan {
-  InputChoice inputs;
-  std::vector<Group> groups;
-};
-
 /// `selection` must hold the rows that `plan` was made of.
 [[nodiscard]] nlohmann::json plan_json(const Plan& plan, const Selection& selection,
                                        const std::vector<TimedInput>& inputs,

@@ -12,7 +12,8 @@ namespace {
 
 double five_digits(double value) {
   const double unit = std::pow(10, std::floor(std::log10(std::max(value, 1e-3))) - 4);
-  return unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
+  return unit < 1 ? std::round(value / unit) / std::round(1 / unit)
+                  : std::round(value / unit) * unit;
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ std::vector<EntryTimes> measure_rounds(const std::vector<Entry>& entries, std::u
   bool more = true;
   for (int round = 0; more; ++round) {
     more = false;
-    for (const std::size_t i : shuffled(entries.size(), splitmix64(seed, static_cast<std::uint64_t>(round)))) {
+    for (const std::size_t i :
+         shuffled(entries.size(), splitmix64(seed, static_cast<std::uint64_t>(round)))) {
       if (round >= entries[i].visits) continue;
       more = true;
       times[i].push_back(five_digits(visit(i) / static_cast<double>(entries[i].counted)));

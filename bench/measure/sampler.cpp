@@ -1,5 +1,6 @@
 // The sampler: verifies rows and plans their measurement, or carries out a plan. `./study` starts
 // it; see docs/measuring.md.
+#include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <sstream>
@@ -26,8 +27,8 @@ struct SamplerOptions {
   std::uint64_t seed = 0;
 };
 
-/// Rows that take longer are listed as skipped.
-std::vector<CalibratedRow> calibrate_all(Selection& selection, double max_seconds) {
+/// Rows that take longer are listed as skipped. Meanwhile finds the shortest clock cycle.
+std::vector<CalibratedRow> calibrate_all(Selection& selection, double max_seconds, double& cycle) {
   std::ostringstream reason;
   reason << "a call takes more than " << max_seconds << " s";
   std::vector<CalibratedRow> rows;
@@ -38,6 +39,7 @@ std::vector<CalibratedRow> calibrate_all(Selection& selection, double max_second
       rows.pop_back();
       selection.skipped.push_back({row.name, reason.str()});
     }
+    for (int i = 0; i < 20; ++i) cycle = std::min(cycle, cycle_ns());
     progress.advance(1);
   }
   return rows;
@@ -59,8 +61,9 @@ std::vector<std::vector<CalibratedRow>> by_case_and_input(const std::vector<Cali
 int plan(const SamplerOptions& options) {
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
   Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
-  const std::vector<CalibratedRow> rows = calibrate_all(selection, options.limits.max_call_seconds);
-  Plan plan{options.inputs, {}};
+  Plan plan{options.inputs, cycle_ns(), {}};
+  const std::vector<CalibratedRow> rows =
+      calibrate_all(selection, options.limits.max_call_seconds, plan.cycle_ns);
   for (const auto& group : by_case_and_input(rows)) {
     plan.groups.push_back(plan_group(group, options.limits));
   }
@@ -79,7 +82,7 @@ int measure_plan(const SamplerOptions& options) {
     std::cout << line.dump() << std::endl;
   };
   print_state();
-  measure(plan.groups, options.seed, operations_with_peers(), inputs, [](const GroupTimes& times) {
+  measure(plan, options.seed, operations_with_peers(), inputs, [](const GroupTimes& times) {
     std::cout << group_times_json(times).dump() << std::endl;
   });
   print_state();

@@ -32,7 +32,10 @@ def open_entries(samples: Samples) -> Choice:
 def measure_until_converged(jobs: Sequence[tuple[Sampler, Samples]], seconds: float,
                             on_process: Callable[[Samples], None] = lambda samples: None) -> None:
     """NEEDED processes of everything, then of what has not converged, as long as they fit the
-    budget of seconds."""
+    budget of seconds. All are given at one clock."""
+    cycle = min(samples.plan["cycle_ns"] for _, samples in jobs)
+    for _, samples in jobs:
+        samples.plan["cycle_ns"] = cycle
     progress = Progress("measuring", seconds)
     try:
         while any([_advance(*job, seconds, progress, on_process)

@@ -22,6 +22,7 @@ def provenance(run: Run) -> list[tuple[str, str]]:
         ("Libraries", ", ".join(f"{name} {text}" for name, text in machine["libraries"].items())),
         ("Options", ", ".join(filter(None, map(_option, facts["options"].items())))),
         ("Controls", _controls(facts["controls"])),
+        ("Clock", f"times are those at a clock cycle of {state['cycle_ns']:.3f} ns"),
         ("State", f"others kept {state['foreign_load']:g} processors busy; a dependent addition "
                   f"takes {state['chain_ns']:.3f} ns, a copy of the state check "
                   f"{duration(state['copy_ns'])}")]

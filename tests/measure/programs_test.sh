@@ -18,6 +18,16 @@ sampler=$programs/thinbench_sampler
 [ "$(grep -c '"copy_ns"' "$work/lines")" = 2 ] || fail 'expected the state of the machine twice'
 [ "$(grep -c '"group":0' "$work/lines")" = 3 ] || fail 'expected a line for each layout'
 
+# Times follow the clock of the plan.
+sed 's/"cycle_ns":/"cycle_ns":1000/' "$work/plan.json" | "$sampler" measure --seed 1 >"$work/slow" ||
+  fail 'measure failed at another clock'
+/usr/bin/python3 - "$work/lines" "$work/slow" <<'PYTHON' || fail 'times do not follow the clock of the plan'
+import json, sys
+first, second = (min(time for line in map(json.loads, open(path)) if "group" in line
+                     for time in line["entries"][0]) for path in sys.argv[1:])
+assert second > 100 * first, (first, second)
+PYTHON
+
 sed -E 's/"hash":"[0-9a-f]{16}","name"/"hash":"0123456789abcdef","name"/g' \
   "$work/plan.json" >"$work/wrong.json"
 "$sampler" measure <"$work/wrong.json" >/dev/null 2>"$work/err" && fail 'a wrong result was accepted'

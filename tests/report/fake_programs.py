@@ -36,7 +36,7 @@ def make_plan(inputs: tuple[str, ...] = ("scene",), pixels: str = "0" * 16) -> J
     """One case on each input."""
     plan: Json = {
         "sources": {"pictures": [], "drawn": list(inputs), "foreground": "auto",
-                    "threshold": None},
+                    "threshold": None}, "cycle_ns": 0.25,
         "groups": [], "rows": {}, "skipped": [], "verified": 5 * len(inputs), "mismatches": [],
         "inputs": [{"name": name, "width": _side(name), "height": 50, "hash": pixels,
                     "grey_hash": pixels, "foreground_pixels": 9} for name in inputs],
