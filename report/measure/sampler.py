@@ -90,7 +90,7 @@ class Sampler:
                               stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
             assert process.stdin and process.stdout
             with suppress(BrokenPipeError):  # it has failed, as its exit status says
-                json.dump({"sources": plan["sources"],
+                json.dump({"sources": plan["sources"], "cycle_ns": plan["cycle_ns"],
                            "groups": [_part(plan["groups"][index], work[index])
                                       for index in order]}, process.stdin)
                 process.stdin.close()

@@ -92,7 +92,8 @@ TEST(PlanJson, is_read_back_as_it_was_written) {
   const Selection selection = select_rows({.filter = "copy/good/"}, operations, inputs);
   std::vector<CalibratedRow> rows;
   for (const TimedRow& row : selection.rows) rows.push_back(calibrate(row));
-  const Plan plan = {{{"a.png"}, {Foreground::dark, 80}, {"square_64"}}, {plan_group(rows, {})}};
+  const Plan plan = {
+      {{"a.png"}, {Foreground::dark, 80}, {"square_64"}}, 0.25, {plan_group(rows, {})}};
   const nlohmann::json written = plan_json(plan, selection, inputs, rows);
   EXPECT_EQ(plan_json(plan_from_json(written.dump()), selection, inputs, rows), written);
   EXPECT_EQ(written.at("/inputs/0/width"_json_pointer), 64);
@@ -113,20 +114,21 @@ TEST(Measure, gives_times_and_stops_where_a_result_is_not_the_verified_one) {
   const Selection selection = select_rows({.filter = "copy/good/"}, operations, inputs);
   std::vector<CalibratedRow> rows;
   for (const TimedRow& row : selection.rows) rows.push_back(calibrate(row));
-  std::vector<Group> groups = {plan_group(rows, {})};
+  Plan plan = {{}, 0.25, {plan_group(rows, {})}};
+  Group& group = plan.groups[0];
   std::vector<GroupTimes> found;
   const auto sink = [&](const GroupTimes& times) { found.push_back(times); };
-  measure(groups, 1, operations, inputs, sink);
-  ASSERT_EQ(found.size(), static_cast<std::size_t>(groups[0].layouts));
+  measure(plan, 1, operations, inputs, sink);
+  ASSERT_EQ(found.size(), static_cast<std::size_t>(group.layouts));
   for (const GroupTimes& times : found) {
-    ASSERT_EQ(times.entries.size(), groups[0].entries.size());
-    for (std::size_t i = 0; i < groups[0].entries.size(); ++i) {
-      EXPECT_EQ(times.entries[i].size(), static_cast<std::size_t>(groups[0].entries[i].visits));
+    ASSERT_EQ(times.entries.size(), group.entries.size());
+    for (std::size_t i = 0; i < group.entries.size(); ++i) {
+      EXPECT_EQ(times.entries[i].size(), static_cast<std::size_t>(group.entries[i].visits));
     }
   }
-  groups[0].entries.back().hash = "another";
+  group.entries.back().hash = "another";
   EXPECT_NE(rejection_of<std::runtime_error>([&] {
-              measure(groups, 1, operations, inputs, sink);
+              measure(plan, 1, operations, inputs, sink);
             }).find("gave another result"),
             std::string::npos);
 }

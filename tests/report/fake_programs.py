@@ -95,6 +95,7 @@ def _sampler(words: list[str]) -> int:
         print(json.dumps(make_plan(tuple(inputs) or ("scene",))))
         return 2 if "broken" in inputs else 0
     plan = json.load(sys.stdin)
+    assert plan["cycle_ns"] > 0
     dice = random.Random(int(words[-1]))
     state = json.dumps({"chain_ns": 0.3, "copy_ns": 1000.0})
     print(state)
