@@ -1,9 +1,10 @@
 """Statistics of samples: one place for every time and ratio that is published.
 
 A process gives the shortest epoch of each entry, over several layouts of its memory: its floor. The
-estimate is the lowest floor of all processes, once it has converged: once NEEDED processes came
-within TOLERANCE of it, each with addresses of its own. Whatever disturbs a computer makes calls
-longer, never shorter, so floors come back where medians do not: docs/measuring.md has the figures.
+estimate is the lowest floor on which NEEDED processes agree within TOLERANCE, each with addresses
+of its own. Whatever disturbs a computer makes calls longer, never shorter, so floors come back where
+medians do not; a lower floor that fewer processes found was a lucky layout. docs/measuring.md has
+the figures.
 
     time of a row      = its floor
     speed-up of a row  = floor of the reference / floor of the row
@@ -41,7 +42,7 @@ class Floor:
 
     time: float
     high: float
-    """The floor of the NEEDED-th process from below, or of the last one: how well it comes back."""
+    """The highest of the NEEDED floors from `time` on, or of fewer: how well it comes back."""
     typical: float
     """Median over processes of their medians: what this machine gave during the run."""
     processes: int
@@ -56,7 +57,9 @@ def floor_of(processes: Sequence[Sequence[Sequence[float]]]) -> Floor:
     """`processes[process][layout][epoch]`; every process has at least one epoch."""
     epochs = [[time for layout in layouts for time in layout] for layouts in processes]
     floors = sorted(min(times) for times in epochs)
-    return Floor(floors[0], floors[min(NEEDED, len(floors)) - 1],
+    agreed = next((run for run in zip(*(floors[i:] for i in range(NEEDED)))
+                   if run[-1] <= run[0] * (1 + TOLERANCE)), floors[:NEEDED])
+    return Floor(agreed[0], agreed[-1],
                  float(np.median([np.median(times) for times in epochs])), len(floors))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import lzma
 import random
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -161,10 +161,13 @@ def test_floors_that_converged_are_right_beside_bursts_steps_and_drifts() -> Non
     assert np.median(errors) < 0.01 and np.quantile(errors, 0.95) < 0.06
 
 
-def test_one_lucky_layout_does_not_settle_a_time() -> None:
+def test_one_lucky_layout_does_not_decide() -> None:
     usual = [[[100.0, 101.0]] for _ in range(5)]
-    lucky = floor_of([*usual, [[90.0]]])
-    assert lucky.time == 90 and not lucky.converged
+    lucky = [[90.0]]
+    assert replace(floor_of([*usual, lucky]), processes=5) == floor_of(usual)
+    assert floor_of([*usual, lucky, lucky, lucky]).time == 90
+    few = floor_of([*usual[:NEEDED - 1], lucky])
+    assert few.time == 90 and few.high == 100 and not few.converged
     assert floor_of(usual).converged
     assert not floor_of(usual[:NEEDED - 1]).converged
     assert floor_of([*usual, [[100 * (1 - TOLERANCE / 2)]]]).converged
@@ -175,7 +178,8 @@ def test_processes_go_on_with_what_is_open_until_time_is_up(tmp_path: Path) -> N
     samples = Samples(sampler.plan(["--input", "scene"]))
     measure_until_converged([(sampler, samples)], 100)
     assert not open_entries(samples) and len(samples.processes) >= NEEDED
-    samples.processes[0].groups[0][2] = [[1.0]]
+    for number, process in enumerate(samples.processes):
+        process.groups[0][2] = [[1.0 + number]]
     assert open_entries(samples) == {0: [2]}
     now = len(samples.processes)
     samples.processes.append(sampler.measure(samples.plan, now, lambda seconds: None, {0: [2]}))
