@@ -10,6 +10,10 @@ from report.measure.estimates import NEEDED, Floor, floor_of
 from report.measure.sampler import Choice, Json, Sampler, Samples, seconds_of
 from report.progress import Progress
 
+SAME_WITHIN, SLOWED_BEYOND = 0.03, 0.05
+"""How near to 1 a row's ratio to itself must be, and how much of the injected slowdown of 10 %
+must be found."""
+
 
 def floors(samples: Samples, group: int) -> list[Floor]:
     """Of the entries of a group, the controls included."""
@@ -20,13 +24,37 @@ def floors(samples: Samples, group: int) -> list[Floor]:
 
 
 def open_entries(samples: Samples) -> Choice:
-    """What has not converged; all of it before there are enough processes."""
-    plan: Json = samples.plan
-    enough = len(samples.processes) >= NEEDED
-    work = {index: [entry for entry in range(len(group["entries"]))
-                    if not enough or not floors(samples, index)[entry].converged]
-            for index, group in enumerate(plan["groups"])}
+    """What has not converged, controls that fail included; all of it before there are enough
+    processes."""
+    work = {index: _open_in(samples, index) for index in range(len(samples.plan["groups"]))}
     return {index: entries for index, entries in work.items() if entries}
+
+
+def _open_in(samples: Samples, index: int) -> list[int]:
+    entries = samples.plan["groups"][index]["entries"]
+    if len(samples.processes) < NEEDED:
+        return list(range(len(entries)))
+    times = floors(samples, index)
+    controls = entries[-1]["name"] if control_flag(samples, index) else ""
+    return [number for number, entry in enumerate(entries)
+            if not times[number].converged or entry["name"] == controls]
+
+
+def control_flag(samples: Samples, index: int) -> str:
+    """"control" where the group's A/A control or its injected slowdown failed."""
+    same, slowed = control_ratios(samples, index)
+    good = abs(same - 1) <= SAME_WITHIN and slowed <= 1 - SLOWED_BEYOND
+    return "" if good else "control"
+
+
+def control_ratios(samples: Samples, index: int) -> tuple[float, float]:
+    """Speed of the A/A control and of the slowed row in a group over the row that they repeat."""
+    entries, times = samples.plan["groups"][index]["entries"], floors(samples, index)
+    base = next(number for number, entry in enumerate(entries)
+                if entry["name"] == entries[-1]["name"])
+    same, slowed = (times[next(number for number, entry in enumerate(entries)
+                               if entry["role"] == role)] for role in ("same", "slowed"))
+    return times[base].time / same.time, times[base].time / slowed.time
 
 
 def measure_until_converged(jobs: Sequence[tuple[Sampler, Samples]], seconds: float,

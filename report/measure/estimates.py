@@ -3,7 +3,7 @@
 A process gives the shortest epoch of each entry, over several layouts of its memory: its floor. The
 estimate is the lowest floor on which NEEDED processes agree within TOLERANCE, each with addresses
 of its own. Whatever disturbs a computer makes calls longer, never shorter, so floors come back where
-medians do not; a lower floor that fewer processes found was a lucky layout. docs/measuring.md has
+medians do not; a lower floor that a few processes found was a lucky layout. docs/measuring.md has
 the figures.
 
     time of a row      = its floor
@@ -20,6 +20,10 @@ from dataclasses import dataclass
 import numpy as np
 
 TOLERANCE, NEEDED = 0.02, 3
+
+MAX_LUCKY = 1 / 8
+"""Share of processes whose lower floors may be left out. More would be a burst that disturbed the
+others."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +61,8 @@ def floor_of(processes: Sequence[Sequence[Sequence[float]]]) -> Floor:
     """`processes[process][layout][epoch]`; every process has at least one epoch."""
     epochs = [[time for layout in layouts for time in layout] for layouts in processes]
     floors = sorted(min(times) for times in epochs)
-    agreed = next((run for run in zip(*(floors[i:] for i in range(NEEDED)))
+    lucky = int(MAX_LUCKY * len(floors))
+    agreed = next((run for run in (floors[i:i + NEEDED] for i in range(lucky + 1))
                    if run[-1] <= run[0] * (1 + TOLERANCE)), floors[:NEEDED])
     return Floor(agreed[0], agreed[-1],
                  float(np.median([np.median(times) for times in epochs])), len(floors))

@@ -13,9 +13,9 @@ import numpy as np
 
 from report.errors import ReportError
 from report.files import read_bytes, read_json, to_json, write_files
+from report.measure.converge import control_flag, control_ratios
 from report.measure.sampler import Json, Samples
-from report.measure.timings import (Origin, Row, control_flag, control_ratios, read_csv, rows_of,
-                                    to_csv)
+from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
 from report.schemas import check_schema
 
 SCHEMA = 3

@@ -14,15 +14,12 @@ from typing import Any, get_args, get_type_hints
 
 from report.errors import ReportError
 from report.files import read_bytes
-from report.measure.converge import floors
+from report.measure.converge import control_flag, floors
 from report.measure.estimates import Floor, ratio_of
 from report.measure.sampler import Json, Samples
 
 REFERENCE, END_TO_END, KERNEL = "reference", "end_to_end", "kernel"
 
-SAME_WITHIN, SLOWED_BEYOND = 0.03, 0.05
-"""How near to 1 a row's ratio to itself must be, and how much of the injected slowdown of 10 %
-must be found."""
 @dataclass(frozen=True)
 class Row:  # pylint: disable=too-many-instance-attributes
     """One line of timings.csv; the fields are its columns."""
@@ -134,23 +131,6 @@ def _row(plan: Json, facts: Json, floor: Floor, reference: Floor | None,
         peer_low=over_peer.low if over_peer else None,
         peer_high=over_peer.high if over_peer else None, peer_name=peer[1] if peer else "",
         run=origin.run, machine=origin.machine, commit=origin.commit, sweep=origin.sweep)
-
-
-def control_flag(samples: Samples, index: int) -> str:
-    """"control" where the group's A/A control or its injected slowdown failed."""
-    same, slowed = control_ratios(samples, index)
-    good = abs(same - 1) <= SAME_WITHIN and slowed <= 1 - SLOWED_BEYOND
-    return "" if good else "control"
-
-
-def control_ratios(samples: Samples, index: int) -> tuple[float, float]:
-    """Speed of the A/A control and of the slowed row in a group over the row that they repeat."""
-    entries, times = samples.plan["groups"][index]["entries"], floors(samples, index)
-    base = next(number for number, entry in enumerate(entries)
-                if entry["name"] == entries[-1]["name"])
-    same, slowed = (times[next(number for number, entry in enumerate(entries)
-                               if entry["role"] == role)] for role in ("same", "slowed"))
-    return times[base].time / same.time, times[base].time / slowed.time
 
 
 def to_csv(rows: Iterable[Row]) -> str:
