@@ -27,8 +27,9 @@ struct SamplerOptions {
   std::uint64_t seed = 0;
 };
 
-/// Rows that take longer are listed as skipped. Meanwhile finds the shortest clock cycle.
-std::vector<CalibratedRow> calibrate_all(Selection& selection, double max_seconds, double& cycle) {
+/// Rows that take longer are listed as skipped. Meanwhile samples the clock.
+std::vector<CalibratedRow> calibrate_all(Selection& selection, double max_seconds,
+                                         std::vector<double>& cycles) {
   std::ostringstream reason;
   reason << "a call takes more than " << max_seconds << " s";
   std::vector<CalibratedRow> rows;
@@ -39,10 +40,16 @@ std::vector<CalibratedRow> calibrate_all(Selection& selection, double max_second
       rows.pop_back();
       selection.skipped.push_back({row.name, reason.str()});
     }
-    for (int i = 0; i < 20; ++i) cycle = std::min(cycle, cycle_ns());
+    for (int i = 0; i < 20; ++i) cycles.push_back(cycle_ns());
     progress.advance(1);
   }
   return rows;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 /// Rows of one case and input follow each other.
@@ -61,9 +68,10 @@ std::vector<std::vector<CalibratedRow>> by_case_and_input(const std::vector<Cali
 int plan(const SamplerOptions& options) {
   const std::vector<TimedInput> inputs = timed_inputs(options.inputs, &std::cerr);
   Selection selection = select_rows_or_explain(options.rows, operations_with_peers(), inputs);
-  Plan plan{options.inputs, cycle_ns(), {}};
+  std::vector<double> cycles = {cycle_ns()};
   const std::vector<CalibratedRow> rows =
-      calibrate_all(selection, options.limits.max_call_seconds, plan.cycle_ns);
+      calibrate_all(selection, options.limits.max_call_seconds, cycles);
+  Plan plan{options.inputs, median(cycles), {}};
   for (const auto& group : by_case_and_input(rows)) {
     plan.groups.push_back(plan_group(group, options.limits));
   }

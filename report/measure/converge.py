@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import time
 from collections.abc import Callable, Sequence
+from statistics import median
 
 from report.measure.estimates import NEEDED, Floor, floor_of
 from report.measure.sampler import Choice, Json, Sampler, Samples, seconds_of
@@ -61,7 +62,7 @@ def measure_until_converged(jobs: Sequence[tuple[Sampler, Samples]], seconds: fl
                             on_process: Callable[[Samples], None] = lambda samples: None) -> None:
     """NEEDED processes of everything, then of what has not converged, as long as they fit the
     budget of seconds. All are given at one clock."""
-    cycle = min(samples.plan["cycle_ns"] for _, samples in jobs)
+    cycle = median(samples.plan["cycle_ns"] for _, samples in jobs)
     for _, samples in jobs:
         samples.plan["cycle_ns"] = cycle
     progress = Progress("measuring", seconds)

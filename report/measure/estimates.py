@@ -21,7 +21,7 @@ import numpy as np
 
 TOLERANCE, NEEDED = 0.02, 3
 
-MAX_LUCKY = 1 / 8
+MAX_LUCKY = 1 / 12
 """Share of processes whose lower floors may be left out. More would be a burst that disturbed the
 others."""
 

@@ -162,11 +162,11 @@ def test_floors_that_converged_are_right_beside_bursts_steps_and_drifts() -> Non
 
 
 def test_one_lucky_layout_does_not_decide() -> None:
-    usual = [[[100.0, 101.0]] for _ in range(7)]
+    usual = [[[100.0, 101.0]] for _ in range(11)]
     lucky = [[90.0]]
-    assert replace(floor_of([*usual, lucky]), processes=7) == floor_of(usual)
+    assert replace(floor_of([*usual, lucky]), processes=11) == floor_of(usual)
     assert floor_of([*usual, lucky, lucky, lucky]).time == 90
-    few = floor_of([*usual[:6], lucky])
+    few = floor_of([*usual[:10], lucky])
     assert few.time == 90 and few.high == 100 and not few.converged
     assert floor_of(usual).converged
     assert not floor_of(usual[:NEEDED - 1]).converged
