@@ -46,9 +46,7 @@ def _commands(parser: argparse.ArgumentParser) -> None:
     for name, what, declare, run in (
             ("build", "make the page, the tables and the overview of a run", page.add_directory,
              page.run_build),
-            ("claims", "print the paper's claims, judged by a run", page.add_directory,
-             page.run_claims),
-            ("readme", "fill the tables of README.md and docs/ from a run", page.add_readme_command,
+            ("readme", "fill the tables of README.md, docs/ and the paper's claims from a run", page.add_readme_command,
              page.run_readme)):
         add(name, what, declare, run, page.EPILOG.format(name))
 

@@ -9,14 +9,14 @@ from report.claims import to_markdown as claims_to_markdown
 from report.files import write_files
 from report.formatting import NOTHING, duration, flag_text, markdown_table, speedup_text, times
 from report.formatting import variant
-from report.measure.run import Run, load_run
+from report.measure.run import load_run
 from report.measure.timings import Row
 from report.page.experiments import experiment_tables, load_experiments
 from report.page.headline import HEADER, LAYOUT, headline_cells, headline_table
 from report.page.html import to_html
 from report.page.operations import Headline, Rows, label
 from report.page.overview import overview
-from report.page.sentences import date_of, sentences, warnings
+from report.page.sentences import origin, sentences, warnings
 from report.page.table_two import table_two
 from report.page.tables import to_latex, to_markdown
 
@@ -38,18 +38,6 @@ def build_page(directory: Path) -> str:
         PAGE: to_html(rows, lines, svg, claims,
                       [table_two(rows), *experiment_tables(experiments)]).encode()})
     return summary(rows, lines, directory)
-
-
-def origin(run: Run) -> str:
-    """Which run it was."""
-    return (f"Run of commit {run.machine['commit']} on {run.machine['cpu']['name']} "
-            f"({run.machine['fingerprint']}), {date_of(run)}.")
-
-
-def claims_text(directory: Path) -> str:
-    """The judged claims of a run, as Markdown."""
-    run = load_run(directory)
-    return claims_to_markdown(judge(Rows(run), load_experiments(directory)), origin(run))
 
 
 def summary(rows: Rows, lines: list[Headline], directory: Path) -> str:

@@ -1,4 +1,4 @@
-"""`python3 -m report build`, `claims` and `readme`."""
+"""`python3 -m report build` and `readme`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ EPILOG = "example: python3 -m report {} results/<machine>/<date>-<commit>"
 
 
 def add_directory(parser: argparse.ArgumentParser) -> None:
-    """The one argument of `build` and `claims`."""
+    """The argument of `build`."""
     parser.add_argument("directory", metavar="DIR", type=Path, help="directory of a run")
 
 
@@ -22,19 +22,13 @@ def add_readme_command(parser: argparse.ArgumentParser) -> None:
     """The same and the files."""
     add_directory(parser)
     parser.add_argument("documents", metavar="FILE", type=Path, nargs="*",
-                        help="files with marks; default README.md and what has marks in docs/")
+                        help="files with marks; default README.md, report/CLAIMS.md and what has marks in docs/")
 
 
 def run_build(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
     """Returns the summary."""
     from report.page.build import build_page
     return build_page(options.directory)
-
-
-def run_claims(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
-    """Returns the claims as Markdown."""
-    from report.page.build import claims_text
-    return claims_text(options.directory)
 
 
 def run_readme(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:

@@ -3,6 +3,7 @@
     <!-- headline: made by report readme -->               the first table
     <!-- speed CASE...: made by report readme -->          speed-ups of all techniques of these cases,
                                                            CASE@INPUT for another image
+    <!-- claims: made by report readme -->                 the paper's claims, judged
     <!-- quality: made by report readme -->                skeletons of the scene, by results/experiments
     <!-- run: made by report readme -->                    which run it was
     <!-- many-images EXPERIMENT: made by report readme --> a table of `./study many-images`, and its run
@@ -19,6 +20,8 @@ import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from report.claims import judge
+from report.claims import to_markdown as claims_to_markdown
 from report.errors import ReportError
 from report.files import write_file
 from report.formatting import NOTHING, markdown_table, speedup_text, three_digits
@@ -30,6 +33,7 @@ from report.measure.timings import Row
 from report.page.experiments import experiment_tables, load_experiments
 from report.page.headline import readme_table
 from report.page.operations import Rows
+from report.page.sentences import origin
 
 MARK = re.compile(r"(<!-- ([\w-]+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -39,7 +43,7 @@ MANY_IMAGES = Path("many-images", CSV)
 Maker = Callable[[list[str], Path], str]
 """Takes the words after the first, and where the document is."""
 
-NAMES = ("headline", "speed", "run", "quality", "many-images")
+NAMES = ("headline", "speed", "run", "claims", "quality", "many-images")
 
 
 def fill_documents(directory: Path, documents: Sequence[Path]) -> str:
@@ -52,8 +56,9 @@ def fill_documents(directory: Path, documents: Sequence[Path]) -> str:
 
 
 def marked(directory: Path) -> list[Path]:
-    """README.md and the pages of docs/ that have marks."""
-    return [path for path in (directory / "README.md", *sorted((directory / "docs").glob("*.md")))
+    """README.md, the judged claims and the pages of docs/ that have marks."""
+    return [path for path in (directory / "README.md", directory / "report" / "CLAIMS.md",
+                              *sorted((directory / "docs").glob("*.md")))
             if MARK.search(path.read_text(encoding="utf-8"))]
 
 
@@ -65,6 +70,8 @@ def makers_of(directory: Path) -> dict[str, Maker]:
         rows = Rows(load_run(directory))
         makers |= {"headline": lambda _, __: readme_table(rows.headlines()),
                    "speed": lambda cases, _: speed_table(rows, cases),
+                   "claims": lambda _, __: claims_to_markdown(judge(rows, load_experiments(directory)),
+                                                              origin(rows.run)),
                    "run": lambda _, folder: _run_line(rows, folder)}
     if many.exists():
         results = read_many_images(many)

@@ -42,6 +42,12 @@ def date_of(run: Run) -> str:
     return f"{date.day} {date:%B %Y}"
 
 
+def origin(run: Run) -> str:
+    """Which run it was."""
+    return (f"Run of commit {run.machine['commit']} on {run.machine['cpu']['name']} "
+            f"({run.machine['fingerprint']}), {date_of(run)}.")
+
+
 def _fastest(rows: Rows, lines: list[Headline]) -> str:
     if not lines:
         return ""
