@@ -84,7 +84,7 @@ def _columns(rows: list[Row]) -> list[Column]:
                            ("Flags", lambda row: Cell(row.flags)),
                            ("Threads", lambda row: Cell(str(row.threads), str(row.threads))),
                            ("Time", lambda row: Cell(duration(row.time_ns), _number(row.time_ns))),
-                           ("Third process", lambda row: Cell(duration(row.high_ns),
+                           ("Highest of three", lambda row: Cell(duration(row.high_ns),
                                                               _number(row.high_ns))),
                            ("Typical", lambda row: Cell(duration(row.typical_ns),
                                                         _number(row.typical_ns))),
