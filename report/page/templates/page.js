@@ -93,7 +93,7 @@
         ...(raw.speedup ? [`${raw.speedup} over plain C++`] : [])],
     };
     options.plugins.legend.labels.font = { size: 11 };
-    options.scales.y.ticks.font = { size: wide < 420 ? 9 : 11 };
+    options.scales.y.ticks.font = { size: wide < 360 ? 8 : wide < 420 ? 9 : 11 };
     section.canvas.parentElement.style.height = `${90 + 24 * Math.max(labels.length, 3)}px`;
     redraw(section.canvas, { type: "scatter", data: { datasets }, options });
   };
