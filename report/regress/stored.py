@@ -78,11 +78,14 @@ def read_baseline(path: Path) -> Json | None:
 
 def against_baseline(now: Measured, baseline: Json, cache_bytes: float,
                      judge_threads: bool) -> list[RowVerdict]:
-    """A verdict on every row of either."""
+    """A verdict on every row of either, at the clock of now."""
     known = {row.name for row in now.rows}
-    found = [_verdict(row, baseline["rows"].get(row.name), now, cache_bytes, judge_threads)
+    clock = now.state["cycle_ns"] / baseline["state"]["cycle_ns"]
+    rows = {name: row | {key: clock * row[key] for key in ("time_ns", "reference_ns")}
+            for name, row in baseline["rows"].items()}
+    found = [_verdict(row, rows.get(row.name), now, cache_bytes, judge_threads)
              for row in now.rows if not row.is_reference]
-    return found + [skipped(name, "not measured in this run") for name in baseline["rows"]
+    return found + [skipped(name, "not measured in this run") for name in rows
                     if name not in known]
 
 

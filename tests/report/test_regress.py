@@ -108,6 +108,16 @@ def test_a_slowdown_in_the_same_state_fails() -> None:
     assert row.now.reference == pytest.approx(row.before.reference, rel=0.02)
 
 
+def test_times_at_another_clock_are_compared_in_clock_cycles(
+        monkeypatch: pytest.MonkeyPatch) -> None:
+    plan = make_plan() | {"cycle_ns": 2 * make_plan()["cycle_ns"]}
+    before = samples_of()
+    monkeypatch.setenv("FAKE_SLOWDOWN", "2")
+    assert verdict_on(before, samples_of(plan=plan)).verdict == PASS
+    row = verdict_on(before, samples_of(1.2, plan=plan))
+    assert row.verdict == FAIL and not row.reason
+
+
 def test_images_beyond_the_cache_may_lose_twice_as_much() -> None:
     assert verdict_on(samples_of(), samples_of(1.15), 10).verdict == PASS
     assert verdict_on(samples_of(), samples_of(1.3), 10).verdict == FAIL
