@@ -122,6 +122,9 @@ void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelVi
   source.must_be_intact();
   destination.must_be_intact();
   must(graph == reference::skeleton_graph(to), "not the graph of the pruned image");
+  ByteImage expected(image.width(), image.height());
+  reference::prune(image.view(), expected.view(), pruning);
+  must(equal(expected.view(), to), "not the pruned image of the plain method");
   must_have_no_short_branch(graph, pruning);
   for (Index y = 0; y < to.height; ++y) {
     for (Index x = 0; x < to.width; ++x) {
