@@ -1,4 +1,4 @@
-// The graph of a skeleton, in plain code.
+// The graph of a skeleton, pruning, and polylines of edges, in plain code.
 #pragma once
 
 #include "thinbench/graph.hpp"
@@ -8,5 +8,12 @@ namespace thinbench::reference {
 /// Nodes by flood filling, edges by walking, pixel after pixel; see thinbench/graph.hpp for what
 /// they are and for their order.
 [[nodiscard]] Graph skeleton_graph(ConstImageView skeleton);
+
+/// Round after round, each a new graph, until nothing is removed; see thinbench/graph.hpp.
+void prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning);
+
+/// Douglas and Peucker as published: splits at the first of the farthest points, for which it
+/// measures every point.
+[[nodiscard]] std::vector<Pixel> polyline(std::span<const Pixel> points, double tolerance);
 
 }  // namespace thinbench::reference

@@ -42,6 +42,7 @@ void generate_noise(const TestImageSink& sink) {
   for (const auto& [width, height] : {std::pair<Index, Index>{5, 100}, {31, 65}, {63, 130}}) {
     for (const Levels& levels : kLevels) sink(noise(width, height, levels, seed++));
   }
+  sink(noise(65551, 5, kLevels[0], seed));  // wider than 16 bits
 }
 
 template <class Level>

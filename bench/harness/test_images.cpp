@@ -88,6 +88,7 @@ void generate_tiles(const TestImageSink& sink) {
     sink(noise(width, height, {99, 1}, ++seed));
     sink(noise(width, height, {70, 12}, ++seed));
   }
+  sink(noise(65551, 17, {70, 12}, ++seed));  // wider than 16 bits, two rows of tiles
 }
 
 ByteImage filled(Index width, Index height, std::uint8_t value) {

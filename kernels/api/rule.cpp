@@ -55,7 +55,7 @@ std::vector<WindowTable> tables_of() {
 
 /// A net runs by its table; the one that the paper trained its nets on has circuits.
 void set_net(RuleBody& body, const WindowTable& table, const detail::NetWeights& weights) {
-  static const auto kPaperRule = tables_of<detail::NaccacheShinghal>();
+  static const auto& kPaperRule = *new auto(tables_of<detail::NaccacheShinghal>());
   body.reach = 1;
   body.net = weights;
   if (table == kPaperRule.front()) body.circuits = BuiltInRule::naccache_shinghal;

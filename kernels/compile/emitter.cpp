@@ -527,6 +527,7 @@ void Emitter::emit_return() {
 /// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it. For
 /// tiles, rdi and rsi become the distances to the tiles in the east and in the west.
 void Emitter::emit_function() {
+  endbr64();  // an indirect call leads here
   push(rbp);
   mov(rbp, rsp);
   constexpr std::uint32_t kUnknown = 1U << 30;  // large, so that the operand takes four bytes
@@ -562,7 +563,7 @@ void Emitter::emit_function() {
     load_row(rows_[0], r8);
     for (std::size_t turn = 0; turn < 3; ++turn) emit_row(turn);
   }
-  rewrite(frame_operand, static_cast<std::uint64_t>(spills_) * (wide_ ? 64 : 32), 4);
+  rewrite(frame_operand, frame_bytes(), 4);
   ready();
 }
 

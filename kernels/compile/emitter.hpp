@@ -29,6 +29,10 @@ class Emitter : private Xbyak::CodeGenerator {
 
   Emitter(const GateNetwork& network, Isa isa, Layout layout, bool fixed, std::uint8_t* buffer);
   [[nodiscard]] std::size_t bytes() const { return getSize(); }
+  /// What the function takes of the stack.
+  [[nodiscard]] std::size_t frame_bytes() const {
+    return static_cast<std::size_t>(spills_) * (wide_ ? 64 : 32);
+  }
 
  private:
   static constexpr int kNowhere = -1;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <new>
 #include <utility>
 
 #include "compile/slots.hpp"
@@ -83,6 +84,18 @@ const Word* evaluate(const SlotNetwork& network, const BlockWindow<Word>& window
   return at(static_cast<std::uint16_t>(network.network.output));
 }
 
+/// Memory for slots.
+struct HeapSlots {
+  static constexpr std::align_val_t kAlignment{64};
+  void* memory;
+
+  explicit HeapSlots(std::size_t bytes)
+      : memory(bytes == 0 ? nullptr : ::operator new(bytes, kAlignment)) {}
+  HeapSlots(const HeapSlots&) = delete;
+  HeapSlots& operator=(const HeapSlots&) = delete;
+  ~HeapSlots() { ::operator delete(memory, kAlignment); }
+};
+
 /// A ScanFunction. `Rows` is an access to rows.
 template <class Rows>
 std::uint64_t interpret(const void* bound, const ColumnScan& scan) {
@@ -102,9 +115,11 @@ std::uint64_t interpret(const void* bound, const ColumnScan& scan) {
                                            : Traits::load(static_cast<const Element*>(scan.fixed));
   BlockWindow<Word> window = {};
   constexpr std::size_t alignment_bits = 8 * alignof(Word);
-  const auto slot_words = static_cast<std::size_t>(network.slots * kBlockRows);
-  auto* const slots =
-      static_cast<Word*>(__builtin_alloca_with_align(slot_words * sizeof(Word), alignment_bits));
+  const auto slot_bytes = static_cast<std::size_t>(network.slots * kBlockRows) * sizeof(Word);
+  const bool on_stack = network.slots <= kMaxSlotsOnStack;
+  const HeapSlots heap(on_stack ? 0 : slot_bytes);
+  auto* const slots = static_cast<Word*>(
+      on_stack ? __builtin_alloca_with_align(slot_bytes, alignment_bits) : heap.memory);
   window.set(0, row(-1));
   window.set(1, row(0));
   std::uint64_t changed_bands = 0;

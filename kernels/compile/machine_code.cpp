@@ -30,7 +30,10 @@ std::shared_ptr<const MachineCode> MachineCode::make(const GateNetwork& network,
   if (!is_allowed() || !has(isa, feature("avx2"))) return nullptr;
   if (layout == Layout::row && !has(isa, feature("avx512f"))) return nullptr;
   std::vector<std::uint8_t> buffer(Emitter::kMaxCodeBytes);
-  const std::size_t bytes = Emitter(network, isa, layout, fixed, buffer.data()).bytes();
+  const Emitter emitter(network, isa, layout, fixed, buffer.data());
+  // The code does not probe its frame: a larger one could reach beyond a guard page.
+  if (emitter.frame_bytes() > kMaxFrameBytes) return nullptr;
+  const std::size_t bytes = emitter.bytes();
   void* const memory =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return nullptr;

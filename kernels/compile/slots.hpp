@@ -16,6 +16,9 @@ struct SlotNetwork {
   int slots;
 };
 inline constexpr int kMaxSlots = 256;
+/// Of so many slots the interpreter has the values on its stack, 32 KiB at most; of more on the
+/// heap. Random tables need 34.
+inline constexpr int kMaxSlotsOnStack = 64;
 /// Throws std::length_error if kMaxSlots do not suffice.
 [[nodiscard]] SlotNetwork with_slots(const GateNetwork& network);
 

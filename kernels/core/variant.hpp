@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/checks.hpp"
@@ -85,6 +86,12 @@ struct Operation {
   std::string_view description;
   std::vector<Variant<State>> variants;
 };
+
+/// An object that is never destroyed, as threads may still run when the program ends.
+template <class Type>
+[[nodiscard]] const Type& kept(Type object) {
+  return *new Type(std::move(object));
+}
 
 /// Why a variant cannot run on this machine for this width; empty if it can.
 [[nodiscard]] std::string unavailable_reason(const VariantInfo& variant, Index width);

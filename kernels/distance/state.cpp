@@ -54,14 +54,15 @@ void DistanceState::check(const DistanceParameters&, Index width, Index height) 
 }
 
 const DistanceOperation& distance_operation() {
-  static const DistanceOperation operation = {
-      {}, "squared_distances", "squares of Euclidean distances to the background", [] {
-        VariantList<DistanceState> list;
-        for (const Isa isa : isas_with(feature("sse4.2") | feature("avx2") | feature("avx512bw"))) {
-          list.add_with_threads("simd_32bit", isa, &make_simd, {1});
-        }
-        return list.take();
-      }()};
+  static const auto& operation = kept<DistanceOperation>(
+      {{}, "squared_distances", "squares of Euclidean distances to the background", [] {
+         VariantList<DistanceState> list;
+         for (const Isa isa :
+              isas_with(feature("sse4.2") | feature("avx2") | feature("avx512bw"))) {
+           list.add_with_threads("simd_32bit", isa, &make_simd, {1});
+         }
+         return list.take();
+       }()});
   return operation;
 }
 

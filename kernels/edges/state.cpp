@@ -72,13 +72,13 @@ std::vector<EdgeVariant> edge_variants(EdgeOperator op) {
 }  // namespace
 
 std::span<const EdgeOperation> edge_operations() {
-  static const std::vector<EdgeOperation> all = [] {
+  static const auto& all = kept([] {
     std::vector<EdgeOperation> operations;
     for (const EdgeOperatorInfo& info : kEdgeOperators) {
       operations.push_back({info.op, info.operation, info.description, edge_variants(info.op)});
     }
     return operations;
-  }();
+  }());
   return all;
 }
 

@@ -9,16 +9,31 @@ std::size_t count_of(Index elements) {
   return static_cast<std::size_t>(elements);
 }
 
+Index strips_of(Index width) {
+  return (width + kTileColumns - 1) / kTileColumns;
+}
+
+Index tile_rows_of(Index height) {
+  return (height + kTileRows - 1) / kTileRows;
+}
+
+/// Odd, so that horizontally adjacent tiles never map to the same cache set.
+Index strip_tiles_of(Index tile_rows) {
+  return (tile_rows + 1) | 1;
+}
+
 }  // namespace
 
+bool TileGrid::fits(Index width, Index height) {
+  constexpr Index max_tiles = Index{1} << 31;  // half of them, as sums with a strip must fit, too
+  return strips_of(width) + 2 <= max_tiles / strip_tiles_of(tile_rows_of(height));
+}
+
 TileGrid::TileGrid(Index width, Index height, Border border)
-    : strips_((width + kTileColumns - 1) / kTileColumns),
-      tile_rows_((height + kTileRows - 1) / kTileRows),
-      view_{} {
+    : strips_(strips_of(width)), tile_rows_(tile_rows_of(height)), view_{} {
   view_.width = width;
   view_.height = height;
-  // Odd, so that horizontally adjacent tiles never map to the same cache set.
-  view_.strip_tiles = (tile_rows_ + 1) | 1;
+  view_.strip_tiles = strip_tiles_of(tile_rows_);
   const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
   view_.groups = tiles / kTileGroup;
   words_ = make_aligned<std::uint32_t>(count_of((tiles + 2) * kTileRows));

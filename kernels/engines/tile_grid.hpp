@@ -49,6 +49,9 @@ class TileGrid {
  public:
   TileGrid(Index width, Index height, Border border);
 
+  /// Whether 32 bits number the tiles of such an image and those next to them.
+  [[nodiscard]] static bool fits(Index width, Index height);
+
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
   /// The number of rows of tiles.

@@ -120,6 +120,9 @@ int TileState::run(const ConstPackedView& source, const PackedView& destination)
 }
 
 std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting) {
+  require(TileGrid::fits(setting.width, setting.height),
+          "image size " + size_text(setting.width, setting.height) +
+              " needs more than 2^31 tiles of 32 x 16 pixels");
   BoundRule rule = bind(setting.rule, setting.isa, Layout::tiles, false);
   for (std::size_t i = 0; i < rule.sub_iterations; ++i) {
     if (rule.tile_passes[i] == nullptr) return nullptr;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/checks.hpp"
@@ -22,35 +24,136 @@ double product(const Step& a, const Step& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-/// The square of the distance from p to the segment from a to b. Exactly 0 on it: sums of products
-/// of coordinates of images have no rounding error.
-double squared_distance(Pixel p, Pixel a, Pixel b) {
-  const Step line(a, b);
-  const Step to_p(a, p);
-  const double along = product(line, to_p);
-  const double squared_length = product(line, line);
-  if (along <= 0) return product(to_p, to_p);
-  if (along >= squared_length) return product(Step(b, p), Step(b, p));
-  const double across = line.x * to_p.y - line.y * to_p.x;
-  return across * across / squared_length;
+/// Distances from the points of a line to the segment from a to b, as squares times `scale`: a
+/// convex function, and a growing function of the exact distance even where it is rounded, as
+/// products of coordinates of images are exact.
+struct Segment {
+  Pixel a;
+  Pixel b;
+  Step line{a, b};
+  double squared_length = product(line, line);
+  double scale = a == b ? 1 : squared_length;
+
+  [[nodiscard]] double scaled_distance(Pixel p) const {
+    const Step to_p(a, p);
+    const double along = product(line, to_p);
+    if (along <= 0) return product(to_p, to_p) * scale;
+    if (along >= squared_length) return product(Step(b, p), Step(b, p)) * scale;
+    const double across = line.x * to_p.y - line.y * to_p.x;
+    return across * across;
+  }
+};
+
+bool is_before(Pixel a, Pixel b) {
+  return std::tie(a.x, a.y) < std::tie(b.x, b.y);
 }
+
+/// The points of half a convex hull: those where a chain through sorted points turns to one side.
+template <class Iterator>
+std::vector<Pixel> chain(Iterator begin, Iterator end) {
+  std::vector<Pixel> hull;
+  for (; begin != end; ++begin) {
+    while (hull.size() >= 2) {
+      const Step last(hull[hull.size() - 2], hull.back());
+      const Step next(hull.back(), *begin);
+      if (last.x * next.y - last.y * next.x > 0) break;
+      hull.pop_back();
+    }
+    hull.push_back(*begin);
+  }
+  return hull;
+}
+
+/// The corners of the convex hull, sorted.
+std::vector<Pixel> convex_hull(const std::vector<Pixel>& sorted) {
+  const std::vector<Pixel> below = chain(sorted.begin(), sorted.end());
+  std::vector<Pixel> above = chain(sorted.rbegin(), sorted.rend());
+  std::ranges::reverse(above);
+  std::vector<Pixel> hull;
+  std::ranges::set_union(below, above, std::back_inserter(hull), is_before);
+  return hull;
+}
+
+/// The points of a line, and the convex hulls of blocks of 2^k of them, each of two blocks of half
+/// the size. A point that is farthest from a segment is a corner of the hull of its block, so few
+/// points of a long line are looked at: at most as many as hulls have corners, for each of O(log n)
+/// blocks. (Hulls of n pixels of a line have O(n^(2/3)) corners, mostly a few.)
+class FarthestPoint {
+ public:
+  explicit FarthestPoint(std::span<const Pixel> points) : points_(points) {
+    while (points.size() >> (kPlain + hulls_.size() + 1) > 0) add_level();
+  }
+
+  /// The first of the points between those with the numbers `first` and `last` that are farthest
+  /// from the segment between both, if that is more than the square root of `limit`; else `first`.
+  [[nodiscard]] std::size_t between(std::size_t first, std::size_t last, double limit) const {
+    const Segment segment = {points_[first], points_[last]};
+    double greatest = 0;
+    std::size_t level = 0;
+    std::size_t block = first;
+    for (std::size_t i = first + 1, fits = 0; i < last; i += std::size_t{1} << fits) {
+      fits = 0;
+      while ((i >> fits) % 2 == 0 && (last - i) >> (fits + 1) > 0) ++fits;
+      const double distance = greatest_of(segment, fits, i >> fits);
+      if (distance <= greatest) continue;
+      greatest = distance;
+      level = fits;
+      block = i >> fits;
+    }
+    if (!(greatest / segment.scale > limit)) return first;
+    while (level > 0) {
+      --level;
+      block *= 2;
+      if (greatest_of(segment, level, block) < greatest) ++block;
+    }
+    return block;
+  }
+
+ private:
+  static constexpr std::size_t kPlain = 5;  // blocks up to 2^5 points are scanned, not worth a hull
+
+  void add_level() {
+    const std::size_t below = kPlain + hulls_.size();
+    std::vector<std::vector<Pixel>> level(points_.size() >> (below + 1));
+    for (std::size_t block = 0; block < level.size(); ++block) {
+      std::vector<Pixel> both;
+      for (const std::size_t half : {2 * block, 2 * block + 1}) {
+        both.insert(both.end(), corners(below, half).begin(), corners(below, half).end());
+      }
+      std::ranges::sort(both, is_before);
+      level[block] = convex_hull(both);
+    }
+    hulls_.push_back(std::move(level));
+  }
+
+  [[nodiscard]] std::span<const Pixel> corners(std::size_t level, std::size_t block) const {
+    if (level <= kPlain) return points_.subspan(block << level, std::size_t{1} << level);
+    return hulls_[level - kPlain - 1][block];
+  }
+
+  [[nodiscard]] double greatest_of(const Segment& segment, std::size_t level,
+                                   std::size_t block) const {
+    double greatest = 0;
+    for (const Pixel p : corners(level, block)) {
+      greatest = std::max(greatest, segment.scaled_distance(p));
+    }
+    return greatest;
+  }
+
+  std::span<const Pixel> points_;
+  std::vector<std::vector<std::vector<Pixel>>> hulls_;  // [level - kPlain - 1][block]
+};
 
 /// Marks the points to keep between each pair that is already kept.
 std::vector<bool> kept_points(std::span<const Pixel> points, double tolerance) {
   std::vector<bool> kept(points.size());
   kept.front() = kept.back() = true;
+  const FarthestPoint farthest_point(points);
   std::vector<std::pair<std::size_t, std::size_t>> to_split = {{0, points.size() - 1}};
   while (!to_split.empty()) {
     const auto [first, last] = to_split.back();
     to_split.pop_back();
-    std::size_t farthest = first;
-    double greatest = tolerance * tolerance;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double distance = squared_distance(points[i], points[first], points[last]);
-      if (distance <= greatest) continue;
-      greatest = distance;
-      farthest = i;
-    }
+    const std::size_t farthest = farthest_point.between(first, last, tolerance * tolerance);
     if (farthest == first) continue;
     kept[farthest] = true;
     to_split.emplace_back(first, farthest);

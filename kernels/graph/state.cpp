@@ -32,14 +32,14 @@ const Graph& GraphState::compute() {
 }
 
 const GraphOperation& graph_operation() {
-  static const GraphOperation operation = {
-      {}, "skeleton_graph", "ends, junctions and the lines between them", [] {
-        VariantList<GraphState> list;
-        for (const Isa isa : all_isas()) {
-          list.add_with_threads("simd_bitpacked", isa, &make_simd, {1});
-        }
-        return list.take();
-      }()};
+  static const auto& operation =
+      kept<GraphOperation>({{}, "skeleton_graph", "ends, junctions and the lines between them", [] {
+                              VariantList<GraphState> list;
+                              for (const Isa isa : all_isas()) {
+                                list.add_with_threads("simd_bitpacked", isa, &make_simd, {1});
+                              }
+                              return list.take();
+                            }()});
   return operation;
 }
 

@@ -2,8 +2,9 @@
  *
  * Functions return a status. After THINBENCH_INVALID_ARGUMENT nothing is written, and
  * thinbench_last_error() has one line that names the invalid value. Names ("guo_hall", "sobel",
- * "avx2") are those of the C++ interface and of the command-line program. No function throws. All
- * functions are thread-safe for different destinations and handles.
+ * "avx2") are those of the C++ interface and of the command-line program. No function throws, so
+ * pthread_cancel inside a call ends the program. All functions are thread-safe for different
+ * destinations and handles.
  *
  * thinbench_thinning, thinbench_execution, thinbench_rule_info and thinbench_pruning begin with
  * their size, so that later versions can add members at the end and still serve programs compiled

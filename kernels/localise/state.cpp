@@ -28,17 +28,17 @@ RegionLists LocaliseState::run(const ConstImageView& source) {
 }
 
 const LocaliseOperation& localise_operation() {
-  static const LocaliseOperation operation = {
-      EdgeOperator::sobel, "localise_objects",
-      "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
-      [] {
-        VariantList<LocaliseState> list;
-        list.add_with_threads("bitpacked_runs", Isa::baseline, &make_bitpacked, {0});
-        for (const Isa isa : all_isas()) {
-          list.add_with_threads("simd_runs", isa, &make_simd, {1, kSimdRunsWidth});
-        }
-        return list.take();
-      }()};
+  static const auto& operation = kept<LocaliseOperation>(
+      {EdgeOperator::sobel, "localise_objects",
+       "grey image to Sobel's edges, contours, filled interiors and centres of objects and holes",
+       [] {
+         VariantList<LocaliseState> list;
+         list.add_with_threads("bitpacked_runs", Isa::baseline, &make_bitpacked, {0});
+         for (const Isa isa : all_isas()) {
+           list.add_with_threads("simd_runs", isa, &make_simd, {1, kSimdRunsWidth});
+         }
+         return list.take();
+       }()});
   return operation;
 }
 

@@ -28,7 +28,7 @@ struct ScanColumn {
 };
 
 template <class Word, int bits>
-struct ColumnScan {
+struct MidpointScan {
   using Traits = WordTraits<Word>;
   using Counter = RunCounter<Word, bits>;
   static constexpr Index kCounterElements = bits * Traits::kElements;

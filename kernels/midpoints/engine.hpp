@@ -57,7 +57,7 @@ struct ScanEngine {
  private:
   template <int bits>
   static void scan_column(const ScanColumn& column) {
-    ColumnScan<Word, bits>{column}.run();
+    MidpointScan<Word, bits>{column}.run();
   }
 
   static Index end_of_group(const ScanWork& work, Index group) {

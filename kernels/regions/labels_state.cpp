@@ -53,7 +53,7 @@ LabelsTask labels_task(Connectivity connectivity, bool with_list) {
 }
 
 std::span<const LabelsOperation> labels_operations() {
-  static const std::vector<LabelsOperation> operations = make_labels_operations();
+  static const auto& operations = kept(make_labels_operations());
   return operations;
 }
 

@@ -161,7 +161,7 @@ std::vector<RegionsOperation> make_regions_operations() {
 }  // namespace
 
 std::span<const RegionsOperation> regions_operations() {
-  static const std::vector<RegionsOperation> operations = make_regions_operations();
+  static const auto& operations = kept(make_regions_operations());
   return operations;
 }
 

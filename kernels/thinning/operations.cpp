@@ -7,11 +7,11 @@
 namespace thinbench::detail {
 
 const std::vector<ThinningVariant>& thinning_variants(const RuleBody& rule) {
-  static const std::vector<ThinningVariant> midpoints = midpoint_variants();
-  static const std::vector<ThinningVariant> spta = spta_variants();
-  static const std::vector<ThinningVariant> built_in = parallel_variants(true, false);
-  static const std::vector<ThinningVariant> removing = parallel_variants(false, false);
-  static const std::vector<ThinningVariant> adding = parallel_variants(false, true);
+  static const auto& midpoints = kept(midpoint_variants());
+  static const auto& spta = kept(spta_variants());
+  static const auto& built_in = kept(parallel_variants(true, false));
+  static const auto& removing = kept(parallel_variants(false, false));
+  static const auto& adding = kept(parallel_variants(false, true));
   if (rule.kind == RuleKind::midpoints) return midpoints;
   if (rule.kind == RuleKind::spta) return spta;
   if (rule.circuits) return built_in;
@@ -19,7 +19,7 @@ const std::vector<ThinningVariant>& thinning_variants(const RuleBody& rule) {
 }
 
 std::span<const ThinningOperation> thinning_operations() {
-  static const std::vector<ThinningOperation> all = [] {
+  static const auto& all = kept([] {
     std::vector<ThinningOperation> operations;
     for (const RuleInfo& info : kRules) {
       const Rule rule = info.rule;
@@ -27,7 +27,7 @@ std::span<const ThinningOperation> thinning_operations() {
           {rule, info.operation, info.description, thinning_variants(*rule.body())});
     }
     return operations;
-  }();
+  }());
   return all;
 }
 

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include "support/rejection.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
@@ -111,6 +113,11 @@ TEST(Sizes, regions_reject_what_exceeds_their_coordinates_before_they_allocate) 
   EXPECT_THROW(static_cast<void>(find_regions(wide)), std::invalid_argument);
   const ConstImageView high(memory.data(), 1, k2To31 - 1);
   EXPECT_THROW(static_cast<void>(find_regions(high)), std::invalid_argument);
+}
+
+TEST(Sizes, more_tiles_than_32_bits_number_are_rejected_before_memory_is_allocated) {
+  EXPECT_EQ(rejection_of([] { Thinner(Rule::mb2, Index{50'000'000'000}, 1); }),
+            "image size 50000000000 x 1 needs more than 2^31 tiles of 32 x 16 pixels");
 }
 
 }  // namespace

@@ -55,9 +55,10 @@ double distance(Pixel p, Pixel a, Pixel b) {
   return std::hypot(p.x - a.x - at * dx, p.y - a.y - at * dy);
 }
 
-/// Each point lies between two that are kept, and near the line from one to the other.
+/// Equal to the plain method; each point is near a line between two that are kept.
 void check_polyline(const std::vector<Pixel>& points, double tolerance) {
   const std::vector<Pixel> kept = polyline(points, tolerance);
+  must(kept == reference::polyline(points, tolerance), "not the polyline of the plain method");
   must(kept.front() == points.front() && kept.back() == points.back(), "other ends");
   for (const Pixel p : points) {
     bool is_near = false;
@@ -121,6 +122,9 @@ void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelVi
   source.must_be_intact();
   destination.must_be_intact();
   must(graph == reference::skeleton_graph(to), "not the graph of the pruned image");
+  ByteImage expected(image.width(), image.height());
+  reference::prune(image.view(), expected.view(), pruning);
+  must(equal(expected.view(), to), "not the pruned image of the plain method");
   must_have_no_short_branch(graph, pruning);
   for (Index y = 0; y < to.height; ++y) {
     for (Index x = 0; x < to.width; ++x) {

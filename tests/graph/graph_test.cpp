@@ -17,6 +17,7 @@
 #include "support/text_image.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/regions.hpp"
+#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -336,6 +337,29 @@ TEST(Prune, keeps_components_and_holes) {
     ASSERT_EQ(graph, skeleton_graph(result.view()));
     ASSERT_EQ(euler_number(image.view()), euler_number(result.view()));
     ASSERT_EQ(find_components(image.view()).size(), find_components(result.view()).size());
+  }
+}
+
+TEST(Prune, equals_the_plain_method) {
+  std::mt19937 random(4);
+  constexpr std::array<double, 5> lengths = {0, 1, 2.5, 6, 100};
+  constexpr std::array<double, 4> widths = {0, 0, 0.6, 3};
+  for (int i = 0; i < 3000; ++i) {
+    ByteImage image = random_image(random);
+    std::vector<std::int32_t> squares(static_cast<std::size_t>(image.width() * image.height()));
+    const LabelView distances = {squares.data(), image.width(), image.height()};
+    squared_distances(image.view(), distances);
+    if (i % 2 == 0) thin(Rule::guo_hall, image.view(), image.view());
+    Pruning pruning = {.min_length = lengths[random() % 5], .min_widths = widths[random() % 4]};
+    pruning.squared_distances = distances;
+    pruning.removes_components = i % 3 == 0;
+    ByteImage expected(image.width(), image.height());
+    ByteImage result(image.width(), image.height());
+    reference::prune(image.view(), expected.view(), pruning);
+    prune(image.view(), result.view(), pruning);
+    ASSERT_TRUE(detail::equal(result.view(), expected.view()))
+        << "image " << i << ", min_length " << pruning.min_length << ", min_widths "
+        << pruning.min_widths;
   }
 }
 

@@ -230,3 +230,24 @@ def test_two_worker_processes_and_a_killed_one_give_the_result_in_memory(tmp_pat
         rounds.clear()
         monkeypatch.setattr(dask_thinning, "_run_round", killed_before_the_second)
         np.testing.assert_array_equal(tb_dask.thin(array).compute(), expected)
+
+
+def test_a_worker_killed_while_it_computes_gives_the_result_in_memory(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    image, killed = discs(600), tmp_path / "killed"
+
+    def kill_own_worker_once(block):
+        """Read by one worker while the other thins."""
+        try:
+            killed.touch(exist_ok=False)
+        except FileExistsError:
+            return block
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    array = da.from_array(image, chunks=(150, 150)).map_blocks(
+        kill_own_worker_once, dtype=bool, meta=np.empty((0, 0), bool))
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True,
+                                       dashboard_address=None, silence_logs=60)
+    with dask.config.set(scheduler=None), cluster, distributed.Client(cluster):
+        np.testing.assert_array_equal(tb_dask.thin(array).compute(), thinbench.thin(image))
+    assert killed.exists()

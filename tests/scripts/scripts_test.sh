@@ -42,6 +42,8 @@ expect 2 "expected an integer from 1 to 999999, got 'many'" study sweeps --secon
 expect 1 'absent/run.json: cannot be read' study compare absent absent
 expect 2 'expected two runs or more' study compare absent
 expect 0 'usage: ./check fuzz' "$root/check" --no-install fuzz --help
+expect 0 'usage: ./check coverage' "$root/check" --no-install coverage --help
+expect 0 'usage: python3 tests/mutation/run.py' "$root/check" --no-install mutants --help
 expect 2 "--seconds: expected a number above 0, got 'long'" "$root/check" --no-install fuzz --seconds long
 expect 2 "check: 'fast' is neither an option nor something to check; see ./check --help" "$root/check" fast
 

@@ -172,8 +172,10 @@ struct EdgeWidths {
 [[nodiscard]] THINBENCH_API std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge);
 
 /// Of the points of a line, the first, the last and some between them, chosen so that no point is
-/// farther than `tolerance` from the polyline (Douglas and Peucker 1973). Throws
-/// std::invalid_argument for a negative or infinite tolerance.
+/// farther than `tolerance` from the polyline (Douglas and Peucker 1973; of points that are equally
+/// far, a line is split at the first). Each split looks at corners of O(log n) convex hulls of
+/// parts of the line, not at every point. Throws std::invalid_argument for a negative or infinite
+/// tolerance.
 [[nodiscard]] THINBENCH_API std::vector<Pixel> polyline(std::span<const Pixel> points,
                                                         double tolerance);
 

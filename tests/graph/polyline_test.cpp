@@ -1,0 +1,128 @@
+// Polylines equal those of the plain method, and take no time that grows with the square of the
+// line's length.
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "graph.hpp"
+#include "support/byte_image.hpp"
+#include "thinbench/graph.hpp"
+#include "thinbench/thinning.hpp"
+
+namespace thinbench {
+namespace {
+
+using Line = std::vector<Pixel>;
+
+constexpr std::array<double, 7> kTolerances = {0, 0.1, 0.5, 0.7, 1, 2.5, 40};
+
+void must_equal_the_plain_method(const Line& points) {
+  for (const double tolerance : kTolerances) {
+    ASSERT_EQ(polyline(points, tolerance), reference::polyline(points, tolerance))
+        << points.size() << " points, tolerance " << tolerance;
+  }
+}
+
+void go(Line& line, Pixel step, std::int32_t steps) {
+  for (; steps > 0; --steps) line.push_back({line.back().x + step.x, line.back().y + step.y});
+}
+
+/// A square wave whose amplitude grows with each tooth, along a row or a diagonal.
+Line square_wave(std::int32_t teeth, std::int32_t start, std::int32_t growth, bool is_diagonal) {
+  const Pixel along = is_diagonal ? Pixel{1, 1} : Pixel{1, 0};
+  const Pixel up = is_diagonal ? Pixel{1, -1} : Pixel{0, -1};
+  Line line = {{0, 0}};
+  for (std::int32_t tooth = 0; tooth < teeth; ++tooth) {
+    const std::int32_t height = start + growth * tooth;
+    go(line, up, height);
+    go(line, along, 2);
+    go(line, {-up.x, -up.y}, height);
+    go(line, along, 2);
+  }
+  return line;
+}
+
+TEST(Polyline, equals_the_plain_method_on_random_walks) {
+  std::mt19937 random(1);
+  for (int walk = 0; walk < 300; ++walk) {
+    Line line = {{0, 0}};
+    const std::size_t length = 1 + random() % 2000;
+    const std::int32_t reach = 1 + static_cast<std::int32_t>(random() % 3);
+    std::uniform_int_distribution<std::int32_t> step(-reach, reach);
+    while (line.size() < length) {
+      line.push_back({line.back().x + step(random), line.back().y + step(random)});
+    }
+    must_equal_the_plain_method(line);
+  }
+}
+
+// Few places, so many ties, and many points at the places of others.
+TEST(Polyline, equals_the_plain_method_on_scattered_points) {
+  std::mt19937 random(2);
+  for (const std::int32_t side : {1, 2, 3, 5, 10, 1000, 9000}) {
+    std::uniform_int_distribution<std::int32_t> place(0, side - 1);
+    for (int i = 0; i < 40; ++i) {
+      Line line(1 + random() % 1000);
+      for (Pixel& p : line) p = {place(random), place(random)};
+      must_equal_the_plain_method(line);
+      line.back() = line.front();
+      must_equal_the_plain_method(line);
+    }
+  }
+}
+
+TEST(Polyline, equals_the_plain_method_on_square_waves) {
+  for (const bool is_diagonal : {false, true}) {
+    for (const std::int32_t growth : {-3, -1, 0, 1, 2}) {
+      const Line line = square_wave(60, growth < 0 ? 200 : 4, growth, is_diagonal);
+      must_equal_the_plain_method(line);
+      must_equal_the_plain_method({line.rbegin(), line.rend()});
+    }
+  }
+}
+
+TEST(Polyline, equals_the_plain_method_on_circles_and_spirals) {
+  for (const double turns : {0.25, 1.0, 7.5}) {
+    Line line;
+    for (int i = 0; i <= 5000; ++i) {
+      const double angle = turns * 6.283185307179586 * i / 5000;
+      const double radius = turns <= 1 ? 3000 : 0.5 * i;
+      line.push_back({static_cast<std::int32_t>(std::lround(radius * std::cos(angle))),
+                      static_cast<std::int32_t>(std::lround(radius * std::sin(angle)))});
+    }
+    must_equal_the_plain_method(line);
+  }
+}
+
+TEST(Polyline, equals_the_plain_method_on_graphs) {
+  std::mt19937 random(3);
+  ByteImage image(400, 300);
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = random() % 3 == 0 ? 255 : 0;
+  }
+  thin(Rule::guo_hall, image.view(), image.view());
+  const Graph graph = skeleton_graph(image.view());
+  ASSERT_GT(graph.edges.size(), 100U);
+  for (const GraphEdge& edge : graph.edges) must_equal_the_plain_method(points_of(graph, edge));
+}
+
+template <class Method>
+double processor_seconds(const Method& method) {
+  const std::clock_t start = std::clock();
+  EXPECT_EQ(method().size(), 1200U + 1);
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// Each of the 1200 corners but a few is split off by a look at all that is left.
+TEST(Polyline, of_a_wave_of_growing_amplitude_takes_a_small_part_of_the_plain_method_s_time) {
+  const Line line = square_wave(300, 2, 2, false);
+  const double plain = processor_seconds([&] { return reference::polyline(line, 0.5); });
+  EXPECT_LT(processor_seconds([&] { return polyline(line, 0.5); }), plain / 4);
+}
+
+}  // namespace
+}  // namespace thinbench
