@@ -247,7 +247,7 @@ Command add_batch_command(CLI::App& program) {
   app->footer(kFooter);
   return {app, [options](const Console& console) {
             options->inputs.out = options->settings.out;
-            options->settings.lenient = options->operation.binarise.lenient;
+            options->settings.reading = options->operation.binarise;
             return run(*options, console);
           }};
 }
