@@ -22,11 +22,7 @@ def rule_of(rule: str | Rule) -> Rule:
         return rule
     if not isinstance(rule, str):
         raise TypeError(f"rule: expected a name or a Rule, got {rule!r}")
-    try:
-        return _named(rule)
-    except ValueError as error:
-        known = _library.all_names(_library.rule_name)
-        raise ValueError(f"{error}{_arrays.meant(rule, [*known, *(f'thin_{name}' for name in known)])}") from None
+    return _named(rule)
 
 
 def request(rule: str | Rule, border: str | None, max_iterations: int | None, threads: int,

@@ -15,6 +15,7 @@ __all__ = ["bwmorph", "cv2", "skimage"]
 
 _OPERATIONS = ("bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority", "remove",
                "spur", "thin")
+_ONCE = ("bridge", "clean", "fill", "hbreak", "remove")  # whatever n, as in Octave
 
 
 def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[np.bool_]:
@@ -38,7 +39,8 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     NotImplementedError
         For other operations.
     TypeError, ValueError
-        If n is negative or not whole, or the image has not two dimensions.
+        If n is negative or not whole, or inf with "majority", which may never end, or the image has
+        not two dimensions.
 
     References
     ----------
@@ -60,6 +62,8 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
         return picture
     if operation == "thin":
         return skimage.thin(picture, limit)
+    if operation in _ONCE:
+        limit = 1
     result: npt.NDArray[np.bool_] = thin(picture, operation, max_iterations=limit)
     return result
 
