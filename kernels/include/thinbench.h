@@ -6,8 +6,8 @@
  * pthread_cancel inside a call ends the program. All functions are thread-safe for different
  * destinations and handles.
  *
- * thinbench_thinning, thinbench_execution, thinbench_rule_info and thinbench_pruning begin with
- * their size, so that later versions can add members at the end and still serve programs compiled
+ * thinbench_thinning, thinbench_execution, thinbench_rule_info, thinbench_binarisation and
+ * thinbench_pruning begin with their size, so that later versions can add members at the end and still serve programs compiled
  * before. The other structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
@@ -218,6 +218,35 @@ THINBENCH_API const char* thinbench_thinner_technique(const thinbench_thinner* t
 THINBENCH_API const char* thinbench_thinner_isa(const thinbench_thinner* thinner);
 /* NULL is allowed. */
 THINBENCH_API void thinbench_thinner_destroy(thinbench_thinner* thinner);
+
+/* What is foreground: thinbench/binarise.hpp. */
+typedef struct thinbench_binarisation {
+  size_t size;            /* of this struct */
+  const char* foreground; /* "auto", "bright" or "dark"; NULL: "auto" */
+  int32_t threshold;      /* 0 to 255; -1: by Otsu's method; -2: local */
+  int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
+  int32_t offset;         /* 0 to 255 */
+} thinbench_binarisation;
+
+#define THINBENCH_BINARISATION_INIT \
+  { sizeof(thinbench_binarisation), NULL, -1, 0, 10 }
+
+/* Writes 255 on the foreground of a grey image and 0 elsewhere; destination may be the source.
+ * `request` may be NULL: the defaults. *foreground becomes "bright" or "dark" and *threshold the
+ * level from which pixels are bright; each may be NULL. */
+THINBENCH_API thinbench_status thinbench_binarise(const thinbench_stack* grey,
+                                                  const thinbench_output* destination,
+                                                  const thinbench_binarisation* request,
+                                                  const char** foreground, int32_t* threshold);
+
+/* A channel of one image of 3 or 4 bytes per pixel (red, green, blue, ignored): "grey", "red",
+ * "green", "blue", "saturation", "value" or "auto". *chosen, which may be NULL, becomes its name.
+ * Strides are in bytes; colours and levels must not overlap. */
+THINBENCH_API thinbench_status thinbench_select_channel(const uint8_t* colours, ptrdiff_t height,
+                                                        ptrdiff_t width, ptrdiff_t stride,
+                                                        int32_t samples, const char* channel,
+                                                        uint8_t* levels, ptrdiff_t levels_stride,
+                                                        const char** chosen);
 
 /* Edges of grey images by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
  * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Source and destination must

@@ -6,6 +6,7 @@
 """
 
 from thinbench import compat
+from thinbench._binarise import binarise
 from thinbench._catalogue import cpu, named_rules, rules
 from thinbench._graph import PIXEL_CLASSES, Graph, classify_pixels, graph, prune
 from thinbench._images import distance, edges, euler_number, fill_holes, label, localise, regions
@@ -15,6 +16,6 @@ from thinbench._rules import Rule
 from thinbench._thinning import apply, thin, thin_labels, thin_many
 
 __version__: str = _version().decode()
-__all__ = ["PIXEL_CLASSES", "Graph", "Rule", "apply", "classify_pixels", "compat", "cpu", "distance",
+__all__ = ["PIXEL_CLASSES", "Graph", "Rule", "apply", "binarise", "classify_pixels", "compat", "cpu", "distance",
            "edges", "euler_number", "fill_holes", "graph", "label", "localise", "named_rules", "prune", "regions", "rules",
            "thin", "thin_labels", "thin_many", "thin_packed"]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ctypes
+import difflib
 import operator
+from collections.abc import Iterable
 from typing import Any, TypeVar
 
 import numpy as np
@@ -18,21 +20,45 @@ _BOOL = np.dtype(bool)
 _UINT8 = np.dtype(np.uint8)
 
 
-def binary(image: Any, max_dimensions: int = 2) -> Array:
-    """A bool or uint8 image, or with `max_dimensions` of 3 also a stack of images."""
-    image = np.asarray(image)
+def unmasked(image: Any, name: str = "image") -> Array:
+    """An array, no element of which is masked."""
+    if isinstance(image, np.ma.MaskedArray) and np.ma.is_masked(image):
+        raise ValueError(f"{name}: expected no masked elements, got {np.ma.count_masked(image)}; "
+                         f"`{name}.filled(0)` makes them background")
+    return np.asarray(image)
+
+
+def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool | None = False) -> Array:
+    """A bool or uint8 image, or with `max_dimensions` of 3 also a stack of images.
+
+    What has the shape of a colour image is rejected as a stack where `stack` is None.
+    """
+    image = unmasked(image, name)
     if image.dtype not in (_BOOL, _UINT8):
-        raise TypeError(f"image: expected dtype bool or uint8, got {image.dtype}; "
-                        "`image != 0` or `image > threshold` makes one")
-    return _with_dimensions(image, max_dimensions)
+        raise TypeError(f"{name}: expected dtype bool or uint8, got {image.dtype}; "
+                        f"`{name} != 0` or `{name} > threshold` makes one")
+    if is_colour(image) and not stack:
+        advice = "; a stack of such images needs stack=True" if stack is None else ""
+        raise ValueError(f"{name}: expected a binary image, got shape {image.shape}, which looks like colours; "
+                         f"`thinbench.binarise({name})` makes a binary image{advice}")
+    return _with_dimensions(image, max_dimensions, name)
+
+
+def is_colour(image: Array) -> bool:
+    """Whether it has the shape and type of a colour image, 3 or 4 numbers for each pixel."""
+    return image.dtype == _UINT8 and image.ndim == 3 and image.shape[2] in (3, 4)
 
 
 def labels(image: Any) -> Array:
-    """A uint16 or int32 image of labels."""
-    array: Array = np.asarray(image)
-    if array.dtype not in (np.dtype(np.uint16), np.dtype(np.int32)):
-        raise TypeError(f"labels: expected dtype uint16 or int32, got {array.dtype}; "
+    """A bool or integer image of labels, all of which fit into int32."""
+    array: Array = unmasked(image, "labels")
+    if array.dtype.kind not in "biu":
+        raise TypeError(f"labels: expected bool or integers, got {array.dtype}; "
                         "`labels.astype(np.int32)` makes one")
+    if array.dtype.itemsize >= 4 and array.dtype != np.int32 and array.size and array.max() >= 2**31:
+        raise ValueError(f"labels: expected labels below 2**31, got {array.max()}")
+    if array.dtype == np.int64 and array.size and array.min() < -2**31:
+        raise ValueError(f"labels: expected no negative labels, got {array.min()}")
     if array.ndim != 2:
         raise ValueError(f"labels: expected shape (H, W), got {array.shape}")
     return array
@@ -40,7 +66,7 @@ def labels(image: Any) -> Array:
 
 def grey(image: Any, name: str = "image") -> Array:
     """A uint8 image of grey levels."""
-    image = np.asarray(image)
+    image = unmasked(image, name)
     if image.dtype != _UINT8:
         raise TypeError(f"{name}: expected dtype uint8 of grey levels, got {image.dtype}")
     return _with_dimensions(image, 2, name)
@@ -144,5 +170,11 @@ def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:
         raise TypeError(f"{name}: expected a string, got {value!r}")
     found = allowed.get(value)
     if found is None:
-        raise ValueError(f"{name}: expected one of {', '.join(allowed)}; got {value!r}")
+        raise ValueError(f"{name}: expected one of {', '.join(allowed)}; got {value!r}{meant(value, allowed)}")
     return found
+
+
+def meant(word: str, known: Iterable[str]) -> str:
+    """"; did you mean 'name'?" where a known name is like the word, else nothing."""
+    near = difflib.get_close_matches(word.lower(), list(known), 1)
+    return f"; did you mean {near[0]!r}?" if near else ""

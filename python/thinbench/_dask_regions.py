@@ -13,6 +13,7 @@ import dask
 import numpy as np
 import numpy.typing as npt
 
+import thinbench
 from thinbench import _images
 from thinbench._dask_thinning import array_of, with_chunks_of_at_least
 
@@ -229,3 +230,21 @@ def _merged(components: Array, roots: Array, first: Array, is_object: Array,
     found["parent"] = np.where(is_object[leader], 0, label[group[above[leader]]])
     kept = rank[:len(starts) - np.count_nonzero(outside)]
     return label[group], found[kept], int(np.count_nonzero(is_object[leader]))
+
+
+def without_small_holes(block: npt.NDArray[Any], max_size: int) -> npt.NDArray[Any]:
+    """The block with its holes of at most this many rows and columns filled."""
+    if block.size == 0:
+        return block
+    table, labels = thinbench.regions(block, return_labels=True)
+    is_filled = np.zeros(len(table["label"]) + 1, bool)
+    height, width = table["bbox-2"] - table["bbox-0"], table["bbox-3"] - table["bbox-1"]
+    is_filled[1:] = ~table["is_hole"] | (height <= max_size) & (width <= max_size)
+    return is_filled[labels] if block.dtype == bool else is_filled[labels] * np.uint8(255)
+
+
+def near_distances(block: npt.NDArray[Any], max_distance: float) -> npt.NDArray[np.float64]:
+    """The distances of the block, infinite where they are greater."""
+    distances = thinbench.distance(block)
+    distances[distances > max_distance] = np.inf
+    return distances

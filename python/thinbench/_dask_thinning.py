@@ -55,12 +55,17 @@ def _thin_block(block: npt.NDArray[Any], **options: Any) -> npt.NDArray[Any]:
     return result
 
 
+def with_halo(array: Any, compute: Any, depth: int, dtype: Any, **options: Any) -> Any:
+    """Lazily what `compute` makes of chunks with a halo from their neighbours."""
+    wide = with_chunks_of_at_least(array, depth)
+    halo = {axis: depth if count > 1 else 0 for axis, count in enumerate(wide.numblocks)}
+    result = da.map_overlap(compute, wide, depth=halo, boundary="none", dtype=dtype,
+                            meta=np.empty((0, 0), dtype), **options)
+    return result.rechunk(array.chunks)
+
+
 def limited(array: Any, rule: Rule, border: str | None, max_iterations: int, depth: int) -> Any:
-    array = with_chunks_of_at_least(array, depth)
-    halo = {axis: depth if count > 1 else 0 for axis, count in enumerate(array.numblocks)}
-    return da.map_overlap(_thin_block, array, depth=halo, boundary="none", dtype=array.dtype,
-                          meta=np.empty((0, 0), array.dtype), rule=rule, border=border,
-                          max_iterations=max_iterations)
+    return with_halo(array, _thin_block, depth, array.dtype, rule=rule, border=border, max_iterations=max_iterations)
 
 
 def until_at_rest(array: Any, rule: Rule, border: str | None, depth: int, iterations: int) -> Any:

@@ -27,7 +27,7 @@ Array = npt.NDArray[Any]
 Columns = dict[str, Array]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Graph:
     """A skeleton as nodes and the lines between them.
 
@@ -52,6 +52,33 @@ class Graph:
     edges: Columns
     _node_pixels: list[Array]
     _edge_pixels: list[Array]
+
+    def __repr__(self) -> str:
+        kinds, counts = np.unique(self.nodes["kind"], return_counts=True)
+        of = ", ".join(f"{count} {kind}" for kind, count in zip(kinds, counts))
+        length = float(self.edges["length"].sum())
+        return (f"Graph({len(self.nodes['kind'])} nodes{f' ({of})' if of else ''}, "
+                f"{len(self.edges['length'])} edges of length {length:.1f})")
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws edges as lines and nodes as points in a matplotlib Axes, the current one by default; returns it.
+
+        Columns run to the right and rows down, as `imshow` draws the image.
+        """
+        if ax is None:
+            from matplotlib import pyplot  # type: ignore[import]
+
+            ax = pyplot.gca()
+        for chain in self._edge_pixels:
+            ax.plot(chain[:, 1], chain[:, 0], "-", color="tab:orange", linewidth=1)
+        for kind, colour in zip(KINDS, ("tab:gray", "tab:green", "tab:blue", "tab:purple")):
+            chosen = self.nodes["kind"] == kind
+            if chosen.any():
+                ax.plot(self.nodes["column"][chosen], self.nodes["row"][chosen], ".", color=colour, label=str(kind))
+        ax.set_aspect("equal")
+        if ax.get_ylim()[0] < ax.get_ylim()[1]:
+            ax.invert_yaxis()
+        return ax
 
     def node_pixels(self, node: int) -> Array:
         """Rows and columns of the pixels of a node: an array of int32, shape (N, 2)."""
@@ -168,7 +195,7 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *,
     >>> print(found.nodes["kind"], found.edges["length"])
     ['end' 'end' 'junction' 'end' 'end'] [1. 1. 2. 1.]
     """
-    array = _arrays.binary(skeleton)
+    array = _arrays.binary(skeleton, name="skeleton")
     options = _library.execution(_arrays.integer("threads", threads))
     stack, kept_alive = _arrays.source(array)
     _check_thin(stack, not_thin)
@@ -226,11 +253,14 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     >>> print(thinbench.prune(line, 2).astype(int)[1])
     [0 0 0 0 0 0 0 0 0]
     """
-    array = _arrays.binary(skeleton)
+    array = _arrays.binary(skeleton, name="skeleton")
     options = _library.execution(_arrays.integer("threads", threads))
+    widths = _arrays.real("min_widths", min_widths)
+    if image is None and widths > 0:
+        raise ValueError(f"min_widths: expected image=..., what was thinned, beside it, got {widths:g} without")
     squares = None if image is None else _squares_of(image, array.shape, threads)
     pruning = _PRUNING.pack(_PRUNING.size, _arrays.real("min_length", min_length),
-                            _arrays.real("min_widths", min_widths), 0 if squares is None else squares.ctypes.data,
+                            widths, 0 if squares is None else squares.ctypes.data,
                             array.shape[1], bool(remove_components))
     result = _arrays.result_for(array, out)
     stack, kept_alive = _arrays.source(array)

@@ -62,6 +62,9 @@ thin_packed = _checked(
     "thin_packed", _POINTER, _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES, _POINTER)
 thin_labels = _checked("thin_labels", _POINTER, _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,
                        _DISTANCE, _BYTES, _BYTES, _POINTER)
+binarise = _checked("binarise", _BYTES, _BYTES, _BYTES, _POINTER, _POINTER)
+select_channel = _checked("select_channel", _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _INT, _BYTES,
+                          _POINTER, _DISTANCE, _POINTER)
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 squared_distances = _checked("squared_distances", _BYTES, _POINTER, _DISTANCE, _BYTES)
 classify_pixels = _checked("classify_pixels", _BYTES, _POINTER, _DISTANCE, _POINTER, _DISTANCE)

@@ -87,7 +87,12 @@ class Rule:
         >>> thinbench.Rule.named("majority")
         Rule(majority, 1 sub-iteration, border='background', max_iterations=1)
         """
-        handle = _library.handle_from(_library.rule_named, _tables.encoded("rule", name))
+        try:
+            handle = _library.handle_from(_library.rule_named, _tables.encoded("rule", name))
+        except ValueError as error:
+            known = _library.all_names(_library.rule_name)
+            meant = _arrays.meant(name, [*known, *(f"thin_{one}" for one in known)])
+            raise ValueError(f"{error}{meant}") from None
         return cls.__new__(cls)._own(handle, partial(Rule.named, name))
 
     @classmethod

@@ -37,6 +37,7 @@ def request(rule: str | Rule, border: str | None, max_iterations: int | None, th
 def thin(image: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
          max_iterations: int | None = ..., threads: int = ...,
          return_iterations: Literal[False] = ..., out: npt.NDArray[Any] | None = ...,
+         stack: bool | None = ...,
          ) -> npt.NDArray[Any]: ...
 
 
@@ -44,19 +45,20 @@ def thin(image: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = .
 def thin(image: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
          max_iterations: int | None = ..., threads: int = ...,
          return_iterations: Literal[True], out: npt.NDArray[Any] | None = ...,
+         stack: bool | None = ...,
          ) -> tuple[npt.NDArray[Any], int]: ...
 
 
 @overload
 def thin(image: npt.ArrayLike, rule: str | Rule = ..., *, border: str | None = ...,
          max_iterations: int | None = ..., threads: int = ..., return_iterations: bool,
-         out: npt.NDArray[Any] | None = ...,
+         out: npt.NDArray[Any] | None = ..., stack: bool | None = ...,
          ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]: ...
 
 
 def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | None = None,
          max_iterations: int | None = None, threads: int = 1, return_iterations: bool = False,
-         out: npt.NDArray[Any] | None = None,
+         out: npt.NDArray[Any] | None = None, stack: bool | None = None,
          ) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]:
     """Apply a rule to a binary image, by default one that reduces objects to thin lines.
 
@@ -84,6 +86,9 @@ def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | N
         stack, the maximum.
     out : array, optional
         Receives the result: same shape and dtype as the image, C-contiguous. May be the image.
+    stack : bool, optional
+        True: uint8 of shape (N, H, 3) or (N, H, 4) is a stack; by default it is rejected as colours.
+        False: nothing is a stack.
 
     Returns
     -------
@@ -113,12 +118,12 @@ def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | N
      [  0   0   0   0   0   0   0   0   0]
      [  0   0   0   0   0   0   0   0   0]]
     """
-    array = _arrays.binary(image, 3)
+    array = _arrays.binary(image, 2 if stack is False else 3, stack=stack)
     handle, *options = request(rule, border, max_iterations, threads)
     result = _arrays.result_for(array, out)
-    stack, kept_alive = _arrays.source(array)
+    source, kept_alive = _arrays.source(array)
     iterations = ctypes.c_int32()
-    _library.thin(handle, stack, _arrays.destination(result), *options, ctypes.byref(iterations))
+    _library.thin(handle, source, _arrays.destination(result), *options, ctypes.byref(iterations))
     del kept_alive
     return (result, iterations.value) if return_iterations else result
 
@@ -160,7 +165,7 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
     >>> [(skeleton.shape, int(skeleton.sum())) for skeleton in skeletons]
     [((3, 9), 7), ((5, 5), 1)]
     """
-    arrays = [_arrays.binary(image) for image in images]
+    arrays = [_arrays.binary(image, name=f"images[{i}]") for i, image in enumerate(images)]
     if not arrays:  # the arguments are checked all the same
         thin(np.empty((0, 0), bool), rule, border=border, max_iterations=max_iterations,
              threads=threads)
@@ -170,7 +175,7 @@ def thin_many(images: Iterable[npt.ArrayLike], rule: str | Rule = "guo_hall", *,
     results = list(arrays)
     for indices in groups.values():
         stack = np.array([arrays[index] for index in indices])
-        thin(stack, rule, border=border, max_iterations=max_iterations, threads=threads, out=stack)
+        thin(stack, rule, border=border, max_iterations=max_iterations, threads=threads, out=stack, stack=True)
         for index, skeleton in zip(indices, stack):
             results[index] = skeleton
     return results
@@ -200,8 +205,8 @@ def thin_labels(labels: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border:
 
     Parameters
     ----------
-    labels : array of uint16 or int32, shape (H, W)
-        0 is background; negative labels are rejected. Labels need not be consecutive. Any
+    labels : array of bool or integers, shape (H, W)
+        0 is background; negative labels and those from 2**31 on are rejected. Labels need not be consecutive. Any
         strides. Never modified.
     rule, border, max_iterations
         As in `thin`, but the rule must not add pixels, and the border is not "foreground". "keep"

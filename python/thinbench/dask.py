@@ -1,4 +1,4 @@
-"""Thinning and regions of dask arrays, equal to the result in memory, bit for bit.
+"""Thinning, edges, regions and distances of dask arrays, equal to the result in memory, bit for bit.
 
 A sub-iteration reads neighbours one pixel away, two in "mb2". So the effect of what is outside a
 chunk advances by a known number of pixels per iteration, `Rule.reach`, and a chunk that is thinned
@@ -7,6 +7,7 @@ with a halo deep enough is exact in its interior.
 
 from __future__ import annotations
 
+import math
 import os
 from pathlib import Path
 from typing import Any
@@ -25,7 +26,7 @@ except ImportError as error:
 
 from thinbench import _dask_regions, _dask_thinning
 
-__all__ = ["regions", "thin"]
+__all__ = ["distance", "edges", "fill_holes", "regions", "thin"]
 
 
 def thin(array: Any, rule: str | Rule = "guo_hall", *, border: str | None = None,
@@ -127,11 +128,126 @@ def regions(array: Any, return_labels: bool = False) -> Any:
     return _dask_regions.regions(array, return_labels)
 
 
-def _check_image(array: Any) -> None:
-    """Rejects what is not a dask array of a binary image with known chunks."""
+def edges(array: Any, operator: str = "sobel", gradient_threshold: int = 40, brightness_threshold: int = 128) -> Any:
+    """Find the edges of a grey image that is a dask array.
+
+    Lazy: chunks with a halo of 3 pixels, the reach of the widest operator and of the brightness.
+
+    Parameters
+    ----------
+    array : dask array of uint8, shape (H, W)
+        Grey levels. Chunks of any size; those smaller than the halo are merged.
+    operator, gradient_threshold, brightness_threshold
+        As in `thinbench.edges`.
+
+    Returns
+    -------
+    dask array of uint8, shape (H, W)
+        255 on edges, else 0: equal to `thinbench.edges` in memory.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is computed.
+
+    Examples
+    --------
+    >>> import dask.array as da
+    >>> import thinbench.dask
+    >>> step = da.concatenate([da.zeros((9, 50), dtype="u1"), da.full((9, 50), 200, dtype="u1")], axis=1)
+    >>> int((thinbench.dask.edges(step) > 0).sum().compute())
+    18
+    """
+    _check_image(array, _arrays.grey)
+    options = {"operator": operator, "gradient_threshold": gradient_threshold,
+               "brightness_threshold": brightness_threshold}
+    thinbench.edges(np.empty((0, 0), np.uint8), **options)
+    return _dask_thinning.with_halo(array, thinbench.edges, 3, np.uint8, **options)
+
+
+def fill_holes(array: Any, max_size: int) -> Any:
+    """Fill the small holes of a binary image that is a dask array.
+
+    Lazy: chunks with a halo of `max_size` pixels. `thinbench.dask.regions` finds holes of any size.
+
+    Parameters
+    ----------
+    array : dask array of bool or uint8, shape (H, W)
+        Nonzero is foreground. Chunks of any size; those smaller than the halo are merged.
+    max_size : int
+        Holes up to this many pixels wide and high are filled. Others remain.
+
+    Returns
+    -------
+    dask array of the shape and dtype of `array`
+        True or 255 on objects and in small holes, else 0.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is computed.
+
+    Examples
+    --------
+    >>> import dask.array as da
+    >>> import thinbench.dask
+    >>> ring = da.ones((6, 6), dtype=bool, chunks=4)
+    >>> ring[2:4, 2:4] = False
+    >>> int(thinbench.dask.fill_holes(ring, 2).sum().compute())
+    36
+    """
+    _check_image(array)
+    if _arrays.integer("max_size", max_size) < 1:
+        raise ValueError(f"max_size: expected at least 1, got {max_size}")
+    return _dask_thinning.with_halo(array, _dask_regions.without_small_holes, max_size, array.dtype,
+                                    max_size=max_size)
+
+
+def distance(array: Any, max_distance: float) -> Any:
+    """Find the distance to the nearest background pixel in a binary image that is a dask array.
+
+    Lazy: chunks with a halo of `max_distance` pixels, rounded up.
+
+    Parameters
+    ----------
+    array : dask array of bool or uint8, shape (H, W)
+        Nonzero is foreground. Chunks of any size; those smaller than the halo are merged.
+    max_distance : float
+        Distances up to this one are exact; greater ones become infinite.
+
+    Returns
+    -------
+    dask array of float64, shape (H, W)
+        As `thinbench.distance`, up to `max_distance`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is computed.
+
+    Examples
+    --------
+    >>> import dask.array as da
+    >>> import thinbench.dask
+    >>> line = da.concatenate([da.zeros((1, 1), dtype=bool), da.ones((1, 5), dtype=bool)], axis=1)
+    >>> print(thinbench.dask.distance(line, 3).compute())
+    [[ 0.  1.  2.  3. inf inf]]
+    """
+    _check_image(array)
+    limit = _arrays.real("max_distance", max_distance)
+    if not 1 <= limit <= 32767:
+        raise ValueError(f"max_distance: expected 1 to 32767, got {max_distance}")
+    return _dask_thinning.with_halo(array, _dask_regions.near_distances, math.ceil(limit), np.float64,
+                                    max_distance=limit)
+
+
+def _check_image(array: Any, check: Any = _arrays.binary) -> None:
+    """Rejects what is not a dask array of an image with known chunks."""
     if not isinstance(array, da.Array):
         raise TypeError(f"array: expected a dask array, got {type(array).__name__}")
-    _arrays.binary(np.empty((0,) * array.ndim, array.dtype))
+    check(np.empty((0, 0), array.dtype), name="array")
+    if array.ndim != 2:
+        raise ValueError(f"array: expected shape (H, W), got {array.shape}")
     if any(np.isnan(size) for sizes in array.chunks for size in sizes):
         raise ValueError(f"array: expected chunks of known size, got {array.chunks}; "
                          "`array.compute_chunk_sizes()` finds them")

@@ -115,14 +115,27 @@ TEST_F(BatchCommand, holes_and_edges_equal_their_commands) {
   EXPECT_EQ(bytes_of(result("40.png")), bytes_of(edges));
 }
 
-TEST_F(BatchCommand, two_inputs_with_one_output_are_rejected_by_name) {
-  write_bar("in/40.pgm", 40);
-  EXPECT_EQ(failure({in}, 1), "'" + in + "/40.pgm' and '" + in +
-                                  "/40.png' would both become '40.png'; process them in two runs "
-                                  "with different --out");
-  fs::rename(in + "/40.pgm", in + "/a\n.pgm");
-  fs::rename(in + "/40.png", in + "/a\n.png");
-  EXPECT_EQ(failure({in}, 1).find("'" + in + "/a\\x0a.pgm' and '"), 0U);
+TEST_F(BatchCommand, images_that_differ_in_their_extension_keep_it) {
+  write_bar("in/test1.png", 30);
+  write_bar("in/test1.bmp", 20);
+  EXPECT_EQ(run({in}).status, 0);
+  EXPECT_EQ(read_grey(result("test1.png.png")).width(), 30);
+  EXPECT_EQ(read_grey(result("test1.bmp.png")).width(), 20);
+  EXPECT_TRUE(fs::exists(result("40.png")));
+}
+
+TEST_F(BatchCommand, two_inputs_with_one_output_fail_alone) {
+  fs::create_directory(directory.file("other"));
+  write_bar("other/40.png", 20);
+  write_bar("other/50.png", 50);
+  const ProgramRun made = run({in, directory.file("other")});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_NE(made.err.find("would become '40.png.png', as does '" + in + "/40.png'"),
+            std::string::npos)
+      << made.err;
+  EXPECT_EQ(read_grey(result("40.png.png")).width(), 40);
+  EXPECT_TRUE(fs::exists(result("50.png")));
+  EXPECT_EQ(failure({in, directory.file("other"), "--on-error", "stop"}, 1).find("'"), 0U);
 }
 
 TEST_F(BatchCommand, result_that_would_replace_an_input_is_rejected) {

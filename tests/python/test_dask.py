@@ -251,3 +251,49 @@ def test_a_worker_killed_while_it_computes_gives_the_result_in_memory(tmp_path):
     with dask.config.set(scheduler=None), cluster, distributed.Client(cluster):
         np.testing.assert_array_equal(tb_dask.thin(array).compute(), thinbench.thin(image))
     assert killed.exists()
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("operator", ["sobel", "mero_vassy_5x5", "roberts4"])
+def test_edges_equal_those_in_memory(seed, operator):
+    image, _ = random_array(seed)
+    grey = np.random.RandomState(seed).randint(0, 256, image.shape).astype(np.uint8)
+    chunks = tuple(random_chunks(size, np.random.RandomState(seed), 40) for size in image.shape)
+    found = tb_dask.edges(da.from_array(grey, chunks=chunks), operator, 60, 100)
+    assert found.chunks == chunks
+    np.testing.assert_array_equal(found.compute(), thinbench.edges(grey, operator, 60, 100))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_fill_holes_fills_holes_up_to_the_halo(seed):
+    image, array = random_array(seed)
+    size = 1 + seed % 5
+    table, labels = thinbench.regions(image, return_labels=True)
+    filled = image != 0
+    for i in np.flatnonzero(table["is_hole"]):
+        if max(table["bbox-2"][i] - table["bbox-0"][i], table["bbox-3"][i] - table["bbox-1"][i]) <= size:
+            filled |= labels == table["label"][i]
+    found = tb_dask.fill_holes(array, size).compute()
+    assert found.dtype == image.dtype
+    np.testing.assert_array_equal(found != 0, filled)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_distances_are_exact_up_to_the_halo(seed):
+    image, array = random_array(seed)
+    limit = 1 + seed % 4 / 2
+    expected = thinbench.distance(image)
+    expected[expected > limit] = np.inf
+    np.testing.assert_array_equal(tb_dask.distance(array, limit).compute(), expected)
+
+
+def test_errors_of_dask_show_the_shape():
+    for call in (tb_dask.thin, tb_dask.regions, tb_dask.edges, lambda a: tb_dask.distance(a, 3),
+                 lambda a: tb_dask.fill_holes(a, 3)):
+        with pytest.raises(ValueError, match=r"expected shape \(H, W\), got \(7, 40, 50\)"):
+            call(da.zeros((7, 40, 50), dtype=np.uint8))
+    for value in (0, np.nan, 1e6):
+        with pytest.raises(ValueError, match="max_distance"):
+            tb_dask.distance(da.zeros((4, 4), dtype=bool), value)
+    with pytest.raises(ValueError, match="max_size"):
+        tb_dask.fill_holes(da.zeros((4, 4), dtype=bool), 0)

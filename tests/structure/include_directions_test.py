@@ -25,6 +25,7 @@ ALLOWED = {
     "engines": COMPILE,
     "midpoints": ENGINES,
     "thinning": ENGINES | {"midpoints"},
+    "binarise": BASE,
     "edges": BASE,
     "regions": BASE,
     "localise": BASE | {"edges", "regions"},
@@ -40,6 +41,7 @@ SHARED_WITH_REFERENCES = {"rules/trained_cluster.hpp"}
 
 # Files of kernels/ that tools/ uses besides the public headers.
 SHARED_WITH_TOOLS = {
+    "binarise/bright_pixels.hpp",
     "core/byte_image.hpp",
     "core/checks.hpp",
     "core/startable_threads.hpp",

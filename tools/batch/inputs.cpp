@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 #include <tuple>
+#include <unordered_map>
 
 #include <glob.h>
 
@@ -65,10 +66,20 @@ class Search {
       return std::tie(a.path, a.name) < std::tie(b.path, b.name);
     });
     inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
+    keep_extensions_of_equal_names(inputs);
     return std::move(found_);
   }
 
  private:
+  /// Results of a.bmp and a.png get different names.
+  static void keep_extensions_of_equal_names(std::vector<BatchInput>& inputs) {
+    std::unordered_map<std::string, std::size_t> uses;
+    for (const BatchInput& input : inputs) ++uses[input.name];
+    for (BatchInput& input : inputs) {
+      if (uses[input.name] > 1) input.name += fs::path(input.path).extension().string();
+    }
+  }
+
   /// `inside`: the directory of the file, relative to the one that was named.
   void add_file(const fs::path& path, const fs::path& inside) {
     found_.inputs.push_back({path.string(), (inside / path.stem()).string()});

@@ -10,7 +10,9 @@ namespace thinbench {
 
 struct BatchInput {
   std::string path;
-  std::string name;  // of its results: relative to the output directory, without an extension
+  /// Of its results: relative to the output directory, without an extension, unless another input
+  /// differs in nothing else.
+  std::string name;
 
   friend bool operator==(const BatchInput&, const BatchInput&) = default;
 };

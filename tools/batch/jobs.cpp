@@ -52,27 +52,63 @@ std::vector<std::vector<BatchJob>> jobs_of(const std::vector<BatchInput>& inputs
   return jobs;
 }
 
-void check_outputs(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out) {
-  std::map<FileId, std::string> inputs;
-  for (const auto& of_input : jobs) {
-    const std::string& path = of_input.front().path;
-    if (const auto id = id_of(path)) inputs.emplace(*id, path);
-  }
-  std::unordered_map<std::string, std::string> input_of;
-  for (const auto& of_input : jobs) {
-    for (const BatchJob& job : of_input) {
-      const auto [other, is_new] = input_of.emplace(job.output, job.path);
-      if (!is_new) {
-        throw std::runtime_error("'" + other->second + "' and '" + job.path +
-                                 "' would both become '" + job.output +
-                                 "'; process them in two runs with different --out");
-      }
-      const auto id = id_of(std::filesystem::path(out) / job.output);
-      if (!id || !inputs.contains(*id)) continue;
-      throw std::runtime_error("the result of '" + job.path + "' would replace the input '" +
-                               inputs.at(*id) + "'; choose another --out");
+namespace {
+
+/// Why jobs cannot be done, in the order of the inputs.
+class Obstacles {
+ public:
+  Obstacles(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out) : out_(out) {
+    for (const auto& of_input : jobs) {
+      const std::string& path = of_input.front().path;
+      if (const auto id = id_of(path)) inputs_.emplace(*id, path);
     }
   }
+
+  /// Empty where the job can be done; then its output is taken.
+  std::string of(const BatchJob& job) {
+    const auto [other, is_new] = input_of_.emplace(job.output, job.path);
+    if (!is_new) {
+      return "'" + job.path + "' would become '" + job.output + "', as does '" + other->second +
+             "'; process it in another run with another --out";
+    }
+    const auto id = id_of(std::filesystem::path(out_) / job.output);
+    if (!id || !inputs_.contains(*id)) return {};
+    return "the result of '" + job.path + "' would replace the input '" + inputs_.at(*id) +
+           "'; choose another --out";
+  }
+
+ private:
+  std::string out_;
+  std::map<FileId, std::string> inputs_;
+  std::unordered_map<std::string, std::string> input_of_;
+};
+
+std::string rejection_of(const std::string& path,
+                         const std::function<void(const std::string& path)>& check) {
+  try {
+    check(path);
+    return {};
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> remove_impossible(
+    std::vector<std::vector<BatchJob>>& jobs, const std::string& out,
+    const std::function<void(const std::string& path)>& check) {
+  Obstacles obstacles(jobs, out);
+  std::vector<std::string> failures;
+  std::erase_if(jobs, [&](const std::vector<BatchJob>& of_input) {
+    std::string why = rejection_of(of_input.front().path, check);
+    for (const BatchJob& job : of_input) {
+      if (why.empty()) why = obstacles.of(job);
+    }
+    if (!why.empty()) failures.push_back(why);
+    return !why.empty();
+  });
+  return failures;
 }
 
 std::vector<BatchJob> jobs_in(const std::vector<std::vector<BatchJob>>& jobs, const Shard& shard) {

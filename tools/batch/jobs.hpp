@@ -1,6 +1,7 @@
 // What a batch has to do: for each result the input and the name.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,11 @@ struct Shard {
                                                          const std::string& extension,
                                                          bool joins_pages);
 
-/// Throws std::runtime_error for two inputs that have results of one name and for a result that
-/// would replace an input; the message names both.
-void check_outputs(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out);
+/// Takes out what cannot be done and returns why, a line each: what would have the result of an
+/// input before it, or would replace an input, or has a name that `check` rejects by an exception.
+[[nodiscard]] std::vector<std::string> remove_impossible(
+    std::vector<std::vector<BatchJob>>& jobs, const std::string& out,
+    const std::function<void(const std::string& path)>& check);
 
 /// Those of every count-th input, from the shard's number on.
 [[nodiscard]] std::vector<BatchJob> jobs_in(const std::vector<std::vector<BatchJob>>& jobs,

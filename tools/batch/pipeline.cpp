@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <optional>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -12,6 +13,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/startable_threads.hpp"
+#include "images/binarise.hpp"
 #include "images/image_file.hpp"
 #include "support/progress.hpp"
 #include "support/whole_file.hpp"
@@ -134,9 +136,10 @@ class Batch {
     for (Page& page : work.pages) {
       const Stopwatch stopwatch(page.record.decode_seconds);
       const BatchJob& job = *work.job;
-      page.grey = job.one_of_several
-                      ? read_grey_page(job.path, page.record.page - 1)
-                      : read_grey(job.path, settings_.lenient ? &page.record.warning : nullptr);
+      const auto number = job.one_of_several ? std::optional(page.record.page - 1) : std::nullopt;
+      GreyFile file = read_grey_file(job.path, number, settings_.reading);
+      page.grey = std::move(file.grey);
+      page.record.warning = std::move(file.warning);
       page.record.width = page.grey.width();
       page.record.height = page.grey.height();
     }

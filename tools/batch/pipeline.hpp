@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "batch/manifest.hpp"
+#include "images/binarise.hpp"
 #include "support/byte_image.hpp"
 
 namespace thinbench {
@@ -30,7 +31,7 @@ struct BatchSettings {
   std::string out;
   int threads = 1;
   bool stops_on_error = false;
-  bool lenient = false;  // as in BinariseOptions
+  BinariseOptions reading;
 };
 
 struct BatchTotals {

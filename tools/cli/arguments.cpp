@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <regex>
 #include <sstream>
 
 #include "cli/names.hpp"
+#include "cli/usage.hpp"
 #include "thinbench/options.hpp"
 
 namespace thinbench {
@@ -53,10 +55,22 @@ CLI::Validator real_number(double lowest, double highest) {
   return number_in(lowest, highest, number_range("a number", lowest, highest));
 }
 
-CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest, const std::string& word) {
-  const std::string what = number_range("an integer", lowest, highest) + " or '" + word + "'";
+CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
+                          const std::vector<std::string_view>& words) {
+  const std::string what =
+      number_range("an integer", lowest, highest) + " or '" + enumeration(words, "' or '") + "'";
   const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
-    return text == word ? std::string() : number(text);
+    const bool is_word = std::find(words.begin(), words.end(), text) != words.end();
+    return is_word ? std::string() : number(text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator odd_number(std::uint64_t lowest, std::uint64_t highest) {
+  const std::string what = number_range("an odd integer", lowest, highest);
+  const auto check = [=, number = number_in(lowest, highest, what)](std::string& text) {
+    const std::string wrong = number(text);
+    return wrong.empty() && text.back() % 2 == 0 ? expected(what, text) : wrong;
   };
   return {check, ""};
 }
@@ -93,6 +107,7 @@ void add_threads_option(CLI::App& app, int& threads) {
 namespace {
 
 constexpr const char* kOtsu = "otsu";
+constexpr const char* kLocal = "local";
 constexpr int kMaxLevel = 255;
 
 CLI::Option* add_foreground(CLI::App& app, Foreground& foreground) {
@@ -110,30 +125,109 @@ CLI::Option* add_foreground(CLI::App& app, Foreground& foreground) {
       ->default_str(std::string(names.front()));
 }
 
-CLI::Option* add_threshold(CLI::App& app, std::optional<int>& threshold) {
-  const auto set = [&threshold](const std::string& text) {
-    threshold = text == kOtsu ? std::nullopt : std::optional(std::stoi(text));
+CLI::Option* add_threshold(CLI::App& app, BinariseOptions& options) {
+  const auto set = [&options](const std::string& text) {
+    options.threshold.reset();
+    options.local.reset();
+    if (text == kLocal) options.local.emplace();
+    if (text != kLocal && text != kOtsu) options.threshold = std::stoi(text);
   };
   return app
-      .add_option_function<std::string>("--threshold", set,
-                                        "Bright are grey levels >= N, 0 to 255; otsu: the level "
-                                        "that separates the two classes best")
-      ->check(integer_or(0, kMaxLevel, kOtsu))
-      ->type_name("N|otsu")
+      .add_option_function<std::string>(
+          "--threshold", set,
+          "Bright are grey levels >= N, 0 to 255; otsu: the level that separates the two classes "
+          "best; local: for uneven light, the mean of the window around each pixel")
+      ->check(integer_or(0, kMaxLevel, {kOtsu, kLocal}))
+      ->type_name("N|otsu|local")
       ->default_str(kOtsu);
+}
+
+/// --window and --offset, which take effect after --threshold local.
+std::vector<CLI::Option*> add_local(CLI::App& app, BinariseOptions& options,
+                                    CLI::Option* threshold) {
+  const auto set = [&options, threshold](const char* name, int LocalThreshold::*member) {
+    return [&options, threshold, name, member](const std::string& text) {
+      if (threshold->count() == 0 || threshold->results().back() != kLocal) {
+        throw UsageError(std::string(name) + " needs --threshold local");
+      }
+      if (!options.local) options.local.emplace();
+      (*options.local).*member = std::stoi(text);
+    };
+  };
+  CLI::Option* const window =
+      app.add_option_function<std::string>(
+             "--window", set("--window", &LocalThreshold::window),
+             "Side of the window, odd, 3 to 65535 (default: an eighth of the smaller side)")
+          ->check(odd_number(3, 65535))
+          ->type_name("N");
+  CLI::Option* const offset =
+      app.add_option_function<std::string>(
+             "--offset", set("--offset", &LocalThreshold::offset),
+             "How far foreground is above or below the mean, 0 to 255 (default: 10)")
+          ->check(whole_number(0, kMaxLevel))
+          ->type_name("N");
+  return {window, offset};
+}
+
+CLI::Option* add_channel(CLI::App& app, Channel& channel) {
+  const std::vector<std::string_view> names(kChannelNames.begin(), kChannelNames.end());
+  const auto set = [&channel, names](const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    channel = static_cast<Channel>(found - names.begin());
+  };
+  return app
+      .add_option_function<std::string>("--channel", set,
+                                        "What becomes the grey level of a colour; auto: what "
+                                        "separates the two classes best")
+      ->check(one_of(names))
+      ->type_name("grey|red|green|blue|saturation|value|auto")
+      ->default_str(std::string(names.front()));
+}
+
+/// From "10,20,300x200".
+Crop crop_from(const std::string& text) {
+  std::smatch parts;
+  const std::string number = "([0-9]{1,10})";
+  const std::regex form(number + "," + number + "," + number + "x" + number);
+  if (std::regex_match(text, parts, form)) {
+    const Crop crop = {std::stol(parts[1]), std::stol(parts[2]), std::stol(parts[3]),
+                       std::stol(parts[4])};
+    if (crop.width > 0 && crop.height > 0) return crop;
+  }
+  throw UsageError("--crop: expected X,Y,WIDTHxHEIGHT such as 10,20,300x200, got '" + text + "'");
+}
+
+CLI::Option* add_crop(CLI::App& app, Crop& crop) {
+  const auto set = [&crop](const std::string& text) { crop = crop_from(text); };
+  return app
+      .add_option_function<std::string>("--crop", set,
+                                        "Take this part of the image: the column and row of its "
+                                        "first pixel, and its size")
+      ->type_name("X,Y,WxH");
+}
+
+CLI::Option* add_blur(CLI::App& app, double& sigma) {
+  return app
+      .add_option("--blur", sigma,
+                  "Smooth grey levels first, by a Gaussian filter of this standard deviation in "
+                  "pixels, 0 to 100")
+      ->check(real_number(0, 100))
+      ->type_name("SIGMA");
 }
 
 }  // namespace
 
 void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image) {
-  for (CLI::Option* option :
-       {add_foreground(app, options.foreground), add_threshold(app, options.threshold)}) {
-    if (image != nullptr) option->needs(image);
-  }
-  CLI::Option* lenient =
+  CLI::Option* const threshold = add_threshold(app, options);
+  std::vector<CLI::Option*> all = add_local(app, options, threshold);
+  all.insert(all.begin(), {add_foreground(app, options.foreground), threshold});
+  all.insert(all.end(), {add_channel(app, options.channel), add_blur(app, options.blur),
+                         add_crop(app, options.crop)});
+  all.push_back(
       app.add_flag("--lenient", options.lenient,
-                   "Read corrupt and truncated JPEG files as far as possible, with a warning");
-  if (image != nullptr) lenient->needs(image);
+                   "Read corrupt and truncated JPEG files as far as possible, with a warning"));
+  if (image == nullptr) return;
+  for (CLI::Option* option : all) option->needs(image);
 }
 
 std::string binarise_words(const BinariseOptions& options) {
@@ -142,6 +236,20 @@ std::string binarise_words(const BinariseOptions& options) {
     words.append(" --foreground ").append(foreground_name(options.foreground));
   }
   if (options.threshold) words.append(" --threshold ").append(std::to_string(*options.threshold));
+  if (options.local) {
+    words.append(" --threshold local --window ").append(std::to_string(options.local->window));
+    words.append(" --offset ").append(std::to_string(options.local->offset));
+  }
+  if (options.channel != Channel::grey) {
+    words.append(" --channel ").append(channel_name(options.channel));
+  }
+  std::ostringstream numbers;
+  const Crop& crop = options.crop;
+  if (options.blur > 0) numbers << " --blur " << options.blur;
+  if (crop.height > 0) {
+    numbers << " --crop " << crop.x << ',' << crop.y << ',' << crop.width << 'x' << crop.height;
+  }
+  words += numbers.str();
   if (options.lenient) words.append(" --lenient");
   return words;
 }

@@ -19,9 +19,11 @@ namespace thinbench {
 
 [[nodiscard]] CLI::Validator real_number(double lowest, double highest);
 
-/// An integer in this range or, instead, the word.
+/// An integer in this range or, instead, one of the words.
 [[nodiscard]] CLI::Validator integer_or(std::uint64_t lowest, std::uint64_t highest,
-                                        const std::string& word);
+                                        const std::vector<std::string_view>& words);
+
+[[nodiscard]] CLI::Validator odd_number(std::uint64_t lowest, std::uint64_t highest);
 
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string_view>& names);
 

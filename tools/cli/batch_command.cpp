@@ -152,10 +152,13 @@ int run(const BatchOptions& options, const Console& console) {
   const std::string extension = regions                    ? ".json"
                                 : options.format == "tiff" ? ".tif"
                                                            : "." + options.format;
-  const auto all = jobs_of(found.inputs, extension, extension == ".tif");
-  check_outputs(all, options.settings.out);
+  auto all = jobs_of(found.inputs, extension, extension == ".tif");
+  const auto check = [format](const std::string& file) { check_name(file, format); };
+  const std::vector<std::string> impossible = remove_impossible(all, options.settings.out, check);
+  const bool ends = options.settings.stops_on_error || (all.empty() && found.failures.empty());
+  if (!impossible.empty() && ends) throw std::runtime_error(impossible.front());
+  found.failures.insert(found.failures.end(), impossible.begin(), impossible.end());
   const std::vector<BatchJob> jobs = jobs_in(all, shard);
-  for (const BatchJob& job : jobs) check_name(job.path, format);
   std::optional<Manifest> manifest;
   open_outputs(jobs, path, options, manifest);
   print_skipped(found, console.err);
@@ -215,7 +218,7 @@ constexpr const char* kFooter = R"(Examples:
 
 OPERATION is a thinning operation, holes (a .json for each image), edges (by Sobel's operator) or
 edges_ and the name of another operator. A result has the name of its input and lies in DIR, that of
-scans/a/b.png, found in scans, at DIR/a/b.png. A TIFF file of several pages becomes NAME_page1.png and
+scans/a/b.png, found in scans, at DIR/a/b.png; beside b.bmp it is DIR/a/b.png.png. A TIFF file of several pages becomes NAME_page1.png and
 so on or, with --format tiff, one file. Results appear whole or not at all; after a failure or a kill,
 --resume does what is left, and the failed images again.
 
@@ -247,7 +250,7 @@ Command add_batch_command(CLI::App& program) {
   app->footer(kFooter);
   return {app, [options](const Console& console) {
             options->inputs.out = options->settings.out;
-            options->settings.lenient = options->operation.binarise.lenient;
+            options->settings.reading = options->operation.binarise;
             return run(*options, console);
           }};
 }

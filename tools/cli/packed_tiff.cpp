@@ -87,9 +87,9 @@ void check_memory(const TiffReader& reader, const std::string& in, Index memory)
 int run_out_of_core(const PackedOptions& options, const RequestedThinning& thinning,
                     const BinariseOptions& binarise, const ThinningFiles& files,
                     const Console& console) {
-  if (binarise.threshold) {
-    throw UsageError("--threshold does not apply to packed files, whose pixels are bright or dark");
-  }
+  BinariseOptions levels = binarise;
+  levels.foreground = Foreground::automatic;
+  reject_for_packed_files(levels);
   TiffFormat format;
   {
     const TiffReader reader(files.in);
@@ -118,7 +118,9 @@ bool is_tiff_run(const PackedOptions& options, const BinariseOptions& binarise,
                  const ThinningFiles& files) {
   const std::string extension = extension_of(files.out);
   if (!options.raw.empty() || (extension != ".tif" && extension != ".tiff")) return false;
-  return options.out_of_core || (!binarise.threshold && is_bilevel_tiff(files.in));
+  const bool has_levels =
+      binarise.threshold || binarise.local || binarise.blur > 0 || binarise.crop.height > 0;
+  return options.out_of_core || (!has_levels && is_bilevel_tiff(files.in));
 }
 
 int run_tiff(const PackedOptions& options, const RequestedThinning& thinning,

@@ -34,8 +34,10 @@ Json objects_json(const Regions& found) {
 std::string regions_json(const Regions& found, const BinaryImage& binary,
                          const BinariseOptions& options, std::int64_t min_area) {
   const Json json = {{"foreground", foreground_name(binary.foreground)},
-                     {"threshold", binary.threshold},
-                     {"threshold_method", options.threshold ? "given" : "otsu"},
+                     {"threshold", options.local ? Json() : Json(binary.threshold)},
+                     {"threshold_method", options.threshold ? "given"
+                                          : options.local   ? "local"
+                                                            : "otsu"},
                      {"min_area", min_area},
                      {"objects", objects_json(found)}};
   return json.dump(2) + '\n';

@@ -73,7 +73,7 @@ void reject_for_packed_files(const BinariseOptions& options) {
   const std::string words = binarise_words(options);
   if (words.empty()) return;
   throw UsageError(words.substr(1, words.find(' ', 1) - 1) +
-                   " does not apply to packed files, whose foreground is 1");
+                   " does not apply to packed files, whose pixels have one bit");
 }
 
 }  // namespace thinbench

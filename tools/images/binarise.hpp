@@ -1,68 +1,55 @@
 // Which pixels of a grey image are foreground: the one rule that all programs follow.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "binarise/bright_pixels.hpp"
 #include "support/byte_image.hpp"
+#include "thinbench/binarise.hpp"
 #include "thinbench/packed.hpp"
 
 namespace thinbench {
 
-enum class Foreground : std::uint8_t { automatic, bright, dark };
+/// A part of an image; no height: all of it.
+struct Crop {
+  Index x = 0;
+  Index y = 0;
+  Index width = 0;
+  Index height = 0;
+};
 
-/// As options name them, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 3> kForegroundNames = {"auto", "bright", "dark"};
-
-[[nodiscard]] constexpr std::string_view foreground_name(Foreground foreground) {
-  return kForegroundNames[static_cast<std::size_t>(foreground)];
-}
-
+/// How an image file becomes an image of two classes.
 struct BinariseOptions {
-  /// automatic: the class that covers less of the image border, as the background surrounds what
-  /// is shown; where both cover as much, the smaller class, and of equal ones the bright.
-  Foreground foreground = Foreground::automatic;
-  /// Pixels are bright at this grey level and above, [0, 255]; where there is none, above the level
-  /// that OpenCV finds by Otsu's method.
+  Foreground foreground = Foreground::automatic;  // as in Binarisation, as are the next two
   std::optional<int> threshold = std::nullopt;
   /// Corrupt and truncated JPEG files are read as far as possible, with a warning.
   bool lenient = false;
+  std::optional<LocalThreshold> local = std::nullopt;
+  Channel channel = Channel::grey;
+  Crop crop = {};
+  double blur = 0;  // standard deviation of a Gaussian filter, in pixels; 0: none
 };
 
 /// A binary image, and what it was made from.
-struct BinaryImage {
-  ByteImage image;                // 255 on foreground, 0 elsewhere
-  Foreground foreground;          // bright or dark
-  int threshold;                  // pixels are bright at this grey level and above
-  double foreground_share;        // of all pixels
-  double separation;              // the share of the variance that lies between the two classes
-  std::optional<int> only_level;  // where all pixels have this one
-  bool was_binary;                // all grey levels were 0 or 255
+struct BinaryImage : Binarised {
+  ByteImage image;  // 255 on foreground, 0 elsewhere
 };
 
-/// Below this separation the histogram counts as one without two classes. Otsu's threshold puts
-/// 3/4 of the variance between the halves of a uniform histogram, in which no level is a better
-/// limit than any other, and 2/pi of it between those of a normal one; so all that is not clearly
-/// above 3/4 shows one class, cut in two. Images of two classes are far above: 0.97 and more for
-/// drawings, silhouettes and backlit parts. Uneven light takes a photograph below the limit, and
-/// there one threshold for the whole image is indeed a doubtful choice.
+/// A threshold for the whole image is doubtful where the classes overlap: where so large a share of
+/// the pixels lies near it, and less of the variance between the classes. One of the two alone says
+/// little: a few bright stars, or a drawing of three levels, have a low separation, and drawings of
+/// neighbouring levels many pixels near the threshold. Of uniform noise 10 % is near, and 75 % of
+/// the variance lies between the classes.
+inline constexpr double kMaxUndecided = 0.05;
 inline constexpr double kMinSeparation = 0.8;
 
 /// The image, which has pixels, in two classes.
 [[nodiscard]] BinaryImage binarise(ByteImage grey, const BinariseOptions& options = {});
 
-/// The bright pixels of an image of two classes.
-struct BrightPixels {
-  Index bright = 0;
-  Index all = 0;
-  Index bright_on_border = 0;  // of the outermost rows and columns
-  Index all_on_border = 0;
-};
+using detail::BrightPixels;
 
 /// Adds rows of a packed image of this height, the first of which is its row `y`. 1 is bright,
 /// unused bits are 0, the first pixel is the most significant bit of a byte.
@@ -72,8 +59,8 @@ void add_rows(BrightPixels& count, const ConstPackedView& rows, Index y, Index h
 [[nodiscard]] BinaryImage binarise_packed(const BrightPixels& count,
                                           const BinariseOptions& options);
 
-/// What is doubtful about it, a line each: one grey level only, a threshold found in a histogram
-/// without two classes, more than half of the image as foreground.
+/// What is doubtful about it, a line each: one grey level only, a threshold that many pixels are
+/// near, more than half of the image as foreground.
 [[nodiscard]] std::vector<std::string> warnings(const BinaryImage& binary,
                                                 const BinariseOptions& options);
 
@@ -83,7 +70,20 @@ void add_rows(BrightPixels& count, const ConstPackedView& rows, Index y, Index h
 void print_remarks(const std::string& name, const BinaryImage& binary,
                    const BinariseOptions& options, std::ostream& log);
 
-/// As read_grey, and leniently where the options say so; a warning of the decoder goes to `log`.
+/// Grey levels of an image file, and how they came about.
+struct GreyFile {
+  ByteImage grey;
+  Channel channel;      // that was chosen
+  std::string warning;  // of the decoder
+};
+
+/// The page of an image file, counted from 0, or its only image, by the channel, part and filter
+/// that the options name. Throws FileError.
+[[nodiscard]] GreyFile read_grey_file(const std::string& path, std::optional<int> page,
+                                      const BinariseOptions& options);
+
+/// The same for the first image of a file; the warning and an automatic choice go to `log`, a line
+/// each.
 [[nodiscard]] ByteImage read_grey(const std::string& path, const BinariseOptions& options,
                                   std::ostream& log);
 

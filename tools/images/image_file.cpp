@@ -66,13 +66,13 @@ bool is_out_of_memory(const std::string& said) {
          said.find("can't read data: unknown exception") != std::string::npos;
 }
 
-cv::Mat first_page(const std::string& path) {
-  return is_pnm(path) ? read_pnm(path) : cv::imread(path, cv::IMREAD_GRAYSCALE);
+cv::Mat first_page(const std::string& path, int how) {
+  return is_pnm(path) ? read_pnm(path, how) : cv::imread(path, how);
 }
 
-cv::Mat one_page(const std::string& path, int page) {
+cv::Mat one_page(const std::string& path, int page, int how) {
   std::vector<cv::Mat> pages;
-  cv::imreadmulti(path, pages, page, 1, cv::IMREAD_GRAYSCALE);
+  cv::imreadmulti(path, pages, page, 1, how);
   return pages.empty() ? cv::Mat() : pages.front();
 }
 
@@ -94,21 +94,18 @@ ByteImage image_of(const cv::Mat& mat) {
   return {pixels, [mat](void*) {}};  // the last reference frees it
 }
 
-template <class Decode>
-ByteImage read_by(const std::string& path, int page, const Decode& decode, std::string* warning) {
-  check_file(path);
-  try {
-    check_header(path, page);
-    const cv::Mat image = decoded(path, decode, warning);
-    if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
-      cannot_read(path, "it has more than 2^31 pixels");
-    }
+/// The channel of a decoded image, and which it is.
+ByteImage channel_of(cv::Mat image, Channel& channel) {
+  if (image.channels() == 1) {
+    channel = Channel::grey;
     return image_of(image);
-  } catch (const cv::Exception& error) {
-    reject(path, error);
-  } catch (const std::bad_alloc&) {
-    cannot_read(path, "there is not enough memory for it");
   }
+  cv::cvtColor(image, image, cv::COLOR_BGR2RGB);
+  cv::Mat levels(image.size(), CV_8UC1);
+  const ImageView to(levels.data, levels.cols, levels.rows, static_cast<Index>(levels.step[0]));
+  channel = select_channel({image.data, image.cols, image.rows, static_cast<Index>(image.step[0])},
+                           to, channel);
+  return image_of(levels);
 }
 
 }  // namespace
@@ -118,8 +115,27 @@ void check_file(const std::string& path) {
 }
 
 ByteImage read_grey(const std::string& path, std::string* warning) {
-  return read_by(
-      path, 0, [&] { return first_page(path); }, warning);
+  Channel grey = Channel::grey;
+  return read_channel(path, std::nullopt, grey, warning);
+}
+
+ByteImage read_channel(const std::string& path, std::optional<int> page, Channel& channel,
+                       std::string* warning) {
+  check_file(path);
+  try {
+    check_header(path, page.value_or(0));
+    const int how = channel == Channel::grey ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR;
+    const auto decode = [&] { return page ? one_page(path, *page, how) : first_page(path, how); };
+    const cv::Mat image = decoded(path, decode, warning);
+    if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
+      cannot_read(path, "it has more than 2^31 pixels");
+    }
+    return channel_of(image, channel);
+  } catch (const cv::Exception& error) {
+    reject(path, error);
+  } catch (const std::bad_alloc&) {
+    cannot_read(path, "there is not enough memory for it");
+  }
 }
 
 int page_count(const std::string& path) {
@@ -134,8 +150,8 @@ int page_count(const std::string& path) {
 }
 
 ByteImage read_grey_page(const std::string& path, int page) {
-  return read_by(
-      path, page, [&] { return one_page(path, page); }, nullptr);
+  Channel grey = Channel::grey;
+  return read_channel(path, page, grey);
 }
 
 namespace {

@@ -1,11 +1,13 @@
 // Grey image files. OpenCV decodes and encodes; nothing of it shows here.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "support/byte_image.hpp"
 #include "support/file_error.hpp"
+#include "thinbench/binarise.hpp"
 
 namespace thinbench {
 
@@ -22,6 +24,11 @@ void check_file(const std::string& path);
 /// that it is corrupt or truncated is an error; where `warning` is given, it is read as far as
 /// possible, and what the decoder says goes there. Throws FileError.
 [[nodiscard]] ByteImage read_grey(const std::string& path, std::string* warning = nullptr);
+
+/// As read_grey, by this channel, which becomes the one that was chosen: of a page of a TIFF file,
+/// counted from 0, or of the only image. Takes 3 bytes per pixel more unless it is Channel::grey.
+[[nodiscard]] ByteImage read_channel(const std::string& path, std::optional<int> page,
+                                     Channel& channel, std::string* warning = nullptr);
 
 /// The number of images in a TIFF file; 1 for all other files, unreadable ones included.
 [[nodiscard]] int page_count(const std::string& path);

@@ -69,10 +69,10 @@ bool is_pnm(const std::string& path) {
   return start.size() == 2 && start[0] == 'P' && start[1] >= '2' && start[1] <= '7';
 }
 
-cv::Mat read_pnm(const std::string& path) {
+cv::Mat read_pnm(const std::string& path, int how) {
   const std::string header = beginning_of(path, kPnmHeaderBytes);
   const Index maximum = maximum_in(header).value_or(0);
-  if (!needs_scaling(header, maximum)) return decoded(path, header, cv::IMREAD_GRAYSCALE);
+  if (!needs_scaling(header, maximum)) return decoded(path, header, how);
   if (header.starts_with("P7")) {
     throw FileError("cannot read '" + path + "': its maximum is " + std::to_string(maximum) +
                     "; known for PAM files are 255 and 65535");
@@ -80,7 +80,8 @@ cv::Mat read_pnm(const std::string& path) {
   cv::Mat image = decoded(path, header, cv::IMREAD_UNCHANGED);
   if (image.empty()) return image;
   image = scaled(image, maximum);
-  if (image.channels() == 3) cv::cvtColor(image, image, cv::COLOR_BGR2GRAY);
+  if (image.channels() == 3 && how == cv::IMREAD_GRAYSCALE)
+    cv::cvtColor(image, image, cv::COLOR_BGR2GRAY);
   return image;
 }
 

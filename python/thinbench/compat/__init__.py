@@ -7,19 +7,25 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from thinbench import _arrays
+from thinbench._thinning import thin
 from thinbench.compat import cv2, skimage
 
 __all__ = ["bwmorph", "cv2", "skimage"]
 
+_OPERATIONS = ("bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority", "remove",
+               "spur", "thin")
+_ONCE = ("bridge", "clean", "fill", "hbreak", "remove")  # whatever n, as in Octave
+
 
 def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[np.bool_]:
-    """MATLAB's and Octave's `bwmorph(image, "thin", n)`.
+    """MATLAB's and Octave's `bwmorph(image, operation, n)`, pixels as Octave's.
 
     Parameters
     ----------
     image : array, shape (H, W)
         Nonzero is foreground.
-    operation : {"thin"}
+    operation : {"bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority", "remove", "spur", "thin"}
     n : int or inf
         The number of iterations; inf: until nothing changes. Everything outside the image is
         background.
@@ -33,11 +39,12 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     NotImplementedError
         For other operations.
     TypeError, ValueError
-        If n is negative or not whole, or the image has not two dimensions.
+        If n is negative or not whole, or inf with "majority", which may never end, or the image has
+        not two dimensions.
 
     References
     ----------
-    docs/thinning.md: the rule "guo_hall_skimage".
+    docs/thinning.md: the rule "guo_hall_skimage" for "thin"; docs/rules.md: the others.
 
     Examples
     --------
@@ -46,13 +53,19 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     >>> print(bwmorph(np.ones((3, 5)), "thin", float("inf"))[1].astype(int))
     [0 1 1 1 0]
     """
-    if operation != "thin":
-        raise NotImplementedError(f"operation: expected 'thin', got {operation!r}")
-    limit = None if n == math.inf else _whole(n)
+    if operation not in _OPERATIONS:
+        raise NotImplementedError(f"operation: expected one of {', '.join(_OPERATIONS)}; got {operation!r}"
+                                  f"{_arrays.meant(str(operation), _OPERATIONS)}")
+    limit = 2**31 - 1 if n == math.inf else _whole(n)
     picture = skimage.as_bool(image)
     if limit == 0 or picture.size == 0:
         return picture
-    return skimage.thin(picture, limit)
+    if operation == "thin":
+        return skimage.thin(picture, limit)
+    if operation in _ONCE:
+        limit = 1
+    result: npt.NDArray[np.bool_] = thin(picture, operation, max_iterations=limit)
+    return result
 
 
 def _whole(n: float) -> int:

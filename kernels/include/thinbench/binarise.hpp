@@ -1,0 +1,94 @@
+// Which pixels of a grey image are foreground, and which channel of a colour image is its grey.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "thinbench/export.h"
+#include "thinbench/image_view.hpp"
+
+namespace thinbench {
+
+enum class Foreground : std::uint8_t { automatic, bright, dark };
+
+/// As options name them, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 3> kForegroundNames = {"auto", "bright", "dark"};
+
+[[nodiscard]] constexpr std::string_view foreground_name(Foreground foreground) {
+  return kForegroundNames[static_cast<std::size_t>(foreground)];
+}
+
+/// A threshold for each pixel from the mean of the window around it, of which only the part in the
+/// image counts. Foreground is bright above mean + offset, or dark below mean - offset.
+struct LocalThreshold {
+  int window =
+      0;  // side, odd, in [3, 65535]; 0: an eighth of the image's smaller side, at least 15
+  int offset = 10;  // in grey levels, in [0, 255]
+};
+
+struct Binarisation {
+  /// automatic: the class that covers less of the image border, as the background surrounds what
+  /// is shown; where both cover as much, the smaller class, and of equal ones the bright. With a
+  /// local threshold: the side of their means to which pixels deviate farther, by the third moment.
+  Foreground foreground = Foreground::automatic;
+  /// Pixels are bright at this grey level and above, [0, 255]; where there is none, from the level
+  /// on that Otsu's method finds, the same as OpenCV's.
+  std::optional<int> threshold = std::nullopt;
+  /// Instead of a threshold for the whole image.
+  std::optional<LocalThreshold> local = std::nullopt;
+};
+
+/// What was chosen, and what it was chosen from.
+struct Binarised {
+  Foreground foreground = Foreground::bright;  // bright or dark
+  int threshold = 0;            // pixels are bright at this grey level and above, unless local
+  double foreground_share = 0;  // of all pixels
+  double separation = 0;        // the share of the variance that lies between the two classes
+  double undecided_share =
+      0;  // of pixels within a tenth of the classes' distance from the threshold
+  std::optional<int> only_level;  // where all pixels have this one
+  bool was_binary = false;        // all grey levels were 0 or 255
+  int window = 0;                 // of the local threshold, if any
+};
+
+/// Writes 255 on foreground and 0 elsewhere. Views must have the same size and be the same image or
+/// share no byte. An image without pixels is bright at level 1. Thread-safe for different
+/// destinations. Throws std::invalid_argument for unsuitable views and for values out of range, and
+/// std::bad_alloc. Nothing is written if it throws.
+///
+/// Sources: N. Otsu 1979, "A threshold selection method from gray-level histograms"; D. Bradley and
+/// G. Roth 2007, "Adaptive thresholding using the integral image", for the local mean.
+THINBENCH_API Binarised binarise(ConstImageView grey, ImageView destination,
+                                 const Binarisation& request = {});
+
+/// What of a colour becomes its grey level: 0.299 red + 0.587 green + 0.114 blue, one of the three,
+/// 255 (max - min) / max or max of the three; automatic: that of these whose two classes by Otsu's
+/// method have the greatest separation, of equal ones the first.
+enum class Channel : std::uint8_t { grey, red, green, blue, saturation, value, automatic };
+
+/// As options name them, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 7> kChannelNames = {
+    "grey", "red", "green", "blue", "saturation", "value", "auto"};
+
+[[nodiscard]] constexpr std::string_view channel_name(Channel channel) {
+  return kChannelNames[static_cast<std::size_t>(channel)];
+}
+
+/// Pixels of 3 or 4 bytes: red, green, blue and what is ignored. The stride is in bytes.
+struct ConstColourView {
+  const std::uint8_t* data = nullptr;
+  Index width = 0;
+  Index height = 0;
+  Index stride = 0;
+  int samples = 3;
+};
+
+/// Writes a channel of a colour image and returns which. An image whose colours are all grey gives
+/// these grey levels, whatever the channel; that counts as Channel::grey. Views must have the same
+/// size and share no byte; otherwise as binarise().
+THINBENCH_API Channel select_channel(const ConstColourView& colours, ImageView destination,
+                                     Channel channel);
+
+}  // namespace thinbench
