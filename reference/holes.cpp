@@ -114,6 +114,18 @@ std::vector<Region> label_objects(const ConstImageView& source, const LabelView&
   return found.objects;
 }
 
+/// Writes 255 but on background that is connected to the border.
+void fill_outside(const ConstImageView& source, const ImageView& destination,
+                  Neighbours of_background) {
+  Flood flood(source);
+  static_cast<void>(flood.fill(-1, -1, of_background, kOutside));
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      destination.row(y)[x] = flood.number(x, y) == kOutside ? 0 : 255;
+    }
+  }
+}
+
 std::int64_t objects_minus_holes(const Regions& found) {
   return static_cast<std::int64_t>(found.objects.size()) -
          static_cast<std::int64_t>(found.holes.size());
@@ -151,11 +163,23 @@ std::vector<Region> label_components_4(ConstImageView source, LabelView labels) 
 }
 
 void fill_holes(ConstImageView source, ImageView destination) {
+  fill_outside(source, destination, Neighbours::four);
+}
+
+void fill_holes_4(ConstImageView source, ImageView destination) {
+  fill_outside(source, destination, Neighbours::eight);
+}
+
+void fill_small_holes(ConstImageView source, ImageView destination, bool four_connected,
+                      std::int64_t max_area) {
   Flood flood(source);
-  static_cast<void>(flood.fill(-1, -1, Neighbours::four, kOutside));
+  const Regions found = find(flood, source, four_connected ? Neighbours::four : Neighbours::eight);
   for (Index y = 0; y < source.height; ++y) {
     for (Index x = 0; x < source.width; ++x) {
-      destination.row(y)[x] = flood.number(x, y) == kOutside ? 0 : 255;
+      const std::uint32_t number = flood.number(x, y);
+      const bool fills = number != kOutside &&
+                         (flood.foreground(x, y) || found.holes[number - 1].area <= max_area);
+      destination.row(y)[x] = fills ? 255 : 0;
     }
   }
 }

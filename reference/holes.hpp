@@ -62,6 +62,13 @@ std::vector<Region> label_components_4(ConstImageView source, LabelView labels);
 /// border remains background. `destination` may be the source.
 void fill_holes(ConstImageView source, ImageView destination);
 
+/// The same for 4-connected objects: only background that is 8-connected to the border remains.
+void fill_holes_4(ConstImageView source, ImageView destination);
+
+/// Fills only holes of at most `max_area` pixels; those of 4-connected objects are 8-connected.
+void fill_small_holes(ConstImageView source, ImageView destination, bool four_connected,
+                      std::int64_t max_area);
+
 /// Objects minus holes, by counting both: 8-connected objects and 4-connected holes, or 4-connected
 /// objects and 8-connected holes.
 [[nodiscard]] std::int64_t euler_number(ConstImageView source);

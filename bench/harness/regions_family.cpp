@@ -28,7 +28,9 @@ class TaskJob : public Job {
  public:
   explicit TaskJob(RegionsTask task) : task_(task) {}
 
-  [[nodiscard]] bool gives_image() const override { return task_ == RegionsTask::fill; }
+  [[nodiscard]] bool gives_image() const override {
+    return task_ == RegionsTask::fill || task_ == RegionsTask::fill_four;
+  }
 
   [[nodiscard]] std::string name_of_number(std::size_t index) const override {
     if (task_ != RegionsTask::holes && task_ != RegionsTask::components) return "Euler number";
@@ -65,6 +67,7 @@ class StateJob final : public TaskJob {
       case RegionsTask::euler_four:
         return {state_->number()};
       case RegionsTask::fill:
+      case RegionsTask::fill_four:
         return {};
     }
     return {};
@@ -94,6 +97,9 @@ class ReferenceJob final : public TaskJob {
         break;
       case RegionsTask::fill:
         reference::fill_holes(input, output);
+        break;
+      case RegionsTask::fill_four:
+        reference::fill_holes_4(input, output);
         break;
     }
   }

@@ -142,7 +142,7 @@ std::vector<Variant> copy_peers(const Operation& operation) {
 }
 
 std::vector<Variant> copy_bits_peers(const Operation& operation) {
-  if (operation.name == "fill_holes") {
+  if (operation.name.starts_with("fill_holes")) {
     return with_kernel_scope(peer_variant(
         "copy_bits", "no operation: the packed words copied",
         [](Index width, Index height, int) { return std::make_unique<CopyBitsJob>(width, height); },

@@ -112,8 +112,7 @@ thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* l
                                        const thinbench_execution* execution, uint32_t* objects) {
   return guarded([&] {
     require_pointer(objects, "objects");
-    require(connectivity == 4 || connectivity == 8,
-            "connectivity: expected 4 or 8, got " + std::to_string(connectivity));
+    detail::require_connectivity(connectivity);
     const ConstImageView image = image_of(source);
     *objects = label_image(image, {labels, image.width, image.height, labels_stride},
                            static_cast<Connectivity>(connectivity), execution_of(execution));
@@ -151,10 +150,18 @@ void thinbench_regions_destroy(thinbench_regions* regions) {
 thinbench_status thinbench_fill_holes(const thinbench_stack* source,
                                       const thinbench_output* destination,
                                       const thinbench_execution* execution) {
+  return thinbench_fill_small_holes(source, destination, 8, kAnyHoleArea, execution);
+}
+
+thinbench_status thinbench_fill_small_holes(const thinbench_stack* source,
+                                            const thinbench_output* destination,
+                                            int32_t connectivity, int64_t max_area,
+                                            const thinbench_execution* execution) {
   return guarded([&] {
+    detail::require_connectivity(connectivity);
     const Execution given = execution_of(execution);
     for_images(source, destination, [&](const ConstImageView& from, const ImageView& to) {
-      fill_holes(from, to, given);
+      fill_holes(from, to, static_cast<Connectivity>(connectivity), max_area, given);
     });
   });
 }
@@ -163,8 +170,7 @@ thinbench_status thinbench_euler_number(const thinbench_stack* source, int32_t c
                                         const thinbench_execution* execution, int64_t* number) {
   return guarded([&] {
     require_pointer(number, "number");
-    require(connectivity == 4 || connectivity == 8,
-            "connectivity: expected 4 or 8, got " + std::to_string(connectivity));
+    detail::require_connectivity(connectivity);
     const Execution given = execution_of(execution);
     *number = connectivity == 8 ? euler_number(image_of(source), given)
                                 : euler_number_4(image_of(source), given);

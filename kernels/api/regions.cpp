@@ -9,15 +9,16 @@ namespace {
 
 using detail::LabelsState;
 using detail::LabelsTask;
+using detail::RegionsParameters;
 using detail::RegionsState;
 using detail::RegionsTask;
 
 /// A state that holds the result.
-std::unique_ptr<RegionsState> computed(RegionsTask task, const ConstImageView& source,
-                                       const Execution& execution) {
+std::unique_ptr<RegionsState> computed(const RegionsParameters& parameters,
+                                       const ConstImageView& source, const Execution& execution) {
   detail::check_views(source, source, detail::InPlace::allowed);
-  auto state = detail::make_best_state(detail::operation_of(task), source.width, source.height,
-                                       {task}, execution);
+  auto state = detail::make_best_state(detail::operation_of(parameters.task), source.width,
+                                       source.height, parameters, execution);
   state->load(source);
   state->compute();
   return state;
@@ -41,13 +42,13 @@ std::vector<Region> copy_of(std::span<const Region> regions) {
 }  // namespace
 
 Regions find_regions(ConstImageView source, const Execution& execution) {
-  const auto state = computed(RegionsTask::holes, source, execution);
+  const auto state = computed({RegionsTask::holes}, source, execution);
   const detail::RegionLists lists = state->regions();
   return {copy_of(lists.objects), copy_of(lists.holes)};
 }
 
 std::vector<Region> find_components(ConstImageView source, const Execution& execution) {
-  const auto state = computed(RegionsTask::components, source, execution);
+  const auto state = computed({RegionsTask::components}, source, execution);
   return copy_of(state->regions().objects);
 }
 
@@ -70,16 +71,22 @@ std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity 
 }
 
 std::int64_t euler_number(ConstImageView source, const Execution& execution) {
-  return computed(RegionsTask::euler_eight, source, execution)->number();
+  return computed({RegionsTask::euler_eight}, source, execution)->number();
 }
 
 std::int64_t euler_number_4(ConstImageView source, const Execution& execution) {
-  return computed(RegionsTask::euler_four, source, execution)->number();
+  return computed({RegionsTask::euler_four}, source, execution)->number();
 }
 
 void fill_holes(ConstImageView source, ImageView destination, const Execution& execution) {
+  fill_holes(source, destination, Connectivity::eight, kAnyHoleArea, execution);
+}
+
+void fill_holes(ConstImageView source, ImageView destination, Connectivity objects,
+                std::int64_t max_area, const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
-  computed(RegionsTask::fill, source, execution)->store(destination);
+  const RegionsTask task = detail::fill_task(objects);
+  computed({task, max_area}, source, execution)->store(destination);
 }
 
 }  // namespace thinbench

@@ -237,6 +237,11 @@ void require_label_size(Index width, Index height) {
               " is larger than 2^31 pixels, the limit for labels");
 }
 
+void require_connectivity(int connectivity) {
+  require(connectivity == 4 || connectivity == 8,
+          "connectivity: expected 4 or 8, got " + std::to_string(connectivity));
+}
+
 void require_threads(int threads) {
   require(threads >= 1 && threads <= kMaxThreads, "threads: expected an integer in [1, " +
                                                       std::to_string(kMaxThreads) + "], got " +

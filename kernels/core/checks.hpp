@@ -21,6 +21,8 @@ void require(bool condition, const std::string& message);
 void require_size(Index width, Index height);
 void require_max_pixels(Index width, Index height);
 void require_threads(int threads);
+/// 4 or 8.
+void require_connectivity(int connectivity);
 
 // Limits of labels and keys, which are 32-bit numbers: a side of 2^29, 2^32 pixels with regions and
 // 2^31 with labels.

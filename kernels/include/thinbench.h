@@ -413,6 +413,13 @@ THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* sourc
                                                     const thinbench_output* destination,
                                                     const thinbench_execution* execution);
 
+/* The same for objects of connectivity 8 or 4, and only for holes of at most `max_area` pixels, without
+ * objects inside them, which stay as they are; INT64_MAX for all holes with all inside them. */
+THINBENCH_API thinbench_status thinbench_fill_small_holes(const thinbench_stack* source,
+                                                          const thinbench_output* destination,
+                                                          int32_t connectivity, int64_t max_area,
+                                                          const thinbench_execution* execution);
+
 /* Objects minus holes of one image; connectivity 8 or 4 is that of the objects. */
 THINBENCH_API thinbench_status thinbench_euler_number(const thinbench_stack* source,
                                                       int32_t connectivity,

@@ -71,10 +71,10 @@ void count_background(const ConstBitPlaneView& background, Label* first) {
   count_runs<Band::row>(background, 1, first);
 }
 
+template <Band band>
 void unite_holes(const Background& background) {
-  unite_background(background.image, background.runs, [&](Index y) {
-    unite_with_above<Band::row>(background.image, y, background.runs);
-  });
+  unite_background(background.image, background.runs,
+                   [&](Index y) { unite_with_above<band>(background.image, y, background.runs); });
 }
 
 Label number_holes(const Background& background, Label objects) {
@@ -97,8 +97,9 @@ void paint_all(const ConstBitPlaneView& image, const ConstBitPlaneView& backgrou
   }
 }
 
-constexpr HoleKernels kHoleKernels = {&invert,       &count_background, &unite_holes,
-                                      &number_holes, &sum_all,          &paint_all<Band::row>};
+constexpr HoleKernels kHoleKernels = {
+    &invert,       &count_background, &unite_holes<Band::row>, &unite_holes<Band::row_with_corners>,
+    &number_holes, &sum_all,          &paint_all<Band::row>};
 
 }  // namespace
 

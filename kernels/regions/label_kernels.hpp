@@ -6,10 +6,10 @@
 
 namespace thinbench::detail {
 
-/// What a run is: pixels of one row (4-connected objects), or of a pair of rows that are OR-ed
-/// first. Pixels of adjacent columns in a pair are neighbours in any case, so a run of the pair is
-/// connected (8-connected objects).
-enum class Band : std::uint8_t { row, pair };
+/// What a run is: pixels of one row (4-connected objects; with corners, 8-connected ones), or of a
+/// pair of rows that are OR-ed first. Pixels of adjacent columns in a pair are neighbours in any
+/// case, so a run of the pair is connected (8-connected objects).
+enum class Band : std::uint8_t { row, row_with_corners, pair };
 
 [[gnu::always_inline]] inline constexpr Index rows_of(Band band) {
   return band == Band::pair ? 2 : 1;
@@ -56,13 +56,15 @@ struct Background {
   RunForest runs;
 };
 
-/// Background is 4-connected. Run 0 is everything outside the image, connected to all background on
-/// the image border; its id is 0.
+/// Background is 4-connected unless stated otherwise. Run 0 is everything outside the image,
+/// connected to all background on the image border; its id is 0.
 struct HoleKernels {
   /// Writes the background.
   void (*invert)(const ConstBitPlaneView& image, const BitPlaneView& background);
   void (*count)(const ConstBitPlaneView& background, Label* first);
   void (*unite)(const Background& background);
+  /// The same for 8-connected background.
+  void (*unite_with_corners)(const Background& background);
   /// Sets `ids`, for holes from `objects` + 1; returns the last id.
   Label (*number)(const Background& background, Label objects);
   /// Adds all pixels to the region at their id, empty before, and sets the enclosing objects of

@@ -47,8 +47,7 @@ LabelsTask labels_task(Connectivity connectivity, bool with_list) {
   if (connectivity == Connectivity::eight) {
     return with_list ? LabelsTask::components_eight : LabelsTask::image_eight;
   }
-  require(connectivity == Connectivity::four,
-          "connectivity: expected 4 or 8, got " + std::to_string(static_cast<int>(connectivity)));
+  require_connectivity(static_cast<int>(connectivity));
   return with_list ? LabelsTask::components_four : LabelsTask::image_four;
 }
 

@@ -87,12 +87,12 @@ template <Band band>
 }
 
 /// Contacts of a row with the row below: both runs have begun at or before the bit, and they touch
-/// at it. For pairs of rows, at the bit or one before it.
+/// at it. With corners, and for pairs of rows, at the bit or one before it.
 template <Band band>
 class Contacts {
  public:
   [[gnu::always_inline]] std::uint64_t operator()(std::uint64_t upper, std::uint64_t lower) {
-    if constexpr (band != Band::pair) return upper & lower;
+    if constexpr (band == Band::row) return upper & lower;
     const std::uint64_t lower_west = shifted(lower, lower_);
     const std::uint64_t upper_west = shifted(upper, upper_);
     return (upper & (lower | lower_west)) | (lower & upper_west);

@@ -45,7 +45,7 @@ template <Band band, class Block>
                                                       const std::uint64_t* lower) {
   const Block above = Block::load_unaligned(upper);
   const Block here = Block::load_unaligned(lower);
-  if constexpr (band != Band::pair) return above & here;
+  if constexpr (band == Band::row) return above & here;
   return (above & (here | WordTraits<Block>::west(here, lower))) |
          (here & WordTraits<Block>::west(above, upper));
 }

@@ -4,34 +4,49 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 #include "core/packing.hpp"
 #include "core/planes.hpp"
 #include "core/variant.hpp"
 #include "regions/label_store.hpp"
+#include "thinbench/regions.hpp"
 
 namespace thinbench::detail {
 
 /// What to compute: lists of regions (holes, components), the Euler number with 8- or 4-connected
-/// objects, or an image (fill).
-enum class RegionsTask : std::uint8_t { holes, components, euler_eight, euler_four, fill };
+/// objects, or an image (fill; fill_four with 4-connected objects).
+enum class RegionsTask : std::uint8_t {
+  holes,
+  components,
+  euler_eight,
+  euler_four,
+  fill,
+  fill_four
+};
 
 struct RegionsParameters {
   RegionsTask task;
+  std::int64_t max_area = kAnyHoleArea;  // of holes to fill
 };
+/// The task of fill_holes(). Throws std::invalid_argument.
+[[nodiscard]] RegionsTask fill_task(Connectivity objects);
+
 using RegionsSetting = Setting<RegionsParameters>;
 
 /// Owns all memory for images of one size: one bit per pixel for packed images, one byte for `lut`,
-/// five bytes for `union_find`. Filling takes another bit or byte per pixel, and 8 bytes per run
-/// on packed images. Regions take 52 bytes per provisional label (at most one per two pixels; on
-/// images of parts one per some thousand). Memory for labels and runs grows on demand: compute()
-/// allocates only when an image has more of them than all before.
+/// five bytes for `union_find`. Filling takes another bit or byte per pixel, and where it labels
+/// runs, two bits per pixel and 8 bytes per run. Regions take 52 bytes per provisional label (at
+/// most one per two pixels; on images of parts one per some thousand). Memory for labels and runs
+/// grows on demand: compute() allocates only when an image has more of them than all before.
 class RegionsState {
  public:
   using Parameters = RegionsParameters;
 
-  static void check(const RegionsParameters&, Index width, Index height) {
+  static void check(const RegionsParameters& parameters, Index width, Index height) {
     require_regions_size(width, height);
+    require(parameters.max_area >= 0,
+            "max_area: expected at least 0, got " + std::to_string(parameters.max_area));
   }
 
   RegionsState() = default;

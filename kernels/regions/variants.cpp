@@ -1,12 +1,12 @@
 #include "regions/variants.hpp"
 
 #include <atomic>
-#include <cstring>
 
 #include "core/exported.hpp"
+#include "core/features.hpp"
 #include "core/thread_team.hpp"
 #include "regions/euler.hpp"
-#include "regions/labelled_runs.hpp"
+#include "regions/fill_state.hpp"
 #include "regions/run_labeller.hpp"
 
 namespace thinbench::detail {
@@ -39,47 +39,6 @@ State make_bitpacked_runs(const RegionsSetting& setting) {
 }
 State make_simd_runs(const RegionsSetting& setting) {
   return std::make_unique<RunState>(kernels_of<RunEngine>(setting.isa), setting);
-}
-
-/// Labels all runs, then sets those of holes.
-///
-/// Cost: that of labelled_runs.hpp, a load and a store per word to copy the image, and a look-up
-/// per background run, plus its words if it belongs to a hole. Rejected without measurement:
-/// docs/experiments.md#filling-with-lanes-or-threads.
-class FillState final : public RegionsPlaneState<std::uint64_t> {
- public:
-  explicit FillState(const RegionsSetting& setting)
-      : RegionsPlaneState(setting),
-        result_(setting.width, setting.height),
-        runs_(setting.width, setting.height) {}
-
-  void compute() override {
-    if (image().height == 0) return;
-    runs_.label(image());
-    for (Index y = 0; y < image().height; ++y) fill_row(y);
-  }
-  void store(const ImageView& destination) const override {
-    conversion().write(result_.view(), destination);
-  }
-
- private:
-  void fill_row(Index y) {
-    std::uint64_t* const target = result_.view().row(y);
-    const auto bytes = static_cast<std::size_t>(image().row_elements) * sizeof(std::uint64_t);
-    std::memcpy(target, image().row(y), bytes);
-    const RunRow runs = runs_.row(y);
-    const Label* const roots = runs_.roots(0);
-    for (Index i = 2; i < runs.count; i += 2) {
-      if (roots[runs.labels[i]] != 0) set_run(target, runs, i);
-    }
-  }
-
-  BitPlane result_;
-  LabelledRuns runs_;
-};
-
-State make_bitpacked_fill(const RegionsSetting& setting) {
-  return std::make_unique<FillState>(setting);
 }
 
 template <class Kernel>
@@ -130,12 +89,20 @@ void add_euler_variants(RegionsVariants& list) {
   }
 }
 
+void add_fill_variants(RegionsVariants& list) {
+  constexpr Features used = feature("bmi2") | feature("avx512bw") | feature("gfni");
+  for (const Isa isa : isas_with(used)) {
+    const bool words = isa == Isa::baseline;
+    list.add(words ? "bitpacked_flood" : "simd_flood", isa, &make_fill, {words ? 1 : 2});
+  }
+}
+
 std::vector<RegionsVariant> regions_variants(RegionsTask task) {
   RegionsVariants list;
   if (task == RegionsTask::holes || task == RegionsTask::components) {
     add_list_variants(list);
-  } else if (task == RegionsTask::fill) {
-    list.add("bitpacked_runs", Isa::baseline, &make_bitpacked_fill, {1});
+  } else if (task == RegionsTask::fill || task == RegionsTask::fill_four) {
+    add_fill_variants(list);
   } else {
     add_euler_variants(list);
   }
@@ -152,6 +119,8 @@ std::vector<RegionsOperation> make_regions_operations() {
                     "objects (8-connected) alone, with areas and centres"),
           operation(RegionsTask::fill, "fill_holes",
                     "objects with all that they enclose, interior contours filled"),
+          operation(RegionsTask::fill_four, "fill_holes_4",
+                    "4-connected objects with all that they enclose"),
           operation(RegionsTask::euler_eight, "euler_number",
                     "8-connected objects minus 4-connected holes"),
           operation(RegionsTask::euler_four, "euler_number_4",
@@ -163,6 +132,11 @@ std::vector<RegionsOperation> make_regions_operations() {
 std::span<const RegionsOperation> regions_operations() {
   static const auto& operations = kept(make_regions_operations());
   return operations;
+}
+
+RegionsTask fill_task(Connectivity objects) {
+  require_connectivity(static_cast<int>(objects));
+  return objects == Connectivity::four ? RegionsTask::fill_four : RegionsTask::fill;
 }
 
 const RegionsOperation& operation_of(RegionsTask task) {

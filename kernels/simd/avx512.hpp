@@ -214,6 +214,39 @@ inline WordBatch sum_with_carry(WordBatch a, WordBatch b, std::uint64_t& carry) 
   return _mm512_mask_sub_epi64(sum, static_cast<__mmask8>(entering), sum, ones);
 }
 
+#ifdef __AVX512VBMI2__
+
+inline WordBatch reversed(WordBatch row) {
+  const __m512i backwards = _mm512_set_epi8(
+      0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25,
+      26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48,
+      49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63);
+  const __m512i mirror = _mm512_set1_epi64(static_cast<long long>(0x8040201008040201));
+  return _mm512_gf2p8affine_epi64_epi8(_mm512_permutexvar_epi8(backwards, row), mirror, 0);
+}
+
+#else
+
+// Halves of bytes are looked up reversed; bytes are reversed within 128 bits, then these.
+inline WordBatch reversed(WordBatch row) {
+  const __m512i low_halves = _mm512_set1_epi8(0x0F);
+  const auto for_all = [](__m128i table) { return _mm512_broadcast_i32x4(table); };
+  const __m512i of_low = for_all(_mm_setr_epi8(0x00, -0x80, 0x40, -0x40, 0x20, -0x60, 0x60, -0x20,
+                                               0x10, -0x70, 0x50, -0x30, 0x30, -0x50, 0x70, -0x10));
+  const __m512i of_high = for_all(_mm_setr_epi8(0x0, 0x8, 0x4, 0xC, 0x2, 0xA, 0x6, 0xE, 0x1, 0x9,
+                                                0x5, 0xD, 0x3, 0xB, 0x7, 0xF));
+  const __m512i backwards =
+      for_all(_mm_setr_epi8(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
+  const __m512i low = _mm512_and_si512(row, low_halves);
+  const __m512i high = _mm512_and_si512(_mm512_srli_epi16(row, 4), low_halves);
+  const __m512i bytes =
+      _mm512_or_si512(_mm512_shuffle_epi8(of_low, low), _mm512_shuffle_epi8(of_high, high));
+  const __m512i quarters = _mm512_shuffle_epi8(bytes, backwards);
+  return _mm512_shuffle_i64x2(quarters, quarters, _MM_SHUFFLE(0, 1, 2, 3));
+}
+
+#endif
+
 inline WordBatch sums_before(WordBatch a) {
   const __m512i zero = _mm512_setzero_si512();
   __m512i sums = _mm512_alignr_epi64(a, zero, 7);

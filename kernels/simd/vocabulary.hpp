@@ -193,6 +193,9 @@ template <int count>
 [[gnu::always_inline]] inline WordBatch sum_with_carry(WordBatch a, WordBatch b,
                                                        std::uint64_t& carry);
 
+/// The 512 pixels in reverse order. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline WordBatch reversed(WordBatch row);
+
 /// Lane i is the sum of the lanes before it. [kRegisterHoldsRow]
 [[gnu::always_inline]] inline WordBatch sums_before(WordBatch a);
 

@@ -11,6 +11,9 @@ namespace thinbench::detail {
 [[nodiscard]] std::unique_ptr<RegionsState> make_union_find(const RegionsSetting& setting);
 [[nodiscard]] std::unique_ptr<RegionsState> make_union_find_fill(const RegionsSetting& setting);
 
+/// Filling from lists of all runs.
+[[nodiscard]] std::unique_ptr<RegionsState> make_run_fill(const RegionsSetting& setting);
+
 /// Label images from lists of all runs.
 [[nodiscard]] std::unique_ptr<LabelsState> make_run_labels(const LabelsSetting& setting);
 

@@ -29,6 +29,8 @@ constexpr std::array kTechniques = {
     TechniqueInfo{"bitpacked_contacts",
                   "runs of packed pixels and their contacts as bits, union-find where runs meet"},
     TechniqueInfo{"simd_contacts", "the same, labels painted by lane permutations"},
+    TechniqueInfo{"bitpacked_flood", "background flooded from the border, 64 pixels per addition"},
+    TechniqueInfo{"simd_flood", "the same with bits gathered and scattered, or 512 per addition"},
     TechniqueInfo{"simd_bytes", "xsimd, one pixel per byte lane"},
     TechniqueInfo{"simd_bitpacked", "xsimd on packed words, any width"},
     TechniqueInfo{"simd_bitpacked_tiles",
@@ -65,6 +67,9 @@ RegionsVariants regions_techniques(RegionsTask task) {
   RegionsVariants list;
   if (task == RegionsTask::fill) {
     list.add("union_find", Isa::baseline, &make_union_find_fill, {0});
+    list.add("bitpacked_runs", Isa::baseline, &make_run_fill, {0});
+  } else if (task == RegionsTask::fill_four) {
+    return list;
   } else if (task == RegionsTask::holes || task == RegionsTask::components) {
     list.add("union_find", Isa::baseline, &make_union_find, {0});
   } else {

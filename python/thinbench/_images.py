@@ -73,13 +73,20 @@ def edges(image: npt.ArrayLike, operator: str = "sobel", gradient_threshold: int
     return result
 
 
-def fill_holes(image: npt.ArrayLike, *, out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
+def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
+               max_area: int | None = None,
+               out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
     """Fill the holes of objects.
 
     Parameters
     ----------
     image : array of bool or uint8, shape (H, W)
         Nonzero is foreground. Never modified.
+    connectivity : {8, 4}
+        Of objects; holes have the other one.
+    max_area : int, optional
+        Fill only holes of at most so many pixels, not counting objects inside them, which stay as
+        they are.
     out : array, optional
         Receives the result: same shape and dtype as the image, C-contiguous. May be the image.
 
@@ -87,7 +94,8 @@ def fill_holes(image: npt.ArrayLike, *, out: npt.NDArray[Any] | None = None) -> 
     -------
     array of the shape and dtype of the image
         True or 255 on objects and everything they enclose: background stays background if it is
-        4-connected to the border. As scipy's `binary_fill_holes` with its default structure.
+        4-connected to the border, for 4-connected objects 8-connected. As scipy's
+        `binary_fill_holes`, there with a structure of ones.
 
     Raises
     ------
@@ -96,7 +104,7 @@ def fill_holes(image: npt.ArrayLike, *, out: npt.NDArray[Any] | None = None) -> 
 
     References
     ----------
-    docs/regions.md: labelled runs, joined by union-find.
+    docs/regions.md: background flooded from the border; labelled runs for areas.
 
     Examples
     --------
@@ -109,7 +117,9 @@ def fill_holes(image: npt.ArrayLike, *, out: npt.NDArray[Any] | None = None) -> 
     image = _arrays.binary(image)
     result = _arrays.result_for(image, out)
     stack, kept_alive = _arrays.source(image)
-    _library.fill_holes(stack, _arrays.destination(result), None)
+    largest = _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area)
+    _library.fill_small_holes(stack, _arrays.destination(result),
+                              _arrays.integer("connectivity", connectivity), largest, None)
     del kept_alive
     return result
 

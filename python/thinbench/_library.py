@@ -29,6 +29,7 @@ _SIZE = ctypes.c_size_t
 _DISTANCE = ctypes.c_ssize_t
 
 UNLIMITED = 2**31 - 1
+ANY_HOLE_AREA = 2**63 - 1
 _NAMES = [ctypes.create_string_buffer(name) for name in (b"background", b"keep", b"foreground")]
 BORDERS = {name.value.decode(): ctypes.addressof(name) for name in _NAMES}
 
@@ -75,7 +76,8 @@ prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
 label_image = _checked("label_image", _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _POINTER)
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
-fill_holes = _checked("fill_holes", _BYTES, _BYTES, _BYTES)
+fill_small_holes = _checked(
+    "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)
 euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
 regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels = (
     _function(lists, _POINTER, _POINTER, _SIZE, result=_POINTER)

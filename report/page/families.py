@@ -32,6 +32,7 @@ OF_TECHNIQUE = {
     "reference": REFERENCE, "lut": TABLES, "lut_sliding": TABLES, "union_find": TABLES,
     "autovec": COMPILER, "bitpacked": WORDS, "bitpacked_runs": WORDS,
     "bitpacked_contacts": WORDS, "simd_contacts": BITS,
+    "bitpacked_flood": WORDS, "simd_flood": BITS,
     "simd_bitpacked": BITS, "simd_bitpacked_row": BITS, "simd_bitpacked_tiles": BITS,
     "simd_runs": BITS}
 

@@ -27,6 +27,7 @@ LABELS = {
     "edges_roberts4": "Roberts edges, 2 × 2", "edges_roberts9": "Roberts edges, 3 × 3",
     "edges_mero_vassy": "Mero-Vassy edges, 3 × 3", "edges_mero_vassy_5x5": "Mero-Vassy edges, 5 × 5",
     "holes": "objects and holes", "components": "objects", "fill_holes": "filled holes",
+    "fill_holes_4": "filled holes, 4-conn.",
     "label_image": "label image", "label_image_4": "label image, 4-conn.",
     "label_components": "label image and objects", "label_components_4": "label image and objects, 4-conn.",
     "label_regions": "label image, objects and holes",

@@ -236,8 +236,14 @@ static void fills_holes_and_finds_edges(void) {
   const thinbench_stack all = source(COUNT);
   thinbench_output output = destination();
   draw();
+  rejects(thinbench_fill_small_holes(&all, &output, 260, 1, NULL), "260");
+  rejects(thinbench_fill_small_holes(&all, &output, 8, -1, NULL), "-1");
   CHECK(thinbench_fill_holes(&all, &output, NULL) == THINBENCH_OK);
   CHECK(results[2][5][9] == 255 && results[2][0][0] == 0);
+  CHECK(thinbench_fill_small_holes(&all, &output, 4, 1000, NULL) == THINBENCH_OK);
+  CHECK(results[2][5][9] == 255 && results[2][0][0] == 0);
+  CHECK(thinbench_fill_small_holes(&all, &output, 8, 0, NULL) == THINBENCH_OK);
+  CHECK(results[2][5][9] == 0 && results[2][5][8] == 255);
   CHECK(thinbench_edges("sobel", &all, &output, 0, 0, NULL) == THINBENCH_OK);
   CHECK(results[1][2][3] == 255 && results[1][0][0] == 0);
   output.foreground = 1;

@@ -59,6 +59,42 @@ TEST(FillHoles, fills_holes_and_the_objects_inside_them) {
   EXPECT_EQ(text_of(filled), expected) << "in place";
 }
 
+TEST(FillHoles, depends_on_the_connectivity_of_objects) {
+  const ByteImage image = image_of({".#.....", "#.#.###", ".#..#.#", "....###"});
+  ByteImage filled(image.width(), image.height());
+  fill_holes(image.view(), filled.view(), Connectivity::four, kAnyHoleArea);
+  EXPECT_EQ(text_of(filled), (TextImage{".#.....", "#.#.###", ".#..###", "....###"}));
+  fill_holes(image.view(), filled.view(), Connectivity::eight, kAnyHoleArea);
+  EXPECT_EQ(text_of(filled), (TextImage{".#.....", "###.###", ".#..###", "....###"}));
+}
+
+TEST(FillHoles, fills_holes_up_to_an_area_without_the_objects_inside_them) {
+  const ByteImage image = image_of({"#####..", "#...###", "#.#.#.#", "#...###", "#####.."});
+  const TextImage small = {"#####..", "#...###", "#.#.###", "#...###", "#####.."};
+  const TextImage all = {"#####..", "#######", "#######", "#######", "#####.."};
+  ByteImage filled(image.width(), image.height());
+  const auto filled_up_to = [&](std::int64_t area) {
+    fill_holes(image.view(), filled.view(), Connectivity::eight, area);
+    return text_of(filled);
+  };
+  EXPECT_EQ(filled_up_to(0), text_of(image));
+  EXPECT_EQ(filled_up_to(1), small);
+  EXPECT_EQ(filled_up_to(7), small);
+  EXPECT_EQ(filled_up_to(8), all);
+  EXPECT_EQ(filled_up_to(kAnyHoleArea), all);
+}
+
+TEST(FillHoles, rejects_a_negative_area_and_an_unknown_connectivity) {
+  const ByteImage image = noise_image(10, 4, 50, 1, 2);
+  ByteImage out = copy_of(image.view());
+  const auto rejected = [&](Connectivity objects, std::int64_t area) {
+    return rejection_of([&] { fill_holes(image.view(), out.view(), objects, area); });
+  };
+  EXPECT_EQ(rejected(Connectivity::four, -1), "max_area: expected at least 0, got -1");
+  EXPECT_EQ(rejected(static_cast<Connectivity>(6), 1), "connectivity: expected 4 or 8, got 6");
+  EXPECT_TRUE(equal(out.view(), image.view()));
+}
+
 /// The error for a view, which must be the same from all operations on one image.
 std::string rejected_view(const ConstImageView& view) {
   const std::string text = rejection_of([&] { (void)find_regions(view); });

@@ -573,13 +573,16 @@ class Caller {
 
   void fill() {
     const auto execution = draw_execution(input_);
+    const bool four = input_.number(0, 1) == 1;
+    const std::int64_t max_area = input_.number(0, 1) == 1 ? INT64_MAX : input_.number(0, 50);
     check_stacks(
         true,
         [&](const thinbench_stack* source, const thinbench_output* destination) {
-          return thinbench_fill_holes(source, destination, execution.pointer());
+          return thinbench_fill_small_holes(source, destination, four ? 4 : 8, max_area,
+                                            execution.pointer());
         },
-        [](const ConstImageView& source, const ImageView& destination) {
-          reference::fill_holes(source, destination);
+        [&](const ConstImageView& source, const ImageView& destination) {
+          reference::fill_small_holes(source, destination, four, max_area);
         });
   }
 

@@ -37,8 +37,9 @@ inline constexpr const char* kInput = "input";
 inline constexpr std::array kOneIteration = {"net_two_layer_sigmoid", "net_two_layer_linear",
                                              "net_single_layer_cluster"};
 inline constexpr std::array kOtherBinary = {
-    "holes",       "components",    "fill_holes",       "euler_number",       "euler_number_4",
-    "label_image", "label_image_4", "label_components", "label_components_4", "label_regions"};
+    "holes",          "components",  "fill_holes",    "fill_holes_4",     "euler_number",
+    "euler_number_4", "label_image", "label_image_4", "label_components", "label_components_4",
+    "label_regions"};
 inline constexpr std::array kGrey = {"edges_roberts4",       "edges_roberts9", "edges_mero_vassy",
                                      "edges_mero_vassy_5x5", "edges_sobel",    "edges_prewitt",
                                      "localise_objects"};

@@ -42,8 +42,9 @@ inline Result run_thinning(const Case& one, const ByteImage& image, int threads)
 
 inline Result run_image_operation(const Case& one, const ByteImage& image, int threads) {
   ByteImage output = unwritten(image.width(), image.height());
-  if (one.operation == "fill_holes") {
-    fill_holes(image.view(), output.view(), {.threads = threads});
+  if (one.operation.starts_with("fill_holes")) {
+    const auto objects = one.operation.ends_with("_4") ? Connectivity::four : Connectivity::eight;
+    fill_holes(image.view(), output.view(), objects, kAnyHoleArea, {.threads = threads});
   } else {
     detect_edges(edge_operator_from_name(one.operation).value(), image.view(), output.view(), {},
                  {.threads = threads});
@@ -88,7 +89,8 @@ inline std::vector<std::int64_t> numbers_found(std::string_view operation, Const
 
 /// By the technique that the library chooses.
 inline Result run_case(const Case& one, const ByteImage& image, int threads) {
-  const bool gives_image = one.operation.starts_with("edges_") || one.operation == "fill_holes";
+  const bool gives_image =
+      one.operation.starts_with("edges_") || one.operation.starts_with("fill_holes");
   if (one.operation == kInput) return hash_of(image);
   if (one.border != "-") return run_thinning(one, image, threads);
   if (gives_image) return run_image_operation(one, image, threads);

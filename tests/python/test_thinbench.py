@@ -125,6 +125,9 @@ IMAGE = np.ones((4, 4), bool)
      "256"),
     (lambda out: thinbench.euler_number(IMAGE, 6), ValueError, "6"),
     (lambda out: thinbench.label(IMAGE, 6), ValueError, "6"),
+    (lambda out: thinbench.fill_holes(IMAGE, connectivity=6, out=out), ValueError, "6"),
+    (lambda out: thinbench.fill_holes(IMAGE, max_area=-1, out=out), ValueError, "max_area.*-1"),
+    (lambda out: thinbench.fill_holes(IMAGE, max_area=1.5, out=out), TypeError, "max_area.*1.5"),
     (lambda out: thinbench.localise(np.ones((4, 4), np.uint8), brightness_threshold=-1),
      ValueError, "-1"),
 ])
@@ -167,6 +170,12 @@ def test_regions_agree_with_scipy():
         np.testing.assert_array_equal(four, expected_four)
         filled = ndimage.binary_fill_holes(image)
         np.testing.assert_array_equal(thinbench.fill_holes(image), filled)
+        four_filled = ndimage.binary_fill_holes(image, np.ones((3, 3)))
+        np.testing.assert_array_equal(thinbench.fill_holes(image, connectivity=4), four_filled)
+        holes, _ = ndimage.label(filled & ~image)
+        areas = np.bincount(holes.ravel())
+        small = (holes > 0) & (areas[holes] <= 3)
+        np.testing.assert_array_equal(thinbench.fill_holes(image, max_area=3), image | small)
         np.testing.assert_array_equal(labels > count, filled & ~image)
         for index, label in enumerate(table["label"]):
             ys, xs = np.nonzero(labels == label)

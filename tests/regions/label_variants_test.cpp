@@ -1,5 +1,5 @@
-// Every variant of the label images on shapes that are awkward for runs as bits, and on images that
-// are written past the caches.
+// Every variant of label images and of filling on shapes that are awkward for runs as bits, and
+// label images that are written past the caches.
 #include <array>
 #include <string>
 #include <vector>
@@ -73,7 +73,7 @@ std::vector<ByteImage> noise(Index width, Index height) {
   return images;
 }
 
-class LabelVariants : public ::testing::TestWithParam<std::string> {
+class RunVariants : public ::testing::TestWithParam<std::string> {
  protected:
   void expect_exact(const std::vector<ByteImage>& images) {
     const Operation& operation = operation_of(GetParam());
@@ -90,7 +90,7 @@ class LabelVariants : public ::testing::TestWithParam<std::string> {
   }
 };
 
-TEST_P(LabelVariants, are_exact_around_the_width_of_words_and_registers) {
+TEST_P(RunVariants, are_exact_around_the_width_of_words_and_registers) {
   for (const Index width : {1, 2, 3, 31, 63, 64, 65, 127, 128, 129, 193, 511, 512, 513, 577}) {
     for (const Index height : {1, 2, 3, 6, 13}) {
       expect_exact(shapes(width, height));
@@ -99,7 +99,7 @@ TEST_P(LabelVariants, are_exact_around_the_width_of_words_and_registers) {
   }
 }
 
-TEST_P(LabelVariants, are_exact_on_spirals_and_their_complements) {
+TEST_P(RunVariants, are_exact_on_spirals_and_their_complements) {
   for (const Index side : {1, 2, 3, 5, 31, 64, 65, 130}) {
     const ByteImage line = spiral(side);
     std::vector<ByteImage> images;
@@ -110,7 +110,7 @@ TEST_P(LabelVariants, are_exact_on_spirals_and_their_complements) {
   }
 }
 
-TEST_P(LabelVariants, are_exact_on_larger_noise) {
+TEST_P(RunVariants, are_exact_on_larger_noise) {
   for (const int percent : {10, 41, 60}) {
     std::vector<ByteImage> images;
     images.push_back(noise_image(700, 301, percent, 1, 77));
@@ -119,9 +119,10 @@ TEST_P(LabelVariants, are_exact_on_larger_noise) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, LabelVariants,
+INSTANTIATE_TEST_SUITE_P(, RunVariants,
                          ::testing::Values("label_image", "label_image_4", "label_components",
-                                           "label_components_4", "label_regions"),
+                                           "label_components_4", "label_regions", "fill_holes",
+                                           "fill_holes_4"),
                          [](const auto& param) { return param.param; });
 
 /// Large enough for non-temporal stores, whose lines are joined across rows.

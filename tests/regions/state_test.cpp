@@ -55,12 +55,37 @@ TEST(RegionsState, compute_keeps_its_input_and_is_repeatable) {
         EXPECT_EQ(state->number(), reference::euler_number(image.view()));
       } else if (operation.key == RegionsTask::euler_four) {
         EXPECT_EQ(state->number(), reference::euler_number_4(image.view()));
-      } else if (operation.key == RegionsTask::fill) {
+      } else {
         ByteImage expected(150, 70);
         ByteImage found(150, 70);
-        reference::fill_holes(image.view(), expected.view());
+        const bool four = operation.key == RegionsTask::fill_four;
+        (four ? reference::fill_holes_4 : reference::fill_holes)(image.view(), expected.view());
         state->store(found.view());
         EXPECT_TRUE(equal(found.view(), expected.view()));
+      }
+    }
+  }
+}
+
+TEST(RegionsState, fills_holes_up_to_an_area) {
+  const RegionsTask tasks[] = {RegionsTask::fill, RegionsTask::fill_four};
+  for (const RegionsTask task : tasks) {
+    for (const int percent : {30, 45, 60}) {
+      const ByteImage image = noise_image(190, 90, percent, 2, 6);
+      ByteImage expected(190, 90);
+      ByteImage found(190, 90);
+      for (const std::int64_t max_area : {0, 4, 20, 4000}) {
+        reference::fill_small_holes(image.view(), expected.view(), task == RegionsTask::fill_four,
+                                    max_area);
+        for (const RegionsVariant& variant : operation_of(task).variants) {
+          if (!unavailable_reason(variant, 190).empty()) continue;
+          const auto state = make_state(variant, 190, 90, {task, max_area}, 1);
+          state->load(image.view());
+          state->compute();
+          state->store(found.view());
+          ASSERT_TRUE(equal(found.view(), expected.view()))
+              << name_of(variant) << ", " << percent << " %, up to " << max_area;
+        }
       }
     }
   }

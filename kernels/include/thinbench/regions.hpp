@@ -60,10 +60,19 @@ THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
 [[nodiscard]] THINBENCH_API std::int64_t euler_number_4(ConstImageView source,
                                                         const Execution& execution = {});
 
+/// Fills holes, however large: see fill_holes.
+inline constexpr std::int64_t kAnyHoleArea = INT64_MAX;
+
 /// Fills holes: writes 255 for objects and everything they enclose, else 0. Thread-safe for
 /// different destinations. Both views must have the same size and be the same image or share no
 /// pixel; throws std::invalid_argument otherwise. Nothing is written if it throws.
 THINBENCH_API void fill_holes(ConstImageView source, ImageView destination,
                               const Execution& execution = {});
+
+/// The same for objects that are 8- or 4-connected (holes are 4- or 8-connected, the other way
+/// round), and only for holes of at most `max_area` pixels, not counting objects inside them; these
+/// stay as they are. Throws std::invalid_argument for a negative area.
+THINBENCH_API void fill_holes(ConstImageView source, ImageView destination, Connectivity objects,
+                              std::int64_t max_area, const Execution& execution = {});
 
 }  // namespace thinbench
