@@ -1,5 +1,6 @@
 #include "measure/plan_json.hpp"
 
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -109,9 +110,43 @@ json plan_json(const Plan& plan, const Selection& selection, const std::vector<T
   return object;
 }
 
+namespace {
+
+void check_integer(const JsonField& object, const char* key, std::int64_t min) {
+  constexpr std::int64_t max = std::numeric_limits<std::int32_t>::max();
+  const JsonField field = object.member(key);
+  const std::int64_t value = field.integer();
+  if (value < min || value > max) {
+    field.fail("is " + std::to_string(value) + ", not from " + std::to_string(min) + " to " +
+               std::to_string(max));
+  }
+}
+
+/// Numbers that are repeated, divided by or converted: what no plan has is rejected.
+void check_numbers(const json& object, const std::string& name) {
+  const JsonField groups = JsonField(object, name, "").member("groups");
+  for (std::size_t i = 0; i < groups.count(0, 1'000'000, "groups"); ++i) {
+    const JsonField group = groups.element(i);
+    check_integer(group, "layouts", 1);
+    const JsonField entries = group.member("entries");
+    for (std::size_t k = 0; k < entries.count(1, 1'000'000, "entries"); ++k) {
+      for (const char* key : {"calls", "counted", "visits"}) {
+        check_integer(entries.element(k), key, 1);
+      }
+      check_integer(entries.element(k), "warm_up", 0);
+    }
+  }
+  const JsonField sources = JsonField(object, name, "").member("sources");
+  if (!sources.member("threshold").json().is_null()) check_integer(sources, "threshold", 0);
+}
+
+}  // namespace
+
 Plan plan_from_json(const std::string& text) {
   try {
-    const json object = parse_json(text, "standard input");
+    const std::string name = "standard input";
+    const json object = parse_json(text, name);
+    check_numbers(object, name);
     return {object.at("sources").get<InputChoice>(), object.at("cycle_ns").get<double>(),
             object.at("groups").get<std::vector<Group>>()};
   } catch (const json::exception& error) {

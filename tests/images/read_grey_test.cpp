@@ -126,7 +126,8 @@ TEST(ReadGrey, text_is_no_image) {
 
 TEST(ReadGrey, image_without_pixels_is_rejected) {
   const TemporaryDirectory directory;
-  for (const char* header : {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n"}) {
+  for (const char* header :
+       {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n", "P2\n1544444444444444444 -444\n255\n"}) {
     expect_error(directory.with("a.pgm", header), "it is damaged or has no pixels");
   }
   ASSERT_TRUE(cv::imwrite(directory.file("a.png"), ramp()));

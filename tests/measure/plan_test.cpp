@@ -102,10 +102,32 @@ TEST(PlanJson, is_read_back_as_it_was_written) {
 }
 
 TEST(PlanJson, rejects_other_texts) {
-  EXPECT_EQ(rejection_of<std::runtime_error>([] {
-              static_cast<void>(plan_from_json("{}"));
-            }).find("standard input holds no plan: "),
-            0U);
+  EXPECT_EQ(rejection_of<std::runtime_error>([] { static_cast<void>(plan_from_json("{}")); }),
+            "standard input: groups is missing");
+}
+
+TEST(PlanJson, rejects_numbers_that_cannot_be_measured_by) {
+  const auto rejection_with = [](const char* key, const nlohmann::json& value) {
+    nlohmann::json entry = {{"name", "a"},       {"role", "row"},  {"calls", 1},
+                            {"counted", 1},      {"warm_up", 0},   {"visits", 1},
+                            {"threaded", false}, {"seconds", 1.0}, {"hash", ""}};
+    entry[key] = value;
+    const nlohmann::json plan = {{"sources",
+                                  {{"pictures", nlohmann::json::array()},
+                                   {"drawn", nlohmann::json::array()},
+                                   {"foreground", "auto"},
+                                   {"threshold", nullptr}}},
+                                 {"groups", {{{"layouts", 3}, {"entries", {entry}}}}}};
+    return rejection_of<std::runtime_error>(
+        [&] { static_cast<void>(plan_from_json(plan.dump())); });
+  };
+  EXPECT_EQ(rejection_with("calls", 2), "");
+  EXPECT_EQ(rejection_with("counted", 0),
+            "standard input: groups[0].entries[0].counted is 0, not from 1 to 2147483647");
+  EXPECT_EQ(rejection_with("visits", -1),
+            "standard input: groups[0].entries[0].visits is -1, not from 1 to 2147483647");
+  EXPECT_EQ(rejection_with("calls", 1e300),
+            "standard input: groups[0].entries[0].calls must be an integer");
 }
 
 TEST(Measure, gives_times_and_stops_where_a_result_is_not_the_verified_one) {

@@ -39,3 +39,21 @@ def test_sources_of_suppressions_exist() -> None:
     lines = (ROOT / "tests" / "tsan.supp").read_text(encoding="utf-8").splitlines()
     named = [line.partition(":")[2] for line in lines if line.endswith(".cpp")]
     assert named and [name for name in named if not (ROOT / "kernels" / name).exists()] == []
+
+
+def absent_tests(table: str) -> list[str]:
+    """Names in backticks that no test, fuzz target or add_test has."""
+    sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("*")
+                      if path.suffix in {".cpp", ".py", ".txt"})
+    known = {f"{suite}.{name}" for suite, name in
+             re.findall(r"\bTEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\)", sources)}
+    for pattern in (r"\bdef (test_\w+)\(", r"\bNAME (\w+)", r"thinbench_fuzz\((\w+)"):
+        known |= set(re.findall(pattern, sources))
+    return [name for name in re.findall(r"`([\w.]+)`", table) if name not in known]
+
+
+def test_tests_that_security_names_exist() -> None:
+    text = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
+    table = text.partition("## Which test shows it")[2].partition("\n## ")[0]
+    assert table.count("\n|") > 10 and absent_tests(table) == []
+    assert absent_tests("| a promise | `Suite.not_there` |") == ["Suite.not_there"]

@@ -35,9 +35,10 @@ Index number_at(std::string_view bytes, std::size_t at, std::size_t count, bool 
   return value;
 }
 
-/// Of numbers that are not negative; the largest number where it is larger.
+/// 0 if one is negative, as in a damaged header; the largest number where it is larger.
 Index product(Index a, Index b) {
-  return b > 0 && a > INT64_MAX / b ? INT64_MAX : a * b;
+  if (a <= 0 || b <= 0) return 0;
+  return a > INT64_MAX / b ? INT64_MAX : a * b;
 }
 
 /// The bytes of rows that are padded to whole bytes.

@@ -1,0 +1,23 @@
+// Plans of the sampler: their numbers, or one line that says what is wrong.
+#include <stdexcept>
+#include <string>
+
+#include "byte_source.hpp"
+#include "measure/plan_json.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace thinbench;
+  try {
+    const Plan plan = plan_from_json(std::string(data, data + size));
+    for (const Group& group : plan.groups) {
+      must(group.layouts > 0, "no layout");
+      for (const Entry& entry : group.entries) {
+        must(entry.calls > 0 && entry.counted > 0 && entry.visits > 0 && entry.warm_up >= 0,
+             "an entry that cannot be measured");
+      }
+    }
+  } catch (const std::runtime_error& error) {
+    must_be_one_line(error.what());
+  }
+  return 0;
+}
