@@ -19,5 +19,6 @@ namespace thinbench {
 [[nodiscard]] Command add_distance_command(CLI::App& program);
 [[nodiscard]] Command add_euler_command(CLI::App& program);
 [[nodiscard]] Command add_graph_command(CLI::App& program);
+[[nodiscard]] Command add_path_command(CLI::App& program);
 
 }  // namespace thinbench
