@@ -1,5 +1,32 @@
-# Installs the static and the shared library, public headers, a CMake package and a pkg-config file.
+# Installs the static and the shared library, public headers, a CMake package and a pkg-config file; the program, if it
+# is built, with its manual page and shell completion. The components are packages: cmake/packages.cmake.
 include(CMakePackageConfigHelpers)
+
+# Before anything else, so that no half of a prefix remains.
+set(thinbench_installed thinbench thinbench_shared)
+if(TARGET thinbench_program)
+  list(APPEND thinbench_installed thinbench_program)
+endif()
+list(JOIN thinbench_installed " " thinbench_installed_text)
+foreach(target ${thinbench_installed})
+  install(CODE "
+    if(NOT EXISTS \"$<TARGET_FILE:${target}>\")
+      message(FATAL_ERROR \"${target} is not built; first run: cmake --build ${PROJECT_BINARY_DIR} --target ${thinbench_installed_text}\")
+    endif()" ALL_COMPONENTS)
+endforeach()
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+if(TARGET thinbench_program)
+  install(TARGETS thinbench_program COMPONENT program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/manual/thinbench.1 COMPONENT program DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/manual/thinbench.bash-completion COMPONENT program RENAME thinbench
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endif()
+if(THINBENCH_BUILD_PYTHON)
+  # Only as a package; everyone else takes the wheel.
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/python/thinbench COMPONENT python EXCLUDE_FROM_ALL
+          DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE)
+endif()
 
 set(thinbench_package ${CMAKE_INSTALL_LIBDIR}/cmake/thinbench)
 install(TARGETS thinbench thinbench_shared EXPORT thinbench
@@ -24,3 +51,8 @@ endif()
 file(RELATIVE_PATH thinbench_prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/thinbench.pc.in ${PROJECT_BINARY_DIR}/thinbench.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/thinbench.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the check above says what to build
+  include(${PROJECT_SOURCE_DIR}/cmake/packages.cmake)
+endif()

@@ -66,7 +66,8 @@ Thinning thinning_of(const thinbench_thinning* given) {
   Thinning thinning;
   if (given == nullptr) return thinning;
   const thinbench_thinning defaults = THINBENCH_THINNING_INIT;
-  const auto from = versioned(given, first_version, defaults, "thinning");
+  const auto from =
+      versioned(given, first_version, defaults, "thinning", "THINBENCH_THINNING_INIT");
   require(from.max_iterations >= 0,
           "max_iterations: expected 1 or more, or 0 for the rule's own limit, got " +
               std::to_string(from.max_iterations));
@@ -80,7 +81,8 @@ Execution execution_of(const thinbench_execution* given) {
   Execution execution;
   if (given == nullptr) return execution;
   const thinbench_execution defaults = THINBENCH_EXECUTION_INIT;
-  const auto from = versioned(given, first_version, defaults, "execution");
+  const auto from =
+      versioned(given, first_version, defaults, "execution", "THINBENCH_EXECUTION_INIT");
   execution.threads = from.threads;
   if (from.isa != nullptr) execution.isa = isa_of(from.isa);
   return execution;

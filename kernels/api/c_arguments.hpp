@@ -76,10 +76,11 @@ T named(const char* what, const char* name, std::optional<T> value, const Names&
 /// A struct whose caller may know fewer members than this library, but at least those up to
 /// `first_version`; the others keep their defaults.
 template <class Struct>
-Struct versioned(const Struct* given, size_t first_version, Struct defaults, const char* name) {
+Struct versioned(const Struct* given, size_t first_version, Struct defaults, const char* name,
+                 const char* initialiser) {
   require(first_version <= given->size && given->size <= sizeof(Struct),
           std::string(name) + ".size: expected " + std::to_string(sizeof(Struct)) + ", got " +
-              std::to_string(given->size));
+              std::to_string(given->size) + "; " + initialiser + " sets it");
   std::memcpy(&defaults, given, given->size);
   return defaults;
 }

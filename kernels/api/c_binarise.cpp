@@ -28,8 +28,9 @@ Value value_named(const char* what, const char* name,
 Binarisation binarisation_of(const thinbench_binarisation* given) {
   constexpr std::int32_t otsu = -1, local = -2;
   if (given == nullptr) return {};
-  const thinbench_binarisation all = versioned(
-      given, sizeof(*given), thinbench_binarisation THINBENCH_BINARISATION_INIT, "request");
+  const thinbench_binarisation all =
+      versioned(given, sizeof(*given), thinbench_binarisation THINBENCH_BINARISATION_INIT,
+                "request", "THINBENCH_BINARISATION_INIT");
   Binarisation request;
   if (all.foreground != nullptr) {
     request.foreground = value_named<Foreground>("foreground", all.foreground, kForegroundNames);

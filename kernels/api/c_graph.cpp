@@ -38,7 +38,8 @@ const Struct* list_of(const thinbench_graph* graph, std::vector<T> Graph::*list,
 Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image) {
   require_pointer(pruning, "pruning");
   constexpr size_t first_version = sizeof(thinbench_pruning);
-  const thinbench_pruning given = versioned(pruning, first_version, thinbench_pruning{}, "pruning");
+  const thinbench_pruning given = versioned(pruning, first_version, thinbench_pruning{}, "pruning",
+                                            "sizeof(thinbench_pruning)");
   Pruning result = {.min_length = given.min_length, .min_widths = given.min_widths};
   result.removes_components = given.removes_components != 0;
   if (given.squared_distances != nullptr) {

@@ -181,7 +181,9 @@ thinbench_status thinbench_rule_describe(const thinbench_rule* rule, thinbench_r
     require_pointer(info, "info");
     const Rule& described = rule_of(rule);
     thinbench_rule_info found = {};
-    found.size = versioned(info, first_version, thinbench_rule_info{}, "info").size;
+    found.size =
+        versioned(info, first_version, thinbench_rule_info{}, "info", "sizeof(thinbench_rule_info)")
+            .size;
     found.name = described.name().data();
     set_texts(described.name(), found);
     const auto tables = described.sub_iterations();

@@ -408,6 +408,15 @@ THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points,
                                                   double tolerance, thinbench_pixel* kept,
                                                   size_t* kept_count);
 
+/* The path of a robot from start to goal, in a map whose foreground is free, on the skeleton of the
+ * free space: thinbench/path.hpp. `pixels` has room for as many pixels as the map; *count becomes
+ * their number. */
+THINBENCH_API thinbench_status thinbench_find_path(const thinbench_stack* free,
+                                                   thinbench_pixel start, thinbench_pixel goal,
+                                                   double width,
+                                                   const thinbench_execution* execution,
+                                                   thinbench_pixel* pixels, size_t* count);
+
 /* Sets objects and what they enclose to 255; destination may be the source. */
 THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* source,
                                                     const thinbench_output* destination,

@@ -22,9 +22,9 @@ _UINT8 = np.dtype(np.uint8)
 
 def unmasked(image: Any, name: str = "image") -> Array:
     """An array, no element of which is masked."""
-    if isinstance(image, np.ma.MaskedArray) and np.ma.is_masked(image):
-        raise ValueError(f"{name}: expected no masked elements, got {np.ma.count_masked(image)}; "
-                         f"`{name}.filled(0)` makes them background")
+    masked = np.count_nonzero(image.mask) if isinstance(image, np.ma.MaskedArray) else 0
+    if masked:
+        raise ValueError(f"{name}: expected no masked elements, got {masked}; `{name}.filled(0)` makes them background")
     return np.asarray(image)
 
 

@@ -72,6 +72,15 @@ classify_pixels = _checked("classify_pixels", _BYTES, _POINTER, _DISTANCE, _POIN
 full_blocks = _checked("full_blocks", _BYTES, _POINTER, _POINTER)
 polyline = _checked("polyline", _POINTER, _SIZE, ctypes.c_double, _POINTER, _POINTER)
 skeleton_graph = _checked("skeleton_graph", _BYTES, _BYTES, _POINTER)
+
+
+class Pixel(ctypes.Structure):
+    """A thinbench_pixel struct."""
+
+    _fields_ = [("x", ctypes.c_int32), ("y", ctypes.c_int32)]
+
+
+find_path = _checked("find_path", _BYTES, Pixel, Pixel, ctypes.c_double, _BYTES, _POINTER, _POINTER)
 prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
 label_image = _checked("label_image", _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _POINTER)

@@ -159,8 +159,8 @@ def edges(array: Any, operator: str = "sobel", gradient_threshold: int = 40, bri
     18
     """
     _check_image(array, _arrays.grey)
-    options = {"operator": operator, "gradient_threshold": gradient_threshold,
-               "brightness_threshold": brightness_threshold}
+    options: dict[str, Any] = {"operator": operator, "gradient_threshold": gradient_threshold,
+                               "brightness_threshold": brightness_threshold}
     thinbench.edges(np.empty((0, 0), np.uint8), **options)
     return _dask_thinning.with_halo(array, thinbench.edges, 3, np.uint8, **options)
 

@@ -176,12 +176,12 @@ TEST(Remarks, warn_of_images_of_one_level_with_any_options) {
   EXPECT_EQ(remarks(rectangle(77, 77), bright_from(70)), same + "77: all of them are foreground\n");
 }
 
-TEST(Remarks, warn_of_a_histogram_without_two_classes_unless_the_threshold_is_given) {
+TEST(Remarks, warn_of_classes_that_overlap_unless_the_threshold_is_given) {
   const ByteImage noise = grey_noise_image(300, 200, 0, 255, 3);
   const std::string text = remarks(noise, {Foreground::bright});
-  EXPECT_NE(text.find("warning: a.png: the histogram has no two classes (7"), std::string::npos)
+  EXPECT_NE(text.find("warning: a.png: the two classes overlap: 10"), std::string::npos)
       << text;
-  EXPECT_NE(text.find("choose --threshold N\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("or --threshold N\n"), std::string::npos) << text;
   EXPECT_EQ(remarks(noise, bright_from(200)), "");
   EXPECT_EQ(remarks(render_scene().grey, {Foreground::dark}).find("warning"), std::string::npos);
 }

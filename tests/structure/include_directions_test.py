@@ -31,6 +31,7 @@ ALLOWED = {
     "localise": BASE | {"edges", "regions"},
     "distance": BASE,
     "graph": BASE,
+    "path": BASE,
 }
 PRODUCT = set(ALLOWED)
 ALLOWED["api"] = PRODUCT

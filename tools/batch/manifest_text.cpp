@@ -54,14 +54,9 @@ Json json_of(const BatchRecord& record) {
           {"error", text_or_null(record.error)}};
 }
 
-std::string csv_cell(const Json& value) {
+std::string cell_of(const Json& value) {
   if (value.is_null()) return {};
-  if (!value.is_string()) return value.dump();
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + '"';
+  return value.is_string() ? csv_cell(value.get_ref<const std::string&>()) : value.dump();
 }
 
 /// Reads records one after another.
@@ -192,7 +187,7 @@ std::string manifest_line(const BatchRecord& record, ManifestFormat format) {
   const Json json = json_of(record);
   if (format == ManifestFormat::json_lines) return json.dump() + '\n';
   Cells cells;
-  for (const Json& value : json) cells.push_back(csv_cell(value));
+  for (const Json& value : json) cells.push_back(cell_of(value));
   return fmt::format("{}\n", fmt::join(cells, ","));
 }
 

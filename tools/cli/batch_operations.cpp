@@ -8,9 +8,10 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
-#include "cli/regions_json.hpp"
+#include "cli/region_formats.hpp"
 #include "cli/usage.hpp"
 #include "images/regions.hpp"
+#include "thinbench/localise.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr const char* kHoles = "holes";
 constexpr const char* kEdges = "edges";
+constexpr const char* kLocalise = "localise";
 
 /// What the record of every operation says of the input; returns its regions.
 Regions describe(const BinaryImage& binary, const BinariseOptions& options,
@@ -102,16 +104,34 @@ BatchResult compute_holes(ByteImage grey, BatchRecord& record,
   const Regions found = selected(all, kept_regions(all, min_area));
   record.components = static_cast<std::int64_t>(found.objects.size());
   record.holes = static_cast<std::int64_t>(found.holes.size());
-  return {{}, regions_json(found, binary, request.binarise, min_area)};
+  return {{},
+          regions_json({record.file, binary.image.width(), binary.image.height(), found, min_area},
+                       choice_of(binary, request.binarise))};
 }
 
-BatchOperation holes_operation(const BatchOperationRequest& request) {
+BatchResult compute_localise(ByteImage grey, BatchRecord& record,
+                             const BatchOperationRequest& request) {
+  const BinaryImage binary = binarise(copy_of(grey.view()), request.binarise);
+  describe(binary, request.binarise, request.thinning.execution, record);
+  const std::int64_t min_area = request.min_area.value_or(1);
+  const EdgeThresholds thresholds = prepare_for_edges(grey, binary, request.edges);
+  const Regions all = localise_objects(grey.view(), thresholds, request.thinning.execution);
+  const Regions found = selected(all, kept_regions(all, min_area));
+  record.components = static_cast<std::int64_t>(found.objects.size());
+  record.holes = static_cast<std::int64_t>(found.holes.size());
+  return {{},
+          regions_json({record.file, grey.width(), grey.height(), found, min_area},
+                       choice_of(binary, request.binarise))};
+}
+
+BatchOperation regions_operation(const BatchOperationRequest& request) {
   const auto compute = [request](ByteImage grey, BatchRecord& record) {
-    return compute_holes(std::move(grey), record, request);
+    return request.thinning.rule == kHoles ? compute_holes(std::move(grey), record, request)
+                                           : compute_localise(std::move(grey), record, request);
   };
   const std::string area =
       request.min_area ? " --min-area " + std::to_string(*request.min_area) : "";
-  return {kHoles + area, [compute] { return compute; }};
+  return {request.thinning.rule + edge_words(request.edges) + area, [compute] { return compute; }};
 }
 
 bool makes_edges(const BatchOperationRequest& request) {
@@ -120,7 +140,7 @@ bool makes_edges(const BatchOperationRequest& request) {
 }
 
 BatchOperation operation_of(const BatchOperationRequest& request) {
-  if (makes_regions(request)) return holes_operation(request);
+  if (makes_regions(request)) return regions_operation(request);
   if (makes_edges(request)) return edges_operation(request);
   return thinning_operation(request);
 }
@@ -133,13 +153,13 @@ void check_applies(bool applies, const std::string& words, const BatchOperationR
 }  // namespace
 
 bool makes_regions(const BatchOperationRequest& request) {
-  return request.thinning.rule == kHoles;
+  return request.thinning.rule == kHoles || request.thinning.rule == kLocalise;
 }
 
 BatchOperation batch_operation(const BatchOperationRequest& request) {
   const bool edges = makes_edges(request);
   const bool regions = makes_regions(request);
-  check_applies(edges, edge_words(request.edges), request);
+  check_applies(edges || request.thinning.rule == kLocalise, edge_words(request.edges), request);
   check_applies(regions, request.min_area ? " --min-area" : "", request);
   check_applies(!edges && !regions, thinning_words(request.thinning), request);
   BatchOperation operation = operation_of(request);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,11 @@ struct Console {
   std::ostream& err;
   bool err_is_terminal;
 };
+
+/// Where a line about an image that was written goes: not where the image went.
+[[nodiscard]] inline std::ostream& summary_stream(const Console& console, const std::string& out) {
+  return out == "-" ? console.err : console.out;
+}
 
 struct Command {
   CLI::App* app;

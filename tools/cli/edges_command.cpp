@@ -45,9 +45,9 @@ int run(const EdgesOptions& options, const Console& console) {
       [&] { detect_edges(op, grey.view(), edges.view(), thresholds, options.execution); });
   write_grey(options.out, edges.view());
   console.err << remarks.str();
-  console.out << fmt::format("{}: {} x {}, {} edge pixels, {:.3f} ms\n",
-                             edge_operator_info(op).operation, grey.width(), grey.height(),
-                             foreground_pixels(edges.view()), milliseconds);
+  summary_stream(console, options.out)
+      << fmt::format("{}: {} x {}, {} edge pixels, {:.3f} ms\n", edge_operator_info(op).operation,
+                     grey.width(), grey.height(), foreground_pixels(edges.view()), milliseconds);
   return kSuccess;
 }
 
@@ -56,8 +56,11 @@ int run(const EdgesOptions& options, const Console& console) {
 Command add_edges_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("edges", "Mark the edges of an image file in another");
   const auto options = std::make_shared<EdgesOptions>();
-  app->add_option("IN", options->in, "Image to read")->required()->type_name("");
-  app->add_option("OUT", options->out, "Image to write: .png, .pgm, .bmp or .tif")
+  app->add_option("IN", options->in, "Image to read; - reads standard input")
+      ->required()
+      ->type_name("");
+  app->add_option("OUT", options->out,
+                  "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output")
       ->required()
       ->type_name("");
   app->add_option("--operator", options->op,

@@ -155,7 +155,7 @@ FoundGraph graph_of(const ByteImage& image, ByteImage& skeleton,
   squared_distances(image.view(), {squares.data(), width, height}, {.threads = options.threads});
   Pruning pruning = options.pruning;
   pruning.squared_distances = {squares.data(), width, height};
-  FoundGraph found = {width, height, {}, {}, {}};
+  FoundGraph found = {options.in, width, height, {}, {}, {}};
   found.graph = prune(skeleton.view(), skeleton.view(), pruning, {.threads = options.threads});
   found.widths = edge_widths(found.graph, pruning.squared_distances);
   for (const GraphEdge& edge : found.graph.edges) {
@@ -228,7 +228,9 @@ void add_pruning(CLI::App& app, GraphCommandOptions& options) {
 Command add_graph_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("graph", "List ends, junctions and lines of a skeleton");
   const auto options = std::make_shared<GraphCommandOptions>();
-  app->add_option("IN", options->in, "Image to read")->required()->type_name("");
+  app->add_option("IN", options->in, "Image to read; - reads standard input")
+      ->required()
+      ->type_name("");
   app->add_option("--thinning", options->thinning,
                   "Operation that thins the image; none: it is a skeleton")
       ->check(not_empty())

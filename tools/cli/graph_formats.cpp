@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "support/text.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -145,25 +147,30 @@ std::string graph_json(const FoundGraph& found) {
     edges.push_back(properties_of(found, i));
     edges.back()["points"] = positions(found.lines[i], [](Pixel p) { return Json{p.x, p.y}; });
   }
-  const Json json = {
-      {"width", found.width}, {"height", found.height}, {"nodes", nodes}, {"edges", edges}};
-  return json.dump(2) + '\n';
+  const Json json = {{"file", found.file},
+                     {"width", found.width},
+                     {"height", found.height},
+                     {"nodes", nodes},
+                     {"edges", edges}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string graph_csv(const FoundGraph& found) {
   const Graph& graph = found.graph;
   const auto cell = [](double width) { return std::isfinite(width) ? fmt::to_string(width) : ""; };
   std::string text =
-      "id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,length,chord,width_mean,"
+      "file,image_width,image_height,id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,"
+      "length,chord,width_mean,"
       "width_min,width_max\n";
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const GraphEdge& edge = graph.edges[i];
     const EdgeWidths& width = found.widths[i];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                   i + 1, edge.from + 1, edge.to + 1, kind_of(graph.nodes[edge.from]),
-                   kind_of(graph.nodes[edge.to]), edge.start.x, edge.start.y, edge.stop.x,
-                   edge.stop.y, edge.pixel_count, length_of(edge), chord_of(edge), cell(width.mean),
-                   cell(width.least), cell(width.greatest));
+    fmt::format_to(std::back_inserter(text),
+                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(found.file),
+                   found.width, found.height, i + 1, edge.from + 1, edge.to + 1,
+                   kind_of(graph.nodes[edge.from]), kind_of(graph.nodes[edge.to]), edge.start.x,
+                   edge.start.y, edge.stop.x, edge.stop.y, edge.pixel_count, length_of(edge),
+                   chord_of(edge), cell(width.mean), cell(width.least), cell(width.greatest));
   }
   return text;
 }

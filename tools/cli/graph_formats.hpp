@@ -13,6 +13,7 @@ namespace thinbench {
 using AffineTransform = std::array<double, 6>;
 
 struct FoundGraph {
+  std::string file;
   Index width;
   Index height;
   Graph graph;

@@ -1,19 +1,17 @@
-// thinbench holes: the objects of an image and their holes, as a list, as JSON and drawn.
+// thinbench holes: the objects of an image and their holes, as a list, as tables and drawn.
 #include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "cli/arguments.hpp"
 #include "cli/names.hpp"
-#include "cli/regions_json.hpp"
+#include "cli/region_formats.hpp"
 #include "cli/thinbench.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
 #include "images/regions.hpp"
+#include "support/whole_file.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -22,39 +20,17 @@ namespace {
 struct HolesCommandOptions {
   std::string in;
   std::string overlay;
+  std::string csv;
   Execution execution;
   std::int64_t min_area = 1;
   BinariseOptions binarise;
   bool json = false;
 };
 
-std::string line_of(const char* kind, std::size_t id, const Region& region) {
-  return fmt::format("{} {}: area {}, centre ({:.2f}, {:.2f}), box {} {} {} {}\n", kind, id,
-                     region.area, region.centre_x(), region.centre_y(), region.left, region.top,
-                     region.right - region.left + 1, region.bottom - region.top + 1);
-}
-
-void print_list(const Regions& found, std::ostream& out) {
-  const auto number = [](std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
-  out << number(found.objects.size(), "object") << ", " << number(found.holes.size(), "hole")
-      << '\n';
-  std::vector<std::vector<std::size_t>> holes_of(found.objects.size() + 1);
-  for (std::size_t i = 0; i < found.holes.size(); ++i) {
-    holes_of[found.holes[i].enclosing_object].push_back(i);
-  }
-  for (std::size_t i = 0; i < found.objects.size(); ++i) {
-    out << line_of("object", i + 1, found.objects[i]);
-    for (const std::size_t hole : holes_of[i + 1]) {
-      out << line_of("  hole", hole + 1, found.holes[hole]);
-    }
-  }
-}
-
 int run(const HolesCommandOptions& options, const Console& console) {
   const bool draws = !options.overlay.empty();
   if (draws) check_colour_extension(options.overlay);
+  if (!options.csv.empty()) check_target(options.csv);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const ByteImage shown = draws ? copy_of(grey.view()) : ByteImage();
@@ -64,13 +40,12 @@ int run(const HolesCommandOptions& options, const Console& console) {
     write_overlay(options.overlay, shown.view(), binary.image.view(), all, options.min_area);
   }
   print_remarks(options.in, binary, options.binarise, remarks);
+  const FoundRegions found = {options.in, binary.image.width(), binary.image.height(),
+                              selected(all, kept_regions(all, options.min_area)), options.min_area};
+  if (!options.csv.empty()) write_whole_file(options.csv, regions_csv(found));
   console.err << remarks.str();
-  const Regions found = selected(all, kept_regions(all, options.min_area));
-  if (options.json) {
-    console.out << regions_json(found, binary, options.binarise, options.min_area);
-  } else {
-    print_list(found, console.out);
-  }
+  console.out << (options.json ? regions_json(found, choice_of(binary, options.binarise))
+                               : regions_list(found.regions));
   return kSuccess;
 }
 
@@ -79,8 +54,13 @@ int run(const HolesCommandOptions& options, const Console& console) {
 Command add_holes_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("holes", "List the objects of an image and their holes");
   const auto options = std::make_shared<HolesCommandOptions>();
-  app->add_option("IN", options->in, "Image to read")->required()->type_name("");
+  app->add_option("IN", options->in, "Image to read; - reads standard input")
+      ->required()
+      ->type_name("");
   app->add_flag("--json", options->json, "Print JSON");
+  app->add_option("--csv", options->csv, "Table of objects and holes to write")
+      ->check(not_empty())
+      ->type_name("FILE");
   app->add_option("--overlay", options->overlay,
                   "Image to write, with all that was found drawn on it")
       ->check(not_empty())

@@ -17,6 +17,13 @@ int list(std::ostream& out) {
   add(kRules, "run, batch");
   add(kEdgeOperators, "edges, batch");
   lines.push_back({"holes", "holes, batch", "objects and their holes: area, centre, box"});
+  lines.push_back({"localise", "localise, batch", "the same from a grey image, by edges"});
+  lines.push_back({"fill-holes", "fill-holes", "objects with all that they enclose"});
+  lines.push_back({"labels", "labels", "the number of each pixel's object"});
+  lines.push_back({"distance", "distance", "the distance of each pixel to the background"});
+  lines.push_back({"euler", "euler", "objects minus holes"});
+  lines.push_back({"graph", "graph", "ends, junctions, branches and widths of a skeleton"});
+  lines.push_back({"path", "path", "a path for a robot through a map"});
   print_aligned(lines, out);
   return kSuccess;
 }

@@ -1,5 +1,7 @@
 // thinbench run: thins one image file into another.
+#include <algorithm>
 #include <memory>
+#include <string>
 
 #include "cli/arguments.hpp"
 #include "cli/packed_run.hpp"
@@ -7,6 +9,8 @@
 #include "cli/thinbench.hpp"
 #include "cli/thinning_request.hpp"
 #include "cli/thinning_run.hpp"
+#include "cli/usage.hpp"
+#include "thinbench/edges.hpp"
 
 namespace thinbench {
 namespace {
@@ -18,7 +22,26 @@ struct RunOptions {
   PackedOptions packed;
 };
 
+/// Of operations that other commands do.
+void reject_other_commands(const std::string& word) {
+  const auto use = [&word](const std::string& command) {
+    throw UsageError("run applies rules; '" + word + "' is done by 'thinbench " + command + "'");
+  };
+  for (const EdgeOperatorInfo& info : kEdgeOperators) {
+    if (word == info.operation) use("edges --operator " + std::string(info.name));
+  }
+  std::string command = word;
+  std::replace(command.begin(), command.end(), '_', '-');
+  if (command == "euler-number") command = "euler";
+  if (command == "localise-objects") command = "localise";
+  for (const char* name : {"edges", "holes", "localise", "fill-holes", "labels", "distance",
+                           "euler", "graph", "batch"}) {
+    if (command == name) use(name);
+  }
+}
+
 int run(const RunOptions& options, const Console& console) {
+  reject_other_commands(options.thinning.rule);
   const RequestedThinning thinning = requested_thinning(options.thinning);
   if (is_tiff_run(options.packed, options.binarise, options.files)) {
     return run_tiff(options.packed, thinning, options.binarise, options.files, console);
@@ -27,7 +50,8 @@ int run(const RunOptions& options, const Console& console) {
     reject_for_packed_files(options.binarise);
     return run_packed(options.packed, thinning, options.files, console);
   }
-  console.out << thin_image_file(thinning, options.files, options.binarise, console) << '\n';
+  const std::string summary = thin_image_file(thinning, options.files, options.binarise, console);
+  summary_stream(console, options.files.out) << summary << '\n';
   return kSuccess;
 }
 
@@ -42,9 +66,13 @@ Command add_run_command(CLI::App& program) {
                   "notation such as B3/S23, or JSON file")
       ->required()
       ->type_name("");
-  app->add_option("IN", options->files.in, "Image to read")->required()->type_name("");
-  app->add_option("OUT", options->files.out,
-                  "Image to write: .png, .pgm, .bmp, .tif or, from PBM (P4), .pbm")
+  app->add_option("IN", options->files.in, "Image to read; - reads standard input")
+      ->required()
+      ->type_name("");
+  app->add_option(
+         "OUT", options->files.out,
+         "Image to write: .png, .pgm, .bmp, .tif, - for PNG on standard output or, from PBM "
+         "(P4), .pbm")
       ->required()
       ->type_name("");
   add_isa_option(*app, options->thinning.execution.isa);

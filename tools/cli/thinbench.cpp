@@ -19,7 +19,9 @@ Commands that read images agree on which pixels are foreground: by default the c
 Otsu's method, that covers less of the image border; else what --foreground and --threshold say.
 THINBENCH_MAX_ISA=avx2 (or baseline, sse4.2, avx512, avx512icl) caps the instruction set.)",
       {&add_list_command, &add_run_command, &add_rule_command, &add_batch_command,
-       &add_edges_command, &add_holes_command, &add_graph_command}};
+       &add_edges_command, &add_holes_command, &add_localise_command, &add_fill_holes_command,
+       &add_labels_command, &add_distance_command, &add_euler_command, &add_graph_command,
+       &add_path_command}};
   return program;
 }
 

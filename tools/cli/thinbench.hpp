@@ -13,6 +13,12 @@ namespace thinbench {
 [[nodiscard]] Command add_batch_command(CLI::App& program);
 [[nodiscard]] Command add_edges_command(CLI::App& program);
 [[nodiscard]] Command add_holes_command(CLI::App& program);
+[[nodiscard]] Command add_localise_command(CLI::App& program);
+[[nodiscard]] Command add_fill_holes_command(CLI::App& program);
+[[nodiscard]] Command add_labels_command(CLI::App& program);
+[[nodiscard]] Command add_distance_command(CLI::App& program);
+[[nodiscard]] Command add_euler_command(CLI::App& program);
 [[nodiscard]] Command add_graph_command(CLI::App& program);
+[[nodiscard]] Command add_path_command(CLI::App& program);
 
 }  // namespace thinbench

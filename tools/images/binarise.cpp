@@ -135,6 +135,11 @@ GreyFile read_grey_file(const std::string& path, std::optional<int> page,
                         const BinariseOptions& options) {
   GreyFile file = {{}, options.channel, {}};
   file.grey = read_channel(path, page, file.channel, options.lenient ? &file.warning : nullptr);
+  if (path != kStandardStream && is_transparent(path)) {
+    file.warning += file.warning.empty() ? "" : "; ";
+    file.warning +=
+        "the image is transparent in places; the colours stored there count as if it were opaque";
+  }
   if (options.crop.height > 0) file.grey = cropped(path, file.grey, options.crop);
   if (options.blur > 0) blur(file.grey, options.blur);
   return file;

@@ -74,7 +74,7 @@ void print_remarks(const std::string& name, const BinaryImage& binary,
 struct GreyFile {
   ByteImage grey;
   Channel channel;      // that was chosen
-  std::string warning;  // of the decoder
+  std::string warning;  // of the decoder, or that the image is transparent
 };
 
 /// The page of an image file, counted from 0, or its only image, by the channel, part and filter

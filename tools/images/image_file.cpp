@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <new>
@@ -114,6 +115,23 @@ void check_file(const std::string& path) {
   if (regular_file_bytes(path) == 0) cannot_read(path, "the file is empty");
 }
 
+namespace {
+
+/// The copy has a path of its own, which is not what messages should name.
+ByteImage read_standard_input(Channel& channel, std::string* warning) {
+  const std::string copy = path_of_standard_input();
+  try {
+    return read_channel(copy, std::nullopt, channel, warning);
+  } catch (const FileError& error) {
+    std::string text = error.what();
+    const std::size_t at = text.find(copy);
+    if (at != std::string::npos) text.replace(at - 1, copy.size() + 2, "standard input");
+    throw FileError(text);
+  }
+}
+
+}  // namespace
+
 ByteImage read_grey(const std::string& path, std::string* warning) {
   Channel grey = Channel::grey;
   return read_channel(path, std::nullopt, grey, warning);
@@ -121,6 +139,7 @@ ByteImage read_grey(const std::string& path, std::string* warning) {
 
 ByteImage read_channel(const std::string& path, std::optional<int> page, Channel& channel,
                        std::string* warning) {
+  if (path == kStandardStream) return read_standard_input(channel, warning);
   check_file(path);
   try {
     check_header(path, page.value_or(0));
@@ -135,6 +154,22 @@ ByteImage read_channel(const std::string& path, std::optional<int> page, Channel
     reject(path, error);
   } catch (const std::bad_alloc&) {
     cannot_read(path, "there is not enough memory for it");
+  }
+}
+
+bool is_transparent(const std::string& path) {
+  if (!has_png_alpha(path)) return false;
+  const CapturedStderr captured;
+  try {
+    const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
+    if (image.channels() != 4) return false;
+    cv::Mat alpha;
+    cv::extractChannel(image, alpha, 3);
+    double least = 0;
+    cv::minMaxLoc(alpha, &least);
+    return least < (image.depth() == CV_8U ? 255 : 65535);
+  } catch (const cv::Exception& error) {
+    reject(path, error);
   }
 }
 
@@ -175,6 +210,7 @@ std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image)
 }  // namespace
 
 void check_extension(const std::string& path) {
+  if (path == kStandardStream) return;
   const std::string extension = extension_of(path);
   if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
   const std::string what = extension.empty() ? "its name has no extension"
@@ -182,6 +218,11 @@ void check_extension(const std::string& path) {
                                ? "JPEG would change pixels"
                                : "unknown extension '" + extension + "'";
   reject_extension(path, what + "; known are " + kKnownExtensions);
+}
+
+void check_deep_extension(const std::string& path) {
+  check_extension(path);
+  if (extension_of(path) == ".bmp") reject_extension(path, "BMP holds no 16 bits");
 }
 
 void check_colour_extension(const std::string& path) {
@@ -204,10 +245,10 @@ void write_by(const std::string& path, const Write& write) {
   }
 }
 
-void check_writable(const std::string& path, const ConstImageView& image) {
-  check_target(path);
-  if (image.width == 0 || image.height == 0) cannot_write(path, "the image has no pixels");
-  if (!is_writable_size(image.width, image.height)) {
+void check_writable(const std::string& path, Index width, Index height) {
+  if (path != kStandardStream) check_target(path);
+  if (width == 0 || height == 0) cannot_write(path, "the image has no pixels");
+  if (!is_writable_size(width, height)) {
     cannot_write(path, "the image has 2^31 pixels or more");
   }
 }
@@ -222,7 +263,7 @@ TiffFormat tiff_format_of(const cv::Mat& page) {
   return {.width = page.cols,
           .height = page.rows,
           .compression = lzw,
-          .bits = 8,
+          .bits = static_cast<int>(8 * page.elemSize1()),
           .samples = page.channels()};
 }
 
@@ -252,9 +293,21 @@ void write_tiff_pages(const std::string& path, const std::vector<cv::Mat>& pages
 
 }  // namespace
 
+namespace {
+
+void write_standard_output(const std::vector<std::uint8_t>& bytes) {
+  const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+  if (!is_written || std::fflush(stdout) != 0) {
+    throw FileError("standard output cannot be written");
+  }
+}
+
+}  // namespace
+
 void write_mat(const std::string& path, const std::function<cv::Mat()>& draw) {
   write_by(path, [&] {
     const cv::Mat image = draw();
+    if (path == kStandardStream) return write_standard_output(encoded("image.png", image));
     if (has_tiff_extension(path)) return write_tiff_pages(path, {image});
     const std::vector<std::uint8_t> bytes = encoded(path, image);
     write_whole_file(path,
@@ -264,14 +317,24 @@ void write_mat(const std::string& path, const std::function<cv::Mat()>& draw) {
 
 void write_grey(const std::string& path, const ConstImageView& image) {
   check_extension(path);
-  check_writable(path, image);
+  check_writable(path, image.width, image.height);
   write_mat(path, [&] { return mat_of(image); });
 }
 
 void write_binary(const std::string& path, const ConstImageView& image) {
   if (extension_of(path) != ".pbm") check_extension(path);
-  check_writable(path, image);
+  check_writable(path, image.width, image.height);
   write_mat(path, [&] { return mat_of(image); });
+}
+
+void write_deep(const std::string& path, const View<const std::uint16_t>& image) {
+  check_deep_extension(path);
+  check_writable(path, image.width, image.height);
+  write_mat(path, [&] {
+    return cv::Mat(static_cast<int>(image.height), static_cast<int>(image.width), CV_16UC1,
+                   const_cast<std::uint16_t*>(image.data),
+                   static_cast<std::size_t>(image.stride) * sizeof(std::uint16_t));
+  });
 }
 
 std::string png_of(const ConstImageView& image) {
@@ -286,7 +349,7 @@ std::string png_of(const ConstImageView& image) {
 void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages) {
   std::vector<cv::Mat> mats;
   for (const ByteImage& page : pages) {
-    check_writable(path, page.view());
+    check_writable(path, page.width(), page.height());
     mats.push_back(mat_of(page.view()));
   }
   write_by(path, [&] { write_tiff_pages(path, mats); });

@@ -14,6 +14,10 @@ namespace thinbench {
 /// The largest image that is read, in pixels.
 inline constexpr Index kMaxImagePixels = Index{1} << 31;
 
+/// The path "-" stands for standard input where an image is read, and for PNG on standard output
+/// where one is written.
+inline constexpr const char* kStandardStream = "-";
+
 /// Rejects what no decoder could give a good reason for: no such file, a directory, an empty file.
 /// Throws FileError.
 void check_file(const std::string& path);
@@ -49,6 +53,15 @@ void write_binary(const std::string& path, const ConstImageView& image);
 
 /// As write_grey, with several images in one TIFF file.
 void write_grey_pages(const std::string& path, const std::vector<ByteImage>& pages);
+
+/// As write_grey, with 16 bits per pixel, in PNG, PGM or TIFF.
+void write_deep(const std::string& path, const View<const std::uint16_t>& image);
+
+/// Throws ExtensionError where the extension names no format that write_deep knows.
+void check_deep_extension(const std::string& path);
+
+/// Whether a PNG file has pixels that are not opaque. Throws FileError.
+[[nodiscard]] bool is_transparent(const std::string& path);
 
 /// Whether write_grey takes images of this size, which has pixels: below 2^31 of them.
 [[nodiscard]] constexpr bool is_writable_size(Index width, Index height) {

@@ -130,11 +130,34 @@ std::optional<ImageClaim> claim_of(const std::string& path, int page) {
   return std::nullopt;
 }
 
+/// The name of a format that is not read; empty if this is none.
+std::string_view foreign_format(std::string_view start) {
+  if (start.starts_with("GIF87a"sv) || start.starts_with("GIF89a"sv)) return "GIF";
+  if (start.starts_with("RIFF"sv) && start.substr(8).starts_with("WEBP"sv)) return "WebP";
+  if (start.starts_with("\0\0\0\x0CjP  "sv) || start.starts_with("\xFF\x4F\xFF\x51"sv))
+    return "JPEG 2000";
+  if (start.starts_with("%PDF"sv)) return "PDF";
+  if (start.starts_with("<svg"sv)) return "SVG";
+  if (start.size() < 12 || start.substr(4, 4) != "ftyp"sv) return {};
+  return start.substr(8).starts_with("avif"sv) ? "AVIF" : "HEIF";
+}
+
 }  // namespace
+
+bool has_png_alpha(const std::string& path) {
+  const std::string start = beginning_of(path, 26);
+  constexpr char grey_alpha = 4, colour_alpha = 6;
+  return start.size() == 26 && start.starts_with("\x89PNG\r\n\x1A\n"sv) &&
+         (start[25] == grey_alpha || start[25] == colour_alpha);
+}
 
 void check_header(const std::string& path, int page) {
   const std::optional<ImageClaim> claim = claim_of(path, page);
-  if (!claim) cannot_read(path, "it is not an image of a known format");
+  if (!claim) {
+    const std::string_view name = foreign_format(beginning_of(path, 16));
+    if (name.empty()) cannot_read(path, "it is not an image of a known format");
+    cannot_read(path, fmt::format("it is a {} file, which is not read; convert it to PNG", name));
+  }
   const Index size = regular_file_bytes(path);
   // The decoder says of larger images that they are too large.
   if (claim->width < 1 || claim->height > kMaxImagePixels / claim->width) return;

@@ -21,4 +21,7 @@ struct ImageClaim {
 /// to the decoder. For regular files; throws FileError.
 void check_header(const std::string& path, int page);
 
+/// Whether a file is PNG with a channel of opacity.
+[[nodiscard]] bool has_png_alpha(const std::string& path);
+
 }  // namespace thinbench

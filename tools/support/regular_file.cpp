@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -82,6 +83,33 @@ std::uint64_t hash_of_file(const std::string& path) {
     hash = hash_of(bytes.data(), bytes.size(), hash);
   } while (bytes.size() == part);
   return hash;
+}
+
+namespace {
+
+int copy_of_standard_input() {
+  constexpr std::int64_t most = std::int64_t{1} << 32;
+  const int file = memfd_create("standard input", MFD_CLOEXEC);
+  if (file < 0) cannot_read_by_errno("standard input");
+  std::string part(std::size_t{1} << 16, '\0');
+  for (std::int64_t bytes = 0;;) {
+    const ssize_t got = read(STDIN_FILENO, part.data(), part.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) cannot_read_by_errno("standard input");
+    if (got == 0) return file;
+    bytes += got;
+    if (bytes > most) cannot_read("standard input", "it has more than 2^32 bytes");
+    if (write(file, part.data(), static_cast<std::size_t>(got)) != got) {
+      cannot_read("standard input", "there is not enough memory for it");
+    }
+  }
+}
+
+}  // namespace
+
+std::string path_of_standard_input() {
+  static const int file = copy_of_standard_input();
+  return "/proc/self/fd/" + std::to_string(file);
 }
 
 }  // namespace thinbench

@@ -21,4 +21,8 @@ namespace thinbench {
 /// A hash of all bytes of a regular file (content_hash.hpp). Throws FileError.
 [[nodiscard]] std::uint64_t hash_of_file(const std::string& path);
 
+/// Standard input, copied to a file in memory at the first call. Valid as long as the program.
+/// Throws FileError, also where it has more than 2^32 bytes.
+[[nodiscard]] std::string path_of_standard_input();
+
 }  // namespace thinbench

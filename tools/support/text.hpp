@@ -17,4 +17,7 @@ namespace thinbench {
 /// none.
 [[nodiscard]] std::string extension_of(const std::string& path);
 
+/// In quotation marks where CSV needs them (RFC 4180).
+[[nodiscard]] std::string csv_cell(const std::string& text);
+
 }  // namespace thinbench

@@ -1,0 +1,37 @@
+// Paths for robots on the skeleton of the free space, far from obstacles.
+#pragma once
+
+#include <vector>
+
+#include "thinbench/export.h"
+#include "thinbench/graph.hpp"
+#include "thinbench/image_view.hpp"
+#include "thinbench/options.hpp"
+
+namespace thinbench {
+
+struct PathRequest {
+  Pixel start;
+  Pixel goal;
+  double width = 0;  // of the robot, a disc, in pixels
+};
+
+struct FoundPath {
+  std::vector<Pixel> pixels;  // from start to goal, each one of the eight neighbours of the last
+  double length;              // steps along rows and columns count 1, diagonal ones sqrt(2)
+  double least_width;         // twice the least distance to an obstacle; infinite without obstacles
+};
+
+/// The path from start to goal, in a map whose foreground is free, that leaves the skeleton of the
+/// free space for as few pixels as possible, and of these paths the shortest. The skeleton is that
+/// of Rule::guo_hall without branches shorter than the free space is wide at their junction. All
+/// pixels of the path are at least width / 2 from obstacles, centre to centre; what is outside the
+/// image is no obstacle. There is a path wherever such pixels lead from start to goal.
+///
+/// Takes 30 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
+/// goal that is outside, on an obstacle or too near to one, where there is no path, for a width
+/// that is negative or no number, and as skeleton_graph and squared_distances; and std::bad_alloc.
+[[nodiscard]] THINBENCH_API FoundPath find_path(ConstImageView free, const PathRequest& request,
+                                                const Execution& execution = {});
+
+}  // namespace thinbench

@@ -1,0 +1,71 @@
+"""Paths for robots on skeletons."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from thinbench import _arrays, _library
+
+
+def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: float = 0, *,
+         threads: int = 1) -> npt.NDArray[np.int32]:
+    """Find a path for a robot that keeps away from obstacles.
+
+    Of all paths that leave the skeleton of the free space for as few pixels as possible, the shortest.
+
+    Parameters
+    ----------
+    free : array of bool or uint8, shape (H, W)
+        Nonzero where a robot may be. At most 32767 pixels on a side. What is outside is no obstacle.
+    start, goal : row and column
+    width : float
+        Of the robot, a disc, in pixels. All of the path is at least half of it from obstacles.
+    threads : int
+        The maximum number of threads.
+
+    Returns
+    -------
+    array of int32, shape (N, 2)
+        Rows and columns from start to goal; each pixel is one of the eight neighbours of the last.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If start or goal is outside or has no room, if there is no path, or if an argument does not
+        fit. Points are named as (x, y), as the program does.
+
+    References
+    ----------
+    docs/path-planning.md
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> corridor = np.zeros((5, 7), bool)
+    >>> corridor[1:4, 1:6] = True
+    >>> thinbench.path(corridor, (2, 1), (2, 5)).tolist()
+    [[2, 1], [2, 2], [2, 3], [2, 4], [2, 5]]
+    """
+    image = _arrays.binary(free, name="free")
+    found = np.empty((max(image.size, 1), 2), np.int32)
+    count = ctypes.c_size_t()
+    stack, kept_alive = _arrays.source(image)
+    _library.find_path(stack, _pixel("start", start), _pixel("goal", goal), _arrays.real("width", width),
+                       _library.execution(_arrays.integer("threads", threads)), found.ctypes.data,
+                       ctypes.byref(count))
+    del kept_alive
+    return found[:count.value, ::-1].copy()
+
+
+def _pixel(name: str, point: Any) -> Any:
+    try:
+        row, column = point
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected a row and a column, got {point!r}") from None
+    return _library.Pixel(_arrays.integer(name, column), _arrays.integer(name, row))

@@ -1,0 +1,126 @@
+"""`path` of Python and of the program: as long as need be, wide enough everywhere, one line where there is none."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import thinbench
+from images import random_image
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build/release/bin")) / "thinbench"
+sys.path.insert(0, str(ROOT / "python" / "examples"))
+pytest.importorskip("matplotlib")
+planning = pytest.importorskip("path_planning")
+cv2 = pytest.importorskip("cv2")
+ndimage = pytest.importorskip("scipy.ndimage")
+
+
+@pytest.fixture
+def plan(tmp_path):
+    free = planning.floor_plan()
+    path = tmp_path / "plan.png"
+    cv2.imwrite(str(path), free * np.uint8(255))
+    return path, free
+
+
+def xy(point):
+    return f"{point[1]},{point[0]}"
+
+
+def run(*words: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([PROGRAM, "path", *map(str, words)], capture_output=True, text=True, check=False)
+
+
+def assert_is_path(found, free, start, goal, width):
+    assert tuple(found[0]) == tuple(start) and tuple(found[-1]) == tuple(goal)
+    assert (np.abs(np.diff(found, axis=0)).max(axis=1, initial=0) == 1).all() or len(found) == 1
+    assert free[tuple(found.T)].all()
+    assert (2 * thinbench.distance(free)[tuple(found.T)] >= width).all()
+
+
+@pytest.mark.parametrize("width, shortest, longest", [(16, 700, 790), (32, 1200, 1290)])
+def test_the_robots_of_the_floor_plan(plan, tmp_path, width, shortest, longest):
+    path, free = plan
+    found = thinbench.path(free, planning.START, planning.GOAL, width)
+    assert_is_path(found, free, planning.START, planning.GOAL, width)
+    overlay = tmp_path / "path.png"
+    made = run(path, "--start", xy(planning.START), "--goal", xy(planning.GOAL), "--width", width, "--json",
+               "--overlay", overlay)
+    assert made.returncode == 0, made.stderr
+    listed = json.loads(made.stdout)
+    np.testing.assert_array_equal(np.array(listed["pixels"])[:, ::-1], found)
+    assert shortest < listed["length"] < longest and listed["least_width"] >= width
+    assert cv2.imread(str(overlay)).shape == (*free.shape, 3)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_there_is_a_path_wherever_pixels_with_room_join_start_and_goal(seed):
+    random = np.random.RandomState(seed)
+    free = ndimage.binary_dilation(random_image(seed, 60), iterations=1 + seed % 3)
+    width = random.randint(0, 5)
+    room = free & (2 * thinbench.distance(free) >= width)
+    if room.sum() < 2:
+        return
+    places = np.argwhere(room)
+    parts = ndimage.label(room, np.ones((3, 3)))[0]
+    for start, goal in random.permutation(places)[:20].reshape(-1, 2, 2) if len(places) >= 20 else []:
+        if parts[tuple(start)] == parts[tuple(goal)]:
+            assert_is_path(thinbench.path(free, start, goal, width), free, start, goal, width)
+        else:
+            with pytest.raises(ValueError, match="^no path from"):
+                thinbench.path(free, start, goal, width)
+
+
+def test_the_path_follows_the_skeleton():
+    free = np.zeros((41, 101), bool)
+    free[5:36, 5:96] = True
+    found = thinbench.path(free, (20, 20), (20, 80))
+    assert (found[:, 0] == 20).all()
+    found = thinbench.path(free, (10, 20), (10, 80))
+    assert found[30:-30, 0].min() >= 19
+
+
+@pytest.mark.parametrize("words, said", [
+    (["--start", "640,5", "--goal", "590,80"], "start: (640, 5) is outside the map of 640 x 480 pixels"),
+    (["--start", "2,2", "--goal", "590,80"], "start: (2, 2) is inside an obstacle"),
+    (["--start", "40,150", "--goal", "100,72"], "goal: (100, 72) is inside an obstacle"),
+    (["--start", "40,150", "--goal", "590,80", "--width", "50"], "no path from (40, 150) to (590, 80) is 50 pixels wide"),
+    (["--start", "10,150", "--goal", "590,80", "--width", "32"], "start: at (10, 150) there is room for a width of"),
+    (["--start", "40", "--goal", "590,80"], "--start: expected X,Y such as 120,45, got '40'"),
+    (["--start", "-1,5", "--goal", "590,80"], "--start"),
+    (["--start", "4,5", "--goal", "99999999999,80"], "--goal: expected X,Y"),
+    (["--start", "40,150"], "--goal"),
+    (["--start", "40,150", "--goal", "590,80", "--width", "-2"], "--width"),
+    (["--start", "40,150", "--goal", "590,80", "--overlay", "x.jpg"], "JPEG")])
+def test_what_cannot_be_is_one_line(plan, words, said):
+    failed = run(plan[0], *words)
+    assert failed.returncode in (1, 2) and failed.stdout == ""
+    assert failed.stderr.count("\n") == 1 and said in failed.stderr
+
+
+@pytest.mark.parametrize("call, error, said", [
+    (lambda free: thinbench.path(free, (0, 0), (20, 40)), ValueError, "start: (0, 0) is inside an obstacle"),
+    (lambda free: thinbench.path(free, (20, 20), (20, 400)), ValueError, "goal: (400, 20) is outside"),
+    (lambda free: thinbench.path(free, 5, (20, 40)), TypeError, "start: expected a row and a column, got 5"),
+    (lambda free: thinbench.path(free, (20, 1.5), (20, 40)), TypeError, "start"),
+    (lambda free: thinbench.path(free, (20, 20), (20, 40), float("nan")), ValueError, "width"),
+    (lambda free: thinbench.path(np.zeros((0, 0), bool), (0, 0), (0, 0)), ValueError, "outside the map of 0 x 0")])
+def test_python_rejects_what_cannot_be(call, error, said):
+    free = np.zeros((41, 101), bool)
+    free[5:36, 5:96] = True
+    with pytest.raises(error, match="^[^\n]*$") as failure:
+        call(free)
+    assert said in str(failure.value)
+
+
+def test_a_map_without_obstacles_and_a_path_of_one_pixel():
+    assert len(thinbench.path(np.ones((9, 9), bool), (0, 0), (8, 8), 1000)) >= 9
+    assert thinbench.path(np.ones((9, 9), bool), (4, 4), (4, 4)).tolist() == [[4, 4]]

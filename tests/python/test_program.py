@@ -1,0 +1,195 @@
+"""The commands of the program do what the functions of Python do; pictures of all kinds; pipes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import thinbench
+from images import random_image
+
+cv2 = pytest.importorskip("cv2")
+pil = pytest.importorskip("PIL.Image")
+PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", Path(__file__).resolve().parents[2] / "build/release/bin"))
+
+
+def run(*words: object, data: bytes | None = None, stdout: object = subprocess.PIPE) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run([PROGRAMS / "thinbench", *map(str, words)], stdout=stdout, stderr=subprocess.PIPE, input=data,
+                          check=False)
+
+
+@pytest.fixture
+def picture(tmp_path):
+    path = tmp_path / "a picture.png"
+    image = np.pad(random_image(8), 3)
+    cv2.imwrite(str(path), image * np.uint8(255))
+    return path, image
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory):
+    study = PROGRAMS / "thinbench-study"
+    if not study.exists():
+        pytest.skip("thinbench-study draws the scene and is not built")
+    path = tmp_path_factory.mktemp("scene") / "scene.png"
+    subprocess.run([study, "scene", path], check=True, capture_output=True)
+    return path
+
+
+def made(*words: object) -> subprocess.CompletedProcess[bytes]:
+    done = run(*words, "--foreground", "bright")
+    assert done.returncode == 0, done.stderr
+    return done
+
+
+def test_commands_equal_the_functions_of_python(picture, tmp_path):
+    path, image = picture
+    out = tmp_path / "out.png"
+    made("fill-holes", path, out)
+    np.testing.assert_array_equal(cv2.imread(str(out), -1) != 0, thinbench.fill_holes(image))
+    for name in ("out.png", "out.tif", "out.pgm"):
+        for connectivity in (4, 8):
+            made("labels", path, tmp_path / name, "--connectivity", connectivity)
+            found = cv2.imread(str(tmp_path / name), -1)
+            assert found.dtype == np.uint16
+            np.testing.assert_array_equal(found, thinbench.label(image, connectivity)[0])
+        made("distance", path, tmp_path / name)
+        np.testing.assert_array_equal(cv2.imread(str(tmp_path / name), -1), np.rint(thinbench.distance(image)))
+    for connectivity in (4, 8):
+        assert int(made("euler", path, "--connectivity", connectivity).stdout) == thinbench.euler_number(image, connectivity)
+
+
+def test_tables_of_holes_and_localise_are_alike_as_csv_and_json(picture, tmp_path):
+    path, image = picture
+    height, width = image.shape
+    for command in ("holes", "localise"):
+        table = tmp_path / "table.csv"
+        found = json.loads(made(command, path, "--json", "--csv", table).stdout)
+        assert (found["file"], found["width"], found["height"]) == (str(path), width, height)
+        rows = list(csv.DictReader(table.open(newline="")))
+        objects = {row["id"]: row for row in rows if row["kind"] == "object"}
+        assert len(objects) == len(found["objects"])
+        for one in found["objects"]:
+            row = objects[str(one["id"])]
+            assert (row["file"], row["image_width"], row["image_height"]) == (str(path), str(width), str(height))
+            assert int(row["area"]) == one["area"] and float(row["centre_x"]) == pytest.approx(one["centre"][0])
+            assert [int(row[name]) for name in ("left", "top", "width", "height")] == one["box"]
+            holes = [int(row["id"]) for row in rows if row["enclosing_object"] == str(one["id"])]
+            assert holes == [hole["id"] for hole in one["holes"]]
+
+
+def test_the_table_of_a_graph_has_the_file_and_the_size(picture, tmp_path):
+    path, image = picture
+    found = json.loads(made("graph", path, "--json", "--csv", tmp_path / "graph.csv").stdout)
+    assert (found["file"], found["width"], found["height"]) == (str(path), image.shape[1], image.shape[0])
+    rows = list(csv.DictReader((tmp_path / "graph.csv").open(newline="")))
+    assert len(rows) == len(found["edges"]) and all(row["file"] == str(path) for row in rows)
+
+
+def test_localise_finds_the_scene_and_equals_python_and_the_batch(scene, tmp_path):
+    found = run("localise", scene)
+    assert found.stdout.startswith(b"22 objects, 47 holes\n")
+    listed = json.loads(run("localise", scene, "--json", "--brightness-threshold", 128).stdout)
+    table = thinbench.localise(cv2.imread(str(scene), cv2.IMREAD_GRAYSCALE))
+    assert [one["area"] for one in listed["objects"]] == list(table["area"][~table["is_hole"]])
+    assert run("batch", "localise", scene, "--out", tmp_path / "found").returncode == 0
+    assert (tmp_path / "found" / "scene.json").read_bytes() == run("localise", scene, "--json").stdout
+
+
+@pytest.mark.parametrize("word, command", [
+    ("edges_sobel", "edges --operator sobel"), ("holes", "holes"), ("fill_holes", "fill-holes"),
+    ("euler_number", "euler"), ("localise_objects", "localise"), ("labels", "labels"), ("graph", "graph")])
+def test_run_names_the_command_for_what_is_not_its_own(picture, tmp_path, word, command):
+    failed = run("run", word, picture[0], tmp_path / "out.png")
+    assert failed.returncode == 2
+    assert failed.stderr.decode().endswith(f"'{word}' is done by 'thinbench {command}'\n")
+
+
+@pytest.mark.parametrize("words", [["run", "thin_guo_hall"], ["edges"], ["fill-holes"], ["labels"], ["distance"]])
+def test_a_pipe_reads_standard_input_and_writes_png(picture, tmp_path, words):
+    path, _ = picture
+    made(*words, path, tmp_path / "out.png")
+    piped = run(*words, "-", "-", "--foreground", "bright", data=path.read_bytes())
+    assert piped.returncode == 0, piped.stderr
+    assert piped.stdout == (tmp_path / "out.png").read_bytes()
+
+
+@pytest.mark.parametrize("words", [["holes"], ["localise"], ["euler"], ["graph"]])
+def test_lists_read_standard_input(picture, words):
+    path, _ = picture
+    piped = run(*words, "-", "--foreground", "bright", data=path.read_bytes())
+    assert piped.returncode == 0 and piped.stdout == made(*words, path).stdout
+
+
+@pytest.mark.parametrize("data, said", [(b"", "the file is empty"), (b"no picture", "not an image of a known format"),
+                                        (b"\x89PNG\r\n\x1a\n" + bytes(40), "standard input")])
+def test_bad_standard_input_is_one_line(data, said):
+    failed = run("run", "thin_guo_hall", "-", "-", data=data)
+    assert failed.returncode == 1 and failed.stdout == b"" and failed.stderr.count(b"\n") == 1
+    assert said in failed.stderr.decode() and "standard input" in failed.stderr.decode()
+
+
+def test_a_full_standard_output_is_an_error(picture):
+    with open("/dev/full", "wb") as full:
+        failed = run("fill-holes", picture[0], "-", stdout=full)
+    assert failed.returncode == 1 and b"standard output cannot be written" in failed.stderr
+
+
+@pytest.mark.parametrize("words", [["fill-holes"], ["labels"], ["distance"], ["localise"], ["euler"]])
+def test_new_commands_survive_bad_files(picture, tmp_path, words):
+    path, _ = picture
+    out = [tmp_path / "out.png"] if words[0] in ("fill-holes", "labels", "distance") else []
+    bad = tmp_path / "bad.png"
+    for data in (b"", path.read_bytes()[:60], b"\x89PNG\r\n\x1a\n" + bytes(100), os.urandom(200)):
+        bad.write_bytes(data)
+        failed = run(*words, bad, *out)
+        assert failed.returncode == 1 and failed.stderr.count(b"\n") == 1 and failed.stdout == b""
+        assert not out or not out[0].exists()
+    assert run(*words, tmp_path / "none.png", *out).returncode == 1
+    if out:
+        assert run(*words, path, tmp_path / "no" / "out.png").returncode == 1
+        assert run(*words, path, tmp_path / "out.jpg").returncode == 2
+
+
+def test_more_objects_than_16_bits_number_are_rejected(tmp_path):
+    image = np.zeros((600, 600), np.uint8)
+    image[::2, ::2] = 255
+    cv2.imwrite(str(tmp_path / "dots.png"), image)
+    failed = run("labels", tmp_path / "dots.png", tmp_path / "out.png", "--foreground", "bright")
+    assert failed.returncode == 1 and b"90000 objects" in failed.stderr and not (tmp_path / "out.png").exists()
+
+
+def test_a_distance_without_background_is_rejected(tmp_path):
+    cv2.imwrite(str(tmp_path / "white.png"), np.full((5, 5), 255, np.uint8))
+    failed = run("distance", tmp_path / "white.png", tmp_path / "out.png", "--foreground", "bright")
+    assert failed.returncode == 1 and b"all of it is foreground" in failed.stderr
+
+
+@pytest.mark.parametrize("kind, name", [("GIF", "GIF"), ("WEBP", "WebP"), ("JPEG2000", "JPEG 2000")])
+def test_other_formats_are_named_as_what_they_are(tmp_path, kind, name):
+    path = tmp_path / "picture.png"
+    try:
+        pil.fromarray(np.zeros((8, 9), np.uint8)).save(path, kind)
+    except (OSError, KeyError):
+        pytest.skip(f"Pillow writes no {kind}")
+    failed = run("holes", path)
+    assert failed.returncode == 1 and f"it is a {name} file" in failed.stderr.decode()
+
+
+def test_a_transparent_image_brings_a_warning(tmp_path):
+    image = np.zeros((20, 30, 4), np.uint8)
+    image[5:10, 5:10] = 255
+    path = tmp_path / "logo.png"
+    cv2.imwrite(str(path), image)
+    assert f"warning: {path}: the image is transparent" in run("holes", path).stderr.decode()
+    assert run("batch", "holes", path, "--out", tmp_path / "out").returncode == 0
+    assert "the image is transparent" in (tmp_path / "out" / "manifest.csv").read_text()
+    image[..., 3] = 255
+    cv2.imwrite(str(path), image)
+    assert b"transparent" not in run("holes", path).stderr

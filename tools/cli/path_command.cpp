@@ -1,0 +1,115 @@
+// thinbench path: a path for a robot through a map.
+#include <cmath>
+#include <memory>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/arguments.hpp"
+#include "cli/thinbench.hpp"
+#include "images/binarise.hpp"
+#include "images/image_file.hpp"
+#include "images/path_overlay.hpp"
+#include "thinbench/path.hpp"
+
+namespace thinbench {
+namespace {
+
+struct PathOptions {
+  std::string in;
+  std::string start;
+  std::string goal;
+  std::string overlay;
+  double width = 0;
+  Execution execution;
+  BinariseOptions binarise;
+  bool json = false;
+};
+
+/// From "120,45".
+Pixel pixel_from(const char* name, const std::string& text) {
+  std::smatch parts;
+  if (std::regex_match(text, parts, std::regex("([0-9]{1,9}),([0-9]{1,9})"))) {
+    return {std::stoi(parts[1]), std::stoi(parts[2])};
+  }
+  throw UsageError(std::string(name) + ": expected X,Y such as 120,45, got '" + text + "'");
+}
+
+std::string path_json(const PathOptions& options, const ByteImage& map, const FoundPath& path) {
+  using Json = nlohmann::ordered_json;
+  Json pixels = Json::array();
+  for (const Pixel p : path.pixels) pixels.push_back({p.x, p.y});
+  const Json json = {{"file", options.in},
+                     {"width", map.width()},
+                     {"height", map.height()},
+                     {"robot_width", options.width},
+                     {"length", path.length},
+                     {"least_width", path.least_width},  // null where there is no obstacle
+                     {"pixels", pixels}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+int run(const PathOptions& options, const Console& console) {
+  const PathRequest request = {pixel_from("--start", options.start),
+                               pixel_from("--goal", options.goal), options.width};
+  if (!options.overlay.empty()) check_colour_extension(options.overlay);
+  std::ostringstream remarks;  // failures are one line, without them
+  ByteImage grey = read_grey(options.in, options.binarise, remarks);
+  const BinaryImage map = binarise(copy_of(grey.view()), options.binarise);
+  print_remarks(options.in, map, options.binarise, remarks);
+  FoundPath path;
+  try {
+    path = find_path(map.image.view(), request, options.execution);
+  } catch (const std::invalid_argument& error) {
+    throw FileError(options.in + ": " + error.what());
+  }
+  if (!options.overlay.empty()) {
+    write_path_overlay(options.overlay, grey.view(), path.pixels, options.width);
+  }
+  console.err << remarks.str();
+  console.out << (options.json ? path_json(options, map.image, path)
+                               : fmt::format("path: {} pixels, length {:.2f}, least width {:.2f}\n",
+                                             path.pixels.size(), path.length, path.least_width));
+  return kSuccess;
+}
+
+}  // namespace
+
+Command add_path_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("path", "Find a path for a robot through a map");
+  const auto options = std::make_shared<PathOptions>();
+  app->add_option("MAP", options->in, "Image whose foreground is free; - reads standard input")
+      ->required()
+      ->type_name("");
+  app->add_option("--start", options->start, "Column and row of the first pixel")
+      ->required()
+      ->type_name("X,Y");
+  app->add_option("--goal", options->goal, "Column and row of the last pixel")
+      ->required()
+      ->type_name("X,Y");
+  app->add_option("--width", options->width, "Width of the robot in pixels")
+      ->check(real_number(0, 1e6))
+      ->type_name("W")
+      ->capture_default_str();
+  app->add_flag("--json", options->json, "Print JSON, with all pixels of the path");
+  app->add_option("--overlay", options->overlay, "Image to write: the map with the path")
+      ->check(not_empty())
+      ->type_name("OUT");
+  add_isa_option(*app, options->execution.isa);
+  add_threads_option(*app, options->execution.threads);
+  add_binarise_options(*app, options->binarise);
+  app->footer(R"(Examples:
+  thinbench path plan.png --start 40,150 --goal 590,80
+  thinbench path plan.png --start 40,150 --goal 590,80 --width 32 --overlay path.png
+  thinbench path plan.png --start 40,150 --goal 590,80 --foreground bright --json > path.json
+
+The path runs on the skeleton of the free space, midway between obstacles, and leaves it for as few
+pixels as possible. All of it is at least W / 2 from obstacles, between centres of pixels. What is
+outside the map is no obstacle. Sides are at most 32767 pixels.)");
+  return {app, [options](const Console& console) { return run(*options, console); }};
+}
+
+}  // namespace thinbench

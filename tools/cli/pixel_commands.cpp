@@ -1,0 +1,192 @@
+// thinbench fill-holes, labels, distance and euler: one result for an image file each.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/arguments.hpp"
+#include "cli/thinbench.hpp"
+#include "images/binarise.hpp"
+#include "images/image_file.hpp"
+#include "support/whole_file.hpp"
+#include "thinbench/distance.hpp"
+#include "thinbench/regions.hpp"
+
+namespace thinbench {
+namespace {
+
+struct PixelOptions {
+  std::string in;
+  std::string out;  // empty: none
+  Execution execution;
+  BinariseOptions binarise;
+  int connectivity = 8;
+};
+
+/// Writes the result of an image and says in a line what it is.
+using Compute = std::function<std::string(ByteImage image, const PixelOptions& options)>;
+
+int run(const PixelOptions& options, const Compute& compute, const Console& console) {
+  std::ostringstream remarks;  // failures are one line, without them
+  ByteImage image = read_binary(options.in, options.binarise, &remarks);
+  const std::string line = compute(std::move(image), options);
+  console.err << remarks.str();
+  summary_stream(console, options.out) << line << '\n';
+  return kSuccess;
+}
+
+Connectivity connectivity_of(const PixelOptions& options) {
+  return static_cast<Connectivity>(options.connectivity);
+}
+
+std::string filled(ByteImage image, const PixelOptions& options) {
+  check_extension(options.out);
+  const Index before = foreground_pixels(image.view());
+  fill_holes(image.view(), image.view(), options.execution);
+  write_grey(options.out, image.view());
+  return fmt::format("fill-holes: {} x {}, {} foreground pixels before, {} after", image.width(),
+                     image.height(), before, foreground_pixels(image.view()));
+}
+
+std::string euler(const ByteImage& image, const PixelOptions& options) {
+  return fmt::format("{}", options.connectivity == 8
+                               ? euler_number(image.view(), options.execution)
+                               : euler_number_4(image.view(), options.execution));
+}
+
+/// Numbers that fit into 16 bits, written as such.
+template <class Value>
+void write_levels(const std::string& path, const std::vector<std::int32_t>& values, Index width,
+                  Index height, const Value& value_of) {
+  std::vector<std::uint16_t> levels(values.size());
+  std::transform(values.begin(), values.end(), levels.begin(), value_of);
+  write_deep(path, {levels.data(), width, height});
+}
+
+std::string labelled(const ByteImage& image, const PixelOptions& options) {
+  check_deep_extension(options.out);
+  const Index width = image.width(), height = image.height();
+  std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height));
+  const std::uint32_t objects = label_image(image.view(), {labels.data(), width, height},
+                                            connectivity_of(options), options.execution);
+  constexpr std::uint32_t most = 65535;
+  if (objects > most) {
+    throw FileError(fmt::format("{}: it has {} objects, more than {}, the most that 16 bits number",
+                                options.in, objects, most));
+  }
+  write_levels(options.out, labels, width, height,
+               [](std::int32_t label) { return static_cast<std::uint16_t>(label); });
+  return fmt::format("labels: {} x {}, {} object{}", width, height, objects,
+                     objects == 1 ? "" : "s");
+}
+
+std::string distances(const ByteImage& image, const PixelOptions& options) {
+  check_deep_extension(options.out);
+  const Index width = image.width(), height = image.height();
+  if (std::max(width, height) > kMaxDistanceSide) {
+    throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
+                                kMaxDistanceSide, width, height));
+  }
+  std::vector<std::int32_t> squares(static_cast<std::size_t>(width * height));
+  squared_distances(image.view(), {squares.data(), width, height}, options.execution);
+  const std::int32_t greatest = *std::max_element(squares.begin(), squares.end());
+  if (greatest == kNoBackground) {
+    throw FileError(options.in + ": all of it is foreground, so there is no distance");
+  }
+  write_levels(options.out, squares, width, height, [](std::int32_t square) {
+    return static_cast<std::uint16_t>(std::lround(std::sqrt(square)));
+  });
+  return fmt::format("distance: {} x {}, the greatest is {:.2f}", width, height,
+                     std::sqrt(greatest));
+}
+
+struct PixelCommand {
+  const char* name;
+  const char* what;
+  const char* out;  // what is said of OUT; nullptr: there is none
+  bool has_connectivity;
+  const char* footer;
+  Compute compute;
+};
+
+Command add_pixel_command(CLI::App& program, const PixelCommand& command) {
+  CLI::App* app = program.add_subcommand(command.name, command.what);
+  const auto options = std::make_shared<PixelOptions>();
+  app->add_option("IN", options->in, "Image to read; - reads standard input")
+      ->required()
+      ->type_name("");
+  if (command.out != nullptr) {
+    app->add_option("OUT", options->out, command.out)->required()->type_name("");
+  }
+  if (command.has_connectivity) {
+    app->add_option("--connectivity", options->connectivity, "Of objects")
+        ->check(one_of({"4", "8"}))
+        ->type_name("8|4")
+        ->capture_default_str();
+  }
+  add_isa_option(*app, options->execution.isa);
+  add_threads_option(*app, options->execution.threads);
+  add_binarise_options(*app, options->binarise);
+  app->footer(command.footer);
+  return {app, [options, compute = command.compute](const Console& console) {
+            return run(*options, compute, console);
+          }};
+}
+
+}  // namespace
+
+Command add_fill_holes_command(CLI::App& program) {
+  return add_pixel_command(
+      program, {"fill-holes", "Fill the holes of objects",
+                "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output", false,
+                R"(Examples:
+  thinbench fill-holes parts.png filled.png
+  cat parts.png | thinbench fill-holes - - > filled.png
+
+OUT holds 255 on objects and all that they enclose, and 0 elsewhere.)",
+                filled});
+}
+
+Command add_labels_command(CLI::App& program) {
+  return add_pixel_command(
+      program,
+      {"labels", "Number the objects of an image, pixel by pixel",
+       "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output", true,
+       R"(Examples:
+  thinbench labels parts.png labels.png
+  thinbench labels parts.png labels.tif --connectivity 4
+
+OUT holds the number of each pixel's object, from 1 in the order of 'thinbench holes', and 0 elsewhere.
+An image of more than 65535 objects is rejected.)",
+       labelled});
+}
+
+Command add_distance_command(CLI::App& program) {
+  return add_pixel_command(
+      program, {"distance", "Write the distance of each pixel to the background",
+                "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output",
+                false, R"(Examples:
+  thinbench distance parts.png distance.png
+  thinbench distance map.tif distance.tif --foreground bright
+
+OUT holds the Euclidean distance to the nearest pixel of the background, rounded, and 0 on the
+background. What is outside the image does not count. Sides are at most 32767 pixels.)",
+                distances});
+}
+
+Command add_euler_command(CLI::App& program) {
+  return add_pixel_command(program, {"euler", "Count objects minus holes", nullptr, true,
+                                     R"(Examples:
+  thinbench euler parts.png
+  thinbench euler parts.png --connectivity 4
+
+Holes have the other connectivity.)",
+                                     euler});
+}
+
+}  // namespace thinbench

@@ -1,0 +1,110 @@
+#include "cli/region_formats.hpp"
+
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "support/text.hpp"
+
+namespace thinbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json region_json(const Region& region, std::size_t id) {
+  return {
+      {"id", id},
+      {"area", region.area},
+      {"centre", {region.centre_x(), region.centre_y()}},
+      {"box",
+       {region.left, region.top, region.right - region.left + 1, region.bottom - region.top + 1}}};
+}
+
+Json objects_json(const Regions& found) {
+  Json objects = Json::array();
+  for (std::size_t i = 0; i < found.objects.size(); ++i) {
+    objects.push_back(region_json(found.objects[i], i + 1));
+    objects.back()["holes"] = Json::array();
+  }
+  for (std::size_t i = 0; i < found.holes.size(); ++i) {
+    const Region& hole = found.holes[i];
+    objects[hole.enclosing_object - 1]["holes"].push_back(region_json(hole, i + 1));
+  }
+  return objects;
+}
+
+std::string line_of(const char* kind, std::size_t id, const Region& region) {
+  return fmt::format("{} {}: area {}, centre ({:.2f}, {:.2f}), box {} {} {} {}\n", kind, id,
+                     region.area, region.centre_x(), region.centre_y(), region.left, region.top,
+                     region.right - region.left + 1, region.bottom - region.top + 1);
+}
+
+/// The positions of each object's holes, by its id.
+std::vector<std::vector<std::size_t>> holes_by_object(const Regions& found) {
+  std::vector<std::vector<std::size_t>> holes(found.objects.size() + 1);
+  for (std::size_t i = 0; i < found.holes.size(); ++i) {
+    holes[found.holes[i].enclosing_object].push_back(i);
+  }
+  return holes;
+}
+
+void add_row(std::string& text, const FoundRegions& found, const char* kind, std::size_t id,
+             const Region& region) {
+  fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                 csv_cell(found.file), found.width, found.height, kind, id, region.enclosing_object,
+                 region.area, region.centre_x(), region.centre_y(), region.left, region.top,
+                 region.right - region.left + 1, region.bottom - region.top + 1);
+}
+
+}  // namespace
+
+ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& options) {
+  if (options.local) return {binary.foreground, std::nullopt, "local"};
+  return {binary.foreground, binary.threshold, options.threshold ? "given" : "otsu"};
+}
+
+std::string regions_list(const Regions& found) {
+  const auto number = [](std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  std::string text = fmt::format("{}, {}\n", number(found.objects.size(), "object"),
+                                 number(found.holes.size(), "hole"));
+  const auto holes_of = holes_by_object(found);
+  for (std::size_t i = 0; i < found.objects.size(); ++i) {
+    text += line_of("object", i + 1, found.objects[i]);
+    for (const std::size_t hole : holes_of[i + 1]) {
+      text += line_of("  hole", hole + 1, found.holes[hole]);
+    }
+  }
+  return text;
+}
+
+std::string regions_json(const FoundRegions& found, const ForegroundChoice& choice) {
+  const Json json = {{"file", found.file},
+                     {"width", found.width},
+                     {"height", found.height},
+                     {"foreground", foreground_name(choice.foreground)},
+                     {"threshold", choice.threshold ? Json(*choice.threshold) : Json()},
+                     {"threshold_method", choice.method},
+                     {"min_area", found.min_area},
+                     {"objects", objects_json(found.regions)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string regions_csv(const FoundRegions& found) {
+  std::string text =
+      "file,image_width,image_height,kind,id,enclosing_object,area,centre_x,centre_y,left,top,"
+      "width,height\n";
+  const auto holes_of = holes_by_object(found.regions);
+  for (std::size_t i = 0; i < found.regions.objects.size(); ++i) {
+    add_row(text, found, "object", i + 1, found.regions.objects[i]);
+    for (const std::size_t hole : holes_of[i + 1]) {
+      add_row(text, found, "hole", hole + 1, found.regions.holes[hole]);
+    }
+  }
+  return text;
+}
+
+}  // namespace thinbench
