@@ -22,13 +22,13 @@ struct AlignedDelete {
 template <class T>
 using AlignedArray = std::unique_ptr<T[], AlignedDelete>;
 
-/// `count` elements of a trivial type, aligned to a cache line, with any contents. Throws
-/// std::bad_alloc.
+/// `count` elements of a type that needs no construction, aligned to a cache line, with any
+/// contents. Throws std::bad_alloc.
 template <class T>
 [[nodiscard]] AlignedArray<T> make_uninitialised(std::size_t count) {
-  static_assert(std::is_trivially_default_constructible_v<T>);
+  static_assert(std::is_trivially_copyable_v<T>);
   if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
-  return AlignedArray<T>(new (take_block(count * sizeof(T))) T[count]);
+  return AlignedArray<T>(static_cast<T*>(take_block(count * sizeof(T))));
 }
 
 /// The same, zeroed.

@@ -114,7 +114,11 @@ void* take_block(std::size_t bytes) {
 void give_block(void* block) noexcept {
   if (block == nullptr) return;
   Header* const header = static_cast<Header*>(block) - 1;
-  pool_is_gone ? free_header(header) : pool.give(header);
+  if (pool_is_gone) {
+    free_header(header);
+  } else {
+    pool.give(header);
+  }
 }
 
 std::size_t kept_bytes() {

@@ -13,8 +13,8 @@ inline constexpr std::size_t kAlignment = 64;
 inline constexpr std::size_t kMaxKeptBlocks = 32;
 inline constexpr std::size_t kMaxKeptBytes = std::size_t{8} << 20;
 
-/// A block with any contents, aligned to a cache line; one that is kept, if it has at most twice
-/// the size, else a new one. Throws std::bad_alloc.
+/// A block with any contents, aligned to a cache line: one that is kept, unless it has more than
+/// twice the size and some pages, else a new one. Throws std::bad_alloc.
 [[nodiscard]] void* take_block(std::size_t bytes);
 
 /// Keeps the block for the calling thread, or frees it: the longest kept ones go first. May be
