@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <thread>
 #include <vector>
 
@@ -24,7 +25,7 @@ class MemoryPool : public ::testing::Test {
 
 TEST_F(MemoryPool, blocks_are_aligned_distinct_and_used_again) {
   std::vector<void*> blocks;
-  for (const std::size_t bytes : {1, 64, 100, 5000, 70000}) {
+  for (const std::size_t bytes : std::initializer_list<std::size_t>{1, 64, 100, 5000, 70000}) {
     blocks.push_back(take_block(bytes));
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(blocks.back()) % kAlignment, 0U);
     std::memset(blocks.back(), 255, bytes);
