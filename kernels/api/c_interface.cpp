@@ -9,6 +9,7 @@
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/memory.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/version.hpp"
 
@@ -54,6 +55,10 @@ void hand_over(Regions found, thinbench_regions** handle) {
 }
 
 }  // namespace
+
+void thinbench_release_memory() {
+  release_memory();
+}
 
 const char* thinbench_version() {
   return kVersion.data();

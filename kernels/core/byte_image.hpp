@@ -1,31 +1,42 @@
 // Byte images in aligned memory.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <new>
+#include <type_traits>
 
+#include "core/memory_pool.hpp"
 #include "core/plane_view.hpp"
 
 namespace thinbench::detail {
 
-/// The size of a cache line. Every row that this library allocates starts on one.
-inline constexpr std::size_t kAlignment = 64;
-
 struct AlignedDelete {
-  void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{kAlignment}); }
+  void operator()(void* memory) const noexcept { give_block(memory); }
 };
 
 template <class T>
 using AlignedArray = std::unique_ptr<T[], AlignedDelete>;
 
-/// `count` zeroed elements of a trivial type, aligned to a cache line. Throws std::bad_alloc.
+/// `count` elements of a type that needs no construction, aligned to a cache line, with any
+/// contents. Throws std::bad_alloc.
+template <class T>
+[[nodiscard]] AlignedArray<T> make_uninitialised(std::size_t count) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
+  return AlignedArray<T>(static_cast<T*>(take_block(count * sizeof(T))));
+}
+
+/// The same, zeroed.
 template <class T>
 [[nodiscard]] AlignedArray<T> make_aligned(std::size_t count) {
-  void* memory = ::operator new (count * sizeof(T), std::align_val_t{kAlignment});
-  return AlignedArray<T>(new (memory) T[count]());
+  AlignedArray<T> array = make_uninitialised<T>(count);
+  std::fill_n(array.get(), count, T{});
+  return array;
 }
 
 /// Owns an image.

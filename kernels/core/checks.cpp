@@ -210,7 +210,7 @@ std::string size_text(Index width, Index height) {
 }
 
 void require_size(Index width, Index height) {
-  require(width >= 0 && height >= 0, "image size " + size_text(width, height) + " is negative");
+  if (width < 0 || height < 0) reject("image size " + size_text(width, height) + " is negative");
 }
 
 void require_max_pixels(Index width, Index height) {
@@ -224,28 +224,29 @@ void require_max_pixels(Index width, Index height) {
 void require_regions_size(Index width, Index height) {
   constexpr Index max_side = Index{1} << 29;
   require_size(width, height);
-  require(width <= max_side && height <= max_side,
-          "image size " + size_text(width, height) + " has a side above 2^29 pixels");
-  require(width == 0 || height <= (Index{1} << 32) / width,
-          "image size " + size_text(width, height) + " is larger than 2^32 pixels");
+  if (width > max_side || height > max_side) {
+    reject("image size " + size_text(width, height) + " has a side above 2^29 pixels");
+  }
+  if (width == 0 || height <= (Index{1} << 32) / width) return;
+  reject("image size " + size_text(width, height) + " is larger than 2^32 pixels");
 }
 
 void require_label_size(Index width, Index height) {
   require_regions_size(width, height);
-  require(width == 0 || height <= (Index{1} << 31) / width,
-          "image size " + size_text(width, height) +
-              " is larger than 2^31 pixels, the limit for labels");
+  if (width == 0 || height <= (Index{1} << 31) / width) return;
+  reject("image size " + size_text(width, height) +
+         " is larger than 2^31 pixels, the limit for labels");
 }
 
 void require_connectivity(int connectivity) {
-  require(connectivity == 4 || connectivity == 8,
-          "connectivity: expected 4 or 8, got " + std::to_string(connectivity));
+  if (connectivity == 4 || connectivity == 8) return;
+  reject("connectivity: expected 4 or 8, got " + std::to_string(connectivity));
 }
 
 void require_threads(int threads) {
-  require(threads >= 1 && threads <= kMaxThreads, "threads: expected an integer in [1, " +
-                                                      std::to_string(kMaxThreads) + "], got " +
-                                                      std::to_string(threads));
+  if (threads >= 1 && threads <= kMaxThreads) return;
+  reject("threads: expected an integer in [1, " + std::to_string(kMaxThreads) + "], got " +
+         std::to_string(threads));
 }
 
 void check_views(const ConstImageView& source, const ConstImageView& destination,

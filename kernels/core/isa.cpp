@@ -107,6 +107,7 @@ bool cpu_supports(Isa isa) {
 std::string missing_features(Isa isa) {
   const Features lacking = missing(isa);
   std::string names;
+  if (lacking == 0) return names;
   for (std::size_t i = 0; i < detail::kFeatureNames.size(); ++i) {
     if ((lacking >> i & 1) == 0) continue;
     names.append(names.empty() ? "" : ", ").append(detail::kFeatureNames[i]);

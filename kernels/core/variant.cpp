@@ -47,7 +47,8 @@ std::string unavailable_reason(const VariantInfo& variant, Index width) {
 
 void require_available(const VariantInfo& variant, Index width) {
   const std::string reason = unavailable_reason(variant, width);
-  require(reason.empty(), std::string(variant.technique) + " at " +
+  if (reason.empty()) return;
+  throw std::invalid_argument(std::string(variant.technique) + " at " +
                               std::string(isa_name(variant.isa)) + " cannot run: " + reason);
 }
 

@@ -15,9 +15,11 @@ inline constexpr std::uint16_t kFarVertically = 0x8000;
 /// How far a search goes along a row before it leaves the row to `envelope_row`.
 inline constexpr int kMaxSearch = 64;
 
-/// Squares of vertical distances: kFarSquared exceeds every real sum of squares, and the square of
-/// kMaxSearch may be added to it.
-inline constexpr std::int32_t kFarSquared = 0x7FFFFFFF - kMaxSearch * kMaxSearch;
+/// From here on vertical distances are taken for this one where rows are searched. Its square is
+/// more than a search finds, and that of kMaxSearch may be added to it.
+inline constexpr std::uint16_t kTooFar = 2 * kMaxSearch;
+inline constexpr std::int16_t kFarSquared = kTooFar * kTooFar;
+static_assert(kFarSquared <= INT16_MAX - kMaxSearch * kMaxSearch);
 
 /// The vertical distances of all pixels.
 struct VerticalDistances {
@@ -36,7 +38,7 @@ class DistanceRow {
         starts_(static_cast<std::size_t>(width)) {}
 
   /// One per pixel, between margins that searches and whole registers may read.
-  [[nodiscard]] std::int32_t* squares() { return squares_.data() + kMargin; }
+  [[nodiscard]] std::int16_t* squares() { return squares_.data() + kMargin; }
   /// For the lower envelope: the columns of its parabolas, and where each becomes the lowest.
   [[nodiscard]] std::int32_t* sites() { return sites_.data(); }
   [[nodiscard]] std::int32_t* starts() { return starts_.data(); }
@@ -44,7 +46,7 @@ class DistanceRow {
   static constexpr Index kMargin = kMaxSearch + 64;
 
  private:
-  std::vector<std::int32_t> squares_;
+  std::vector<std::int16_t> squares_;
   std::vector<std::int32_t> sites_;
   std::vector<std::int32_t> starts_;
 };

@@ -4,8 +4,10 @@
 // Rows: min { (x - u)^2 + g(u)^2 } is searched from u = x outwards for a block of registers at a
 // time. What lies k columns away costs at least k^2, so the search ends when no pixel of the block
 // has more. Cost per register and step: 2 loads, 2 minima, 1 addition, 1 comparison; steps: the
-// longest distance in the block. A run of foreground pixels with a distance over kMaxSearch is left
-// to the lower envelope, whose time does not depend on distances.
+// longest distance in the block. 16 bits suffice, as squares above that of kMaxSearch are never
+// found: cut off at kFarSquared, they end the search like any others that are too long. A run of
+// foreground pixels with a distance over kMaxSearch is left to the lower envelope, whose time does
+// not depend on distances.
 #include <algorithm>
 
 #include "core/exported.hpp"
@@ -17,7 +19,7 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-constexpr Index kLanes = static_cast<Index>(IntBatch::size);
+constexpr Index kLanes = static_cast<Index>(WideBatch::size);
 constexpr Index kBlock = 32;  // pixels
 constexpr Index kRegisters = kBlock / kLanes;
 static_assert(kMaxSearch + kBlock <= DistanceRow::kMargin);
@@ -45,34 +47,36 @@ void columns(const ConstImageView& source, const VerticalDistances& vertical, In
   }
 }
 
-const std::int32_t* square_row(const std::uint16_t* vertical, std::int32_t* squares, Index width) {
-  for (Index x = -DistanceRow::kMargin; x < 0; ++x) squares[x] = kFarSquared;
+const std::int16_t* square_row(const std::uint16_t* vertical, std::int16_t* squares, Index width) {
+  std::fill_n(squares - DistanceRow::kMargin, DistanceRow::kMargin, kFarSquared);
   for (Index x = 0; x < width; ++x) {
-    const std::int32_t distance = vertical[x];
-    squares[x] = distance < kFarVertically ? distance * distance : kFarSquared;
+    const int distance = std::min(vertical[x], kTooFar);
+    squares[x] = static_cast<std::int16_t>(distance * distance);
   }
-  for (Index x = width; x < width + DistanceRow::kMargin; ++x) squares[x] = kFarSquared;
+  std::fill_n(squares + width, DistanceRow::kMargin, kFarSquared);
   return squares;
 }
 
 /// The distances of a block, unless one is longer than the search.
-bool search_block(const std::int32_t* squares, std::int32_t* distances) {
-  IntBatch lowest[kRegisters];
+bool search_block(const std::int16_t* squares, std::int32_t* distances) {
+  WideBatch lowest[kRegisters];
   for (Index i = 0; i < kRegisters; ++i) {
-    lowest[i] = IntBatch::load_unaligned(squares + i * kLanes);
+    lowest[i] = WideBatch::load_unaligned(squares + i * kLanes);
   }
   for (int k = 1; k <= kMaxSearch; ++k) {
-    const IntBatch square(k * k);
-    IntBatch highest = lowest[0];
+    const WideBatch square(static_cast<std::int16_t>(k * k));
+    WideBatch highest = lowest[0];
     for (Index i = 1; i < kRegisters; ++i) highest = simd::max(highest, lowest[i]);
     if (!simd::any(highest > square)) {
-      for (Index i = 0; i < kRegisters; ++i) lowest[i].store_unaligned(distances + i * kLanes);
+      std::int16_t found[kBlock];
+      for (Index i = 0; i < kRegisters; ++i) lowest[i].store_unaligned(found + i * kLanes);
+      std::copy_n(found, kBlock, distances);
       return true;
     }
     for (Index i = 0; i < kRegisters; ++i) {
-      const std::int32_t* const here = squares + i * kLanes;
-      const IntBatch sides =
-          simd::min(IntBatch::load_unaligned(here - k), IntBatch::load_unaligned(here + k));
+      const std::int16_t* const here = squares + i * kLanes;
+      const WideBatch sides =
+          simd::min(WideBatch::load_unaligned(here - k), WideBatch::load_unaligned(here + k));
       lowest[i] = simd::min(lowest[i], sides + square);
     }
   }
@@ -93,7 +97,7 @@ Index envelope_of_run(const std::uint16_t* vertical, DistanceRow& memory, std::i
 }
 
 void row(const std::uint16_t* vertical, DistanceRow& memory, std::int32_t* distances, Index width) {
-  const std::int32_t* const squares = square_row(vertical, memory.squares(), width);
+  const std::int16_t* const squares = square_row(vertical, memory.squares(), width);
   Index x = 0;
   while (x < width) {
     std::int32_t found[kBlock];

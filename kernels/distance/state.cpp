@@ -26,7 +26,7 @@ std::unique_ptr<DistanceState> make_simd(const DistanceSetting& setting) {
 DistanceState::DistanceState(const DistanceKernels& kernels, const DistanceSetting& setting)
     : kernels_(kernels),
       team_(setting.threads),
-      vertical_(make_aligned<std::uint16_t>(
+      vertical_(make_uninitialised<std::uint16_t>(
           static_cast<std::size_t>(stride_of(setting.width) * setting.height))),
       rows_(static_cast<std::size_t>(setting.threads), DistanceRow(setting.width)) {}
 

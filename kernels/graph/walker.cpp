@@ -96,13 +96,13 @@ class GraphWalker::Walk {
       : walker_(walker), graph_(walker.graph_), image_(image), nodes_(nodes), lines_(lines) {}
 
   void run() {
+    for_pixels(nodes_, [&](Pixel p) { node_at(p) = 0; });
     for_pixels(nodes_, [&](Pixel p) {
       if (node_at(p) == 0) add_node_at(p);
     });
     const std::uint32_t open_nodes = number(graph_.nodes.size());
     for (std::uint32_t node = 0; node < open_nodes; ++node) add_edges(node);
     for_pixels(lines_, [&](Pixel p) { add_cycle(p); });
-    for (const Pixel p : graph_.node_pixels) node_at(p) = 0;
   }
 
  private:
@@ -226,7 +226,8 @@ class GraphWalker::Walk {
 };
 
 GraphWalker::GraphWalker(Index width, Index height)
-    : width_(width), node_at_(static_cast<std::size_t>(width * height)) {}
+    : width_(width),
+      node_at_(make_uninitialised<std::uint32_t>(static_cast<std::size_t>(width * height))) {}
 
 const Graph& GraphWalker::walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
                                const BitPlaneView& lines) {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/plane_view.hpp"
+#include "core/byte_image.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench::detail {
@@ -22,7 +22,7 @@ class GraphWalker {
   class Walk;
 
   Index width_;
-  std::vector<std::uint32_t> node_at_;  // of every pixel: 1 + its node, 0 between calls
+  AlignedArray<std::uint32_t> node_at_;  // of node pixels: 1 + their node
   std::vector<Pixel> to_visit_;
   Graph graph_;
 };

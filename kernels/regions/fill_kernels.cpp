@@ -12,13 +12,17 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
+/// For so many pixels words take less time than a register of 512.
+constexpr Index kMaxWidthOfWords = 256;
+
 template <bool with_corners>
 bool flood(const ConstBitPlaneView& image, const BitPlaneView& filled) {
   if constexpr (kRegisterHoldsRow) {
-    return Flood<BlockFlood<WordBatch>, with_corners>(image, filled)();
-  } else {
-    return Flood<WordFlood, with_corners>(image, filled)();
+    if (image.width > kMaxWidthOfWords) {
+      return Flood<BlockFlood<WordBatch>, with_corners>(image, filled)();
+    }
   }
+  return Flood<WordFlood, with_corners>(image, filled)();
 }
 
 }  // namespace

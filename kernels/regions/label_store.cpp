@@ -53,7 +53,7 @@ void LabelStore::make_room(Index labels) {
 }
 
 void LabelStore::grow(int colour, Label capacity) {
-  Memory larger = {make_aligned<Label>(capacity), make_aligned<Region>(capacity)};
+  Memory larger = {make_uninitialised<Label>(capacity), make_uninitialised<Region>(capacity)};
   LabelTable& table = tables_.of_colour[colour];
   std::copy_n(table.parents, table.count, larger.parents.get());
   std::copy_n(table.regions, table.count, larger.regions.get());

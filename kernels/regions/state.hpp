@@ -45,8 +45,9 @@ class RegionsState {
 
   static void check(const RegionsParameters& parameters, Index width, Index height) {
     require_regions_size(width, height);
-    require(parameters.max_area >= 0,
-            "max_area: expected at least 0, got " + std::to_string(parameters.max_area));
+    if (parameters.max_area >= 0) return;
+    throw std::invalid_argument("max_area: expected at least 0, got " +
+                                std::to_string(parameters.max_area));
   }
 
   RegionsState() = default;

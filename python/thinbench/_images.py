@@ -274,7 +274,8 @@ def distance(image: npt.ArrayLike, *, squared: bool = False, threads: int = 1,
     if squared:
         return squares
     distances = np.sqrt(squares, dtype=np.float64)
-    distances[squares == np.iinfo(np.int32).max] = np.inf
+    if squares.size > 0 and squares.flat[0] == np.iinfo(np.int32).max:
+        distances.fill(np.inf)  # no pixel is background, as any would be at a finite distance
     return distances
 
 

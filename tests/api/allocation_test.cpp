@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <new>
 #include <span>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "thinbench/graph.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/memory.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
@@ -25,6 +27,7 @@ namespace {
 // Allocations by all threads, counted by the operators below. They do not see oneTBB's own memory
 // pool, from which tasks are allocated.
 std::atomic<long> allocations = 0;
+std::atomic<long> deallocations = 0;
 std::atomic<std::size_t> allocated_bytes = 0;
 }  // namespace
 
@@ -48,15 +51,19 @@ std::atomic<std::size_t> allocated_bytes = 0;
   return std::malloc(size);
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
+  deallocations += memory != nullptr ? 1 : 0;
   std::free(memory);
 }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  deallocations += memory != nullptr ? 1 : 0;
   std::free(memory);
 }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
+  deallocations += memory != nullptr ? 1 : 0;
   std::free(memory);
 }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  deallocations += memory != nullptr ? 1 : 0;
   std::free(memory);
 }
 
@@ -141,12 +148,45 @@ TEST(EmptyImages, of_any_width_and_height_take_little_memory) {
 }
 
 TEST(AllocationCounter, counts_aligned_and_plain_allocations) {
+  release_memory();
   const long before = allocations;
   const ByteImage image(300, 90);
   const std::vector<int> numbers(5);
   const volatile int* const used = numbers.data();  // else Clang leaves the allocation out
   EXPECT_EQ(*used, 0);
   EXPECT_EQ(allocations, before + 2);
+}
+
+/// Calls of functions that make a state each.
+void call_on(const ByteImage& image, ByteImage& out) {
+  thin(Rule::guo_hall, image.view(), out.view());
+  fill_holes(image.view(), out.view());
+  detect_edges(EdgeOperator::sobel, image.view(), out.view());
+  static_cast<void>(find_components(image.view()));
+}
+
+TEST(KeptMemory, serves_the_next_calls) {
+  const ByteImage image = noise_image(510, 412, 40, 9, 5);
+  ByteImage out(510, 412);
+  call_on(image, out);
+  const std::size_t before = allocated_bytes;
+  call_on(image, out);
+  EXPECT_LT(allocated_bytes - before, std::size_t{1} << 15);
+}
+
+TEST(KeptMemory, is_freed_when_a_thread_ends) {
+  const ByteImage image = noise_image(510, 412, 40, 9, 5);
+  ByteImage out(510, 412);
+  call_on(image, out);  // what lives as long as the program
+  const long before = allocations - deallocations;
+  long kept = 0;
+  std::thread([&] {
+    const long at_start = allocations - deallocations;
+    call_on(image, out);
+    kept = allocations - deallocations - at_start;
+  }).join();
+  EXPECT_GT(kept, 0);
+  EXPECT_EQ(allocations - deallocations, before);
 }
 
 }  // namespace
