@@ -90,7 +90,8 @@ TEST_F(GraphCommand, writes_a_table_with_a_row_for_each_edge) {
   ASSERT_EQ(graph({"--csv", csv}).status, 0);
   const std::string text = text_in(csv);
   EXPECT_EQ(std::ranges::count(text, '\n'), 4);
-  EXPECT_NE(text.find("\n3,3,4,junction,end,5,3,10,3,4,5,5,2,2,2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(",12,8,3,3,4,junction,end,5,3,10,3,4,5,5,2,2,2\n"), std::string::npos)
+      << text;
 }
 
 TEST_F(GraphCommand, writes_geojson_in_the_coordinates_of_the_transform) {

@@ -108,9 +108,9 @@ TEST_F(PackedRun, options_that_do_not_apply_are_rejected) {
     return failure_of(more, 2);
   };
   EXPECT_EQ(failure({"--foreground", "dark"}),
-            "--foreground does not apply to packed files, whose foreground is 1");
+            "--foreground does not apply to packed files, whose pixels have one bit");
   EXPECT_EQ(failure({"--threshold", "12"}),
-            "--threshold does not apply to packed files, whose foreground is 1");
+            "--threshold does not apply to packed files, whose pixels have one bit");
   EXPECT_EQ(failure({"--raw", "12x"}),
             "--raw: expected WIDTHxHEIGHT of at most 2^40 pixels, got '12x'");
   for (const std::string memory : {"0", "1023K", "12Q", "M", "99999999999T"}) {

@@ -143,7 +143,7 @@ TEST_F(PackedTiff, what_does_not_run_out_of_core_is_rejected) {
   EXPECT_EQ(failure_of({"run", "thin_guo_hall", tiled, out, "--out-of-core"}, 1),
             "cannot read '" + tiled + "': it is not a TIFF image of 1 bit per pixel in strips");
   EXPECT_EQ(failure_of({"run", "thin_guo_hall", page, out, "--out-of-core", "--threshold", "3"}, 2),
-            "--threshold does not apply to packed files, whose pixels are bright or dark");
+            "--threshold does not apply to packed files, whose pixels have one bit");
   const ByteImage large = noise_image(4000, 4000, 50, 1, 3);
   write_tiff(page, large.view(),
              {COMPRESSION_LZW, PHOTOMETRIC_MINISBLACK, FILLORDER_MSB2LSB, 4000});

@@ -25,7 +25,7 @@ TEST(Program, without_arguments_prints_the_help_to_standard_error) {
 }
 
 TEST(Program, every_help_has_examples) {
-  EXPECT_EQ(all_commands(thinbench_program()).size(), 1 + 7U);
+  EXPECT_EQ(all_commands(thinbench_program()).size(), 1 + 13U);
   expect_every_help_has_examples(thinbench_program());
 }
 
@@ -40,7 +40,8 @@ TEST(Program, unknown_command_is_rejected_with_the_nearest_name) {
   EXPECT_EQ(failure_of({"lst"}, 2), "no command is named 'lst'; did you mean 'list'?");
   EXPECT_EQ(
       failure_of({"frobnicate"}, 2),
-      "no command is named 'frobnicate'; known: list, run, rule, batch, edges, holes and graph");
+      "no command is named 'frobnicate'; known: list, run, rule, batch, edges, holes, localise, "
+      "fill-holes, labels, distance, euler, graph and path");
 }
 
 TEST(Program, unknown_option_is_rejected_with_the_nearest_name) {
@@ -83,7 +84,8 @@ TEST(Program, numbers_out_of_range_are_rejected_with_the_range) {
   for (const std::string value : {"256", "-1", "x", "1.5", "0x10", ""}) {
     EXPECT_EQ(run_failure({"--threshold=" + value}).find("--threshold"), 0U);
     EXPECT_EQ(run_failure({"--threshold", value}),
-              "--threshold: expected an integer in [0, 255] or 'otsu', got '" + value + "'" + see);
+              "--threshold: expected an integer in [0, 255] or 'otsu' or 'local', got '" + value +
+                  "'" + see);
   }
   for (const std::string value : {"0", "1025", "two"}) {
     EXPECT_EQ(run_failure({"--threads", value}),
@@ -127,9 +129,9 @@ TEST(Program, every_command_that_reads_images_rejects_the_same_values) {
               "--foreground: expected auto, bright or dark, got 'black'");
     EXPECT_EQ(failure("--foreground", ""), "--foreground: expected auto, bright or dark, got ''");
     EXPECT_EQ(failure("--threshold", "high"),
-              "--threshold: expected an integer in [0, 255] or 'otsu', got 'high'");
+              "--threshold: expected an integer in [0, 255] or 'otsu' or 'local', got 'high'");
     EXPECT_EQ(failure("--threshold", "256"),
-              "--threshold: expected an integer in [0, 255] or 'otsu', got '256'");
+              "--threshold: expected an integer in [0, 255] or 'otsu' or 'local', got '256'");
     EXPECT_EQ(failure("--invert", "x"), "there is no option '--invert'") << command.front();
   }
 }

@@ -103,7 +103,7 @@ TEST_F(RunRules, packed_files_take_every_rule) {
   ASSERT_EQ(run_with({"run", "golay_l", pbm, result, "--out-of-core"}).status, 0);
   EXPECT_EQ(bytes_of(result), packed(applied(Rule::named("golay_l"))));
   EXPECT_EQ(failure_of({"run", "majority", pbm, result, "--threshold", "5"}, 2),
-            "--threshold does not apply to packed files, whose foreground is 1");
+            "--threshold does not apply to packed files, whose pixels have one bit");
 }
 
 TEST_F(RunRules, unknown_names_are_rejected) {

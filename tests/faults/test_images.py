@@ -125,7 +125,7 @@ def test_transparent_pixels_of_tiff_are_black(tmp_path: Path) -> None:
 def test_other_kinds_are_refused(kind: str, tmp_path: Path) -> None:
     """Whatever decoders are installed."""
     GREY.save(tmp_path / f"a.{kind}")
-    expect_one_line(["holes", f"a.{kind}"], tmp_path, "not an image of a known format")
+    expect_one_line(["holes", f"a.{kind}"], tmp_path, "not an image of a known format|it is a (GIF|WebP|JPEG 2000) file")
 
 
 # Hostile files.
@@ -267,7 +267,9 @@ LARGE: dict[str, tuple[Callable[[Path], None], float]] = {
     "black.png": (save_bytes(png(SIDE, SIDE, 1, 0, zlib.compress(bytes(SIDE * (SIDE // 8 + 1)), 9))), 0),
 }
 NEEDED = {"run thin_guo_hall {} out.png": 1.25, "run thin_guo_hall {} out.tif": 1.25, "holes {}": 1.2,
-          "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25}
+          "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25,
+          "fill-holes {} out.png": 1.2, "localise {}": 2.2, "labels {} out.png": 7, "distance {} out.png": 7,
+          "holes {} --threshold local": 2.2}
 COMPRESSED = ("large.png", "black.png")
 """All commands read them, "holes" reads the others."""
 """Bytes per pixel: of the image, of edges beside it, of planes of bits and of runs."""

@@ -179,8 +179,7 @@ TEST(Remarks, warn_of_images_of_one_level_with_any_options) {
 TEST(Remarks, warn_of_classes_that_overlap_unless_the_threshold_is_given) {
   const ByteImage noise = grey_noise_image(300, 200, 0, 255, 3);
   const std::string text = remarks(noise, {Foreground::bright});
-  EXPECT_NE(text.find("warning: a.png: the two classes overlap: 10"), std::string::npos)
-      << text;
+  EXPECT_NE(text.find("warning: a.png: the two classes overlap: 10"), std::string::npos) << text;
   EXPECT_NE(text.find("or --threshold N\n"), std::string::npos) << text;
   EXPECT_EQ(remarks(noise, bright_from(200)), "");
   EXPECT_EQ(remarks(render_scene().grey, {Foreground::dark}).find("warning"), std::string::npos);

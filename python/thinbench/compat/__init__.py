@@ -25,7 +25,8 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
     ----------
     image : array, shape (H, W)
         Nonzero is foreground.
-    operation : {"bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority", "remove", "spur", "thin"}
+    operation : {"bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority",
+        "remove", "spur", "thin"}
     n : int or inf
         The number of iterations; inf: until nothing changes. Everything outside the image is
         background.
