@@ -77,7 +77,7 @@ THINNING = {"rule": arguments(st.sampled_from(RULES), "guo_hall"),
             "border": arguments(st.sampled_from(["background", "keep", "foreground"]), None),
             "max_iterations": arguments(st.integers(1, 4), None),
             "threads": arguments(st.integers(1, 3), 1)}
-NAMES = f"image|rule|{'|'.join(NAMED)}|custom|border|max_iterations|threads|out"
+NAMES = f"images?|rule|{'|'.join(NAMED)}|custom|border|max_iterations|threads|out"
 
 
 @SETTINGS
