@@ -117,6 +117,7 @@ TEST(PlanJson, rejects_numbers_that_cannot_be_measured_by) {
                                    {"drawn", nlohmann::json::array()},
                                    {"foreground", "auto"},
                                    {"threshold", nullptr}}},
+                                 {"cycle_ns", 0.25},
                                  {"groups", {{{"layouts", 3}, {"entries", {entry}}}}}};
     return rejection_of<std::runtime_error>(
         [&] { static_cast<void>(plan_from_json(plan.dump())); });
