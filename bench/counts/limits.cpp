@@ -86,8 +86,7 @@ Limits timed(const std::vector<TimedRow>& rows) {
   for (int round = 0; round < kRounds; ++round) {
     for (RowLimit& limit : limits.rows) {
       limit.seconds = std::min(limit.seconds, time_of(*limit.code.count.row));
-      limits.seconds_per_cycle =
-          std::min(limits.seconds_per_cycle, machine_state().chain_ns * 1e-9);
+      limits.seconds_per_cycle = std::min(limits.seconds_per_cycle, shortest_cycle_ns() * 1e-9);
       progress.advance(1);
     }
   }

@@ -98,7 +98,7 @@ using Counted = std::map<const TimedRow*, RowCount>;
 
 /// Variants whose kernel takes too many steps are not tried end to end.
 void step_through(const Rows& rows, std::uint64_t max_steps, Counted& counted) {
-  const double cycle = machine_state().chain_ns * 1e-9;
+  const double cycle = shortest_cycle_ns() * 1e-9;
   const Variant* too_long = nullptr;
   Progress progress("counting", static_cast<double>(rows.size()));
   for (const TimedRow* row : rows) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <optional>
 #include <stdexcept>
@@ -153,22 +152,11 @@ double cycle_ns() {
   return (nanoseconds_now() - start) / (kUnrolled * kRepetitions);
 }
 
-MachineState machine_state() {
-  constexpr int kSamples = 200;
-  constexpr std::size_t kBytes = 64 << 10;
-  std::vector<char> source(kBytes, 1);
-  std::vector<char> destination(kBytes, 2);
-  MachineState state{1e9, 1e9};
-  for (int sample = 0; sample < kSamples; ++sample) {
-    state.chain_ns = std::min(state.chain_ns, cycle_ns());
-    const double start = nanoseconds_now();
-    for (int i = 0; i < 4; ++i) {
-      std::memcpy(destination.data(), source.data(), kBytes);
-      asm volatile("" : : "r"(destination.data()) : "memory");
-    }
-    state.copy_ns = std::min(state.copy_ns, (nanoseconds_now() - start) / 4);
-  }
-  return state;
+double shortest_cycle_ns() {
+  constexpr int kSamples = 400;
+  double shortest = cycle_ns();
+  for (int sample = 1; sample < kSamples; ++sample) shortest = std::min(shortest, cycle_ns());
+  return shortest;
 }
 
 }  // namespace thinbench

@@ -33,15 +33,9 @@ void measure(const Plan& plan, std::uint64_t seed, const std::vector<Operation>&
 /// Nanoseconds of a dependent addition, which is a clock cycle: one sample of about 5 us.
 [[nodiscard]] double cycle_ns();
 
-/// How fast the machine is, whatever the project's code does.
-struct MachineState {
-  double chain_ns = 0;  // a clock cycle
-  double copy_ns = 0;   // a copy of 64 KiB
-};
-
-/// The minimum of many short samples, about 2 ms in all. Wall-clock time: in a virtual machine the
-/// clock of the thread's processor time omits what it takes for stolen, and reads up to 30 % too
-/// little for one sample in 10,000, which a minimum would find.
-[[nodiscard]] MachineState machine_state();
+/// The shortest of many samples, about 2 ms in all. Wall-clock time: in a virtual machine the clock
+/// of the thread's processor time omits what it takes for stolen, and reads up to 30 % too little
+/// for one sample in 10,000, which a minimum would find.
+[[nodiscard]] double shortest_cycle_ns();
 
 }  // namespace thinbench

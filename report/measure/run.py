@@ -105,8 +105,7 @@ def state_of(runs: list[Samples]) -> Json:
     states = [state for process in processes for state in process.states]
     return {"cycle_ns": float(np.median([samples.plan["cycle_ns"] for samples in runs])),
             "foreign_load": float(np.median([process.foreign_load for process in processes])),
-            "chain_ns": float(np.median([state["chain_ns"] for state in states])),
-            "copy_ns": float(np.median([state["copy_ns"] for state in states]))}
+            "chain_ns": float(np.median([state["chain_ns"] for state in states]))}
 
 
 def _merged(parts: list[tuple[str, Samples]]) -> Json:

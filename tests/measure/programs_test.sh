@@ -15,7 +15,7 @@ sampler=$programs/thinbench_sampler
 "$sampler" plan --input square_64 --filter '^edges_sobel/autovec/baseline/1' >"$work/plan.json" ||
   fail 'plan failed'
 "$sampler" measure --seed 1 <"$work/plan.json" >"$work/lines" || fail 'measure failed'
-[ "$(grep -c '"copy_ns"' "$work/lines")" = 2 ] || fail 'expected the state of the machine twice'
+[ "$(grep -c '"chain_ns"' "$work/lines")" = 2 ] || fail 'expected the state of the machine twice'
 [ "$(grep -c '"group":0' "$work/lines")" = 3 ] || fail 'expected a line for each layout'
 
 # Times follow the clock of the plan.

@@ -97,7 +97,7 @@ def _sampler(words: list[str]) -> int:
     plan = json.load(sys.stdin)
     assert plan["cycle_ns"] > 0
     dice = random.Random(int(words[-1]))
-    state = json.dumps({"chain_ns": 0.3, "copy_ns": 1000.0})
+    state = json.dumps({"chain_ns": 0.3})
     print(state)
     for index, group in reversed(list(enumerate(plan["groups"]))):
         for times in zip(*make_group(group, dice, 0.005)):  # by layout

@@ -27,7 +27,7 @@ def made_run(directory: Path, pixels: str = "0" * 16, machine: dict[str, Any] | 
     dice = random.Random(1)
     samples = Samples(plan, [
         Process(seed, [make_group(group, dice, 0.01) for group in plan["groups"]],
-                [{"chain_ns": 0.3, "copy_ns": 1000.0}] * 2, 0.0) for seed in range(9)])
+                [{"chain_ns": 0.3}] * 2, 0.0) for seed in range(9)])
     write_run(directory, MACHINE | (machine or {}), {}, [("", samples)])
     return load_run(directory)
 

@@ -20,7 +20,7 @@ from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
 from report.schemas import check_schema
 
 ROOT = Path(__file__).resolve().parents[2]
-STATES = [{"chain_ns": 0.3, "copy_ns": 1000.0}] * 2
+STATES = [{"chain_ns": 0.3}] * 2
 
 
 def samples_of(spread: float = 0.005, load: float = 0.0, processes: int = 9,

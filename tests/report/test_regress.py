@@ -31,7 +31,7 @@ def samples_of(slower: float = 1.0, *, reference: float = 1.0, plan: Json | None
     """Nine processes; `bitpacked` and the reference take so many times as long as usual."""
     plan = plan or make_plan()
     dice = random.Random(1)
-    states = [{"chain_ns": 0.3, "copy_ns": 1000.0}] * 2
+    states = [{"chain_ns": 0.3}] * 2
     processes = [Process(seed, [make_group(group, dice, 0.005, **controls)
                                 for group in plan["groups"]], states, 0) for seed in range(9)]
     for process in processes:
