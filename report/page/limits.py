@@ -54,7 +54,7 @@ def _counted(image: Json) -> str:
 
 def _sentence(data: Json) -> str:
     text = ("Calls were timed, and their instructions counted, on these pixels alone. A clock cycle "
-            f"took {data['cycle_ns']:.3f} ns. ")
+            f"took {data['cycle_ns']:.3f} ns, to which the other times of this page are not scaled. ")
     kind, _, why = data["model"].partition("none: ")
     if why:
         return f"{text}There is no model to compare with: {why}."

@@ -122,11 +122,12 @@ def _bound(line: Headline | None) -> str:
     if line is None or line.copy is None:
         return ""
     share = line.copy_share or 0.0
-    what = "reading its packed input" if line.copy.technique == "read_bits" else \
-        "a copy of the same bytes"
+    what = {"read_bits": "packing the image and reading its words",
+            "copy_bits": "packing the image, copying and unpacking it"}.get(
+                line.copy.technique, "a copy of the same bytes")
     best = duration(line.best.time_ns)
     relation = f"{100 * share:.0f} % of" if share <= 1 else "more than"
-    return (f"Lower bound: {what} takes {duration(line.copy.time_ns)}, {relation} the fastest "
+    return (f"To compare with: {what} takes {duration(line.copy.time_ns)}, {relation} the fastest "
             f"variant's {best}.")
 
 
