@@ -21,9 +21,9 @@ std::uint8_t grey_of(const std::uint8_t* p) {  // 0.299, 0.587 and 0.114 of 2^15
 }
 
 std::uint8_t saturation_of(const std::uint8_t* p) {
-  const int most = std::max({p[0], p[1], p[2]});
-  const int least = std::min({p[0], p[1], p[2]});
-  return most == 0 ? byte(0) : byte((510 * (most - least) + most) / (2 * most));
+  const int max = std::max({p[0], p[1], p[2]});
+  const int min = std::min({p[0], p[1], p[2]});
+  return max == 0 ? byte(0) : byte((510 * (max - min) + max) / (2 * max));
 }
 
 std::uint8_t value_of(const std::uint8_t* p) {

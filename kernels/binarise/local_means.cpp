@@ -5,9 +5,9 @@
 namespace thinbench::detail {
 
 int window_of(const LocalThreshold& local, Index width, Index height) {
-  constexpr Index least = 15, most = 65535;
+  constexpr Index min = 15, max = 65535;
   if (local.window != 0) return local.window;
-  return static_cast<int>(std::clamp(std::min(width, height) / 8, least, most) | 1);
+  return static_cast<int>(std::clamp(std::min(width, height) / 8, min, max) | 1);
 }
 
 LocalMeans::LocalMeans(const ConstImageView& grey, int window)

@@ -59,7 +59,7 @@ const DistanceOperation& distance_operation() {
          VariantList<DistanceState> list;
          for (const Isa isa :
               isas_with(feature("sse4.2") | feature("avx2") | feature("avx512bw"))) {
-           list.add_with_threads("simd_32bit", isa, &make_simd, {1});
+           list.add_with_threads("simd_search", isa, &make_simd, {1});
          }
          return list.take();
        }()});

@@ -144,7 +144,7 @@ class Search {
       const Pixel p = path.pixels.back();
       const Step& step = kSteps[before_[index_of(p)]];
       path.pixels.push_back({p.x - step.x, p.y - step.y});
-      path.least_width = std::min(path.least_width, room_at(index_of(path.pixels.back())));
+      path.min_width = std::min(path.min_width, room_at(index_of(path.pixels.back())));
     }
     std::reverse(path.pixels.begin(), path.pixels.end());
     return path;

@@ -33,7 +33,7 @@ struct WordFlood {
     return reached;
   }
 
-  /// Towards low bits, after up(): whoever is reached, its run is reached to the end.
+  /// Towards low bits, after up(): a run with a reached pixel becomes reached from end to end.
   [[gnu::always_inline]] static Word down(Word open, Word reached, std::uint64_t& carry) {
     Word all = runs_with(open, reached);
     if (__builtin_expect((carry & (open & ~all) >> 63) != 0, 0)) all |= highest_run(open);

@@ -40,7 +40,7 @@ constexpr std::array kTechniques = {
     TechniqueInfo{"simd_8bit", "gradients in saturating 8-bit lanes, where these are exact"},
     TechniqueInfo{"simd_runs", "xsimd, one run per lane; union-find for runs that change"},
     TechniqueInfo{"envelope", "the lower envelope of parabolas, in time linear in the width"},
-    TechniqueInfo{"simd_32bit", "xsimd, distances in 32-bit lanes, searched as far as needed"},
+    TechniqueInfo{"simd_search", "xsimd, rows searched in 16-bit lanes, only as far as needed"},
 };
 
 /// The operation with more variants in front of its own.

@@ -107,11 +107,12 @@ def _group_rows(samples: Samples, index: int, origin: Origin) -> Iterator[Row]:
     failed = control_flag(samples, index)
     for facts, floor in found:
         own = facts["peer"] or facts["scope"] != END_TO_END
-        yield _row(plan, facts, floor, reference, None if own else peer, failed, origin)
+        verified = not facts["peer"] or facts["technique"] in equal_peers
+        yield _row(plan, facts, floor, reference, None if own else peer, failed, verified, origin)
 
 
 def _row(plan: Json, facts: Json, floor: Floor, reference: Floor | None,
-         peer: tuple[Floor, str] | None, failed: str, origin: Origin) -> Row:
+         peer: tuple[Floor, str] | None, failed: str, verified: bool, origin: Origin) -> Row:
     size = next(item for item in plan["inputs"] if item["name"] == facts["input"])
     speedup = ratio_of(reference, floor) if reference else None
     over_peer = ratio_of(peer[0], floor) if peer else None
@@ -122,7 +123,7 @@ def _row(plan: Json, facts: Json, floor: Floor, reference: Floor | None,
                                        "scalar")},
         width=size["width"], height=size["height"], passes=facts["counter"],
         time_ns=floor.time, high_ns=floor.high, typical_ns=floor.typical,
-        ns_per_pixel=floor.time / (size["width"] * size["height"]), verified=True,
+        ns_per_pixel=floor.time / (size["width"] * size["height"]), verified=verified,
         speedup_vs_reference=speedup.value if speedup else None,
         speedup_low=speedup.low if speedup else None,
         speedup_high=speedup.high if speedup else None, processes=floor.processes,

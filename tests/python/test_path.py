@@ -57,7 +57,7 @@ def test_the_robots_of_the_floor_plan(plan, tmp_path, width, shortest, longest):
     assert made.returncode == 0, made.stderr
     listed = json.loads(made.stdout)
     np.testing.assert_array_equal(np.array(listed["pixels"])[:, ::-1], found)
-    assert shortest < listed["length"] < longest and listed["least_width"] >= width
+    assert shortest < listed["length"] < longest and listed["min_width"] >= width
     assert cv2.imread(str(overlay)).shape == (*free.shape, 3)
 
 

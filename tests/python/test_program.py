@@ -53,6 +53,9 @@ def test_commands_equal_the_functions_of_python(picture, tmp_path):
     out = tmp_path / "out.png"
     made("fill-holes", path, out)
     np.testing.assert_array_equal(cv2.imread(str(out), -1) != 0, thinbench.fill_holes(image))
+    made("fill-holes", path, out, "--connectivity", 4, "--max-area", 30)
+    np.testing.assert_array_equal(cv2.imread(str(out), -1) != 0,
+                                  thinbench.fill_holes(image, connectivity=4, max_area=30))
     for name in ("out.png", "out.tif", "out.pgm"):
         for connectivity in (4, 8):
             made("labels", path, tmp_path / name, "--connectivity", connectivity)

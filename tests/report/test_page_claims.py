@@ -104,17 +104,18 @@ def nets_claim(arithmetic_ns: float, circuit_ns: float) -> Claim:
         make_row(net, "simd_bitpacked", "avx2", circuit_ns)))
 
 
-def test_nets_pay_where_their_circuit_is_as_fast_as_the_rule():
+def test_nets_improve_times_only_where_they_are_faster_than_the_rule():
     assert nets_claim(1e6, 3e5).verdict is Verdict.HOLDS
-    assert nets_claim(1e6, 1e5).verdict is Verdict.PARTLY
-    assert nets_claim(5e4, 1e5).verdict is Verdict.FAILS
+    assert nets_claim(1e6, 1e5).verdict is Verdict.HOLDS
+    assert nets_claim(1e6, 5e4).verdict is Verdict.PARTLY
+    assert nets_claim(5e4, 5e4).verdict is Verdict.FAILS
 
 
-def test_integers_gain_time_and_lose_no_answer():
+def test_integers_gain_time_but_lose_answers():
     net = "net_two_layer_linear"
     rows = rows_with(make_row(net, "simd_float_bits", "avx2", 2e5),
                      make_row(net, "simd_fixed_point", "avx2", 1e5))
-    assert of_times.integers_do_not_pay(rows, GOLDEN["quantisation"]).verdict is Verdict.FAILS
+    assert of_times.integers_do_not_pay(rows, GOLDEN["quantisation"]).verdict is Verdict.PARTLY
 
 
 def paper_rows(swap: bool) -> Rows:
@@ -129,6 +130,9 @@ def paper_rows(swap: bool) -> Rows:
 def test_the_order_of_table_two_holds_only_if_no_pair_is_swapped():
     assert of_times.order_of_table_two(paper_rows(False)).verdict is Verdict.HOLDS
     assert of_times.order_of_table_two(paper_rows(True)).verdict is Verdict.PARTLY
+    equal = rows_with(*(make_row(row.operation, technique, "baseline", 1e7)
+                        for row in PAPER for technique in ("reference", "bitpacked")))
+    assert of_times.order_of_table_two(equal).verdict is Verdict.FAILS
 
 
 def test_table_two_gives_the_papers_ratio_to_the_same_times():

@@ -89,7 +89,7 @@ def test_only_open_rows_are_measured_again() -> None:
     assert asked == [(0, None), (1, {"b"})]
 
 
-def test_rows_that_nobody_asked_for_are_not_judged() -> None:
+def test_rows_outside_the_choice_are_not_judged() -> None:
     asked = []
 
     def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:

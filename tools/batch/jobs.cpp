@@ -55,9 +55,9 @@ std::vector<std::vector<BatchJob>> jobs_of(const std::vector<BatchInput>& inputs
 namespace {
 
 /// Why jobs cannot be done, in the order of the inputs.
-class Obstacles {
+class Rejections {
  public:
-  Obstacles(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out) : out_(out) {
+  Rejections(const std::vector<std::vector<BatchJob>>& jobs, const std::string& out) : out_(out) {
     for (const auto& of_input : jobs) {
       const std::string& path = of_input.front().path;
       if (const auto id = id_of(path)) inputs_.emplace(*id, path);
@@ -98,12 +98,12 @@ std::string rejection_of(const std::string& path,
 std::vector<std::string> remove_impossible(
     std::vector<std::vector<BatchJob>>& jobs, const std::string& out,
     const std::function<void(const std::string& path)>& check) {
-  Obstacles obstacles(jobs, out);
+  Rejections rejections(jobs, out);
   std::vector<std::string> failures;
   std::erase_if(jobs, [&](const std::vector<BatchJob>& of_input) {
     std::string why = rejection_of(of_input.front().path, check);
     for (const BatchJob& job : of_input) {
-      if (why.empty()) why = obstacles.of(job);
+      if (why.empty()) why = rejections.of(job);
     }
     if (!why.empty()) failures.push_back(why);
     return !why.empty();

@@ -89,6 +89,10 @@ CLI::Validator not_empty() {
       ""};
 }
 
+void add_input(CLI::App& app, std::string& in) {
+  app.add_option("IN", in, "Image to read; - reads standard input")->required()->type_name("");
+}
+
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa) {
   app.add_option_function<std::string>(
          "--isa", [&isa](const std::string& name) { isa = isa_named(name); },

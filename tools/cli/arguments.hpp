@@ -30,6 +30,9 @@ namespace thinbench {
 /// Rejects "", which stands for "not given" behind the options.
 [[nodiscard]] CLI::Validator not_empty();
 
+/// The image that a command reads.
+void add_input(CLI::App& app, std::string& in);
+
 /// `--isa NAME`.
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa);
 

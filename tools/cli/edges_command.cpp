@@ -56,9 +56,7 @@ int run(const EdgesOptions& options, const Console& console) {
 Command add_edges_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("edges", "Mark the edges of an image file in another");
   const auto options = std::make_shared<EdgesOptions>();
-  app->add_option("IN", options->in, "Image to read; - reads standard input")
-      ->required()
-      ->type_name("");
+  add_input(*app, options->in);
   app->add_option("OUT", options->out,
                   "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output")
       ->required()

@@ -228,9 +228,7 @@ void add_pruning(CLI::App& app, GraphCommandOptions& options) {
 Command add_graph_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("graph", "List ends, junctions and lines of a skeleton");
   const auto options = std::make_shared<GraphCommandOptions>();
-  app->add_option("IN", options->in, "Image to read; - reads standard input")
-      ->required()
-      ->type_name("");
+  add_input(*app, options->in);
   app->add_option("--thinning", options->thinning,
                   "Operation that thins the image; none: it is a skeleton")
       ->check(not_empty())

@@ -18,6 +18,8 @@
 namespace thinbench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct PathOptions {
   std::string in;
   std::string start;
@@ -39,16 +41,13 @@ Pixel pixel_from(const char* name, const std::string& text) {
 }
 
 std::string path_json(const PathOptions& options, const ByteImage& map, const FoundPath& path) {
-  using Json = nlohmann::ordered_json;
   Json pixels = Json::array();
   for (const Pixel p : path.pixels) pixels.push_back({p.x, p.y});
-  const Json json = {{"file", options.in},
-                     {"width", map.width()},
-                     {"height", map.height()},
-                     {"robot_width", options.width},
-                     {"length", path.length},
-                     {"least_width", path.least_width},  // null where there is no obstacle
-                     {"pixels", pixels}};
+  const Json json = {
+      {"file", options.in},     {"width", map.width()},
+      {"height", map.height()}, {"robot_width", options.width},
+      {"length", path.length},  {"min_width", path.min_width},  // null where there is no obstacle
+      {"pixels", pixels}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
@@ -71,8 +70,8 @@ int run(const PathOptions& options, const Console& console) {
   }
   console.err << remarks.str();
   console.out << (options.json ? path_json(options, map.image, path)
-                               : fmt::format("path: {} pixels, length {:.2f}, least width {:.2f}\n",
-                                             path.pixels.size(), path.length, path.least_width));
+                               : fmt::format("path: {} pixels, length {:.2f}, min width {:.2f}\n",
+                                             path.pixels.size(), path.length, path.min_width));
   return kSuccess;
 }
 

@@ -26,6 +26,7 @@ struct PixelOptions {
   Execution execution;
   BinariseOptions binarise;
   int connectivity = 8;
+  std::int64_t max_area = kAnyHoleArea;  // of holes to fill
 };
 
 /// Writes the result of an image and says in a line what it is.
@@ -47,7 +48,8 @@ Connectivity connectivity_of(const PixelOptions& options) {
 std::string filled(ByteImage image, const PixelOptions& options) {
   check_extension(options.out);
   const Index before = foreground_pixels(image.view());
-  fill_holes(image.view(), image.view(), options.execution);
+  fill_holes(image.view(), image.view(), connectivity_of(options), options.max_area,
+             options.execution);
   write_grey(options.out, image.view());
   return fmt::format("fill-holes: {} x {}, {} foreground pixels before, {} after", image.width(),
                      image.height(), before, foreground_pixels(image.view()));
@@ -74,10 +76,10 @@ std::string labelled(const ByteImage& image, const PixelOptions& options) {
   std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height));
   const std::uint32_t objects = label_image(image.view(), {labels.data(), width, height},
                                             connectivity_of(options), options.execution);
-  constexpr std::uint32_t most = 65535;
-  if (objects > most) {
+  constexpr std::uint32_t kMaxObjects = 65535;
+  if (objects > kMaxObjects) {
     throw FileError(fmt::format("{}: it has {} objects, more than {}, the most that 16 bits number",
-                                options.in, objects, most));
+                                options.in, objects, kMaxObjects));
   }
   write_levels(options.out, labels, width, height,
                [](std::int32_t label) { return static_cast<std::uint16_t>(label); });
@@ -108,8 +110,9 @@ std::string distances(const ByteImage& image, const PixelOptions& options) {
 struct PixelCommand {
   const char* name;
   const char* what;
-  const char* out;  // what is said of OUT; nullptr: there is none
+  const char* out;  // describes OUT; nullptr where nothing is written
   bool has_connectivity;
+  bool has_max_area;
   const char* footer;
   Compute compute;
 };
@@ -117,9 +120,7 @@ struct PixelCommand {
 Command add_pixel_command(CLI::App& program, const PixelCommand& command) {
   CLI::App* app = program.add_subcommand(command.name, command.what);
   const auto options = std::make_shared<PixelOptions>();
-  app->add_option("IN", options->in, "Image to read; - reads standard input")
-      ->required()
-      ->type_name("");
+  add_input(*app, options->in);
   if (command.out != nullptr) {
     app->add_option("OUT", options->out, command.out)->required()->type_name("");
   }
@@ -128,6 +129,12 @@ Command add_pixel_command(CLI::App& program, const PixelCommand& command) {
         ->check(one_of({"4", "8"}))
         ->type_name("8|4")
         ->capture_default_str();
+  }
+  if (command.has_max_area) {
+    app->add_option("--max-area", options->max_area,
+                    "Fill only holes of at most N pixels, 1 to 2^31 (default: all)")
+        ->check(whole_number(1, kMaxImagePixels))
+        ->type_name("N");
   }
   add_isa_option(*app, options->execution.isa);
   add_threads_option(*app, options->execution.threads);
@@ -142,21 +149,24 @@ Command add_pixel_command(CLI::App& program, const PixelCommand& command) {
 
 Command add_fill_holes_command(CLI::App& program) {
   return add_pixel_command(
-      program, {"fill-holes", "Fill the holes of objects",
-                "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output", false,
-                R"(Examples:
+      program,
+      {"fill-holes", "Fill the holes of objects",
+       "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output", true, true,
+       R"(Examples:
   thinbench fill-holes parts.png filled.png
+  thinbench fill-holes scan.png clean.png --max-area 20
   cat parts.png | thinbench fill-holes - - > filled.png
 
-OUT holds 255 on objects and all that they enclose, and 0 elsewhere.)",
-                filled});
+OUT holds 255 on objects and all that they enclose, and 0 elsewhere. Objects in a hole do not count for
+its area; with --max-area they remain as they are.)",
+       filled});
 }
 
 Command add_labels_command(CLI::App& program) {
   return add_pixel_command(
       program,
       {"labels", "Number the objects of an image, pixel by pixel",
-       "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output", true,
+       "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output", true, false,
        R"(Examples:
   thinbench labels parts.png labels.png
   thinbench labels parts.png labels.tif --connectivity 4
@@ -170,7 +180,7 @@ Command add_distance_command(CLI::App& program) {
   return add_pixel_command(
       program, {"distance", "Write the distance of each pixel to the background",
                 "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output",
-                false, R"(Examples:
+                false, false, R"(Examples:
   thinbench distance parts.png distance.png
   thinbench distance map.tif distance.tif --foreground bright
 
@@ -180,7 +190,7 @@ background. What is outside the image does not count. Sides are at most 32767 pi
 }
 
 Command add_euler_command(CLI::App& program) {
-  return add_pixel_command(program, {"euler", "Count objects minus holes", nullptr, true,
+  return add_pixel_command(program, {"euler", "Count objects minus holes", nullptr, true, false,
                                      R"(Examples:
   thinbench euler parts.png
   thinbench euler parts.png --connectivity 4

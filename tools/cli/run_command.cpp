@@ -66,9 +66,7 @@ Command add_run_command(CLI::App& program) {
                   "notation such as B3/S23, or JSON file")
       ->required()
       ->type_name("");
-  app->add_option("IN", options->files.in, "Image to read; - reads standard input")
-      ->required()
-      ->type_name("");
+  add_input(*app, options->files.in);
   app->add_option(
          "OUT", options->files.out,
          "Image to write: .png, .pgm, .bmp, .tif, - for PNG on standard output or, from PBM "

@@ -13,7 +13,7 @@
 
 namespace thinbench {
 
-/// A part of an image; no height: all of it.
+/// A part of an image; with no height, the whole image.
 struct Crop {
   Index x = 0;
   Index y = 0;

@@ -165,9 +165,9 @@ bool is_transparent(const std::string& path) {
     if (image.channels() != 4) return false;
     cv::Mat alpha;
     cv::extractChannel(image, alpha, 3);
-    double least = 0;
-    cv::minMaxLoc(alpha, &least);
-    return least < (image.depth() == CV_8U ? 255 : 65535);
+    double min = 0;
+    cv::minMaxLoc(alpha, &min);
+    return min < (image.depth() == CV_8U ? 255 : 65535);
   } catch (const cv::Exception& error) {
     reject(path, error);
   }

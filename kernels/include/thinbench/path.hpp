@@ -19,13 +19,13 @@ struct PathRequest {
 struct FoundPath {
   std::vector<Pixel> pixels;  // from start to goal, each one of the eight neighbours of the last
   double length;              // steps along rows and columns count 1, diagonal ones sqrt(2)
-  double least_width;         // twice the least distance to an obstacle; infinite without obstacles
+  double min_width;           // twice the smallest distance to an obstacle; infinite without one
 };
 
 /// The path from start to goal, in a map whose foreground is free, that leaves the skeleton of the
 /// free space for as few pixels as possible, and of these paths the shortest. The skeleton is that
 /// of Rule::guo_hall without branches shorter than the free space is wide at their junction. All
-/// pixels of the path are at least width / 2 from obstacles, centre to centre; what is outside the
+/// pixels of the path are at min width / 2 from obstacles, centre to centre; what is outside the
 /// image is no obstacle. There is a path wherever such pixels lead from start to goal.
 ///
 /// Takes 30 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
