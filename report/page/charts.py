@@ -17,7 +17,7 @@ Curve = dict[str, Any]
 
 @dataclass(frozen=True)
 class Chart:
-    """Nanoseconds per pixel over something; `curves` holds points [x, value, high]."""
+    """Nanoseconds per pixel over something; `curves` holds points [x, value, high, flags]."""
 
     group: str
     title: str
@@ -33,9 +33,10 @@ class Chart:
     @property
     def table(self) -> list[list[str]]:
         """A line for each place, a cell for each curve."""
-        points = [{point[0]: point[1] for point in curve["points"]} for curve in self.curves]
+        points = [{point[0]: f"{point[1]:.3g}{' !' if point[3] else ''}" for point in curve["points"]}
+                  for curve in self.curves]
         return [[one if isinstance(one, str) else f"{one:g}",
-                 *(f"{curve[one]:.3g}" if one in curve else NOTHING for curve in points)]
+                 *(curve.get(one, NOTHING) for curve in points)]
                 for one in self.places]
 
 
@@ -69,16 +70,16 @@ def sweep_charts(rows: Iterable[Row]) -> list[Chart]:
 
 def _curve(series: Series) -> Curve:
     return {"label": series.label,
-            "points": [[point.x, *_rounded(point.ns_per_pixel, point.high)]
+            "points": [[point.x, *_rounded(point.ns_per_pixel, point.high), point.flags]
                        for point in series.points]}
 
 
-def _by_size(rows: Iterable[Row]) -> list[list[float]]:
+def _by_size(rows: Iterable[Row]) -> list[list[Any]]:
     by_side: dict[int, list[Row]] = {}
     for row in rows:
         by_side.setdefault(row.width, []).append(row)
     best = [row for side in sorted(by_side) if (row := fastest(by_side[side]))]
-    return [[row.width, *_rounded(row.ns_per_pixel, row.high_ns / row.width / row.height)]
+    return [[row.width, *_rounded(row.ns_per_pixel, row.high_ns / row.width / row.height), row.flags]
             for row in best]
 
 

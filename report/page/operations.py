@@ -10,7 +10,10 @@ from report.measure.timings import END_TO_END, Row
 
 KEEP = ":keep"
 COPIES = ("copy", "copy_bits", "read_bits")
-"""Peers that are lower bounds: the same bytes copied or read."""
+"""Peers that are lower bounds: the image copied or read."""
+
+COPIED_ALIKE = ("thin_", "skeleton_scan", "net_")
+"""Cases that all read one byte per pixel and write one: the copy of one is that of the others."""
 
 ARITHMETIC = ("simd_float_bits", "simd_fixed_point", "autovec")
 """Techniques that evaluate a net's sums and activations for every pixel."""
@@ -123,11 +126,11 @@ class Rows:
         return found or [line for line in map(self.headline, self.cases) if line]
 
     def copy(self, case: str) -> Row | None:
-        """The lower bound of a case; any other case's copy moves the same bytes, though it has
-        another reference."""
+        """The lower bound of a case, measured with it or with another that moves the same bytes."""
         bounds = [row for row in self.rows if row.input == self.input and row.scope == END_TO_END]
         own = (row for row in bounds if row.case == case and row.technique in COPIES)
-        other = fastest(row for row in bounds if row.technique == "copy")
+        other = fastest(row for row in bounds if row.technique == "copy"
+                        and case.startswith(COPIED_ALIKE))
         return next(own, None) or (other and replace(
             other, operation=case.partition(":")[0], speedup_vs_reference=None, speedup_low=None,
             speedup_high=None))
@@ -154,7 +157,7 @@ def label(case: str) -> str:
     """A case in few words, for tables."""
     operation, *options = case.split(":")
     words = [LABELS.get(operation, operation.replace("_", " "))]
-    words += ["border kept" if option == "keep" else f"{option} iteration" for option in options]
+    words += ["border kept" if option == "keep" else f"{option} iteration{'' if option == '1' else 's'}" for option in options]
     return ", ".join(words)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from report.page.operations import Rows, title
+from report.page.operations import PRINTED_RULE, Rows, title
 
 FIRST = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "edges_sobel")
 """What the first screen shows beside the input, as far as it was made."""
@@ -39,7 +39,8 @@ class Pictures:
 
     def of_case(self, case: str) -> Picture | None:
         """What the case makes of the main input; None where there is no such image."""
-        return self._picture(f"{self.rows.input}_{case.replace(':', '_')}.png", title(case))
+        remark = ", which breaks lines" if case == PRINTED_RULE else ""
+        return self._picture(f"{self.rows.input}_{case.replace(':', '_')}.png", title(case) + remark)
 
     def inputs(self) -> list[Picture]:
         """The main input in grey, else binary."""

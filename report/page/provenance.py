@@ -42,8 +42,10 @@ def skipped(run: Run) -> list[tuple[str, list[str]]]:
 
 def _option(item: tuple[str, object]) -> str:
     name, value = item
+    if name == "peers":
+        return "" if value else "without peers"
     if isinstance(value, bool):
-        return name if value else f"no {name}"
+        return name if value else ""
     return f"{name} {value}" if value not in ("", [], None) else ""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from report.formatting import NOTHING, duration, interval, scope_label, times
+from report.formatting import NOTHING, counted, duration, interval, scope_label, times
 from report.measure.timings import Row
 from report.page.families import FAMILIES, family
 from report.page.limits import Limits
@@ -90,10 +90,10 @@ def _columns(rows: list[Row]) -> list[Column]:
                                                         _number(row.typical_ns))),
                            ("ns/pixel", lambda row: Cell(f"{row.ns_per_pixel:.4f}",
                                                          _number(row.ns_per_pixel))),
-                           ("Speed-up", lambda row: _ratio(row.speedup_vs_reference)),
+                           ("Speed-up", lambda row: _ratio(_speedup(row, row.speedup_vs_reference))),
                            ("Speed-up interval", lambda row: Cell(
-                               interval(row.speedup_low, row.speedup_high),
-                               _number(row.speedup_low))),
+                               interval(_speedup(row, row.speedup_low), row.speedup_high),
+                               _number(_speedup(row, row.speedup_low)))),
                            ("To peer", lambda row: _ratio(row.speedup_vs_peer))]
     optional = {"Options": {options(row) for row in rows}, "Image": {row.input for row in rows},
                 "Flags": {row.flags for row in rows} | {""},
@@ -101,11 +101,16 @@ def _columns(rows: list[Row]) -> list[Column]:
     return [column for column in found if len(optional.get(column[0], "ab")) > 1]
 
 
+def _speedup(row: Row, value: float | None) -> float | None:
+    """The reference has none."""
+    return None if row.is_reference else value
+
+
 def options(row: Row) -> str:
     """Border and limit in words."""
     words = [] if row.border != "keep" else ["border kept"]
-    words += [] if row.max_iterations is None else [f"{row.max_iterations} iteration"]
-    return ", ".join(words) or (row.border or "none")
+    words += [] if row.max_iterations is None else [f"at most {counted(row.max_iterations, 'iteration')}"]
+    return ", ".join(words) or ("border thinned" if row.border else "none")
 
 
 def _data(row: Row, rows: Rows) -> dict[str, str]:
@@ -124,9 +129,9 @@ def _bound(line: Headline | None) -> str:
     share = line.copy_share or 0.0
     what = {"read_bits": "packing the image and reading its words",
             "copy_bits": "packing the image, copying and unpacking it"}.get(
-                line.copy.technique, "a copy of the same bytes")
+                line.copy.technique, "a copy of the image")
     best = duration(line.best.time_ns)
-    relation = f"{100 * share:.0f} % of" if share <= 1 else "more than"
+    relation = "more than" if share > 1 else f"{100 * share:.0f} % of" if share >= 0.01 else "under 1 % of"
     return (f"To compare with: {what} takes {duration(line.copy.time_ns)}, {relation} the fastest "
             f"variant's {best}.")
 

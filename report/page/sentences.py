@@ -64,7 +64,7 @@ def _peers(rows: Rows, lines: list[Headline]) -> str:
     if not found:
         return ""
     peer = peer_title(rows.run, found[0][0].best.peer_name)
-    parts = [f"{line.label.replace(', border kept', '')} **{times(ratio)}**"
+    parts = [f"{line.label} **{times(ratio)}**"
              for line, ratio in found]
     return (f"With output equal in every pixel it is faster than {peer}: {', '.join(parts)}, each "
             "on one thread.")
@@ -77,14 +77,13 @@ def _paper(rows: Rows) -> str:
     seconds = line.best.time_ns / 1e9
     return (f"The paper's rule took {PAPER_RULE.seconds} s on a {PAPER_MACHINE} for an image of this "
             f"size; here it takes **{duration(line.best.time_ns)}**, "
-            f"**{times(PAPER_RULE.seconds / seconds)}** as fast.")
+            f"about **{float(f'{PAPER_RULE.seconds / seconds:.2g}'):,.0f}×** as fast.")
 
 
 def _verified(run: Run) -> str:
     controls = run.facts["controls"]
     same, slowed = controls["same"], controls["slowed"]
-    text = f"All **{run.facts['verified']:,}** variants gave their reference's output before they "
-    text += "were timed."
+    text = f"Each of the **{run.facts['verified']:,}** variants timed gave its reference's output first."
     if same and slowed:
         text += (f" Controls, medians of {controls['groups']} groups: a row against itself "
                  f"{same:.3f}, one slowed by 10 % {slowed:.3f}; {controls['failed']} failed.")

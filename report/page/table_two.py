@@ -28,8 +28,8 @@ PAPER = (PaperRow("Hole detection and localisation", "holes", 0.67),
 PAPER_MACHINE = "Pentium II MMX of 350 MHz"
 PAPER_RULE = next(row for row in PAPER if row.operation == PRINTED_RULE)
 
-HEADER = ("Method", "Best variant here", "Paper", "Ratio", "Plain C++ here", "Ratio", "Best here",
-          "Ratio")
+HEADER = ("Method", "Best variant here", "Paper", "To its rule", "Plain C++ here", "To the rule",
+          "Best here", "To the rule")
 
 
 def table_two(rows: Rows) -> Table:

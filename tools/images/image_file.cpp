@@ -198,11 +198,14 @@ constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
   throw ExtensionError("cannot write '" + path + "': " + why);
 }
 
+/// Size, depth and channels are checked before; encoders do not speak of what is left, memory.
+constexpr const char* kEncoderFailed = "its encoder failed; perhaps there is not enough memory";
+
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
   const CapturedStderr captured;
   std::vector<std::uint8_t> bytes;
   if (!cv::imencode(extension_of(path), image, bytes)) {
-    cannot_write(path, "the image cannot be encoded");
+    cannot_write(path, kEncoderFailed);
   }
   return bytes;
 }
@@ -241,7 +244,7 @@ void write_by(const std::string& path, const Write& write) {
     cannot_write(path, "there is not enough memory for it");
   } catch (const cv::Exception& error) {
     cannot_write(path, error.code == cv::Error::StsNoMem ? "there is not enough memory for it"
-                                                         : "the image cannot be encoded");
+                                                         : kEncoderFailed);
   }
 }
 
