@@ -110,7 +110,9 @@ def table(outcomes: Sequence[Outcome]) -> str:
             found = f"ended with status {outcome.status}; see {outcome.log}"
         lines.append(f"{outcome.target:16} {outcome.executions:12,} {speed:11,.0f} "
                      f"{outcome.coverage:7,}  {found}")
-    return "\n".join(lines)
+    executions = sum(outcome.executions for outcome in outcomes)
+    found = sum(outcome.failed for outcome in outcomes)
+    return "\n".join([*lines, f"{len(outcomes)} targets, {executions:,} executions, found by {found}"])
 
 
 def positive(text: str) -> float:

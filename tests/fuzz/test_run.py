@@ -41,9 +41,10 @@ def _targets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_nothing_found_is_status_0_with_executions_and_coverage(
         targets: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert targets.exists() and run.main(["--seconds", "1", "quiet"]) == 0
-    heading, line = capsys.readouterr().out.splitlines()
+    heading, line, total = capsys.readouterr().out.splitlines()
     assert heading.split() == ["target", "executions", "per", "second", "edges", "found"]
     assert line.split()[:2] == ["quiet", "500"] and line.split()[3:] == ["7", "nothing"]
+    assert total == "1 targets, 500 executions, found by 0"
 
 
 def test_a_finding_is_status_1_and_the_path_of_the_input(
