@@ -16,7 +16,7 @@ from report.building import ROOT
 from report.errors import ReportError
 from report.files import read_json, write_file
 from report.formatting import markdown_table
-from report.git import commit_name, is_clean
+from report.git import git
 from report.measure.sampler import Json
 
 RECORDS = ROOT / "results" / "checks.json"
@@ -40,8 +40,7 @@ def summary(lines: Sequence[str]) -> str:
 
 def record(what: str, command: Sequence[str], records: Path = RECORDS) -> int:
     """Runs a check; an entry is written only where it passed. Returns its exit status."""
-    if not is_clean():
-        raise ReportError("--record: tracked files differ from the commit; commit them first")
+    commit = clean_commit()
     start, lines = time.monotonic(), []
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, errors="replace") as process:
         assert process.stdout
@@ -50,11 +49,18 @@ def record(what: str, command: Sequence[str], records: Path = RECORDS) -> int:
             lines.append(line.rstrip("\n"))
     if process.returncode == 0:
         known = read_json(records) if records.exists() else {}
-        known[what] = {"command": " ".join(["./check", *command[1:]]), "commit": commit_name(),
+        known[what] = {"command": " ".join(["./check", *command[1:]]), "commit": commit,
                        "date": datetime.date.today().isoformat(), "processor": processor(),
                        "minutes": round((time.monotonic() - start) / 60, 1), "result": summary(lines)}
         write_file(records, (json.dumps(known, indent=1, sort_keys=True) + "\n").encode())
     return process.returncode
+
+
+def clean_commit() -> str:
+    """What is checked; notes of other checks do not change it."""
+    if git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!results/checks.json") != "":
+        raise ReportError("--record: tracked files differ from the commit; commit them first")
+    return git("rev-parse", "--short=10", "HEAD") or "unknown"
 
 
 def processor(file: Path = Path("/proc/cpuinfo")) -> str:

@@ -28,8 +28,7 @@ def recorded(tmp_path, status):
 
 
 def test_a_check_that_passed_is_noted_with_its_commit_and_shown(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(checks, "is_clean", lambda: True)
-    monkeypatch.setattr(checks, "commit_name", lambda: "0123456789")
+    monkeypatch.setattr(checks, "git", lambda *words: "" if words[0] == "status" else "0123456789")
     assert recorded(tmp_path, 0) == 0
     assert "0 tests failed" in capsys.readouterr().out
     entry = json.loads((tmp_path / "checks.json").read_text())["asan"]
@@ -38,12 +37,12 @@ def test_a_check_that_passed_is_noted_with_its_commit_and_shown(tmp_path, monkey
 
 
 def test_a_check_that_failed_is_not_noted(tmp_path, monkeypatch):
-    monkeypatch.setattr(checks, "is_clean", lambda: True)
+    monkeypatch.setattr(checks, "git", lambda *words: "")
     assert recorded(tmp_path, 3) == 3
     assert not (tmp_path / "checks.json").exists()
 
 
 def test_changed_files_have_no_commit_to_note(tmp_path, monkeypatch):
-    monkeypatch.setattr(checks, "is_clean", lambda: False)
+    monkeypatch.setattr(checks, "git", lambda *words: " M check")
     with pytest.raises(ReportError, match="commit them first"):
         recorded(tmp_path, 0)
