@@ -16,8 +16,8 @@ class ContactLabelsState : public LabelsState {
       : LabelsState(setting),
         kernels_(is_four_connected(setting.task) ? engine.four : engine.eight),
         has_list_(has_list(setting.task)),
-        memory_(
-            bands_of(is_four_connected(setting.task) ? Band::row : Band::pair, setting.height)) {}
+        memory_(bands_of(is_four_connected(setting.task) ? RunBand::row : RunBand::pair,
+                         setting.height)) {}
 
   [[nodiscard]] RegionLists regions() const override { return {list_, {}}; }
   [[nodiscard]] Label objects() const override { return objects_; }

@@ -15,7 +15,7 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-template <Band band>
+template <RunBand band>
 void count(const ConstBitPlaneView& image, Label* first) {
   count_runs<band>(image, 0, first);
 }
@@ -23,7 +23,7 @@ void count(const ConstBitPlaneView& image, Label* first) {
 /// Narrower images are faster word by word.
 constexpr Index kMinBlockWidth = 193;
 
-template <Band band>
+template <RunBand band>
 [[gnu::always_inline]] inline void unite_with_above(const ConstBitPlaneView& image, Index number,
                                                     const RunForest& runs) {
   if constexpr (kHasRunBlocks) {
@@ -35,22 +35,22 @@ template <Band band>
   unite_band<band>(image, number, runs);
 }
 
-template <Band band>
+template <RunBand band>
 void unite_all(const ConstBitPlaneView& image, const RunForest& runs) {
   unite_runs<band>(image, runs, [&](Index number) { unite_with_above<band>(image, number, runs); });
 }
 
-template <Band band>
+template <RunBand band>
 Label number(const ConstBitPlaneView& image, const RunForest& runs) {
   return number_runs<band>(image, runs);
 }
 
-template <Band band>
+template <RunBand band>
 void sum(const ConstBitPlaneView& image, const RunForest& runs, Region* objects) {
   sum_runs<band>(image, runs, objects);
 }
 
-template <Band band>
+template <RunBand band>
 void paint(const ConstBitPlaneView& image, const RunForest& runs, const LabelView& labels) {
   if constexpr (kHasLanePermute) {
     paint_bands<band>(image, runs, labels);
@@ -59,7 +59,7 @@ void paint(const ConstBitPlaneView& image, const RunForest& runs, const LabelVie
   }
 }
 
-template <Band band>
+template <RunBand band>
 constexpr LabelKernels kKernels = {&count<band>, &unite_all<band>, &number<band>, &sum<band>,
                                    &paint<band>};
 
@@ -68,10 +68,10 @@ void invert(const ConstBitPlaneView& image, const BitPlaneView& background) {
 }
 
 void count_background(const ConstBitPlaneView& background, Label* first) {
-  count_runs<Band::row>(background, 1, first);
+  count_runs<RunBand::row>(background, 1, first);
 }
 
-template <Band band>
+template <RunBand band>
 void unite_holes(const Background& background) {
   unite_background(background.image, background.runs,
                    [&](Index y) { unite_with_above<band>(background.image, y, background.runs); });
@@ -84,10 +84,10 @@ Label number_holes(const Background& background, Label objects) {
 }
 
 void sum_all(const Objects& objects, const Background& background, Region* regions, Label* ids) {
-  sum_all_runs<Band::pair>(objects, background, regions, ids);
+  sum_all_runs<RunBand::pair>(objects, background, regions, ids);
 }
 
-template <Band band>
+template <RunBand band>
 void paint_all(const ConstBitPlaneView& image, const ConstBitPlaneView& background,
                const Label* ids, const LabelView& labels) {
   if constexpr (kHasLanePermute) {
@@ -97,9 +97,13 @@ void paint_all(const ConstBitPlaneView& image, const ConstBitPlaneView& backgrou
   }
 }
 
-constexpr HoleKernels kHoleKernels = {
-    &invert,       &count_background, &unite_holes<Band::row>, &unite_holes<Band::row_with_corners>,
-    &number_holes, &sum_all,          &paint_all<Band::row>};
+constexpr HoleKernels kHoleKernels = {&invert,
+                                      &count_background,
+                                      &unite_holes<RunBand::row>,
+                                      &unite_holes<RunBand::row_with_corners>,
+                                      &number_holes,
+                                      &sum_all,
+                                      &paint_all<RunBand::row>};
 
 }  // namespace
 
@@ -107,7 +111,7 @@ constexpr HoleKernels kHoleKernels = {
 
 template <>
 constinit const LabelEngine Exported<LabelEngine, kThisIsa>::kKernels = {
-    THINBENCH_ISA::kKernels<Band::pair>, THINBENCH_ISA::kKernels<Band::row>,
+    THINBENCH_ISA::kKernels<RunBand::pair>, THINBENCH_ISA::kKernels<RunBand::row>,
     THINBENCH_ISA::kHoleKernels};
 
 }  // namespace thinbench::detail
