@@ -16,7 +16,7 @@ class ContactLabelsState : public LabelsState {
       : LabelsState(setting),
         kernels_(is_four_connected(setting.task) ? engine.four : engine.eight),
         has_list_(has_list(setting.task)),
-        memory_(bands_of(is_four_connected(setting.task) ? RunBand::row : RunBand::pair,
+        memory_(bands_of(is_four_connected(setting.task) ? BandKind::row : BandKind::pair,
                          setting.height)) {}
 
   [[nodiscard]] RegionLists regions() const override { return {list_, {}}; }

@@ -16,7 +16,7 @@ namespace {
 template <class Visit>
 void for_each_run(const Background& background, const Visit& visit) {
   for (Index y = 0; y < background.image.height; ++y) {
-    BandBits<RunBand::row> here(background.image, y);
+    BandBits<BandKind::row> here(background.image, y);
     Label run = background.runs.first[y] - 1;  // the last one before a word
     for (Index word = 0; word < words_of(background.image); ++word) {
       const std::uint64_t starts = here.starts(word);

@@ -15,7 +15,7 @@ namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-template <RunBand band>
+template <BandKind band>
 void count(const ConstBitPlaneView& image, Label* first) {
   count_runs<band>(image, 0, first);
 }
@@ -23,7 +23,7 @@ void count(const ConstBitPlaneView& image, Label* first) {
 /// Narrower images are faster word by word.
 constexpr Index kMinBlockWidth = 193;
 
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void unite_with_above(const ConstBitPlaneView& image, Index number,
                                                     const RunForest& runs) {
   if constexpr (kHasRunBlocks) {
@@ -35,22 +35,22 @@ template <RunBand band>
   unite_band<band>(image, number, runs);
 }
 
-template <RunBand band>
+template <BandKind band>
 void unite_all(const ConstBitPlaneView& image, const RunForest& runs) {
   unite_runs<band>(image, runs, [&](Index number) { unite_with_above<band>(image, number, runs); });
 }
 
-template <RunBand band>
+template <BandKind band>
 Label number(const ConstBitPlaneView& image, const RunForest& runs) {
   return number_runs<band>(image, runs);
 }
 
-template <RunBand band>
+template <BandKind band>
 void sum(const ConstBitPlaneView& image, const RunForest& runs, Region* objects) {
   sum_runs<band>(image, runs, objects);
 }
 
-template <RunBand band>
+template <BandKind band>
 void paint(const ConstBitPlaneView& image, const RunForest& runs, const LabelView& labels) {
   if constexpr (kHasLanePermute) {
     paint_bands<band>(image, runs, labels);
@@ -59,7 +59,7 @@ void paint(const ConstBitPlaneView& image, const RunForest& runs, const LabelVie
   }
 }
 
-template <RunBand band>
+template <BandKind band>
 constexpr LabelKernels kKernels = {&count<band>, &unite_all<band>, &number<band>, &sum<band>,
                                    &paint<band>};
 
@@ -68,10 +68,10 @@ void invert(const ConstBitPlaneView& image, const BitPlaneView& background) {
 }
 
 void count_background(const ConstBitPlaneView& background, Label* first) {
-  count_runs<RunBand::row>(background, 1, first);
+  count_runs<BandKind::row>(background, 1, first);
 }
 
-template <RunBand band>
+template <BandKind band>
 void unite_holes(const Background& background) {
   unite_background(background.image, background.runs,
                    [&](Index y) { unite_with_above<band>(background.image, y, background.runs); });
@@ -84,10 +84,10 @@ Label number_holes(const Background& background, Label objects) {
 }
 
 void sum_all(const Objects& objects, const Background& background, Region* regions, Label* ids) {
-  sum_all_runs<RunBand::pair>(objects, background, regions, ids);
+  sum_all_runs<BandKind::pair>(objects, background, regions, ids);
 }
 
-template <RunBand band>
+template <BandKind band>
 void paint_all(const ConstBitPlaneView& image, const ConstBitPlaneView& background,
                const Label* ids, const LabelView& labels) {
   if constexpr (kHasLanePermute) {
@@ -99,11 +99,11 @@ void paint_all(const ConstBitPlaneView& image, const ConstBitPlaneView& backgrou
 
 constexpr HoleKernels kHoleKernels = {&invert,
                                       &count_background,
-                                      &unite_holes<RunBand::row>,
-                                      &unite_holes<RunBand::row_with_corners>,
+                                      &unite_holes<BandKind::row>,
+                                      &unite_holes<BandKind::row_with_corners>,
                                       &number_holes,
                                       &sum_all,
-                                      &paint_all<RunBand::row>};
+                                      &paint_all<BandKind::row>};
 
 }  // namespace
 
@@ -111,7 +111,7 @@ constexpr HoleKernels kHoleKernels = {&invert,
 
 template <>
 constinit const LabelEngine Exported<LabelEngine, kThisIsa>::kKernels = {
-    THINBENCH_ISA::kKernels<RunBand::pair>, THINBENCH_ISA::kKernels<RunBand::row>,
+    THINBENCH_ISA::kKernels<BandKind::pair>, THINBENCH_ISA::kKernels<BandKind::row>,
     THINBENCH_ISA::kHoleKernels};
 
 }  // namespace thinbench::detail

@@ -9,14 +9,14 @@ namespace thinbench::detail {
 /// What a run is: pixels of one row (4-connected objects; with corners, 8-connected ones), or of a
 /// pair of rows that are OR-ed first. Pixels of adjacent columns in a pair are neighbours in any
 /// case, so a run of the pair is connected (8-connected objects).
-enum class RunBand : std::uint8_t { row, row_with_corners, pair };
+enum class BandKind : std::uint8_t { row, row_with_corners, pair };
 
-[[gnu::always_inline]] inline constexpr Index rows_of(RunBand band) {
-  return band == RunBand::pair ? 2 : 1;
+[[gnu::always_inline]] inline constexpr Index rows_of(BandKind band) {
+  return band == BandKind::pair ? 2 : 1;
 }
 
 /// The number of bands of an image; the last one may lack its second row.
-[[gnu::always_inline]] inline constexpr Index bands_of(RunBand band, Index height) {
+[[gnu::always_inline]] inline constexpr Index bands_of(BandKind band, Index height) {
   return (height + rows_of(band) - 1) / rows_of(band);
 }
 

@@ -33,7 +33,7 @@ template <class Batch>
 
 /// Writes up to `count` labels of each row. The top row comes last: if the image ends with it, both
 /// rows are the same memory.
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void paint_word(const BandWord& word, std::uint32_t* top,
                                               std::uint32_t* bottom, Index count) {
   for (Index x = 0; x < kWordBits; x += kLabelLanes) {
@@ -47,13 +47,13 @@ template <RunBand band>
       store_labels(row + x, permuted_where(near, index, static_cast<std::uint32_t>(pixels >> x)),
                    count - x);
     };
-    if constexpr (band == RunBand::pair) write(bottom, word.bottom);
+    if constexpr (band == BandKind::pair) write(bottom, word.bottom);
     write(top, word.top);
   }
 }
 
 /// The words of a band, from the left.
-template <RunBand band>
+template <BandKind band>
 class BandReader {
  public:
   [[gnu::always_inline]] BandReader(const ConstBitPlaneView& image, Index number,
@@ -96,7 +96,7 @@ class RowReader {
 };
 
 /// Writes the next `count` labels of each row, whole words except at the end of the row.
-template <RunBand band, class Reader>
+template <BandKind band, class Reader>
 [[gnu::always_inline]] inline void paint_words(Reader& reader, std::uint32_t* top,
                                                std::uint32_t* bottom, Index count) {
   for (; count >= kWordBits; count -= kWordBits, top += kWordBits, bottom += kWordBits) {
@@ -111,7 +111,7 @@ struct BandRows {
   std::uint32_t* bottom;
 };
 
-[[gnu::always_inline]] inline BandRows rows_of_band(RunBand band, const LabelView& labels,
+[[gnu::always_inline]] inline BandRows rows_of_band(BandKind band, const LabelView& labels,
                                                     Index number) {
   const Index y = number * rows_of(band);
   const Index last = y + rows_of(band) - 1;
@@ -127,7 +127,7 @@ inline constexpr Index kBufferedLabels = 1024;
   return labels.width * labels.height * label_bytes >= kNonTemporalLabelBytes;
 }
 
-template <RunBand band, class Reader>
+template <BandKind band, class Reader>
 [[gnu::always_inline]] inline void stream_band(Reader& reader, const BandRows& rows, Index width) {
   alignas(kAlignment) std::uint32_t room[2][kBufferedLabels + LineWriter::kLine];
   LineWriter top, bottom;
@@ -143,7 +143,7 @@ template <RunBand band, class Reader>
   bottom.flush();
 }
 
-template <RunBand band, class Reader>
+template <BandKind band, class Reader>
 [[gnu::always_inline]] inline void paint_band(Reader& reader, const LabelView& labels,
                                               Index number) {
   const BandRows rows = rows_of_band(band, labels, number);
@@ -154,7 +154,7 @@ template <RunBand band, class Reader>
   }
 }
 
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void paint_bands(const ConstBitPlaneView& image,
                                                const RunForest& runs, const LabelView& labels) {
   for (Index number = 0; number < bands_of(band, labels.height); ++number) {
@@ -164,7 +164,7 @@ template <RunBand band>
   if (is_large(labels)) finish_non_temporal_stores();
 }
 
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void paint_rows(const ConstBitPlaneView& image,
                                               const ConstBitPlaneView& background, const Label* ids,
                                               const LabelView& labels) {

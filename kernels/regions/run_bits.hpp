@@ -47,7 +47,7 @@ class Follow {
 }
 
 /// A band as bits. Words from 0 to words_of(image), the last of which has no pixels.
-template <RunBand band>
+template <BandKind band>
 class BandBits {
  public:
   [[gnu::always_inline]] BandBits(const ConstBitPlaneView& image, Index number)
@@ -57,7 +57,7 @@ class BandBits {
   [[gnu::always_inline]] std::uint64_t top(Index word) const { return row_[word]; }
   /// The last row.
   [[gnu::always_inline]] std::uint64_t bottom(Index word) const {
-    return band == RunBand::pair ? row_[stride_ + word] : top(word);
+    return band == BandKind::pair ? row_[stride_ + word] : top(word);
   }
   [[gnu::always_inline]] std::uint64_t merged(Index word) const { return top(word) | bottom(word); }
   /// Where runs begin; for words from the left.
@@ -73,7 +73,7 @@ class BandBits {
 };
 
 /// Counts the runs from number `runs` on.
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void count_runs(const ConstBitPlaneView& image, Label runs,
                                               Label* first) {
   const Index words = words_of(image);
@@ -88,11 +88,11 @@ template <RunBand band>
 
 /// Contacts of a row with the row below: both runs have begun at or before the bit, and they touch
 /// at it. With corners, and for pairs of rows, at the bit or one before it.
-template <RunBand band>
+template <BandKind band>
 class Contacts {
  public:
   [[gnu::always_inline]] std::uint64_t operator()(std::uint64_t upper, std::uint64_t lower) {
-    if constexpr (band == RunBand::row) return upper & lower;
+    if constexpr (band == BandKind::row) return upper & lower;
     const std::uint64_t lower_west = shifted(lower, lower_);
     const std::uint64_t upper_west = shifted(upper, upper_);
     return (upper & (lower | lower_west)) | (lower & upper_west);
@@ -128,7 +128,7 @@ struct TwoBands {
 }
 
 /// Unites the runs of a band with those of the band above.
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void unite_band(const ConstBitPlaneView& image, Index number,
                                               const RunForest& runs) {
   BandBits<band> above(image, number - 1);
@@ -155,7 +155,7 @@ template <RunBand band>
 }
 
 /// `unite_with_above(number)` is unite_band().
-template <RunBand band, class UniteWithAbove>
+template <BandKind band, class UniteWithAbove>
 [[gnu::always_inline]] inline void unite_runs(const ConstBitPlaneView& image, const RunForest& runs,
                                               const UniteWithAbove& unite_with_above) {
   const Index bands = bands_of(band, image.height);

@@ -30,22 +30,22 @@ class FollowInBlocks {
 };
 
 /// Where the runs of a band begin.
-template <RunBand band, class Block>
+template <BandKind band, class Block>
 [[gnu::always_inline]] inline Block starts_of_block(const std::uint64_t* top, Index stride) {
   const auto merged = [&](Index offset) {
     const Block bits = Block::load_unaligned(top + offset);
-    return band == RunBand::pair ? bits | Block::load_unaligned(top + stride + offset) : bits;
+    return band == BandKind::pair ? bits | Block::load_unaligned(top + stride + offset) : bits;
   };
   const Block bits = merged(0);
   return bits & ~west_neighbour<1>(bits, merged(-1));
 }
 
-template <RunBand band, class Block>
+template <BandKind band, class Block>
 [[gnu::always_inline]] inline Block contacts_of_block(const std::uint64_t* upper,
                                                       const std::uint64_t* lower) {
   const Block above = Block::load_unaligned(upper);
   const Block here = Block::load_unaligned(lower);
-  if constexpr (band == RunBand::row) return above & here;
+  if constexpr (band == BandKind::row) return above & here;
   return (above & (here | WordTraits<Block>::west(here, lower))) |
          (here & WordTraits<Block>::west(above, upper));
 }
@@ -61,7 +61,7 @@ struct BlockWords {
 };
 
 /// As unite_band().
-template <RunBand band, class Block>
+template <BandKind band, class Block>
 [[gnu::always_inline]] inline void unite_band_in_blocks(const ConstBitPlaneView& image,
                                                         Index number, const RunForest& runs) {
   const Index height = rows_of(band);

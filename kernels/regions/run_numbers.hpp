@@ -35,7 +35,7 @@ inline constexpr Label kInFirstRow = Label{1} << 31;
 [[gnu::always_inline]] inline Label mark_first_row(const ConstBitPlaneView& image, Index number,
                                                    const RunForest& runs) {
   for (Label run = runs.first[number]; run < runs.first[number + 1]; ++run) runs.ids[run] = 0;
-  BandBits<RunBand::pair> here(image, number);
+  BandBits<BandKind::pair> here(image, number);
   Follow in_run;
   Label before = runs.first[number] - 1;
   Label marked = 0;
@@ -98,11 +98,11 @@ inline constexpr Label kInFirstRow = Label{1} << 31;
   return found;
 }
 
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline Label number_runs(const ConstBitPlaneView& image,
                                                 const RunForest& runs) {
   const Index bands = bands_of(band, image.height);
-  if constexpr (band != RunBand::pair) return number_in_order(runs, 0, runs.first[bands], 0);
+  if constexpr (band != BandKind::pair) return number_in_order(runs, 0, runs.first[bands], 0);
   Label objects = 0;
   for (Index number = 0; number < bands; ++number) {
     const Label begin = runs.first[number];

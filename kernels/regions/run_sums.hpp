@@ -7,7 +7,7 @@
 namespace thinbench::detail {
 
 /// Calls use(begin, end, id) for every run of a row, from the left.
-template <RunBand band, class Use>
+template <BandKind band, class Use>
 [[gnu::always_inline]] inline void for_runs_of_row(const ConstBitPlaneView& image, Index y,
                                                    const RunForest& runs, const Use& use) {
   const Index number = y / rows_of(band);
@@ -36,7 +36,7 @@ template <RunBand band, class Use>
   }
 }
 
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void sum_runs(const ConstBitPlaneView& image, const RunForest& runs,
                                             Region* objects) {
   for (Index y = 0; y < image.height; ++y) {
@@ -87,7 +87,7 @@ class RowBoundaries {
 };
 
 /// The ids of the runs of a row, for words from the left.
-template <RunBand band>
+template <BandKind band>
 class RowIds {
  public:
   [[gnu::always_inline]] RowIds(const Objects& objects, const Background& background, Index y)
@@ -108,7 +108,7 @@ class RowIds {
  private:
   const std::uint64_t* row_;
   BandBits<band> pair_;
-  BandBits<RunBand::row> background_;
+  BandBits<BandKind::row> background_;
   const Label* objects_;
   const Label* holes_;
 };
@@ -124,7 +124,7 @@ class RowIds {
   add_run(region, begin, end, y);
 }
 
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void sum_all_runs(const Objects& objects,
                                                 const Background& background, Region* regions,
                                                 Label* ids) {
@@ -149,7 +149,7 @@ template <RunBand band>
   }
 }
 
-template <RunBand band>
+template <BandKind band>
 [[gnu::always_inline]] inline void paint_runs(const ConstBitPlaneView& image, const RunForest& runs,
                                               const LabelView& labels) {
   for (Index y = 0; y < image.height; ++y) {
