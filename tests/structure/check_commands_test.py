@@ -47,7 +47,7 @@ def test_preset_of_a_command_can_be_built_and_tested(preset: str) -> None:
 def test_preset_of_a_command_is_configured_in_a_path_with_spaces(preset: str,
                                                                  tmp_path: Path) -> None:
     if preset in NEEDED and not Path(NEEDED[preset]).exists():
-        pytest.skip(f"{NEEDED[preset]} is not installed")
+        pytest.skip(f"{NEEDED[preset]}, which ./check {preset} installs, is missing")
     sources = tmp_path / "a path"
     sources.symlink_to(ROOT)
     run = subprocess.run(["cmake", "--preset", preset, "-B", tmp_path / "build it"], cwd=sources,

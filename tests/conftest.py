@@ -1,0 +1,29 @@
+"""With THINBENCH_STRICT in the environment a test that is skipped because something is not installed fails: on the
+machine that decides, nothing may go untested unseen."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Generator
+
+import pytest
+
+MISSING = re.compile(r"could not import|not installed")
+
+
+def _judge(report: pytest.TestReport | pytest.CollectReport) -> None:
+    if report.outcome == "skipped" and "THINBENCH_STRICT" in os.environ and MISSING.search(str(report.longrepr)):
+        report.outcome = "failed"
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.Stash, None]:
+    """Tests that are skipped."""
+    _judge((yield).get_result())  # type: ignore[attr-defined]
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_make_collect_report() -> Generator[None, pytest.Stash, None]:
+    """Modules that are skipped as a whole."""
+    _judge((yield).get_result())  # type: ignore[attr-defined]
