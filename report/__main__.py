@@ -17,7 +17,7 @@ Run = Callable[[argparse.ArgumentParser, argparse.Namespace], str | tuple[str, i
 
 def _commands(parser: argparse.ArgumentParser) -> None:
     """Declares every command; what they need is imported when one runs."""
-    from report import compare, study
+    from report import compare, pages, study
     from report.many_images import command as many_images
     from report.page import command as page
     from report.regress import command as regress
@@ -37,6 +37,8 @@ def _commands(parser: argparse.ArgumentParser) -> None:
         study.run_study, study.EPILOG)
     add("sweeps", "measure how times depend on one parameter", sweeps.add_sweeps_command,
         sweeps.run_sweeps, sweeps.EPILOG)
+    add("pages", "measure real pictures and drawn pages beside other projects' code", pages.add_pages_command,
+        pages.run_pages, pages.EPILOG)
     add("many-images", "measure batches of files, workers, dask and images larger than memory",
         many_images.add_many_images_command, many_images.run_many_images, many_images.EPILOG)
     add("regress", "say whether rows became slower", regress.add_regress_command,

@@ -9,10 +9,7 @@ from pathlib import Path
 
 def add_row_options(parser: argparse.ArgumentParser, default_filter: str = "") -> None:
     """--filter, --image, --foreground, --threshold."""
-    parser.add_argument("--filter", metavar="REGEX", type=_regex, default=default_filter,
-                        help="only rows whose name case/technique/isa/threads/scope/input matches; "
-                             "a case is an operation, with :keep where the image border is kept "
-                             "and :N for at most N iterations")
+    add_filter_option(parser, default_filter)
     parser.add_argument("--image", metavar="FILE", type=_file, action="append", default=[],
                         help="measure on this image instead of the built-in scene; repeatable")
     parser.add_argument("--foreground", choices=("auto", "bright", "dark"), default="auto",
@@ -21,6 +18,14 @@ def add_row_options(parser: argparse.ArgumentParser, default_filter: str = "") -
     parser.add_argument("--threshold", metavar="N|otsu", type=_threshold, default="otsu",
                         help="bright are grey levels >= N, 0 to 255; otsu, the default, is the "
                              "level that separates the two classes best")
+
+
+def add_filter_option(parser: argparse.ArgumentParser, default: str = "") -> None:
+    """--filter."""
+    parser.add_argument("--filter", metavar="REGEX", type=_regex, default=default,
+                        help="only rows whose name case/technique/isa/threads/scope/input matches; "
+                             "a case is an operation, with :keep where the image border is kept "
+                             "and :N for at most N iterations")
 
 
 def check_binarise_options(parser: argparse.ArgumentParser, options: argparse.Namespace,

@@ -35,8 +35,8 @@ EPILOG = """examples:
   ./study --size 1000 --size 3000
   THINBENCH_MAX_ISA=avx2 ./study --quick --out /tmp/avx2
 
-Every command takes --no-install, too: do not look for packages. Others: regress, sweeps, compare, build,
-claims, readme; see ./study COMMAND --help.
+Every command takes --no-install, too: do not look for packages. Others: pages, sweeps, many-images,
+regress, compare, build, readme; see ./study COMMAND --help.
 
 Exit status: 0 done, 1 something is missing or failed, 2 wrong usage, a variant that differs from its
 reference, or no row that matches."""

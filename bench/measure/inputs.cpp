@@ -56,6 +56,39 @@ ByteImage squares(Index size, Index side) {
   return image;
 }
 
+/// Dots on a grid at 45 degrees, 17 pixels apart, that grow from the top left to the bottom right,
+/// where what they leave are holes.
+ByteImage halftone(Index size) {
+  constexpr Index period = 24;  // of x + y and of x - y
+  ByteImage image(size, size);
+  for (Index y = 0; y < size; ++y) {
+    for (Index x = 0; x < size; ++x) {
+      const Index u = 2 * ((x + y) % period) - period;
+      const Index v = 2 * ((x - y + size * period) % period) - period;
+      image.at(x, y) = (u * u + v * v) * size < period * period * (x + y) ? 255 : 0;
+    }
+  }
+  return image;
+}
+
+/// Lines of drawn characters with gaps between words, as a page of text scanned at 300 dpi.
+ByteImage page(Index size) {
+  constexpr Index side = 32, pitch = 48;
+  const Index margin = size / 12, columns = (size - 2 * margin) / side;
+  const Index lines = (size - 2 * margin) / pitch;
+  const ByteImage characters = stroke_images(lines * columns, side, kNoiseSeed);
+  ByteImage image(size, size);
+  for (Index i = 0; i < lines * columns; ++i) {
+    const Index line = i / columns, column = i % columns;
+    if ((5 * line + column) % 7 == 0) continue;  // between words
+    for (Index y = 0; y < side; ++y) {
+      std::copy_n(characters.view().row(i * side + y), side,
+                  image.view().row(margin + line * pitch + y) + margin + column * side);
+    }
+  }
+  return image;
+}
+
 /// An image that is binary anyway.
 TimedInput of_binary(const std::string& name, ByteImage image) {
   ByteImage grey = copy_of(image.view());
@@ -70,8 +103,8 @@ TimedInput of_scene(const std::string& name, const Transform& transform) {
 [[noreturn]] void reject(const std::string& name) {
   throw UsageError(
       "input '" + name +
-      "': expected scene, square_N, tiled_N, enlarged_N, noise_N_PERCENT_BLOCK, squares_N_SIDE or "
-      "strokes_SIDE_COUNT, with sides from 1 to " +
+      "': expected scene, square_N, tiled_N, enlarged_N, noise_N_PERCENT_BLOCK, squares_N_SIDE, "
+      "halftone_N, page_N or strokes_SIDE_COUNT, with sides from 1 to " +
       std::to_string(kMaxSide));
 }
 
@@ -82,7 +115,8 @@ struct DrawnName {
 
 const std::regex& drawn_names() {
   static const std::regex names(
-      "scene|(square|tiled|enlarged)_([0-9]{1,5})|noise_([0-9]{1,5})_([0-9]{1,3})_([0-9]{1,4})|"
+      "scene|(square|tiled|enlarged|halftone|page)_([0-9]{1,5})|noise_([0-9]{1,5})_([0-9]{1,3})_(["
+      "0-9]{1,4})|"
       "squares_([0-9]{1,5})_([0-9]{1,5})|strokes_([0-9]{1,4})_([0-9]{1,5})");
   return names;
 }
@@ -117,6 +151,8 @@ TimedInput drawn_input(const std::string& name) {
     return of_binary(name, noise_image(n, n, percent, numbers[2], kNoiseSeed));
   }
   if (kind == "squares") return of_binary(name, squares(n, numbers[1]));
+  if (kind == "halftone") return of_binary(name, halftone(n));
+  if (kind == "page") return of_binary(name, page(n));
   if (kind == "strokes") return of_binary(name, stroke_images(numbers[1], n, kNoiseSeed));
   return of_scene(name, [drawn = kind, n](const ByteImage& image) {
     if (drawn == "square") return tiled(image, n, n);

@@ -46,6 +46,8 @@ struct InputChoice {
 ///   enlarged_N        the scene, each pixel replaced by N x N pixels
 ///   noise_N_P_G       N x N pixels of random G x G blocks, P percent of them foreground
 ///   squares_N_S       N x N pixels, foreground squares of side S at distance S
+///   halftone_N        N x N pixels of dots that grow until what they leave are holes
+///   page_N            N x N pixels of lines of drawn characters
 ///   strokes_N_C       C images of N x N pixels, each a thick line, one below the other
 /// Throws UsageError for any other name.
 [[nodiscard]] TimedInput drawn_input(const std::string& name);

@@ -27,7 +27,8 @@ void add_input_options(CLI::App& app, InputChoice& inputs) {
   add_binarise_options(app, inputs.binarise, image);
   app.add_option("--input", inputs.drawn,
                  "this drawn image, not the scene: scene, square_N, tiled_N, enlarged_N, "
-                 "noise_N_PERCENT_BLOCK, squares_N_SIDE, strokes_SIDE_COUNT (repeatable)")
+                 "noise_N_PERCENT_BLOCK, squares_N_SIDE, halftone_N, page_N, strokes_SIDE_COUNT "
+                 "(repeatable)")
       ->type_name("NAME")
       ->allow_extra_args(false);
 }

@@ -65,11 +65,13 @@ class Sampler:
     def __init__(self, program: Path) -> None:
         self.program = program
 
-    def plan(self, options: Sequence[str]) -> Json:
-        """Verifies rows and plans them. Raises ReportError where a row differs or none is left."""
+    def plan(self, options: Sequence[str], remarks: bool = True) -> Json:
+        """Verifies rows and plans them. Raises ReportError where a row differs or none is left. What is
+        said about images is shown only with `remarks`."""
         done = subprocess.run([self.program, "plan", *options], stdout=subprocess.PIPE, text=True,
-                              check=False)
+                              check=False, stderr=None if remarks else subprocess.PIPE)
         if done.returncode != 0:
+            sys.stderr.write(done.stderr or "")
             what = "a variant differs from its reference" if done.stdout else "nothing was measured"
             raise ReportError(f"{what}; see above", done.returncode)
         plan: Json = json.loads(done.stdout)

@@ -6,6 +6,7 @@
     <!-- claims: made by report readme -->                 the paper's claims, judged
     <!-- quality: made by report readme -->                skeletons of the scene, by results/experiments
     <!-- run: made by report readme -->                    which run it was
+    <!-- pages: made by report readme -->                  ratios on real pictures, by `./study pages`
     <!-- checks: made by report readme -->                 what ./check --record noted
     <!-- many-images EXPERIMENT: made by report readme --> a table of `./study many-images`, and its run
     ...
@@ -30,12 +31,13 @@ from report.formatting import NOTHING, markdown_table, speedup_text, three_digit
 from report.many_images.results import CSV, Result
 from report.many_images.results import read_csv as read_many_images
 from report.many_images.tables import TABLES
-from report.measure.run import RUN, load_run
+from report.measure.run import RUN, Run, load_run
 from report.measure.timings import Row
 from report.page.experiments import experiment_tables, load_experiments
 from report.page.headline import readme_table
 from report.page.operations import Rows
 from report.page.sentences import origin
+from report.pages import MARKDOWN, load_pages, pages_table
 
 MARK = re.compile(r"(<!-- ([\w-]+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -45,7 +47,7 @@ MANY_IMAGES = Path("many-images", CSV)
 Maker = Callable[[list[str], Path], str]
 """Takes the words after the first, and where the document is."""
 
-NAMES = ("headline", "speed", "run", "claims", "quality", "checks", "many-images")
+NAMES = ("headline", "speed", "run", "pages", "claims", "quality", "checks", "many-images")
 
 
 def fill_documents(directory: Path, documents: Sequence[Path]) -> str:
@@ -76,6 +78,8 @@ def makers_of(directory: Path) -> dict[str, Maker]:
                    "claims": lambda _, __: claims_to_markdown(judge(rows, load_experiments(directory)),
                                                               origin(rows.run)),
                    "run": lambda _, folder: _run_line(rows, folder)}
+    if pages := load_pages(directory):
+        makers["pages"] = lambda _, folder: _pages(pages, folder)
     if many.exists():
         results = read_many_images(many)
         makers["many-images"] = lambda words, folder: _many_images(results, words, many, folder)
@@ -129,6 +133,13 @@ def _run_line(rows: Rows, folder: Path) -> str:
     machine = run.machine
     return (f"Run of commit {machine['commit']} on {machine['cpu']['name']} "
             f"({machine['fingerprint']}), one thread: [all timings]({where}/timings.csv).\n")
+
+
+def _pages(run: Run, folder: Path) -> str:
+    names = {row.input for row in run.rows}
+    where = os.path.relpath(run.directory, folder)
+    return (f"{pages_table(run.rows, with_peers_only=True)}\n{len(names)} pictures, one thread; run of commit "
+            f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}).\n")
 
 
 def _many_images(results: list[Result], words: list[str], file: Path, folder: Path) -> str:

@@ -131,6 +131,21 @@ TEST(StrokeImages, are_the_same_bytes_on_every_machine) {
   EXPECT_EQ(hash_of_pixels(stroke_images(20, 64, 1)), 17258440684425848453U);
 }
 
+/// Of 8.4 megapixels, as `./study pages` draws them.
+TEST(DrawnInput, pages_are_the_same_bytes_on_every_machine) {
+  const auto hash = [](const char* name) { return pixel_hash(drawn_input(name).binary.view()); };
+  EXPECT_EQ(hash("halftone_2896"), "27a0c874f34c89ce");
+  EXPECT_EQ(hash("page_2896"), "ee6f010a79e16fbd");
+  EXPECT_EQ(hash("noise_2896_5_1"), "06361418067ea8b1");
+  EXPECT_EQ(hash("noise_2896_41_1"), "981086f8cf6edf10");
+  EXPECT_EQ(hash("noise_2896_50_4"), "33cb74b440e3feb5");
+}
+
+TEST(DrawnInput, a_page_is_empty_where_there_is_no_room_for_a_line) {
+  EXPECT_EQ(foreground_share(drawn_input("page_40").binary), 0);
+  EXPECT_GT(foreground_share(drawn_input("page_200").binary), 0);
+}
+
 TEST(StrokeImages, have_as_much_foreground_as_written_digits_and_two_empty_pixels_at_the_border) {
   const ByteImage images = stroke_images(200, 28, 2);
   EXPECT_GT(foreground_share(images), 0.1);

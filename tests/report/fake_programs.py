@@ -91,7 +91,7 @@ def make_group(group: Json, dice: random.Random, spread: float, slowed: float = 
 
 def _sampler(words: list[str]) -> int:
     if words[0] == "plan":
-        inputs = [word for before, word in zip(words, words[1:]) if before == "--input"]
+        inputs = [Path(word).stem for before, word in zip(words, words[1:]) if before in ("--input", "--image")]
         print(json.dumps(make_plan(tuple(inputs) or ("scene",))))
         return 2 if "broken" in inputs else 0
     plan = json.load(sys.stdin)

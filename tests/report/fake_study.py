@@ -7,9 +7,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 # pylint: disable=wrong-import-position
+import report.pages
 import report.sweeps.command
 from report.__main__ import main
 
 if __name__ == "__main__":
-    report.sweeps.command.build = lambda preset, targets: Path(sys.argv[1], preset)
+    for module in (report.pages, report.sweeps.command):
+        module.build = lambda preset, targets: Path(sys.argv[1], preset)
     sys.exit(main(sys.argv[2:]))

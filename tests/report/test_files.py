@@ -96,17 +96,17 @@ def test_unwritable_tree_is_named_before_the_build_can_be_blamed(tmp_path: Path)
 
 PREPARE = """
 import sys
-import report.__main__, report.building, report.compare, report.many_images.command, report.study, report.sweeps.command
+import report.__main__, report.building, report.compare, report.many_images.command, report.study, report.sweeps.command, report.pages
 def late(*_, **__):
     sys.exit("too late")
-for module in (report.many_images.command, report.study, report.sweeps.command):
+for module in (report.many_images.command, report.pages, report.study, report.sweeps.command):
     module.build = late
 report.compare.load_run = late
 sys.exit(report.__main__.main(sys.argv[1:]))
 """
 
 
-@pytest.mark.parametrize("command", [["study"], ["sweeps"], ["many-images"], ["compare", "a", "b"]])
+@pytest.mark.parametrize("command", [["study"], ["sweeps"], ["pages"], ["many-images"], ["compare", "a", "b"]])
 def test_outputs_that_cannot_be_written_are_named_before_the_work(command: list[str], tmp_path: Path) -> None:
     file = tmp_path / "file"
     file.write_text("in the way")

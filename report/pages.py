@@ -1,0 +1,197 @@
+"""`./study pages`: what the library takes for real pictures and drawn pages, beside other projects' code."""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from report.building import build
+from report.errors import ReportError
+from report.files import check_directory, write_file
+from report.formatting import NOTHING, counted, markdown_table, times
+from report.git import commit_name
+from report.measure.converge import measure_until_converged
+from report.measure.run import TIMINGS, Run, load_run, machine_facts, write_run
+from report.measure.sampler import Sampler, Samples
+from report.measure.timings import END_TO_END, Row
+from report.page.operations import COPIES, label, place
+from report.progress import Progress
+from report.row_options import add_filter_option, positive
+from report.study import RESULTS, default_directory
+
+DIRECTORY = "pages"
+"""Below the directory of a run."""
+MARKDOWN = "pages.md"
+
+INSTALLED = Path("/usr/lib/python3/dist-packages/skimage/data")
+PICTURES = ("brick", "bw_text", "camera", "clock_motion", "coins", "grass", "gravel", "horse", "microaneurysms", "moon",
+            "page", "text")
+"""Grey pictures of the package python3-skimage."""
+
+DRAWN = ("halftone_{}", "page_{}", "noise_{}_5_1", "noise_{}_41_1", "noise_{}_50_4")
+SIDE, QUICK_SIDE = 2896, 1024
+"""Of drawn pages: 8.4 megapixels."""
+
+OPERATIONS = ("^(thin_guo_hall|thin_zhang_suen|thin_guo_hall:keep|thin_zhang_suen:keep|thin_mb2|skeleton_scan|edges_sobel|"
+              "holes|components|fill_holes|euler_number|label_image|label_image_4|label_components|label_regions|"
+              "localise_objects|squared_distances|skeleton_graph)/")
+
+LIST = "files.txt"
+"""Of a directory in YACCLAB's layout: the names of its images, one in a line."""
+SUFFIXES = frozenset((".png", ".bmp", ".pbm", ".pgm", ".jpg", ".jpeg", ".tif", ".tiff"))
+
+EPILOG = f"""examples:
+  ./study pages --quick
+  ./study pages --images scans --seconds 600
+  ./study pages --filter '^label_image'
+
+A directory of images may have a list {LIST} of their names, as YACCLAB's datasets have. Images are binarised as
+`thinbench run` does it. Every row is verified on every picture before it is timed.
+
+Exit status: 0 done, 1 something is missing or failed, 2 wrong usage, or a variant that differs from its reference."""
+
+
+def add_pages_command(parser: argparse.ArgumentParser) -> None:
+    """Its options."""
+    parser.add_argument("--quick", action="store_true", help="drawn pages of 1 instead of 8 megapixels, and less time")
+    parser.add_argument("--images", metavar="DIR", type=Path, action="append", default=[],
+                        help="the images of this directory instead; repeatable")
+    add_filter_option(parser, OPERATIONS)
+    parser.add_argument("--seconds", metavar="N", type=positive,
+                        help="budget of time for measuring; default 300, with --quick 60. Each result is measured at "
+                             "least three times, in fresh processes")
+    parser.add_argument("--out", metavar="DIR", type=Path,
+                        help=f"directory of a run, which gets a directory {DIRECTORY}; default "
+                             "results/<machine>/<date>-<commit>")
+
+
+def run_pages(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> str:
+    """Returns the table."""
+    inputs = _inputs(options)
+    check_directory(options.out or RESULTS)
+    programs = build("release", ("thinbench_study", "thinbench_sampler"))
+    machine = machine_facts(programs / "thinbench-study", commit_name())
+    directory = (options.out or default_directory(machine)) / DIRECTORY
+    sampler = Sampler(programs / "thinbench_sampler")
+    parts = _plans(sampler, inputs, options.filter)
+    seconds = options.seconds or (60 if options.quick else 300)
+    measure_until_converged([(sampler, part) for part in parts], seconds)
+    names = [item["name"] for part in parts for item in part.plan["inputs"]]
+    run = write_run(directory, machine, {"filter": options.filter, "seconds": seconds, "images": names},
+                    [("", part) for part in parts], f"{directory.resolve().parent.name}/{DIRECTORY}")
+    write_file(directory / MARKDOWN, pages_markdown(run).encode())
+    return f"{pages_table(run.rows)}\n{directory} holds {MARKDOWN} and {TIMINGS}"
+
+
+def _inputs(options: argparse.Namespace) -> list[list[str]]:
+    """The words of each picture."""
+    if options.images:
+        return [["--image", str(path)] for directory in options.images for path in images_of(directory)]
+    missing = [name for name in PICTURES if not (INSTALLED / f"{name}.png").is_file()]
+    if missing:
+        raise ReportError(f"{INSTALLED}/{missing[0]}.png is missing; install python3-skimage, or name a directory "
+                          "with --images")
+    side = QUICK_SIDE if options.quick else SIDE
+    return [*(["--image", str(INSTALLED / f"{name}.png")] for name in PICTURES),
+            *(["--input", name.format(side)] for name in DRAWN)]
+
+
+def images_of(directory: Path) -> list[Path]:
+    """Those of its list, or all image files in it."""
+    listed = directory / LIST
+    try:
+        if listed.is_file():
+            lines = listed.read_text(encoding="utf-8").split("\n")
+            found = [directory / name for line in lines if (name := line.strip())]
+        else:
+            found = sorted(path for path in directory.iterdir() if path.suffix.lower() in SUFFIXES)
+    except (OSError, UnicodeDecodeError) as error:
+        raise ReportError(f"--images: '{directory}' cannot be read: {getattr(error, 'strerror', error)}", 2) from None
+    if not found:
+        raise ReportError(f"--images: '{directory}' holds no image; expected files that end in "
+                          f"{', '.join(sorted(SUFFIXES))}, or a list {LIST}", 2)
+    return found
+
+
+def _plans(sampler: Sampler, inputs: Sequence[Sequence[str]], rows: str) -> list[Samples]:
+    """One for each picture, so that a process loads no other."""
+    progress = Progress("verifying pictures", len(inputs))
+    parts = []
+    for words in inputs:
+        plan = sampler.plan(["--variants", "best", "--max-call", "0.3", "--filter", rows, *words],
+                            remarks=not words[1].startswith(str(INSTALLED)))
+        parts.append(Samples(plan))
+        progress.advance(1)
+    progress.close()
+    return parts
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """An operation on all pictures, the library's choice on one thread, and a peer, if there is one."""
+
+    case: str
+    chosen: tuple[Row, ...]
+    peer: str
+    ratios: tuple[float, ...]
+    """By how much the library is faster, picture by picture."""
+
+
+def comparisons(rows: Iterable[Row]) -> list[Comparison]:
+    """In the order of the page; a line for each peer."""
+    chosen: dict[str, dict[str, Row]] = defaultdict(dict)
+    peers: dict[str, dict[str, dict[str, Row]]] = defaultdict(lambda: defaultdict(dict))
+    for row in rows:
+        if row.scope == END_TO_END and row.threads == 1:
+            if row.default:
+                chosen[row.case][row.input] = row
+            elif row.peer and row.technique not in COPIES:
+                peers[row.case][row.technique][row.input] = row
+    found = []
+    for case in sorted(chosen, key=place):
+        own = chosen[case]
+        found += [Comparison(case, tuple(own.values()), peer, tuple(
+            timed[name].time_ns / own[name].time_ns for name in own if name in timed))
+            for peer, timed in sorted(peers[case].items()) or [("", {})]]
+    return found
+
+
+def pages_table(rows: Iterable[Row], with_peers_only: bool = False) -> str:
+    """Per pixel: the mean and the worst picture. Against a peer: the worst, mean and best ratio. Means are geometric."""
+    header = ("operation", "pictures", "ps/pixel", "worst", "on", "against", "worst ratio", "mean", "best")
+    lines = []
+    for one in comparisons(rows):
+        if with_peers_only and not one.ratios:
+            continue
+        slowest = max(one.chosen, key=lambda row: row.ns_per_pixel)
+        mean = statistics.geometric_mean(row.ns_per_pixel for row in one.chosen)
+        ratios = ([times(min(one.ratios)), times(statistics.geometric_mean(one.ratios)), times(max(one.ratios))]
+                  if one.ratios else [NOTHING] * 3)
+        lines.append([label(one.case), str(len(one.ratios) or len(one.chosen)), f"{1000 * mean:,.0f}",
+                      f"{1000 * slowest.ns_per_pixel:,.0f}", slowest.input, one.peer or NOTHING, *ratios])
+    return markdown_table(header, lines, frozenset((1, 2, 3, 6, 7, 8)))
+
+
+def pages_markdown(run: Run) -> str:
+    """The table, then every picture."""
+    pictures = {row.input: row for row in run.rows}
+    chosen = [row for row in run.rows if row.default and row.threads == 1 and row.scope == END_TO_END]
+    cases = sorted({row.case for row in chosen}, key=place)
+    cells = {(row.input, row.case): f"{1000 * row.ns_per_pixel:,.0f}{' !' if row.flags else ''}" for row in chosen}
+    lines = [[name, f"{row.width} × {row.height}", *(cells.get((name, case), NOTHING) for case in cases)]
+             for name, row in pictures.items()]
+    return (f"# Real pictures and drawn pages\n\n{counted(len(pictures), 'picture')}, end to end, one thread, commit "
+            f"{run.machine['commit']} on {run.machine['cpu']['name']}. Ratios say how many times as fast as the peer "
+            f"this project is; means are geometric.\n\n{pages_table(run.rows)}\n## Picoseconds per pixel\n\n`!` marks "
+            "what did not settle.\n\n" +
+            markdown_table(("picture", "size", *map(label, cases)), lines, frozenset(range(2, 2 + len(cases)))))
+
+
+def load_pages(directory: Path) -> Run | None:
+    """Of the pages that belong to a run."""
+    path = directory / DIRECTORY
+    return load_run(path) if (path / TIMINGS).exists() else None

@@ -1,0 +1,68 @@
+"""./study pages: which pictures, and what is said of them."""
+
+from __future__ import annotations
+
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from conftest import make_row
+from fake_programs import install
+
+from report.errors import ReportError
+from report.pages import comparisons, images_of, load_pages, pages_table
+
+HERE = Path(__file__).parent
+
+
+def pages(programs: Path, *words: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(["/usr/bin/python3", HERE / "fake_study.py", programs, "pages", *map(str, words)],
+                          check=False, text=True, capture_output=True)
+
+
+def rows_of(picture: str, ours: float, theirs: float) -> list:
+    own = make_row("label_image", "simd_contacts", "avx512", ours, input=picture)
+    peer = replace(own, technique="opencv", time_ns=theirs, peer=True, default=False)
+    return [own, peer, replace(own, default=False, threads=2), replace(peer, technique="copy")]
+
+
+def test_ratios_are_worst_mean_and_best_over_the_pictures() -> None:
+    rows = [*rows_of("coins", 100, 200), *rows_of("horse", 100, 800)]
+    (one,) = comparisons(rows)
+    assert (one.peer, one.ratios) == ("opencv", (2.0, 8.0))
+    assert "| label image | 2 | " in pages_table(rows) and "| opencv | 2.00× | 4.00× | 8.00× |" in pages_table(rows)
+
+
+def test_an_operation_without_a_peer_is_left_out_where_ratios_are_asked_for() -> None:
+    rows = [make_row("fill_holes", "simd_flood", "avx512", 100)]
+    assert "filled holes" in pages_table(rows)
+    assert "filled holes" not in pages_table(rows, with_peers_only=True)
+
+
+def test_a_list_of_names_or_the_endings_say_what_is_an_image(tmp_path: Path) -> None:
+    for name in ("b.tif", "a.png", "notes.md"):
+        (tmp_path / name).touch()
+    assert images_of(tmp_path) == [tmp_path / "a.png", tmp_path / "b.tif"]
+    (tmp_path / "files.txt").write_text("b.tif\r\n\n", encoding="utf-8")
+    assert images_of(tmp_path) == [tmp_path / "b.tif"]
+
+
+@pytest.mark.parametrize("what", ["absent", "empty"])
+def test_a_directory_without_images_is_named(what: str, tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(ReportError, match=f"--images: '.*{what}'"):
+        images_of(tmp_path / what)
+
+
+def test_pages_are_a_run_of_their_own_beside_the_study(tmp_path: Path) -> None:
+    install(tmp_path / "builds" / "release")
+    (tmp_path / "scans").mkdir()
+    for name in ("one.png", "two.png"):
+        (tmp_path / "scans" / name).touch()
+    done = pages(tmp_path / "builds", "--quick", "--images", tmp_path / "scans", "--out", tmp_path / "run")
+    assert done.returncode == 0, done.stderr
+    run = load_pages(tmp_path / "run")
+    assert run and {row.input for row in run.rows} == {"one", "two"}
+    assert "| one |" in (tmp_path / "run" / "pages" / "pages.md").read_text(encoding="utf-8")
+    assert load_pages(tmp_path) is None
