@@ -12,6 +12,7 @@ from report.git import commit_name
 from report.measure.converge import measure_until_converged
 from report.measure.run import RUN, SAMPLES, TIMINGS, load_run, machine_facts, write_run
 from report.measure.sampler import Json, Sampler, Samples
+from report.measure.timings import read_csv
 from report.row_options import positive
 from report.study import RESULTS, default_directory
 from report.sweeps.journal import NAME, Journal, Part
@@ -158,7 +159,8 @@ def _summary(directory: Path, runs: list[Path]) -> str:
     if len(runs) > 1:
         from report.compare import compare_runs  # pylint: disable=import-outside-toplevel
         return compare_runs([load_run(run) for run in runs], directory)
-    series = sweep_series(load_run(directory).rows)
-    write_file(directory / MARKDOWN, sweeps_markdown(series).encode())
-    return (f"{len(series)} curves; {directory} holds {MARKDOWN}, {TIMINGS}, {RUN} and {SAMPLES}; "
+    rows = load_run(directory).rows
+    scene = read_csv(directory.parent / TIMINGS) if (directory.parent / TIMINGS).exists() else []
+    write_file(directory / MARKDOWN, sweeps_markdown(rows, scene).encode())
+    return (f"{len(sweep_series(rows))} curves; {directory} holds {MARKDOWN}, {TIMINGS}, {RUN} and {SAMPLES}; "
             f"python3 -m report build {directory.parent} shows them on the page of the run")

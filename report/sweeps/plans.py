@@ -12,7 +12,10 @@ DRAWN = ("thin_guo_hall", "thin_naccache_shinghal", "skeleton_scan", "edges_sobe
          "localise_objects")
 THINNING = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "thin_spta_directional",
             "thin_mb2")
-NOISE = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "holes", "euler_number")
+NOISE = ("thin_guo_hall", "thin_zhang_suen", "thin_naccache_shinghal", "thin_mb2", "skeleton_scan", "edges_sobel",
+         "holes", "components", "fill_holes", "euler_number", "label_image", "label_components", "label_regions",
+         "localise_objects", "squared_distances", "skeleton_graph")
+"""Of every family."""
 
 AWKWARD_SIDES = (33, 63, 65, 100, 127, 511, 513, 1000, 1023, 1025, 2049)
 """At the ends of words and cache lines, and just beyond."""
@@ -62,7 +65,7 @@ def _number(row: Row, index: int) -> float:
 
 SWEEPS = (
     Sweep("density", "foreground blocks of the noise, %", NOISE, density_inputs,
-          lambda row: _number(row, 1), max_call=0.005),
+          lambda row: _number(row, 1), max_call=0.03),
     Sweep("size", "side of the square, pixels", DRAWN, size_inputs,
           lambda row: row.width, max_call=0.03),
     Sweep("threads", "threads", DRAWN, lambda quick: ["scene"] if quick else ["scene", "tiled_5"],

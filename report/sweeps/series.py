@@ -6,8 +6,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from report.formatting import markdown_table
 from report.measure.run import TIMINGS
-from report.measure.timings import Row, read_csv
+from report.measure.timings import END_TO_END, Row, read_csv
 from report.sweeps.plans import BY_NAME, SWEEPS, Place, curve_of
 
 DIRECTORY = "sweeps"
@@ -54,13 +55,35 @@ def sweep_series(rows: Iterable[Row]) -> list[Series]:
     return sorted(series, key=lambda one: order.index(one.sweep))
 
 
-def sweeps_markdown(series: Sequence[Series]) -> str:
-    """A section for each sweep, a table for each case: places down, curves across."""
+def worst_places(rows: Iterable[Row], scene: Iterable[Row]) -> str:
+    """The noise on which the library's choice takes longest per pixel, beside the scene where `scene` has its time."""
+    timed = {row.case: row.ns_per_pixel for row in scene if _is_chosen(row) and row.input == "scene"}
+    by_case: dict[str, list[Row]] = {}
+    for row in rows:
+        if row.sweep == "density" and _is_chosen(row):
+            by_case.setdefault(row.case, []).append(row)
+    lines = []
+    for case, own in by_case.items():
+        worst = max(own, key=lambda row: row.ns_per_pixel)
+        times = f"{worst.ns_per_pixel / timed[case]:.3g}" if case in timed else ""
+        lines.append([f"`{case}`", worst.input, f"{worst.ns_per_pixel:.3g}", times])
+    return markdown_table(("operation", "worst noise", "ns/pixel", "times the scene"), lines, frozenset((2, 3)))
+
+
+def _is_chosen(row: Row) -> bool:
+    return row.default and row.threads == 1 and row.scope == END_TO_END
+
+
+def sweeps_markdown(rows: Sequence[Row], scene: Iterable[Row] = ()) -> str:
+    """A section for each sweep, a table for each case: places down, curves across. `scene`: the rows of the study."""
+    series = sweep_series(rows)
     parts = ["# Parameter sweeps\n\nNanoseconds per pixel, end to end, on one thread unless a sweep "
              "says otherwise; `!` marks flagged rows. timings.csv has the intervals.\n"]
     for name in dict.fromkeys(one.sweep for one in series):
         own = [one for one in series if one.sweep == name]
         parts.append(f"## {name}\n")
+        if name == "density":
+            parts.append(worst_places(rows, scene))
         for case in dict.fromkeys(one.case for one in own):
             parts.append(_table(BY_NAME[name].what, [one for one in own if one.case == case]))
     return "\n".join(parts)

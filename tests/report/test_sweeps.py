@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from conftest import make_row
 from fake_programs import install
 
 from report.measure.estimates import NEEDED
@@ -14,7 +15,7 @@ from report.measure.run import load_run
 from report.measure.timings import Row
 from report.sweeps.journal import NAME
 from report.sweeps.plans import SWEEPS, plan_words, thread_steps
-from report.sweeps.series import load_sweep_rows, sweep_series, sweeps_markdown
+from report.sweeps.series import load_sweep_rows, sweep_series, sweeps_markdown, worst_places
 
 HERE = Path(__file__).parent
 SWEPT = ["--quick", "--only", "depth", "--only", "size"]
@@ -75,9 +76,17 @@ def test_curves_are_told_apart_by_what_else_varies(run: Path) -> None:
 
 def test_markdown_has_a_table_for_each_case(run: Path) -> None:
     text = (run / "sweeps" / "sweeps.md").read_text()
-    assert text == sweeps_markdown(sweep_series(load_sweep_rows(run)))
+    assert text == sweeps_markdown(load_sweep_rows(run))
     assert "**thin_guo_hall** by side of the square, pixels" in text
     assert "| 511 | " in text
+
+
+def test_the_worst_noise_of_a_case_stands_beside_the_scene() -> None:
+    row = make_row("holes", "simd_runs", "avx512", 1e4)
+    noise = [replace(row, sweep="density", input=f"noise_512_{percent}_1", ns_per_pixel=percent / 10) for percent in (10, 50)]
+    scene = [replace(row, ns_per_pixel=0.5)]
+    assert "| `holes` | noise_512_50_1 | 5 | 10 |" in worst_places([*noise, replace(noise[1], threads=2)], scene)
+    assert "| `holes` | noise_512_50_1 | 5 |  |" in worst_places(noise, [])
 
 
 def test_an_interrupted_measurement_continues_where_it_was(programs: Path, tmp_path: Path) -> None:
