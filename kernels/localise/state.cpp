@@ -7,20 +7,20 @@ namespace thinbench::detail {
 namespace {
 
 std::unique_ptr<LocaliseState> make_bitpacked(const LocaliseSetting& setting) {
-  return std::make_unique<LocaliseState>(kBitpackedRunEngine.holes, setting);
+  return std::make_unique<LocaliseState>(kBitpackedRunEngine, setting);
 }
 
 std::unique_ptr<LocaliseState> make_simd(const LocaliseSetting& setting) {
-  return std::make_unique<LocaliseState>(kernels_of<RunEngine>(setting.isa).holes, setting);
+  return std::make_unique<LocaliseState>(kernels_of<RunEngine>(setting.isa), setting);
 }
 
 }  // namespace
 
-LocaliseState::LocaliseState(LabelRows label_rows, const LocaliseSetting& setting)
+LocaliseState::LocaliseState(const RunEngine& engine, const LocaliseSetting& setting)
     : edges_(setting),
       outlined_(setting.width, setting.height),
       objects_(setting.width, setting.height),
-      regions_(label_rows, setting.width, setting.height, setting.threads) {}
+      regions_(engine, true, setting.isa, setting.width, setting.height, setting.threads) {}
 
 RegionLists LocaliseState::run(const ConstImageView& source) {
   outlined_.write(edges_.run(source), objects_.view());

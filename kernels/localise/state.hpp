@@ -27,7 +27,7 @@ class LocaliseState {
     require_thresholds(parameters.thresholds);
   }
 
-  LocaliseState(LabelRows label_rows, const LocaliseSetting& setting);
+  LocaliseState(const RunEngine& engine, const LocaliseSetting& setting);
 
   /// Objects and holes, valid until the next run. `source` must have the size of the setting.
   RegionLists run(const ConstImageView& source);

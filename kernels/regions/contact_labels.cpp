@@ -10,33 +10,32 @@ namespace {
 
 constexpr Region kNoPixels = {0, 0, 0, INT32_MAX, 0, -1, 0, 0};
 
-class ContactLabelsState : public LabelsState {
+class ObjectLabels : public ContactLabels {
  public:
-  ContactLabelsState(const LabelEngine& engine, const LabelsSetting& setting)
-      : LabelsState(setting),
-        kernels_(is_four_connected(setting.task) ? engine.four : engine.eight),
-        has_list_(has_list(setting.task)),
-        memory_(bands_of(is_four_connected(setting.task) ? BandKind::row : BandKind::pair,
-                         setting.height)) {}
+  ObjectLabels(const LabelEngine& engine, LabelsTask task, Index height)
+      : kernels_(is_four_connected(task) ? engine.four : engine.eight),
+        has_list_(has_list(task)),
+        memory_(bands_of(is_four_connected(task) ? BandKind::row : BandKind::pair, height)) {}
 
-  [[nodiscard]] RegionLists regions() const override { return {list_, {}}; }
-  [[nodiscard]] Label objects() const override { return objects_; }
-
- protected:
-  void find_objects() {
-    kernels_.count(image(), memory_.first());
-    runs_ = memory_.with_room();
-    kernels_.unite(image(), runs_);
-    objects_ = kernels_.number(image(), runs_);
-  }
-  void compute() override {
-    find_objects();
+  void find(const ConstBitPlaneView& image) override {
+    find_objects(image);
     if (!has_list_) return;
     list_.assign(objects_, kNoPixels);
-    kernels_.sum(image(), runs_, list_.data());
+    kernels_.sum(image, runs_, list_.data());
   }
-  void store(const LabelView& labels) override { kernels_.paint(image(), runs_, labels); }
+  [[nodiscard]] RegionLists regions() const override { return {list_, {}}; }
+  [[nodiscard]] Label objects() const override { return objects_; }
+  void paint(const ConstBitPlaneView& image, const LabelView& labels) const override {
+    kernels_.paint(image, runs_, labels);
+  }
 
+ protected:
+  void find_objects(const ConstBitPlaneView& image) {
+    kernels_.count(image, memory_.first());
+    runs_ = memory_.with_room();
+    kernels_.unite(image, runs_);
+    objects_ = kernels_.number(image, runs_);
+  }
   [[nodiscard]] const RunForest& runs() const { return runs_; }
 
  private:
@@ -48,39 +47,38 @@ class ContactLabelsState : public LabelsState {
   std::vector<Region> list_;
 };
 
-class ContactRegionsState final : public ContactLabelsState {
+class RegionLabels final : public ObjectLabels {
  public:
-  ContactRegionsState(const LabelEngine& engine, const LabelsSetting& setting)
-      : ContactLabelsState(engine, setting),
+  RegionLabels(const LabelEngine& engine, LabelsTask task, Index width, Index height)
+      : ObjectLabels(engine, task, height),
         kernels_(engine.holes),
-        inverted_(setting.width, setting.height),
-        memory_(setting.height) {}
+        inverted_(width, height),
+        memory_(height) {}
 
+  void find(const ConstBitPlaneView& image) override {
+    find_objects(image);
+    kernels_.invert(image, inverted_.view());
+    kernels_.count(inverted_.view(), memory_.first());
+    background_ = {inverted_.view(), memory_.with_room()};
+    kernels_.unite(background_);
+    regions_.assign(kernels_.number(background_, objects()) + std::size_t{1}, kNoPixels);
+    ids_.resize(max_row_runs(image.height) + 2 * std::size_t{kRunPadding});
+    kernels_.sum({image, runs(), objects()}, background_, regions_.data(), ids());
+  }
   [[nodiscard]] RegionLists regions() const override {
     const std::span<const Region> all(regions_);
     if (all.empty()) return {};  // no pixels
     return {all.subspan(1, objects()), all.subspan(1 + objects())};
   }
+  void paint(const ConstBitPlaneView& image, const LabelView& labels) const override {
+    kernels_.paint(image, background_.image, ids_.data() + kRunPadding, labels);
+  }
 
  private:
-  void compute() override {
-    find_objects();
-    kernels_.invert(image(), inverted_.view());
-    kernels_.count(inverted_.view(), memory_.first());
-    background_ = {inverted_.view(), memory_.with_room()};
-    kernels_.unite(background_);
-    regions_.assign(kernels_.number(background_, objects()) + std::size_t{1}, kNoPixels);
-    ids_.resize(max_row_runs() + 2 * std::size_t{kRunPadding});
-    kernels_.sum({image(), runs(), objects()}, background_, regions_.data(), ids());
-  }
-  void store(const LabelView& labels) override {
-    kernels_.paint(image(), background_.image, ids(), labels);
-  }
-
   /// Between two runs of a row in the foreground is one in the background.
-  [[nodiscard]] std::size_t max_row_runs() {
-    const auto height = static_cast<std::size_t>(image().height);
-    return 2 * std::size_t{memory_.first()[height]} + height;
+  [[nodiscard]] std::size_t max_row_runs(Index height) {
+    const auto rows = static_cast<std::size_t>(height);
+    return 2 * std::size_t{memory_.first()[rows]} + rows;
   }
   [[nodiscard]] Label* ids() { return ids_.data() + kRunPadding; }
 
@@ -94,12 +92,13 @@ class ContactRegionsState final : public ContactLabelsState {
 
 }  // namespace
 
-std::unique_ptr<LabelsState> make_contact_labels(const LabelsSetting& setting) {
-  const LabelEngine& engine = kernels_of<LabelEngine>(setting.isa);
-  if (setting.task == LabelsTask::regions) {
-    return std::make_unique<ContactRegionsState>(engine, setting);
+std::unique_ptr<ContactLabels> make_contact_labels(LabelsTask task, Isa isa, Index width,
+                                                   Index height) {
+  const LabelEngine& engine = kernels_of<LabelEngine>(isa);
+  if (task == LabelsTask::regions) {
+    return std::make_unique<RegionLabels>(engine, task, width, height);
   }
-  return std::make_unique<ContactLabelsState>(engine, setting);
+  return std::make_unique<ObjectLabels>(engine, task, height);
 }
 
 }  // namespace thinbench::detail

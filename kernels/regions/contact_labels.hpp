@@ -1,11 +1,28 @@
-// Label images from runs as bits and their contacts.
+// Objects and holes from runs as bits and their contacts: what label images are painted from.
 #pragma once
 
 #include "regions/labels_state.hpp"
 
 namespace thinbench::detail {
 
-/// By the kernels of the setting's ISA.
-[[nodiscard]] std::unique_ptr<LabelsState> make_contact_labels(const LabelsSetting& setting);
+/// Of images of one size. The packed image must be the same in find() and paint().
+class ContactLabels {
+ public:
+  ContactLabels() = default;
+  virtual ~ContactLabels() = default;
+  ContactLabels(const ContactLabels&) = delete;
+  ContactLabels& operator=(const ContactLabels&) = delete;
+
+  /// Finds the objects and what else the task asks for.
+  virtual void find(const ConstBitPlaneView& image) = 0;
+  /// As LabelsState has them.
+  [[nodiscard]] virtual RegionLists regions() const = 0;
+  [[nodiscard]] virtual Label objects() const = 0;
+  virtual void paint(const ConstBitPlaneView& image, const LabelView& labels) const = 0;
+};
+
+/// By the kernels of an ISA.
+[[nodiscard]] std::unique_ptr<ContactLabels> make_contact_labels(LabelsTask task, Isa isa,
+                                                                 Index width, Index height);
 
 }  // namespace thinbench::detail

@@ -9,12 +9,32 @@ namespace {
 constexpr Features kContactFeatures =
     feature("popcnt") | feature("avx2") | feature("avx512bw") | feature("avx512vpopcntdq");
 
+class ContactLabelsState final : public LabelsState {
+ public:
+  explicit ContactLabelsState(const LabelsSetting& setting)
+      : LabelsState(setting),
+        labels_(make_contact_labels(setting.task, setting.isa, setting.width, setting.height)) {}
+
+  [[nodiscard]] RegionLists regions() const override { return labels_->regions(); }
+  [[nodiscard]] Label objects() const override { return labels_->objects(); }
+
+ private:
+  void compute() override { labels_->find(image()); }
+  void store(const LabelView& labels) override { labels_->paint(image(), labels); }
+
+  std::unique_ptr<ContactLabels> labels_;
+};
+
+std::unique_ptr<LabelsState> make_contacts(const LabelsSetting& setting) {
+  return std::make_unique<ContactLabelsState>(setting);
+}
+
 std::vector<LabelsVariant> labels_variants() {
   LabelsVariants list;
-  list.add("bitpacked_contacts", Isa::baseline, &make_contact_labels, {1});
+  list.add("bitpacked_contacts", Isa::baseline, &make_contacts, {1});
   for (const Isa isa : isas_with(kContactFeatures)) {
     if (isa == Isa::baseline) continue;  // the same as `bitpacked_contacts`
-    list.add("simd_contacts", isa, &make_contact_labels, {2});
+    list.add("simd_contacts", isa, &make_contacts, {2});
   }
   return list.take();
 }

@@ -16,6 +16,10 @@ struct RunAccumulators {
   Key* max_end = nullptr;    // maximum of last keys
 };
 
+/// By so many more rows than others may suit a kernel badly before it gives up; see
+/// RunLabelling::patience.
+inline constexpr Index kPatience = 32;
+
 /// The working data of a kernel, in the caller's memory. Rows of runs and accumulators have room
 /// for any row plus 2 * kKeyPadding.
 struct RunLabelling {
@@ -23,10 +27,13 @@ struct RunLabelling {
   RunRow above;  // the last row that was labelled and summed
   RunRow here;   // memory for the next one
   RunAccumulators accumulators;
+  /// A kernel may count here the rows on which contacts of runs are faster, and give up below 0.
+  Index patience = kPatience;
 };
 
 /// Labels and sums rows [first, last), given `above`. Returns `last`, or the first row not
-/// processed because the tables need room for (width + 1) / 2 more labels.
+/// processed because the tables need room for (width + 1) / 2 more labels, or patience is at an
+/// end.
 using LabelRows = Index (*)(const ConstBitPlaneView& image, Index first, Index last,
                             RunLabelling& labelling);
 

@@ -1,6 +1,7 @@
 #include "regions/run_labeller.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/layout.hpp"
 
@@ -63,9 +64,10 @@ RunBand::RunBand(Index width)
   }
 }
 
-void RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last) {
+bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last) {
   labels_.clear();
   labelling_.tables = labels_.tables();
+  labelling_.patience = kPatience;
   label_first_row(image, first, labelling_);
   const RunRow& row = labelling_.above;
   first_row_.count = row.count;
@@ -74,34 +76,58 @@ void RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index 
   for (Index y = first + 1;;) {
     y = label_rows(image, y, last, labelling_);
     labels_.tables() = labelling_.tables;
-    if (y == last) return;
+    if (labelling_.patience < 0) return false;
+    if (y == last) return true;
     labels_.make_room((image.width + 1) / 2);
     labelling_.tables = labels_.tables();
   }
 }
 
-RunLabeller::RunLabeller(LabelRows label_rows, Index width, Index height, int threads)
-    : label_rows_(label_rows), team_(threads) {
+RunLabeller::RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width,
+                         Index height, int threads)
+    : label_rows_(with_holes ? engine.holes : engine.components),
+      with_holes_(with_holes),
+      isa_(isa),
+      team_(threads) {
   const Index bands = std::min<Index>(threads, height);
   for (Index band = 0; band < bands; ++band) bands_.emplace_back(width);
 }
 
 RegionLists RunLabeller::label(const ConstBitPlaneView& image) {
   if (bands_.empty()) return {};
-  const auto count = static_cast<Index>(bands_.size());
-  team_.for_ranges(count, [&](Index first, Index last) {
-    for (Index band = first; band < last; ++band) {
-      bands_[static_cast<std::size_t>(band)].label(label_rows_, image, image.height * band / count,
-                                                   image.height * (band + 1) / count);
-    }
-  });
+  if (!label_bands(image)) return label_contacts(image);
   LabelStore& labels = bands_.front().labels();
   for (std::size_t i = 1; i < bands_.size(); ++i) {
     join_bands(labels, bands_[i - 1].last_row(), bands_[i]);
   }
   join_border(labels.tables(), bands_.front().first_row());
   join_border(labels.tables(), bands_.back().last_row());
-  return labels.number_regions();
+  RegionLists lists = labels.number_regions();
+  if (!with_holes_) lists.holes = {};
+  return lists;
+}
+
+bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
+  std::atomic<bool> is_done = true;
+  const auto count = static_cast<Index>(bands_.size());
+  team_.for_ranges(count, [&](Index first, Index last) {
+    for (Index band = first; band < last; ++band) {
+      RunBand& rows = bands_[static_cast<std::size_t>(band)];
+      if (!rows.label(label_rows_, image, image.height * band / count,
+                      image.height * (band + 1) / count)) {
+        is_done = false;
+      }
+    }
+  });
+  return is_done;
+}
+
+RegionLists RunLabeller::label_contacts(const ConstBitPlaneView& image) {
+  if (!contacts_) {
+    contacts_ = make_contact_labels(LabelsTask::components_eight, isa_, image.width, image.height);
+  }
+  contacts_->find(image);
+  return contacts_->regions();
 }
 
 void join_border(LabelTables& tables, const RunRow& row) {

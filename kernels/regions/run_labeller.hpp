@@ -3,8 +3,10 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 
 #include "core/thread_team.hpp"
+#include "regions/contact_labels.hpp"
 #include "regions/label_store.hpp"
 #include "regions/run_engine.hpp"
 
@@ -15,8 +17,8 @@ class RunBand {
  public:
   explicit RunBand(Index width);
 
-  /// Labels rows [first, last) of the image; needs first < last.
-  void label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last);
+  /// Labels rows [first, last) of the image; needs first < last. False if the kernel gave up.
+  bool label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last);
 
   // Results: the rows at the seams, and the labels.
   [[nodiscard]] RunRow& first_row() { return first_row_; }
@@ -30,18 +32,28 @@ class RunBand {
   LabelStore labels_;
 };
 
+/// Finds regions by a kernel for runs that repeat from row to row. Where the kernel for objects
+/// alone gives up, as on noise, they are found by contacts of runs.
 class RunLabeller {
  public:
-  RunLabeller(LabelRows label_rows, Index width, Index height, int threads);
+  /// By one of the two kernels of `engine`.
+  RunLabeller(const RunEngine& engine, bool with_holes, Isa isa, Index width, Index height,
+              int threads);
 
-  /// Objects and, if the kernel labels background runs, holes. Valid until the next call. Throws
-  /// std::bad_alloc.
+  /// Objects and, if asked for, holes. Valid until the next call. Throws std::bad_alloc.
   RegionLists label(const ConstBitPlaneView& image);
 
  private:
+  /// False if a kernel gave up.
+  bool label_bands(const ConstBitPlaneView& image);
+  RegionLists label_contacts(const ConstBitPlaneView& image);
+
   LabelRows label_rows_;
+  bool with_holes_;
+  Isa isa_;
   ThreadTeam team_;
   std::deque<RunBand> bands_;
+  std::unique_ptr<ContactLabels> contacts_;  // once they are needed
 };
 
 /// Joins all background runs of a row at the image border with the outside.

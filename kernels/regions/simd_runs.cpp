@@ -161,6 +161,16 @@ template <bool with_background>
   return rows < max_rows ? rows : max_rows;
 }
 
+/// Contacts of runs are faster than union-find on a row whose runs do not match those above, with a
+/// boundary in every seventh pixel or more.
+[[gnu::always_inline]] inline void lose_patience(RunLabelling& labelling, Index width) {
+  if (7 * labelling.here.count > width) {
+    --labelling.patience;
+  } else if (labelling.patience < kPatience) {
+    ++labelling.patience;
+  }
+}
+
 /// Labels rows [first, last), at most max_rows_per_flush.
 template <bool with_background>
 Index label_block(const ConstBitPlaneView& image, Index first, Index last,
@@ -170,10 +180,11 @@ Index label_block(const ConstBitPlaneView& image, Index first, Index last,
   RunRow& here = labelling.here;
   clear_accumulators(labelling.accumulators, 0, above.count);
   Index y = first;
-  for (; y < last && has_room(labelling.tables, image.width); ++y) {
+  for (; y < last && has_room(labelling.tables, image.width) && labelling.patience >= 0; ++y) {
     here.count = find_keys_of_row(image.row(y), words, here.keys);
     if (here.count != above.count || !all_match(above.keys, here.keys, here.count)) {
       label_change<with_background>(labelling, first, y);
+      if (!with_background) lose_patience(labelling, image.width);
     }
     add_row(labelling.accumulators, here.keys, here.count, y - first);
     Key* const keys = above.keys;

@@ -18,18 +18,13 @@ class RunState final : public RegionsPlaneState<std::uint64_t> {
  public:
   RunState(const RunEngine& engine, const RegionsSetting& setting)
       : RegionsPlaneState(setting),
-        with_holes_(setting.task == RegionsTask::holes),
-        labeller_(with_holes_ ? engine.holes : engine.components, setting.width, setting.height,
-                  setting.threads) {}
+        labeller_(engine, setting.task == RegionsTask::holes, setting.isa, setting.width,
+                  setting.height, setting.threads) {}
 
-  void compute() override {
-    lists_ = labeller_.label(image());
-    if (!with_holes_) lists_.holes = {};
-  }
+  void compute() override { lists_ = labeller_.label(image()); }
   [[nodiscard]] RegionLists regions() const override { return lists_; }
 
  private:
-  bool with_holes_;
   RunLabeller labeller_;
   RegionLists lists_;
 };

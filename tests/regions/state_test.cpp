@@ -36,6 +36,33 @@ TEST(RegionsState, result_does_not_depend_on_the_previous_image) {
   }
 }
 
+/// Noise, on which a kernel gives up after some rows, below objects, on which it does not.
+ByteImage noise_below_blocks(Index height) {
+  ByteImage image = noise_image(200, height, 50, 20, 7);
+  const ByteImage noise = noise_image(200, height, 50, 1, 8);
+  for (Index y = height / 3; y < height; ++y) {
+    std::copy_n(noise.view().row(y), 200, image.view().row(y));
+  }
+  return image;
+}
+
+TEST(RegionsState, components_are_the_same_wherever_a_kernel_gives_up) {
+  for (const RegionsVariant& variant : study::operation_of(RegionsTask::components).variants) {
+    if (!unavailable_reason(variant, 200).empty()) continue;
+    for (const Index height : {20, 40, 47, 48, 49, 50, 60, 97, 150}) {
+      const ByteImage image = noise_below_blocks(height);
+      const ByteImage blocks = noise_image(200, height, 50, 20, 7);
+      const auto state = make_state(variant, 200, height, {RegionsTask::components}, 2);
+      for (const ByteImage* one : {&image, &blocks, &image}) {
+        state->load(one->view());
+        state->compute();
+        expect_equal({state->regions().objects, {}},
+                     {reference::components(one->view()).objects, {}});
+      }
+    }
+  }
+}
+
 TEST(RegionsState, compute_keeps_its_input_and_is_repeatable) {
   const ByteImage image = noise_image(150, 70, 55, 3, 5);
   for (const RegionsOperation& operation : study::regions_operations()) {
