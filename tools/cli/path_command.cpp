@@ -105,8 +105,8 @@ Command add_path_command(CLI::App& program) {
   thinbench path plan.png --start 40,150 --goal 590,80 --width 32 --overlay path.png
   thinbench path plan.png --start 40,150 --goal 590,80 --foreground bright --json > path.json
 
-The path runs on the skeleton of the free space, midway between obstacles, and leaves it for as few
-pixels as possible. All of it is at least W / 2 from obstacles, between centres of pixels. What is
+The path has the least cost: on the skeleton of the free space, midway between obstacles, a step costs
+its length, elsewhere four times its length. All of it is at least W / 2 from obstacles, between centres of pixels. What is
 outside the map is no obstacle. Sides are at most 32767 pixels.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
