@@ -185,14 +185,35 @@ def test_other_formats_are_named_as_what_they_are(tmp_path, kind, name):
     assert failed.returncode == 1 and f"it is a {name} file" in failed.stderr.decode()
 
 
-def test_a_transparent_image_brings_a_warning(tmp_path):
-    image = np.zeros((20, 30, 4), np.uint8)
-    image[5:10, 5:10] = 255
+def transparent_picture(kind):
+    """Of a square, and what Pillow needs to save it with transparent pixels."""
+    grey = np.zeros((20, 30), np.uint8)
+    grey[5:10, 5:10] = 255
+    image = pil.fromarray(grey)
+    if kind in ("LA", "RGBA"):
+        image = image.convert(kind)
+        image.putalpha(pil.fromarray(grey))
+        return image, {}
+    key = {"1": 0, "L": 0, "P": b"\0\xff", "RGB": (0, 0, 0)}[kind]
+    return image.convert(kind), {"transparency": key}
+
+
+@pytest.mark.parametrize("kind", ["LA", "RGBA", "1", "L", "P", "RGB"])
+def test_a_transparent_image_brings_a_warning(tmp_path, kind):
     path = tmp_path / "logo.png"
-    cv2.imwrite(str(path), image)
-    assert f"warning: {path}: the image is transparent" in run("holes", path).stderr.decode()
+    image, how = transparent_picture(kind)
+    image.save(path, **how)
+    found = run("holes", path)
+    assert f"warning: {path}: the image is transparent" in found.stderr.decode() and b"1 object," in found.stdout
+    assert b"warning: -: the image is transparent" in run("holes", "-", data=path.read_bytes()).stderr
     assert run("batch", "holes", path, "--out", tmp_path / "out").returncode == 0
     assert "the image is transparent" in (tmp_path / "out" / "manifest.csv").read_text()
-    image[..., 3] = 255
-    cv2.imwrite(str(path), image)
-    assert b"transparent" not in run("holes", path).stderr
+
+
+@pytest.mark.parametrize("kind, how", [("RGBA", {}), ("L", {"transparency": 7}), ("RGB", {"transparency": (1, 2, 3)}),
+                                       ("P", {"transparency": b"\xff\xff"})])
+def test_an_opaque_image_brings_none(tmp_path, kind, how):
+    grey = np.zeros((20, 30), np.uint8)
+    grey[5:10, 5:10] = 255
+    pil.fromarray(grey).convert(kind).save(tmp_path / "a.png", **how)
+    assert b"transparent" not in run("holes", tmp_path / "a.png").stderr

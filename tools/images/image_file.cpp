@@ -157,17 +157,30 @@ ByteImage read_channel(const std::string& path, std::optional<int> page, Channel
   }
 }
 
+namespace {
+
+bool has_pixel_below_opaque(const cv::Mat& image) {
+  cv::Mat alpha;
+  cv::extractChannel(image, alpha, 3);
+  double min = 0;
+  cv::minMaxLoc(alpha, &min);
+  return min < (image.depth() == CV_8U ? 255 : 65535);
+}
+
+}  // namespace
+
 bool is_transparent(const std::string& path) {
-  if (!has_png_alpha(path)) return false;
+  const std::string file = path == kStandardStream ? path_of_standard_input() : path;
+  const std::optional<TransparentColour> colour = png_transparency(file);
+  if (!colour) return false;
   const CapturedStderr captured;
   try {
-    const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
-    if (image.channels() != 4) return false;
-    cv::Mat alpha;
-    cv::extractChannel(image, alpha, 3);
-    double min = 0;
-    cv::minMaxLoc(alpha, &min);
-    return min < (image.depth() == CV_8U ? 255 : 65535);
+    const cv::Mat image = cv::imread(file, cv::IMREAD_UNCHANGED);
+    if (image.channels() == 4) return has_pixel_below_opaque(image);
+    if (image.channels() != static_cast<int>(colour->size())) return false;
+    cv::Mat is_colour;
+    cv::inRange(image, *colour, *colour, is_colour);
+    return cv::countNonZero(is_colour) > 0;
   } catch (const cv::Exception& error) {
     reject(path, error);
   }
