@@ -18,7 +18,8 @@ cv::Mat3b overlay_of(const ByteImage& objects, std::int64_t min_area = 1) {
   const TemporaryDirectory directory;
   const ByteImage grey = filled_image(objects.width(), objects.height(), kGrey);
   const std::string path = directory.file("overlay.png");
-  write_overlay(path, grey.view(), objects.view(), find_regions(objects.view()), min_area);
+  write_overlay(path, grey.view(),
+                regions_overlay(objects.view(), find_regions(objects.view()), min_area));
   return cv::imread(path, cv::IMREAD_COLOR);
 }
 
