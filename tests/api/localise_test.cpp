@@ -54,7 +54,7 @@ TEST(LocaliseObjects, rejects_an_image_of_another_size) {
   ByteImage image(10, 4), small(9, 4);
   EXPECT_EQ(rejection_of(
                 [&] { (void)localise_objects(image.view(), small.view(), EdgeThresholds{}, {}); }),
-            "source has the size 10 x 4, destination 9 x 4");
+            "source is 10 x 4 and destination 9 x 4; they must have the same size");
 }
 
 TEST(LocaliseObjects, finds_nothing_in_images_without_edges) {
