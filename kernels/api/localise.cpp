@@ -1,17 +1,42 @@
 #include "thinbench/localise.hpp"
 
+#include <memory>
+
 #include "core/checks.hpp"
+#include "core/packing.hpp"
 #include "localise/state.hpp"
 
 namespace thinbench {
 
+namespace {
+
+std::unique_ptr<detail::LocaliseState> state_for(const ConstImageView& grey,
+                                                 const EdgeThresholds& thresholds,
+                                                 const Execution& execution) {
+  return detail::make_best_state(detail::localise_operation(), grey.width, grey.height,
+                                 {EdgeOperator::sobel, thresholds}, execution);
+}
+
+Regions copy_of(const detail::RegionLists& lists) {
+  return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
+}
+
+}  // namespace
+
 Regions localise_objects(ConstImageView grey, const EdgeThresholds& thresholds,
                          const Execution& execution) {
   detail::check_views(grey, grey, detail::InPlace::allowed);
-  const auto state = detail::make_best_state(detail::localise_operation(), grey.width, grey.height,
-                                             {EdgeOperator::sobel, thresholds}, execution);
-  const detail::RegionLists lists = state->run(grey);
-  return {{lists.objects.begin(), lists.objects.end()}, {lists.holes.begin(), lists.holes.end()}};
+  return copy_of(state_for(grey, thresholds, execution)->run(grey));
+}
+
+Regions localise_objects(ConstImageView grey, ImageView objects, const EdgeThresholds& thresholds,
+                         const Execution& execution) {
+  detail::check_views(grey, objects, detail::InPlace::allowed);
+  const auto state = state_for(grey, thresholds, execution);
+  Regions found = copy_of(state->run(grey));
+  const Isa isa = execution.isa.value_or(best_isa());
+  detail::plane_conversion<std::uint64_t>(isa).write(state->objects(), objects);
+  return found;
 }
 
 }  // namespace thinbench

@@ -32,6 +32,9 @@ class LocaliseState {
   /// Objects and holes, valid until the next run. `source` must have the size of the setting.
   RegionLists run(const ConstImageView& source);
 
+  /// The image of the objects, valid as long.
+  [[nodiscard]] ConstBitPlaneView objects() const { return objects_.view(); }
+
  private:
   PackedEdges edges_;
   OutlinedObjects outlined_;

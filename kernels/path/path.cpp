@@ -19,9 +19,6 @@ namespace {
 
 using detail::require;
 
-/// How many pixels are off the skeleton, and the length.
-using Cost = std::pair<std::int64_t, double>;
-
 std::string text_of(Pixel p) {
   return std::string("(")
       .append(std::to_string(p.x))
@@ -56,10 +53,9 @@ class Search {
   }
 
   FoundPath run() {
-    constexpr Cost none = {std::numeric_limits<std::int64_t>::max(), 0};
-    costs_.assign(squares_.size(), none);
+    costs_.assign(squares_.size(), std::numeric_limits<double>::infinity());
     before_.assign(squares_.size(), 8);
-    offer(index_of(request_.start), {0, 0}, 8);
+    offer(index_of(request_.start), 0, 8);
     while (!open_.empty()) {
       const auto [cost, at] = open_.top();
       open_.pop();
@@ -96,6 +92,7 @@ class Search {
   [[nodiscard]] bool is_inside(Index x, Index y) const {
     return x >= 0 && y >= 0 && x < width_ && y < height_;
   }
+  [[nodiscard]] bool is_skeleton(Pixel p) const { return skeleton_.at(p.x, p.y) != 0; }
   [[nodiscard]] double room_at(std::size_t i) const {
     const std::int32_t square = squares_[i];
     if (square == kNoBackground) return std::numeric_limits<double>::infinity();
@@ -117,7 +114,7 @@ class Search {
                               ", not of " + text_of(request_.width));
   }
 
-  void offer(std::size_t at, const Cost& cost, std::uint8_t step) {
+  void offer(std::size_t at, double cost, std::uint8_t step) {
     if (cost >= costs_[at]) return;
     costs_[at] = cost;
     before_[at] = step;
@@ -132,17 +129,17 @@ class Search {
       const Pixel next = {p.x + step.x, p.y + step.y};
       const std::size_t to = index_of(next);
       if (!has_room(to)) continue;
-      const std::int64_t off = skeleton_.at(next.x, next.y) == 0 ? 1 : 0;
-      offer(to, {costs_[at].first + off, costs_[at].second + step.length}, k);
+      const bool on_skeleton = is_skeleton(p) && is_skeleton(next);
+      offer(to, costs_[at] + step.length * (on_skeleton ? 1 : kPathOffSkeletonCost), k);
     }
   }
 
   [[nodiscard]] FoundPath traced() const {
-    FoundPath path = {
-        {request_.goal}, costs_[index_of(request_.goal)].second, room_at(index_of(request_.goal))};
+    FoundPath path = {{request_.goal}, 0, room_at(index_of(request_.goal))};
     while (!(path.pixels.back() == request_.start)) {
       const Pixel p = path.pixels.back();
       const Step& step = kSteps[before_[index_of(p)]];
+      path.length += step.length;
       path.pixels.push_back({p.x - step.x, p.y - step.y});
       path.min_width = std::min(path.min_width, room_at(index_of(path.pixels.back())));
     }
@@ -150,14 +147,14 @@ class Search {
     return path;
   }
 
-  using Entry = std::pair<Cost, std::size_t>;
+  using Entry = std::pair<double, std::size_t>;  // the cost first
 
   Index width_;
   Index height_;
   PathRequest request_;
   std::vector<std::int32_t> squares_;
   detail::ByteImage skeleton_;
-  std::vector<Cost> costs_;
+  std::vector<double> costs_;
   std::vector<std::uint8_t> before_;  // the step by which a pixel was reached
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };

@@ -16,7 +16,8 @@ def path(free: npt.ArrayLike, start: Sequence[int], goal: Sequence[int], width: 
          threads: int = 1) -> npt.NDArray[np.int32]:
     """Find a path for a robot that keeps away from obstacles.
 
-    Of all paths that leave the skeleton of the free space for as few pixels as possible, the shortest.
+    The path of least cost: a step between two pixels of the skeleton of the free space costs its length, any
+    other step four times its length.
 
     Parameters
     ----------

@@ -29,6 +29,34 @@ TEST(LocaliseObjects, equals_the_reference_by_default) {
   }
 }
 
+TEST(LocaliseObjects, are_the_regions_of_the_image_that_is_written) {
+  const ByteImage blocks = grey_noise_image(40, 30, 0, 255, 5);
+  ByteImage image(203, 151);
+  for (Index y = 0; y < 151; ++y) {
+    for (Index x = 0; x < 203; ++x) image.at(x, y) = blocks.at(x / 6, y / 6);
+  }
+  const EdgeThresholds thresholds = {60, 100};
+  const Regions expected = localise_objects(image.view(), thresholds);
+  for (const Isa isa : all_isas()) {
+    if (!isa_available(isa)) continue;
+    ByteImage objects(203, 151);
+    const Regions found = localise_objects(image.view(), objects.view(), thresholds, {.isa = isa});
+    const Regions drawn = find_regions(objects.view());
+    EXPECT_EQ(found.objects, expected.objects);
+    EXPECT_EQ(drawn.objects, expected.objects);
+    EXPECT_EQ(drawn.holes, expected.holes);
+  }
+  const Regions in_place = localise_objects(image.view(), image.view(), thresholds, {});
+  EXPECT_EQ(in_place.holes, find_regions(image.view()).holes);
+}
+
+TEST(LocaliseObjects, rejects_an_image_of_another_size) {
+  ByteImage image(10, 4), small(9, 4);
+  EXPECT_EQ(rejection_of(
+                [&] { (void)localise_objects(image.view(), small.view(), EdgeThresholds{}, {}); }),
+            "source is 10 x 4 and destination 9 x 4; they must have the same size");
+}
+
 TEST(LocaliseObjects, finds_nothing_in_images_without_edges) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}, {7, 7}}) {
     const ByteImage image(width, height);

@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <iostream>
+#include <sstream>
+#include <utility>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "batch/manifest_text.hpp"
 #include "batch_fixture.hpp"
@@ -115,6 +119,100 @@ TEST_F(BatchCommand, holes_and_edges_equal_their_commands) {
   EXPECT_EQ(bytes_of(result("40.png")), bytes_of(edges));
 }
 
+TEST_F(BatchCommand, graphs_and_overlays_equal_those_of_the_commands) {
+  const std::string file = in + "/40.png";
+  const std::vector<std::pair<std::string, Words>> cases = {
+      {"graph", {"--prune", "3", "--tolerance", "0.5"}},
+      {"holes", {"--min-area", "2"}},
+      {"localise", {"--gradient-threshold", "20"}}};
+  for (const auto& [command, options] : cases) {
+    for (const std::string kind : {"svg", "png"}) {
+      fs::remove_all(out);
+      Words more = {in, "--overlay", kind};
+      more.insert(more.end(), options.begin(), options.end());
+      ASSERT_EQ(run(more, command).status, 0);
+      EXPECT_EQ(results().size(), 7U);
+      const std::string overlay = directory.file("one." + kind);
+      Words words = {command, file, "--json", "--overlay", overlay};
+      words.insert(words.end(), options.begin(), options.end());
+      EXPECT_EQ(bytes_of(result("40.json")), run_with(words).out);
+      EXPECT_EQ(bytes_of(result("40." + kind)), bytes_of(overlay));
+    }
+  }
+  EXPECT_NE(manifest().find(",localise --gradient-threshold 20 --overlay png,60,50,"),
+            std::string::npos)
+      << manifest();
+}
+
+/// Of several tables of the same columns.
+std::string joined(const std::vector<std::string>& tables) {
+  std::string text = tables.front();
+  for (std::size_t i = 1; i < tables.size(); ++i) {
+    text += tables[i].substr(tables[i].find('\n') + 1);
+  }
+  return text;
+}
+
+TEST_F(BatchCommand, the_table_has_the_rows_of_all_images) {
+  const std::string csv = directory.file("all.csv");
+  for (const std::string command : {"holes", "localise", "graph"}) {
+    std::vector<std::string> tables;
+    for (const std::string name : {"40", "50", "60"}) {
+      const std::string one = directory.file(name + ".csv");
+      ASSERT_EQ(run_with({command, in + "/" + name + ".png", "--csv", one}).status, 0);
+      tables.push_back(bytes_of(one));
+    }
+    ASSERT_EQ(run({in, "--table", csv}, command).status, 0);
+    EXPECT_EQ(bytes_of(csv), joined(tables));
+  }
+}
+
+TEST_F(BatchCommand, a_table_of_lines_has_the_json_of_each_image) {
+  const std::string lines = directory.file("all.jsonl");
+  ASSERT_EQ(run({in, "--table", lines}, "graph").status, 0);
+  std::istringstream text(bytes_of(lines));
+  for (const std::string name : {"40", "50", "60"}) {
+    std::string line;
+    ASSERT_TRUE(std::getline(text, line));
+    EXPECT_EQ(nlohmann::json::parse(line), nlohmann::json::parse(bytes_of(result(name + ".json"))));
+  }
+}
+
+TEST_F(BatchCommand, rows_of_pages_have_their_numbers) {
+  write_pages("pages.tif", {40, 50});
+  const std::string csv = result("all.csv");  // in the directory of the results
+  ASSERT_EQ(run({directory.file("pages.tif"), "--table", csv}, "holes").status, 0);
+  EXPECT_NE(bytes_of(csv).find("pages.tif,1,60,50,object,1,"), std::string::npos) << bytes_of(csv);
+  EXPECT_NE(bytes_of(csv).find("pages.tif,2,70,50,object,1,"), std::string::npos) << bytes_of(csv);
+}
+
+TEST_F(BatchCommand, each_shard_has_its_own_table) {
+  const std::string csv = directory.file("all.csv");
+  ASSERT_EQ(run({in, "--table", csv, "--shard", "2/2"}, "holes").status, 0);
+  EXPECT_FALSE(fs::exists(csv));
+  const std::string text = bytes_of(directory.file("all_2_of_2.csv"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 3) << text;
+  EXPECT_NE(text.find("/50.png,1,"), std::string::npos);
+}
+
+TEST_F(BatchCommand, a_table_replaces_no_other_file_of_the_batch) {
+  EXPECT_EQ(failure({in, "--table", "a.txt"}, 2, "holes"),
+            "--table: expected a name that ends in .csv or .jsonl, got 'a.txt'");
+  EXPECT_NE(failure({in, "--table", out + "/./manifest.csv"}, 2, "holes").find("would replace"),
+            std::string::npos);
+  fs::rename(in + "/40.png", in + "/40.csv");
+  EXPECT_NE(failure({in + "/40.csv", "--table", in + "/40.csv"}, 2, "holes").find("would replace"),
+            std::string::npos);
+  EXPECT_NE(failure({in, "--table", directory.file("no/a.csv")}, 1, "holes").find("no directory"),
+            std::string::npos);
+}
+
+TEST_F(BatchCommand, overlays_replace_no_input) {
+  EXPECT_EQ(failure_of({"batch", "holes", in, "--out", in, "--overlay", "png"}, 1),
+            "the result of '" + in + "/40.png' would replace the input '" + in +
+                "/40.png'; choose another --out");
+}
+
 TEST_F(BatchCommand, images_that_differ_in_their_extension_keep_it) {
   write_bar("in/test1.png", 30);
   write_bar("in/test1.bmp", 20);
@@ -152,6 +250,12 @@ TEST_F(BatchCommand, what_does_not_exist_is_rejected_before_anything_is_written)
   EXPECT_EQ(failure({in, "--border", "keep"}, 2, "holes"), "holes has no option --border");
   EXPECT_EQ(failure({in, "--min-area", "3"}, 2), "thin_guo_hall has no option --min-area");
   EXPECT_EQ(failure({in, "--p1", "3"}, 2), "thin_guo_hall has no option --gradient-threshold");
+  EXPECT_EQ(failure({in, "--prune", "3"}, 2, "holes"), "holes has no option --prune");
+  EXPECT_EQ(failure({in, "--min-area", "3"}, 2, "graph"), "graph has no option --min-area");
+  EXPECT_EQ(failure({in, "--overlay", "svg"}, 2), "thin_guo_hall has no option --overlay");
+  EXPECT_EQ(failure({in, "--table", "a.csv"}, 2, "edges"), "edges has no option --table");
+  EXPECT_EQ(failure({in, "--thinning", "thin_gu"}, 2, "graph").substr(0, 26),
+            "no rule is named 'thin_gu'");
   EXPECT_EQ(failure({in + "/*.gif"}, 1), "no file matches '" + in + "/*.gif'");
   fs::create_directory(directory.file("none"));
   EXPECT_EQ(failure({directory.file("none")}, 1), "there is no image file in what was named");

@@ -82,6 +82,53 @@ TEST_F(BatchFailures, resumed_run_ends_with_the_same_manifest_wherever_it_was_ki
   }
 }
 
+TEST_F(BatchFailures, resumed_run_ends_with_the_same_table_wherever_it_was_killed) {
+  static_cast<void>(directory.with("in/45.png", "text"));
+  for (const std::string name : {"all.csv", "all.jsonl"}) {
+    fs::remove_all(out);
+    const Words all = {in, "--table", directory.file(name), "--overlay", "svg", "--resume"};
+    ASSERT_EQ(run(all, "graph").status, 1);
+    const std::string whole = bytes_of(directory.file(name));
+    ASSERT_NE(whole.find("60.png"), std::string::npos);
+    const std::string lines = manifest();
+    for (std::size_t size = 0; size < lines.size(); size += 101) {
+      std::ofstream(result("manifest.csv")) << lines.substr(0, size);
+      fs::remove(directory.file(name));
+      fs::remove(result(size % 2 == 0 ? "60.svg" : "50.json"));
+      ASSERT_EQ(run(all, "graph").status, 1);
+      ASSERT_EQ(bytes_of(directory.file(name)), whole) << size;
+      ASSERT_TRUE(fs::exists(result("60.svg")));
+    }
+  }
+}
+
+TEST_F(BatchFailures, a_table_has_no_rows_of_another_operation) {
+  const std::string csv = directory.file("all.csv");
+  ASSERT_EQ(run({in, "--min-area", "1000"}, "holes").status, 0);
+  static_cast<void>(directory.with("in/40.png", "text"));  // its old result remains
+  ASSERT_EQ(run({in, "--table", csv}, "holes").status, 1);
+  EXPECT_EQ(bytes_of(csv).find("40.png"), std::string::npos);
+  EXPECT_NE(bytes_of(csv).find("50.png"), std::string::npos);
+}
+
+TEST_F(BatchFailures, a_result_that_was_changed_is_named_and_the_old_table_remains) {
+  const std::string csv = directory.with("all.csv", "old");
+  ASSERT_EQ(run({in}, "holes").status, 0);
+  for (const std::string text :
+       {"{}", "[1]", "{\"file\":", R"({"file": 1, "objects": [{}]})", ""}) {
+    std::ofstream(result("50.json")) << text;
+    const ProgramRun made = run({in, "--table", csv, "--resume"}, "holes");
+    EXPECT_EQ(made.status, 1);
+    EXPECT_NE(made.err.find("cannot read '" + result("50.json") +
+                            "': it is not what this batch writes; delete it and use --resume"),
+              std::string::npos)
+        << made.err;
+    EXPECT_EQ(bytes_of(csv), "old");
+  }
+  fs::remove(result("50.json"));
+  EXPECT_EQ(run({in, "--table", csv, "--resume"}, "holes").status, 0);
+}
+
 TEST_F(BatchFailures, shards_share_the_inputs) {
   ASSERT_EQ(run({in, "--shard", "1/2"}).status, 0);
   EXPECT_EQ(results(), (Names{"40.png", "60.png", "manifest_1_of_2.csv"}));

@@ -142,7 +142,7 @@ TEST_F(GraphCommand, rejects_unsuitable_options) {
   const std::vector<std::vector<std::string>> misuses = {{"--transform", "1,2,3"},
                                                          {"--transform", "1,2,3,4,5,nan"},
                                                          {"--transform", "1,2,3,4,5,6,7"},
-                                                         {"--overlay", "graph.png"},
+                                                         {"--overlay", "graph.jpg"},
                                                          {"--prune", "-1"},
                                                          {"--tolerance", "nan"},
                                                          {"--thinning", "thick"},

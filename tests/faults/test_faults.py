@@ -4,6 +4,7 @@ work all the same; and the next run works."""
 from __future__ import annotations
 
 import ctypes
+import itertools
 import os
 import random
 import re
@@ -32,8 +33,20 @@ COMMANDS = {
     "holes": "thinbench holes {}/large.png --threads 2",
     "overlay": "thinbench holes {}/large.png --overlay out.png",
     "edges": "thinbench edges {}/large.png out.png --threads 2",
+    "fill_holes": "thinbench fill-holes {}/large.png out.png --threads 2",
+    "labels": "thinbench labels {}/large.png out.png --threads 2",
+    "distance": "thinbench distance {}/large.pgm out.tif --threads 2",
+    "euler": "thinbench euler {}/large.png --threads 2",
+    "localise": "thinbench localise {}/large.png --threads 2",
+    "localise_overlay": "thinbench localise {}/large.png --overlay out.png",
+    "csv": "thinbench localise {}/large.png --csv out.csv",
+    "graph": "thinbench graph {}/large.png --threads 2 --json",
+    "graph_overlay": "thinbench graph {}/large.png --overlay out.svg",
+    "path": "thinbench path {}/large.png --start 1,1 --goal 1490,990 --foreground dark --width 9",
+    "path_overlay": "thinbench path {}/large.png --start 1,1 --goal 1490,990 --foreground dark --overlay out.png",
     "batch": "thinbench batch thin_guo_hall {}/many --out results --threads 2",
     "batch_holes": "thinbench batch holes {}/many --out results --threads 1",
+    "batch_table": "thinbench batch graph {}/many --out results --threads 2 --overlay svg --table table.csv",
     "rule": "thinbench run majority {}/large.png out.png",
     "rule_of_your_own": "thinbench run B3/S23 {}/large.png out.png --max-iterations 3",
     "save": "thinbench rule golay_l --save rule.json",
@@ -47,7 +60,7 @@ COMMANDS = {
 }
 VOLATILE = re.compile(rb"[0-9.]+ ms|(,[0-9.e-]+){3}(?=,,\n)|\"date\": .*")
 """What differs from run to run: times."""
-PRINTS_TIMES = {"batch", "batch_holes", "sampler", "benchmarks"}
+PRINTS_TIMES = {"batch", "batch_holes", "batch_table", "sampler", "benchmarks"}
 
 
 def words_of(name: str, inputs: Path) -> list[str]:
@@ -110,8 +123,11 @@ def _fails(inputs: Path, tmp_path: Path, works: Callable[..., None]) -> Check:
 
 FULL = Fault("file size limit", limit(resource.RLIMIT_FSIZE, 16))
 FULL_OUT = Fault("/dev/full", out="/dev/full")
-WRITERS = ["run", "run_pgm", "run_grey_tiff", "run_pbm", "run_tiff", "out_of_core", "overlay", "edges", "batch",
-           "batch_holes", "rule", "save", "train", "instructions", "scene"]
+DRAWERS = ["overlay", "localise_overlay", "graph_overlay", "path_overlay"]
+PIXELS = ["fill_holes", "labels", "distance"]
+WRITERS = ["run", "run_pgm", "run_grey_tiff", "run_pbm", "run_tiff", "out_of_core", "edges", "batch", "batch_holes",
+           "batch_table", "csv", "rule", "save", "train", "instructions", "scene", *DRAWERS, *PIXELS]
+PRINTERS = ["holes", "euler", "localise", "graph", "path"]
 
 
 @pytest.mark.parametrize("name", WRITERS)
@@ -120,7 +136,7 @@ def test_full_disk(name: str, fails: Check) -> None:
     fails(name, FULL, "File too large")
 
 
-@pytest.mark.parametrize("name", ["holes", "verify", "sampler", "benchmarks"])
+@pytest.mark.parametrize("name", [*PRINTERS, "verify", "sampler", "benchmarks"])
 def test_full_standard_output(name: str, fails: Check) -> None:
     """It holds the result."""
     fails(name, FULL_OUT, "standard output cannot be written")
@@ -130,7 +146,7 @@ SMALL_DISK = ("unshare", "-rm", "sh", "-c", 'mount -t tmpfs -o size=4k none "$PW
               'status=$?; ls -A; exit $status', "sh")
 
 
-@pytest.mark.parametrize("name", ["run_pgm", "overlay", "scene", "out_of_core"])
+@pytest.mark.parametrize("name", ["run_pgm", "scene", "out_of_core", *DRAWERS, "distance"])
 def test_disk_of_4_kilobytes(name: str, fails: Check, inputs: Path, tmp_path: Path) -> None:
     """As test_full_disk, by a real file system."""
     if subprocess.run([*SMALL_DISK[:4], "mount -t tmpfs none /mnt"], check=False, capture_output=True).returncode:
@@ -180,7 +196,7 @@ def _memory_fixture(inputs: Path) -> int:
 NO_MEMORY = "not enough memory|Cannot allocate memory|Resource temporarily unavailable"
 
 
-@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "overlay", "edges", "rule"])
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "edges", "rule", *DRAWERS, *PIXELS, *PRINTERS])
 def test_little_memory(name: str, memory: int, inputs: Path, tmp_path: Path, expected: Callable[[str], Files]) -> None:
     """Wherever it ends, with one line or with the right result."""
     failures = 0
@@ -228,7 +244,7 @@ def check_whole(made: Files, expected: Files) -> None:
             assert data == expected[name], name
 
 
-@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "out_of_core", "batch", "train"])
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "out_of_core", "batch", "batch_table", "train"])
 def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None],
                                   expected: Callable[[str], Files]) -> None:
     """SIGKILL several times; then an undisturbed run."""
@@ -246,8 +262,8 @@ def test_killed_at_random_moments(name: str, inputs: Path, tmp_path: Path, works
     works(name)
 
 
-@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "out_of_core", "overlay", "save", "train",
-                                  "scene"])
+@pytest.mark.parametrize("name", ["run", "run_grey_tiff", "run_pbm", "out_of_core", "csv", "save", "train", "scene",
+                                  *DRAWERS, *PIXELS])
 def test_killed_before_the_result_has_its_name(name: str, inputs: Path, tmp_path: Path,
                                                works: Callable[..., None]) -> None:
     """The next run removes the hidden file, too."""
@@ -287,8 +303,8 @@ def shim(fault: str) -> Fault:
     return Fault(fault, environment={"LD_PRELOAD": SHIM, "FAULT": fault})
 
 
-MOST = ["run", "run_grey_tiff", "run_tiff", "out_of_core", "holes", "edges", "batch", "rule_of_your_own", "train",
-        "sampler"]
+MOST = ["run", "run_grey_tiff", "run_tiff", "out_of_core", "edges", "batch", "batch_table", "rule_of_your_own", "train",
+        "sampler", *PRINTERS, *PIXELS]
 
 
 @pytest.mark.parametrize("name", [*MOST, "verify", "benchmarks"])
@@ -365,7 +381,7 @@ def test_no_executable_memory(name: str, inputs: Path, tmp_path: Path, expected:
 
 
 @pytest.mark.parametrize("isa", ["baseline", "sse4.2"])
-@pytest.mark.parametrize("name", ["run", "holes", "edges", "rule", "batch"])
+@pytest.mark.parametrize("name", ["run", "edges", "rule", "batch", "batch_table", *PRINTERS, *PIXELS])
 def test_processor_without_avx(name: str, isa: str, inputs: Path, tmp_path: Path,
                                expected: Callable[[str], Files]) -> None:
     """The same pixels."""
@@ -399,8 +415,11 @@ def test_closed_streams(name: str, inputs: Path, tmp_path: Path, expected: Calla
 def test_truncated_input(kind: str, inputs: Path, tmp_path: Path) -> None:
     """At any length, for any command."""
     data = (inputs / f"a.{kind}").read_bytes()
-    commands = ["run thin_guo_hall in out.tif", "holes in", "edges in out.png", "run majority in out.png"]
-    for size, command in zip((1, 40, len(data) // 2, len(data) - 40), commands):
+    commands = ["run thin_guo_hall in out.tif", "holes in", "edges in out.png", "run majority in out.png",
+                "fill-holes in out.png", "labels in out.png", "distance in out.png", "euler in",
+                "localise in --csv out.csv --overlay out.svg", "graph in --csv out.csv --overlay out.png",
+                "path in --start 1,1 --goal 9,9 --overlay out.svg"]
+    for size, command in itertools.product((0, 1, 40, len(data) // 2, len(data) - 40), commands):
         (tmp_path / f"in.{kind}").write_bytes(data[:size])
         before = files_in(tmp_path)
         result = run(["thinbench", *command.replace(" in", f" in.{kind}").split()], tmp_path)
@@ -413,6 +432,22 @@ def pixels_of(file: Path) -> bytes:
     """Where a TIFF file is damaged when it is first looked at, its result may have 8 bits per pixel instead of one."""
     pixels: bytes = Image.open(file).convert("L").tobytes()
     return pixels
+
+
+def test_a_batch_that_was_killed_ends_with_the_same_table(inputs: Path, tmp_path: Path,
+                                                          expected: Callable[[str], Files]) -> None:
+    """Where it is resumed, until nothing kills it."""
+    chance = random.Random(2)
+    for seconds in [*(chance.uniform(0.01, 0.1) for _ in range(6)), SECONDS]:
+        process = start([*words_of("batch_table", inputs), "--resume"], tmp_path)
+        try:
+            process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            os.kill(process.pid, signal.SIGKILL)
+        result = finish(process)
+        table = tmp_path / "table.csv"
+        assert not table.exists() or table.read_bytes() == expected("batch_table")["table.csv"]
+    assert made_by("batch_table", result, tmp_path) == expected("batch_table")
 
 
 @pytest.mark.parametrize("kind", ["png", "pbm", "tif", "grey.tif"])

@@ -18,7 +18,8 @@ cv::Mat3b overlay_of(const ByteImage& objects, std::int64_t min_area = 1) {
   const TemporaryDirectory directory;
   const ByteImage grey = filled_image(objects.width(), objects.height(), kGrey);
   const std::string path = directory.file("overlay.png");
-  write_overlay(path, grey.view(), objects.view(), find_regions(objects.view()), min_area);
+  write_overlay(path, grey.view(),
+                regions_overlay(objects.view(), find_regions(objects.view()), min_area));
   return cv::imread(path, cv::IMREAD_COLOR);
 }
 
@@ -48,6 +49,38 @@ TEST(Overlay, outlines_of_objects_are_green_and_those_of_holes_red) {
   for (const cv::Point& at : {cv::Point(29, 40), cv::Point(50, 45), cv::Point(40, 50)}) {
     EXPECT_EQ(overlay(at), kRed) << at;
   }
+}
+
+TEST(Overlay, svg_has_the_same_outlines_with_their_corners_alone) {
+  const TemporaryDirectory directory;
+  const ByteImage objects = ring(), grey = filled_image(80, 80, kGrey);
+  const std::string path = directory.file("overlay.svg");
+  write_overlay(path, grey.view(), regions_overlay(objects.view(), find_regions(objects.view())));
+  const std::string text = bytes_of(path);
+  EXPECT_NE(text.find("<polygon points=\"20,20 20,59 59,59 59,20 21,20 \" stroke=\"#00aa00\""),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("stroke=\"#ff2828\""), std::string::npos);
+  EXPECT_NE(text.find("<text x=\"20\" y=\"18\" fill=\"#00aa00\">1</text>"), std::string::npos)
+      << text;
+}
+
+TEST(Overlay, bands_mix_with_the_image_and_discs_cover_it) {
+  const TemporaryDirectory directory;
+  const ByteImage grey = filled_image(40, 20, kGrey);
+  Overlay overlay;
+  overlay.lines = {{{{5, 10}, {35, 10}}, {200, 200, 200}, false, 7, 0.5, {}}};
+  overlay.discs = {{20, 10, 2, {0, 170, 0}, {}}};
+  for (const char* name : {"a.png", "a.bmp", "a.tif"}) {
+    write_overlay(directory.file(name), grey.view(), overlay);
+    const cv::Mat3b drawn = cv::imread(directory.file(name), cv::IMREAD_COLOR);
+    EXPECT_EQ(drawn(12, 8), cv::Vec3b(150, 150, 150));
+    EXPECT_EQ(drawn(10, 20), kGreen);
+    EXPECT_EQ(drawn(2, 8), cv::Vec3b(kGrey, kGrey, kGrey));
+  }
+  overlay.is_faded = true;
+  write_overlay(directory.file("a.png"), grey.view(), overlay);
+  EXPECT_NEAR(cv::imread(directory.file("a.png"))(cv::Rect(8, 2, 1, 1)).data[0], 178, 1);
 }
 
 TEST(Overlay, number_of_an_object_is_above_it_and_that_of_a_hole_inside_it) {

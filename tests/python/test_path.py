@@ -1,7 +1,8 @@
-"""`path` of Python and of the program: as long as need be, wide enough everywhere, one line where there is none."""
+"""`path` of Python and of the program: of least cost, wide enough everywhere, one line where there is none."""
 
 from __future__ import annotations
 
+import heapq
 import json
 import os
 import subprocess
@@ -46,8 +47,87 @@ def assert_is_path(found, free, start, goal, width):
     assert (2 * thinbench.distance(free)[tuple(found.T)] >= width).all()
 
 
-@pytest.mark.parametrize("width, shortest, longest", [(16, 700, 790), (32, 1200, 1290)])
-def test_the_robots_of_the_floor_plan(plan, tmp_path, width, shortest, longest):
+def length(path):
+    return np.hypot(*np.diff(path, axis=0).T).sum()
+
+
+def neighbours(pixel, room):
+    """Those with room, each with its distance."""
+    row, column = pixel
+    for y in range(max(row - 1, 0), min(row + 2, room.shape[0])):
+        for x in range(max(column - 1, 0), min(column + 2, room.shape[1])):
+            if (y, x) != pixel and room[y, x]:
+                yield (y, x), np.sqrt(abs(y - row) + abs(x - column))
+
+
+def least_cost(room, skeleton, start, goal):
+    """Dijkstra's algorithm over all pixels with room; infinite where there is no path."""
+    costs, queue = {start: 0.0}, [(0.0, start)]
+    while queue:
+        cost, pixel = heapq.heappop(queue)
+        if pixel == goal:
+            return cost
+        if cost > costs[pixel]:
+            continue
+        for other, step in neighbours(pixel, room):
+            new = cost + (step if skeleton[pixel] and skeleton[other] else 4 * step)
+            if new < costs.get(other, np.inf):
+                costs[other] = new
+                heapq.heappush(queue, (new, other))
+    return np.inf
+
+
+def cost_of(path, skeleton):
+    on = skeleton[tuple(path.T)]
+    steps = np.hypot(*np.diff(path, axis=0).T)
+    return np.where(on[1:] & on[:-1], steps, 4 * steps).sum()
+
+
+def random_map(seed, size):
+    """Free space, its skeleton, and where a robot of the third's width has room."""
+    free = ndimage.binary_dilation(random_image(seed, size), iterations=1 + seed % 3)
+    width = [0, 2, 2.5, 3, 4][seed % 5]
+    skeleton = thinbench.prune(thinbench.thin(free), min_widths=1, image=free)
+    return free, skeleton, width, free & (2 * ndimage.distance_transform_edt(free) >= width)
+
+
+def pairs_of(places, random, count):
+    return [tuple(map(tuple, random.permutation(places)[:2])) for _ in range(count if len(places) > 1 else 0)]
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_no_path_costs_less_and_none_along_the_skeleton_is_shorter(seed):
+    free, skeleton, width, room = random_map(seed, 40)
+    random = np.random.RandomState(seed)
+    for start, goal in pairs_of(np.argwhere(room), random, 3):
+        cost = least_cost(room, skeleton, start, goal)
+        if np.isfinite(cost):
+            assert cost_of(thinbench.path(free, start, goal, width), skeleton) == pytest.approx(cost)
+        else:
+            with pytest.raises(ValueError, match="^no path from"):
+                thinbench.path(free, start, goal, width)
+    on_skeleton = room & skeleton
+    for start, goal in pairs_of(np.argwhere(on_skeleton), random, 3):
+        along = least_cost(on_skeleton, skeleton, start, goal)
+        if np.isfinite(along):
+            assert length(thinbench.path(free, start, goal, width)) <= along + 1e-9
+
+
+def test_random_maps_have_paths_of_both_kinds():
+    """Or the test above would test little."""
+    joined = apart = 0
+    for seed in range(200):
+        _, skeleton, _, room = random_map(seed, 40)
+        on_skeleton = room & skeleton
+        for start, goal in pairs_of(np.argwhere(on_skeleton), np.random.RandomState(seed), 1):
+            parts = ndimage.label(on_skeleton, np.ones((3, 3)))[0]
+            joined += parts[start] == parts[goal]
+            apart += parts[start] != parts[goal]
+    assert joined > 100 and apart > 10
+
+
+@pytest.mark.parametrize("width", [16, 32])
+def test_the_robots_of_the_floor_plan(plan, tmp_path, width):
     path, free = plan
     found = thinbench.path(free, planning.START, planning.GOAL, width)
     assert_is_path(found, free, planning.START, planning.GOAL, width)
@@ -57,7 +137,10 @@ def test_the_robots_of_the_floor_plan(plan, tmp_path, width, shortest, longest):
     assert made.returncode == 0, made.stderr
     listed = json.loads(made.stdout)
     np.testing.assert_array_equal(np.array(listed["pixels"])[:, ::-1], found)
-    assert shortest < listed["length"] < longest and listed["min_width"] >= width
+    assert listed["length"] == pytest.approx(length(found)) and listed["min_width"] >= width
+    skeleton = thinbench.prune(thinbench.thin(free), min_widths=1, image=free)
+    by_steps = planning.plan_path(free, skeleton, width, planning.START, planning.GOAL)
+    assert length(found) == pytest.approx(length(by_steps), rel=0.005)
     assert cv2.imread(str(overlay)).shape == (*free.shape, 3)
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import base64
 import csv
 import json
 import os
+import re
 import subprocess
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -74,7 +77,7 @@ def test_tables_of_holes_and_localise_are_alike_as_csv_and_json(picture, tmp_pat
     for command in ("holes", "localise"):
         table = tmp_path / "table.csv"
         found = json.loads(made(command, path, "--json", "--csv", table).stdout)
-        assert (found["file"], found["width"], found["height"]) == (str(path), width, height)
+        assert (found["file"], found["page"], found["width"], found["height"]) == (str(path), 1, width, height)
         rows = list(csv.DictReader(table.open(newline="")))
         objects = {row["id"]: row for row in rows if row["kind"] == "object"}
         assert len(objects) == len(found["objects"])
@@ -92,7 +95,115 @@ def test_the_table_of_a_graph_has_the_file_and_the_size(picture, tmp_path):
     found = json.loads(made("graph", path, "--json", "--csv", tmp_path / "graph.csv").stdout)
     assert (found["file"], found["width"], found["height"]) == (str(path), image.shape[1], image.shape[0])
     rows = list(csv.DictReader((tmp_path / "graph.csv").open(newline="")))
-    assert len(rows) == len(found["edges"]) and all(row["file"] == str(path) for row in rows)
+    assert len(rows) == len(found["edges"])
+    kinds = {node["id"]: node["kind"] for node in found["nodes"]}
+    for row, edge in zip(rows, found["edges"]):
+        assert (row["file"], row["page"], row["image_width"]) == (str(path), "1", str(image.shape[1]))
+        assert [int(row[name]) for name in ("id", "from", "to", "pixels")] == [
+            edge[name] for name in ("id", "from", "to", "pixels")]
+        assert [int(row[name]) for name in ("from_x", "from_y", "to_x", "to_y")] == edge["points"][0] + edge["points"][-1]
+        assert (row["from_kind"], row["to_kind"]) == (kinds[edge["from"]], kinds[edge["to"]])
+        assert [float(row[name]) for name in ("length", "chord", "width_mean", "width_min", "width_max")] == [
+            edge[name] for name in ("length", "chord", "width_mean", "width_min", "width_max")]
+
+
+def test_the_graph_equals_that_of_python(picture):
+    path, image = picture
+    found = json.loads(made("graph", path, "--json", "--prune", 4).stdout)
+    graph = thinbench.graph(thinbench.prune(thinbench.thin(image), 4), image, not_thin="ignore")
+    assert [node["kind"] for node in found["nodes"]] == list(graph.nodes["kind"])
+    for name, key in (("length", "length"), ("width_min", "width-min"), ("width_mean", "width-mean")):
+        assert [edge[name] for edge in found["edges"]] == pytest.approx(list(graph.edges[key]))
+
+
+PLACES = {"holes": [], "localise": [], "graph": [], "path": ["--start", "0,0", "--goal", "9,0"]}
+"""Commands that draw, and what they need."""
+
+
+@pytest.fixture
+def rings(tmp_path):
+    """A free way along the upper border, and three objects with a hole each."""
+    image = np.zeros((60, 120), np.uint8)
+    image[:3] = 255
+    for x in (5, 45, 80):
+        cv2.rectangle(image, (x, 15), (x + 25, 45), 255, 6)
+    path = tmp_path / "rings.png"
+    cv2.imwrite(str(path), image)
+    return path, image
+
+
+@pytest.mark.parametrize("command", PLACES)
+def test_overlays_are_images_or_svg_by_their_names(rings, tmp_path, command):
+    path, image = rings
+    words = [command, path, *PLACES[command]]
+    listed = made(*words).stdout
+    for name in ("a.png", "a.tif", "a.bmp", "a.PNG"):
+        assert made(*words, "--overlay", tmp_path / name).stdout == listed
+        drawn = cv2.imread(str(tmp_path / name))
+        assert drawn.shape == (*image.shape, 3)
+        assert (drawn.min(axis=2) != drawn.max(axis=2)).any()  # something has a colour
+    made(*words, "--overlay", tmp_path / "a.svg")
+    svg = ElementTree.parse(tmp_path / "a.svg").getroot()
+    assert svg.get("viewBox") == "0 0 120 60"
+    ground = svg.find("{*}image").get("{*}href") or svg.find("{*}image").get("href")
+    ground = cv2.imdecode(np.frombuffer(base64.b64decode(ground.partition(",")[2]), np.uint8), -1)
+    np.testing.assert_array_equal(ground, image)
+    count = {"holes": 4 + 3, "localise": 4 + 3, "graph": 4, "path": 2}[command]  # lines, without crosses
+    lines = svg.findall(".//{*}polygon" if command in ("holes", "localise") else ".//{*}polyline")
+    assert len(lines) == count
+    for line in lines:
+        for x, y in re.findall(r"(\d+),(\d+)", line.get("points")):
+            assert int(x) < 120 and int(y) < 60
+    for name in ("a.jpg", "a.pgm", "a", "a.txt"):
+        failed = run(*words, "--overlay", tmp_path / name)
+        assert failed.returncode == 2 and failed.stderr.count(b"\n") == 1 and not (tmp_path / name).exists()
+
+
+@pytest.mark.parametrize("words", [[*map(str, (name, "-", *more)), "--overlay", "-"] for name, more in PLACES.items()]
+                         + [["graph", "-", "--out", "-"]])
+def test_an_overlay_on_standard_output_is_png_and_the_list_moves(rings, tmp_path, words):
+    path, _ = rings
+    piped = run(*words, "--foreground", "bright", data=path.read_bytes())
+    assert piped.returncode == 0, piped.stderr
+    option = words[-2]
+    listed = made(*[path if word == "-" else word for word in words[:-2]], option, tmp_path / "a.png").stdout
+    assert piped.stdout == (tmp_path / "a.png").read_bytes() and listed in piped.stderr
+
+
+def test_packed_files_read_and_write_the_standard_streams(picture, tmp_path):
+    path, image = picture
+    pil.fromarray(image).save(tmp_path / "a.pbm")
+    packed = (tmp_path / "a.pbm").read_bytes()
+    for options, data in (([], packed), (["--raw", f"{image.shape[1]}x{image.shape[0]}"], np.packbits(image, 1).tobytes())):
+        (tmp_path / "in").write_bytes(data)
+        out = tmp_path / "out.pbm"
+        assert run("run", "thin_guo_hall", tmp_path / "in", out, *options).returncode == 0
+        expected = out.read_bytes()
+        out.unlink()
+        assert run("run", "thin_guo_hall", "-", out, *options, data=data).returncode == 0
+        assert out.read_bytes() == expected
+        if options:
+            assert run("run", "thin_guo_hall", "-", "-", *options, data=data).stdout == expected
+    failed = run("run", "thin_guo_hall", "-", tmp_path / "out.pbm", "--raw", "999x999", data=packed)
+    assert failed.returncode == 1 and b"cannot read standard input: it has" in failed.stderr
+    for files in (("-", tmp_path / "x.pbm"), (tmp_path / "a.pbm", "-")):
+        failed = run("run", "thin_guo_hall", *files, "--out-of-core", data=packed)
+        assert failed.returncode == 2 and b"no standard streams" in failed.stderr
+
+
+@pytest.mark.parametrize("words", [["holes", "IN", "--csv"], ["localise", "IN", "--csv"], ["graph", "IN", "--csv"],
+                                   ["graph", "IN", "--geojson"], ["rule", "golay_l", "--save"],
+                                   ["batch", "holes", "IN", "--out", "OUT", "--table"]])
+def test_no_file_is_called_minus(picture, tmp_path, words, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    failed = run(*[picture[0] if word == "IN" else word for word in words], "-")
+    assert failed.returncode == 2 and b"expected the name of a file, got '-'" in failed.stderr
+    assert not Path("-").exists() and not Path("OUT").exists()
+
+
+def test_out_and_overlay_of_a_graph_do_not_share_standard_output(picture):
+    failed = run("graph", picture[0], "--out", "-", "--overlay", "-")
+    assert failed.returncode == 2 and failed.stdout == b"" and failed.stderr.count(b"\n") == 1
 
 
 def test_localise_finds_the_scene_and_equals_python_and_the_batch(scene, tmp_path):
@@ -185,14 +296,35 @@ def test_other_formats_are_named_as_what_they_are(tmp_path, kind, name):
     assert failed.returncode == 1 and f"it is a {name} file" in failed.stderr.decode()
 
 
-def test_a_transparent_image_brings_a_warning(tmp_path):
-    image = np.zeros((20, 30, 4), np.uint8)
-    image[5:10, 5:10] = 255
+def transparent_picture(kind):
+    """Of a square, and what Pillow needs to save it with transparent pixels."""
+    grey = np.zeros((20, 30), np.uint8)
+    grey[5:10, 5:10] = 255
+    image = pil.fromarray(grey)
+    if kind in ("LA", "RGBA"):
+        image = image.convert(kind)
+        image.putalpha(pil.fromarray(grey))
+        return image, {}
+    key = {"1": 0, "L": 0, "P": b"\0\xff", "RGB": (0, 0, 0)}[kind]
+    return image.convert(kind), {"transparency": key}
+
+
+@pytest.mark.parametrize("kind", ["LA", "RGBA", "1", "L", "P", "RGB"])
+def test_a_transparent_image_brings_a_warning(tmp_path, kind):
     path = tmp_path / "logo.png"
-    cv2.imwrite(str(path), image)
-    assert f"warning: {path}: the image is transparent" in run("holes", path).stderr.decode()
+    image, how = transparent_picture(kind)
+    image.save(path, **how)
+    found = run("holes", path)
+    assert f"warning: {path}: the image is transparent" in found.stderr.decode() and b"1 object," in found.stdout
+    assert b"warning: -: the image is transparent" in run("holes", "-", data=path.read_bytes()).stderr
     assert run("batch", "holes", path, "--out", tmp_path / "out").returncode == 0
     assert "the image is transparent" in (tmp_path / "out" / "manifest.csv").read_text()
-    image[..., 3] = 255
-    cv2.imwrite(str(path), image)
-    assert b"transparent" not in run("holes", path).stderr
+
+
+@pytest.mark.parametrize("kind, how", [("RGBA", {}), ("L", {"transparency": 7}), ("RGB", {"transparency": (1, 2, 3)}),
+                                       ("P", {"transparency": b"\xff\xff"})])
+def test_an_opaque_image_brings_none(tmp_path, kind, how):
+    grey = np.zeros((20, 30), np.uint8)
+    grey[5:10, 5:10] = 255
+    pil.fromarray(grey).convert(kind).save(tmp_path / "a.png", **how)
+    assert b"transparent" not in run("holes", tmp_path / "a.png").stderr

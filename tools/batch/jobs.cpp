@@ -26,16 +26,30 @@ std::optional<FileId> id_of(const std::string& path) {
   return FileId(facts.st_dev, facts.st_ino);
 }
 
-std::vector<BatchJob> jobs_of_one(const BatchInput& input, const std::string& extension,
+BatchJob job_of(const BatchInput& input, const std::string& suffix,
+                const ResultExtensions& extensions) {
+  const std::string name = input.name + suffix;
+  BatchJob job;
+  job.path = input.path;
+  job.output = name + extensions.output;
+  if (!extensions.overlay.empty()) job.overlay = name + extensions.overlay;
+  return job;
+}
+
+std::vector<BatchJob> jobs_of_one(const BatchInput& input, const ResultExtensions& extensions,
                                   bool joins_pages) {
   const int pages = page_count(input.path);
-  if (pages == 1 || joins_pages) {
-    return {{input.path, input.name + extension, 0, pages, pages > 1}};
-  }
   std::vector<BatchJob> jobs;
+  if (pages == 1 || joins_pages) {
+    jobs.push_back(job_of(input, "", extensions));
+    jobs.back().pages = pages;
+    jobs.back().one_of_several = pages > 1;
+    return jobs;
+  }
   for (int page = 0; page < pages; ++page) {
-    const std::string name = input.name + "_page" + std::to_string(page + 1);
-    jobs.push_back({input.path, name + extension, page, 1, true});
+    jobs.push_back(job_of(input, "_page" + std::to_string(page + 1), extensions));
+    jobs.back().first_page = page;
+    jobs.back().one_of_several = true;
   }
   return jobs;
 }
@@ -43,11 +57,11 @@ std::vector<BatchJob> jobs_of_one(const BatchInput& input, const std::string& ex
 }  // namespace
 
 std::vector<std::vector<BatchJob>> jobs_of(const std::vector<BatchInput>& inputs,
-                                           const std::string& extension, bool joins_pages) {
+                                           const ResultExtensions& extensions, bool joins_pages) {
   std::vector<std::vector<BatchJob>> jobs;
   jobs.reserve(inputs.size());
   for (const BatchInput& input : inputs) {
-    jobs.push_back(jobs_of_one(input, extension, joins_pages));
+    jobs.push_back(jobs_of_one(input, extensions, joins_pages));
   }
   return jobs;
 }
@@ -71,10 +85,13 @@ class Rejections {
       return "'" + job.path + "' would become '" + job.output + "', as does '" + other->second +
              "'; process it in another run with another --out";
     }
-    const auto id = id_of(std::filesystem::path(out_) / job.output);
-    if (!id || !inputs_.contains(*id)) return {};
-    return "the result of '" + job.path + "' would replace the input '" + inputs_.at(*id) +
-           "'; choose another --out";
+    for (const std::string& name : {job.output, job.overlay}) {
+      const auto id = id_of(std::filesystem::path(out_) / name);
+      if (!id || !inputs_.contains(*id)) continue;
+      return "the result of '" + job.path + "' would replace the input '" + inputs_.at(*id) +
+             "'; choose another --out";
+    }
+    return {};
   }
 
  private:

@@ -12,7 +12,8 @@ namespace thinbench {
 /// One result. Pages count from 0.
 struct BatchJob {
   std::string path;
-  std::string output;  // relative to the output directory
+  std::string output;   // relative to the output directory
+  std::string overlay;  // the same; empty: none
   int first_page = 0;
   int pages = 1;
   bool one_of_several = false;  // the file has more than one page
@@ -23,10 +24,16 @@ struct Shard {
   std::size_t count = 1;
 };
 
-/// The results of all inputs, with this extension. A file of several pages has one result per page,
-/// NAME_page1 and so on, or one for all where `joins_pages`.
+/// Extensions of results, with their dots.
+struct ResultExtensions {
+  std::string output;
+  std::string overlay;  // empty: none
+};
+
+/// The results of all inputs. A file of several pages has one result per page, NAME_page1 and so
+/// on, or one for all where `joins_pages`.
 [[nodiscard]] std::vector<std::vector<BatchJob>> jobs_of(const std::vector<BatchInput>& inputs,
-                                                         const std::string& extension,
+                                                         const ResultExtensions& extensions,
                                                          bool joins_pages);
 
 /// Takes out what cannot be done and returns why, a line each: what would have the result of an

@@ -75,9 +75,8 @@ bool Manifest::says_done(const BatchJob& job, const std::string& operation) cons
 void Manifest::append(const BatchRecord& record) {
   const std::string text = manifest_line(record, format_);
   write_text(text);
-  if (!resumes_) return;
-  lines_[{record.output, record.page}] = {text, record.output, record.page, record.operation,
-                                          !record.error.empty()};
+  lines_[{record.output, record.page}] = {resumes_ ? text : "", record.output, record.page,
+                                          record.operation, !record.error.empty()};
 }
 
 void Manifest::put_in_order(const std::vector<BatchJob>& jobs) {

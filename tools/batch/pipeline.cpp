@@ -159,8 +159,12 @@ class Batch {
 
   void encode(Work& work) {
     const Stopwatch stopwatch(work.pages.front().record.encode_seconds);
-    const std::string path = std::filesystem::path(settings_.out) / work.job->output;
+    const std::filesystem::path out = settings_.out;
+    const std::string path = out / work.job->output;
     const BatchResult& first = work.pages.front().result;
+    if (!work.job->overlay.empty()) {
+      write_overlay(out / work.job->overlay, first.ground.view(), first.overlay);
+    }
     if (first.image.width() == 0) {
       write_whole_file(path, first.text);
     } else if (work.pages.size() == 1) {

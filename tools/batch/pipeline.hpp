@@ -8,14 +8,18 @@
 
 #include "batch/manifest.hpp"
 #include "images/binarise.hpp"
+#include "images/overlay.hpp"
 #include "support/byte_image.hpp"
 
 namespace thinbench {
 
-/// What an operation made of one page: an image of 0 and 255 or, where that has no pixels, a text.
+/// What an operation made of one page: an image of 0 and 255 or, where that has no pixels, a text,
+/// and what is drawn over `ground` where the job has an overlay.
 struct BatchResult {
   ByteImage image;
-  std::string text;
+  std::string text = {};
+  ByteImage ground = {};
+  Overlay overlay = {};
 };
 
 /// Computes one page and describes it in the record. Owns memory, so that each thread needs its

@@ -89,8 +89,24 @@ CLI::Validator not_empty() {
       ""};
 }
 
+CLI::Validator file_name() {
+  return {[](std::string& text) {
+            return text.empty() || text == "-" ? expected("the name of a file", text)
+                                               : std::string();
+          },
+          ""};
+}
+
 void add_input(CLI::App& app, std::string& in) {
   app.add_option("IN", in, "Image to read; - reads standard input")->required()->type_name("");
+}
+
+void add_overlay_option(CLI::App& app, std::string& path) {
+  app.add_option("--overlay", path,
+                 "Image to write, with all that was found drawn on it: .svg, .png, .bmp, .tif, or "
+                 "- for PNG on standard output")
+      ->check(not_empty())
+      ->type_name("OUT");
 }
 
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa) {

@@ -30,8 +30,14 @@ namespace thinbench {
 /// Rejects "", which stands for "not given" behind the options.
 [[nodiscard]] CLI::Validator not_empty();
 
+/// A file that is no image: neither "" nor "-".
+[[nodiscard]] CLI::Validator file_name();
+
 /// The image that a command reads.
 void add_input(CLI::App& app, std::string& in);
+
+/// `--overlay FILE`, by write_overlay().
+void add_overlay_option(CLI::App& app, std::string& path);
 
 /// `--isa NAME`.
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa);

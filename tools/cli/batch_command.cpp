@@ -18,9 +18,11 @@
 #include "cli/arguments.hpp"
 #include "cli/batch_operations.hpp"
 #include "cli/names.hpp"
+#include "cli/tables.hpp"
 #include "cli/thinbench.hpp"
 #include "images/image_file.hpp"
 #include "support/text.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -48,13 +50,37 @@ Shard shard_from(const std::string& text) {
                    ", got '" + text + "'");
 }
 
-/// Shards may run at the same time, so each has its own.
+/// Shards may run at the same time, so each has its own: table_3_of_8.csv.
+std::string name_for(const Shard& shard, const std::string& path) {
+  if (shard.count == 1) return path;
+  std::filesystem::path name = path;
+  const std::string extension = name.extension();
+  name.replace_extension();
+  return fmt::format("{}_{}_of_{}{}", name.string(), shard.number, shard.count, extension);
+}
+
 std::string manifest_path(const BatchOptions& options, const Shard& shard) {
   if (!options.manifest.empty()) return options.manifest;
-  const std::string name = shard.count == 1
-                               ? "manifest.csv"
-                               : fmt::format("manifest_{}_of_{}.csv", shard.number, shard.count);
-  return std::filesystem::path(options.settings.out) / name;
+  return std::filesystem::path(options.settings.out) / name_for(shard, "manifest.csv");
+}
+
+std::string place_of(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal();
+}
+
+/// Before the work: what would replace another file of this batch, or could not be written.
+void check_table(const std::string& table, const std::string& manifest,
+                 const std::vector<BatchJob>& jobs, const std::string& out) {
+  const auto reject = [&table](const std::string& other) {
+    throw UsageError("--table: '" + table + "' would replace '" + other + "'; choose another name");
+  };
+  std::error_code ignored;
+  if (place_of(table) == place_of(manifest)) reject(manifest);
+  for (const BatchJob& job : jobs) {
+    if (std::filesystem::equivalent(table, job.path, ignored)) reject(job.path);
+  }
+  const std::filesystem::path directory = std::filesystem::path(place_of(table)).parent_path();
+  if (directory != place_of(out)) check_target(table);  // which may not be there yet
 }
 
 std::string number_of(std::size_t count, const std::string& what, const std::string& plural) {
@@ -72,14 +98,34 @@ void print_skipped(const FoundInputs& found, std::ostream& log) {
   }
 }
 
+bool is_done(const BatchJob& job, const Manifest& manifest, const BatchOperation& operation,
+             const std::string& out) {
+  const std::filesystem::path directory = out;
+  return manifest.says_done(job, operation.name) &&
+         std::filesystem::exists(directory / job.output) &&
+         (job.overlay.empty() || std::filesystem::exists(directory / job.overlay));
+}
+
 std::vector<BatchJob> open_jobs(const std::vector<BatchJob>& jobs, const Manifest& manifest,
                                 const BatchOperation& operation, const std::string& out) {
   std::vector<BatchJob> open;
-  std::copy_if(jobs.begin(), jobs.end(), std::back_inserter(open), [&](const BatchJob& job) {
-    return !manifest.says_done(job, operation.name) ||
-           !std::filesystem::exists(std::filesystem::path(out) / job.output);
-  });
+  std::copy_if(jobs.begin(), jobs.end(), std::back_inserter(open),
+               [&](const BatchJob& job) { return !is_done(job, manifest, operation, out); });
   return open;
+}
+
+/// With a row for each region or edge of every image that is done, from the results.
+void tabulate(const std::string& path, const std::vector<BatchJob>& jobs, const Manifest& manifest,
+              const BatchOperation& operation, const BatchOptions& options) {
+  const std::string& out = options.settings.out;
+  auto job = jobs.begin();
+  write_table(path, makes_graphs(options.operation), [&]() -> std::optional<TablePart> {
+    while (job != jobs.end() && !is_done(*job, manifest, operation, out)) ++job;
+    if (job == jobs.end()) return std::nullopt;
+    const TablePart part = {std::filesystem::path(out) / job->output, job->path};
+    ++job;
+    return part;
+  });
 }
 
 void print_failures(const std::vector<std::string>& failures, std::ostream& log) {
@@ -139,30 +185,38 @@ void open_outputs(const std::vector<BatchJob>& jobs, const std::string& path,
   }
 }
 
+ResultExtensions extensions_of(const BatchOptions& options) {
+  const std::string& overlay = options.operation.overlay;
+  if (makes_json(options.operation)) return {".json", overlay.empty() ? "" : "." + overlay};
+  return {options.format == "tiff" ? ".tif" : "." + options.format, ""};
+}
+
 int run(const BatchOptions& options, const Console& console) {
   const BatchOperation operation = batch_operation(options.operation);
-  const bool regions = makes_regions(options.operation);
   const Shard shard = options.shard.empty() ? Shard{} : shard_from(options.shard);
   const std::string path = manifest_path(options, shard);
   const ManifestFormat format = manifest_format(path);
+  const std::string table =
+      options.operation.table.empty() ? "" : name_for(shard, options.operation.table);
+  if (!table.empty()) static_cast<void>(table_format(table));
   FoundInputs found = find_inputs(options.inputs, std::cin);
   if (found.inputs.empty() && found.failures.empty()) {
     throw std::runtime_error("there is no image file in what was named");
   }
-  const std::string extension = regions                    ? ".json"
-                                : options.format == "tiff" ? ".tif"
-                                                           : "." + options.format;
-  auto all = jobs_of(found.inputs, extension, extension == ".tif");
+  const ResultExtensions extensions = extensions_of(options);
+  auto all = jobs_of(found.inputs, extensions, extensions.output == ".tif");
   const auto check = [format](const std::string& file) { check_name(file, format); };
   const std::vector<std::string> impossible = remove_impossible(all, options.settings.out, check);
   const bool ends = options.settings.stops_on_error || (all.empty() && found.failures.empty());
   if (!impossible.empty() && ends) throw std::runtime_error(impossible.front());
   found.failures.insert(found.failures.end(), impossible.begin(), impossible.end());
   const std::vector<BatchJob> jobs = jobs_in(all, shard);
+  if (!table.empty()) check_table(table, path, jobs, options.settings.out);
   std::optional<Manifest> manifest;
   open_outputs(jobs, path, options, manifest);
   print_skipped(found, console.err);
   BatchOutcome outcome = run_open_jobs(jobs, operation, options, *manifest);
+  if (!table.empty()) tabulate(table, jobs, *manifest, operation, options);
   std::vector<std::string>& failures = outcome.totals.failures;
   failures.insert(failures.begin(), found.failures.begin(), found.failures.end());
   print_summary(operation, outcome, console.out);
@@ -194,6 +248,16 @@ void add_output_options(CLI::App& app, BatchOptions& options) {
       ->check(one_of({"png", "tiff", "pgm", "pbm"}))
       ->type_name("png|tiff|pgm|pbm")
       ->capture_default_str();
+  app.add_option("--overlay", options.operation.overlay,
+                 "Also DIR/NAME.svg or .png for each image: what was found, drawn on it (holes, "
+                 "localise, graph)")
+      ->check(one_of({"svg", "png"}))
+      ->type_name("svg|png");
+  app.add_option("--table", options.operation.table,
+                 "One table of what was found in all images, .csv or .jsonl (holes, localise, "
+                 "graph)")
+      ->check(file_name())
+      ->type_name("FILE");
   app.add_option("--manifest", options.manifest,
                  "A line for each image, .csv or .jsonl (default: DIR/manifest.csv)")
       ->check(not_empty())
@@ -212,12 +276,13 @@ void add_output_options(CLI::App& app, BatchOptions& options) {
 constexpr const char* kFooter = R"(Examples:
   thinbench batch thin_guo_hall scans --out skeletons
   thinbench batch thin_guo_hall scans --recursive --out skeletons --resume
-  thinbench batch holes 'parts/*.jpg' --min-area 20 --out found --manifest found.jsonl
+  thinbench batch holes 'parts/*.jpg' --min-area 20 --out found --table holes.csv --overlay png
+  thinbench batch graph maps --prune-widths 1 --out graphs --table edges.csv --overlay svg
   find scans -name '*.tif' -print0 | thinbench batch edges - --null --out edges --format tiff
   parallel thinbench batch thin_zhang_suen scans --out skeletons --shard {}/4 ::: 1 2 3 4
 
-OPERATION is a thinning operation, holes or localise (a .json for each image), edges (by Sobel's operator) or
-edges_ and the name of another operator. A result has the name of its input and lies in DIR, that of
+OPERATION is a thinning operation, holes, localise or graph (a .json for each image), edges (by Sobel's
+operator) or edges_ and the name of another operator. A result has the name of its input and lies in DIR, that of
 scans/a/b.png, found in scans, at DIR/a/b.png; beside b.bmp it is DIR/a/b.png.png. A TIFF file of several pages becomes NAME_page1.png and
 so on or, with --format tiff, one file. Results appear whole or not at all; after a failure or a kill,
 --resume does what is left, and the failed images again.
@@ -232,7 +297,7 @@ Command add_batch_command(CLI::App& program) {
   const auto options = std::make_shared<BatchOptions>();
   BatchOperationRequest& operation = options->operation;
   app->add_option("OPERATION", operation.thinning.rule,
-                  "A thinning operation, holes, localise, edges or edges_sobel and so on")
+                  "A thinning operation, holes, localise, graph, edges or edges_sobel and so on")
       ->required()
       ->type_name("");
   add_input_options(*app, *options);
@@ -242,6 +307,7 @@ Command add_batch_command(CLI::App& program) {
   add_threads_option(*app, options->settings.threads);
   add_thinning_options(*app, operation.thinning);
   add_edge_thresholds(*app, operation.edges);
+  add_graph_options(*app, operation.graph);
   app->add_option("--min-area", operation.min_area,
                   "Omit objects and holes of fewer than N pixels, 1 to 2^31 (holes)")
       ->check(whole_number(1, kMaxImagePixels))

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/region_formats.hpp"
+#include "cli/region_request.hpp"
+#include "cli/tables.hpp"
 #include "cli/usage.hpp"
-#include "images/regions.hpp"
-#include "thinbench/localise.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -21,22 +21,28 @@ namespace {
 constexpr const char* kHoles = "holes";
 constexpr const char* kEdges = "edges";
 constexpr const char* kLocalise = "localise";
+constexpr const char* kGraph = "graph";
 
-/// What the record of every operation says of the input; returns its regions.
-Regions describe(const BinaryImage& binary, const BinariseOptions& options,
-                 const Execution& execution, BatchRecord& record) {
-  Regions found = find_regions(binary.image.view(), execution);
-  std::int64_t pixels = 0;
-  for (const Region& object : found.objects) pixels += object.area;
+/// What the record of every operation says of the input.
+void describe(const BinaryImage& binary, const BinariseOptions& options, BatchRecord& record) {
   record.foreground = std::string(foreground_name(binary.foreground));
   record.threshold = binary.threshold;
-  record.foreground_before = pixels;
-  record.components = static_cast<std::int64_t>(found.objects.size());
-  record.holes = static_cast<std::int64_t>(found.holes.size());
+  record.foreground_before = foreground_pixels(binary.image.view());
   std::vector<std::string> texts = warnings(binary, options);
   if (!record.warning.empty()) texts.insert(texts.begin(), record.warning);  // of the decoder
   record.warning = fmt::format("{}", fmt::join(texts, "; "));
-  return found;
+}
+
+void count(const Regions& found, BatchRecord& record) {
+  record.components = static_cast<std::int64_t>(found.objects.size());
+  record.holes = static_cast<std::int64_t>(found.holes.size());
+}
+
+/// With the regions of the input.
+void describe_regions(const BinaryImage& binary, const BinariseOptions& options,
+                      const Execution& execution, BatchRecord& record) {
+  describe(binary, options, record);
+  count(find_regions(binary.image.view(), execution), record);
 }
 
 /// Thins images one after another. Memory is kept as long as their size is the same.
@@ -47,7 +53,7 @@ class ThinningCompute {
 
   BatchResult operator()(ByteImage grey, BatchRecord& record) {
     BinaryImage binary = binarise(std::move(grey), binarise_);
-    describe(binary, binarise_, {}, record);
+    describe_regions(binary, binarise_, {}, record);
     const ImageView image = binary.image.view();
     if (!thinner_ || image.width != width_ || image.height != height_) {
       thinner_ = std::make_shared<Thinner>(thinning_.rule, image.width, image.height,
@@ -77,7 +83,7 @@ BatchOperation thinning_operation(const BatchOperationRequest& request) {
 BatchResult compute_edges(ByteImage grey, BatchRecord& record, const BatchOperationRequest& request,
                           EdgeOperator op) {
   const BinaryImage binary = binarise(copy_of(grey.view()), request.binarise);
-  describe(binary, request.binarise, {}, record);
+  describe_regions(binary, request.binarise, {}, record);
   const EdgeThresholds thresholds = prepare_for_edges(grey, binary, request.edges);
   ByteImage edges(grey.width(), grey.height());
   detect_edges(op, grey.view(), edges.view(), thresholds, request.thinning.execution);
@@ -96,42 +102,56 @@ BatchOperation edges_operation(const BatchOperationRequest& request) {
           [compute] { return compute; }};
 }
 
-BatchResult compute_holes(ByteImage grey, BatchRecord& record,
-                          const BatchOperationRequest& request) {
-  const BinaryImage binary = binarise(std::move(grey), request.binarise);
-  const std::int64_t min_area = request.min_area.value_or(1);
-  const Regions all = describe(binary, request.binarise, request.thinning.execution, record);
-  const Regions found = selected(all, kept_regions(all, min_area));
-  record.components = static_cast<std::int64_t>(found.objects.size());
-  record.holes = static_cast<std::int64_t>(found.holes.size());
-  return {{},
-          regions_json({record.file, binary.image.width(), binary.image.height(), found, min_area},
-                       choice_of(binary, request.binarise))};
+RegionRequest region_request(const BatchOperationRequest& request) {
+  return {.localises = request.thinning.rule == kLocalise,
+          .edges = request.edges,
+          .binarise = request.binarise,
+          .min_area = request.min_area.value_or(1),
+          .draws = !request.overlay.empty(),
+          .execution = request.thinning.execution};
 }
 
-BatchResult compute_localise(ByteImage grey, BatchRecord& record,
-                             const BatchOperationRequest& request) {
-  const BinaryImage binary = binarise(copy_of(grey.view()), request.binarise);
-  describe(binary, request.binarise, request.thinning.execution, record);
-  const std::int64_t min_area = request.min_area.value_or(1);
-  const EdgeThresholds thresholds = prepare_for_edges(grey, binary, request.edges);
-  const Regions all = localise_objects(grey.view(), thresholds, request.thinning.execution);
-  const Regions found = selected(all, kept_regions(all, min_area));
-  record.components = static_cast<std::int64_t>(found.objects.size());
-  record.holes = static_cast<std::int64_t>(found.holes.size());
-  return {{},
-          regions_json({record.file, grey.width(), grey.height(), found, min_area},
-                       choice_of(binary, request.binarise))};
+BatchResult compute_regions(ByteImage grey, BatchRecord& record, const RegionRequest& request) {
+  BinaryImage binary = binarise(image_to_binarise(grey, request), request.binarise);
+  describe(binary, request.binarise, record);
+  DrawnRegions drawn =
+      find_regions_in(std::move(grey), std::move(binary), {record.file, record.page}, request);
+  count(drawn.found.regions, record);
+  return {
+      {}, json_text(regions_json(drawn.found)), std::move(drawn.ground), std::move(drawn.overlay)};
 }
 
 BatchOperation regions_operation(const BatchOperationRequest& request) {
-  const auto compute = [request](ByteImage grey, BatchRecord& record) {
-    return request.thinning.rule == kHoles ? compute_holes(std::move(grey), record, request)
-                                           : compute_localise(std::move(grey), record, request);
+  const auto compute = [of = region_request(request)](ByteImage grey, BatchRecord& record) {
+    return compute_regions(std::move(grey), record, of);
   };
   const std::string area =
       request.min_area ? " --min-area " + std::to_string(*request.min_area) : "";
   return {request.thinning.rule + edge_words(request.edges) + area, [compute] { return compute; }};
+}
+
+BatchResult compute_graph(ByteImage grey, BatchRecord& record,
+                          const BatchOperationRequest& request) {
+  check_graph_size(record.file, grey.width(), grey.height());
+  const bool draws = !request.overlay.empty();
+  const BinaryImage binary =
+      binarise(draws ? copy_of(grey.view()) : std::move(grey), request.binarise);
+  describe_regions(binary, request.binarise, {}, record);
+  ByteImage skeleton = skeleton_of(binary.image, request.graph);
+  const FoundGraph found =
+      find_graph(binary.image, skeleton, {record.file, record.page}, request.graph);
+  record.foreground_after = foreground_pixels(skeleton.view());
+  BatchResult result = {{}, json_text(graph_json(found)), std::move(grey), {}};
+  if (draws) result.overlay = graph_overlay(found);
+  return result;
+}
+
+BatchOperation graph_operation(const BatchOperationRequest& request) {
+  check_thinning(request.graph);
+  const auto compute = [request](ByteImage grey, BatchRecord& record) {
+    return compute_graph(std::move(grey), record, request);
+  };
+  return {kGraph + graph_words(request.graph), [compute] { return compute; }};
 }
 
 bool makes_edges(const BatchOperationRequest& request) {
@@ -139,7 +159,12 @@ bool makes_edges(const BatchOperationRequest& request) {
   return name == kEdges || (name.rfind("edges_", 0) == 0 && edge_operator_from_name(name));
 }
 
+bool makes_regions(const BatchOperationRequest& request) {
+  return request.thinning.rule == kHoles || request.thinning.rule == kLocalise;
+}
+
 BatchOperation operation_of(const BatchOperationRequest& request) {
+  if (makes_graphs(request)) return graph_operation(request);
   if (makes_regions(request)) return regions_operation(request);
   if (makes_edges(request)) return edges_operation(request);
   return thinning_operation(request);
@@ -152,18 +177,27 @@ void check_applies(bool applies, const std::string& words, const BatchOperationR
 
 }  // namespace
 
-bool makes_regions(const BatchOperationRequest& request) {
-  return request.thinning.rule == kHoles || request.thinning.rule == kLocalise;
+bool makes_graphs(const BatchOperationRequest& request) {
+  return request.thinning.rule == kGraph;
+}
+
+bool makes_json(const BatchOperationRequest& request) {
+  return makes_regions(request) || makes_graphs(request);
 }
 
 BatchOperation batch_operation(const BatchOperationRequest& request) {
   const bool edges = makes_edges(request);
   const bool regions = makes_regions(request);
+  const bool json = makes_json(request);
   check_applies(edges || request.thinning.rule == kLocalise, edge_words(request.edges), request);
   check_applies(regions, request.min_area ? " --min-area" : "", request);
-  check_applies(!edges && !regions, thinning_words(request.thinning), request);
+  check_applies(makes_graphs(request), graph_words(request.graph), request);
+  check_applies(!edges && !json, thinning_words(request.thinning), request);
+  const std::string overlay = request.overlay.empty() ? "" : " --overlay " + request.overlay;
+  check_applies(json, overlay, request);
+  check_applies(json, request.table.empty() ? "" : " --table", request);
   BatchOperation operation = operation_of(request);
-  operation.name += binarise_words(request.binarise);
+  operation.name += binarise_words(request.binarise) + overlay;
   // On any image: rejects an ISA that it lacks before a file is written.
   BatchRecord ignored;
   static_cast<void>(operation.make()(ByteImage(8, 8), ignored));

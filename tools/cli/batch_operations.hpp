@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "batch/pipeline.hpp"
 #include "cli/edge_request.hpp"
+#include "cli/graph_request.hpp"
 #include "cli/thinning_request.hpp"
 #include "images/binarise.hpp"
 
@@ -15,11 +17,15 @@ struct BatchOperationRequest {
   ThinningRequest thinning;  // with the name and the ISA of any operation
   EdgeRequest edges;
   std::optional<std::int64_t> min_area;  // of holes
+  GraphRequest graph;
   BinariseOptions binarise;
+  std::string overlay;  // "svg" or "png"; empty: none
+  std::string table;    // a file; empty: none
 };
 
-/// Whether results are lists of regions instead of images.
-[[nodiscard]] bool makes_regions(const BatchOperationRequest& request);
+/// Whether results are JSON instead of images, and those of graphs.
+[[nodiscard]] bool makes_json(const BatchOperationRequest& request);
+[[nodiscard]] bool makes_graphs(const BatchOperationRequest& request);
 
 /// Throws UsageError, std::invalid_argument or std::runtime_error where the operation or an option
 /// is unknown, does not apply or cannot be read.

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -11,32 +10,24 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
-#include "cli/graph_formats.hpp"
-#include "cli/names.hpp"
+#include "cli/graph_request.hpp"
+#include "cli/tables.hpp"
 #include "cli/thinbench.hpp"
-#include "cli/thinning_request.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
-#include "support/text.hpp"
 #include "support/whole_file.hpp"
-#include "thinbench/distance.hpp"
-#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
-constexpr const char* kNoThinning = "none";
-
 struct GraphCommandOptions {
   std::string in;
   std::string image;  // with the widths, instead of `in`
-  std::string thinning = "thin_guo_hall";
-  int threads = 1;
+  GraphRequest request;
   BinariseOptions binarise;
-  Pruning pruning;
-  double tolerance = 1;
   std::string transform = "1,0,0,0,1,0";
   bool only_thin = false;
   bool json = false;
@@ -65,15 +56,16 @@ AffineTransform transform_of(const std::string& text) {
 
 void check_names(const GraphCommandOptions& options) {
   if (!options.out.empty()) check_extension(options.out);
-  if (!options.overlay.empty() && extension_of(options.overlay) != ".svg") {
-    throw UsageError("--overlay: expected a name that ends in .svg, got '" + options.overlay + "'");
+  if (!options.overlay.empty()) check_overlay_name(options.overlay);
+  if (options.out == kStandardStream && options.overlay == kStandardStream) {
+    throw UsageError("--out and --overlay cannot both be standard output");
   }
   const auto place_of = [](const std::string& path) {
     return std::filesystem::weakly_canonical(target_of(path));
   };
   std::vector<std::filesystem::path> known = {place_of(options.in)};
   for (const std::string& path : {options.csv, options.geojson, options.overlay, options.out}) {
-    if (path.empty()) continue;
+    if (path.empty() || path == kStandardStream) continue;
     check_target(path);
     const bool is_in = path == options.out && place_of(path) == known.front();  // read before
     if (!is_in && std::ranges::find(known, place_of(path)) != known.end()) {
@@ -81,12 +73,6 @@ void check_names(const GraphCommandOptions& options) {
     }
     known.push_back(place_of(path));
   }
-}
-
-void check_size(const GraphCommandOptions& options, Index width, Index height) {
-  if (std::max(width, height) <= kMaxDistanceSide) return;
-  throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
-                              kMaxDistanceSide, width, height));
 }
 
 /// Positions of an image of this size must be numbers.
@@ -102,35 +88,12 @@ void check_transform(const AffineTransform& transform, const GraphCommandOptions
   }
 }
 
-RequestedThinning skeleton_rule(const GraphCommandOptions& options) {
-  ThinningRequest request;
-  request.rule = options.thinning;
-  return requested_thinning(request);
-}
-
-ByteImage skeleton_of(const ByteImage& image, const GraphCommandOptions& options) {
-  ByteImage skeleton = copy_of(image.view());
-  if (options.thinning != kNoThinning) {
-    thin(skeleton_rule(options).rule, image.view(), skeleton.view(), {},
-         {.threads = options.threads});
-  }
-  return skeleton;
-}
-
-/// "3 blocks of 2 x 2 pixels, the first at (4, 7)"; empty for thin lines.
-std::string thickness_of(const ByteImage& skeleton) {
-  const FullBlocks blocks = full_blocks(skeleton.view());
-  if (blocks.count == 0) return {};
-  return fmt::format("{} block{} of 2 x 2 pixels, the first at ({}, {})", blocks.count,
-                     blocks.count == 1 ? "" : "s", blocks.first.x, blocks.first.y);
-}
-
 void check_thin(const ByteImage& skeleton, const GraphCommandOptions& options,
                 std::ostream& remarks) {
   const std::string thickness = thickness_of(skeleton);
   if (thickness.empty()) return;
   if (options.only_thin) throw FileError(options.in + ": not thin: " + thickness);
-  if (options.thinning == kNoThinning) {
+  if (options.request.is_skeleton()) {
     remarks << "warning: " << options.in << ": not thin: " << thickness
             << "; they become junctions\n";
   }
@@ -147,50 +110,46 @@ ByteImage image_of_widths(ByteImage binary, const GraphCommandOptions& options,
                               image.height()));
 }
 
-FoundGraph graph_of(const ByteImage& image, ByteImage& skeleton,
-                    const GraphCommandOptions& options) {
-  const Index width = image.width();
-  const Index height = image.height();
-  std::vector<std::int32_t> squares(static_cast<std::size_t>(width * height));
-  squared_distances(image.view(), {squares.data(), width, height}, {.threads = options.threads});
-  Pruning pruning = options.pruning;
-  pruning.squared_distances = {squares.data(), width, height};
-  FoundGraph found = {options.in, width, height, {}, {}, {}};
-  found.graph = prune(skeleton.view(), skeleton.view(), pruning, {.threads = options.threads});
-  found.widths = edge_widths(found.graph, pruning.squared_distances);
-  for (const GraphEdge& edge : found.graph.edges) {
-    found.lines.push_back(polyline(points_of(found.graph, edge), options.tolerance));
+void write_files(const GraphCommandOptions& options, const FoundGraph& found,
+                 const ByteImage& skeleton, const ByteImage& grey) {
+  if (!options.out.empty()) write_grey(options.out, skeleton.view());
+  if (!options.csv.empty()) write_whole_file(options.csv, csv_text(graph_json(found)));
+  if (!options.geojson.empty()) {
+    write_whole_file(options.geojson, graph_geojson(found, transform_of(options.transform)));
   }
-  return found;
+  if (!options.overlay.empty()) write_overlay(options.overlay, grey.view(), graph_overlay(found));
+}
+
+/// Where the list goes: not where an image goes.
+std::ostream& list_stream(const Console& console, const GraphCommandOptions& options) {
+  return summary_stream(console, options.out == kStandardStream ? options.out : options.overlay);
 }
 
 int run(const GraphCommandOptions& options, const Console& console) {
   const AffineTransform transform = transform_of(options.transform);
   check_names(options);
-  if (options.thinning != kNoThinning) static_cast<void>(skeleton_rule(options));
+  check_thinning(options.request);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
-  const std::string png = options.overlay.empty() ? "" : png_of(grey.view());
-  check_size(options, grey.width(), grey.height());
+  check_graph_size(options.in, grey.width(), grey.height());
   check_transform(transform, options, grey.width(), grey.height());
-  BinaryImage binary = binarise(std::move(grey), options.binarise);
+  const bool draws = !options.overlay.empty();
+  BinaryImage binary = binarise(draws ? copy_of(grey.view()) : std::move(grey), options.binarise);
   print_remarks(options.in, binary, options.binarise, remarks);
-  ByteImage skeleton = skeleton_of(binary.image, options);
+  ByteImage skeleton = skeleton_of(binary.image, options.request);
   check_thin(skeleton, options, remarks);
   const ByteImage image = image_of_widths(std::move(binary.image), options, remarks);
-  const FoundGraph found = graph_of(image, skeleton, options);
-  if (!options.out.empty()) write_grey(options.out, skeleton.view());
-  if (!options.csv.empty()) write_whole_file(options.csv, graph_csv(found));
-  if (!options.geojson.empty()) write_whole_file(options.geojson, graph_geojson(found, transform));
-  if (!options.overlay.empty()) write_whole_file(options.overlay, graph_svg(found, png));
+  const FoundGraph found = find_graph(image, skeleton, {options.in}, options.request);
+  write_files(options, found, skeleton, grey);
   console.err << remarks.str();
-  console.out << (options.json ? graph_json(found) : graph_list(found));
+  list_stream(console, options) << (options.json ? json_text(graph_json(found))
+                                                 : graph_list(found));
   return kSuccess;
 }
 
 void add_files(CLI::App& app, GraphCommandOptions& options) {
   const auto add = [&app](const char* name, std::string& path, const char* what) {
-    app.add_option(name, path, what)->check(not_empty())->type_name("FILE");
+    app.add_option(name, path, what)->check(file_name())->type_name("FILE");
   };
   app.add_flag("--json", options.json, "Print JSON");
   add("--csv", options.csv, "Table of edges to write");
@@ -199,28 +158,11 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
                  "A,B,C,D,E,F: GeoJSON has x' = A x + B y + C, y' = D x + E y + F")
       ->type_name("NUMBERS")
       ->capture_default_str();
-  add("--overlay", options.overlay, "SVG file to write: the image with the graph drawn on it");
-  add("--out", options.out, "Image to write: the skeleton, as pruned");
-}
-
-void add_pruning(CLI::App& app, GraphCommandOptions& options) {
-  constexpr double no_limit = 1e9;
-  CLI::Option* const prune =
-      app.add_option("--prune", options.pruning.min_length, "Remove branches shorter than LENGTH")
-          ->check(real_number(0, no_limit))
-          ->type_name("LENGTH");
-  app.add_option("--prune-widths", options.pruning.min_widths,
-                 "Remove branches shorter than N times the object's width at their junction")
-      ->check(real_number(0, no_limit))
-      ->type_name("N");
-  app.add_flag("--remove-components", options.pruning.removes_components,
-               "Also remove lines and pixels on their own below LENGTH")
-      ->needs(prune);
-  app.add_option("--tolerance", options.tolerance,
-                 "How far, in pixels, a line may be from the points that are listed for it")
-      ->check(real_number(0, no_limit))
-      ->type_name("N")
-      ->capture_default_str();
+  add_overlay_option(app, options.overlay);
+  app.add_option("--out", options.out,
+                 "Image to write: the skeleton, as pruned; - for PNG on standard output")
+      ->check(not_empty())
+      ->type_name("OUT");
 }
 
 }  // namespace
@@ -229,24 +171,20 @@ Command add_graph_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("graph", "List ends, junctions and lines of a skeleton");
   const auto options = std::make_shared<GraphCommandOptions>();
   add_input(*app, options->in);
-  app->add_option("--thinning", options->thinning,
-                  "Operation that thins the image; none: it is a skeleton")
-      ->check(not_empty())
-      ->type_name("NAME")
-      ->capture_default_str();
+  add_graph_options(*app, options->request);
   app->add_flag("--only-thin", options->only_thin,
                 "Fail if the skeleton has blocks of 2 x 2 pixels");
   app->add_option("--image", options->image,
                   "Image that gives the widths, where IN is a skeleton made from it")
       ->check(not_empty())
       ->type_name("FILE");
-  add_pruning(*app, *options);
   add_files(*app, *options);
-  add_threads_option(*app, options->threads);
+  add_threads_option(*app, options->request.threads);
   add_binarise_options(*app, options->binarise);
   app->footer(R"(Examples:
   thinbench graph roads.png
   thinbench graph roads.png --prune 10 --overlay roads.svg --csv roads.csv
+  thinbench graph roads.png --prune-widths 1 --overlay drawn.png
   thinbench graph roads.tif --geojson roads.json --transform 0.5,0,4500000,0,-0.5,5400000
   thinbench graph skeleton.png --thinning none --image roads.png --only-thin --json > graph.json
 

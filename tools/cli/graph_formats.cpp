@@ -1,15 +1,14 @@
 #include "cli/graph_formats.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -97,23 +96,6 @@ Json feature(const char* type, Json coordinates, Json properties) {
           {"properties", std::move(properties)}};
 }
 
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string graph_list(const FoundGraph& found) {
@@ -133,7 +115,7 @@ std::string graph_list(const FoundGraph& found) {
   return text;
 }
 
-std::string graph_json(const FoundGraph& found) {
+Json graph_json(const FoundGraph& found) {
   const Graph& graph = found.graph;
   const std::vector<std::size_t> degrees = degrees_of(graph);
   Json nodes = Json::array();
@@ -147,32 +129,8 @@ std::string graph_json(const FoundGraph& found) {
     edges.push_back(properties_of(found, i));
     edges.back()["points"] = positions(found.lines[i], [](Pixel p) { return Json{p.x, p.y}; });
   }
-  const Json json = {{"file", found.file},
-                     {"width", found.width},
-                     {"height", found.height},
-                     {"nodes", nodes},
-                     {"edges", edges}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-std::string graph_csv(const FoundGraph& found) {
-  const Graph& graph = found.graph;
-  const auto cell = [](double width) { return std::isfinite(width) ? fmt::to_string(width) : ""; };
-  std::string text =
-      "file,image_width,image_height,id,from,to,from_kind,to_kind,from_x,from_y,to_x,to_y,pixels,"
-      "length,chord,width_mean,"
-      "width_min,width_max\n";
-  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    const GraphEdge& edge = graph.edges[i];
-    const EdgeWidths& width = found.widths[i];
-    fmt::format_to(std::back_inserter(text),
-                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(found.file),
-                   found.width, found.height, i + 1, edge.from + 1, edge.to + 1,
-                   kind_of(graph.nodes[edge.from]), kind_of(graph.nodes[edge.to]), edge.start.x,
-                   edge.start.y, edge.stop.x, edge.stop.y, edge.pixel_count, length_of(edge),
-                   chord_of(edge), cell(width.mean), cell(width.least), cell(width.greatest));
-  }
-  return text;
+  return {{"file", found.page.file}, {"page", found.page.page},   {"width", found.width},
+          {"height", found.height},  {"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
 }
 
 std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform) {
@@ -197,35 +155,24 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
   return Json{{"type", "FeatureCollection"}, {"features", features}}.dump() + '\n';
 }
 
-std::string graph_svg(const FoundGraph& found, const std::string& png) {
-  constexpr Index small_side = 800;
-  const Index scale = std::max<Index>(1, small_side / std::max(found.width, found.height));
-  std::string text = fmt::format(
-      R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" viewBox="0 0 {} {}">
-<image width="{}" height="{}" style="image-rendering: pixelated; opacity: 0.5" href="data:image/png;base64,{}"/>
-<g fill="none" stroke="#d9480f" stroke-linejoin="round" transform="translate(0.5 0.5)">
-)svg",
-      scale * found.width, scale * found.height, found.width, found.height, found.width,
-      found.height, base64(png));
+Overlay graph_overlay(const FoundGraph& found) {
+  constexpr std::array<OverlayColour, 4> colours = {
+      {{0x86, 0x8e, 0x96}, {0x2f, 0x9e, 0x44}, {0x19, 0x71, 0xc2}, {0x9c, 0x36, 0xb5}}};
+  const Graph& graph = found.graph;
+  Overlay overlay;
+  overlay.is_faded = true;
   for (std::size_t i = 0; i < found.lines.size(); ++i) {
-    text += "<polyline points=\"";
-    for (const Pixel p : found.lines[i])
-      fmt::format_to(std::back_inserter(text), "{},{} ", p.x, p.y);
-    fmt::format_to(std::back_inserter(text),
-                   "\"><title>edge {}: length {:.2f}</title></polyline>\n", i + 1,
-                   length_of(found.graph.edges[i]));
+    overlay.lines.push_back({found.lines[i], {0xd9, 0x48, 0x0f}});
+    overlay.lines.back().title =
+        fmt::format("edge {}: length {:.2f}", i + 1, length_of(graph.edges[i]));
   }
-  text += "</g>\n<g transform=\"translate(0.5 0.5)\">\n";
-  constexpr std::array<std::string_view, 4> colours = {"#868e96", "#2f9e44", "#1971c2", "#9c36b5"};
-  for (std::size_t i = 0; i < found.graph.nodes.size(); ++i) {
-    const GraphNode& node = found.graph.nodes[i];
-    const auto [x, y] = centre_of(found.graph, node);
-    fmt::format_to(std::back_inserter(text),
-                   "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"1.5\" fill=\"{}\"><title>node {}: "
-                   "{}</title></circle>\n",
-                   x, y, colours[static_cast<std::size_t>(node.kind)], i + 1, kind_of(node));
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    const GraphNode& node = graph.nodes[i];
+    const auto [x, y] = centre_of(graph, node);
+    overlay.discs.push_back({x, y, 1.5, colours[static_cast<std::size_t>(node.kind)],
+                             fmt::format("node {}: {}", i + 1, kind_of(node))});
   }
-  return text + "</g>\n</svg>\n";
+  return overlay;
 }
 
 }  // namespace thinbench

@@ -1,10 +1,14 @@
-// The graph of a skeleton as a list for people, JSON, CSV, GeoJSON and SVG. All end with a newline.
+// The graph of a skeleton as a list for people, JSON, GeoJSON and lines over its image.
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/tables.hpp"
+#include "images/overlay.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench {
@@ -13,7 +17,7 @@ namespace thinbench {
 using AffineTransform = std::array<double, 6>;
 
 struct FoundGraph {
-  std::string file;
+  ImagePage page;
   Index width;
   Index height;
   Graph graph;
@@ -21,15 +25,12 @@ struct FoundGraph {
   std::vector<std::vector<Pixel>> lines;  // polylines of the edges
 };
 
-/// Nodes and edges have the ids 1, 2, 3, ... everywhere. Infinite widths are null in JSON and empty
-/// in CSV.
+/// Nodes and edges have the ids 1, 2, 3, ... everywhere. Infinite widths are null in JSON. Texts
+/// end with a newline.
 [[nodiscard]] std::string graph_list(const FoundGraph& found);
-[[nodiscard]] std::string graph_json(const FoundGraph& found);
-/// A row for each edge.
-[[nodiscard]] std::string graph_csv(const FoundGraph& found);
+[[nodiscard]] nlohmann::ordered_json graph_json(const FoundGraph& found);
 /// A Point for each node, a LineString for each edge.
 [[nodiscard]] std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform);
-/// Lines and nodes drawn over an image in PNG format.
-[[nodiscard]] std::string graph_svg(const FoundGraph& found, const std::string& png);
+[[nodiscard]] Overlay graph_overlay(const FoundGraph& found);
 
 }  // namespace thinbench

@@ -13,6 +13,8 @@
 #include <malloc.h>
 
 #include "cli/arguments.hpp"
+#include "cli/usage.hpp"
+#include "images/image_file.hpp"
 #include "out_of_core/out_of_core.hpp"
 #include "support/text.hpp"
 #include "support/timing.hpp"
@@ -151,12 +153,23 @@ bool is_packed_run(const PackedOptions& options, const std::string& out) {
 
 int run_packed(const PackedOptions& options, const RequestedThinning& thinning,
                const ThinningFiles& files, const Console& console) {
-  check_target(files.out);
+  if (files.in == kStandardStream && !options.out_of_core) {
+    int status = kFailure;
+    read_standard_input([&](const std::string& copy) {
+      status = run_packed(options, thinning, {copy, files.out}, console);
+    });
+    return status;
+  }
+  if (options.out_of_core && (files.in == kStandardStream || files.out == kStandardStream)) {
+    throw UsageError("--out-of-core reads and writes files, no standard streams");
+  }
+  if (files.out != kStandardStream) check_target(files.out);
   const PackedFormat format = format_of(options, files.in);
   if (options.out_of_core) {
     return thin_out_of_core(options, thinning, {files.in, files.out, format, {}}, console);
   }
-  console.out << thin_packed_file(thinning, files, format) << '\n';
+  const std::string summary = thin_packed_file(thinning, files, format);
+  summary_stream(console, files.out) << summary << '\n';
   return kSuccess;
 }
 

@@ -12,7 +12,7 @@
 #include "cli/thinbench.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
-#include "images/path_overlay.hpp"
+#include "images/overlay.hpp"
 #include "thinbench/path.hpp"
 
 namespace thinbench {
@@ -51,10 +51,22 @@ std::string path_json(const PathOptions& options, const ByteImage& map, const Fo
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+/// The path in orange, a light band as wide as the robot around it, start in green and goal in red.
+Overlay path_overlay(const std::vector<Pixel>& pixels, double width) {
+  const Pixel start = pixels.front(), goal = pixels.back();
+  Overlay overlay;
+  overlay.lines = {{pixels, {255, 190, 120}, false, width, 0.6, {}},
+                   {pixels, {230, 120, 0}, false, 1, 1, {}}};
+  overlay.discs = {
+      {static_cast<double>(start.x), static_cast<double>(start.y), 4, {40, 160, 60}, "start"},
+      {static_cast<double>(goal.x), static_cast<double>(goal.y), 4, {220, 40, 40}, "goal"}};
+  return overlay;
+}
+
 int run(const PathOptions& options, const Console& console) {
   const PathRequest request = {pixel_from("--start", options.start),
                                pixel_from("--goal", options.goal), options.width};
-  if (!options.overlay.empty()) check_colour_extension(options.overlay);
+  if (!options.overlay.empty()) check_overlay_name(options.overlay);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const BinaryImage map = binarise(copy_of(grey.view()), options.binarise);
@@ -66,12 +78,13 @@ int run(const PathOptions& options, const Console& console) {
     throw FileError(options.in + ": " + error.what());
   }
   if (!options.overlay.empty()) {
-    write_path_overlay(options.overlay, grey.view(), path.pixels, options.width);
+    write_overlay(options.overlay, grey.view(), path_overlay(path.pixels, options.width));
   }
   console.err << remarks.str();
-  console.out << (options.json ? path_json(options, map.image, path)
-                               : fmt::format("path: {} pixels, length {:.2f}, min width {:.2f}\n",
-                                             path.pixels.size(), path.length, path.min_width));
+  summary_stream(console, options.overlay)
+      << (options.json ? path_json(options, map.image, path)
+                       : fmt::format("path: {} pixels, length {:.2f}, min width {:.2f}\n",
+                                     path.pixels.size(), path.length, path.min_width));
   return kSuccess;
 }
 
@@ -94,19 +107,18 @@ Command add_path_command(CLI::App& program) {
       ->type_name("W")
       ->capture_default_str();
   app->add_flag("--json", options->json, "Print JSON, with all pixels of the path");
-  app->add_option("--overlay", options->overlay, "Image to write: the map with the path")
-      ->check(not_empty())
-      ->type_name("OUT");
+  add_overlay_option(*app, options->overlay);
   add_isa_option(*app, options->execution.isa);
   add_threads_option(*app, options->execution.threads);
   add_binarise_options(*app, options->binarise);
   app->footer(R"(Examples:
   thinbench path plan.png --start 40,150 --goal 590,80
   thinbench path plan.png --start 40,150 --goal 590,80 --width 32 --overlay path.png
+  thinbench path plan.png --start 40,150 --goal 590,80 --width 32 --overlay path.svg
   thinbench path plan.png --start 40,150 --goal 590,80 --foreground bright --json > path.json
 
-The path runs on the skeleton of the free space, midway between obstacles, and leaves it for as few
-pixels as possible. All of it is at least W / 2 from obstacles, between centres of pixels. What is
+The path has the least cost: on the skeleton of the free space, midway between obstacles, a step costs
+its length, elsewhere four times its length. All of it is at least W / 2 from obstacles, between centres of pixels. What is
 outside the map is no obstacle. Sides are at most 32767 pixels.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }

@@ -1,12 +1,9 @@
 #include "cli/region_formats.hpp"
 
-#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -50,14 +47,6 @@ std::vector<std::vector<std::size_t>> holes_by_object(const Regions& found) {
   return holes;
 }
 
-void add_row(std::string& text, const FoundRegions& found, const char* kind, std::size_t id,
-             const Region& region) {
-  fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                 csv_cell(found.file), found.width, found.height, kind, id, region.enclosing_object,
-                 region.area, region.centre_x(), region.centre_y(), region.left, region.top,
-                 region.right - region.left + 1, region.bottom - region.top + 1);
-}
-
 }  // namespace
 
 ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& options) {
@@ -81,30 +70,17 @@ std::string regions_list(const Regions& found) {
   return text;
 }
 
-std::string regions_json(const FoundRegions& found, const ForegroundChoice& choice) {
-  const Json json = {{"file", found.file},
-                     {"width", found.width},
-                     {"height", found.height},
-                     {"foreground", foreground_name(choice.foreground)},
-                     {"threshold", choice.threshold ? Json(*choice.threshold) : Json()},
-                     {"threshold_method", choice.method},
-                     {"min_area", found.min_area},
-                     {"objects", objects_json(found.regions)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-std::string regions_csv(const FoundRegions& found) {
-  std::string text =
-      "file,image_width,image_height,kind,id,enclosing_object,area,centre_x,centre_y,left,top,"
-      "width,height\n";
-  const auto holes_of = holes_by_object(found.regions);
-  for (std::size_t i = 0; i < found.regions.objects.size(); ++i) {
-    add_row(text, found, "object", i + 1, found.regions.objects[i]);
-    for (const std::size_t hole : holes_of[i + 1]) {
-      add_row(text, found, "hole", hole + 1, found.regions.holes[hole]);
-    }
-  }
-  return text;
+Json regions_json(const FoundRegions& found) {
+  const ForegroundChoice& choice = found.choice;
+  return {{"file", found.page.file},
+          {"page", found.page.page},
+          {"width", found.width},
+          {"height", found.height},
+          {"foreground", foreground_name(choice.foreground)},
+          {"threshold", choice.threshold ? Json(*choice.threshold) : Json()},
+          {"threshold_method", choice.method},
+          {"min_area", found.min_area},
+          {"objects", objects_json(found.regions)}};
 }
 
 }  // namespace thinbench

@@ -1,22 +1,17 @@
-// Objects and holes as a list, as JSON and as CSV.
+// Objects and holes as a list and as JSON.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
+#include "cli/tables.hpp"
 #include "images/binarise.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
-
-/// What was found in an image file.
-struct FoundRegions {
-  std::string file;
-  Index width;
-  Index height;
-  Regions regions;  // of at least `min_area` pixels
-  std::int64_t min_area;
-};
 
 /// What the JSON says of the foreground.
 struct ForegroundChoice {
@@ -27,10 +22,18 @@ struct ForegroundChoice {
 
 [[nodiscard]] ForegroundChoice choice_of(const BinaryImage& binary, const BinariseOptions& options);
 
-// All end with a newline.
+/// What was found in an image file.
+struct FoundRegions {
+  ImagePage page;
+  Index width;
+  Index height;
+  ForegroundChoice choice;
+  Regions regions;  // of at least `min_area` pixels
+  std::int64_t min_area;
+};
+
+/// For people. Ends with a newline.
 [[nodiscard]] std::string regions_list(const Regions& found);
-[[nodiscard]] std::string regions_json(const FoundRegions& found, const ForegroundChoice& choice);
-/// A row for each object, each followed by its holes, after a row of names.
-[[nodiscard]] std::string regions_csv(const FoundRegions& found);
+[[nodiscard]] nlohmann::ordered_json regions_json(const FoundRegions& found);
 
 }  // namespace thinbench

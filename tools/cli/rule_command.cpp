@@ -79,7 +79,7 @@ Command add_rule_command(CLI::App& program) {
       ->type_name("");
   add_thinning_options(*app, options->request);
   app->add_option("--save", options->save, "Write the rule as a JSON file")
-      ->check(not_empty())
+      ->check(file_name())
       ->type_name("FILE");
   app->add_flag("--list", options->list, "Print the named rules");
   app->footer(R"(Examples:

@@ -7,7 +7,6 @@
 #include "cli/arguments.hpp"
 #include "images/image_file.hpp"
 #include "support/timing.hpp"
-#include "support/whole_file.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -66,7 +65,7 @@ std::string thin_packed_file(const RequestedThinning& thinning, const ThinningFi
   auto* const data = reinterpret_cast<std::uint8_t*>(bytes.data() + format.header_bytes());
   PackedFile::open(files.in, format).read({0, 0, format.width, format.height}, data);
   const PackedView image(data, format.width, format.height, format.order);
-  return thin_packed_image(thinning, image, [&] { write_whole_file(files.out, bytes); });
+  return thin_packed_image(thinning, image, [&] { write_bytes(files.out, bytes); });
 }
 
 void reject_for_packed_files(const BinariseOptions& options) {

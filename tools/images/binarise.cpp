@@ -135,7 +135,7 @@ GreyFile read_grey_file(const std::string& path, std::optional<int> page,
                         const BinariseOptions& options) {
   GreyFile file = {{}, options.channel, {}};
   file.grey = read_channel(path, page, file.channel, options.lenient ? &file.warning : nullptr);
-  if (path != kStandardStream && is_transparent(path)) {
+  if (is_transparent(path)) {
     file.warning += file.warning.empty() ? "" : "; ";
     file.warning +=
         "the image is transparent in places; the colours stored there count as if it were opaque";

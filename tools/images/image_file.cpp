@@ -115,13 +115,10 @@ void check_file(const std::string& path) {
   if (regular_file_bytes(path) == 0) cannot_read(path, "the file is empty");
 }
 
-namespace {
-
-/// The copy has a path of its own, which is not what messages should name.
-ByteImage read_standard_input(Channel& channel, std::string* warning) {
+void read_standard_input(const std::function<void(const std::string& copy)>& read) {
   const std::string copy = path_of_standard_input();
   try {
-    return read_channel(copy, std::nullopt, channel, warning);
+    read(copy);
   } catch (const FileError& error) {
     std::string text = error.what();
     const std::size_t at = text.find(copy);
@@ -130,8 +127,6 @@ ByteImage read_standard_input(Channel& channel, std::string* warning) {
   }
 }
 
-}  // namespace
-
 ByteImage read_grey(const std::string& path, std::string* warning) {
   Channel grey = Channel::grey;
   return read_channel(path, std::nullopt, grey, warning);
@@ -139,7 +134,13 @@ ByteImage read_grey(const std::string& path, std::string* warning) {
 
 ByteImage read_channel(const std::string& path, std::optional<int> page, Channel& channel,
                        std::string* warning) {
-  if (path == kStandardStream) return read_standard_input(channel, warning);
+  if (path == kStandardStream) {
+    ByteImage image;
+    read_standard_input([&](const std::string& copy) {
+      image = read_channel(copy, std::nullopt, channel, warning);
+    });
+    return image;
+  }
   check_file(path);
   try {
     check_header(path, page.value_or(0));
@@ -157,17 +158,30 @@ ByteImage read_channel(const std::string& path, std::optional<int> page, Channel
   }
 }
 
+namespace {
+
+bool has_pixel_below_opaque(const cv::Mat& image) {
+  cv::Mat alpha;
+  cv::extractChannel(image, alpha, 3);
+  double min = 0;
+  cv::minMaxLoc(alpha, &min);
+  return min < (image.depth() == CV_8U ? 255 : 65535);
+}
+
+}  // namespace
+
 bool is_transparent(const std::string& path) {
-  if (!has_png_alpha(path)) return false;
+  const std::string file = path == kStandardStream ? path_of_standard_input() : path;
+  const std::optional<TransparentColour> colour = png_transparency(file);
+  if (!colour) return false;
   const CapturedStderr captured;
   try {
-    const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
-    if (image.channels() != 4) return false;
-    cv::Mat alpha;
-    cv::extractChannel(image, alpha, 3);
-    double min = 0;
-    cv::minMaxLoc(alpha, &min);
-    return min < (image.depth() == CV_8U ? 255 : 65535);
+    const cv::Mat image = cv::imread(file, cv::IMREAD_UNCHANGED);
+    if (image.channels() == 4) return has_pixel_below_opaque(image);
+    if (image.channels() != static_cast<int>(colour->size())) return false;
+    cv::Mat is_colour;
+    cv::inRange(image, *colour, *colour, is_colour);
+    return cv::countNonZero(is_colour) > 0;
   } catch (const cv::Exception& error) {
     reject(path, error);
   }
@@ -296,25 +310,21 @@ void write_tiff_pages(const std::string& path, const std::vector<cv::Mat>& pages
 
 }  // namespace
 
-namespace {
-
-void write_standard_output(const std::vector<std::uint8_t>& bytes) {
+void write_bytes(const std::string& path, std::string_view bytes) {
+  if (path != kStandardStream) return write_whole_file(path, bytes);
   const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
   if (!is_written || std::fflush(stdout) != 0) {
     throw FileError("standard output cannot be written");
   }
 }
 
-}  // namespace
-
 void write_mat(const std::string& path, const std::function<cv::Mat()>& draw) {
   write_by(path, [&] {
     const cv::Mat image = draw();
-    if (path == kStandardStream) return write_standard_output(encoded("image.png", image));
     if (has_tiff_extension(path)) return write_tiff_pages(path, {image});
-    const std::vector<std::uint8_t> bytes = encoded(path, image);
-    write_whole_file(path,
-                     std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    const std::vector<std::uint8_t> bytes =
+        encoded(path == kStandardStream ? "image.png" : path, image);
+    write_bytes(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   });
 }
 

@@ -1,8 +1,10 @@
 // Grey image files. OpenCV decodes and encodes; nothing of it shows here.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/byte_image.hpp"
@@ -17,6 +19,9 @@ inline constexpr Index kMaxImagePixels = Index{1} << 31;
 /// The path "-" stands for standard input where an image is read, and for PNG on standard output
 /// where one is written.
 inline constexpr const char* kStandardStream = "-";
+
+/// Calls `read` with the path of a copy of standard input, which errors do not name.
+void read_standard_input(const std::function<void(const std::string& copy)>& read);
 
 /// Rejects what no decoder could give a good reason for: no such file, a directory, an empty file.
 /// Throws FileError.
@@ -39,6 +44,9 @@ void check_file(const std::string& path);
 
 /// As read_grey, for one image of a TIFF file, counted from 0.
 [[nodiscard]] ByteImage read_grey_page(const std::string& path, int page);
+
+/// A file, which appears as a whole or not at all, or "-". Throws FileError.
+void write_bytes(const std::string& path, std::string_view bytes);
 
 /// Writes an 8-bit grey image in the format that the extension names; only formats that keep
 /// every pixel are known. The file appears, or is replaced, as a whole or not at all. Throws

@@ -19,10 +19,12 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::size_t kJpegHeaderBytes = std::size_t{1} << 20;  // may begin with other data
+constexpr std::size_t kLongHeaderBytes = std::size_t{1} << 20;  // may begin with other data
 constexpr Index kDeflateFactor = 1032;      // bytes that one byte can stand for, at most
 constexpr Index kMaxSide = Index{1} << 20;  // that OpenCV reads
 constexpr Index kJpegPixels = 512;          // a bit for a block of 8 x 8 pixels, at least
+
+constexpr std::string_view kPng = "\x89PNG\r\n\x1A\n"sv;
 
 /// An unsigned number of `count` bytes; 0 behind the end.
 Index number_at(std::string_view bytes, std::size_t at, std::size_t count, bool is_big_endian) {
@@ -119,9 +121,9 @@ ImageClaim pnm_claim(std::string_view header) {
 std::optional<ImageClaim> claim_of(const std::string& path, int page) {
   const std::string bytes = beginning_of(path, kPnmHeaderBytes);
   const std::string_view start = bytes;
-  if (start.starts_with("\x89PNG\r\n\x1A\n"sv)) return png_claim(start);
+  if (start.starts_with(kPng)) return png_claim(start);
   if (start.starts_with("\xFF\xD8"sv))
-    return jpeg_claim(beginning_of(path, kJpegHeaderBytes), path);
+    return jpeg_claim(beginning_of(path, kLongHeaderBytes), path);
   if (start.starts_with("BM"sv)) return bmp_claim(start);
   if (start.size() > 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '7') {
     return pnm_claim(start);
@@ -142,13 +144,39 @@ std::string_view foreign_format(std::string_view start) {
   return start.substr(8).starts_with("avif"sv) ? "AVIF" : "HEIF";
 }
 
+/// The data of a PNG file's chunk of this name that comes before its pixels; empty if there is
+/// none.
+std::string_view png_chunk(std::string_view bytes, std::string_view name) {
+  for (std::size_t at = kPng.size(); at + 8 <= bytes.size();) {
+    const auto size = static_cast<std::size_t>(number_at(bytes, at, 4, true));
+    const std::string_view found = bytes.substr(at + 4, 4);
+    if (found == name) return bytes.substr(at + 8, size);
+    if (found == "IDAT"sv) break;
+    at += size + 12;
+  }
+  return {};
+}
+
+/// Levels of `bits` bits as the decoder gives them.
+double decoded_level(Index level, Index bits) {
+  return static_cast<double>(bits < 8 ? level * 255 / ((Index{1} << bits) - 1) : level);
+}
+
 }  // namespace
 
-bool has_png_alpha(const std::string& path) {
-  const std::string start = beginning_of(path, 26);
-  constexpr char grey_alpha = 4, colour_alpha = 6;
-  return start.size() == 26 && start.starts_with("\x89PNG\r\n\x1A\n"sv) &&
-         (start[25] == grey_alpha || start[25] == colour_alpha);
+std::optional<TransparentColour> png_transparency(const std::string& path) {
+  constexpr Index colour = 2, grey_alpha = 4, colour_alpha = 6;
+  if (!beginning_of(path, kPng.size()).starts_with(kPng)) return std::nullopt;
+  const std::string bytes = beginning_of(path, kLongHeaderBytes);
+  const Index kind = number_at(bytes, 25, 1, true), bits = number_at(bytes, 24, 1, true);
+  if (kind == grey_alpha || kind == colour_alpha) return TransparentColour();
+  const std::string_view levels = png_chunk(bytes, "tRNS");
+  if (levels.empty()) return std::nullopt;
+  const auto level = [&](std::size_t i) {
+    return decoded_level(number_at(levels, 2 * i, 2, true), bits);
+  };
+  if (kind == 0) return TransparentColour{level(0)};
+  return kind == colour ? TransparentColour{level(2), level(1), level(0)} : TransparentColour();
 }
 
 void check_header(const std::string& path, int page) {

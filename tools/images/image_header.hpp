@@ -1,7 +1,9 @@
 // What the beginning of an image file claims, compared with the length of the file.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "thinbench/image_view.hpp"
 
@@ -21,7 +23,11 @@ struct ImageClaim {
 /// to the decoder. For regular files; throws FileError.
 void check_header(const std::string& path, int page);
 
-/// Whether a file is PNG with a channel of opacity.
-[[nodiscard]] bool has_png_alpha(const std::string& path);
+/// The grey level, or blue, green and red, of pixels that are transparent.
+using TransparentColour = std::vector<double>;
+
+/// Nothing where all pixels of a file are opaque: it is not PNG, or has neither a channel of
+/// opacity nor a chunk of transparent colours. Empty where the decoder gives the opacity.
+[[nodiscard]] std::optional<TransparentColour> png_transparency(const std::string& path);
 
 }  // namespace thinbench

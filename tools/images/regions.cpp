@@ -1,11 +1,12 @@
 #include "images/regions.hpp"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
-#include "images/image_file.hpp"
 #include "images/mat_of.hpp"
 
 namespace thinbench {
@@ -40,9 +41,8 @@ Regions selected(const Regions& found, const KeptRegions& kept) {
 
 namespace {
 
-// Blue, green, red.
-const cv::Scalar kObjectColour(0, 170, 0);
-const cv::Scalar kHoleColour(40, 40, 255);
+constexpr OverlayColour kObjectColour = {0, 170, 0};
+constexpr OverlayColour kHoleColour = {255, 40, 40};
 
 bool comes_before(const cv::Point& a, const cv::Point& b) {
   return std::tie(a.y, a.x) < std::tie(b.y, b.x);
@@ -82,93 +82,78 @@ Outlines outlines_of(const ConstImageView& objects) {
   return outlines;
 }
 
-/// Draws the outlines at these positions.
-void draw_outlines(cv::Mat& image, const std::vector<Outline>& outlines,
-                   const std::vector<std::size_t>& positions, const cv::Scalar& colour) {
+/// Those at these positions.
+void add_outlines(Overlay& overlay, const std::vector<Outline>& outlines,
+                  const std::vector<std::size_t>& positions, const OverlayColour& colour) {
   for (const std::size_t i : positions) {
-    cv::polylines(image, outlines[i].contour, true, colour);
+    OverlayLine line = {{}, colour, true};
+    line.points.reserve(outlines[i].contour.size());
+    for (const cv::Point& p : outlines[i].contour) line.points.push_back({p.x, p.y});
+    overlay.lines.push_back(std::move(line));
   }
 }
 
-constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kFontScale = 0.35;
-
-cv::Rect box_of(const Region& region) {
-  return {region.left, region.top, region.right - region.left + 1, region.bottom - region.top + 1};
+Pixel size_of(const Region& region) {
+  return {region.right - region.left + 1, region.bottom - region.top + 1};
 }
 
-cv::Point centre_of(const Region& region) {
+Pixel centre_of(const Region& region) {
   return {cvRound(region.centre_x()), cvRound(region.centre_y())};
-}
-
-cv::Size size_of(const std::string& text) {
-  return cv::getTextSize(text, kFont, kFontScale, 1, nullptr);
 }
 
 /// Whether a region is so large that numbers of its like leave the image readable.
 bool is_numbered(const Region& region) {
-  const cv::Size digit = size_of("0");
-  const cv::Rect box = box_of(region);
-  return box.width > digit.width && box.height > digit.height;
-}
-
-/// Writes an id with its lower left corner at `place`, moved so far that all lies in the image.
-void write_id(cv::Mat& image, std::size_t id, cv::Point place, const cv::Scalar& colour) {
-  const std::string text = std::to_string(id);
-  const cv::Size size = size_of(text);
-  place.x = std::clamp(place.x, 0, std::max(0, image.cols - size.width));
-  place.y = std::clamp(place.y, size.height, std::max(size.height, image.rows - 1));
-  cv::putText(image, text, place, kFont, kFontScale, colour, 1, cv::LINE_AA);
+  const Pixel digit = overlay_text_size("0");
+  const Pixel size = size_of(region);
+  return size.x > digit.x && size.y > digit.y;
 }
 
 /// A cross, or a point where a cross would hide the region.
-void draw_centre(cv::Mat& image, const Region& region, const cv::Scalar& colour) {
-  constexpr int cross = 5;
-  const cv::Rect box = box_of(region);
-  const bool is_large = std::min(box.width, box.height) > 2 * cross;
-  cv::drawMarker(image, centre_of(region), colour, cv::MARKER_CROSS, is_large ? cross : 1);
+void add_centre(Overlay& overlay, const Region& region, const OverlayColour& colour) {
+  constexpr int arm = 2;
+  const Pixel size = size_of(region), at = centre_of(region);
+  if (std::min(size.x, size.y) <= 4 * arm + 2) {
+    overlay.lines.push_back({{at}, colour});
+    return;
+  }
+  overlay.lines.push_back({{{at.x - arm, at.y}, {at.x + arm, at.y}}, colour});
+  overlay.lines.push_back({{{at.x, at.y - arm}, {at.x, at.y + arm}}, colour});
 }
 
 /// Numbers of objects stand above their first pixels, where no hole of theirs is.
-void draw_objects(cv::Mat& image, const std::vector<Region>& objects, const Outlines& outlines,
-                  const KeptRegions& kept) {
+void add_objects(Overlay& overlay, const std::vector<Region>& objects, const Outlines& outlines,
+                 const KeptRegions& kept) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    draw_centre(image, objects[i], kObjectColour);
+    add_centre(overlay, objects[i], kObjectColour);
     if (!is_numbered(objects[i])) continue;
     const cv::Point first = outlines.objects[kept.objects[i]].first;
-    write_id(image, i + 1, first - cv::Point(0, 2), kObjectColour);
+    overlay.texts.push_back({{first.x, first.y - 2}, std::to_string(i + 1), kObjectColour});
   }
 }
 
 /// Those of holes stand beside the centre.
-void draw_holes(cv::Mat& image, const std::vector<Region>& holes) {
+void add_holes(Overlay& overlay, const std::vector<Region>& holes) {
   for (std::size_t i = 0; i < holes.size(); ++i) {
-    draw_centre(image, holes[i], kHoleColour);
+    add_centre(overlay, holes[i], kHoleColour);
     if (!is_numbered(holes[i])) continue;
-    write_id(image, i + 1, centre_of(holes[i]) + cv::Point(3, -3), kHoleColour);
+    const Pixel centre = centre_of(holes[i]);
+    overlay.texts.push_back({{centre.x + 3, centre.y - 3}, std::to_string(i + 1), kHoleColour});
   }
-}
-
-cv::Mat overlay(const ConstImageView& grey, const ConstImageView& objects, const Regions& found,
-                std::int64_t min_area) {
-  cv::Mat image;
-  cv::cvtColor(mat_of(grey), image, cv::COLOR_GRAY2BGR);
-  const Outlines outlines = outlines_of(objects);
-  const KeptRegions kept = kept_regions(found, min_area);
-  draw_outlines(image, outlines.objects, kept.objects, kObjectColour);
-  draw_outlines(image, outlines.holes, kept.holes, kHoleColour);
-  const Regions shown = selected(found, kept);
-  draw_objects(image, shown.objects, outlines, kept);
-  draw_holes(image, shown.holes);
-  return image;
 }
 
 }  // namespace
 
-void write_overlay(const std::string& path, const ConstImageView& grey,
-                   const ConstImageView& objects, const Regions& found, std::int64_t min_area) {
-  check_colour_extension(path);
-  write_mat(path, [&] { return overlay(grey, objects, found, min_area); });
+Overlay regions_overlay(const ConstImageView& objects, const Regions& found,
+                        std::int64_t min_area) {
+  const Outlines outlines = outlines_of(objects);
+  const KeptRegions kept = kept_regions(found, min_area);
+  Overlay overlay;
+  add_outlines(overlay, outlines.objects, kept.objects, kObjectColour);
+  add_outlines(overlay, outlines.holes, kept.holes, kHoleColour);
+  const Regions shown = selected(found, kept);
+  add_objects(overlay, shown.objects, outlines, kept);
+  add_holes(overlay, shown.holes);
+  return overlay;
 }
 
 }  // namespace thinbench

@@ -1,11 +1,11 @@
-// Regions that are large enough to be reported, and drawn over the image in which they were found.
+// Regions that are large enough to be reported, and how they are drawn.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "images/overlay.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
@@ -25,13 +25,12 @@ struct KeptRegions {
 /// numbers.
 [[nodiscard]] Regions selected(const Regions& found, const KeptRegions& kept);
 
-/// Writes `grey` with the outlines of objects in green and of holes in red, a cross at each centre
-/// of mass (a point where the region is small) and the ids: of objects above their first pixel, of
-/// holes beside the centre. Regions smaller than a digit have none. `objects` is the binary
-/// image in which `found` was found, with nothing omitted; all have one size. Drawn are the
-/// regions of at least `min_area` pixels, with the ids that `selected` gives them. The file appears
-/// as a whole or not at all. Throws FileError.
-void write_overlay(const std::string& path, const ConstImageView& grey,
-                   const ConstImageView& objects, const Regions& found, std::int64_t min_area = 1);
+/// The outlines of objects in green and of holes in red, a cross at each centre of mass (a point
+/// where the region is small) and the ids: of objects above their first pixel, of holes beside the
+/// centre. Regions smaller than a digit have none. `objects` is the binary image in which `found`
+/// was found, with nothing omitted. Drawn are the regions of at least `min_area` pixels, with the
+/// ids that `selected` gives them.
+[[nodiscard]] Overlay regions_overlay(const ConstImageView& objects, const Regions& found,
+                                      std::int64_t min_area = 1);
 
 }  // namespace thinbench

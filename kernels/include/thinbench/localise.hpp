@@ -25,4 +25,11 @@ namespace thinbench {
                                                      const EdgeThresholds& thresholds = {},
                                                      const Execution& execution = {});
 
+/// The same, and writes the image of these objects, 255 on objects and 0 elsewhere. Both views must
+/// have the same size and be the same image or share no pixel; throws std::invalid_argument
+/// otherwise. Nothing is written if it throws.
+[[nodiscard]] THINBENCH_API Regions localise_objects(ConstImageView grey, ImageView objects,
+                                                     const EdgeThresholds& thresholds,
+                                                     const Execution& execution);
+
 }  // namespace thinbench

@@ -22,13 +22,18 @@ struct FoundPath {
   double min_width;           // twice the smallest distance to an obstacle; infinite without one
 };
 
-/// The path from start to goal, in a map whose foreground is free, that leaves the skeleton of the
-/// free space for as few pixels as possible, and of these paths the shortest. The skeleton is that
-/// of Rule::guo_hall without branches shorter than the free space is wide at their junction. All
-/// pixels of the path are at min width / 2 from obstacles, centre to centre; what is outside the
-/// image is no obstacle. There is a path wherever such pixels lead from start to goal.
+/// How much a length off the skeleton costs, on which it costs 1.
+inline constexpr double kPathOffSkeletonCost = 4;
+
+/// The path of least cost from start to goal, in a map whose foreground is free. A step between two
+/// pixels of the skeleton costs its length, any other step kPathOffSkeletonCost times its length;
+/// so from a pixel of the skeleton to another no path along the skeleton is shorter. The skeleton
+/// is that of Rule::guo_hall without branches shorter than the free space is wide at their
+/// junction. All pixels of the path are at least width / 2 from obstacles, centre to centre; what
+/// is outside the image is no obstacle. There is a path wherever such pixels lead from start to
+/// goal.
 ///
-/// Takes 30 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
+/// Takes 20 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
 /// goal that is outside, on an obstacle or too near to one, where there is no path, for a width
 /// that is negative or no number, and as skeleton_graph and squared_distances; and std::bad_alloc.
 [[nodiscard]] THINBENCH_API FoundPath find_path(ConstImageView free, const PathRequest& request,

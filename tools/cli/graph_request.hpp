@@ -1,0 +1,44 @@
+// Graphs of skeletons: the commands that find them take the same.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/graph_formats.hpp"
+#include "support/byte_image.hpp"
+#include "thinbench/graph.hpp"
+
+namespace thinbench {
+
+struct GraphRequest {
+  std::string thinning = "thin_guo_hall";
+  Pruning pruning;
+  double tolerance = 1;
+  int threads = 1;
+
+  [[nodiscard]] bool is_skeleton() const { return thinning == "none"; }
+};
+
+/// --thinning, --prune, --prune-widths, --remove-components and --tolerance.
+void add_graph_options(CLI::App& app, GraphRequest& request);
+
+/// The options given, each with a space before it.
+[[nodiscard]] std::string graph_words(const GraphRequest& request);
+
+/// Throws FileError where an image of this size has no graph.
+void check_graph_size(const std::string& file, Index width, Index height);
+
+/// Throws UsageError where no operation of this name thins.
+void check_thinning(const GraphRequest& request);
+
+[[nodiscard]] ByteImage skeleton_of(const ByteImage& image, const GraphRequest& request);
+
+/// "3 blocks of 2 x 2 pixels, the first at (4, 7)"; empty for thin lines.
+[[nodiscard]] std::string thickness_of(const ByteImage& skeleton);
+
+/// Prunes the skeleton. `image` gives the widths.
+[[nodiscard]] FoundGraph find_graph(const ByteImage& image, ByteImage& skeleton,
+                                    const ImagePage& page, const GraphRequest& request);
+
+}  // namespace thinbench
