@@ -213,12 +213,17 @@ constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
 }
 
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
+  constexpr int max_png_side = 1'000'000;
+  if (extension_of(path) == ".png" && std::max(image.cols, image.rows) > max_png_side) {
+    cannot_write(path, "PNG has sides of at most 10^6 pixels; .tif and .pgm have no such limit");
+  }
   const CapturedStderr captured;
   std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(extension_of(path), image, bytes)) {
-    cannot_write(path, "the image cannot be encoded");
+  try {
+    if (cv::imencode(extension_of(path), image, bytes)) return bytes;
+  } catch (const cv::Exception&) {  // as where it returns false
   }
-  return bytes;
+  throw std::bad_alloc();  // encoders give no reason, and all others were checked
 }
 
 }  // namespace
