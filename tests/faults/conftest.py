@@ -21,7 +21,7 @@ SHIM = os.environ.get("THINBENCH_FAULT_SHIM", str(ROOT / "build/release/tests/fa
 SECONDS = 60
 """After so long a program counts as hanging."""
 
-REMARKS = re.compile(r"note: |wrote |\w+: \d+ images in |\d+ rows? w(as|ere) not counted|\d{4}-\d\d-|Run(ning| on) |CPU Caches|"
+REMARKS = re.compile(r"note: |warning: |wrote |\w+: \d+ images in |\d+ rows? w(as|ere) not counted|\d{4}-\d\d-|Run(ning| on) |CPU Caches|"
                      r"  L\d |Load Average|\*\*\*WARNING")
 """Lines on standard error that are no failures, those of Google Benchmark included."""
 

@@ -19,7 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from conftest import (NO_FAULT, ROOT, SHIM, Fault, Files, Result, files_in, finish, limit, run, start)
+from conftest import (NO_FAULT, ROOT, SECONDS, SHIM, Fault, Files, Result, files_in, finish, limit, run, start)
 from PIL import Image
 
 ROWS = "^euler_number/bitpacked/baseline/1"

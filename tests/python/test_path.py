@@ -171,6 +171,12 @@ def test_the_path_follows_the_skeleton():
     assert found[30:-30, 0].min() >= 19
 
 
+def test_free_space_of_more_than_half_a_map_is_nothing_doubtful(plan):
+    for options in ([], ["--foreground", "bright"]):
+        made = run(plan[0], "--start", xy(planning.START), "--goal", xy(planning.GOAL), *options)
+        assert made.returncode == 0 and "warning" not in made.stderr
+
+
 @pytest.mark.parametrize("words, said", [
     (["--start", "640,5", "--goal", "590,80"], "start: (640, 5) is outside the map of 640 x 480 pixels"),
     (["--start", "2,2", "--goal", "590,80"], "start: (2, 2) is inside an obstacle"),

@@ -218,7 +218,7 @@ def test_localise_finds_the_scene_and_equals_python_and_the_batch(scene, tmp_pat
 
 @pytest.mark.parametrize("word, command", [
     ("edges_sobel", "edges --operator sobel"), ("holes", "holes"), ("fill_holes", "fill-holes"),
-    ("euler_number", "euler"), ("localise_objects", "localise"), ("labels", "labels"), ("graph", "graph")])
+    ("euler_number", "euler"), ("localise_objects", "localise"), ("labels", "labels"), ("graph", "graph"), ("path", "path")])
 def test_run_names_the_command_for_what_is_not_its_own(picture, tmp_path, word, command):
     failed = run("run", word, picture[0], tmp_path / "out.png")
     assert failed.returncode == 2

@@ -17,12 +17,12 @@
 #include "batch/pipeline.hpp"
 #include "cli/arguments.hpp"
 #include "cli/batch_operations.hpp"
+#include "cli/batch_table.hpp"
 #include "cli/names.hpp"
 #include "cli/tables.hpp"
 #include "cli/thinbench.hpp"
 #include "images/image_file.hpp"
 #include "support/text.hpp"
-#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -64,25 +64,6 @@ std::string manifest_path(const BatchOptions& options, const Shard& shard) {
   return std::filesystem::path(options.settings.out) / name_for(shard, "manifest.csv");
 }
 
-std::string place_of(const std::string& path) {
-  return std::filesystem::absolute(path).lexically_normal();
-}
-
-/// Before the work: what would replace another file of this batch, or could not be written.
-void check_table(const std::string& table, const std::string& manifest,
-                 const std::vector<BatchJob>& jobs, const std::string& out) {
-  const auto reject = [&table](const std::string& other) {
-    throw UsageError("--table: '" + table + "' would replace '" + other + "'; choose another name");
-  };
-  std::error_code ignored;
-  if (place_of(table) == place_of(manifest)) reject(manifest);
-  for (const BatchJob& job : jobs) {
-    if (std::filesystem::equivalent(table, job.path, ignored)) reject(job.path);
-  }
-  const std::filesystem::path directory = std::filesystem::path(place_of(table)).parent_path();
-  if (directory != place_of(out)) check_target(table);  // which may not be there yet
-}
-
 std::string number_of(std::size_t count, const std::string& what, const std::string& plural) {
   return fmt::format("{} {}", count, count == 1 ? what : plural);
 }
@@ -98,34 +79,12 @@ void print_skipped(const FoundInputs& found, std::ostream& log) {
   }
 }
 
-bool is_done(const BatchJob& job, const Manifest& manifest, const BatchOperation& operation,
-             const std::string& out) {
-  const std::filesystem::path directory = out;
-  return manifest.says_done(job, operation.name) &&
-         std::filesystem::exists(directory / job.output) &&
-         (job.overlay.empty() || std::filesystem::exists(directory / job.overlay));
-}
-
 std::vector<BatchJob> open_jobs(const std::vector<BatchJob>& jobs, const Manifest& manifest,
                                 const BatchOperation& operation, const std::string& out) {
   std::vector<BatchJob> open;
   std::copy_if(jobs.begin(), jobs.end(), std::back_inserter(open),
                [&](const BatchJob& job) { return !is_done(job, manifest, operation, out); });
   return open;
-}
-
-/// With a row for each region or edge of every image that is done, from the results.
-void tabulate(const std::string& path, const std::vector<BatchJob>& jobs, const Manifest& manifest,
-              const BatchOperation& operation, const BatchOptions& options) {
-  const std::string& out = options.settings.out;
-  auto job = jobs.begin();
-  write_table(path, makes_graphs(options.operation), [&]() -> std::optional<TablePart> {
-    while (job != jobs.end() && !is_done(*job, manifest, operation, out)) ++job;
-    if (job == jobs.end()) return std::nullopt;
-    const TablePart part = {std::filesystem::path(out) / job->output, job->path};
-    ++job;
-    return part;
-  });
 }
 
 void print_failures(const std::vector<std::string>& failures, std::ostream& log) {
@@ -216,7 +175,9 @@ int run(const BatchOptions& options, const Console& console) {
   open_outputs(jobs, path, options, manifest);
   print_skipped(found, console.err);
   BatchOutcome outcome = run_open_jobs(jobs, operation, options, *manifest);
-  if (!table.empty()) tabulate(table, jobs, *manifest, operation, options);
+  if (!table.empty())
+    write_batch_table(table, jobs, *manifest, operation, options.settings.out,
+                      makes_graphs(options.operation));
   std::vector<std::string>& failures = outcome.totals.failures;
   failures.insert(failures.begin(), found.failures.begin(), found.failures.end());
   print_summary(operation, outcome, console.out);

@@ -22,7 +22,7 @@ int list(std::ostream& out) {
   lines.push_back({"labels", "labels", "the number of each pixel's object"});
   lines.push_back({"distance", "distance", "the distance of each pixel to the background"});
   lines.push_back({"euler", "euler", "objects minus holes"});
-  lines.push_back({"graph", "graph", "ends, junctions, branches and widths of a skeleton"});
+  lines.push_back({"graph", "graph, batch", "ends, junctions, branches and widths of a skeleton"});
   lines.push_back({"path", "path", "a path for a robot through a map"});
   print_aligned(lines, out);
   return kSuccess;

@@ -93,6 +93,7 @@ int run(const PathOptions& options, const Console& console) {
 Command add_path_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("path", "Find a path for a robot through a map");
   const auto options = std::make_shared<PathOptions>();
+  options->binarise.is_mostly_foreground = true;
   app->add_option("MAP", options->in, "Image whose foreground is free; - reads standard input")
       ->required()
       ->type_name("");

@@ -35,7 +35,7 @@ void reject_other_commands(const std::string& word) {
   if (command == "euler-number") command = "euler";
   if (command == "localise-objects") command = "localise";
   for (const char* name : {"edges", "holes", "localise", "fill-holes", "labels", "distance",
-                           "euler", "graph", "batch"}) {
+                           "euler", "graph", "path", "batch"}) {
     if (command == name) use(name);
   }
 }

@@ -55,8 +55,9 @@ std::string histogram_warning(const BinaryImage& binary, const BinariseOptions& 
       100 * binary.undecided_share);
 }
 
-std::string share_warning(const BinaryImage& binary) {
-  if (binary.only_level || binary.foreground_share <= 0.5) return {};
+std::string share_warning(const BinaryImage& binary, const BinariseOptions& options) {
+  const bool is_usual = binary.foreground_share <= 0.5 || options.is_mostly_foreground;
+  if (binary.only_level || is_usual) return {};
   return fmt::format("{:.1f} % of the image is foreground; {} takes the rest instead",
                      100 * binary.foreground_share, opposite(binary));
 }
@@ -100,7 +101,8 @@ BinaryImage binarise_packed(const BrightPixels& count, const BinariseOptions& op
 }
 
 std::vector<std::string> warnings(const BinaryImage& binary, const BinariseOptions& options) {
-  std::vector<std::string> texts = {histogram_warning(binary, options), share_warning(binary)};
+  std::vector<std::string> texts = {histogram_warning(binary, options),
+                                    share_warning(binary, options)};
   std::erase(texts, "");
   return texts;
 }

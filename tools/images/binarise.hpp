@@ -30,6 +30,8 @@ struct BinariseOptions {
   std::optional<LocalThreshold> local = std::nullopt;
   Channel channel = Channel::grey;
   Crop crop = {};
+  /// More foreground than background is nothing doubtful, as free space in maps.
+  bool is_mostly_foreground = false;
   double blur = 0;  // standard deviation of a Gaussian filter, in pixels; 0: none
 };
 

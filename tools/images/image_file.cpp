@@ -212,16 +212,18 @@ constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
   throw ExtensionError("cannot write '" + path + "': " + why);
 }
 
-/// Size, depth and channels are checked before; encoders do not speak of what is left, memory.
-constexpr const char* kEncoderFailed = "its encoder failed; perhaps there is not enough memory";
-
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
+  constexpr int max_png_side = 1'000'000;
+  if (extension_of(path) == ".png" && std::max(image.cols, image.rows) > max_png_side) {
+    cannot_write(path, "PNG has sides of at most 10^6 pixels; .tif and .pgm have no such limit");
+  }
   const CapturedStderr captured;
   std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(extension_of(path), image, bytes)) {
-    cannot_write(path, kEncoderFailed);
+  try {
+    if (cv::imencode(extension_of(path), image, bytes)) return bytes;
+  } catch (const cv::Exception&) {  // as where it returns false
   }
-  return bytes;
+  throw std::bad_alloc();  // encoders give no reason, and all others were checked
 }
 
 }  // namespace
@@ -258,7 +260,7 @@ void write_by(const std::string& path, const Write& write) {
     cannot_write(path, "there is not enough memory for it");
   } catch (const cv::Exception& error) {
     cannot_write(path, error.code == cv::Error::StsNoMem ? "there is not enough memory for it"
-                                                         : kEncoderFailed);
+                                                         : "the image cannot be encoded");
   }
 }
 
