@@ -138,8 +138,10 @@ def _run_line(rows: Rows, folder: Path) -> str:
 def _pages(run: Run, folder: Path) -> str:
     names = {row.input for row in run.rows}
     where = os.path.relpath(run.directory, folder)
+    open_rows = sum(bool(row.flags) for row in run.rows)
     return (f"{pages_table(run.rows, with_peers_only=True)}\n{len(names)} pictures, one thread; run of commit "
-            f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}).\n")
+            f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}). "
+            f"{open_rows:,} of {len(run.rows):,} results did not settle within 2 % in the time that there was.\n")
 
 
 def _many_images(results: list[Result], words: list[str], file: Path, folder: Path) -> str:
