@@ -146,11 +146,10 @@ def comparisons(rows: Iterable[Row]) -> list[Comparison]:
     chosen: dict[str, dict[str, Row]] = defaultdict(dict)
     peers: dict[str, dict[str, dict[str, Row]]] = defaultdict(lambda: defaultdict(dict))
     for row in rows:
-        if row.scope == END_TO_END and row.threads == 1:
-            if row.default:
-                chosen[row.case][row.input] = row
-            elif row.peer and row.technique not in COPIES:
-                peers[row.case][row.technique][row.input] = row
+        if _is_chosen(row):
+            chosen[row.case][row.input] = row
+        elif _is_peer(row):
+            peers[row.case][row.technique][row.input] = row
     found = []
     for case in sorted(chosen, key=place):
         own = chosen[case]
@@ -160,13 +159,32 @@ def comparisons(rows: Iterable[Row]) -> list[Comparison]:
     return found
 
 
-def pages_table(rows: Iterable[Row], with_peers_only: bool = False) -> str:
+def ratios_table(rows: Sequence[Row]) -> str:
+    """For readers in a hurry: by how much the library is faster than the fastest peer of each picture."""
+    lines = []
+    for case in dict.fromkeys(one.case for one in comparisons(rows) if one.ratios):
+        own = {row.input: row for row in rows if _is_chosen(row) and row.case == case}
+        ratios = {name: min(times_ns) / own[name].time_ns for name in own
+                  if (times_ns := [row.time_ns for row in rows if row.case == case and row.input == name and _is_peer(row)])}
+        worst = min(ratios, key=lambda name: ratios[name])
+        lines.append([label(case), str(len(ratios)), times(ratios[worst]), worst,
+                      times(statistics.geometric_mean(ratios.values())), times(max(ratios.values()))])
+    return markdown_table(("operation", "pictures", "worst ratio", "on", "mean", "best"), lines, frozenset((1, 2, 4, 5)))
+
+
+def _is_chosen(row: Row) -> bool:
+    return row.default and row.threads == 1 and row.scope == END_TO_END
+
+
+def _is_peer(row: Row) -> bool:
+    return row.peer and row.technique not in COPIES and row.threads == 1 and row.scope == END_TO_END
+
+
+def pages_table(rows: Iterable[Row]) -> str:
     """Per pixel: the mean and the worst picture. Against a peer: the worst, mean and best ratio. Means are geometric."""
     header = ("operation", "pictures", "ps/pixel", "worst", "on", "against", "worst ratio", "mean", "best")
     lines = []
     for one in comparisons(rows):
-        if with_peers_only and not one.ratios:
-            continue
         slowest = max(one.chosen, key=lambda row: row.ns_per_pixel)
         mean = statistics.geometric_mean(row.ns_per_pixel for row in one.chosen)
         ratios = ([times(min(one.ratios)), times(statistics.geometric_mean(one.ratios)), times(max(one.ratios))]
@@ -179,7 +197,7 @@ def pages_table(rows: Iterable[Row], with_peers_only: bool = False) -> str:
 def pages_markdown(run: Run) -> str:
     """The table, then every picture."""
     pictures = {row.input: row for row in run.rows}
-    chosen = [row for row in run.rows if row.default and row.threads == 1 and row.scope == END_TO_END]
+    chosen = [row for row in run.rows if _is_chosen(row)]
     cases = sorted({row.case for row in chosen}, key=place)
     cells = {(row.input, row.case): f"{1000 * row.ns_per_pixel:,.0f}{' !' if row.flags else ''}" for row in chosen}
     lines = [[name, f"{row.width} × {row.height}", *(cells.get((name, case), NOTHING) for case in cases)]

@@ -37,7 +37,7 @@ from report.page.experiments import experiment_tables, load_experiments
 from report.page.headline import readme_table
 from report.page.operations import Rows
 from report.page.sentences import origin
-from report.pages import MARKDOWN, load_pages, pages_table
+from report.pages import MARKDOWN, load_pages, ratios_table
 
 MARK = re.compile(r"(<!-- ([\w-]+)([^>]*?): made by report readme -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -139,7 +139,7 @@ def _pages(run: Run, folder: Path) -> str:
     names = {row.input for row in run.rows}
     where = os.path.relpath(run.directory, folder)
     open_rows = sum(bool(row.flags) for row in run.rows)
-    return (f"{pages_table(run.rows, with_peers_only=True)}\n{len(names)} pictures, one thread; run of commit "
+    return (f"{ratios_table(run.rows)}\n{len(names)} pictures, one thread; run of commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}). "
             f"{open_rows:,} of {len(run.rows):,} results did not settle within 2 % in the time that there was.\n")
 

@@ -11,7 +11,7 @@ from conftest import make_row
 from fake_programs import install
 
 from report.errors import ReportError
-from report.pages import comparisons, images_of, load_pages, pages_table
+from report.pages import comparisons, images_of, load_pages, pages_table, ratios_table
 
 HERE = Path(__file__).parent
 
@@ -37,7 +37,13 @@ def test_ratios_are_worst_mean_and_best_over_the_pictures() -> None:
 def test_an_operation_without_a_peer_is_left_out_where_ratios_are_asked_for() -> None:
     rows = [make_row("fill_holes", "simd_flood", "avx512", 100)]
     assert "filled holes" in pages_table(rows)
-    assert "filled holes" not in pages_table(rows, with_peers_only=True)
+    assert "filled holes" not in ratios_table(rows)
+
+
+def test_the_fastest_peer_of_each_picture_counts() -> None:
+    rows = [*rows_of("coins", 100, 900), *rows_of("horse", 100, 800)]
+    rows.append(replace(rows[1], technique="opencv_bbdt", time_ns=200))
+    assert "| label image | 2 | 2.00× | coins | 4.00× | 8.00× |" in ratios_table(rows)
 
 
 def test_a_list_of_names_or_the_endings_say_what_is_an_image(tmp_path: Path) -> None:
