@@ -1,6 +1,7 @@
 #include "graph/state.hpp"
 
 #include "core/exported.hpp"
+#include "graph/pruner.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -29,6 +30,14 @@ const Graph& GraphState::compute() {
     kernels_.split(image_.view(), nodes_.view(), lines_.view(), first, last);
   });
   return walker_.walk(image_.view(), nodes_.view(), lines_.view());
+}
+
+const Graph& GraphState::prune(const Pruning& pruning, const ImageView& destination) {
+  const Graph& whole = compute();
+  Pruner(image_.view(), nodes_.view(), walker_.node_at(), whole, pruning).run();
+  const Graph& pruned = compute();
+  conversion_.write(image_.view(), destination);
+  return pruned;
 }
 
 const GraphOperation& graph_operation() {

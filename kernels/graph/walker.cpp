@@ -1,60 +1,13 @@
 #include "graph/walker.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <tuple>
 
+#include "graph/joined.hpp"
+
 namespace thinbench::detail {
 namespace {
-
-// Directions are numbered clockwise from the east; a set of them has bit d for direction d.
-constexpr int kDirections = 8;
-constexpr std::array<Pixel, kDirections> kSteps = {
-    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-using DirectionSet = unsigned;
-
-constexpr bool is_diagonal(int direction) {
-  return direction % 2 == 1;
-}
-
-constexpr int opposite(int direction) {
-  return (direction + kDirections / 2) % kDirections;
-}
-
-/// Where the window's bits of the eight neighbours are: three bits of the row above, three of the
-/// row below, west and east.
-constexpr std::array<int, kDirections> kWindowBits = {7, 5, 4, 3, 6, 0, 1, 2};
-
-consteval auto neighbour_table(bool only_joined) {
-  std::array<std::uint8_t, 256> table{};
-  for (unsigned window = 0; window < table.size(); ++window) {
-    const auto has = [window](int direction) {
-      return (window >> kWindowBits[static_cast<std::size_t>(direction % kDirections)] & 1) != 0;
-    };
-    for (int d = 0; d < kDirections; ++d) {
-      const bool has_way_round = is_diagonal(d) && (has(d + 1) || has(d + kDirections - 1));
-      if (has(d) && !(only_joined && has_way_round))
-        table[window] |= static_cast<std::uint8_t>(1U << d);
-    }
-  }
-  return table;
-}
-
-constexpr auto kNeighbours = neighbour_table(false);
-constexpr auto kJoined = neighbour_table(true);
-
-/// Bits x - 1 to x + 1 of a row.
-unsigned three_bits(const std::uint64_t* row, Index x) {
-  const Index first = x - 1;
-  const std::uint64_t* const words = row + (first >> 6);
-  const auto shift = static_cast<unsigned>(first & 63);
-  return static_cast<unsigned>(words[0] >> shift | words[1] << 1 << (63 - shift)) & 7;
-}
-
-bool bit_at(const std::uint64_t* row, Index x) {
-  return (row[x >> 6] >> (x & 63) & 1) != 0;
-}
 
 /// Calls `body(pixel)` for every set pixel in raster order. It may clear pixels.
 template <class Body>
@@ -70,16 +23,6 @@ void for_pixels(const ConstBitPlaneView& plane, const Body& body) {
       }
     }
   }
-}
-
-Pixel moved(Pixel p, int direction) {
-  const Pixel step = kSteps[static_cast<std::size_t>(direction)];
-  return {p.x + step.x, p.y + step.y};
-}
-
-template <class Body>
-void for_directions(DirectionSet set, const Body& body) {
-  for (; set != 0; set &= set - 1) body(std::countr_zero(set));
 }
 
 std::uint32_t number(std::size_t size) {
@@ -106,23 +49,16 @@ class GraphWalker::Walk {
   }
 
  private:
-  [[nodiscard]] std::uint32_t& node_at(Pixel p) {
-    return walker_.node_at_[static_cast<std::size_t>(p.y * walker_.width_ + p.x)];
-  }
+  [[nodiscard]] std::uint32_t& node_at(Pixel p) { return walker_.node_at()[p]; }
 
-  [[nodiscard]] unsigned window(Pixel p) const {
-    const unsigned above = three_bits(image_.row(p.y - 1), p.x);
-    const unsigned here = three_bits(image_.row(p.y), p.x);
-    const unsigned below = three_bits(image_.row(p.y + 1), p.x);
-    return above | below << 3 | (here & 1) << 6 | (here >> 2) << 7;
-  }
+  [[nodiscard]] unsigned window(Pixel p) const { return window_at(image_, p); }
   [[nodiscard]] DirectionSet joined(Pixel p) const { return kJoined[window(p)]; }
 
-  [[nodiscard]] bool is_node(Pixel p) const { return bit_at(nodes_.row(p.y), p.x); }
-  [[nodiscard]] bool is_line(Pixel p) const { return bit_at(lines_.row(p.y), p.x); }
+  [[nodiscard]] bool is_node(Pixel p) const { return bit_at(nodes_, p); }
+  [[nodiscard]] bool is_line(Pixel p) const { return bit_at(lines_, p); }
 
   void take_line(Pixel p) {
-    lines_.row(p.y)[p.x >> 6] &= ~(std::uint64_t{1} << (p.x & 63));
+    clear_bit(lines_, p);
     graph_.edge_pixels.push_back(p);
   }
 
@@ -168,8 +104,7 @@ class GraphWalker::Walk {
     for (std::uint32_t i = 0; i < of.pixel_count; ++i) {
       const Pixel start = graph_.node_pixels[of.first_pixel + i];
       const unsigned around = window(start);
-      constexpr DirectionSet east_to_south = 0b111;
-      if ((kNeighbours[around] & east_to_south) == east_to_south) --joints;  // a full block
+      if (begins_block(around)) --joints;
       for_directions(kJoined[around],
                      [&](int direction) { joints += add_edge_towards(node, start, direction); });
     }
@@ -201,7 +136,7 @@ class GraphWalker::Walk {
     Pixel p = moved(start, direction);
     while (is_line(p)) {
       take_line(p);
-      direction = std::countr_zero(joined(p) & ~(1U << opposite(direction)));
+      direction = direction_on(window(p), direction);
       diagonal += is_diagonal(direction) ? 1U : 0U;
       p = moved(p, direction);
     }

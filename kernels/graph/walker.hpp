@@ -8,6 +8,14 @@
 
 namespace thinbench::detail {
 
+/// 1 + the node of every node pixel; other pixels have no value.
+struct NodeMap {
+  std::uint32_t* data;
+  Index width;
+
+  std::uint32_t& operator[](Pixel p) const { return data[p.y * width + p.x]; }
+};
+
 /// Walks along lines pixel by pixel. Cost per line pixel: three bits from each of three rows, a
 /// look-up of the joined neighbours, and the pixel's entry in the list.
 class GraphWalker {
@@ -18,11 +26,13 @@ class GraphWalker {
   const Graph& walk(const ConstBitPlaneView& image, const ConstBitPlaneView& nodes,
                     const BitPlaneView& lines);
 
+  [[nodiscard]] NodeMap node_at() { return {node_at_.get(), width_}; }
+
  private:
   class Walk;
 
   Index width_;
-  AlignedArray<std::uint32_t> node_at_;  // of node pixels: 1 + their node
+  AlignedArray<std::uint32_t> node_at_;
   std::vector<Pixel> to_visit_;
   Graph graph_;
 };
