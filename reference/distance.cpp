@@ -1,6 +1,8 @@
 #include "thinbench/distance.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "reference.hpp"
@@ -41,6 +43,22 @@ void squared_distances(ConstImageView source, LabelView distances) {
     for (Index x = 0; x < source.width; ++x) in_column.push_back(distance_in_column(source, x, y));
     for (Index x = 0; x < source.width; ++x) {
       distances.row(y)[x] = static_cast<std::int32_t>(squared_distance(in_column, x));
+    }
+  }
+}
+
+void distances(ConstImageView source, View<double> distances, const Spacing& spacing) {
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      double lowest = std::numeric_limits<double>::infinity();
+      for (Index v = 0; v < source.height; ++v) {
+        for (Index u = 0; u < source.width; ++u) {
+          const double down = static_cast<double>(y - v) * spacing.y;
+          const double across = static_cast<double>(x - u) * spacing.x;
+          if (source.row(v)[u] == 0) lowest = std::min(lowest, down * down + across * across);
+        }
+      }
+      distances.row(y)[x] = std::sqrt(lowest);
     }
   }
 }

@@ -155,13 +155,16 @@ class Builder {
                       stop,
                       static_cast<std::uint32_t>(graph_.edge_pixels.size()),
                       static_cast<std::uint32_t>(line.size()),
-                      0,
-                      0};
+                      {}};
     graph_.edge_pixels.insert(graph_.edge_pixels.end(), line.begin(), line.end());
     Pixel previous = start;
     const auto step_to = [&](Pixel p) {
       const bool is_diagonal = p.x != previous.x && p.y != previous.y;
-      if (p != previous) ++(is_diagonal ? edge.diagonal_steps : edge.straight_steps);
+      if (is_diagonal) {
+        ++edge.steps.diagonal;
+      } else if (p != previous) {
+        ++(p.x == previous.x ? edge.steps.vertical : edge.steps.horizontal);
+      }
       previous = p;
     };
     for (const Pixel p : line) step_to(p);

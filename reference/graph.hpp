@@ -14,6 +14,7 @@ void prune(ConstImageView skeleton, ImageView destination, const Pruning& prunin
 
 /// Douglas and Peucker as published: splits at the first of the farthest points, for which it
 /// measures every point.
-[[nodiscard]] std::vector<Pixel> polyline(std::span<const Pixel> points, double tolerance);
+[[nodiscard]] std::vector<Pixel> polyline(std::span<const Pixel> points, double tolerance,
+                                          const Spacing& spacing = {});
 
 }  // namespace thinbench::reference

@@ -1,26 +1,25 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <vector>
 
 #include "graph.hpp"
-#include "thinbench/distance.hpp"
 
 namespace thinbench::reference {
 namespace {
 
-double length_of_line(const GraphEdge& edge) {
-  return edge.straight_steps + std::sqrt(2.0) * edge.diagonal_steps;
+double length_of_line(const GraphEdge& edge, const Spacing& spacing) {
+  const auto [horizontal, vertical, diagonal] = edge.steps;
+  return horizontal * spacing.x + vertical * spacing.y +
+         diagonal * std::sqrt(spacing.x * spacing.x + spacing.y * spacing.y);
 }
 
 /// Below which a branch at this pixel of a junction is short.
 double limit(const Pruning& pruning, Pixel junction) {
   if (pruning.min_widths == 0) return pruning.min_length;
-  const ConstLabelView& squares = pruning.squared_distances;
-  const std::int32_t square = squares.data[squares.stride * junction.y + junction.x];
-  if (square == kNoBackground) return std::numeric_limits<double>::infinity();
-  return std::max(pruning.min_length, pruning.min_widths * 2 * std::sqrt(square));
+  const View<const double>& distances = pruning.distances;
+  const double width = 2 * distances.data[distances.stride * junction.y + junction.x];
+  return std::max(pruning.min_length, pruning.min_widths * width);
 }
 
 /// The pixels of a line, and its ends where they are ends of the skeleton.
@@ -42,7 +41,7 @@ std::vector<Pixel> pixels_of_a_round(const Graph& graph, const Pruning& pruning)
   for (const GraphEdge& edge : graph.edges) {
     const bool starts = graph.nodes[edge.from].kind == NodeKind::end;
     const bool stops = graph.nodes[edge.to].kind == NodeKind::end;
-    const double length = length_of_line(edge);
+    const double length = length_of_line(edge, pruning.spacing);
     if (starts && stops) {
       if (pruning.removes_components && length < pruning.min_length) {
         take(pixels_to_remove(graph, edge));

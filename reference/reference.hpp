@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/image_view.hpp"
 #include "thinbench/nets.hpp"
@@ -132,5 +133,7 @@ using EdgeDetection = void (*)(const EdgeThresholds& thresholds, ConstImageView 
 /// first, then the minimum of all columns, (x - u)^2 + distance(u, y)^2. kNoBackground everywhere
 /// in an image without background.
 void squared_distances(ConstImageView source, LabelView distances);
+/// The same with a spacing: the formula of thinbench/distance.hpp for every pair of pixels.
+void distances(ConstImageView source, View<double> distances, const Spacing& spacing);
 
 }  // namespace thinbench::reference

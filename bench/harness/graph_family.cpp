@@ -20,9 +20,9 @@ std::vector<std::int64_t> numbers_of(const Graph& graph) {
     append_pixels(graph.pixels_of(node));
   }
   for (const GraphEdge& edge : graph.edges) {
-    numbers.insert(numbers.end(),
-                   {edge.from, edge.to, edge.start.x, edge.start.y, edge.stop.x, edge.stop.y,
-                    edge.straight_steps, edge.diagonal_steps, edge.pixel_count});
+    numbers.insert(numbers.end(), {edge.from, edge.to, edge.start.x, edge.start.y, edge.stop.x,
+                                   edge.stop.y, edge.steps.horizontal + edge.steps.vertical,
+                                   edge.steps.diagonal, edge.pixel_count});
     append_pixels(graph.pixels_of(edge));
   }
   return numbers;

@@ -103,6 +103,10 @@ Struct versioned(const Struct* given, size_t first_version, Struct defaults, con
 /// The image of a stack of one.
 [[nodiscard]] ConstImageView image_of(const thinbench_stack* stack);
 
+[[nodiscard]] inline Spacing spacing_of(const thinbench_spacing* spacing) {
+  return spacing == nullptr ? Spacing{} : Spacing{spacing->y, spacing->x};
+}
+
 struct PackedViews {
   ConstPackedView source;
   PackedView destination;

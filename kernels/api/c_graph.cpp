@@ -14,8 +14,8 @@ static_assert(sizeof(thinbench_graph_edge) == sizeof(thinbench::GraphEdge));
 static_assert(sizeof(thinbench_pixel) == sizeof(thinbench::Pixel));
 static_assert(offsetof(thinbench_graph_node, pixel_count) ==
               offsetof(thinbench::GraphNode, pixel_count));
-static_assert(offsetof(thinbench_graph_edge, diagonal_steps) ==
-              offsetof(thinbench::GraphEdge, diagonal_steps));
+static_assert(offsetof(thinbench_graph_edge, horizontal_steps) ==
+              offsetof(thinbench::GraphEdge, steps));
 
 struct thinbench_graph {
   thinbench::Graph found;
@@ -42,10 +42,10 @@ Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image
                                             "sizeof(thinbench_pruning)");
   Pruning result = {.min_length = given.min_length, .min_widths = given.min_widths};
   result.removes_components = given.removes_components != 0;
-  if (given.squared_distances != nullptr) {
-    result.squared_distances = {given.squared_distances, image.width, image.height,
-                                given.distances_stride};
+  if (given.distances != nullptr) {
+    result.distances = {given.distances, image.width, image.height, given.distances_stride};
   }
+  result.spacing = spacing_of(given.spacing);
   return result;
 }
 
@@ -121,21 +121,23 @@ void thinbench_graph_destroy(thinbench_graph* graph) {
   delete graph;
 }
 
-thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
-                                             const int32_t* squared_distances, ptrdiff_t height,
-                                             ptrdiff_t width, ptrdiff_t stride,
+thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph, const double* distances,
+                                             ptrdiff_t height, ptrdiff_t width, ptrdiff_t stride,
                                              thinbench_edge_widths* widths) {
   return guarded([&] {
     require_pointer(graph, "graph");
     if (graph->found.edges.empty()) return;
     require_pointer(widths, "widths");
-    const auto found = edge_widths(graph->found, {squared_distances, width, height, stride});
-    for (const auto& [mean, least, greatest] : found) *widths++ = {mean, least, greatest};
+    const auto found = edge_widths(graph->found, {distances, width, height, stride});
+    for (const auto& [mean, median, least, greatest] : found) {
+      *widths++ = {mean, median, least, greatest};
+    }
   });
 }
 
 thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count, double tolerance,
-                                    thinbench_pixel* kept, size_t* kept_count) {
+                                    const thinbench_spacing* spacing, thinbench_pixel* kept,
+                                    size_t* kept_count) {
   return guarded([&] {
     require_pointer(kept_count, "kept_count");
     if (count > 0) {
@@ -143,7 +145,7 @@ thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
       require_pointer(kept, "kept");
     }
     const std::vector<Pixel> result =
-        polyline({reinterpret_cast<const Pixel*>(points), count}, tolerance);
+        polyline({reinterpret_cast<const Pixel*>(points), count}, tolerance, spacing_of(spacing));
     std::copy(result.begin(), result.end(), reinterpret_cast<Pixel*>(kept));
     *kept_count = result.size();
   });

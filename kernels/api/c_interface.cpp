@@ -94,6 +94,16 @@ thinbench_status thinbench_squared_distances(const thinbench_stack* source, int3
   });
 }
 
+thinbench_status thinbench_distances(const thinbench_stack* source, double* distances,
+                                     ptrdiff_t stride, const thinbench_spacing* spacing,
+                                     const thinbench_execution* execution) {
+  return guarded([&] {
+    const ConstImageView image = image_of(source);
+    thinbench::distances(image, {distances, image.width, image.height, stride}, spacing_of(spacing),
+                         execution_of(execution));
+  });
+}
+
 thinbench_status thinbench_find_regions(const thinbench_stack* source, int32_t* labels,
                                         ptrdiff_t labels_stride,
                                         const thinbench_execution* execution,

@@ -1,9 +1,13 @@
 #include "core/checks.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "thinbench/options.hpp"
@@ -101,17 +105,18 @@ Index image_bytes(const View& view) {
   return (view.height - 1) * view.stride + view.width;
 }
 
-/// A view of the bytes of labels. `exceed` begins the message if it leaves the address space.
-ConstImageView bytes_of(const ConstLabelView& labels, const char* exceed) {
-  constexpr Index bytes = sizeof(std::int32_t);
+/// A view of the bytes of numbers. `exceed` begins the message if it leaves the address space.
+template <class T>
+ConstImageView bytes_of(const View<T>& numbers, const char* exceed) {
+  constexpr Index bytes = sizeof(T);
   constexpr Index most = PTRDIFF_MAX / bytes;
-  if (std::max(labels.stride, labels.width) > most ||
-      std::min(labels.stride, labels.width) < -most) {
-    reject(exceed + (" the address space: " + size_text(labels.width, labels.height)) +
-           ", stride " + std::to_string(labels.stride));
+  if (std::max(numbers.stride, numbers.width) > most ||
+      std::min(numbers.stride, numbers.width) < -most) {
+    reject(exceed + (" the address space: " + text_of(numbers)) + ", stride " +
+           std::to_string(numbers.stride));
   }
-  return {reinterpret_cast<const std::uint8_t*>(labels.data), labels.width * bytes, labels.height,
-          labels.stride * bytes};
+  return {reinterpret_cast<const std::uint8_t*>(numbers.data), numbers.width * bytes,
+          numbers.height, numbers.stride * bytes};
 }
 
 bool overlap(const ConstImageView& a, const ConstImageView& b) {
@@ -205,6 +210,12 @@ void require(bool condition, const std::string& message) {
   if (!condition) reject(message);
 }
 
+std::string number_text(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", number);
+  return text.data();
+}
+
 std::string size_text(Index width, Index height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
@@ -236,6 +247,20 @@ void require_label_size(Index width, Index height) {
   if (width == 0 || height <= (Index{1} << 31) / width) return;
   reject("image size " + size_text(width, height) +
          " is larger than 2^31 pixels, the limit for labels");
+}
+
+void require_not_negative(const char* name, double number) {
+  require(
+      number >= 0 && std::isfinite(number),
+      std::string(name) + ": expected a finite number of at least 0, got " + number_text(number));
+}
+
+void require_spacing(const Spacing& spacing) {
+  for (const double distance : {spacing.y, spacing.x}) {
+    require(distance >= 1e-30 && distance <= 1e30,
+            "spacing: expected numbers from 1e-30 to 1e30, got " + number_text(spacing.y) + ", " +
+                number_text(spacing.x));
+  }
 }
 
 void require_connectivity(int connectivity) {
@@ -272,19 +297,25 @@ void check_views(const ConstPackedView& source, const ConstPackedView& destinati
   }
 }
 
-void check_views(const ConstImageView& source, const LabelView& labels) {
-  const ConstImageView as_bytes = bytes_of(labels, "labels exceed");
+template <class T>
+void check_views(const ConstImageView& source, const View<T>& numbers) {
+  constexpr bool is_label = std::is_same_v<T, std::int32_t>;
+  const std::string name = is_label ? "labels" : "distances";
+  const ConstImageView as_bytes = bytes_of(numbers, (name + " exceed").c_str());
   check_view(source, "source");
-  check_view(as_bytes, "labels");
-  if (source.width != labels.width || source.height != labels.height) {
-    reject("source is " + text_of(source) + " and labels " +
-           size_text(labels.width, labels.height) + "; they must have the same size");
+  check_view(as_bytes, name.c_str());
+  if (source.width != numbers.width || source.height != numbers.height) {
+    reject("source is " + text_of(source) + " and " + name + " " + text_of(numbers) +
+           "; they must have the same size");
   }
   if (image_bytes(source) > 0 &&
       ranges_overlap(source.data, image_bytes(source), as_bytes.data, image_bytes(as_bytes))) {
-    reject("source and labels overlap");
+    reject("source and " + name + " overlap");
   }
 }
+
+template void check_views(const ConstImageView& source, const LabelView& numbers);
+template void check_views(const ConstImageView& source, const View<double>& numbers);
 
 void check_views(const ConstLabelView& source, const LabelView& destination) {
   if (source.width != destination.width || source.height != destination.height) {

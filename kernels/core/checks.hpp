@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "thinbench/distance.hpp"
 #include "thinbench/image_view.hpp"
 #include "thinbench/packed.hpp"
 
@@ -15,6 +16,8 @@ void require(bool condition, const std::string& message);
 
 /// "510 x 412", for messages.
 [[nodiscard]] std::string size_text(Index width, Index height);
+/// "0.25", for messages.
+[[nodiscard]] std::string number_text(double number);
 
 // Each rejects what it names: a negative size, more than 2^40 pixels, threads outside [1,
 // kMaxThreads].
@@ -23,6 +26,9 @@ void require_max_pixels(Index width, Index height);
 void require_threads(int threads);
 /// 4 or 8.
 void require_connectivity(int connectivity);
+void require_not_negative(const char* name, double number);
+/// Both within [1e-30, 1e30], so that no square of a length overflows.
+void require_spacing(const Spacing& spacing);
 
 // Limits of labels and keys, which are 32-bit numbers: a side of 2^29, 2^32 pixels with regions and
 // 2^31 with labels.
@@ -39,8 +45,11 @@ void check_views(const ConstImageView& source, const ConstImageView& destination
 /// overlapping.
 void check_views(const ConstPackedView& source, const ConstPackedView& destination);
 
-/// The same for an image of labels; rejects any overlap.
-void check_views(const ConstImageView& source, const LabelView& labels);
+/// The same for an image of labels or of distances; rejects any overlap.
+template <class T>
+void check_views(const ConstImageView& source, const View<T>& numbers);
+extern template void check_views(const ConstImageView& source, const LabelView& numbers);
+extern template void check_views(const ConstImageView& source, const View<double>& numbers);
 
 /// The same for two images of labels, which may be the same image.
 void check_views(const ConstLabelView& source, const LabelView& destination);

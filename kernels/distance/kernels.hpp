@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "thinbench/image_view.hpp"
+#include "thinbench/distance.hpp"
 
 namespace thinbench::detail {
 
@@ -35,13 +35,16 @@ class DistanceRow {
   explicit DistanceRow(Index width)
       : squares_(static_cast<std::size_t>(width + 2 * kMargin)),
         sites_(static_cast<std::size_t>(width)),
-        starts_(static_cast<std::size_t>(width)) {}
+        starts_(static_cast<std::size_t>(width)),
+        found_(static_cast<std::size_t>(width)) {}
 
   /// One per pixel, between margins that searches and whole registers may read.
   [[nodiscard]] std::int16_t* squares() { return squares_.data() + kMargin; }
   /// For the lower envelope: the columns of its parabolas, and where each becomes the lowest.
   [[nodiscard]] std::int32_t* sites() { return sites_.data(); }
   [[nodiscard]] std::int32_t* starts() { return starts_.data(); }
+  /// The squared distances of a row that is wanted in another form.
+  [[nodiscard]] std::int32_t* found() { return found_.data(); }
 
   static constexpr Index kMargin = kMaxSearch + 64;
 
@@ -49,6 +52,7 @@ class DistanceRow {
   std::vector<std::int16_t> squares_;
   std::vector<std::int32_t> sites_;
   std::vector<std::int32_t> starts_;
+  std::vector<std::int32_t> found_;
 };
 
 /// The vertical distances of columns [first, last).
@@ -58,14 +62,23 @@ using DistanceColumns = void (*)(const ConstImageView& source, const VerticalDis
 using DistanceOfRow = void (*)(const std::uint16_t* vertical, DistanceRow& memory,
                                std::int32_t* distances, Index width);
 
+/// Distances from their squares.
+using RootsOfRow = void (*)(const std::int32_t* squares, double spacing, double* distances,
+                            Index width);
+
 /// Compiled for every ISA.
 struct DistanceKernels {
   DistanceColumns columns;
   DistanceOfRow row;
+  RootsOfRow roots;
 };
 
 /// On any machine, in time linear in the width.
 void envelope_row(const std::uint16_t* vertical, DistanceRow& memory, std::int32_t* distances,
                   Index width);
+
+/// Distances where rows and columns are not equally far apart.
+void spaced_row(const std::uint16_t* vertical, DistanceRow& memory, const Spacing& spacing,
+                double* distances, Index width);
 
 }  // namespace thinbench::detail

@@ -9,6 +9,7 @@
 // foreground pixels with a distance over kMaxSearch is left to the lower envelope, whose time does
 // not depend on distances.
 #include <algorithm>
+#include <cmath>
 
 #include "core/exported.hpp"
 #include "distance/kernels.hpp"
@@ -111,10 +112,18 @@ void row(const std::uint16_t* vertical, DistanceRow& memory, std::int32_t* dista
   }
 }
 
+/// A root for each lane, as errno is not set here.
+void roots(const std::int32_t* squares, double spacing, double* distances, Index width) {
+  for (Index x = 0; x < width; ++x) {
+    distances[x] = std::sqrt(static_cast<double>(squares[x])) * spacing;
+  }
+}
+
 }  // namespace
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const DistanceKernels Exported<DistanceKernels, kThisIsa>::kKernels = {&columns, &row};
+constinit const DistanceKernels Exported<DistanceKernels, kThisIsa>::kKernels = {&columns, &row,
+                                                                                 &roots};
 
 }  // namespace thinbench::detail

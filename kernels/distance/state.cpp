@@ -1,6 +1,7 @@
 #include "distance/state.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/exported.hpp"
 #include "core/features.hpp"
@@ -30,7 +31,8 @@ DistanceState::DistanceState(const DistanceKernels& kernels, const DistanceSetti
           static_cast<std::size_t>(stride_of(setting.width) * setting.height))),
       rows_(static_cast<std::size_t>(setting.threads), DistanceRow(setting.width)) {}
 
-void DistanceState::run(const ConstImageView& source, const LabelView& distances) {
+template <class Row>
+void DistanceState::for_rows(const ConstImageView& source, const Row& row) {
   if (source.width == 0) return;  // such rows need no memory
   const VerticalDistances vertical = {vertical_.get(), stride_of(source.width)};
   team_.for_ranges((source.width + kColumns - 1) / kColumns, [&](Index first, Index last) {
@@ -40,11 +42,38 @@ void DistanceState::run(const ConstImageView& source, const LabelView& distances
   team_.for_ranges(threads, [&](Index first, Index last) {
     for (Index i = first; i < last; ++i) {
       for (Index y = source.height * i / threads; y < source.height * (i + 1) / threads; ++y) {
-        kernels_.row(vertical.row(y), rows_[static_cast<std::size_t>(i)], distances.row(y),
-                     source.width);
+        row(y, vertical.row(y), rows_[static_cast<std::size_t>(i)]);
       }
     }
   });
+}
+
+void DistanceState::run(const ConstImageView& source, const LabelView& distances) {
+  for_rows(source, [&](Index y, const std::uint16_t* vertical, DistanceRow& memory) {
+    kernels_.row(vertical, memory, distances.row(y), source.width);
+  });
+}
+
+void DistanceState::run(const ConstImageView& source, const View<double>& distances,
+                        const Spacing& spacing) {
+  for_rows(source, [&](Index y, const std::uint16_t* vertical, DistanceRow& memory) {
+    if (spacing.x == spacing.y) {
+      write_roots(vertical, memory, spacing.x, distances.row(y), source.width);
+    } else {
+      spaced_row(vertical, memory, spacing, distances.row(y), source.width);
+    }
+  });
+}
+
+void DistanceState::write_roots(const std::uint16_t* vertical, DistanceRow& memory, double spacing,
+                                double* distances, Index width) {
+  std::int32_t* const squares = memory.found();
+  kernels_.row(vertical, memory, squares, width);
+  if (squares[0] == kNoBackground) {
+    std::fill_n(distances, width, std::numeric_limits<double>::infinity());
+  } else {
+    kernels_.roots(squares, spacing, distances, width);
+  }
 }
 
 void DistanceState::check(const DistanceParameters&, Index width, Index height) {

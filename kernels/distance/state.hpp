@@ -27,8 +27,15 @@ class DistanceState {
 
   /// Both views must have the size of the setting.
   void run(const ConstImageView& source, const LabelView& distances);
+  void run(const ConstImageView& source, const View<double>& distances, const Spacing& spacing);
 
  private:
+  /// Calls `row(y, vertical distances, memory)` for every row.
+  template <class Row>
+  void for_rows(const ConstImageView& source, const Row& row);
+  void write_roots(const std::uint16_t* vertical, DistanceRow& memory, double spacing,
+                   double* distances, Index width);
+
   DistanceKernels kernels_;
   ThreadTeam team_;
   AlignedArray<std::uint16_t> vertical_;

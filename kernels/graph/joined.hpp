@@ -24,6 +24,12 @@ constexpr int opposite(int direction) {
   return (direction + kDirections / 2) % kDirections;
 }
 
+constexpr void add_step(Steps& steps, int direction) {
+  ++(is_diagonal(direction) ? steps.diagonal
+     : direction % 4 == 0   ? steps.horizontal
+                            : steps.vertical);
+}
+
 constexpr Pixel moved(Pixel p, int direction) {
   const Pixel step = kSteps[static_cast<std::size_t>(direction)];
   return {p.x + step.x, p.y + step.y};

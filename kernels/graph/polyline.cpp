@@ -16,8 +16,9 @@ struct Step {
   double x;
   double y;
 
-  Step(Pixel from, Pixel to)
-      : x(static_cast<double>(to.x) - from.x), y(static_cast<double>(to.y) - from.y) {}
+  Step(Pixel from, Pixel to, const Spacing& spacing = {})
+      : x((static_cast<double>(to.x) - from.x) * spacing.x),
+        y((static_cast<double>(to.y) - from.y) * spacing.y) {}
 };
 
 double product(const Step& a, const Step& b) {
@@ -30,15 +31,17 @@ double product(const Step& a, const Step& b) {
 struct Segment {
   Pixel a;
   Pixel b;
-  Step line{a, b};
+  Spacing spacing;
+  Step line{a, b, spacing};
   double squared_length = product(line, line);
   double scale = a == b ? 1 : squared_length;
 
   [[nodiscard]] double scaled_distance(Pixel p) const {
-    const Step to_p(a, p);
+    const Step to_p(a, p, spacing);
     const double along = product(line, to_p);
     if (along <= 0) return product(to_p, to_p) * scale;
-    if (along >= squared_length) return product(Step(b, p), Step(b, p)) * scale;
+    const Step beyond(b, p, spacing);
+    if (along >= squared_length) return product(beyond, beyond) * scale;
     const double across = line.x * to_p.y - line.y * to_p.x;
     return across * across;
   }
@@ -80,14 +83,15 @@ std::vector<Pixel> convex_hull(const std::vector<Pixel>& sorted) {
 /// blocks. (Hulls of n pixels of a line have O(n^(2/3)) corners, mostly a few.)
 class FarthestPoint {
  public:
-  explicit FarthestPoint(std::span<const Pixel> points) : points_(points) {
+  FarthestPoint(std::span<const Pixel> points, const Spacing& spacing)
+      : points_(points), spacing_(spacing) {
     while (points.size() >> (kPlain + hulls_.size() + 1) > 0) add_level();
   }
 
   /// The first of the points between those with the numbers `first` and `last` that are farthest
   /// from the segment between both, if that is more than the square root of `limit`; else `first`.
   [[nodiscard]] std::size_t between(std::size_t first, std::size_t last, double limit) const {
-    const Segment segment = {points_[first], points_[last]};
+    const Segment segment = {points_[first], points_[last], spacing_};
     double greatest = 0;
     std::size_t level = 0;
     std::size_t block = first;
@@ -141,14 +145,16 @@ class FarthestPoint {
   }
 
   std::span<const Pixel> points_;
+  Spacing spacing_;
   std::vector<std::vector<std::vector<Pixel>>> hulls_;  // [level - kPlain - 1][block]
 };
 
 /// Marks the points to keep between each pair that is already kept.
-std::vector<bool> kept_points(std::span<const Pixel> points, double tolerance) {
+std::vector<bool> kept_points(std::span<const Pixel> points, double tolerance,
+                              const Spacing& spacing) {
   std::vector<bool> kept(points.size());
   kept.front() = kept.back() = true;
-  const FarthestPoint farthest_point(points);
+  const FarthestPoint farthest_point(points, spacing);
   std::vector<std::pair<std::size_t, std::size_t>> to_split = {{0, points.size() - 1}};
   while (!to_split.empty()) {
     const auto [first, last] = to_split.back();
@@ -164,8 +170,9 @@ std::vector<bool> kept_points(std::span<const Pixel> points, double tolerance) {
 
 }  // namespace
 
-double length_of(const GraphEdge& edge) {
-  return edge.straight_steps + edge.diagonal_steps * std::sqrt(2.0);
+double length_of(const Steps& steps, const Spacing& spacing) {
+  const double diagonal = std::sqrt(spacing.x * spacing.x + spacing.y * spacing.y);
+  return steps.horizontal * spacing.x + steps.vertical * spacing.y + steps.diagonal * diagonal;
 }
 
 std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge) {
@@ -176,12 +183,13 @@ std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge) {
   return points;
 }
 
-std::vector<Pixel> polyline(std::span<const Pixel> points, double tolerance) {
-  detail::require(tolerance >= 0 && std::isfinite(tolerance),
-                  "tolerance: expected a number of at least 0, got " + std::to_string(tolerance));
+std::vector<Pixel> polyline(std::span<const Pixel> points, double tolerance,
+                            const Spacing& spacing) {
+  detail::require_not_negative("tolerance", tolerance);
+  detail::require_spacing(spacing);
   std::vector<Pixel> result;
   if (points.empty()) return result;
-  const std::vector<bool> kept = kept_points(points, tolerance);
+  const std::vector<bool> kept = kept_points(points, tolerance, spacing);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (kept[i]) result.push_back(points[i]);
   }

@@ -1,12 +1,9 @@
 #include "graph/pruner.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
-
-#include "thinbench/distance.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -15,11 +12,6 @@ namespace {
 /// after these lines were looked at.
 constexpr std::uint32_t kNewLine = 0;
 constexpr std::uint32_t kKnownLine = std::numeric_limits<std::uint32_t>::max();
-
-template <class Steps>
-double length_of(const Steps& steps) {
-  return steps.straight + steps.diagonal * std::sqrt(2.0);
-}
 
 auto raster_order(Pixel p) {
   return std::tuple(p.y, p.x);
@@ -30,11 +22,6 @@ bool is_before(Pixel a, Pixel b) {
 }
 
 }  // namespace
-
-double width_at(const ConstLabelView& squared_distances, Pixel p) {
-  const std::int32_t square = squared_distances.row(p.y)[p.x];
-  return square == kNoBackground ? std::numeric_limits<double>::infinity() : 2 * std::sqrt(square);
-}
 
 bool Pruner::ByEnd::operator()(const Branch& a, const Branch& b) const {
   return std::tuple(a.length, raster_order(a.end)) < std::tuple(b.length, raster_order(b.end));
@@ -73,17 +60,17 @@ bool Pruner::is_junction(Pixel p) const {
 double Pruner::limit_at(Pixel stop) const {
   if (pruning_.min_widths == 0) return pruning_.min_length;
   return std::max(pruning_.min_length,
-                  pruning_.min_widths * width_at(pruning_.squared_distances, stop));
+                  pruning_.min_widths * 2 * pruning_.distances.row(stop.y)[stop.x]);
 }
 
 template <class Visit>
 Pruner::Line Pruner::follow(Pixel from, Visit visit, int direction) const {
   Line line = {moved(from, direction), direction, {}};
-  line.steps.add(direction);
+  add_step(line.steps, direction);
   while (is_line(line.stop) && line.stop != from) {
     visit(line.stop);
     line.direction = direction_on(window_at(image_, line.stop), line.direction);
-    line.steps.add(line.direction);
+    add_step(line.steps, line.direction);
     line.stop = moved(line.stop, line.direction);
   }
   return line;
@@ -101,7 +88,7 @@ void Pruner::clear_line(Pixel end, bool with_stop) {
 void Pruner::look_at_end(Pixel end) {
   const Line line = follow(
       end, [](Pixel) {}, std::countr_zero(joined(end)));
-  const double length = length_of(line.steps);
+  const double length = length_of(line.steps, pruning_.spacing);
   if (is_junction(line.stop)) {
     const Branch branch = {length, end, line.stop, opposite(line.direction)};
     if (length < limit_at(line.stop)) add(node_at_[line.stop], branch);

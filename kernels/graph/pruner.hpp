@@ -15,9 +15,6 @@
 
 namespace thinbench::detail {
 
-/// Twice the distance to the background.
-double width_at(const ConstLabelView& squared_distances, Pixel p);
-
 /// Removes branches from an image, round after round; see thinbench/graph.hpp.
 ///
 /// Removing a branch changes the class of one other pixel at most: of the junction pixel it led to,
@@ -58,13 +55,6 @@ class Pruner {
     std::span<const Pixel> pixels;
     std::set<Branch, ByEnd> before;
     std::set<Branch, ByStop> after;
-  };
-
-  struct Steps {
-    std::uint32_t straight = 0;
-    std::uint32_t diagonal = 0;
-
-    void add(int direction) { ++(is_diagonal(direction) ? diagonal : straight); }
   };
 
   /// A line followed from a pixel to the first pixel that is none, or to where it began.

@@ -110,8 +110,7 @@ class GraphWalker::Walk {
     }
     const Pixel first = graph_.node_pixels[of.first_pixel];
     for (; joints > 0; --joints) {
-      graph_.edges.push_back(
-          {node, node, first, first, number(graph_.edge_pixels.size()), 0, 0, 0});
+      graph_.edges.push_back({node, node, first, first, number(graph_.edge_pixels.size()), 0, {}});
     }
   }
 
@@ -132,17 +131,17 @@ class GraphWalker::Walk {
   /// From a node pixel to the next one.
   void walk_line(std::uint32_t node, Pixel start, int direction) {
     const std::uint32_t begin = number(graph_.edge_pixels.size());
-    std::uint32_t diagonal = is_diagonal(direction) ? 1U : 0U;
+    Steps steps;
+    add_step(steps, direction);
     Pixel p = moved(start, direction);
     while (is_line(p)) {
       take_line(p);
       direction = direction_on(window(p), direction);
-      diagonal += is_diagonal(direction) ? 1U : 0U;
+      add_step(steps, direction);
       p = moved(p, direction);
     }
     const std::uint32_t count = number(graph_.edge_pixels.size()) - begin;
-    graph_.edges.push_back(
-        {node, node_at(p) - 1, start, p, begin, count, count + 1 - diagonal, diagonal});
+    graph_.edges.push_back({node, node_at(p) - 1, start, p, begin, count, steps});
   }
 
   void add_cycle(Pixel first) {

@@ -7,8 +7,8 @@
  * destinations and handles.
  *
  * thinbench_thinning, thinbench_execution, thinbench_rule_info, thinbench_binarisation and
- * thinbench_pruning begin with their size, so that later versions can add members at the end and still serve programs compiled
- * before. The other structs never change. */
+ * thinbench_pruning begin with their size, so that later versions can add members at the end and
+ * still serve programs compiled before. The other structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -32,7 +32,8 @@ typedef enum thinbench_status {
 THINBENCH_API const char* thinbench_version(void);
 
 /* Frees the memory that the calling thread keeps for its next calls: at most 8 MiB in 32 blocks. A
- * thread that ends frees it, too; after fork(), the child goes on with that of the forking thread. */
+ * thread that ends frees it, too; after fork(), the child goes on with that of the forking thread.
+ */
 THINBENCH_API void thinbench_release_memory(void);
 
 /* The message of this thread's last failure; "" if there was none. Valid until its next failure. */
@@ -267,6 +268,20 @@ THINBENCH_API thinbench_status thinbench_squared_distances(const thinbench_stack
                                                            int32_t* distances, ptrdiff_t stride,
                                                            const thinbench_execution* execution);
 
+/* How far the centres of neighbouring rows and columns are apart, in any unit. NULL stands for
+ * 1, 1.
+ */
+typedef struct thinbench_spacing {
+  double y;
+  double x;
+} thinbench_spacing;
+
+/* The distances themselves, in the unit of the spacing; infinity in an image without background. */
+THINBENCH_API thinbench_status thinbench_distances(const thinbench_stack* source, double* distances,
+                                                   ptrdiff_t stride,
+                                                   const thinbench_spacing* spacing,
+                                                   const thinbench_execution* execution);
+
 /* An object (8-connected) or a hole (4-connected background that does not touch the border). */
 typedef struct thinbench_region {
   int64_t area;
@@ -325,8 +340,8 @@ typedef struct thinbench_graph_node {
 } thinbench_graph_node;
 
 /* From `start`, a pixel of node `from`, by the pixels of the line to `stop`, a pixel of node `to`.
- * The length is straight_steps + diagonal_steps * sqrt(2). A loop within a junction has no pixels
- * and no steps. */
+ * The length is horizontal_steps * spacing x + vertical_steps * spacing y + diagonal_steps * the
+ * length of a diagonal. A loop within a junction has no pixels and no steps. */
 typedef struct thinbench_graph_edge {
   uint32_t from;
   uint32_t to; /* at least `from` */
@@ -334,7 +349,8 @@ typedef struct thinbench_graph_edge {
   thinbench_pixel stop;
   uint32_t first_pixel; /* in the list of the pixels of edges */
   uint32_t pixel_count;
-  uint32_t straight_steps;
+  uint32_t horizontal_steps;
+  uint32_t vertical_steps;
   uint32_t diagonal_steps;
 } thinbench_graph_edge;
 
@@ -358,13 +374,13 @@ THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* s
                                                         thinbench_graph** graph);
 
 typedef struct thinbench_pruning {
-  size_t size;       /* sizeof(thinbench_pruning) */
-  double min_length; /* removes end branches below it */
-  double min_widths; /* and those below so many times the object's width at their junction */
-  const int32_t*
-      squared_distances;      /* of the image before it was thinned; NULL without min_widths */
-  ptrdiff_t distances_stride; /* in numbers */
-  int32_t removes_components; /* nonzero: also short lines and pixels on their own */
+  size_t size;             /* sizeof(thinbench_pruning) */
+  double min_length;       /* removes end branches below it */
+  double min_widths;       /* and those below so many times the object's width at their junction */
+  const double* distances; /* of the image before it was thinned; NULL without min_widths */
+  ptrdiff_t distances_stride;       /* in numbers */
+  int32_t removes_components;       /* nonzero: also short lines and pixels on their own */
+  const thinbench_spacing* spacing; /* that of the distances and of min_length */
 } thinbench_pruning;
 
 /* Removes short branches of one skeleton, of equal ones the first, until none is left. Destination
@@ -393,6 +409,7 @@ THINBENCH_API void thinbench_graph_destroy(thinbench_graph* graph);
  * background. */
 typedef struct thinbench_edge_widths {
   double mean;
+  double median;
   double least;
   double greatest;
 } thinbench_edge_widths;
@@ -400,17 +417,18 @@ typedef struct thinbench_edge_widths {
 /* Those of every edge, in the order of the edges, for which `widths` has room. The distances are
  * those of the image before it was thinned, `stride` numbers from row to row. */
 THINBENCH_API thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
-                                                           const int32_t* squared_distances,
+                                                           const double* distances,
                                                            ptrdiff_t height, ptrdiff_t width,
                                                            ptrdiff_t stride,
                                                            thinbench_edge_widths* widths);
 
 /* Keeps the first point of a line, the last and some between them, chosen so that no point is
- * farther than `tolerance` from the polyline. `kept` has room for `count` points and may be
- * `points`; *kept_count becomes their number. */
+ * farther than `tolerance`, in the unit of the spacing, from the polyline. `kept` has room for
+ * `count` points and may be `points`; *kept_count becomes their number. */
 THINBENCH_API thinbench_status thinbench_polyline(const thinbench_pixel* points, size_t count,
-                                                  double tolerance, thinbench_pixel* kept,
-                                                  size_t* kept_count);
+                                                  double tolerance,
+                                                  const thinbench_spacing* spacing,
+                                                  thinbench_pixel* kept, size_t* kept_count);
 
 /* The path of a robot from start to goal, in a map whose foreground is free, on the skeleton of the
  * free space: thinbench/path.hpp. `pixels` has room for as many pixels as the map; *count becomes
@@ -426,8 +444,9 @@ THINBENCH_API thinbench_status thinbench_fill_holes(const thinbench_stack* sourc
                                                     const thinbench_output* destination,
                                                     const thinbench_execution* execution);
 
-/* The same for objects of connectivity 8 or 4, and only for holes of at most `max_area` pixels, without
- * objects inside them, which stay as they are; INT64_MAX for all holes with all inside them. */
+/* The same for objects of connectivity 8 or 4, and only for holes of at most `max_area` pixels,
+ * without objects inside them, which stay as they are; INT64_MAX for all holes with all inside
+ * them. */
 THINBENCH_API thinbench_status thinbench_fill_small_holes(const thinbench_stack* source,
                                                           const thinbench_output* destination,
                                                           int32_t connectivity, int64_t max_area,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <queue>
 #include <string>
@@ -27,34 +26,28 @@ std::string text_of(Pixel p) {
       .append(")");
 }
 
-std::string text_of(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", number);
-  return text.data();
-}
-
 class Search {
  public:
   Search(const ConstImageView& free, const PathRequest& request, const Execution& execution)
       : width_(free.width),
         height_(free.height),
         request_(request),
-        squares_(static_cast<std::size_t>(free.width * free.height)),
+        distances_(static_cast<std::size_t>(free.width * free.height)),
         skeleton_(free.width, free.height) {
     check_place("start", request.start);
     check_place("goal", request.goal);
-    const LabelView distances(squares_.data(), width_, height_);
-    squared_distances(free, distances, execution);
+    const View<double> distances_of_free(distances_.data(), width_, height_);
+    distances(free, distances_of_free, {}, execution);
     check_room("start", request.start);
     check_room("goal", request.goal);
     thin(Rule::guo_hall, free, skeleton_.view(), {}, execution);
-    prune(skeleton_.view(), skeleton_.view(), {.min_widths = 1, .squared_distances = distances},
+    prune(skeleton_.view(), skeleton_.view(), {.min_widths = 1, .distances = distances_of_free},
           execution);
   }
 
   FoundPath run() {
-    costs_.assign(squares_.size(), std::numeric_limits<double>::infinity());
-    before_.assign(squares_.size(), 8);
+    costs_.assign(distances_.size(), std::numeric_limits<double>::infinity());
+    before_.assign(distances_.size(), 8);
     offer(index_of(request_.start), 0, 8);
     while (!open_.empty()) {
       const auto [cost, at] = open_.top();
@@ -63,8 +56,8 @@ class Search {
       if (cost == costs_[at]) visit(at);
     }
     throw std::invalid_argument("no path from " + text_of(request_.start) + " to " +
-                                text_of(request_.goal) + " is " + text_of(request_.width) +
-                                " pixels wide");
+                                text_of(request_.goal) + " is " +
+                                detail::number_text(request_.width) + " pixels wide");
   }
 
  private:
@@ -93,13 +86,9 @@ class Search {
     return x >= 0 && y >= 0 && x < width_ && y < height_;
   }
   [[nodiscard]] bool is_skeleton(Pixel p) const { return skeleton_.at(p.x, p.y) != 0; }
-  [[nodiscard]] double room_at(std::size_t i) const {
-    const std::int32_t square = squares_[i];
-    if (square == kNoBackground) return std::numeric_limits<double>::infinity();
-    return 2 * std::sqrt(static_cast<double>(square));
-  }
+  [[nodiscard]] double room_at(std::size_t i) const { return 2 * distances_[i]; }
   [[nodiscard]] bool has_room(std::size_t i) const {
-    return squares_[i] > 0 && room_at(i) >= request_.width;
+    return distances_[i] > 0 && room_at(i) >= request_.width;
   }
 
   void check_place(const char* name, Pixel p) const {
@@ -108,10 +97,10 @@ class Search {
   }
   void check_room(const char* name, Pixel p) const {
     const std::size_t at = index_of(p);
-    require(squares_[at] > 0, std::string(name) + ": " + text_of(p) + " is inside an obstacle");
+    require(distances_[at] > 0, std::string(name) + ": " + text_of(p) + " is inside an obstacle");
     require(has_room(at), std::string(name) + ": at " + text_of(p) +
-                              " there is room for a width of " + text_of(room_at(at)) +
-                              ", not of " + text_of(request_.width));
+                              " there is room for a width of " + detail::number_text(room_at(at)) +
+                              ", not of " + detail::number_text(request_.width));
   }
 
   void offer(std::size_t at, double cost, std::uint8_t step) {
@@ -152,7 +141,7 @@ class Search {
   Index width_;
   Index height_;
   PathRequest request_;
-  std::vector<std::int32_t> squares_;
+  std::vector<double> distances_;
   detail::ByteImage skeleton_;
   std::vector<double> costs_;
   std::vector<std::uint8_t> before_;  // the step by which a pixel was reached
@@ -164,7 +153,7 @@ class Search {
 FoundPath find_path(ConstImageView free, const PathRequest& request, const Execution& execution) {
   detail::check_views(free, free, detail::InPlace::allowed);
   require(request.width >= 0 && std::isfinite(request.width),
-          "width: expected a finite number from 0 up, got " + text_of(request.width));
+          "width: expected a finite number from 0 up, got " + detail::number_text(request.width));
   require(std::max(free.width, free.height) <= kMaxDistanceSide,
           "map: expected sides of at most " + std::to_string(kMaxDistanceSide) + ", got " +
               detail::size_text(free.width, free.height));

@@ -96,8 +96,9 @@ EdgeVariants edge_techniques() {
 }
 
 std::unique_ptr<DistanceState> make_envelope(const DistanceSetting& setting) {
-  const DistanceColumns columns = kernels_of<DistanceKernels>(setting.isa).columns;
-  return std::make_unique<DistanceState>(DistanceKernels{columns, &envelope_row}, setting);
+  DistanceKernels kernels = kernels_of<DistanceKernels>(setting.isa);
+  kernels.row = &envelope_row;
+  return std::make_unique<DistanceState>(kernels, setting);
 }
 
 std::unique_ptr<GraphState> make_bitpacked_graph(const GraphSetting& setting) {

@@ -164,6 +164,18 @@ def real(name: str, value: Any) -> float:
         raise ValueError(f"{name}: expected less than 2**1024 in magnitude") from None
 
 
+def spacing(name: str, value: Any) -> tuple[float, float]:
+    """The distance of rows and that of columns, from one number or two."""
+    numbers = (value, value) if np.ndim(value) == 0 else tuple(value)
+    if len(numbers) != 2:
+        raise ValueError(f"{name}: expected a number or two, of rows and of columns, got {value!r}")
+    rows, columns = (real(name, number) for number in numbers)
+    for number in (rows, columns):
+        if not 1e-30 <= number <= 1e30:
+            raise ValueError(f"{name}: expected numbers from 1e-30 to 1e30, got {number:g}")
+    return rows, columns
+
+
 def one_of(name: str, value: Any, allowed: dict[str, _Value]) -> _Value:
     """What a name stands for in the C interface."""
     if not isinstance(value, str):

@@ -212,22 +212,22 @@ def label(image: npt.ArrayLike,
 
 
 @overload
-def distance(image: npt.ArrayLike, *, squared: Literal[False] = ...,
+def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: Literal[False] = ...,
              threads: int = ...) -> npt.NDArray[np.float64]: ...
 
 
 @overload
-def distance(image: npt.ArrayLike, *, squared: Literal[True],
+def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: Literal[True],
              threads: int = ...) -> npt.NDArray[np.int32]: ...
 
 
 @overload
-def distance(image: npt.ArrayLike, *, squared: bool, threads: int = ...,
-             ) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]: ...
+def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: bool,
+             threads: int = ...) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]: ...
 
 
-def distance(image: npt.ArrayLike, *, squared: bool = False, threads: int = 1,
-             ) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]:
+def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squared: bool = False,
+             threads: int = 1) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]:
     """Find the Euclidean distance from each pixel to its nearest background pixel.
 
     Distances are between centres of pixels; background has 0. What is outside the image does not
@@ -237,8 +237,10 @@ def distance(image: npt.ArrayLike, *, squared: bool = False, threads: int = 1,
     ----------
     image : array of bool or uint8, shape (H, W)
         Nonzero is foreground. At most 32767 pixels on a side.
+    sampling : float or two floats
+        The distance between the centres of neighbouring rows, and of neighbouring columns.
     squared : bool
-        Return squares, which are exact integers.
+        Return squares, which are exact integers. Not with `sampling`.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
 
@@ -267,15 +269,17 @@ def distance(image: npt.ArrayLike, *, squared: bool = False, threads: int = 1,
     """
     array = _arrays.binary(image)
     stack, kept_alive = _arrays.source(array)
-    squares = np.empty(array.shape, np.int32)
-    _library.squared_distances(stack, squares.ctypes.data, array.shape[1],
-                               _library.execution(_arrays.integer("threads", threads)))
-    del kept_alive
+    spacing = _arrays.spacing("sampling", sampling)
+    execution = _library.execution(_arrays.integer("threads", threads))
     if squared:
+        if spacing != (1, 1):
+            raise ValueError(f"squared: expected no sampling beside it, got {sampling!r}")
+        squares = np.empty(array.shape, np.int32)
+        _library.squared_distances(stack, squares.ctypes.data, array.shape[1], execution)
         return squares
-    distances = np.sqrt(squares, dtype=np.float64)
-    if squares.size > 0 and squares.flat[0] == np.iinfo(np.int32).max:
-        distances.fill(np.inf)  # no pixel is background, as any would be at a finite distance
+    distances = np.empty(array.shape)
+    _library.distances(stack, distances.ctypes.data, array.shape[1], _library.SPACING.pack(*spacing), execution)
+    del kept_alive
     return distances
 
 

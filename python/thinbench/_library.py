@@ -19,6 +19,7 @@ STACK = struct.Struct("Pnnnnn")  # data, count, height, width, stride, image_str
 OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
 PACKED = struct.Struct("Pnnni4x")  # data, height, width, stride, lsb_first
 _THINNING = struct.Struct("NPi4x")  # size, border, max_iterations
+SPACING = struct.Struct("dd")  # y, x
 _EXECUTION = struct.Struct("Ni4xP")  # size, threads, isa
 _RULE_INFO = struct.Struct("NPPPi4xPNPii")  # size, name, and as RuleInfo
 
@@ -68,9 +69,10 @@ select_channel = _checked("select_channel", _POINTER, _DISTANCE, _DISTANCE, _DIS
                           _POINTER, _DISTANCE, _POINTER)
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 squared_distances = _checked("squared_distances", _BYTES, _POINTER, _DISTANCE, _BYTES)
+distances = _checked("distances", _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES)
 classify_pixels = _checked("classify_pixels", _BYTES, _POINTER, _DISTANCE, _POINTER, _DISTANCE)
 full_blocks = _checked("full_blocks", _BYTES, _POINTER, _POINTER)
-polyline = _checked("polyline", _POINTER, _SIZE, ctypes.c_double, _POINTER, _POINTER)
+polyline = _checked("polyline", _POINTER, _SIZE, ctypes.c_double, _BYTES, _POINTER, _POINTER)
 skeleton_graph = _checked("skeleton_graph", _BYTES, _BYTES, _POINTER)
 
 

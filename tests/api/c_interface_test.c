@@ -538,7 +538,7 @@ static void takes_images_without_pixels(void) {
   const thinbench_stack two = {NULL, 2, 5, 0, 3, 16};
   const thinbench_stack one = {NULL, 1, 5, 0, 3, 16};
   const thinbench_output output = {NULL, 3, 16, 1};
-  const thinbench_pruning pruning = {sizeof(thinbench_pruning), 0, 0, NULL, 0, 0};
+  const thinbench_pruning pruning = {sizeof(thinbench_pruning), 0, 0, NULL, 0, 0, NULL};
   thinbench_graph* graph = NULL;
   thinbench_regions* regions = NULL;
   const thinbench_packed packed = {NULL, 5, 0, 3, 0};
@@ -564,6 +564,8 @@ static void finds_the_graph_of_a_skeleton(void) {
   const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
   uint8_t classes[15];
   int32_t squares[15];
+  double distances[15];
+  const thinbench_spacing spacing = {2, 3};
   int64_t blocks = -1;
   size_t count = 0;
   thinbench_edge_widths widths[3];
@@ -571,15 +573,20 @@ static void finds_the_graph_of_a_skeleton(void) {
   CHECK(thinbench_classify_pixels(&image, classes, 5, NULL, 0) == THINBENCH_OK);
   CHECK(classes[2] == 2 && classes[7] == 3 && classes[12] == 4 && classes[0] == 0);
   CHECK(thinbench_full_blocks(&image, &blocks, NULL) == THINBENCH_OK && blocks == 0);
-  CHECK(thinbench_squared_distances(&image, squares, 5, NULL) == THINBENCH_OK);
+  CHECK(thinbench_squared_distances(&image, squares, 5, NULL) == THINBENCH_OK && squares[12] == 2);
+  CHECK(thinbench_distances(&image, distances, 5, &spacing, NULL) == THINBENCH_OK);
+  CHECK(distances[2] == 3 && distances[0] == 0);
+  rejects(thinbench_distances(&image, distances, 4, NULL, NULL), "distances has a stride of");
+  CHECK(thinbench_distances(&image, distances, 5, NULL, NULL) == THINBENCH_OK && distances[2] == 1);
   CHECK(thinbench_skeleton_graph(&image, NULL, &graph) == THINBENCH_OK);
   CHECK(thinbench_graph_nodes(graph, &count, sizeof(thinbench_graph_node)) != NULL && count == 4);
   CHECK(thinbench_graph_nodes(graph, &count, 1) == NULL && count == 0);
   CHECK(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)) != NULL && count == 3);
-  CHECK(thinbench_graph_edge_widths(graph, squares, 3, 5, 5, widths) == THINBENCH_OK);
+  CHECK(thinbench_graph_edge_widths(graph, distances, 3, 5, 5, widths) == THINBENCH_OK);
   CHECK(widths[0].least == 2 && widths[0].greatest > 2.8 && widths[0].greatest < 2.9);
-  CHECK(thinbench_graph_edge_widths(graph, squares, 1, 5, 5, widths) == THINBENCH_INVALID_ARGUMENT);
-  CHECK(strstr(thinbench_last_error(), "squared_distances") != NULL);
+  CHECK(thinbench_graph_edge_widths(graph, distances, 1, 5, 5, widths) ==
+        THINBENCH_INVALID_ARGUMENT);
+  CHECK(strstr(thinbench_last_error(), "distances") != NULL);
   thinbench_graph_destroy(graph);
 }
 
@@ -587,7 +594,8 @@ static void prunes_and_simplifies(void) {
   const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
   uint8_t pruned[15];
   const thinbench_output output = {pruned, 5, 15, 1};
-  thinbench_pruning pruning = {sizeof(thinbench_pruning), 2.5, 0, NULL, 0, 0};
+  thinbench_pruning pruning = {sizeof(thinbench_pruning), 2.5, 0, NULL, 0, 0, NULL};
+  const thinbench_spacing nothing = {0, 1};
   thinbench_pixel points[3] = {{0, 0}, {1, 1}, {2, 0}};
   size_t count = 0;
   CHECK(thinbench_prune(&image, &output, &pruning, NULL, NULL) == THINBENCH_OK);
@@ -595,10 +603,12 @@ static void prunes_and_simplifies(void) {
   pruning.size = 3;
   CHECK(thinbench_prune(&image, &output, &pruning, NULL, NULL) == THINBENCH_INVALID_ARGUMENT);
   CHECK(strstr(thinbench_last_error(), "pruning.size") != NULL);
-  CHECK(thinbench_polyline(points, 3, 0.5, points, &count) == THINBENCH_OK && count == 3);
-  CHECK(thinbench_polyline(points, 3, 1, points, &count) == THINBENCH_OK && count == 2);
+  CHECK(thinbench_polyline(points, 3, 0.5, NULL, points, &count) == THINBENCH_OK && count == 3);
+  CHECK(thinbench_polyline(points, 3, 1, NULL, points, &count) == THINBENCH_OK && count == 2);
   CHECK(points[1].x == 2 && points[1].y == 0);
-  CHECK(thinbench_polyline(points, 2, -1, points, &count) == THINBENCH_INVALID_ARGUMENT);
+  CHECK(thinbench_polyline(points, 2, 1, &nothing, points, &count) == THINBENCH_INVALID_ARGUMENT);
+  CHECK(strstr(thinbench_last_error(), "spacing") != NULL);
+  CHECK(thinbench_polyline(points, 2, -1, NULL, points, &count) == THINBENCH_INVALID_ARGUMENT);
   CHECK(strstr(thinbench_last_error(), "tolerance") != NULL);
 }
 

@@ -1,12 +1,15 @@
 #include "thinbench/distance.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "reference.hpp"
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
 #include "support/variant_of.hpp"
@@ -109,6 +112,63 @@ TEST(SquaredDistances, leave_gaps_between_rows_alone) {
 TEST(SquaredDistances, of_empty_images_are_none) {
   EXPECT_EQ(distances_of({nullptr, 0, 3}), Numbers{});
   EXPECT_EQ(distances_of({nullptr, 3, 0}), Numbers{});
+}
+
+std::vector<double> distances_with(const Spacing& spacing, const ConstImageView& image,
+                                   const Execution& execution = {}) {
+  std::vector<double> found(static_cast<std::size_t>(image.width * image.height), -1);
+  distances(image, {found.data(), image.width, image.height}, spacing, execution);
+  return found;
+}
+
+TEST(Distances, of_a_small_image_are_as_worked_by_hand) {
+  const ByteImage image = image_of({"###",  //
+                                    "##.",  //
+                                    "###"});
+  EXPECT_EQ(distances_with({.y = 3, .x = 4}, image.view()),
+            (std::vector<double>{std::sqrt(9.0 + 64), 5, 3, 8, 4, 0, std::sqrt(9.0 + 64), 5, 3}));
+}
+
+TEST(Distances, equal_the_formula_for_every_spacing_and_isa) {
+  std::mt19937 random(2);
+  constexpr std::array<Spacing, 6> spacings = {
+      {{1, 1}, {0.1, 0.1}, {2, 3}, {0.37, 0.11}, {1e-9, 1e9}, {1e30, 1e-30}}};
+  for (int i = 0; i < 600; ++i) {
+    const Index width = 1 + static_cast<Index>(random() % 40);
+    const Index height = 1 + static_cast<Index>(random() % 20);
+    const auto pixels = random_pixels(width * height, i % 3 == 0 ? 300 : 2 + i % 20, random);
+    const ConstImageView image(pixels.data(), width, height);
+    const Spacing spacing = spacings[random() % spacings.size()];
+    std::vector<double> expected(pixels.size());
+    reference::distances(image, {expected.data(), width, height}, spacing);
+    for (const auto& variant : detail::distance_operation().variants) {
+      if (!isa_available(variant.isa)) continue;
+      const auto found = distances_with(spacing, image, {.isa = variant.isa});
+      for (std::size_t p = 0; p < found.size(); ++p) {
+        ASSERT_DOUBLE_EQ(found[p], expected[p])
+            << spacing.y << ", " << spacing.x << ", image " << i;
+      }
+    }
+  }
+}
+
+TEST(Distances, without_background_are_infinite) {
+  const std::vector<std::uint8_t> pixels(40, 1);
+  const std::vector<double> infinite(40, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(distances_with({}, {pixels.data(), 40, 1}), infinite);
+  EXPECT_EQ(distances_with({2, 1}, {pixels.data(), 5, 8}), infinite);
+}
+
+TEST(Distances, reject_unsuitable_arguments) {
+  const std::vector<std::uint8_t> pixels(6);
+  std::vector<double> found(6);
+  const auto rejected = [&](const View<double>& to, const Spacing& spacing) {
+    return rejection_of([&] { distances({pixels.data(), 3, 2}, to, spacing); });
+  };
+  EXPECT_EQ(rejected({found.data(), 3, 2}, {1, -1}),
+            "spacing: expected numbers from 1e-30 to 1e30, got 1, -1");
+  EXPECT_EQ(rejected({found.data(), 2, 2}, {}),
+            "source is 3 x 2 and distances 2 x 2; they must have the same size");
 }
 
 TEST(SquaredDistances, reject_unsuitable_arguments) {

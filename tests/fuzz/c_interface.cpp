@@ -725,7 +725,7 @@ class Caller {
     const auto execution = draw_execution(input_);
     thinbench_pruning pruning = draw_pruning();
     const bool with_distances = input_.once_in(2);
-    std::vector<std::int32_t> distances;
+    std::vector<double> distances;
     thinbench_graph* graph = nullptr;
     check_stacks(
         true,
@@ -737,9 +737,9 @@ class Caller {
                                       : 1);
           if (has_pixels && source->count == 1 && source->stride >= source->width) {
             check_status(
-                thinbench_squared_distances(source, distances.data(), source->width, nullptr));
+                thinbench_distances(source, distances.data(), source->width, nullptr, nullptr));
           }
-          if (with_distances) pruning.squared_distances = distances.data();
+          if (with_distances) pruning.distances = distances.data();
           pruning.distances_stride = source == nullptr || input_.once_in(16) ? -1 : source->width;
           return thinbench_prune(source, destination, input_.once_in(32) ? nullptr : &pruning,
                                  execution.pointer(), input_.once_in(4) ? nullptr : &graph);
@@ -747,7 +747,7 @@ class Caller {
         [&](const ConstImageView& source, const ImageView& destination) {
           Pruning same = {.min_length = pruning.min_length, .min_widths = pruning.min_widths};
           same.removes_components = pruning.removes_components != 0;
-          same.squared_distances = {distances.data(), source.width, source.height};
+          same.distances = {distances.data(), source.width, source.height};
           prune(source, destination, same);
           if (graph != nullptr) compare_graph(graph, destination);
         });
@@ -768,7 +768,7 @@ class Caller {
     }
     std::vector<thinbench_pixel> kept(points.size());
     std::size_t count = 0;
-    if (!is_accepted(thinbench_polyline(points.data(), points.size(), tolerance,
+    if (!is_accepted(thinbench_polyline(points.data(), points.size(), tolerance, nullptr,
                                         input_.once_in(32) ? nullptr : kept.data(), &count))) {
       return;
     }

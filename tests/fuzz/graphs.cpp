@@ -70,12 +70,11 @@ void check_polyline(const std::vector<Pixel>& points, double tolerance) {
 }
 
 /// Infinite without background.
-double width_at(const ConstLabelView& distances, Pixel p) {
-  const std::int32_t square = distances.row(p.y)[p.x];
-  return square == kNoBackground ? std::numeric_limits<double>::infinity() : 2 * std::sqrt(square);
+double width_at(const View<const double>& distances, Pixel p) {
+  return 2 * distances.row(p.y)[p.x];
 }
 
-void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& distances) {
+void check_edges(ByteSource& input, const Graph& graph, const View<const double>& distances) {
   constexpr std::array<double, 5> tolerances = {0, 0.5, 1, 2.5, 100};
   const double tolerance = input.pick(tolerances);
   const std::vector<EdgeWidths> widths = edge_widths(graph, distances);
@@ -89,13 +88,14 @@ void check_edges(ByteSource& input, const Graph& graph, const ConstLabelView& di
     }
     must(widths[i].least <= widths[i].mean + 1e-6 && widths[i].mean <= widths[i].greatest + 1e-6,
          "a mean beyond the widths");
+    must(widths[i].least <= widths[i].median && widths[i].median <= widths[i].greatest,
+         "a median beyond the widths");
   }
 }
 
 double limit_at(const Pruning& pruning, Pixel junction) {
   if (pruning.min_widths == 0) return pruning.min_length;
-  return std::max(pruning.min_length,
-                  pruning.min_widths * width_at(pruning.squared_distances, junction));
+  return std::max(pruning.min_length, pruning.min_widths * width_at(pruning.distances, junction));
 }
 
 void must_have_no_short_branch(const Graph& graph, const Pruning& pruning) {
@@ -103,16 +103,18 @@ void must_have_no_short_branch(const Graph& graph, const Pruning& pruning) {
     const bool starts = graph.nodes[edge.from].kind == NodeKind::end;
     const bool stops = graph.nodes[edge.to].kind == NodeKind::end;
     if (starts == stops) continue;
-    must(length_of(edge) >= limit_at(pruning, starts ? edge.stop : edge.start), "a short branch");
+    must(length_of(edge, pruning.spacing) >= limit_at(pruning, starts ? edge.stop : edge.start),
+         "a short branch");
   }
 }
 
-void check_pruning(ByteSource& input, const ByteImage& image, const ConstLabelView& distances,
-                   const Execution& execution) {
+void check_pruning(ByteSource& input, const ByteImage& image, const View<const double>& distances,
+                   const Spacing& spacing, const Execution& execution) {
   constexpr std::array<double, 6> lengths = {0, 1, 2, 4.5, 10, 1000};
   constexpr std::array<double, 4> widths = {0, 0, 0.6, 3};
   Pruning pruning = {.min_length = input.pick(lengths), .min_widths = input.pick(widths)};
-  pruning.squared_distances = distances;
+  pruning.distances = distances;
+  pruning.spacing = spacing;
   pruning.removes_components = input.once_in(4);
   DrawnImage source(input, {image.width(), image.height()});
   DrawnImage destination(input, {image.width(), image.height()});
@@ -148,11 +150,13 @@ void check_graph(ByteSource& input) {
   must(std::ssize(graph.nodes) - std::ssize(graph.edges) == reference::euler_number(image.view()),
        "another Euler number");
   check_pixels(graph, image.view());
-  std::vector<std::int32_t> numbers(static_cast<std::size_t>(size.width * size.height) + 1);
-  const LabelView distances = {numbers.data(), size.width, size.height};
-  squared_distances(image.view(), distances);
-  check_edges(input, graph, distances);
-  check_pruning(input, image, distances, execution);
+  constexpr std::array<Spacing, 4> spacings = {{{1, 1}, {1, 1}, {0.3, 0.3}, {2, 0.25}}};
+  const Spacing spacing = input.pick(spacings);
+  std::vector<double> numbers(static_cast<std::size_t>(size.width * size.height) + 1);
+  const View<double> of_image = {numbers.data(), size.width, size.height};
+  distances(image.view(), of_image, spacing, execution);
+  check_edges(input, graph, of_image);
+  check_pruning(input, image, of_image, spacing, execution);
 }
 
 }  // namespace

@@ -114,8 +114,7 @@ TEST(BigGraphs, of_combs_have_each_tooth_and_are_pruned_to_lines) {
                                             {last, 6 * spines - 4},
                                             (spines - 1) * (last - 1),
                                             last - 1,
-                                            last,
-                                            0}));
+                                            {last, 0, 0}}));
 }
 
 TEST(BigGraphs, of_rings_have_each_cycle) {
@@ -130,7 +129,7 @@ TEST(BigGraphs, of_rings_have_each_cycle) {
   for (std::uint32_t i = 0; i < graph.edges.size(); ++i) {
     const auto x = static_cast<std::int32_t>(4 * (i % rings) + 1);
     const auto y = static_cast<std::int32_t>(4 * (i / rings));
-    ASSERT_EQ(graph.edges[i], (GraphEdge{i, i, {x, y}, {x, y}, 3 * i, 3, 0, 4}));
+    ASSERT_EQ(graph.edges[i], (GraphEdge{i, i, {x, y}, {x, y}, 3 * i, 3, {0, 0, 4}}));
   }
 }
 

@@ -63,8 +63,18 @@ TEST(SkeletonGraph, of_a_line_has_two_ends_and_an_edge) {
                                 "....#"});
   EXPECT_EQ(kinds_of(graph), (Kinds{end, end}));
   ASSERT_EQ(graph.edges.size(), 1U);
-  EXPECT_EQ(graph.edges[0], (GraphEdge{0, 1, {0, 0}, {4, 2}, 0, 3, 2, 2}));
+  EXPECT_EQ(graph.edges[0], (GraphEdge{0, 1, {0, 0}, {4, 2}, 0, 3, {2, 0, 2}}));
   EXPECT_DOUBLE_EQ(length_of(graph.edges[0]), 2 + 2 * std::sqrt(2.0));
+}
+
+TEST(SkeletonGraph, lengths_are_in_the_unit_of_the_spacing) {
+  const Graph graph = graph_of({"##...",  //
+                                "..#..",  //
+                                "..#..",  //
+                                "..###"});
+  ASSERT_EQ(graph.edges.size(), 1U);
+  EXPECT_EQ(graph.edges[0].steps, (Steps{3, 2, 1}));
+  EXPECT_DOUBLE_EQ(length_of(graph.edges[0], {.y = 4, .x = 3}), 3 * 3 + 2 * 4 + 5);
 }
 
 TEST(SkeletonGraph, a_corner_is_no_junction) {
@@ -92,7 +102,7 @@ TEST(SkeletonGraph, single_pixels_and_closed_lines_are_nodes) {
                                 ".#...."});
   EXPECT_EQ(kinds_of(graph), (Kinds{isolated, cycle}));
   ASSERT_EQ(graph.edges.size(), 1U);
-  EXPECT_EQ(graph.edges[0], (GraphEdge{1, 1, {1, 0}, {1, 0}, 0, 3, 0, 4}));
+  EXPECT_EQ(graph.edges[0], (GraphEdge{1, 1, {1, 0}, {1, 0}, 0, 3, {0, 0, 4}}));
 }
 
 TEST(SkeletonGraph, parallel_edges_and_loops_are_kept) {
@@ -266,7 +276,8 @@ auto summary_of(const Graph& graph, bool transposed) {
   }
   std::multiset<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges;
   for (const GraphEdge& edge : graph.edges) {
-    edges.emplace(edge.pixel_count, edge.straight_steps, edge.diagonal_steps);
+    edges.emplace(edge.pixel_count, edge.steps.horizontal + edge.steps.vertical,
+                  edge.steps.diagonal);
   }
   return std::pair(nodes, edges);
 }
@@ -320,11 +331,11 @@ TEST(Prune, keeps_lines_of_the_length) {
 }
 
 TEST(Prune, takes_limits_in_widths) {
-  std::vector<std::int32_t> squares(60, 1);  // a width of 2 everywhere
+  std::vector<double> distances(60, 1);  // a width of 2 everywhere
   Pruning pruning = {.min_widths = 0.9};
-  pruning.squared_distances = {squares.data(), 12, 5};
+  pruning.distances = {distances.data(), 12, 5};
   EXPECT_EQ(text_of(pruned(kSpurs, pruning))[1], "....#.......");
-  squares[2 * 12 + 4] = 9;
+  distances[2 * 12 + 4] = 3;
   EXPECT_EQ(text_of(pruned(kSpurs, pruning))[1], "............");
 }
 
@@ -344,14 +355,17 @@ TEST(Prune, equals_the_plain_method) {
   std::mt19937 random(4);
   constexpr std::array<double, 5> lengths = {0, 1, 2.5, 6, 100};
   constexpr std::array<double, 4> widths = {0, 0, 0.6, 3};
+  constexpr std::array<Spacing, 4> spacings = {{{1, 1}, {1, 1}, {0.7, 0.7}, {0.5, 3}}};
   for (int i = 0; i < 3000; ++i) {
     ByteImage image = random_image(random);
-    std::vector<std::int32_t> squares(static_cast<std::size_t>(image.width() * image.height()));
-    const LabelView distances = {squares.data(), image.width(), image.height()};
-    squared_distances(image.view(), distances);
+    const Spacing spacing = spacings[random() % 4];
+    std::vector<double> numbers(static_cast<std::size_t>(image.width() * image.height()));
+    const View<double> of_image = {numbers.data(), image.width(), image.height()};
+    distances(image.view(), of_image, spacing);
     if (i % 2 == 0) thin(Rule::guo_hall, image.view(), image.view());
     Pruning pruning = {.min_length = lengths[random() % 5], .min_widths = widths[random() % 4]};
-    pruning.squared_distances = distances;
+    pruning.distances = of_image;
+    pruning.spacing = spacing;
     pruning.removes_components = i % 3 == 0;
     ByteImage expected(image.width(), image.height());
     ByteImage result(image.width(), image.height());
@@ -369,44 +383,52 @@ TEST(Prune, rejects_unsuitable_arguments) {
     return rejection_of([&] { prune(image.view(), image.view(), pruning); });
   };
   EXPECT_EQ(rejected({.min_length = -1}),
-            "min_length: expected a number of at least 0, got -1.000000");
+            "min_length: expected a finite number of at least 0, got -1");
   EXPECT_EQ(rejected({.min_length = std::nan("")}),
-            "min_length: expected a number of at least 0, got nan");
-  EXPECT_EQ(rejected({.min_widths = 1}), "min_widths: expected squared_distances of size 12 x 5");
+            "min_length: expected a finite number of at least 0, got nan");
+  EXPECT_EQ(rejected({.min_widths = 1}), "min_widths: expected distances of size 12 x 5");
+  EXPECT_EQ(rejected({.spacing = {1, 0}}),
+            "spacing: expected numbers from 1e-30 to 1e30, got 1, 0");
   EXPECT_EQ(text_of(image), kSpurs);
 }
 
 TEST(Prune, rejects_distances_whose_rows_overlap) {
   ByteImage image = image_of(kSpurs);
-  const std::vector<std::int32_t> squares(60, 1);
+  const std::vector<double> numbers(60, 1);
   for (const Index stride : {Index{-12}, Index{11}}) {
     Pruning pruning = {.min_widths = 1};
-    pruning.squared_distances = {squares.data(), 12, 5, stride};
-    EXPECT_EQ(
-        rejection_of([&] { prune(image.view(), image.view(), pruning); }),
-        "squared_distances has a stride of " + std::to_string(stride) + ", below its width of 12");
+    pruning.distances = {numbers.data(), 12, 5, stride};
+    EXPECT_EQ(rejection_of([&] { prune(image.view(), image.view(), pruning); }),
+              "distances has a stride of " + std::to_string(stride) + ", below its width of 12");
   }
   EXPECT_EQ(text_of(image), kSpurs);
 }
 
 TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
   const Graph graph = graph_of({"###"});
-  const std::vector<std::int32_t> squares = {1, 4, 9};
-  const std::vector<EdgeWidths> widths = edge_widths(graph, {squares.data(), 3, 1});
+  const std::vector<double> distances = {1, 3, 2.5};
+  const std::vector<EdgeWidths> widths = edge_widths(graph, {distances.data(), 3, 1});
   ASSERT_EQ(widths.size(), 1U);
-  EXPECT_DOUBLE_EQ(widths[0].mean, 4);
+  EXPECT_DOUBLE_EQ(widths[0].mean, 13.0 / 3);
+  EXPECT_DOUBLE_EQ(widths[0].median, 5);
   EXPECT_DOUBLE_EQ(widths[0].least, 2);
   EXPECT_DOUBLE_EQ(widths[0].greatest, 6);
   EXPECT_NE(rejection_of([&] {
-              static_cast<void>(edge_widths(graph, {squares.data(), 2, 1}));
+              static_cast<void>(edge_widths(graph, {distances.data(), 2, 1}));
             }),
             "");
 }
 
+TEST(EdgeWidths, have_the_mean_of_both_middle_ones_as_median_of_an_even_number) {
+  const Graph graph = graph_of({"####"});
+  const std::vector<double> distances = {8, 1, 2, 3};
+  EXPECT_DOUBLE_EQ(edge_widths(graph, {distances.data(), 4, 1}).at(0).median, 5);
+}
+
 TEST(EdgeWidths, are_least_and_greatest_anywhere_on_the_line) {
   const Graph graph = graph_of({"#####"});
-  const std::vector<std::int32_t> squares = {4, 16, 9, 1, 4};
-  const std::vector<EdgeWidths> widths = edge_widths(graph, {squares.data(), 5, 1});
+  const std::vector<double> distances = {2, 4, 3, 1, 2};
+  const std::vector<EdgeWidths> widths = edge_widths(graph, {distances.data(), 5, 1});
   EXPECT_DOUBLE_EQ(widths.at(0).mean, 4.8);
   EXPECT_DOUBLE_EQ(widths.at(0).least, 2);
   EXPECT_DOUBLE_EQ(widths.at(0).greatest, 8);
@@ -414,14 +436,14 @@ TEST(EdgeWidths, are_least_and_greatest_anywhere_on_the_line) {
 
 TEST(EdgeWidths, reject_distances_without_data_or_with_rows_that_overlap) {
   const Graph graph = graph_of({"###", "###"});
-  const std::vector<std::int32_t> squares(6, 1);
-  const auto rejected = [&](const ConstLabelView& distances) {
+  const std::vector<double> numbers(6, 1);
+  const auto rejected = [&](const View<const double>& distances) {
     return rejection_of([&] { static_cast<void>(edge_widths(graph, distances)); });
   };
-  EXPECT_EQ(rejected({nullptr, 3, 2}), "squared_distances has no data");
+  EXPECT_EQ(rejected({nullptr, 3, 2}), "distances has no data");
   EXPECT_TRUE(edge_widths({}, {nullptr, 3, 0}).empty());
-  EXPECT_EQ(rejected({squares.data(), 3, 2, -3}),
-            "squared_distances has a stride of -3, below its width of 3");
+  EXPECT_EQ(rejected({numbers.data(), 3, 2, -3}),
+            "distances has a stride of -3, below its width of 3");
 }
 
 TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
@@ -454,8 +476,8 @@ TEST(Polyline, of_straight_lines_has_two_points_without_any_tolerance) {
 
 TEST(EdgeWidths, without_background_are_infinite) {
   const Graph graph = graph_of({"###"});
-  const std::vector<std::int32_t> squares(3, kNoBackground);
-  const EdgeWidths width = edge_widths(graph, {squares.data(), 3, 1}).at(0);
+  const std::vector<double> distances(3, std::numeric_limits<double>::infinity());
+  const EdgeWidths width = edge_widths(graph, {distances.data(), 3, 1}).at(0);
   EXPECT_TRUE(std::isinf(width.mean) && std::isinf(width.least) && std::isinf(width.greatest));
 }
 

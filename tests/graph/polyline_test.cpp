@@ -22,8 +22,11 @@ constexpr std::array<double, 7> kTolerances = {0, 0.1, 0.5, 0.7, 1, 2.5, 40};
 
 void must_equal_the_plain_method(const Line& points) {
   for (const double tolerance : kTolerances) {
-    ASSERT_EQ(polyline(points, tolerance), reference::polyline(points, tolerance))
-        << points.size() << " points, tolerance " << tolerance;
+    for (const Spacing spacing : {Spacing{1, 1}, Spacing{0.5, 2}}) {
+      ASSERT_EQ(polyline(points, tolerance, spacing),
+                reference::polyline(points, tolerance, spacing))
+          << points.size() << " points, tolerance " << tolerance;
+    }
   }
 }
 

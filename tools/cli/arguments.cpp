@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <regex>
 #include <sstream>
 
@@ -236,6 +237,38 @@ CLI::Option* add_blur(CLI::App& app, double& sigma) {
 }
 
 }  // namespace
+
+std::optional<std::vector<double>> numbers_from(const std::string& text) {
+  std::vector<double> numbers;
+  const char* const end = text.data() + text.size();
+  for (const char* from = text.data();; ++from) {
+    double number = 0;
+    const auto read = std::from_chars(from, end, number);
+    if (read.ec != std::errc() || !std::isfinite(number)) return {};
+    numbers.push_back(number);
+    from = read.ptr;
+    if (from == end) return numbers;
+    if (*from != ',') return {};
+  }
+}
+
+void add_spacing_option(CLI::App& app, Spacing& spacing) {
+  const auto set = [&spacing](const std::string& text) {
+    const auto numbers = numbers_from(text).value_or(std::vector<double>());
+    const auto is_length = [](double number) { return number >= 1e-30 && number <= 1e30; };
+    if (numbers.empty() || numbers.size() > 2 || !std::ranges::all_of(numbers, is_length)) {
+      throw UsageError(
+          "--spacing: expected one or two numbers from 1e-30 to 1e30, such as 0.5 or 0.5,0.7; got "
+          "'" +
+          text + "'");
+    }
+    spacing = {numbers.front(), numbers.back()};
+  };
+  app.add_option_function<std::string>(
+         "--spacing", set,
+         "How far rows, and columns, are apart: lengths, widths and distances are in this unit")
+      ->type_name("DY[,DX]");
+}
 
 void add_binarise_options(CLI::App& app, BinariseOptions& options, CLI::Option* image) {
   CLI::Option* const threshold = add_threshold(app, options);

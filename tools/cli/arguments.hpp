@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "images/binarise.hpp"
+#include "thinbench/distance.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {
@@ -29,6 +30,12 @@ namespace thinbench {
 
 /// Rejects "", which stands for "not given" behind the options.
 [[nodiscard]] CLI::Validator not_empty();
+
+/// "0.5,2" as numbers; nothing unless all are finite.
+[[nodiscard]] std::optional<std::vector<double>> numbers_from(const std::string& text);
+
+/// `--spacing DY[,DX]`.
+void add_spacing_option(CLI::App& app, Spacing& spacing);
 
 /// A file that is no image: neither "" nor "-".
 [[nodiscard]] CLI::Validator file_name();

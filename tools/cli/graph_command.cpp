@@ -1,6 +1,5 @@
 // thinbench graph: the skeleton of an image as a graph.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -28,7 +27,7 @@ struct GraphCommandOptions {
   std::string image;  // with the widths, instead of `in`
   GraphRequest request;
   BinariseOptions binarise;
-  std::string transform = "1,0,0,0,1,0";
+  std::string transform;  // empty: by the spacing
   bool only_thin = false;
   bool json = false;
   std::string out;
@@ -37,20 +36,16 @@ struct GraphCommandOptions {
   std::string overlay;
 };
 
-AffineTransform transform_of(const std::string& text) {
+AffineTransform transform_of(const GraphCommandOptions& options) {
+  const Spacing& spacing = options.request.pruning.spacing;
+  if (options.transform.empty()) return {spacing.x, 0, 0, 0, spacing.y, 0};
   AffineTransform transform{};
-  const char* from = text.data();
-  const char* const end = from + text.size();
-  for (std::size_t i = 0; i < transform.size(); ++i) {
-    const auto read = std::from_chars(from, end, transform[i]);
-    const bool is_last = i + 1 == transform.size();
-    const bool ends_well = is_last ? read.ptr == end : read.ptr != end && *read.ptr == ',';
-    if (read.ec != std::errc() || !ends_well || !std::isfinite(transform[i])) {
-      throw UsageError("--transform: expected six finite numbers such as 1,0,0,0,1,0; got '" +
-                       text + "'");
-    }
-    from = read.ptr + 1;
+  const auto numbers = numbers_from(options.transform).value_or(std::vector<double>());
+  if (numbers.size() != transform.size()) {
+    throw UsageError("--transform: expected six finite numbers such as 1,0,0,0,1,0; got '" +
+                     options.transform + "'");
   }
+  std::ranges::copy(numbers, transform.begin());
   return transform;
 }
 
@@ -115,7 +110,7 @@ void write_files(const GraphCommandOptions& options, const FoundGraph& found,
   if (!options.out.empty()) write_grey(options.out, skeleton.view());
   if (!options.csv.empty()) write_whole_file(options.csv, csv_text(graph_json(found)));
   if (!options.geojson.empty()) {
-    write_whole_file(options.geojson, graph_geojson(found, transform_of(options.transform)));
+    write_whole_file(options.geojson, graph_geojson(found, transform_of(options)));
   }
   if (!options.overlay.empty()) write_overlay(options.overlay, grey.view(), graph_overlay(found));
 }
@@ -126,7 +121,7 @@ std::ostream& list_stream(const Console& console, const GraphCommandOptions& opt
 }
 
 int run(const GraphCommandOptions& options, const Console& console) {
-  const AffineTransform transform = transform_of(options.transform);
+  const AffineTransform transform = transform_of(options);
   check_names(options);
   check_thinning(options.request);
   std::ostringstream remarks;  // failures are one line, without them
@@ -155,9 +150,9 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
   add("--csv", options.csv, "Table of edges to write");
   add("--geojson", options.geojson, "GeoJSON file to write");
   app.add_option("--transform", options.transform,
-                 "A,B,C,D,E,F: GeoJSON has x' = A x + B y + C, y' = D x + E y + F")
-      ->type_name("NUMBERS")
-      ->capture_default_str();
+                 "A,B,C,D,E,F: GeoJSON has x' = A x + B y + C, y' = D x + E y + F (default: by the "
+                 "spacing, DX,0,0,0,DY,0)")
+      ->type_name("NUMBERS");
   add_overlay_option(app, options.overlay);
   app.add_option("--out", options.out,
                  "Image to write: the skeleton, as pruned; - for PNG on standard output")
@@ -185,6 +180,7 @@ Command add_graph_command(CLI::App& program) {
   thinbench graph roads.png
   thinbench graph roads.png --prune 10 --overlay roads.svg --csv roads.csv
   thinbench graph roads.png --prune-widths 1 --overlay drawn.png
+  thinbench graph roots.png --spacing 0.25 --unit mm --prune 5 --csv roots.csv
   thinbench graph roads.tif --geojson roads.json --transform 0.5,0,4500000,0,-0.5,5400000
   thinbench graph skeleton.png --thinning none --image roads.png --only-thin --json > graph.json
 

@@ -31,8 +31,9 @@ std::string_view kind_of(const GraphNode& node) {
   return kNodeKindNames[static_cast<std::size_t>(node.kind)];
 }
 
-double chord_of(const GraphEdge& edge) {
-  return std::hypot(edge.stop.x - edge.start.x, edge.stop.y - edge.start.y);
+double chord_of(const GraphEdge& edge, const Spacing& spacing) {
+  return std::hypot((edge.stop.x - edge.start.x) * spacing.x,
+                    (edge.stop.y - edge.start.y) * spacing.y);
 }
 
 /// How many ends of edges each node has.
@@ -72,9 +73,10 @@ Json properties_of(const FoundGraph& found, std::size_t i) {
           {"from", edge.from + 1},
           {"to", edge.to + 1},
           {"pixels", edge.pixel_count},
-          {"length", length_of(edge)},
-          {"chord", chord_of(edge)},
+          {"length", length_of(edge, found.spacing)},
+          {"chord", chord_of(edge, found.spacing)},
           {"width_mean", width.mean},
+          {"width_median", width.median},
           {"width_min", width.least},
           {"width_max", width.greatest}};
 }
@@ -96,6 +98,14 @@ Json feature(const char* type, Json coordinates, Json properties) {
           {"properties", std::move(properties)}};
 }
 
+Json spacing_json(const FoundGraph& found) {
+  return {found.spacing.y, found.spacing.x};
+}
+
+Json unit_json(const FoundGraph& found) {
+  return found.unit.empty() ? Json() : Json(found.unit);
+}
+
 }  // namespace
 
 std::string graph_list(const FoundGraph& found) {
@@ -109,8 +119,8 @@ std::string graph_list(const FoundGraph& found) {
     const GraphEdge& edge = graph.edges[i];
     const EdgeWidths& width = found.widths[i];
     text += fmt::format("edge {}: node {} to {}, length {:.2f}, width {:.2f} ({:.2f} to {:.2f})\n",
-                        i + 1, edge.from + 1, edge.to + 1, length_of(edge), width.mean, width.least,
-                        width.greatest);
+                        i + 1, edge.from + 1, edge.to + 1, length_of(edge, found.spacing),
+                        width.mean, width.least, width.greatest);
   }
   return text;
 }
@@ -129,8 +139,9 @@ Json graph_json(const FoundGraph& found) {
     edges.push_back(properties_of(found, i));
     edges.back()["points"] = positions(found.lines[i], [](Pixel p) { return Json{p.x, p.y}; });
   }
-  return {{"file", found.page.file}, {"page", found.page.page},   {"width", found.width},
-          {"height", found.height},  {"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
+  return {{"file", found.page.file},   {"page", found.page.page},        {"width", found.width},
+          {"height", found.height},    {"spacing", spacing_json(found)}, {"unit", unit_json(found)},
+          {"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
 }
 
 std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform) {
@@ -152,7 +163,12 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
         "LineString", positions(found.lines[i], [&](Pixel p) { return position(p.x, p.y); }),
         properties_of(found, i)));
   }
-  return Json{{"type", "FeatureCollection"}, {"features", features}}.dump() + '\n';
+  return Json{{"type", "FeatureCollection"},
+              {"spacing", spacing_json(found)},
+              {"unit", unit_json(found)},
+              {"features", features}}
+             .dump() +
+         '\n';
 }
 
 Overlay graph_overlay(const FoundGraph& found) {
@@ -164,7 +180,7 @@ Overlay graph_overlay(const FoundGraph& found) {
   for (std::size_t i = 0; i < found.lines.size(); ++i) {
     overlay.lines.push_back({found.lines[i], {0xd9, 0x48, 0x0f}});
     overlay.lines.back().title =
-        fmt::format("edge {}: length {:.2f}", i + 1, length_of(graph.edges[i]));
+        fmt::format("edge {}: length {:.2f}", i + 1, length_of(graph.edges[i], found.spacing));
   }
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const GraphNode& node = graph.nodes[i];

@@ -23,6 +23,8 @@ struct FoundGraph {
   Graph graph;
   std::vector<EdgeWidths> widths;         // of each edge
   std::vector<std::vector<Pixel>> lines;  // polylines of the edges
+  Spacing spacing;
+  std::string unit;
 };
 
 /// Nodes and edges have the ids 1, 2, 3, ... everywhere. Infinite widths are null in JSON. Texts

@@ -31,6 +31,10 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
       ->check(not_empty())
       ->type_name("NAME")
       ->capture_default_str();
+  add_spacing_option(app, request.pruning.spacing);
+  app.add_option("--unit", request.unit, "Name of the unit of the spacing, for files")
+      ->check(not_empty())
+      ->type_name("NAME");
   CLI::Option* const prune =
       app.add_option("--prune", request.pruning.min_length, "Remove branches shorter than LENGTH")
           ->check(real_number(0, no_limit))
@@ -43,7 +47,7 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
                "Also remove lines and pixels on their own below LENGTH")
       ->needs(prune);
   app.add_option("--tolerance", request.tolerance,
-                 "How far, in pixels, a line may be from the points that are listed for it")
+                 "How far a line may be from the points that are listed for it")
       ->check(real_number(0, no_limit))
       ->type_name("N")
       ->capture_default_str();
@@ -54,6 +58,9 @@ std::string graph_words(const GraphRequest& request) {
   std::string words;
   if (request.thinning != usual.thinning) words += " --thinning " + request.thinning;
   const Pruning& pruning = request.pruning;
+  const Spacing& spacing = pruning.spacing;
+  if (spacing != Spacing{}) words += fmt::format(" --spacing {},{}", spacing.y, spacing.x);
+  if (!request.unit.empty()) words += " --unit " + request.unit;
   if (pruning.min_length > 0) words += fmt::format(" --prune {}", pruning.min_length);
   if (pruning.min_widths > 0) words += fmt::format(" --prune-widths {}", pruning.min_widths);
   if (pruning.removes_components) words += " --remove-components";
@@ -92,15 +99,16 @@ std::string thickness_of(const ByteImage& skeleton) {
 FoundGraph find_graph(const ByteImage& image, ByteImage& skeleton, const ImagePage& page,
                       const GraphRequest& request) {
   const Index width = image.width(), height = image.height();
-  std::vector<std::int32_t> squares(static_cast<std::size_t>(width * height));
-  squared_distances(image.view(), {squares.data(), width, height}, {.threads = request.threads});
   Pruning pruning = request.pruning;
-  pruning.squared_distances = {squares.data(), width, height};
-  FoundGraph found = {page, width, height, {}, {}, {}};
+  std::vector<double> numbers(static_cast<std::size_t>(width * height));
+  const View<double> of_image(numbers.data(), width, height);
+  distances(image.view(), of_image, pruning.spacing, {.threads = request.threads});
+  pruning.distances = of_image;
+  FoundGraph found = {page, width, height, {}, {}, {}, pruning.spacing, request.unit};
   found.graph = prune(skeleton.view(), skeleton.view(), pruning, {.threads = request.threads});
-  found.widths = edge_widths(found.graph, pruning.squared_distances);
+  found.widths = edge_widths(found.graph, pruning.distances);
   for (const GraphEdge& edge : found.graph.edges) {
-    found.lines.push_back(polyline(points_of(found.graph, edge), request.tolerance));
+    found.lines.push_back(polyline(points_of(found.graph, edge), request.tolerance, found.spacing));
   }
   return found;
 }

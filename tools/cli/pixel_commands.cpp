@@ -27,6 +27,7 @@ struct PixelOptions {
   BinariseOptions binarise;
   int connectivity = 8;
   std::int64_t max_area = kAnyHoleArea;  // of holes to fill
+  Spacing spacing;
 };
 
 /// Writes the result of an image and says in a line what it is.
@@ -62,11 +63,11 @@ std::string euler(const ByteImage& image, const PixelOptions& options) {
 }
 
 /// Numbers that fit into 16 bits, written as such.
-template <class Value>
-void write_levels(const std::string& path, const std::vector<std::int32_t>& values, Index width,
-                  Index height, const Value& value_of) {
+template <class T, class Level>
+void write_levels(const std::string& path, const std::vector<T>& values, Index width, Index height,
+                  const Level& level_of) {
   std::vector<std::uint16_t> levels(values.size());
-  std::transform(values.begin(), values.end(), levels.begin(), value_of);
+  std::transform(values.begin(), values.end(), levels.begin(), level_of);
   write_deep(path, {levels.data(), width, height});
 }
 
@@ -87,24 +88,28 @@ std::string labelled(const ByteImage& image, const PixelOptions& options) {
                      objects == 1 ? "" : "s");
 }
 
-std::string distances(const ByteImage& image, const PixelOptions& options) {
+std::string distance_levels(const ByteImage& image, const PixelOptions& options) {
   check_deep_extension(options.out);
   const Index width = image.width(), height = image.height();
   if (std::max(width, height) > kMaxDistanceSide) {
     throw FileError(fmt::format("{}: expected sides of at most {} pixels, got {} x {}", options.in,
                                 kMaxDistanceSide, width, height));
   }
-  std::vector<std::int32_t> squares(static_cast<std::size_t>(width * height));
-  squared_distances(image.view(), {squares.data(), width, height}, options.execution);
-  const std::int32_t greatest = *std::max_element(squares.begin(), squares.end());
-  if (greatest == kNoBackground) {
+  std::vector<double> found(static_cast<std::size_t>(width * height));
+  distances(image.view(), {found.data(), width, height}, options.spacing, options.execution);
+  const double greatest = *std::max_element(found.begin(), found.end());
+  if (std::isinf(greatest)) {
     throw FileError(options.in + ": all of it is foreground, so there is no distance");
   }
-  write_levels(options.out, squares, width, height, [](std::int32_t square) {
-    return static_cast<std::uint16_t>(std::lround(std::sqrt(square)));
-  });
-  return fmt::format("distance: {} x {}, the greatest is {:.2f}", width, height,
-                     std::sqrt(greatest));
+  constexpr double kMaxLevel = 65535;
+  if (std::round(greatest) > kMaxLevel) {
+    throw FileError(
+        fmt::format("{}: expected distances up to {}, the most that 16 bits hold, got {:.6g}",
+                    options.in, kMaxLevel, greatest));
+  }
+  write_levels(options.out, found, width, height,
+               [](double distance) { return static_cast<std::uint16_t>(std::lround(distance)); });
+  return fmt::format("distance: {} x {}, the greatest is {:.2f}", width, height, greatest);
 }
 
 struct PixelCommand {
@@ -113,6 +118,7 @@ struct PixelCommand {
   const char* out;  // describes OUT; nullptr where nothing is written
   bool has_connectivity;
   bool has_max_area;
+  bool has_spacing;
   const char* footer;
   Compute compute;
 };
@@ -136,6 +142,7 @@ Command add_pixel_command(CLI::App& program, const PixelCommand& command) {
         ->check(whole_number(1, kMaxImagePixels))
         ->type_name("N");
   }
+  if (command.has_spacing) add_spacing_option(*app, options->spacing);
   add_isa_option(*app, options->execution.isa);
   add_threads_option(*app, options->execution.threads);
   add_binarise_options(*app, options->binarise);
@@ -151,7 +158,7 @@ Command add_fill_holes_command(CLI::App& program) {
   return add_pixel_command(
       program,
       {"fill-holes", "Fill the holes of objects",
-       "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output", true, true,
+       "Image to write: .png, .pgm, .bmp, .tif, or - for PNG on standard output", true, true, false,
        R"(Examples:
   thinbench fill-holes parts.png filled.png
   thinbench fill-holes scan.png clean.png --max-area 20
@@ -164,39 +171,41 @@ its area; with --max-area they remain as they are.)",
 
 Command add_labels_command(CLI::App& program) {
   return add_pixel_command(
-      program,
-      {"labels", "Number the objects of an image, pixel by pixel",
-       "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output", true, false,
-       R"(Examples:
+      program, {"labels", "Number the objects of an image, pixel by pixel",
+                "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output",
+                true, false, false,
+                R"(Examples:
   thinbench labels parts.png labels.png
   thinbench labels parts.png labels.tif --connectivity 4
 
 OUT holds the number of each pixel's object, from 1 in the order of 'thinbench holes', and 0 elsewhere.
 An image of more than 65535 objects is rejected.)",
-       labelled});
+                labelled});
 }
 
 Command add_distance_command(CLI::App& program) {
   return add_pixel_command(
       program, {"distance", "Write the distance of each pixel to the background",
                 "Image of 16 bits to write: .png, .pgm, .tif, or - for PNG on standard output",
-                false, false, R"(Examples:
+                false, false, true, R"(Examples:
   thinbench distance parts.png distance.png
+  thinbench distance slice.png distance.tif --spacing 2,0.5
   thinbench distance map.tif distance.tif --foreground bright
 
-OUT holds the Euclidean distance to the nearest pixel of the background, rounded, and 0 on the
-background. What is outside the image does not count. Sides are at most 32767 pixels.)",
-                distances});
+OUT holds the Euclidean distance to the nearest pixel of the background, rounded to a whole number of
+pixels or of the unit of --spacing, and 0 on the background. What is outside the image does not count. Sides are at most 32767 pixels.)",
+                distance_levels});
 }
 
 Command add_euler_command(CLI::App& program) {
-  return add_pixel_command(program, {"euler", "Count objects minus holes", nullptr, true, false,
-                                     R"(Examples:
+  return add_pixel_command(program,
+                           {"euler", "Count objects minus holes", nullptr, true, false, false,
+                            R"(Examples:
   thinbench euler parts.png
   thinbench euler parts.png --connectivity 4
 
 Holes have the other connectivity.)",
-                                     euler});
+                            euler});
 }
 
 }  // namespace thinbench

@@ -31,4 +31,23 @@ inline constexpr std::int32_t kNoBackground = std::numeric_limits<std::int32_t>:
 THINBENCH_API void squared_distances(ConstImageView source, LabelView distances,
                                      const Execution& execution = {});
 
+/// How far the centres of neighbouring rows and of neighbouring columns are apart, in any unit.
+struct Spacing {
+  double y = 1;
+  double x = 1;
+
+  friend constexpr bool operator==(const Spacing&, const Spacing&) = default;
+};
+
+/// The distances themselves, in the unit of the spacing:
+///   distances(x, y) = sqrt(min { ((x - u) spacing.x)^2 + ((y - v) spacing.y)^2 : source(u, v) = 0
+///   })
+/// and infinity in an image without background. Rounded as the formula: of pixels that are not
+/// square, the nearest is found with numbers of 64 bits.
+///
+/// Views, memory, threads and errors as squared_distances; std::invalid_argument also for a spacing
+/// that is not a finite number above 0.
+THINBENCH_API void distances(ConstImageView source, View<double> distances,
+                             const Spacing& spacing = {}, const Execution& execution = {});
+
 }  // namespace thinbench

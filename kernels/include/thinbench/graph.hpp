@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "thinbench/distance.hpp"
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
 #include "thinbench/options.hpp"
@@ -71,10 +72,21 @@ struct GraphNode {
   friend constexpr bool operator==(const GraphNode&, const GraphNode&) = default;
 };
 
+/// The steps of a line from pixel to pixel.
+struct Steps {
+  std::uint32_t horizontal = 0;
+  std::uint32_t vertical = 0;
+  std::uint32_t diagonal = 0;
+
+  friend constexpr bool operator==(const Steps&, const Steps&) = default;
+};
+
+/// horizontal * spacing.x + vertical * spacing.y + diagonal * sqrt(spacing.x^2 + spacing.y^2).
+[[nodiscard]] THINBENCH_API double length_of(const Steps& steps, const Spacing& spacing = {});
+
 /// A line between two nodes, or from a node to itself: from `start`, a pixel of node `from`, by the
-/// pixels of the line to `stop`, a pixel of node `to`. Its length is straight_steps +
-/// diagonal_steps * sqrt(2). A loop within a junction, round a hole that its pixels enclose, has no
-/// pixels and no steps.
+/// pixels of the line to `stop`, a pixel of node `to`. A loop within a junction, round a hole that
+/// its pixels enclose, has no pixels and no steps.
 struct GraphEdge {
   std::uint32_t from;
   std::uint32_t to;  // at least `from`
@@ -82,8 +94,7 @@ struct GraphEdge {
   Pixel stop;
   std::uint32_t first_pixel;  // of its pixels in Graph::edge_pixels
   std::uint32_t pixel_count;
-  std::uint32_t straight_steps;
-  std::uint32_t diagonal_steps;
+  Steps steps;
 
   friend constexpr bool operator==(const GraphEdge&, const GraphEdge&) = default;
 };
@@ -123,20 +134,23 @@ struct Graph {
 [[nodiscard]] THINBENCH_API Graph skeleton_graph(ConstImageView skeleton,
                                                  const Execution& execution = {});
 
-/// straight_steps + diagonal_steps * sqrt(2).
-[[nodiscard]] THINBENCH_API double length_of(const GraphEdge& edge);
+[[nodiscard]] inline double length_of(const GraphEdge& edge, const Spacing& spacing = {}) {
+  return length_of(edge.steps, spacing);
+}
 
 /// Which branches prune() removes.
 struct Pruning {
-  double min_length = 0;  // branches below it
+  double min_length = 0;  // branches below it, in the unit of the spacing
   /// And branches below this many times the object's width at their junction, which is twice the
   /// distance to the background there.
   double min_widths = 0;
-  /// Of the image before it was thinned. Used with min_widths only.
-  ConstLabelView squared_distances = {};
+  /// Of the image before it was thinned: distances() with the same spacing. Used with min_widths
+  /// only.
+  View<const double> distances = {};
   /// Also components that are a line or a pixel below min_length. Otherwise no component
   /// disappears.
   bool removes_components = false;
+  Spacing spacing = {};
 };
 
 /// Removes short branches from a skeleton: lines from an end to a junction, with the end but
@@ -145,13 +159,13 @@ struct Pruning {
 /// may be long. Holes remain, and so do components unless Pruning says otherwise. Returns the graph
 /// of the result.
 ///
-/// A round takes the time of skeleton_graph(). There are few for skeletons, but as many as a
-/// junction has short branches: thousands for combs and noise that are not thin.
+/// A round takes the time of what it changes. Takes memory as skeleton_graph, and some hundred
+/// bytes for each node.
 ///
 /// `destination` gets 0 and 255. Views must have the same size and be the same image or share no
-/// pixel. Errors as skeleton_graph, which takes a byte per pixel less;
-/// std::invalid_argument also for a negative or infinite limit and for distances that are missing
-/// or of another size. Nothing is written if it throws.
+/// pixel. Errors as skeleton_graph; std::invalid_argument also for a negative or infinite limit,
+/// for distances that are missing or of another size, and for a spacing as distances(). Nothing is
+/// written if it throws.
 THINBENCH_API Graph prune(ConstImageView skeleton, ImageView destination, const Pruning& pruning,
                           const Execution& execution = {});
 
@@ -159,14 +173,15 @@ THINBENCH_API Graph prune(ConstImageView skeleton, ImageView destination, const 
 /// background; infinite in an image without background.
 struct EdgeWidths {
   double mean;
+  double median;  // the mean of the two in the middle of an even number
   double least;
   double greatest;
 };
 
-/// `squared_distances` is that of the image before it was thinned. Throws std::invalid_argument if
-/// it has no data or a stride below its width, or lacks a pixel of an edge.
+/// `distances` are those of the image before it was thinned. Throws std::invalid_argument if they
+/// have no data or a stride below their width, or lack a pixel of an edge.
 [[nodiscard]] THINBENCH_API std::vector<EdgeWidths> edge_widths(const Graph& graph,
-                                                                ConstLabelView squared_distances);
+                                                                View<const double> distances);
 
 /// The pixels along an edge: start, those of the line, stop.
 [[nodiscard]] THINBENCH_API std::vector<Pixel> points_of(const Graph& graph, const GraphEdge& edge);
@@ -174,9 +189,10 @@ struct EdgeWidths {
 /// Of the points of a line, the first, the last and some between them, chosen so that no point is
 /// farther than `tolerance` from the polyline (Douglas and Peucker 1973; of points that are equally
 /// far, a line is split at the first). Each split looks at corners of O(log n) convex hulls of
-/// parts of the line, not at every point. Throws std::invalid_argument for a negative or infinite
-/// tolerance.
+/// parts of the line, not at every point. The tolerance has the unit of the spacing. Throws
+/// std::invalid_argument for a negative or infinite tolerance and for a spacing as distances().
 [[nodiscard]] THINBENCH_API std::vector<Pixel> polyline(std::span<const Pixel> points,
-                                                        double tolerance);
+                                                        double tolerance,
+                                                        const Spacing& spacing = {});
 
 }  // namespace thinbench
