@@ -422,6 +422,50 @@ THINBENCH_API thinbench_status thinbench_graph_edge_widths(const thinbench_graph
                                                            ptrdiff_t stride,
                                                            thinbench_edge_widths* widths);
 
+/* An edge between nodes, by their numbers from 0. */
+typedef struct thinbench_link {
+  uint32_t from;
+  uint32_t to;
+  double length;
+} thinbench_link;
+
+/* Paths from node to node by links: thinbench/graph_paths.hpp. */
+typedef struct thinbench_graph_paths thinbench_graph_paths;
+
+typedef struct thinbench_graph_path {
+  double length;
+  size_t first_node; /* in the list of nodes */
+  size_t node_count;
+  size_t first_edge; /* in the list of edges: numbers of links */
+  size_t edge_count;
+} thinbench_graph_path;
+
+/* The longest shortest path of every component. *paths must be destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_main_paths(uint32_t nodes, const thinbench_link* links,
+                                                    size_t link_count,
+                                                    thinbench_graph_paths** paths);
+/* A cycle for each link that is not in the shortest spanning forest; the edges include the one from
+ * the last node to the first. */
+THINBENCH_API thinbench_status thinbench_cycles(uint32_t nodes, const thinbench_link* links,
+                                                size_t link_count, thinbench_graph_paths** paths);
+/* One path, or none where no path leads from one to the other. */
+THINBENCH_API thinbench_status thinbench_shortest_path(uint32_t nodes, const thinbench_link* links,
+                                                       size_t link_count, uint32_t from,
+                                                       uint32_t to, thinbench_graph_paths** paths);
+/* The component of every node, numbered from 0 by their first nodes. */
+THINBENCH_API thinbench_status thinbench_components(uint32_t nodes, const thinbench_link* links,
+                                                    size_t link_count, uint32_t* components);
+
+/* Arrays as those of graphs. */
+THINBENCH_API const thinbench_graph_path* thinbench_graph_paths_list(
+    const thinbench_graph_paths* paths, size_t* count, size_t size);
+THINBENCH_API const uint32_t* thinbench_graph_paths_nodes(const thinbench_graph_paths* paths,
+                                                          size_t* count, size_t size);
+THINBENCH_API const uint32_t* thinbench_graph_paths_edges(const thinbench_graph_paths* paths,
+                                                          size_t* count, size_t size);
+/* NULL is allowed. */
+THINBENCH_API void thinbench_graph_paths_destroy(thinbench_graph_paths* paths);
+
 /* Keeps the first point of a line, the last and some between them, chosen so that no point is
  * farther than `tolerance`, in the unit of the spacing, from the polyline. `kept` has room for
  * `count` points and may be `points`; *kept_count becomes their number. */

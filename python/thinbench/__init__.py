@@ -8,15 +8,16 @@
 from thinbench import compat
 from thinbench._binarise import binarise
 from thinbench._catalogue import cpu, named_rules, rules
-from thinbench._graph import PIXEL_CLASSES, Graph, classify_pixels, graph, prune
+from thinbench._graph import PIXEL_CLASSES, classify_pixels, graph, graph_labels, prune
 from thinbench._images import distance, edges, euler_number, fill_holes, label, localise, regions
 from thinbench._library import version as _version
 from thinbench._packed import thin_packed
 from thinbench._path import path
 from thinbench._rules import Rule
+from thinbench._skeleton_graph import Cycle, Graph, GraphPath, Place
 from thinbench._thinning import apply, thin, thin_labels, thin_many
 
 __version__: str = _version().decode()
-__all__ = ["PIXEL_CLASSES", "Graph", "Rule", "apply", "binarise", "classify_pixels", "compat", "cpu", "distance",
-           "edges", "euler_number", "fill_holes", "graph", "label", "localise", "named_rules", "path", "prune", "regions", "rules",
-           "thin", "thin_labels", "thin_many", "thin_packed"]
+__all__ = ["PIXEL_CLASSES", "Cycle", "Graph", "GraphPath", "Place", "Rule", "apply", "binarise", "classify_pixels", "compat",
+           "cpu", "distance", "edges", "euler_number", "fill_holes", "graph", "graph_labels", "label", "localise",
+           "named_rules", "path", "prune", "regions", "rules", "thin", "thin_labels", "thin_many", "thin_packed"]

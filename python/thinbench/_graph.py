@@ -3,161 +3,30 @@
 from __future__ import annotations
 
 import ctypes
-import math
 import struct
 import warnings
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from thinbench import _arrays, _images, _library
+from thinbench import _arrays, _graph_splits, _images, _label_graphs, _library
+from thinbench._skeleton_graph import KINDS, Array, Graph, Groups, bounds_of, counted
 
-KINDS = np.array(["isolated", "end", "junction", "cycle"])
 PIXEL_CLASSES = ("background", "isolated", "end", "line", "junction")
 _PIXEL = np.dtype([("x", "i4"), ("y", "i4")])
 _NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
 _EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", _PIXEL), ("stop", _PIXEL), ("first_pixel", "u4"),
-                  ("pixel_count", "u4"), ("straight_steps", "u4"), ("diagonal_steps", "u4")])
-_PRUNING = struct.Struct("NddPni4x")
+                  ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
+_PRUNING = struct.Struct("NddPni4xP")
 
-Array = npt.NDArray[Any]
-Columns = dict[str, Array]
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Graph:
-    """A skeleton as nodes and the lines between them.
-
-    Two pixels are joined if they are 4-neighbours, or diagonal neighbours without a common
-    4-neighbour in the skeleton. A pixel with one joined neighbour is an end, with none isolated,
-    with three or four part of a junction, as is every pixel of a block of 2 x 2. Joined junction
-    pixels are one node. A closed line without junctions has a node of one pixel.
-
-    Attributes
-    ----------
-    nodes : dict of arrays, one element per node
-        "kind": "isolated", "end", "junction" or "cycle"; "row" and "column" of the centre of its
-        pixels; "degree": how many ends of edges it has.
-    edges : dict of arrays, one element per edge
-        "from" and "to": numbers of nodes; "length": steps along rows and columns count 1, diagonal
-        ones the square root of 2; "chord": the distance between its ends; with an image also
-        "width-mean", "width-min" and "width-max", twice the distance to the background. A loop
-        within a junction, round a hole that its pixels enclose, has length 0.
-    """
-
-    nodes: Columns
-    edges: Columns
-    _node_pixels: list[Array]
-    _edge_pixels: list[Array]
-
-    def __repr__(self) -> str:
-        kinds, counts = np.unique(self.nodes["kind"], return_counts=True)
-        of = ", ".join(f"{count} {kind}" for kind, count in zip(kinds, counts))
-        length = float(self.edges["length"].sum())
-        return (f"Graph({len(self.nodes['kind'])} nodes{f' ({of})' if of else ''}, "
-                f"{len(self.edges['length'])} edges of length {length:.1f})")
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draws edges as lines and nodes as points in a matplotlib Axes, the current one by default; returns it.
-
-        Columns run to the right and rows down, as `imshow` draws the image.
-        """
-        if ax is None:
-            from matplotlib import pyplot  # type: ignore[import]
-
-            ax = pyplot.gca()
-        for chain in self._edge_pixels:
-            ax.plot(chain[:, 1], chain[:, 0], "-", color="tab:orange", linewidth=1)
-        for kind, colour in zip(KINDS, ("tab:gray", "tab:green", "tab:blue", "tab:purple")):
-            chosen = self.nodes["kind"] == kind
-            if chosen.any():
-                ax.plot(self.nodes["column"][chosen], self.nodes["row"][chosen], ".", color=colour, label=str(kind))
-        ax.set_aspect("equal")
-        if ax.get_ylim()[0] < ax.get_ylim()[1]:
-            ax.invert_yaxis()
-        return ax
-
-    def node_pixels(self, node: int) -> Array:
-        """Rows and columns of the pixels of a node: an array of int32, shape (N, 2)."""
-        return self._node_pixels[node]
-
-    def edge_pixels(self, edge: int) -> Array:
-        """Rows and columns along an edge, from a pixel of one node to one of the other: shape (N, 2)."""
-        return self._edge_pixels[edge]
-
-    def polylines(self, tolerance: float = 1) -> list[Array]:
-        """Rows and columns of the points of each edge that are needed so that none of its pixels is farther
-        than `tolerance` from the line through them (Douglas and Peucker 1973): arrays of shape (N, 2)."""
-        return [_polyline(chain, tolerance) for chain in self._edge_pixels]
-
-    def to_geojson(self, tolerance: float = 1, transform: Sequence[float] = (1, 0, 0, 0, 1, 0)) -> dict[str, Any]:
-        """What `thinbench graph --geojson` writes: a Point for each node, a LineString for each edge.
-
-        `transform` is (a, b, c, d, e, f) of x' = a x + b y + c, y' = d x + e y + f. The centre of the
-        first pixel is at x = 0.5, y = 0.5. Ids count from 1. A width without background is None.
-        """
-        a, b, c, d, e, f = _finite("transform", transform)
-
-        def position(row: float, column: float) -> list[float]:
-            x, y = float(column) + 0.5, float(row) + 0.5
-            return _finite("transform", [a * x + b * y + c, d * x + e * y + f], 2)
-
-        def feature(kind: str, coordinates: Any, properties: dict[str, Any]) -> dict[str, Any]:
-            return {"type": "Feature", "geometry": {"type": kind, "coordinates": coordinates}, "properties": properties}
-
-        nodes, edges = self.nodes, self.edges
-        widths = {name: name.replace("-", "_") for name in edges if name.startswith("width-")}
-        features = []
-        for i in range(len(nodes["kind"])):
-            properties = {"id": i + 1, "kind": str(nodes["kind"][i]), "degree": int(nodes["degree"][i])}
-            features.append(feature("Point", position(nodes["row"][i], nodes["column"][i]), properties))
-        for i, line in enumerate(self.polylines(tolerance)):
-            properties = {"id": i + 1, "from": int(edges["from"][i]) + 1, "to": int(edges["to"][i]) + 1,
-                          "pixels": len(self._edge_pixels[i]) - 2,
-                          "length": float(edges["length"][i]), "chord": float(edges["chord"][i])}
-            for column, name in widths.items():
-                width = float(edges[column][i])
-                properties[name] = width if math.isfinite(width) else None
-            features.append(feature("LineString", [position(*point) for point in line], properties))
-        return {"type": "FeatureCollection", "features": features}
-
-    def to_networkx(self) -> Any:
-        """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""
-        import networkx  # type: ignore[import]
-
-        graph = networkx.MultiGraph()
-        for node in range(len(self.nodes["kind"])):
-            graph.add_node(node, **{name: column[node].item() for name, column in self.nodes.items()})
-        for edge in range(len(self.edges["from"])):
-            values = {name: column[edge].item() for name, column in self.edges.items()}
-            graph.add_edge(values.pop("from"), values.pop("to"), pixels=self._edge_pixels[edge], **values)
-        return graph
-
-    def to_csgraph(self, weight: str = "length") -> Any:
-        """A symmetric scipy.sparse.csr_matrix of a column of the edges, for scipy.sparse.csgraph.
-
-        Of parallel edges the one with the least weight remains; loops are left out.
-        """
-        from scipy import sparse  # type: ignore[import]
-
-        ends = np.sort(np.stack([self.edges["from"], self.edges["to"]]), axis=0)
-        order = np.lexsort((self.edges[weight], ends[1], ends[0]))
-        order = order[ends[0, order] != ends[1, order]]
-        first = np.ones(len(order), bool)
-        first[1:] = (np.diff(ends[:, order]) != 0).any(axis=0)
-        order = order[first]
-        one, other = ends[:, order].astype(np.int64)
-        weights = np.tile(self.edges[weight][order], 2)
-        places = np.concatenate([one, other]), np.concatenate([other, one])
-        count = len(self.nodes["kind"])
-        return sparse.coo_matrix((weights, places), (count, count)).tocsr()
+Spacing = float | Sequence[float]
 
 
-def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *,
-          not_thin: Literal["warn", "raise", "ignore"] = "warn", threads: int = 1) -> Graph:
+def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
+          nodes: Iterable[Sequence[int]] = (), not_thin: Literal["warn", "raise", "ignore"] = "warn",
+          threads: int = 1) -> Graph:
     """Find the nodes of a skeleton and the lines between them.
 
     Parameters
@@ -166,6 +35,11 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *,
         Nonzero is foreground; thin lines, such as `thin` makes.
     image : array of bool or uint8, shape (H, W), optional
         What was thinned, for the widths of edges.
+    spacing : float or two floats
+        The distance between the centres of neighbouring rows, and of neighbouring columns. Lengths,
+        widths and tolerances are in this unit; rows and columns remain numbers of pixels.
+    nodes : iterable of (row, column)
+        Pixels of lines that become nodes of the kind "given"; they come last. Each splits its edge in two.
     not_thin : str
         What to do about blocks of 2 x 2 foreground pixels: "warn" and "raise" name their number and
         the first. They become junctions.
@@ -199,14 +73,64 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *,
     options = _library.execution(_arrays.integer("threads", threads))
     stack, kept_alive = _arrays.source(array)
     _check_thin(stack, not_thin)
+    units = _arrays.spacing("spacing", spacing)
+    distances = None if image is None else _distances_of(image, array.shape, units, threads)
     handle = ctypes.c_void_p()
     _library.skeleton_graph(stack, options, ctypes.byref(handle))
     del kept_alive
-    return _taken(handle, None if image is None else _squares_of(image, array.shape, threads))
+    return _graph_splits.split_at(_taken(handle, units, distances), nodes)
+
+
+def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
+                 threads: int = 1) -> Graph:
+    """Find the graphs of many skeletons that share an image, each with its own label, in one call.
+
+    Pixels with different labels are never joined, even where they touch. The result is that of a loop over
+    the labels with `graph(skeletons == label, labels == label)`, one after another.
+
+    Parameters
+    ----------
+    skeletons : array of bool or integers, shape (H, W)
+        0 is background; `thin(labels)` makes such an image.
+    labels : array of bool or integers, shape (H, W), optional
+        What was thinned, for the widths of edges.
+    spacing : float or two floats
+        As for `graph`.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
+
+    Returns
+    -------
+    Graph
+        Nodes and edges have a column "label", by which they are sorted.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    References
+    ----------
+    docs/graphs.md: the definition of nodes and edges.
+
+    Examples
+    --------
+    >>> import thinbench
+    >>> found = thinbench.graph_labels([[5, 5, 5, 2], [0, 0, 0, 2]])
+    >>> print(found.edges["label"], found.edges["length"])
+    [2 5] [1. 2.]
+    """
+    lines = _arrays.labels(skeletons)
+    objects = lines if labels is None else _arrays.labels(labels)
+    if objects.shape != lines.shape:
+        raise ValueError(f"labels: expected the skeletons' shape {lines.shape}, got {objects.shape}")
+    units = _arrays.spacing("spacing", spacing)
+    return _label_graphs.graph_of(lines, objects, lambda part, image: graph(
+        part, None if labels is None else image, spacing=units, not_thin="ignore", threads=threads))
 
 
 def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
-          image: npt.ArrayLike | None = None, remove_components: bool = False,
+          image: npt.ArrayLike | None = None, spacing: Spacing = 1, remove_components: bool = False,
           out: npt.NDArray[Any] | None = None, threads: int = 1) -> npt.NDArray[Any]:
     """Remove short branches from a skeleton.
 
@@ -224,6 +148,8 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
         the distance to the background.
     image : array of bool or uint8, shape (H, W), optional
         What was thinned; needed with `min_widths`.
+    spacing : float or two floats
+        The distance between rows, and between columns, in whose unit `min_length` is.
     remove_components : bool
         Also remove lines and pixels on their own that are shorter than `min_length`.
     out : array, optional
@@ -258,10 +184,12 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     widths = _arrays.real("min_widths", min_widths)
     if image is None and widths > 0:
         raise ValueError(f"min_widths: expected image=..., what was thinned, beside it, got {widths:g} without")
-    squares = None if image is None else _squares_of(image, array.shape, threads)
+    units = _arrays.spacing("spacing", spacing)
+    distances = None if image is None else _distances_of(image, array.shape, units, threads)
+    packed_units = np.array(units)
     pruning = _PRUNING.pack(_PRUNING.size, _arrays.real("min_length", min_length),
-                            widths, 0 if squares is None else squares.ctypes.data,
-                            array.shape[1], bool(remove_components))
+                            widths, 0 if distances is None else distances.ctypes.data,
+                            array.shape[1], bool(remove_components), packed_units.ctypes.data)
     result = _arrays.result_for(array, out)
     stack, kept_alive = _arrays.source(array)
     _library.prune(stack, _arrays.destination(result), pruning, options, None)
@@ -326,78 +254,65 @@ def _check_thin(stack: bytes, not_thin: str) -> None:
     warnings.warn(message, stacklevel=3)
 
 
-def _finite(name: str, numbers: Sequence[float], count: int = 6) -> list[float]:
-    found = [_arrays.real(name, number) for number in numbers]
-    for number in found:
-        if not math.isfinite(number):
-            raise ValueError(f"{name}: expected finite numbers, got {number}")
-    if len(found) != count:
-        raise ValueError(f"{name}: expected {count} numbers, got {len(found)}")
-    return found
+def _distances_of(image: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[float, float],
+                  threads: int) -> npt.NDArray[np.float64]:
+    distances = _images.distance(image, sampling=spacing, threads=threads)
+    if distances.shape != shape:
+        raise ValueError(f"image: expected the skeleton's shape {shape}, got {distances.shape}")
+    return distances
 
 
-def _polyline(chain: Array, tolerance: float) -> Array:
-    """The distances do not depend on the order of the two columns."""
-    kept = np.empty(chain.shape, np.int32)
-    points = np.ascontiguousarray(chain, np.int32)
-    count = ctypes.c_size_t()
-    _library.polyline(points.ctypes.data, len(points), _arrays.real("tolerance", tolerance), kept.ctypes.data, ctypes.byref(count))
-    return kept[:count.value].copy()
-
-
-def _squares_of(image: npt.ArrayLike, shape: tuple[int, ...], threads: int) -> npt.NDArray[np.int32]:
-    squares = _images.distance(image, squared=True, threads=threads)
-    if squares.shape != shape:
-        raise ValueError(f"image: expected the skeleton's shape {shape}, got {squares.shape}")
-    return squares
-
-
-def _taken(handle: ctypes.c_void_p, squares: npt.NDArray[np.int32] | None) -> Graph:
+def _taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Array | None) -> Graph:
     """The graph of a handle, which is destroyed."""
     try:
         nodes, edges, node_pixels, edge_pixels = (
-            _copied(handle, list_of, dtype) for list_of, dtype in (
+            _library.copied(handle, list_of, dtype) for list_of, dtype in (
                 (_library.graph_nodes, _NODE), (_library.graph_edges, _EDGE),
                 (_library.graph_node_pixels, _PIXEL), (_library.graph_edge_pixels, _PIXEL)))
-        widths = {} if squares is None else _width_columns(handle, squares, len(edges))
+        widths = {} if distances is None else _width_columns(handle, distances, len(edges))
     finally:
         _library.graph_destroy(handle)
-    pixels_of_nodes = np.split(_rows_and_columns(node_pixels), nodes["first_pixel"][1:])
-    lines = np.split(_rows_and_columns(edge_pixels), edges["first_pixel"][1:])
-    starts, stops = _rows_and_columns(edges["start"]), _rows_and_columns(edges["stop"])
-    chains = [np.concatenate([starts[i:i + 1], lines[i], stops[i:i + 1]]) for i in range(len(edges))]
-    return Graph(_node_columns(nodes, edges, pixels_of_nodes), {**_edge_columns(edges), **widths},
-                 pixels_of_nodes[:len(nodes)], chains)
-
-
-def _copied(handle: ctypes.c_void_p, list_of: Any, dtype: np.dtype[Any]) -> Array:
-    count = ctypes.c_size_t()
-    address = list_of(handle, ctypes.byref(count), dtype.itemsize)
-    copy = np.empty(count.value, dtype)
-    if count.value:
-        ctypes.memmove(copy.ctypes.data, address, copy.nbytes)
-    return copy
+    pixels = Groups(_rows_and_columns(node_pixels), bounds_of(nodes["pixel_count"]))
+    chains = _chains(edges, _rows_and_columns(edge_pixels))
+    columns = {**_edge_columns(edges, spacing), **widths}
+    return counted(_node_columns(nodes, pixels, distances), columns, spacing, pixels, chains, distances)
 
 
 def _rows_and_columns(pixels: Array) -> Array:
     return np.stack([pixels["y"], pixels["x"]], axis=-1)
 
 
-def _node_columns(nodes: Array, edges: Array, pixels: list[Array]) -> Columns:
-    centres = np.array([group.mean(axis=0) for group in pixels[:len(nodes)]]).reshape(-1, 2)
-    degree = np.bincount(edges["from"], minlength=len(nodes)) + np.bincount(edges["to"], minlength=len(nodes))
-    return {"kind": KINDS[nodes["kind"]], "row": centres[:, 0], "column": centres[:, 1], "degree": degree}
+def _chains(edges: Array, lines: Array) -> Groups:
+    """The pixels along each edge, from start to stop."""
+    bounds = bounds_of(edges["pixel_count"].astype(np.int64) + 2)
+    values = np.empty((bounds[-1], 2), np.int32)
+    is_line = np.ones(len(values), bool)
+    is_line[bounds[:-1]] = is_line[bounds[1:] - 1] = False
+    values[is_line] = lines
+    values[bounds[:-1]], values[bounds[1:] - 1] = _rows_and_columns(edges["start"]), _rows_and_columns(edges["stop"])
+    return Groups(values, bounds)
 
 
-def _edge_columns(edges: Array) -> Columns:
-    difference = _rows_and_columns(edges["stop"]) - _rows_and_columns(edges["start"])
+def _node_columns(nodes: Array, pixels: Groups, distances: Array | None) -> dict[str, Array]:
+    sums = pixels.reduced(np.add, pixels.values.astype(np.int64))
+    rows, columns = (sums / nodes["pixel_count"][:, None]).T
+    found = {"kind": KINDS[nodes["kind"]], "row": rows, "column": columns}
+    if distances is not None:
+        found["width"] = 2 * pixels.reduced(np.maximum, distances[tuple(pixels.values.T)])
+    return found
+
+
+def _edge_columns(edges: Array, spacing: tuple[float, float]) -> dict[str, Array]:
+    rows, columns = spacing
+    difference = (_rows_and_columns(edges["stop"]) - _rows_and_columns(edges["start"])) * spacing
+    straight = edges["horizontal_steps"] * columns + edges["vertical_steps"] * rows
     return {"from": edges["from"].astype(np.int64), "to": edges["to"].astype(np.int64),
-            "length": edges["straight_steps"] + edges["diagonal_steps"] * np.sqrt(2),
+            "length": straight + edges["diagonal_steps"] * np.sqrt(columns * columns + rows * rows),
             "chord": np.hypot(difference[:, 0], difference[:, 1])}
 
 
-def _width_columns(handle: ctypes.c_void_p, squares: npt.NDArray[np.int32], count: int) -> Columns:
-    widths = np.empty((count, 3))
-    height, width = squares.shape
-    _library.graph_edge_widths(handle, squares.ctypes.data, height, width, width, widths.ctypes.data)
-    return {"width-" + name: widths[:, i] for i, name in enumerate(("mean", "min", "max"))}
+def _width_columns(handle: ctypes.c_void_p, distances: npt.NDArray[np.float64], count: int) -> dict[str, Array]:
+    widths = np.empty((count, 4))
+    height, width = distances.shape
+    _library.graph_edge_widths(handle, distances.ctypes.data, height, width, width, widths.ctypes.data)
+    return {"width-" + name: widths[:, i] for i, name in enumerate(("mean", "median", "min", "max"))}

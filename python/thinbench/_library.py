@@ -90,10 +90,17 @@ localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_small_holes = _checked(
     "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)
 euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
-regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels = (
+(regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels,
+ graph_paths_list, graph_paths_nodes, graph_paths_edges) = (
     _function(lists, _POINTER, _POINTER, _SIZE, result=_POINTER)
-    for lists in ("regions_objects", "regions_holes", "graph_nodes", "graph_edges",
-                  "graph_node_pixels", "graph_edge_pixels"))
+    for lists in ("regions_objects", "regions_holes", "graph_nodes", "graph_edges", "graph_node_pixels",
+                  "graph_edge_pixels", "graph_paths_list", "graph_paths_nodes", "graph_paths_edges"))
+main_paths = _checked("main_paths", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
+cycles = _checked("cycles", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
+shortest_path = _checked(
+    "shortest_path", ctypes.c_uint32, _POINTER, _SIZE, ctypes.c_uint32, ctypes.c_uint32, _POINTER)
+components = _checked("components", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
+graph_paths_destroy = _function("graph_paths_destroy", _POINTER, result=None)
 graph_edge_widths = _checked(
     "graph_edge_widths", _POINTER, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _POINTER)
 graph_destroy = _function("graph_destroy", _POINTER, result=None)
@@ -160,6 +167,16 @@ def gates(handle: int | None, sub_iteration: int) -> int:
     number = ctypes.c_int32()
     _rule_gates(handle, sub_iteration, ctypes.byref(number))
     return number.value
+
+
+def copied(handle: ctypes.c_void_p, list_of: Callable[..., Any], dtype: np.dtype[Any]) -> npt.NDArray[Any]:
+    """A list of a result, which the result may not outlive."""
+    count = ctypes.c_size_t()
+    address = list_of(handle, ctypes.byref(count), dtype.itemsize)
+    copy = np.empty(count.value, dtype)
+    if count.value:
+        ctypes.memmove(copy.ctypes.data, address, copy.nbytes)
+    return copy
 
 
 def handle_from(make: Callable[..., None], *arguments: Any) -> int | None:

@@ -590,6 +590,35 @@ static void finds_the_graph_of_a_skeleton(void) {
   thinbench_graph_destroy(graph);
 }
 
+static void finds_paths_through_a_graph(void) {
+  const thinbench_link links[4] = {{0, 1, 1}, {1, 2, 2}, {2, 0, 5}, {3, 3, 7}};
+  uint32_t components[4];
+  size_t count = 0;
+  thinbench_graph_paths* paths = NULL;
+  CHECK(thinbench_components(4, links, 4, components) == THINBENCH_OK);
+  CHECK(components[0] == 0 && components[2] == 0 && components[3] == 1);
+  CHECK(thinbench_main_paths(4, links, 4, &paths) == THINBENCH_OK);
+  const thinbench_graph_path* list =
+      thinbench_graph_paths_list(paths, &count, sizeof(thinbench_graph_path));
+  CHECK(count == 2 && list[0].length == 3 && list[0].node_count == 3 && list[1].edge_count == 0);
+  CHECK(thinbench_graph_paths_nodes(paths, &count, sizeof(uint32_t))[1] == 1 && count == 4);
+  CHECK(thinbench_graph_paths_edges(paths, &count, sizeof(uint32_t))[1] == 1 && count == 2);
+  CHECK(thinbench_graph_paths_list(paths, &count, 1) == NULL && count == 0);
+  CHECK(thinbench_graph_paths_list(NULL, &count, sizeof(thinbench_graph_path)) == NULL);
+  thinbench_graph_paths_destroy(paths);
+  CHECK(thinbench_cycles(4, links, 4, &paths) == THINBENCH_OK);
+  CHECK(thinbench_graph_paths_list(paths, &count, sizeof(thinbench_graph_path)) && count == 2);
+  thinbench_graph_paths_destroy(paths);
+  CHECK(thinbench_shortest_path(4, links, 4, 0, 3, &paths) == THINBENCH_OK);
+  CHECK(thinbench_graph_paths_list(paths, &count, sizeof(thinbench_graph_path)) == NULL ||
+        count == 0);
+  thinbench_graph_paths_destroy(paths);
+  rejects(thinbench_cycles(3, links, 4, &paths), "link 3: expected nodes below 3, got 3 and 3");
+  CHECK(paths == NULL);
+  rejects(thinbench_cycles(3, NULL, 4, &paths), "links");
+  thinbench_graph_paths_destroy(NULL);
+}
+
 static void prunes_and_simplifies(void) {
   const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
   uint8_t pruned[15];
@@ -675,6 +704,7 @@ int main(void) {
   lists_rules();
   takes_images_without_pixels();
   finds_the_graph_of_a_skeleton();
+  finds_paths_through_a_graph();
   prunes_and_simplifies();
   rejects_invalid_arguments();
   rejects_invalid_tables();

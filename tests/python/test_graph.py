@@ -140,7 +140,7 @@ def test_polylines_keep_what_is_farther_than_the_tolerance():
     graph = thinbench.graph(skeleton)
     assert [line.tolist() for line in graph.polylines(1)] == [[[0, 0], [3, 3], [0, 6]]]
     assert [line.tolist() for line in graph.polylines(3)] == [[[0, 0], [0, 6]]]
-    with pytest.raises(ValueError, match="tolerance: expected a number of at least 0, got nan"):
+    with pytest.raises(ValueError, match="tolerance: expected a finite number of at least 0, got nan"):
         graph.polylines(np.nan)
 
 

@@ -1,0 +1,62 @@
+"""Paths through graphs: nodes with numbers, and links between them."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from thinbench import _library
+
+_LINK = np.dtype([("from", "u4"), ("to", "u4"), ("length", "f8")])
+_PATH = np.dtype([("length", "f8"), ("first_node", "u8"), ("node_count", "u8"), ("first_edge", "u8"),
+                  ("edge_count", "u8")])
+
+Array = npt.NDArray[Any]
+Path = tuple[float, Array, Array]  # its length, nodes and links
+
+
+def links(first: Array, last: Array, length: Array) -> Array:
+    """What the functions below take."""
+    table = np.empty(len(first), _LINK)
+    table["from"], table["to"], table["length"] = first, last, length
+    return table
+
+
+def main_paths(nodes: int, table: Array) -> list[Path]:
+    return _found(_library.main_paths, nodes, table)
+
+
+def cycles(nodes: int, table: Array) -> list[Path]:
+    return _found(_library.cycles, nodes, table)
+
+
+def shortest_path(nodes: int, table: Array, first: int, last: int) -> list[Path]:
+    """One path, or none."""
+    for number in (first, last):
+        if not 0 <= number < nodes:
+            raise ValueError(f"expected numbers of nodes from 0 to {nodes - 1}, got {number}")
+    return _found(_library.shortest_path, nodes, table, first, last)
+
+
+def components(nodes: int, table: Array) -> Array:
+    """The component of every node, numbered from 0 by their first nodes."""
+    numbers = np.empty(nodes, np.uint32)
+    _library.components(nodes, table.ctypes.data, len(table), numbers.ctypes.data)
+    return numbers.astype(np.int64)
+
+
+def _found(function: Callable[..., None], nodes: int, table: Array, *more: int) -> list[Path]:
+    handle = ctypes.c_void_p()
+    function(nodes, table.ctypes.data, len(table), *more, ctypes.byref(handle))
+    try:
+        paths = _library.copied(handle, _library.graph_paths_list, _PATH)
+        numbers = [_library.copied(handle, list_of, np.dtype("u4")).astype(np.int64)
+                   for list_of in (_library.graph_paths_nodes, _library.graph_paths_edges)]
+    finally:
+        _library.graph_paths_destroy(handle)
+    return [(float(length), numbers[0][node:node + node_count], numbers[1][edge:edge + edge_count])
+            for length, node, node_count, edge, edge_count in paths.tolist()]
