@@ -3,8 +3,8 @@
 // Packing compares 64 bytes with zero and keeps one bit of each: 1 (AVX-512), 2 (AVX2) or 4 (SSE2)
 // comparisons and mask moves per word. Unpacking is a mask move on AVX-512; elsewhere each byte of
 // the word is broadcast to the lanes of its bits and tested there. Both are limited by memory
-// traffic of 1 byte per pixel. Rows are prefetched kPrefetchBytes ahead:
-// docs/experiments.md#prefetching-source-rows. Not adopted: docs/experiments.md#whole-cache-lines.
+// traffic of 1 byte per pixel. Rows are prefetched kPrefetchBytes ahead.
+// What was tried: docs/experiments.md#packing.
 #include "core/packing.hpp"
 
 #include "simd/vector.hpp"

@@ -8,7 +8,7 @@
 namespace thinbench::detail {
 
 /// Images of at least this many bytes are written with non-temporal stores:
-/// docs/experiments.md#non-temporal-stores.
+/// docs/experiments.md#packing.
 inline constexpr Index kNonTemporalBytes = Index{8} << 20;
 
 /// Source and target have the same size. `read` writes all words or bytes of a row that hold

@@ -8,7 +8,7 @@
 
 namespace thinbench::detail {
 
-/// Images below this are faster on one thread: docs/experiments.md#threads-on-small-images.
+/// Images below this are faster on one thread: docs/experiments.md#threads.
 inline constexpr Index kMinPixelsForThreads = Index{1} << 20;
 
 /// Runs loops by oneTBB or, without it, by std::thread; the calling thread takes part. Not

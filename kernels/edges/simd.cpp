@@ -9,7 +9,7 @@
 // operations per batch including brightness, without interleaving.
 // to_bits: the faster of the two, but stores bits: 1/8 of the bytes written.
 //
-// Alternatives not adopted: docs/experiments.md#sobel-in-8-bits.
+// Alternatives not adopted: docs/experiments.md#edges.
 #include "core/exported.hpp"
 #include "edges/gradients.hpp"
 

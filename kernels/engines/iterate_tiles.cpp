@@ -8,7 +8,7 @@ namespace thinbench::detail {
 namespace {
 
 /// With fewer tiles per thread, barriers cost more than threads gain:
-/// docs/experiments.md#smaller-shares.
+/// docs/experiments.md#threads.
 constexpr Index kMinShare = 512;
 
 /// Tiles whose numbers differ by this or more are not neighbours.

@@ -4,8 +4,8 @@
 // pixels) stays in the L1 cache from packing to unpacking. It is thinned in place until none of its
 // images changes; further iterations do not change an image that is done.
 //
-// The next group is prefetched: docs/experiments.md#prefetching-the-next-group.
-// Alternatives not adopted: docs/experiments.md#packing-from-whole-loads.
+// The next group is prefetched.
+// What was tried: docs/experiments.md#batches.
 #include "engines/lanes.hpp"
 
 #include "core/exported.hpp"

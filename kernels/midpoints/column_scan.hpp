@@ -9,7 +9,7 @@
 // Rows become columns by transposing blocks of 64 x 64 pixels (6 x 32 exchanges of half rows per
 // batch of blocks), diagonals by rotating row y of the image by y pixels (2 loads, 3 operations).
 //
-// Rejected without measurement: docs/experiments.md#marking-run-by-run and #all-counts-in-memory.
+// Rejected without measurement: docs/experiments.md#midpoint-scan.
 #pragma once
 
 #include "midpoints/counter.hpp"

@@ -120,7 +120,7 @@ State make_simd_scan(const ThinningSetting& setting) {
 }  // namespace
 
 // Why there is no look-up table and no SIMD on bytes:
-// docs/experiments.md#other-techniques-for-the-scan.
+// docs/experiments.md#midpoint-scan.
 std::vector<ThinningVariant> midpoint_variants() {
   ThinningVariants list;
   for (const Isa isa : all_isas()) {

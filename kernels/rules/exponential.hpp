@@ -27,7 +27,7 @@ struct RealOps<float> {
 /// e^x for x clamped to [-87, 87]: x = n ln 2 + r with |r| <= ln 2 / 2, then the Taylor polynomial
 /// of degree 7 in r by Horner's rule, times 2^n. n ln 2 is subtracted in two parts; the first has
 /// few bits, so its product is exact. Relative error below 1.1e-7:
-/// docs/experiments.md#exponential-by-a-taylor-polynomial.
+/// docs/experiments.md#nets.
 template <class Real>
 [[gnu::always_inline]] inline Real exponential(Real x) {
   using Ops = RealOps<Real>;

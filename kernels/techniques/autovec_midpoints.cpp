@@ -108,7 +108,7 @@ template <class Body>
 }
 
 /// Combines row x of `to` with column x of `from`. Takes views by value because byte stores could
-/// alias the fields of a reference: docs/experiments.md#sizes-behind-references.
+/// alias the fields of a reference: docs/experiments.md#word-scan.
 template <class Combine>
 void transpose(ConstBytePlaneView from, BytePlaneView to, const Combine& combine) {
   for_each_block(from.width, from.height, [=](Index left, Index top, Index width, Index height) {

@@ -114,7 +114,7 @@ std::uint64_t pass(const TableRule* rule, const std::uint8_t* fixed,
   });
 }
 
-/// Empty below AVX-512: docs/experiments.md#compiler-vectorisation-of-nets.
+/// Empty below AVX-512: docs/experiments.md#nets.
 consteval AutovecNetKernels make_kernels() {
   constexpr Isa isa = Isa::THINBENCH_ISA;
   if constexpr (isa == Isa::avx512 || isa == Isa::avx512icl) {

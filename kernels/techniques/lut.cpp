@@ -8,7 +8,7 @@
 // pairs of pixels (8 KB). Eight columns are computed at a time in a general register: about 4
 // operations per pixel, without branches or a dependency chain.
 //
-// Alternatives not adopted: docs/experiments.md#one-column-per-pixel.
+// Alternatives not adopted: docs/experiments.md#word-scan.
 #include "core/byte_order.hpp"
 #include "rules/rule_table.hpp"
 #include "techniques/passes.hpp"

@@ -3,7 +3,7 @@
 //
 // Cost per pixel: up to 4 look-ups of neighbours' labels, 4 bytes written and read again, and 12
 // operations to sum, with unpredictable branches. The baseline for run-based labelling:
-// docs/experiments.md#union-find-on-noise.
+// docs/experiments.md#regions.
 #include "techniques/regions.hpp"
 
 namespace thinbench::detail {

@@ -17,7 +17,7 @@ struct NaccacheShinghal {
 
   /// By two inputs: removed = (n6 X | n2 Y) ~(n0 n2 n4 n6) with X = n4 ~n1 | n0 ~n3 and
   /// Y = n4 ~n7 | n0 ~n5. By three: gate 4 is n2 Y | n0 n2 n4 n6, and each of the next two adds one
-  /// half of n6 X and excludes n0 n2 n4 n6. See docs/experiments.md#one-circuit-for-every-isa.
+  /// half of n6 X and excludes n0 n2 n4 n6. See docs/experiments.md#word-scan.
   template <int sub, class Word>
   [[gnu::always_inline]] static constexpr Word next(const Neighbourhood<Word>& n) {
     return by_circuit<BuiltInRule::naccache_shinghal, 0>(n);
