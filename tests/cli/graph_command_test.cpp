@@ -90,7 +90,7 @@ TEST_F(GraphCommand, writes_a_table_with_a_row_for_each_edge) {
   ASSERT_EQ(graph({"--csv", csv}).status, 0);
   const std::string text = text_in(csv);
   EXPECT_EQ(std::ranges::count(text, '\n'), 4);
-  EXPECT_NE(text.find(",12,8,3,3,4,junction,end,5,3,10,3,4,5,5,2,2,2\n"), std::string::npos)
+  EXPECT_NE(text.find(",12,8,3,3,4,junction,end,5,3,10,3,4,5,5,2,2,2,2,\n"), std::string::npos)
       << text;
 }
 
@@ -104,6 +104,38 @@ TEST_F(GraphCommand, writes_geojson_in_the_coordinates_of_the_transform) {
             Json::parse(R"({"type": "Point", "coordinates": [111, 47]})"));
   EXPECT_EQ(features[7].at("geometry").at("coordinates"), Json::parse("[[111, 43], [121, 43]]"));
   EXPECT_EQ(features[7].at("properties").at("length"), 5);
+}
+
+TEST_F(GraphCommand, lengths_and_widths_are_in_the_unit_of_the_spacing) {
+  const ProgramRun run =
+      graph({"--spacing", "3,0.5", "--unit", "mm", "--json", "--csv", csv, "--geojson", geojson});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json found = Json::parse(run.out);
+  EXPECT_EQ(found.at("spacing"), Json::parse("[3.0, 0.5]"));
+  EXPECT_EQ(found.at("edges")[2].at("length"), 2.5);
+  EXPECT_NE(text_in(csv).find(",2.5,2.5,3.3333333333333335,3.5,1,5,mm\n"), std::string::npos)
+      << text_in(csv);
+  const Json features = Json::parse(text_in(geojson)).at("features");
+  EXPECT_EQ(features[7].at("geometry").at("coordinates"),
+            Json::parse("[[2.75, 10.5], [5.25, 10.5]]"));
+}
+
+TEST_F(GraphCommand, spacings_and_units_that_mean_nothing_are_rejected) {
+  for (const char* spacing : {"0", "1,2,3", "1,", "wide", "-1", "nan"}) {
+    const ProgramRun run = graph({"--spacing", spacing});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("--spacing: expected one or two numbers"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(std::string("got '") + spacing), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(GraphCommand, lists_the_main_path_of_each_component) {
+  const ProgramRun run = graph({"--main-path"});
+  EXPECT_NE(run.out.find("main path 1: node "), std::string::npos) << run.out;
+  const Json paths = Json::parse(graph({"--main-path", "--json"}).out).at("main_paths");
+  ASSERT_EQ(paths.size(), 2U);
+  EXPECT_EQ(paths[0].at("nodes").size(), paths[0].at("edges").size() + 1);
+  EXPECT_FALSE(Json::parse(graph({"--json"}).out).contains("main_paths"));
 }
 
 TEST_F(GraphCommand, draws_every_node_and_edge) {
@@ -198,7 +230,7 @@ TEST_F(GraphCommand, widths_without_background_are_null_and_empty) {
   const ProgramRun run = graph({"--foreground", "bright", "--json", "--csv", csv});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(Json::parse(run.out).at("edges")[0].at("width_min").is_null()) << run.out;
-  EXPECT_NE(text_in(csv).find(",8,8,,,\n"), std::string::npos) << text_in(csv);
+  EXPECT_NE(text_in(csv).find(",8,8,,,,,\n"), std::string::npos) << text_in(csv);
 }
 
 }  // namespace

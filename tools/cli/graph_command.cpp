@@ -181,13 +181,15 @@ Command add_graph_command(CLI::App& program) {
   thinbench graph roads.png --prune 10 --overlay roads.svg --csv roads.csv
   thinbench graph roads.png --prune-widths 1 --overlay drawn.png
   thinbench graph roots.png --spacing 0.25 --unit mm --prune 5 --csv roots.csv
+  thinbench graph worms.png --main-path --overlay worms.svg
   thinbench graph roads.tif --geojson roads.json --transform 0.5,0,4500000,0,-0.5,5400000
   thinbench graph skeleton.png --thinning none --image roads.png --only-thin --json > graph.json
 
 Ends, junctions and isolated pixels are nodes; lines between them are edges. A closed line without
 junctions has a node of its own. Along rows and columns a step has length 1, diagonally sqrt(2). The
 width of a line is twice the distance to the background of the image that was thinned; what is
-outside the image does not count as background. Sides are at most 32767 pixels. Files are written one
+outside the image does not count as background. The main path of a component is the longest of the
+shortest paths between two of its nodes. Sides are at most 32767 pixels. Files are written one
 after the other, each whole or not at all.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }

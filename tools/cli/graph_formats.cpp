@@ -102,6 +102,22 @@ Json spacing_json(const FoundGraph& found) {
   return {found.spacing.y, found.spacing.x};
 }
 
+/// Numbers as ids.
+Json ids_of(const std::vector<std::uint32_t>& numbers) {
+  Json ids = Json::array();
+  for (const std::uint32_t number : numbers) ids.push_back(number + 1);
+  return ids;
+}
+
+Json main_paths_json(const FoundGraph& found) {
+  Json paths = Json::array();
+  for (const GraphPath& path : found.main_paths) {
+    paths.push_back(
+        {{"length", path.length}, {"nodes", ids_of(path.nodes)}, {"edges", ids_of(path.edges)}});
+  }
+  return paths;
+}
+
 Json unit_json(const FoundGraph& found) {
   return found.unit.empty() ? Json() : Json(found.unit);
 }
@@ -122,6 +138,11 @@ std::string graph_list(const FoundGraph& found) {
                         i + 1, edge.from + 1, edge.to + 1, length_of(edge, found.spacing),
                         width.mean, width.least, width.greatest);
   }
+  for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
+    const GraphPath& path = found.main_paths[i];
+    text += fmt::format("main path {}: node {} to {}, length {:.2f}\n", i + 1,
+                        path.nodes.front() + 1, path.nodes.back() + 1, path.length);
+  }
   return text;
 }
 
@@ -139,9 +160,12 @@ Json graph_json(const FoundGraph& found) {
     edges.push_back(properties_of(found, i));
     edges.back()["points"] = positions(found.lines[i], [](Pixel p) { return Json{p.x, p.y}; });
   }
-  return {{"file", found.page.file},   {"page", found.page.page},        {"width", found.width},
-          {"height", found.height},    {"spacing", spacing_json(found)}, {"unit", unit_json(found)},
-          {"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
+  Json json = {{"file", found.page.file},        {"page", found.page.page},
+               {"width", found.width},           {"height", found.height},
+               {"spacing", spacing_json(found)}, {"unit", unit_json(found)},
+               {"nodes", std::move(nodes)},      {"edges", std::move(edges)}};
+  if (!found.main_paths.empty()) json["main_paths"] = main_paths_json(found);
+  return json;
 }
 
 std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform) {
@@ -177,8 +201,13 @@ Overlay graph_overlay(const FoundGraph& found) {
   const Graph& graph = found.graph;
   Overlay overlay;
   overlay.is_faded = true;
+  constexpr OverlayColour line = {0xd9, 0x48, 0x0f}, main_line = {0xe0, 0x31, 0xc9};
+  std::vector<bool> is_main(graph.edges.size());
+  for (const GraphPath& path : found.main_paths) {
+    for (const std::uint32_t edge : path.edges) is_main[edge] = true;
+  }
   for (std::size_t i = 0; i < found.lines.size(); ++i) {
-    overlay.lines.push_back({found.lines[i], {0xd9, 0x48, 0x0f}});
+    overlay.lines.push_back({found.lines[i], is_main[i] ? main_line : line});
     overlay.lines.back().title =
         fmt::format("edge {}: length {:.2f}", i + 1, length_of(graph.edges[i], found.spacing));
   }

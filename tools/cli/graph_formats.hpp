@@ -10,6 +10,7 @@
 #include "cli/tables.hpp"
 #include "images/overlay.hpp"
 #include "thinbench/graph.hpp"
+#include "thinbench/graph_paths.hpp"
 
 namespace thinbench {
 
@@ -25,6 +26,7 @@ struct FoundGraph {
   std::vector<std::vector<Pixel>> lines;  // polylines of the edges
   Spacing spacing;
   std::string unit;
+  std::vector<GraphPath> main_paths;  // of the components, if asked for
 };
 
 /// Nodes and edges have the ids 1, 2, 3, ... everywhere. Infinite widths are null in JSON. Texts

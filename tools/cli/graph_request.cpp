@@ -46,6 +46,8 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
   app.add_flag("--remove-components", request.pruning.removes_components,
                "Also remove lines and pixels on their own below LENGTH")
       ->needs(prune);
+  app.add_flag("--main-path", request.with_main_paths,
+               "Also the longest of the shortest paths of each component");
   app.add_option("--tolerance", request.tolerance,
                  "How far a line may be from the points that are listed for it")
       ->check(real_number(0, no_limit))
@@ -64,6 +66,7 @@ std::string graph_words(const GraphRequest& request) {
   if (pruning.min_length > 0) words += fmt::format(" --prune {}", pruning.min_length);
   if (pruning.min_widths > 0) words += fmt::format(" --prune-widths {}", pruning.min_widths);
   if (pruning.removes_components) words += " --remove-components";
+  if (request.with_main_paths) words += " --main-path";
   if (request.tolerance != usual.tolerance) {
     words += fmt::format(" --tolerance {}", request.tolerance);
   }
@@ -104,11 +107,15 @@ FoundGraph find_graph(const ByteImage& image, ByteImage& skeleton, const ImagePa
   const View<double> of_image(numbers.data(), width, height);
   distances(image.view(), of_image, pruning.spacing, {.threads = request.threads});
   pruning.distances = of_image;
-  FoundGraph found = {page, width, height, {}, {}, {}, pruning.spacing, request.unit};
+  FoundGraph found = {page, width, height, {}, {}, {}, pruning.spacing, request.unit, {}};
   found.graph = prune(skeleton.view(), skeleton.view(), pruning, {.threads = request.threads});
   found.widths = edge_widths(found.graph, pruning.distances);
   for (const GraphEdge& edge : found.graph.edges) {
     found.lines.push_back(polyline(points_of(found.graph, edge), request.tolerance, found.spacing));
+  }
+  if (request.with_main_paths) {
+    found.main_paths = main_paths(static_cast<std::uint32_t>(found.graph.nodes.size()),
+                                  links_of(found.graph, found.spacing));
   }
   return found;
 }

@@ -15,13 +15,15 @@ struct GraphRequest {
   std::string thinning = "thin_guo_hall";
   Pruning pruning;
   double tolerance = 1;
+  bool with_main_paths = false;
   std::string unit;  // of the spacing; empty: unnamed
   int threads = 1;
 
   [[nodiscard]] bool is_skeleton() const { return thinning == "none"; }
 };
 
-/// --thinning, --spacing, --unit, --prune, --prune-widths, --remove-components and --tolerance.
+/// --thinning, --spacing, --unit, --prune, --prune-widths, --remove-components, --main-path
+/// and --tolerance.
 void add_graph_options(CLI::App& app, GraphRequest& request);
 
 /// The options given, each with a space before it.
