@@ -2,8 +2,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/union_find.hpp"
 #include "graph/network.hpp"
-#include "regions/label_table.hpp"
 
 namespace thinbench {
 namespace {

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "core/plane_view.hpp"
+#include "core/union_find.hpp"
 #include "thinbench/region.hpp"
 
 namespace thinbench::detail {
-
-using Label = std::uint32_t;
 
 /// `parents[label] <= label`, so a root is the first label of its region, and the order of roots is
 /// the raster order of first pixels.
@@ -22,24 +21,6 @@ struct LabelTable {
 struct LabelTables {
   LabelTable of_colour[2];
 };
-
-[[gnu::always_inline]] inline Label find_root(Label* parents, Label label) {
-  while (parents[label] != label) {
-    parents[label] = parents[parents[label]];
-    label = parents[label];
-  }
-  return label;
-}
-
-/// Merges the regions of two labels and returns the root.
-[[gnu::always_inline]] inline Label unite(Label* parents, Label a, Label b) {
-  if (a == b) return a;
-  const Label root_a = find_root(parents, a);
-  const Label root_b = find_root(parents, b);
-  const Label root = root_a < root_b ? root_a : root_b;
-  parents[root_a < root_b ? root_b : root_a] = root;
-  return root;
-}
 
 /// Adds a label whose first pixel is in row y. The table must have room.
 [[gnu::always_inline]] inline Label new_label(LabelTable& table, Index y, Label enclosing_object) {

@@ -32,7 +32,7 @@ def _colours(labels: Array, numbers: Array) -> Array:
     neighbours: dict[int, list[int]] = {}
     for one, other in _touching(numbers, labels != 0):
         neighbours.setdefault(int(other), []).append(int(one))
-    colours = (labels != 0).astype(np.int64)
+    colours: Array = (labels != 0).astype(np.int64)
     for number in sorted(neighbours):  # all that it has touched so far are below
         taken = {int(colours[other]) for other in neighbours[number]}
         colours[number] = min(set(range(1, len(taken) + 2)) - taken)
@@ -48,7 +48,8 @@ def _touching(numbers: Array, is_label: Array) -> Array:
         other = numbers[down:, max(right, 0):width + min(right, 0)].ravel()
         touch = (one != other) & is_label[one] & is_label[other]
         pairs.append(np.stack([one[touch], other[touch]], axis=-1))
-    return np.unique(np.sort(np.concatenate(pairs), axis=1), axis=0)
+    found: Array = np.unique(np.sort(np.concatenate(pairs), axis=1), axis=0)
+    return found
 
 
 def _joined(graphs: list[Graph]) -> Graph:

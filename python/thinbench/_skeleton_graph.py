@@ -39,12 +39,13 @@ class Groups(NamedTuple):
         places = np.repeat(self.bounds[:-1][numbers] - bounds[:-1], lengths) + np.arange(bounds[-1])
         return Groups(self.values[places], bounds)
 
-    def reduced(self, function: np.ufunc, values: Array) -> Array:
-        """The function over the values of each group, of which none is empty."""
-        return function.reduceat(values, self.bounds[:-1]) if len(self.bounds) > 1 else values[:0]
+    def reduced(self, function: Any, values: Array) -> Array:
+        """A ufunc over the values of each group, of which none is empty."""
+        found: Array = function.reduceat(values, self.bounds[:-1]) if len(self.bounds) > 1 else values[:0]
+        return found
 
 
-def bounds_of(lengths: Array) -> Array:
+def bounds_of(lengths: npt.ArrayLike) -> Array:
     return np.concatenate([[0], np.cumsum(lengths, dtype=np.int64)])
 
 
@@ -343,16 +344,17 @@ class Graph:
 
     def _holes(self) -> Array:
         """The first pixel of each hole of the skeleton."""
-        pixels = np.concatenate([self._nodes.values, self._chains.values]).astype(np.int64)
+        pixels: Array = np.concatenate([self._nodes.values, self._chains.values]).astype(np.int64)
         if len(pixels) == 0:
             return pixels
         origin = pixels.min(axis=0)
         background = np.ones(pixels.max(axis=0) - origin + 3, bool)
         background[tuple((pixels - origin + 1).T)] = False
         labels, _ = _images.label(background, connectivity=4)
-        _, first = np.unique(labels, return_index=True)
-        places = np.stack(np.unravel_index(first, labels.shape), axis=-1)
-        return places[~((labels.ravel()[first] == labels[0, 0]) | (labels.ravel()[first] == 0))] + origin - 1
+        numbers, first = np.unique(labels, return_index=True)
+        places: Array = np.stack(np.unravel_index(first, labels.shape), axis=-1) + origin - 1
+        holes: Array = places[(numbers != 0) & (numbers != labels[0, 0])]
+        return holes
 
     def _with_edges(self, edges: Array, nodes: Array) -> Graph:
         """Of these edges and nodes, in this order."""

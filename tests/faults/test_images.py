@@ -270,7 +270,7 @@ LARGE: dict[str, tuple[Callable[[Path], None], float]] = {
 }
 NEEDED = {"run thin_guo_hall {} out.png": 1.25, "run thin_guo_hall {} out.tif": 1.25, "holes {}": 1.2,
           "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25,
-          "fill-holes {} out.png": 1.2, "localise {}": 2.2, "labels {} out.png": 7, "distance {} out.png": 7,
+          "fill-holes {} out.png": 1.2, "localise {}": 2.2, "labels {} out.png": 7, "distance {} out.png": 11,
           "holes {} --threshold local": 2.2}
 COMPRESSED = ("large.png", "black.png")
 """All commands read them, "holes" reads the others."""
