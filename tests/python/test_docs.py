@@ -38,5 +38,14 @@ def test_page_of_the_package_runs_and_prints_what_it_says(tmp_path, monkeypatch)
         assert (tmp_path / plot).stat().st_size > 10_000
 
 
+def test_page_of_graphs_runs_and_prints_what_it_says(tmp_path, monkeypatch):
+    matplotlib = pytest.importorskip("matplotlib")
+    pytest.importorskip("skimage.data")
+    matplotlib.use("Agg")
+    monkeypatch.chdir(tmp_path)
+    run(DOCS / "graphs.md")
+    assert (tmp_path / "main-path.png").stat().st_size > 10_000
+
+
 def test_page_of_custom_rules_runs_and_prints_what_it_says():
     run(DOCS / "rules.md")
