@@ -49,6 +49,12 @@ const thinbench_region* regions_of(const std::vector<Region>& list, size_t* coun
   return reinterpret_cast<const thinbench_region*>(list.data());
 }
 
+LabelOrder order_of(const char* name) {
+  if (name == nullptr || view_of(name) == "pixels") return LabelOrder::pixels;
+  if (view_of(name) == "opencv") return LabelOrder::opencv;
+  throw std::invalid_argument("order: expected pixels or opencv, got " + text_of(name));
+}
+
 /// Hands over a result in a handle.
 void hand_over(Regions found, thinbench_regions** handle) {
   *handle = new thinbench_regions{std::move(found)};
@@ -121,6 +127,24 @@ thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* l
     const ConstImageView image = image_of(source);
     *objects = label_image(image, {labels, image.width, image.height, labels_stride},
                            static_cast<Connectivity>(connectivity), execution_of(execution));
+  });
+}
+
+thinbench_status thinbench_label_components(const thinbench_stack* source, int32_t* labels,
+                                            ptrdiff_t labels_stride, int32_t connectivity,
+                                            const char* order, const thinbench_execution* execution,
+                                            thinbench_regions** regions) {
+  return guarded([&] {
+    require_pointer(regions, "regions");
+    *regions = nullptr;
+    detail::require_connectivity(connectivity);
+    const LabelOrder wanted = order_of(order);
+    const ConstImageView image = image_of(source);
+    hand_over(
+        {label_components(image, {labels, image.width, image.height, labels_stride},
+                          static_cast<Connectivity>(connectivity), execution_of(execution), wanted),
+         {}},
+        regions);
   });
 }
 

@@ -294,6 +294,13 @@ THINBENCH_API thinbench_status thinbench_label_image(const thinbench_stack* sour
                                                      ptrdiff_t labels_stride, int32_t connectivity,
                                                      const thinbench_execution* execution,
                                                      uint32_t* objects);
+/* The same with the list of objects; there are no holes. `order`: "pixels" or NULL, as above, or
+ * "opencv", as connectedComponents does: by the first blocks of 2 x 2 pixels, if 8-connected. */
+THINBENCH_API thinbench_status thinbench_label_components(const thinbench_stack* source,
+                                                          int32_t* labels, ptrdiff_t labels_stride,
+                                                          int32_t connectivity, const char* order,
+                                                          const thinbench_execution* execution,
+                                                          thinbench_regions** regions);
 /* Sobel's edges of a grey image, filled, and the regions of the result. */
 THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
                                                   int32_t gradient_threshold,

@@ -211,6 +211,19 @@ def label(image: npt.ArrayLike,
     return labels, objects.value
 
 
+def label_components(image: npt.ArrayLike, connectivity: Literal[4, 8],
+                     order: bytes) -> tuple[npt.NDArray[np.int32], _arrays.Array]:
+    """Labels of objects, and the objects as an array of REGION; `order` as in the C interface."""
+    image = _arrays.binary(image)
+    labels = np.empty(image.shape, np.int32)
+    stack, kept_alive = _arrays.source(image)
+    handle = ctypes.c_void_p()
+    _library.label_components(stack, labels.ctypes.data, image.shape[1], connectivity, order, None,
+                              ctypes.byref(handle))
+    del kept_alive
+    return labels, _taken(handle)[0]
+
+
 @overload
 def distance(image: npt.ArrayLike, *, squared: Literal[False] = ...,
              threads: int = ...) -> npt.NDArray[np.float64]: ...

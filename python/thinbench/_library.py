@@ -84,6 +84,8 @@ find_path = _checked("find_path", _BYTES, Pixel, Pixel, ctypes.c_double, _BYTES,
 prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
 label_image = _checked("label_image", _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _POINTER)
+label_components = _checked(
+    "label_components", _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _BYTES, _POINTER)
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_small_holes = _checked(
     "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)
