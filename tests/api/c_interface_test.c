@@ -225,13 +225,14 @@ static void labels_objects(void) {
   size_t count = 0;
   thinbench_execution execution = THINBENCH_EXECUTION_INIT;
   draw();
-  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, &objects) == THINBENCH_OK);
+  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, NULL, &objects) == THINBENCH_OK);
   CHECK(objects == 1 && labels[0][0] == 0 && labels[2][2] == 1 && labels[5][7] == 0);
   execution.isa = "baseline";
-  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 4, &execution, &objects) == THINBENCH_OK);
+  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 4, "pixels", &execution, &objects) ==
+        THINBENCH_OK);
   CHECK(objects == 1 && labels[2][2] == 1);
-  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 6, NULL, &objects), "6");
-  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, NULL), "objects");
+  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 6, NULL, NULL, &objects), "6");
+  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, NULL, NULL), "objects");
   CHECK(thinbench_label_components(&one, &labels[0][0], WIDTH, 4, NULL, NULL, &regions) ==
         THINBENCH_OK);
   CHECK(labels[2][2] == 1 && labels[5][7] == 0);

@@ -24,10 +24,12 @@ class _Runs:
     def __init__(self, image: npt.NDArray[Any], foreground: npt.NDArray[np.bool_] | None = None) -> None:
         """Without `foreground`, of values above 0."""
         height, width = image.shape
-        begins = np.ones(image.shape, bool)
-        np.not_equal(image[:, 1:], image[:, :-1], out=begins[:, 1:])
+        flat = image.ravel()
+        begins = np.empty(image.shape, bool)
+        np.not_equal(flat[1:], flat[:-1], out=begins.ravel()[1:])
+        begins[:, :1] = True
         places = np.flatnonzero(begins)
-        found = image.ravel()[places]
+        found = flat[places]
         kept = np.flatnonzero(found > 0 if foreground is None else foreground.ravel()[places])
         kept = kept[np.argsort(found[kept], kind="stable")]
         lengths = np.diff(places, append=height * width)
@@ -114,7 +116,8 @@ def label_values(image: npt.NDArray[Any], foreground: npt.NDArray[np.bool_],
                  connectivity: Literal[4, 8]) -> tuple[npt.NDArray[np.int32], int]:
     """Labels of components of equal values in raster order, and their number."""
     first = image[np.unravel_index(foreground.argmax(), image.shape)] if image.size else 0
-    if np.array_equal(image == first, foreground) or not foreground.any():
+    count = np.count_nonzero(foreground)
+    if count == 0 or count == np.count_nonzero(image == first):
         return _images.label(foreground, connectivity)
     runs = _Runs(image, foreground)
     labels = np.zeros(image.shape, np.int32)

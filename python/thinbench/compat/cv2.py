@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -107,8 +107,8 @@ def connectedComponents(image: npt.ArrayLike, labels: npt.NDArray[Any] | None = 
     >>> print(count, labels[0], labels[1])
     3 [0 0 0 2] [1 0 0 0]
     """
-    found, objects = _components(image, connectivity, ltype, labels)
-    return len(objects) + 1, found
+    found, objects = _images.label_objects(*_checked(image, connectivity, ltype))
+    return objects + 1, _converted(found, objects, ltype, labels)
 
 
 def connectedComponentsWithStats(  # noqa: N802
@@ -149,7 +149,8 @@ def connectedComponentsWithStats(  # noqa: N802
     """
     if stats is not None or centroids is not None:
         raise NotImplementedError("stats, centroids: expected None; use cv2.connectedComponentsWithStats")
-    found, objects = _components(image, connectivity, ltype, labels)
+    found, objects = _images.label_components(*_checked(image, connectivity, ltype))
+    found = _converted(found, len(objects), ltype, labels)
     count = len(objects) + 1
     table = np.empty((count, 5), np.int32)
     centres = np.empty((count, 2))
@@ -226,25 +227,27 @@ def _grey(source: npt.ArrayLike, name: str) -> npt.NDArray[np.uint8]:
     return image
 
 
-def _components(source: npt.ArrayLike, connectivity: int, ltype: int, out: npt.NDArray[Any] | None,
-                ) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
-    """Labels in OpenCV's order, and regions of objects."""
+def _checked(source: npt.ArrayLike, connectivity: int, ltype: int) -> tuple[npt.NDArray[np.uint8], int, bytes]:
+    """An image, the connectivity and the order of labels."""
     image = np.asarray(source)
-    image = _grey(image.view(np.uint8) if image.dtype == np.int8 else image, "image")
     if connectivity not in (4, 8):
         raise ValueError(f"connectivity: expected 8 or 4, got {connectivity!r}")
-    neighbours: Literal[4, 8] = 4 if connectivity == 4 else 8
-    dtype = _LABEL_TYPES.get(ltype)
-    if dtype is None:
+    if ltype not in _LABEL_TYPES:
         raise ValueError(f"ltype: expected {CV_32S} (CV_32S) or {CV_16U} (CV_16U), got {ltype!r}")
-    labels, objects = _images.label_components(image, neighbours, b"opencv")
-    if len(objects) > np.iinfo(dtype).max:
-        raise ValueError(f"ltype: expected a type for {len(objects)} labels, got {ltype}")
-    if out is None and dtype == np.int32:
-        return labels, objects
-    result = _arrays.result_for(image, out, "labels", dtype)
+    return _grey(image.view(np.uint8) if image.dtype == np.int8 else image, "image"), connectivity, b"opencv"
+
+
+def _converted(labels: npt.NDArray[np.int32], objects: int, ltype: int,
+               out: npt.NDArray[Any] | None) -> npt.NDArray[Any]:
+    """Labels of another type, in `out` if there is one."""
+    dtype = _LABEL_TYPES[ltype]
+    if objects > np.iinfo(dtype).max:
+        raise ValueError(f"ltype: expected a type for {objects} labels, got {ltype}")
+    if out is None and ltype == CV_32S:
+        return labels
+    result = _arrays.result_for(labels, out, "labels", dtype)
     np.copyto(result, labels, casting="unsafe")
-    return result, objects
+    return result
 
 
 def _background(labels: npt.NDArray[Any], objects: npt.NDArray[Any]) -> tuple[list[int], list[float]]:
