@@ -18,7 +18,7 @@ CV_8U, CV_16U, CV_32S, CV_32F = 0, 2, 4, 5
 DIST_L2 = 2
 DIST_MASK_PRECISE = 0
 _NO_BACKGROUND = np.float32(1e15) ** 0.5  # OpenCV's infinity
-_LABEL_TYPES = {CV_32S: np.int32, CV_16U: np.uint16}
+_LABEL_TYPES = {CV_32S: np.dtype(np.int32), CV_16U: np.dtype(np.uint16)}
 _HIGH_BIT = np.uint8(128)
 _RULES = {THINNING_ZHANGSUEN: "zhang_suen", THINNING_GUOHALL: "guo_hall"}
 

@@ -111,12 +111,11 @@ def binary_fill_holes(input: npt.ArrayLike, structure: npt.ArrayLike | None = No
     background = _connectivity(np.asarray(_CROSS if structure is None else structure, dtype=bool), name)
     if np.any(origin):
         raise NotImplementedError(f"origin: expected 0, got {origin}; use {name}")
-    in_place = isinstance(output, np.ndarray)
-    if in_place and output.shape != picture.shape:
+    if isinstance(output, np.ndarray) and output.shape != picture.shape:
         raise RuntimeError(f"output: expected shape {picture.shape}, got {output.shape}")
     filled: npt.NDArray[np.bool_] = _images.fill_holes(
         _inputs.nonzero(picture), connectivity=8 if background == 4 else 4)
-    if not in_place:
+    if not isinstance(output, np.ndarray):
         return filled
     output[...] = filled
     return None
