@@ -115,9 +115,10 @@ def _filled_areas(labels: npt.NDArray[Any], runs: _Runs) -> _Integers:
 def label_values(image: npt.NDArray[Any], foreground: npt.NDArray[np.bool_],
                  connectivity: Literal[4, 8]) -> tuple[npt.NDArray[np.int32], int]:
     """Labels of components of equal values in raster order, and their number."""
-    first = image[np.unravel_index(foreground.argmax(), image.shape)] if image.size else 0
-    count = np.count_nonzero(foreground)
-    if count == 0 or count == np.count_nonzero(image == first):
+    if not foreground.any():
+        return _images.label(foreground, connectivity)
+    first = image[np.unravel_index(foreground.argmax(), image.shape)]
+    if not ((image == first) != foreground).any():
         return _images.label(foreground, connectivity)
     runs = _Runs(image, foreground)
     labels = np.zeros(image.shape, np.int32)

@@ -18,7 +18,7 @@ CV_8U, CV_16U, CV_32S, CV_32F = 0, 2, 4, 5
 DIST_L2 = 2
 DIST_MASK_PRECISE = 0
 _NO_BACKGROUND = np.float32(1e15) ** 0.5  # OpenCV's infinity
-_LABEL_TYPES = {CV_32S: np.dtype(np.int32), CV_16U: np.dtype(np.uint16)}
+_LABEL_TYPES: dict[int, np.dtype[Any]] = {CV_32S: np.dtype(np.int32), CV_16U: np.dtype(np.uint16)}
 _HIGH_BIT = np.uint8(128)
 _RULES = {THINNING_ZHANGSUEN: "zhang_suen", THINNING_GUOHALL: "guo_hall"}
 
@@ -256,16 +256,13 @@ def _background(labels: npt.NDArray[Any], objects: npt.NDArray[Any]) -> tuple[li
     area = height * width - int(objects["area"].sum())
     if area == 0:
         return [-1, 2**31 - 1, 0, 0, 0], [np.nan, np.nan]
-    left, right = _ends((labels[:, 0] == 0).any(), (labels[:, -1] == 0).any(), labels, 0)
-    top, bottom = _ends((labels[0] == 0).any(), (labels[-1] == 0).any(), labels, 1)
+    left, right = _first_with_background(labels.T), width - 1 - _first_with_background(labels.T[::-1])
+    top, bottom = _first_with_background(labels), height - 1 - _first_with_background(labels[::-1])
     sum_x = height * (width * (width - 1) // 2) - int(objects["sum_x"].sum())
     sum_y = width * (height * (height - 1) // 2) - int(objects["sum_y"].sum())
     return [left, top, right - left + 1, bottom - top + 1, area], [sum_x / area, sum_y / area]
 
 
-def _ends(first: bool, last: bool, labels: npt.NDArray[Any], axis: int) -> tuple[int, int]:
-    """The first and last columns (axis 0) or rows that have background; whether the outermost ones do."""
-    if first and last:
-        return 0, labels.shape[1 - axis] - 1
-    found = np.flatnonzero((labels == 0).any(axis=axis))
-    return int(found[0]), int(found[-1])
+def _first_with_background(lines: npt.NDArray[Any]) -> int:
+    """The index of a row or column."""
+    return next(i for i, line in enumerate(lines) if not line.all())
