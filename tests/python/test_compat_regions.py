@@ -151,7 +151,8 @@ def test_photographs_equal_all_peers():
             assert_same(compat.cv2.connectedComponentsWithStats(image, connectivity=connectivity),
                         cv2.connectedComponentsWithStats(image, connectivity=connectivity))
         assert_same(compat.ndimage.distance_transform_edt(image), ndimage.distance_transform_edt(image))
-        np.testing.assert_array_max_ulp(compat.cv2.distanceTransform(image, 2, 0), cv2.distanceTransform(image, 2, 0), 1)
+        np.testing.assert_array_max_ulp(compat.cv2.distanceTransform(image, 2, 0),
+                                        cv2.distanceTransform(image, 2, 0), 1)
         quantised = grey // 40
         labels = compat.skimage.label(quantised)
         assert_same(labels, measure.label(quantised))

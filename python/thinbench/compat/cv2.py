@@ -256,13 +256,16 @@ def _background(labels: npt.NDArray[Any], objects: npt.NDArray[Any]) -> tuple[li
     area = height * width - int(objects["area"].sum())
     if area == 0:
         return [-1, 2**31 - 1, 0, 0, 0], [np.nan, np.nan]
-    left, right = _first_with_background(labels.T), width - 1 - _first_with_background(labels.T[::-1])
-    top, bottom = _first_with_background(labels), height - 1 - _first_with_background(labels[::-1])
+    left, right = _ends(labels.T)
+    top, bottom = _ends(labels)
     sum_x = height * (width * (width - 1) // 2) - int(objects["sum_x"].sum())
     sum_y = width * (height * (height - 1) // 2) - int(objects["sum_y"].sum())
     return [left, top, right - left + 1, bottom - top + 1, area], [sum_x / area, sum_y / area]
 
 
-def _first_with_background(lines: npt.NDArray[Any]) -> int:
-    """The index of a row or column."""
-    return next(i for i, line in enumerate(lines) if not line.all())
+def _ends(lines: npt.NDArray[Any]) -> tuple[int, int]:
+    """The first and the last row or column that has background."""
+    if not lines[0].all() and not lines[-1].all():
+        return 0, len(lines) - 1
+    found = np.flatnonzero((lines == 0).any(axis=1))
+    return int(found[0]), int(found[-1])
