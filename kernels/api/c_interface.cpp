@@ -49,6 +49,17 @@ const thinbench_region* regions_of(const std::vector<Region>& list, size_t* coun
   return reinterpret_cast<const thinbench_region*>(list.data());
 }
 
+Connectivity connectivity_of(std::int32_t number) {
+  detail::require_connectivity(number);
+  return static_cast<Connectivity>(number);
+}
+
+LabelOrder order_of(const char* name) {
+  if (name == nullptr || view_of(name) == "pixels") return LabelOrder::pixels;
+  if (view_of(name) == "opencv") return LabelOrder::opencv;
+  throw std::invalid_argument("order: expected pixels or opencv, got " + text_of(name));
+}
+
 /// Hands over a result in a handle.
 void hand_over(Regions found, thinbench_regions** handle) {
   *handle = new thinbench_regions{std::move(found)};
@@ -124,13 +135,29 @@ thinbench_status thinbench_find_regions(const thinbench_stack* source, int32_t* 
 
 thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* labels,
                                        ptrdiff_t labels_stride, int32_t connectivity,
-                                       const thinbench_execution* execution, uint32_t* objects) {
+                                       const char* order, const thinbench_execution* execution,
+                                       uint32_t* objects) {
   return guarded([&] {
     require_pointer(objects, "objects");
-    detail::require_connectivity(connectivity);
     const ConstImageView image = image_of(source);
     *objects = label_image(image, {labels, image.width, image.height, labels_stride},
-                           static_cast<Connectivity>(connectivity), execution_of(execution));
+                           connectivity_of(connectivity), execution_of(execution), order_of(order));
+  });
+}
+
+thinbench_status thinbench_label_components(const thinbench_stack* source, int32_t* labels,
+                                            ptrdiff_t labels_stride, int32_t connectivity,
+                                            const char* order, const thinbench_execution* execution,
+                                            thinbench_regions** regions) {
+  return guarded([&] {
+    require_pointer(regions, "regions");
+    *regions = nullptr;
+    const ConstImageView image = image_of(source);
+    const LabelView view = {labels, image.width, image.height, labels_stride};
+    hand_over({label_components(image, view, connectivity_of(connectivity), execution_of(execution),
+                                order_of(order)),
+               {}},
+              regions);
   });
 }
 

@@ -7,6 +7,7 @@
 namespace thinbench {
 namespace {
 
+using detail::LabelsParameters;
 using detail::LabelsState;
 using detail::LabelsTask;
 using detail::RegionsParameters;
@@ -25,12 +26,13 @@ std::unique_ptr<RegionsState> computed(const RegionsParameters& parameters,
 }
 
 /// Writes the labels; returns a state that holds the lists.
-std::unique_ptr<LabelsState> labelled(LabelsTask task, const ConstImageView& source,
-                                      const LabelView& labels, const Execution& execution) {
+std::unique_ptr<LabelsState> labelled(const LabelsParameters& parameters,
+                                      const ConstImageView& source, const LabelView& labels,
+                                      const Execution& execution) {
   detail::require_label_size(source.width, source.height);
   detail::check_views(source, labels);
-  auto state = detail::make_best_state(detail::operation_of(task), source.width, source.height,
-                                       {task}, execution);
+  auto state = detail::make_best_state(detail::operation_of(parameters.task), source.width,
+                                       source.height, parameters, execution);
   state->run(source, labels);
   return state;
 }
@@ -53,21 +55,22 @@ std::vector<Region> find_components(ConstImageView source, const Execution& exec
 }
 
 Regions label_regions(ConstImageView source, LabelView labels, const Execution& execution) {
-  const auto state = labelled(LabelsTask::regions, source, labels, execution);
+  const auto state = labelled({LabelsTask::regions}, source, labels, execution);
   const detail::RegionLists lists = state->regions();
   return {copy_of(lists.objects), copy_of(lists.holes)};
 }
 
 std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                     Connectivity connectivity, const Execution& execution) {
+                                     Connectivity connectivity, const Execution& execution,
+                                     LabelOrder order) {
   const LabelsTask task = detail::labels_task(connectivity, true);
-  return copy_of(labelled(task, source, labels, execution)->regions().objects);
+  return copy_of(labelled({task, order}, source, labels, execution)->regions().objects);
 }
 
 std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity connectivity,
-                          const Execution& execution) {
+                          const Execution& execution, LabelOrder order) {
   const LabelsTask task = detail::labels_task(connectivity, false);
-  return labelled(task, source, labels, execution)->objects();
+  return labelled({task, order}, source, labels, execution)->objects();
 }
 
 std::int64_t euler_number(ConstImageView source, const Execution& execution) {

@@ -304,11 +304,20 @@ THINBENCH_API thinbench_status thinbench_find_regions(const thinbench_stack* sou
                                                       int32_t* labels, ptrdiff_t labels_stride,
                                                       const thinbench_execution* execution,
                                                       thinbench_regions** regions);
-/* The labels of objects alone, which are 8- or 4-connected; *objects is their number. */
+/* The labels of objects alone, which are 8- or 4-connected; *objects is their number. `order`:
+ * "pixels" or NULL, as above, or "opencv", as OpenCV's connectedComponents numbers objects: those
+ * that are 8-connected in raster order of their first blocks of 2 x 2 pixels. */
 THINBENCH_API thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* labels,
                                                      ptrdiff_t labels_stride, int32_t connectivity,
+                                                     const char* order,
                                                      const thinbench_execution* execution,
                                                      uint32_t* objects);
+/* The same with the list of objects; there are no holes. */
+THINBENCH_API thinbench_status thinbench_label_components(const thinbench_stack* source,
+                                                          int32_t* labels, ptrdiff_t labels_stride,
+                                                          int32_t connectivity, const char* order,
+                                                          const thinbench_execution* execution,
+                                                          thinbench_regions** regions);
 /* Sobel's edges of a grey image, filled, and the regions of the result. */
 THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
                                                   int32_t gradient_threshold,

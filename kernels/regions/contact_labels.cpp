@@ -4,6 +4,7 @@
 
 #include "core/exported.hpp"
 #include "regions/run_forest.hpp"
+#include "regions/run_numbers.hpp"
 
 namespace thinbench::detail {
 namespace {
@@ -12,10 +13,13 @@ constexpr Region kNoPixels = {0, 0, 0, INT32_MAX, 0, -1, 0, 0};
 
 class ObjectLabels : public ContactLabels {
  public:
-  ObjectLabels(const LabelEngine& engine, LabelsTask task, Index height)
-      : kernels_(is_four_connected(task) ? engine.four : engine.eight),
-        has_list_(has_list(task)),
-        memory_(bands_of(is_four_connected(task) ? BandKind::row : BandKind::pair, height)) {}
+  ObjectLabels(const LabelEngine& engine, const LabelsParameters& parameters, Index height)
+      : kernels_(is_four_connected(parameters.task) ? engine.four : engine.eight),
+        has_list_(has_list(parameters.task)),
+        order_(parameters.order),
+        bands_(
+            bands_of(is_four_connected(parameters.task) ? BandKind::row : BandKind::pair, height)),
+        memory_(bands_) {}
 
   void find(const ConstBitPlaneView& image) override {
     find_objects(image);
@@ -34,13 +38,17 @@ class ObjectLabels : public ContactLabels {
     kernels_.count(image, memory_.first());
     runs_ = memory_.with_room();
     kernels_.unite(image, runs_);
-    objects_ = kernels_.number(image, runs_);
+    // OpenCV's blocks: no two runs of a pair of rows share one, so they are in the same order.
+    objects_ = order_ == LabelOrder::opencv ? number_in_order(runs_, 0, runs_.first[bands_], 0)
+                                            : kernels_.number(image, runs_);
   }
   [[nodiscard]] const RunForest& runs() const { return runs_; }
 
  private:
   LabelKernels kernels_;
   bool has_list_;
+  LabelOrder order_;
+  Index bands_;
   RunForestMemory memory_;
   RunForest runs_ = {};
   Label objects_ = 0;
@@ -49,8 +57,9 @@ class ObjectLabels : public ContactLabels {
 
 class RegionLabels final : public ObjectLabels {
  public:
-  RegionLabels(const LabelEngine& engine, LabelsTask task, Index width, Index height)
-      : ObjectLabels(engine, task, height),
+  RegionLabels(const LabelEngine& engine, const LabelsParameters& parameters, Index width,
+               Index height)
+      : ObjectLabels(engine, parameters, height),
         kernels_(engine.holes),
         inverted_(width, height),
         memory_(height) {}
@@ -92,13 +101,13 @@ class RegionLabels final : public ObjectLabels {
 
 }  // namespace
 
-std::unique_ptr<ContactLabels> make_contact_labels(LabelsTask task, Isa isa, Index width,
-                                                   Index height) {
+std::unique_ptr<ContactLabels> make_contact_labels(const LabelsParameters& parameters, Isa isa,
+                                                   Index width, Index height) {
   const LabelEngine& engine = kernels_of<LabelEngine>(isa);
-  if (task == LabelsTask::regions) {
-    return std::make_unique<RegionLabels>(engine, task, width, height);
+  if (parameters.task == LabelsTask::regions) {
+    return std::make_unique<RegionLabels>(engine, parameters, width, height);
   }
-  return std::make_unique<ObjectLabels>(engine, task, height);
+  return std::make_unique<ObjectLabels>(engine, parameters, height);
 }
 
 }  // namespace thinbench::detail

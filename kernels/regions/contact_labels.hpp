@@ -22,7 +22,8 @@ class ContactLabels {
 };
 
 /// By the kernels of an ISA.
-[[nodiscard]] std::unique_ptr<ContactLabels> make_contact_labels(LabelsTask task, Isa isa,
-                                                                 Index width, Index height);
+[[nodiscard]] std::unique_ptr<ContactLabels> make_contact_labels(const LabelsParameters& parameters,
+                                                                 Isa isa, Index width,
+                                                                 Index height);
 
 }  // namespace thinbench::detail

@@ -13,7 +13,7 @@ class ContactLabelsState final : public LabelsState {
  public:
   explicit ContactLabelsState(const LabelsSetting& setting)
       : LabelsState(setting),
-        labels_(make_contact_labels(setting.task, setting.isa, setting.width, setting.height)) {}
+        labels_(make_contact_labels(setting, setting.isa, setting.width, setting.height)) {}
 
   [[nodiscard]] RegionLists regions() const override { return labels_->regions(); }
   [[nodiscard]] Label objects() const override { return labels_->objects(); }

@@ -23,6 +23,7 @@ enum class LabelsTask : std::uint8_t {
 
 struct LabelsParameters {
   LabelsTask task;
+  LabelOrder order = LabelOrder::pixels;  // of objects, in tasks without holes
 };
 using LabelsSetting = Setting<LabelsParameters>;
 

@@ -124,7 +124,8 @@ bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
 
 RegionLists RunLabeller::label_contacts(const ConstBitPlaneView& image) {
   if (!contacts_) {
-    contacts_ = make_contact_labels(LabelsTask::components_eight, isa_, image.width, image.height);
+    contacts_ =
+        make_contact_labels({LabelsTask::components_eight}, isa_, image.width, image.height);
   }
   contacts_->find(image);
   return contacts_->regions();

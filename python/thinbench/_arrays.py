@@ -79,14 +79,15 @@ def _with_dimensions(image: Array, max_dimensions: int, name: str = "image") -> 
     return image
 
 
-def result_for(image: Array, out: Array | None, name: str = "out") -> Array:
-    """An array like the image, or `out` if that fits."""
+def result_for(image: Array, out: Array | None, name: str = "out", dtype: npt.DTypeLike = None) -> Array:
+    """An array like the image, or of another type, or `out` if that fits."""
+    wanted = np.dtype(dtype) if dtype is not None else image.dtype
     if out is None:
-        return np.empty(image.shape, image.dtype)
+        return np.empty(image.shape, wanted)
     if not isinstance(out, np.ndarray):
         raise TypeError(f"{name}: expected an array, got {type(out).__name__}")
-    if out.dtype != image.dtype or out.shape != image.shape:
-        raise ValueError(f"{name}: expected {image.dtype} of shape {image.shape}, "
+    if out.dtype != wanted or out.shape != image.shape:
+        raise ValueError(f"{name}: expected {wanted} of shape {image.shape}, "
                          f"got {out.dtype} of shape {out.shape}")
     if not out.flags.c_contiguous:
         raise ValueError(f"{name}: expected a C-contiguous array, got strides {out.strides}")

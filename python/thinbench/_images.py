@@ -201,15 +201,33 @@ def label(image: npt.ArrayLike,
     [[1 0 2]
      [0 3 0]] 3
     """
+    return label_objects(image, _arrays.integer("connectivity", connectivity))
+
+
+def label_objects(image: npt.ArrayLike, connectivity: int,
+                  order: bytes | None = None) -> tuple[npt.NDArray[np.int32], int]:
+    """As `label`; `order` as in the C interface."""
     image = _arrays.binary(image)
     labels = np.empty(image.shape, np.int32)
     stack, kept_alive = _arrays.source(image)
     objects = ctypes.c_uint32()
-    _library.label_image(stack, labels.ctypes.data, image.shape[1],
-                         _arrays.integer("connectivity", connectivity), None,
+    _library.label_image(stack, labels.ctypes.data, image.shape[1], connectivity, order, None,
                          ctypes.byref(objects))
     del kept_alive
     return labels, objects.value
+
+
+def label_components(image: npt.ArrayLike, connectivity: int,
+                     order: bytes) -> tuple[npt.NDArray[np.int32], _arrays.Array]:
+    """As `label_objects`, but instead of their number the objects, as an array of REGION."""
+    image = _arrays.binary(image)
+    labels = np.empty(image.shape, np.int32)
+    stack, kept_alive = _arrays.source(image)
+    handle = ctypes.c_void_p()
+    _library.label_components(stack, labels.ctypes.data, image.shape[1], connectivity, order, None,
+                              ctypes.byref(handle))
+    del kept_alive
+    return labels, _taken(handle)[0]
 
 
 @overload

@@ -85,7 +85,9 @@ class Pixel(ctypes.Structure):
 find_path = _checked("find_path", _BYTES, Pixel, Pixel, ctypes.c_double, _BYTES, _POINTER, _POINTER)
 prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
-label_image = _checked("label_image", _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _POINTER)
+label_image, label_components = (
+    _checked(name, _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _BYTES, _POINTER)
+    for name in ("label_image", "label_components"))
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_small_holes = _checked(
     "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)

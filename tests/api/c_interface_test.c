@@ -221,15 +221,30 @@ static void labels_objects(void) {
   const thinbench_stack one = source(1);
   int32_t labels[HEIGHT][WIDTH];
   uint32_t objects = 9;
+  thinbench_regions* regions = NULL;
+  size_t count = 0;
   thinbench_execution execution = THINBENCH_EXECUTION_INIT;
   draw();
-  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, &objects) == THINBENCH_OK);
+  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, NULL, &objects) == THINBENCH_OK);
   CHECK(objects == 1 && labels[0][0] == 0 && labels[2][2] == 1 && labels[5][7] == 0);
   execution.isa = "baseline";
-  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 4, &execution, &objects) == THINBENCH_OK);
+  CHECK(thinbench_label_image(&one, &labels[0][0], WIDTH, 4, "pixels", &execution, &objects) ==
+        THINBENCH_OK);
   CHECK(objects == 1 && labels[2][2] == 1);
-  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 6, NULL, &objects), "6");
-  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, NULL), "objects");
+  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 6, NULL, NULL, &objects), "6");
+  rejects(thinbench_label_image(&one, &labels[0][0], WIDTH, 8, NULL, NULL, NULL), "objects");
+  CHECK(thinbench_label_components(&one, &labels[0][0], WIDTH, 4, NULL, NULL, &regions) ==
+        THINBENCH_OK);
+  CHECK(labels[2][2] == 1 && labels[5][7] == 0);
+  CHECK(thinbench_regions_objects(regions, &count, sizeof(thinbench_region))->left == 2);
+  CHECK(count == 1);
+  thinbench_regions_holes(regions, &count, sizeof(thinbench_region));
+  CHECK(count == 0);
+  thinbench_regions_destroy(regions);
+  rejects(thinbench_label_components(&one, &labels[0][0], WIDTH, 8, "raster", NULL, &regions),
+          "raster");
+  rejects(thinbench_label_components(&one, &labels[0][0], WIDTH, 8, "opencv", NULL, NULL),
+          "regions");
 }
 
 static void fills_holes_and_finds_edges(void) {

@@ -19,7 +19,8 @@ from images import random_image
 from waiting import longest_wait_during
 
 MODULES = ["thinbench", "thinbench._thinning", "thinbench._rules", "thinbench._images", "thinbench._graph",
-           "thinbench._catalogue", "thinbench._binarise", "thinbench._path", "thinbench.compat", "thinbench.compat.cv2", "thinbench.compat.skimage"]
+           "thinbench._catalogue", "thinbench._binarise", "thinbench._path", "thinbench.compat", "thinbench.compat.cv2",
+           "thinbench.compat.ndimage", "thinbench.compat.skimage"]
 
 
 @pytest.mark.parametrize("name", MODULES)

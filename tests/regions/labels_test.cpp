@@ -134,6 +134,61 @@ TEST(Labels, equal_the_lists_on_noise_and_scenes) {
   }
 }
 
+/// The labels that the blocks of 2 x 2 pixels find first, from the labels in raster order.
+std::vector<std::int32_t> numbers_by_blocks(const Labels& labels, const ConstImageView& image,
+                                            std::size_t objects) {
+  std::vector<std::int32_t> numbers(objects + 1);
+  std::int32_t next = 0;
+  for (Index y = 0; y < image.height; y += 2) {
+    for (Index x = 0; x < image.width; x += 2) {
+      for (Index i = 0; i < 4; ++i) {
+        if (x + i % 2 >= image.width || y + i / 2 >= image.height) continue;
+        const std::int32_t label = labels.at(x + i % 2, y + i / 2);
+        if (label != 0 && numbers[static_cast<std::size_t>(label)] == 0) {
+          numbers[static_cast<std::size_t>(label)] = ++next;
+        }
+      }
+    }
+  }
+  return numbers;
+}
+
+bool opencv_order_is_that_of_blocks(const ConstImageView& image, const Execution& execution) {
+  Labels raster(image), blocks(image);
+  const auto objects = label_components(image, raster.view(image.height), Connectivity::eight);
+  const auto found = label_components(image, blocks.view(image.height), Connectivity::eight,
+                                      execution, LabelOrder::opencv);
+  const auto numbers = numbers_by_blocks(raster, image, objects.size());
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) {
+      if (blocks.at(x, y) != numbers[static_cast<std::size_t>(raster.at(x, y))]) return false;
+    }
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (found[static_cast<std::size_t>(numbers[i + 1] - 1)] != objects[i]) return false;
+  }
+  return found.size() == objects.size();
+}
+
+TEST(Labels, in_the_order_of_opencv_are_numbered_by_blocks) {
+  for (std::uint32_t bits = 0; bits < 65536; ++bits) {
+    std::uint8_t pixels[16];
+    for (int i = 0; i < 16; ++i) pixels[i] = static_cast<std::uint8_t>(bits >> i & 1);
+    ASSERT_TRUE(opencv_order_is_that_of_blocks({pixels, 4, 4}, {})) << bits;
+  }
+  for (const ByteImage& image : property_images()) {
+    for (const Isa isa : all_isas()) {
+      if (!isa_available(isa)) continue;
+      EXPECT_TRUE(opencv_order_is_that_of_blocks(image.view(), {.isa = isa}));
+    }
+    Labels raster(image.view()), ordered(image.view());
+    const LabelView view = ordered.view(image.height());
+    label_image(image.view(), raster.view(image.height()), Connectivity::four);
+    label_image(image.view(), view, Connectivity::four, {}, LabelOrder::opencv);
+    EXPECT_TRUE(ordered.equal(raster));
+  }
+}
+
 TEST(Labels, of_images_without_pixels_are_empty) {
   EXPECT_TRUE(label_regions({nullptr, 0, 5}, {nullptr, 0, 5}).objects.empty());
   EXPECT_TRUE(label_components({nullptr, 5, 0}, {nullptr, 5, 0}, Connectivity::four).empty());

@@ -119,10 +119,10 @@ inline void thinning(cv::InputArray source, cv::OutputArray destination,
 
 }  // namespace ximgproc
 
-/// As cv::connectedComponentsWithStats, except for the order of the labels, which is the raster
-/// order of first pixels. `labels` is CV_32S; `stats` has a row of CC_STAT_LEFT, TOP, WIDTH, HEIGHT
-/// and AREA per label, and `centroids` of x and y (CV_64F); label 0 is the background. Returns the
-/// number of labels, with the background. Without background, the sides of label 0 are 0.
+/// As cv::connectedComponentsWithStats, in numbers, too. `labels` is CV_32S; `stats` has a row of
+/// CC_STAT_LEFT, TOP, WIDTH, HEIGHT and AREA per label, and `centroids` of x and y (CV_64F); label
+/// 0 is the background. Returns the number of labels, with the background. Without background, the
+/// sides of label 0 are 0.
 ///
 /// Throws cv::Exception for an empty source, another type than CV_8UC1, a connectivity other than 8
 /// and 4, and a label type other than CV_32S.
@@ -137,7 +137,7 @@ inline int connectedComponentsWithStats(cv::InputArray source, cv::OutputArray l
     const LabelView view(painted.ptr<std::int32_t>(), painted.cols, painted.rows,
                          static_cast<Index>(painted.step1()));
     return label_components(opencv_detail::view_of(image), view,
-                            static_cast<Connectivity>(connectivity));
+                            static_cast<Connectivity>(connectivity), {}, LabelOrder::opencv);
   });
   std::vector<Region> regions = {opencv_detail::background_of(painted)};
   regions.insert(regions.end(), objects.begin(), objects.end());

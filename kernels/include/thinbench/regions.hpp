@@ -44,14 +44,21 @@ THINBENCH_API Regions label_regions(ConstImageView source, LabelView labels,
 
 enum class Connectivity : std::uint8_t { four = 4, eight = 8 };
 
+/// How objects are numbered: in raster order of their first pixels, or as OpenCV's
+/// connectedComponents does by default, which is the same for 4-connected objects; 8-connected ones
+/// are in raster order of their first blocks of 2 x 2 pixels, at even coordinates.
+enum class LabelOrder : std::uint8_t { pixels, opencv };
+
 /// The same for objects alone, which may be 4-connected; holes get label 0.
 THINBENCH_API std::vector<Region> label_components(ConstImageView source, LabelView labels,
                                                    Connectivity connectivity,
-                                                   const Execution& execution = {});
+                                                   const Execution& execution = {},
+                                                   LabelOrder order = LabelOrder::pixels);
 
 /// The same labels without the list, in half the time. Returns the number of objects.
 THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
-                                        Connectivity connectivity, const Execution& execution = {});
+                                        Connectivity connectivity, const Execution& execution = {},
+                                        LabelOrder order = LabelOrder::pixels);
 
 /// Number of objects minus number of holes. euler_number_4 uses 4-connected objects and 8-connected
 /// holes.

@@ -9,9 +9,9 @@ import numpy.typing as npt
 
 from thinbench import _arrays
 from thinbench._thinning import thin
-from thinbench.compat import cv2, skimage
+from thinbench.compat import _inputs, cv2, ndimage, skimage
 
-__all__ = ["bwmorph", "cv2", "skimage"]
+__all__ = ["bwmorph", "cv2", "ndimage", "skimage"]
 
 _OPERATIONS = ("bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak", "majority", "remove",
                "spur", "thin")
@@ -58,7 +58,7 @@ def bwmorph(image: npt.ArrayLike, operation: str, n: float = 1) -> npt.NDArray[n
         raise NotImplementedError(f"operation: expected one of {', '.join(_OPERATIONS)}; got {operation!r}"
                                   f"{_arrays.meant(str(operation), _OPERATIONS)}")
     limit = 2**31 - 1 if n == math.inf else _whole(n)
-    picture = skimage.as_bool(image)
+    picture = _inputs.as_bool(image)
     if limit == 0 or picture.size == 0:
         return picture
     if operation == "thin":

@@ -1,24 +1,16 @@
-"""scikit-image's `thin` and 2-D `skeletonize`."""
+"""scikit-image's `thin`, `skeletonize`, `label` and `regionprops_table`, for images."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from thinbench import _arrays
+from thinbench import _arrays, _images
 from thinbench._thinning import thin as _thin
-
-
-def as_bool(image: npt.ArrayLike) -> npt.NDArray[np.bool_]:
-    """A new 2-D array: whether a pixel is nonzero."""
-    picture = np.asarray(image)
-    if picture.ndim != 2:
-        raise ValueError(f"image: expected shape (H, W), got {picture.shape}")
-    if picture.dtype.kind not in "biufc":
-        raise TypeError(f"image: expected numbers, got dtype {picture.dtype}")
-    return picture.astype(bool, order="C")
+from thinbench.compat import _inputs, _label_tables
 
 
 def thin(image: npt.ArrayLike, max_num_iter: int | None = None) -> npt.NDArray[np.bool_]:
@@ -51,7 +43,7 @@ def thin(image: npt.ArrayLike, max_num_iter: int | None = None) -> npt.NDArray[n
     >>> print(skimage.thin(np.ones((3, 5)))[1].astype(int))
     [0 1 1 1 0]
     """
-    picture: Any = as_bool(image)
+    picture: Any = _inputs.as_bool(image)
     if picture.size == 0:
         raise ValueError(f"image: expected an image with pixels, got shape {picture.shape}")
     limit = None if max_num_iter is None else _arrays.integer("max_num_iter", max_num_iter)
@@ -96,5 +88,108 @@ def skeletonize(image: npt.ArrayLike, *, method: str | None = None) -> npt.NDArr
                                   "skimage.morphology.skeletonize")
     if method not in (None, "zhang"):
         raise ValueError(f"method: expected None or 'zhang', got {method!r}")
-    picture: Any = as_bool(image)
+    picture: Any = _inputs.as_bool(image)
     return _thin(picture, "zhang_suen_skimage", out=picture)
+
+
+def label(label_image: npt.ArrayLike, background: int | None = None, return_num: bool = False,
+          connectivity: int | None = None) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], int]:
+    """Label components of equal values as `skimage.measure.label` does in 2-D, number for number.
+
+    Parameters
+    ----------
+    label_image : array of real numbers, shape (H, W)
+        Floats count as the integers that they are truncated to. Takes longer for more than one value
+        besides the background: for each as long as for an image of the size of the value's bounding box.
+    background : int, optional
+        The value of background, which gets label 0. Default: 0.
+    return_num : bool
+        Also return the number of labels.
+    connectivity : {1, 2}, optional
+        1: pixels have 4 neighbours; 2, the default: 8.
+
+    Returns
+    -------
+    array of shape (H, W), or a tuple of it and an int
+        Labels from 1 in raster order of first pixels: int32 for an image of bool, else int64.
+
+    Raises
+    ------
+    NotImplementedError
+        For other than two dimensions, which are in scikit-image.
+    TypeError, ValueError
+        If an argument does not fit.
+
+    References
+    ----------
+    docs/regions.md: runs as bits, and their contacts.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import skimage
+    >>> print(skimage.label(np.array([[1, 0, 2], [0, 1, 2]])))
+    [[1 0 2]
+     [0 1 2]]
+    """
+    picture = _inputs.picture_of(label_image, "label_image", "skimage.measure.label")
+    if connectivity not in (None, 1, 2):
+        raise ValueError(f"connectivity: expected 1 or 2, got {connectivity!r}")
+    neighbours: Literal[4, 8] = 4 if connectivity == 1 else 8
+    if picture.dtype == bool:
+        labels, count = _images.label(~picture if background == 1 else picture, neighbours)
+        return (labels, count) if return_num else labels
+    value = 0 if background is None else _arrays.integer("background", background)
+    whole = picture.astype(np.intp, copy=False) if picture.dtype.kind == "f" else picture
+    labels, count = _label_tables.label_values(whole, whole != value, neighbours)
+    wide = labels.astype(np.intp)
+    return (wide, count) if return_num else wide
+
+
+def regionprops_table(label_image: npt.ArrayLike, intensity_image: None = None,
+                      properties: Sequence[str] = ("label", "bbox"), *, cache: bool = True,
+                      separator: str = "-", extra_properties: None = None) -> dict[str, npt.NDArray[Any]]:
+    """Measure labels as `skimage.measure.regionprops_table` does in 2-D, number for number.
+
+    Parameters
+    ----------
+    label_image : array of integers, shape (H, W)
+        Labels above 0 are measured. They need be neither consecutive nor connected.
+    intensity_image, extra_properties
+        Not here.
+    properties : sequence of {"label", "area", "bbox", "centroid", "euler_number", "area_filled"}
+        Also by scikit-image's old names, such as "filled_area".
+    cache
+        Without effect.
+    separator : str
+        Between the name and the index in the names of columns, such as "bbox-0".
+
+    Returns
+    -------
+    dict of arrays
+        One element per label in ascending order, of int64, for "centroid" of float64. 8-connected objects
+        and 4-connected holes count for "euler_number"; "area_filled" has 4-connected objects.
+
+    Raises
+    ------
+    NotImplementedError
+        For other properties, for an intensity image and for other than two dimensions, which are in
+        scikit-image.
+    TypeError
+        If the labels are not integers.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import skimage
+    >>> labels = np.array([[1, 1, 1, 0], [1, 0, 1, 0], [1, 1, 1, 2]])
+    >>> skimage.regionprops_table(labels, properties=("area", "euler_number"))
+    {'area': array([8, 1]), 'euler_number': array([0, 1])}
+    """
+    name = "skimage.measure.regionprops_table"
+    picture = _inputs.picture_of(label_image, "label_image", name)
+    if picture.dtype.kind not in "iu":
+        raise TypeError(f"label_image: expected integers, got {picture.dtype}; `skimage.label` makes them")
+    if intensity_image is not None or extra_properties is not None:
+        raise NotImplementedError(f"intensity_image, extra_properties: not here; use {name}")
+    return _label_tables.measured(picture, properties, separator, name)

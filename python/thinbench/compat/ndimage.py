@@ -1,0 +1,217 @@
+"""SciPy's `ndimage.label`, `binary_fill_holes` and `distance_transform_edt`, for images."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from thinbench import _images
+from thinbench.compat import _inputs
+
+_CROSS = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]], bool)
+
+
+def label(input: npt.ArrayLike, structure: npt.ArrayLike | None = None,
+          output: Any = None) -> tuple[npt.NDArray[Any], int] | int:
+    """Label objects as `scipy.ndimage.label` does, number for number.
+
+    Parameters
+    ----------
+    input : array of real numbers, shape (H, W)
+        Nonzero is foreground.
+    structure : array, shape (3, 3), optional
+        A cross, for 4-connected objects, or ones, for 8-connected ones. Default: a cross.
+    output : dtype or array, optional
+        The type of the labels, or an array of the shape of the image that receives them. Default: int32.
+
+    Returns
+    -------
+    array of shape (H, W), and int; or int alone if `output` is an array
+        Labels from 1 in raster order of first pixels (SciPy: of those of `output`, which differ if its
+        columns are contiguous), 0 in the background; and the number of objects.
+
+    Raises
+    ------
+    NotImplementedError
+        For other structures and for other than two dimensions, which are in SciPy.
+    RuntimeError, TypeError, ValueError
+        Where SciPy raises it: if an argument does not fit, and for too many objects for the type of `output`.
+
+    References
+    ----------
+    docs/regions.md: runs as bits, and their contacts.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import ndimage
+    >>> labels, count = ndimage.label(np.array([[1, 0, 1], [0, 1, 0]]))
+    >>> print(labels, count)
+    [[1 0 2]
+     [0 3 0]] 3
+    """
+    picture = _inputs.picture_of(input, "input", "scipy.ndimage.label")
+    given = np.asarray(_CROSS if structure is None else structure, dtype=bool)
+    if given.ndim != 2:
+        raise RuntimeError(f"structure: expected two dimensions, got shape {given.shape}")
+    if given.shape != (3, 3):
+        raise ValueError(f"structure: expected shape (3, 3), got {given.shape}")
+    connectivity = _connectivity(given, "scipy.ndimage.label")
+    if isinstance(output, np.ndarray) and output.shape != picture.shape:
+        raise ValueError(f"output: expected shape {picture.shape}, got {output.shape}")
+    labels, count = _images.label(_inputs.nonzero(picture), connectivity)
+    if isinstance(output, np.ndarray):
+        _convert(labels, output)
+        return count
+    return (labels if output is None else _convert(labels, np.empty(labels.shape, output))), count
+
+
+def binary_fill_holes(input: npt.ArrayLike, structure: npt.ArrayLike | None = None,
+                      output: npt.NDArray[Any] | None = None,
+                      origin: int | tuple[int, int] = 0) -> npt.NDArray[np.bool_] | None:
+    """Fill holes as `scipy.ndimage.binary_fill_holes` does, pixel for pixel.
+
+    Parameters
+    ----------
+    input : array of real numbers, shape (H, W)
+        Nonzero is foreground.
+    structure : array, shape (3, 3), optional
+        A cross, for 4-connected background, or ones, for 8-connected background. Default: a cross.
+    output : array, optional
+        Receives the result, of the shape of the image.
+    origin : {0, (0, 0)}
+
+    Returns
+    -------
+    array of bool, shape (H, W); None if `output` is an array
+        Objects, and background that is not connected to what is outside.
+
+    Raises
+    ------
+    NotImplementedError
+        For other structures and origins, and for other than two dimensions, which are in SciPy.
+    RuntimeError, TypeError
+        If `output` has another shape, and for complex numbers.
+
+    References
+    ----------
+    docs/regions.md: background flooded from the border.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import ndimage
+    >>> print(ndimage.binary_fill_holes(np.array([[0, 1, 0], [1, 0, 1], [0, 1, 0]]))[1])
+    [ True  True  True]
+    """
+    name = "scipy.ndimage.binary_fill_holes"
+    picture = _inputs.picture_of(input, "input", name)
+    background = _connectivity(np.asarray(_CROSS if structure is None else structure, dtype=bool), name)
+    if np.any(origin):
+        raise NotImplementedError(f"origin: expected 0, got {origin}; use {name}")
+    if isinstance(output, np.ndarray) and output.shape != picture.shape:
+        raise RuntimeError(f"output: expected shape {picture.shape}, got {output.shape}")
+    filled: npt.NDArray[np.bool_] = _images.fill_holes(
+        _inputs.nonzero(picture), connectivity=8 if background == 4 else 4)
+    if not isinstance(output, np.ndarray):
+        return filled
+    output[...] = filled
+    return None
+
+
+def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_distances: bool = True,
+                           return_indices: bool = False, distances: npt.NDArray[np.float64] | None = None,
+                           indices: npt.NDArray[np.int32] | None = None) -> npt.NDArray[np.float64] | None:
+    """Find distances to the background as `scipy.ndimage.distance_transform_edt` does.
+
+    Parameters
+    ----------
+    input : array of real numbers, shape (H, W)
+        Nonzero is foreground. At most 32767 pixels on a side.
+    sampling : float or pair of equal floats, optional
+        The spacing of pixels. Results equal SciPy's without it, and for powers of two; for others the last
+        bits may differ, as products are rounded otherwise.
+    return_distances : bool
+        True, as SciPy rejects False without indices.
+    return_indices, indices
+        Not here.
+    distances : array of float64, optional
+        Receives the result, of the shape of the image.
+
+    Returns
+    -------
+    array of float64, shape (H, W); None if `distances` is given
+        In an image without background, distances to the pixel above the first one, as in SciPy.
+
+    Raises
+    ------
+    NotImplementedError
+        For indices, for unequal spacing and for other than two dimensions, which are in SciPy.
+    RuntimeError, TypeError, ValueError
+        If an argument does not fit.
+
+    References
+    ----------
+    docs/distance.md: exact integers, of which this is the root.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from thinbench.compat import ndimage
+    >>> print(ndimage.distance_transform_edt(np.array([[0, 1, 1], [1, 1, 1]]), sampling=2)[0])
+    [0. 2. 4.]
+    """
+    name = "scipy.ndimage.distance_transform_edt"
+    if return_indices or indices is not None:
+        raise NotImplementedError(f"indices: not here; use {name}")
+    if not return_distances:
+        raise RuntimeError("return_distances: expected True without indices, got False")
+    picture = _inputs.picture_of(input, "input", name)
+    found = _scaled(_distances(picture), sampling, name)
+    if distances is None:
+        return found
+    if distances.shape != found.shape or distances.dtype != np.float64:
+        raise RuntimeError(f"distances: expected float64 of shape {found.shape}, "
+                           f"got {distances.dtype} of shape {distances.shape}")
+    distances[...] = found
+    return None
+
+
+def _connectivity(structure: npt.NDArray[np.bool_], original: str) -> Literal[4, 8]:
+    """Of neighbours, as a structure has them."""
+    if structure.shape == (3, 3) and structure.all():
+        return 8
+    if not np.array_equal(structure, _CROSS):
+        raise NotImplementedError("structure: expected a cross or ones of shape (3, 3), "
+                                  f"got {structure.astype(int).tolist()}; use {original}")
+    return 4
+
+
+def _convert(labels: npt.NDArray[np.int32], output: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """The labels as numbers of another type."""
+    np.copyto(output, labels, casting="unsafe")
+    if not np.array_equal(output, labels):
+        raise RuntimeError(f"output: expected a type for {labels.max()} labels, got {output.dtype}")
+    return output
+
+
+def _distances(picture: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
+    found = _images.distance(_inputs.nonzero(picture))
+    if found.size > 0 and found.flat[0] == np.inf:
+        rows, columns = np.ogrid[:found.shape[0], :found.shape[1]]
+        found = np.sqrt((rows + 1.0)**2 + columns**2)
+    return found
+
+
+def _scaled(found: npt.NDArray[np.float64], sampling: Any, original: str) -> npt.NDArray[np.float64]:
+    """Distances between pixels of this size."""
+    if sampling is None:
+        return found
+    spacing = np.asarray(sampling, np.float64)
+    if spacing.shape not in ((), (2,)):
+        raise RuntimeError(f"sampling: expected one number or two, got {sampling!r}")
+    if spacing.ndim == 1 and spacing[0] != spacing[1]:
+        raise NotImplementedError(f"sampling: expected equal spacing, got {sampling}; use {original}")
+    return np.multiply(found, abs(spacing.flat[0]), out=found)
