@@ -121,6 +121,12 @@ def test_transparent_pixels_of_tiff_are_black(tmp_path: Path) -> None:
     assert objects_in("a.tif", tmp_path) == []
 
 
+@pytest.mark.parametrize("start", [b"RIFF", b"RIFFr\0 ", b"RIFFr\0  WEB", b"\0\0\0 ftyp", b"GIF8", b"\x89PNG", b"BM"])
+def test_beginnings_of_images_are_one_line(start: bytes, tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(start)
+    expect_one_line(["holes", "a.png"], tmp_path, "a.png")
+
+
 @pytest.mark.parametrize("kind", ["gif", "webp", "jp2", "ico", "tga"])
 def test_other_kinds_are_refused(kind: str, tmp_path: Path) -> None:
     """Whatever decoders are installed."""

@@ -61,7 +61,7 @@ def test_binary_fill_holes_equals_scipy(image, view, structure, dtype):
 
 
 @many
-@given(images(), views(), st.sampled_from([None, 1, 0.5, (2, 2)]), st.sampled_from(DTYPES))
+@given(images(), views(), st.sampled_from([None, 1, 0.5, (2, 2), (1, 3), (2, 0.25)]), st.sampled_from(DTYPES))
 def test_distance_transform_edt_equals_scipy(image, view, sampling, dtype):
     ndimage = pytest.importorskip("scipy.ndimage")
     source = view(image.astype(dtype))
@@ -202,7 +202,7 @@ CHECKERS = np.indices((600, 600)).sum(axis=0) % 2
     (lambda: compat.ndimage.binary_fill_holes(ONE, origin=1), NotImplementedError, "origin.*scipy"),
     (lambda: compat.ndimage.binary_fill_holes(ONE, output=np.empty(3, bool)), RuntimeError, r"\(3,\)"),
     (lambda: compat.ndimage.distance_transform_edt(ONE, return_indices=True), NotImplementedError, "scipy"),
-    (lambda: compat.ndimage.distance_transform_edt(ONE, (1, 2)), NotImplementedError, "(1, 2).*scipy"),
+    (lambda: compat.ndimage.distance_transform_edt(ONE, (1, 2, 3)), RuntimeError, "one number or two"),
     (lambda: compat.ndimage.distance_transform_edt(ONE, (1, 2, 3)), RuntimeError, "(1, 2, 3)"),
     (lambda: compat.ndimage.distance_transform_edt(ONE, return_distances=False), RuntimeError, "False"),
     (lambda: compat.ndimage.distance_transform_edt(ONE, distances=ONE), RuntimeError, "uint8"),

@@ -135,13 +135,14 @@ std::optional<ImageClaim> claim_of(const std::string& path, int page) {
 /// The name of a format that is not read; empty if this is none.
 std::string_view foreign_format(std::string_view start) {
   if (start.starts_with("GIF87a"sv) || start.starts_with("GIF89a"sv)) return "GIF";
-  if (start.starts_with("RIFF"sv) && start.substr(8).starts_with("WEBP"sv)) return "WebP";
+  const std::string_view kind = start.substr(std::min<std::size_t>(8, start.size()));
+  if (start.starts_with("RIFF"sv) && kind.starts_with("WEBP"sv)) return "WebP";
   if (start.starts_with("\0\0\0\x0CjP  "sv) || start.starts_with("\xFF\x4F\xFF\x51"sv))
     return "JPEG 2000";
   if (start.starts_with("%PDF"sv)) return "PDF";
   if (start.starts_with("<svg"sv)) return "SVG";
-  if (start.size() < 12 || start.substr(4, 4) != "ftyp"sv) return {};
-  return start.substr(8).starts_with("avif"sv) ? "AVIF" : "HEIF";
+  if (kind.size() < 4 || start.substr(4, 4) != "ftyp"sv) return {};
+  return kind.starts_with("avif"sv) ? "AVIF" : "HEIF";
 }
 
 /// The data of a PNG file's chunk of this name that comes before its pixels; empty if there is

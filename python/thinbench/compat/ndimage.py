@@ -130,9 +130,9 @@ def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_di
     ----------
     input : array of real numbers, shape (H, W)
         Nonzero is foreground. At most 32767 pixels on a side.
-    sampling : float or pair of equal floats, optional
-        The spacing of pixels. Results equal SciPy's without it, and for powers of two; for others the last
-        bits may differ, as products are rounded otherwise.
+    sampling : float or pair of floats, optional
+        The distance between rows and that between columns, 1e-30 to 1e30. Results equal SciPy's without it,
+        and for powers of two; for others the last bit may differ, as products are rounded otherwise.
     return_distances : bool
         True, as SciPy rejects False without indices.
     return_indices, indices
@@ -148,13 +148,13 @@ def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_di
     Raises
     ------
     NotImplementedError
-        For indices, for unequal spacing and for other than two dimensions, which are in SciPy.
+        For indices and for other than two dimensions, which are in SciPy.
     RuntimeError, TypeError, ValueError
         If an argument does not fit.
 
     References
     ----------
-    docs/distance.md: exact integers, of which this is the root.
+    docs/graphs.md: how distances are defined.
 
     Examples
     --------
@@ -169,7 +169,7 @@ def distance_transform_edt(input: npt.ArrayLike, sampling: Any = None, return_di
     if not return_distances:
         raise RuntimeError("return_distances: expected True without indices, got False")
     picture = _inputs.picture_of(input, "input", name)
-    found = _scaled(_distances(picture), sampling, name)
+    found = _distances(picture, sampling)
     if distances is None:
         return found
     if distances.shape != found.shape or distances.dtype != np.float64:
@@ -197,21 +197,13 @@ def _convert(labels: npt.NDArray[np.int32], output: npt.NDArray[Any]) -> npt.NDA
     return output
 
 
-def _distances(picture: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
-    found = _images.distance(_inputs.nonzero(picture))
-    if found.size > 0 and found.flat[0] == np.inf:
-        rows, columns = np.ogrid[:found.shape[0], :found.shape[1]]
-        found = np.sqrt((rows + 1.0)**2 + columns**2)
-    return found
-
-
-def _scaled(found: npt.NDArray[np.float64], sampling: Any, original: str) -> npt.NDArray[np.float64]:
-    """Distances between pixels of this size."""
-    if sampling is None:
-        return found
-    spacing = np.asarray(sampling, np.float64)
+def _distances(picture: npt.NDArray[Any], sampling: Any) -> npt.NDArray[np.float64]:
+    spacing = np.abs(np.asarray(1 if sampling is None else sampling, np.float64))
     if spacing.shape not in ((), (2,)):
         raise RuntimeError(f"sampling: expected one number or two, got {sampling!r}")
-    if spacing.ndim == 1 and spacing[0] != spacing[1]:
-        raise NotImplementedError(f"sampling: expected equal spacing, got {sampling}; use {original}")
-    return np.multiply(found, abs(spacing.flat[0]), out=found)
+    found = _images.distance(_inputs.nonzero(picture), sampling=spacing)
+    if found.size > 0 and found.flat[0] == np.inf:
+        down, across = np.broadcast_to(spacing, 2)
+        rows, columns = np.ogrid[:found.shape[0], :found.shape[1]]
+        found = np.sqrt(((rows + 1) * down)**2 + (columns * across)**2)
+    return found
