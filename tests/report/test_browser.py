@@ -164,9 +164,8 @@ def test_switches_and_operations_are_reached_by_keyboard(driver, address):
 def test_a_link_to_a_folded_part_opens_it_and_its_plots_are_drawn(driver, address):
     page = look(driver, address)
     page.click("header a[href='#sweeps']")
-    assert page.value("document.getElementById('sweeps').open")
-    page.driver.execute_async_script("setTimeout(arguments[0], 100)")
-    assert page.value("Chart.getChart(document.querySelector('#sweeps canvas')).data.datasets.length")
+    assert page.becomes("document.getElementById('sweeps').open")
+    assert page.becomes("Chart.getChart(document.querySelector('#sweeps canvas'))?.data.datasets.length > 0")
 
 
 def test_without_scripts_all_tables_stand_there_and_no_dead_control_does(address):

@@ -201,9 +201,9 @@ def _distances(picture: npt.NDArray[Any], sampling: Any) -> npt.NDArray[np.float
     spacing = np.abs(np.asarray(1 if sampling is None else sampling, np.float64))
     if spacing.shape not in ((), (2,)):
         raise RuntimeError(f"sampling: expected one number or two, got {sampling!r}")
-    found = _images.distance(_inputs.nonzero(picture), sampling=spacing)
+    down, across = (float(number) for number in np.broadcast_to(spacing, 2))
+    found = _images.distance(_inputs.nonzero(picture), sampling=(down, across))
     if found.size > 0 and found.flat[0] == np.inf:
-        down, across = np.broadcast_to(spacing, 2)
         rows, columns = np.ogrid[:found.shape[0], :found.shape[1]]
         found = np.sqrt(((rows + 1) * down)**2 + (columns * across)**2)
     return found
