@@ -634,6 +634,20 @@ static void finds_paths_through_a_graph(void) {
   thinbench_graph_paths_destroy(NULL);
 }
 
+static void finds_a_path_for_a_robot(void) {
+  static const uint8_t map[3][5] = {{1, 1, 0, 1, 1}, {1, 1, 1, 1, 1}, {1, 1, 0, 1, 1}};
+  const thinbench_stack free_space = {&map[0][0], 1, 3, 5, 5, 15};
+  const thinbench_pixel start = {0, 1}, goal = {4, 1}, wall = {2, 0};
+  thinbench_pixel way[15];
+  size_t count = 0;
+  CHECK(thinbench_find_path(&free_space, start, goal, 2, NULL, way, &count) == THINBENCH_OK);
+  CHECK(count == 5 && way[2].x == 2 && way[2].y == 1);
+  rejects(thinbench_find_path(&free_space, start, wall, 2, NULL, way, &count),
+          "goal: (2, 0) is inside an obstacle");
+  rejects(thinbench_find_path(&free_space, start, goal, 3, NULL, way, &count), "3");
+  rejects(thinbench_find_path(&free_space, start, goal, 2, NULL, NULL, &count), "pixels");
+}
+
 static void prunes_and_simplifies(void) {
   const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
   uint8_t pruned[15];
@@ -720,6 +734,7 @@ int main(void) {
   takes_images_without_pixels();
   finds_the_graph_of_a_skeleton();
   finds_paths_through_a_graph();
+  finds_a_path_for_a_robot();
   prunes_and_simplifies();
   rejects_invalid_arguments();
   rejects_invalid_tables();

@@ -33,7 +33,7 @@ inline constexpr double kPathOffSkeletonCost = 4;
 /// is outside the image is no obstacle. There is a path wherever such pixels lead from start to
 /// goal.
 ///
-/// Takes 20 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
+/// Takes 24 bytes of memory per pixel. Thread-safe. Throws std::invalid_argument for a start or
 /// goal that is outside, on an obstacle or too near to one, where there is no path, for a width
 /// that is negative or no number, and as skeleton_graph and squared_distances; and std::bad_alloc.
 [[nodiscard]] THINBENCH_API FoundPath find_path(ConstImageView free, const PathRequest& request,

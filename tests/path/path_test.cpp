@@ -1,0 +1,94 @@
+#include "thinbench/path.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "support/rejection.hpp"
+#include "support/text_image.hpp"
+#include "thinbench/distance.hpp"
+
+namespace thinbench {
+namespace {
+
+/// Two rooms with a wide door at the bottom and a narrow one at the top.
+const TextImage kRooms = {"#######.#######",  //
+                          "###############",  //
+                          "#######.#######",  //
+                          "#######.#######",  //
+                          "###############",  //
+                          "###############",  //
+                          "###############",  //
+                          "#######.#######"};
+
+TEST(FindPath, goes_along_a_corridor) {
+  const ByteImage corridor = image_of({".........",  //
+                                       "#########",  //
+                                       "........."});
+  const FoundPath path = find_path(corridor.view(), {{0, 1}, {8, 1}});
+  EXPECT_EQ(path.pixels.size(), 9U);
+  EXPECT_DOUBLE_EQ(path.length, 8);
+  EXPECT_DOUBLE_EQ(path.min_width, 2);
+}
+
+TEST(FindPath, of_a_wide_robot_leads_through_the_wide_door) {
+  const ByteImage rooms = image_of(kRooms);
+  const auto crosses_at = [&](double width) {
+    for (const Pixel p : find_path(rooms.view(), {{3, 1}, {11, 1}, width}).pixels) {
+      if (p.x == 7) return p.y;
+    }
+    return -1;
+  };
+  EXPECT_EQ(crosses_at(0), 1);
+  EXPECT_EQ(crosses_at(3), 5);
+}
+
+TEST(FindPath, is_connected_has_the_room_and_the_length_that_it_says) {
+  std::mt19937 random(1);
+  int found = 0;
+  for (int i = 0; i < 300; ++i) {
+    ByteImage map(40, 30);
+    for (Index y = 0; y < 30; ++y) {
+      for (Index x = 0; x < 40; ++x) map.at(x, y) = random() % 16 == 0 ? 0 : 255;
+    }
+    map.at(0, 0) = map.at(39, 29) = 255;
+    const double width = i % 4;
+    try {
+      const FoundPath path = find_path(map.view(), {{0, 0}, {39, 29}, width});
+      std::vector<double> rooms(40 * 30);
+      distances(map.view(), {rooms.data(), 40, 30});
+      double length = 0;
+      for (std::size_t p = 0; p < path.pixels.size(); ++p) {
+        const auto [x, y] = path.pixels[p];
+        ASSERT_GE(2 * rooms[static_cast<std::size_t>(y * 40 + x)], std::max(width, 2.0));
+        if (p == 0) continue;
+        const int across = std::abs(x - path.pixels[p - 1].x);
+        const int down = std::abs(y - path.pixels[p - 1].y);
+        ASSERT_TRUE(std::max(across, down) == 1);
+        length += std::hypot(across, down);
+      }
+      ASSERT_NEAR(path.length, length, 1e-9);
+      ++found;
+    } catch (const std::invalid_argument& error) {
+      ASSERT_GT(width, 2) << error.what();
+    }
+  }
+  EXPECT_GT(found, 100);
+}
+
+TEST(FindPath, says_why_there_is_none) {
+  const ByteImage rooms = image_of(kRooms);
+  const auto rejected = [&](const PathRequest& request) {
+    return rejection_of([&] { static_cast<void>(find_path(rooms.view(), request)); });
+  };
+  EXPECT_EQ(rejected({{15, 0}, {0, 0}}), "start: (15, 0) is outside the map of 15 x 8 pixels");
+  EXPECT_EQ(rejected({{0, 0}, {7, 0}}), "goal: (7, 0) is inside an obstacle");
+  EXPECT_EQ(rejected({{6, 0}, {0, 0}, 3}),
+            "start: at (6, 0) there is room for a width of 2, not of 3");
+  EXPECT_EQ(rejected({{3, 4}, {11, 4}, 5}), "no path from (3, 4) to (11, 4) is 5 pixels wide");
+  EXPECT_EQ(rejected({{0, 0}, {0, 0}, -1}), "width: expected a finite number from 0 up, got -1");
+}
+
+}  // namespace
+}  // namespace thinbench
