@@ -15,11 +15,16 @@ Array = npt.NDArray[Any]
 
 def graph_of(lines: Array, objects: Array, find: Callable[[Array, Array], Graph]) -> Graph:
     """`find(lines, objects)` for labels that do not touch one another, as often as needed."""
-    labels, numbers = np.unique(objects, return_inverse=True)
-    colours = _colours(labels, numbers.reshape(objects.shape))[numbers.reshape(objects.shape)]
-    graphs = [find((colours == colour) & (lines != 0), colours == colour)
-              for colour in range(1, max(int(colours.max(initial=0)), 1) + 1)]
-    found = _joined(graphs)
+    is_line, is_object = lines != 0, objects != 0
+    pairs = _touching(objects, is_object)
+    if len(pairs) == 0:
+        found = find(is_line, is_object)
+    else:
+        labels, numbers = np.unique(objects, return_inverse=True)
+        colours = _colours(labels, np.searchsorted(labels, pairs))
+        of_pixels = colours[numbers].reshape(objects.shape)
+        found = _joined([find(is_line & (of_pixels == colour), of_pixels == colour)
+                         for colour in range(1, int(colours.max()) + 1)])
     of_nodes = lines[tuple(found._nodes.values[found._nodes.bounds[:-1]].T)]
     found.nodes["label"] = of_nodes.astype(np.int64)
     found.edges["label"] = found.nodes["label"][found.edges["from"]]
@@ -27,27 +32,29 @@ def graph_of(lines: Array, objects: Array, find: Callable[[Array, Array], Graph]
                              np.argsort(found.nodes["label"], kind="stable"))
 
 
-def _colours(labels: Array, numbers: Array) -> Array:
-    """1, 2, ... for every label, and 0 for the background, so that labels that touch have different ones."""
+def _colours(labels: Array, pairs: Array) -> Array:
+    """1, 2, ... for every label, and 0 for the background, so that both of each pair are different."""
     neighbours: dict[int, list[int]] = {}
-    for one, other in _touching(numbers, labels != 0):
-        neighbours.setdefault(int(other), []).append(int(one))
+    for one, other in pairs.tolist():
+        neighbours.setdefault(other, []).append(one)
     colours: Array = (labels != 0).astype(np.int64)
-    for number in sorted(neighbours):  # all that it has touched so far are below
+    for number in sorted(neighbours):  # the others of its pairs are below, and have their colours
         taken = {int(colours[other]) for other in neighbours[number]}
         colours[number] = min(set(range(1, len(taken) + 2)) - taken)
     return colours
 
 
-def _touching(numbers: Array, is_label: Array) -> Array:
+def _touching(objects: Array, is_object: Array) -> Array:
     """The pairs of labels with pixels that are 8-neighbours, the lower first."""
-    height, width = numbers.shape
+    height, width = objects.shape
     pairs = []
     for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
-        one = numbers[:height - down, max(-right, 0):width - max(right, 0)].ravel()
-        other = numbers[down:, max(right, 0):width + min(right, 0)].ravel()
-        touch = (one != other) & is_label[one] & is_label[other]
-        pairs.append(np.stack([one[touch], other[touch]], axis=-1))
+        here = np.s_[:height - down, max(-right, 0):width - max(right, 0)]
+        there = np.s_[down:, max(right, 0):width + min(right, 0)]
+        touch = objects[here] != objects[there]
+        touch &= is_object[here]
+        touch &= is_object[there]
+        pairs.append(np.stack([objects[here][touch], objects[there][touch]], axis=-1))
     found: Array = np.unique(np.sort(np.concatenate(pairs), axis=1), axis=0)
     return found
 
