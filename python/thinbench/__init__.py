@@ -10,6 +10,7 @@ from thinbench._binarise import binarise
 from thinbench._catalogue import cpu, named_rules, rules
 from thinbench._graph import PIXEL_CLASSES, classify_pixels, graph, graph_labels, prune
 from thinbench._images import distance, edges, euler_number, fill_holes, label, localise, regions
+from thinbench._library import release_memory
 from thinbench._library import version as _version
 from thinbench._packed import thin_packed
 from thinbench._path import path
@@ -20,4 +21,4 @@ from thinbench._thinning import apply, thin, thin_labels, thin_many
 __version__: str = _version().decode()
 __all__ = ["PIXEL_CLASSES", "Cycle", "Graph", "GraphPath", "Place", "Rule", "apply", "binarise", "classify_pixels", "compat",
            "cpu", "distance", "edges", "euler_number", "fill_holes", "graph", "graph_labels", "label", "localise",
-           "named_rules", "path", "prune", "regions", "rules", "thin", "thin_labels", "thin_many", "thin_packed"]
+           "named_rules", "path", "prune", "regions", "release_memory", "rules", "thin", "thin_labels", "thin_many", "thin_packed"]

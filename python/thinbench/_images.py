@@ -232,21 +232,22 @@ def label_components(image: npt.ArrayLike, connectivity: int,
 
 @overload
 def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: Literal[False] = ...,
-             threads: int = ...) -> npt.NDArray[np.float64]: ...
+             threads: int = ..., out: npt.NDArray[Any] | None = ...) -> npt.NDArray[np.float64]: ...
 
 
 @overload
 def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: Literal[True],
-             threads: int = ...) -> npt.NDArray[np.int32]: ...
+             threads: int = ..., out: npt.NDArray[Any] | None = ...) -> npt.NDArray[np.int32]: ...
 
 
 @overload
-def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: bool,
-             threads: int = ...) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]: ...
+def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: bool, threads: int = ...,
+             out: npt.NDArray[Any] | None = ...) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]: ...
 
 
 def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squared: bool = False,
-             threads: int = 1) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]:
+             threads: int = 1, out: npt.NDArray[Any] | None = None,
+             ) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]:
     """Find the Euclidean distance from each pixel to its nearest background pixel.
 
     Distances are between centres of pixels; background has 0. What is outside the image does not
@@ -262,6 +263,8 @@ def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squ
         Return squares, which are exact integers. Not with `sampling`.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
+    out : array, optional
+        Receives the result: float64, or int32 for squares, C-contiguous. It spares large images fresh memory.
 
     Returns
     -------
@@ -290,16 +293,15 @@ def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squ
     stack, kept_alive = _arrays.source(array)
     spacing = _arrays.spacing("sampling", sampling)
     execution = _library.execution(_arrays.integer("threads", threads))
+    if squared and spacing != (1, 1):
+        raise ValueError(f"squared: expected no sampling beside it, got {sampling!r}")
+    found = _arrays.result_for(array, out, dtype=np.int32 if squared else np.float64)
     if squared:
-        if spacing != (1, 1):
-            raise ValueError(f"squared: expected no sampling beside it, got {sampling!r}")
-        squares = np.empty(array.shape, np.int32)
-        _library.squared_distances(stack, squares.ctypes.data, array.shape[1], execution)
-        return squares
-    distances = np.empty(array.shape)
-    _library.distances(stack, distances.ctypes.data, array.shape[1], _library.SPACING.pack(*spacing), execution)
+        _library.squared_distances(stack, found.ctypes.data, array.shape[1], execution)
+    else:
+        _library.distances(stack, found.ctypes.data, array.shape[1], _library.SPACING.pack(*spacing), execution)
     del kept_alive
-    return distances
+    return found
 
 
 @overload

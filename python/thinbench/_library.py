@@ -59,6 +59,14 @@ def _checked(name: str, *arguments: type) -> Callable[..., None]:
 
 
 version = _function("version", result=_BYTES)
+_release_memory = _function("release_memory", result=None)
+
+
+def release_memory() -> None:
+    """Free the memory that the calling thread keeps for its next calls, at most 8 MiB."""
+    _release_memory()
+
+
 thin = _checked("thin", _POINTER, _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
 thin_packed = _checked(
     "thin_packed", _POINTER, _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES, _POINTER)

@@ -202,3 +202,14 @@ def test_what_is_no_number_is_named(value):
         thinbench.prune(RING_WITH_TAILS, value)
     with pytest.raises(TypeError, match="tolerance: expected a number, got"):
         thinbench.graph(RING_WITH_TAILS).polylines(value)
+
+
+def test_distances_are_written_into_the_array_that_is_given():
+    image = random_image(3)
+    for squared, dtype in ((False, np.float64), (True, np.int32)):
+        out = np.empty(image.shape, dtype)
+        assert thinbench.distance(image, squared=squared, out=out) is out
+        np.testing.assert_array_equal(out, thinbench.distance(image, squared=squared))
+    with pytest.raises(ValueError, match="out: expected float64"):
+        thinbench.distance(image, out=np.empty(image.shape, np.int32))
+    thinbench.release_memory()
