@@ -11,7 +11,8 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from thinbench import _arrays, _graph_splits, _images, _label_graphs, _library
+from thinbench import _arrays, _graph_splits, _images, _label_graphs, _library, _thinning
+from thinbench._rules import Rule
 from thinbench._skeleton_graph import KINDS, Array, Graph, Groups, bounds_of, counted
 
 PIXEL_CLASSES = ("background", "isolated", "end", "line", "junction")
@@ -195,6 +196,55 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     _library.prune(stack, _arrays.destination(result), pruning, options, None)
     del kept_alive
     return result
+
+
+def medial_axis(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, spacing: Spacing = 1,
+                threads: int = 1) -> tuple[npt.NDArray[Any], npt.NDArray[np.float64]]:
+    """Thin an image, and say at each pixel of the skeleton how far the background is.
+
+    The skeleton is that of `thin`, not the one of scikit-image's function of this name, which has other
+    pixels; the distances are exact.
+
+    Parameters
+    ----------
+    image : array of bool or uint8, shape (H, W)
+        Nonzero is foreground. At most 32767 pixels on a side.
+    rule : str or Rule
+        As for `thin`.
+    spacing : float or two floats
+        The distance between rows, and between columns.
+    threads : int
+        The maximum number of threads.
+
+    Returns
+    -------
+    skeleton : array of the shape and dtype of the image
+    distances : array of float64, shape (H, W)
+        0 outside the skeleton.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    References
+    ----------
+    docs/graphs.md: how distances are defined.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import thinbench
+    >>> bar = np.zeros((5, 9), bool)
+    >>> bar[1:4, 1:8] = True
+    >>> skeleton, distances = thinbench.medial_axis(bar)
+    >>> print(distances[2])
+    [0. 0. 2. 2. 2. 2. 2. 0. 0.]
+    """
+    skeleton = _thinning.thin(image, rule, threads=threads, stack=False)
+    distances = _images.distance(image, sampling=spacing, threads=threads)
+    distances[skeleton == 0] = 0
+    return skeleton, distances
 
 
 def classify_pixels(image: npt.ArrayLike) -> tuple[npt.NDArray[np.uint8], npt.NDArray[np.uint8]]:

@@ -220,3 +220,12 @@ def test_pruning_is_in_the_unit_of_the_spacing():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert thinbench.prune(TREE, min_widths=2, image=TREE, spacing=0.1)[3:].sum() == 0
+
+
+def test_the_medial_axis_is_the_skeleton_with_its_distances():
+    image = random_image(5)
+    skeleton, distances = thinbench.medial_axis(image, "zhang_suen", spacing=(2, 1))
+    np.testing.assert_array_equal(skeleton, thinbench.thin(image, "zhang_suen"))
+    np.testing.assert_array_equal(distances, np.where(skeleton, thinbench.distance(image, sampling=(2, 1)), 0))
+    with pytest.raises(ValueError, match=r"\(2, 3, 4\)"):
+        thinbench.medial_axis(np.zeros((2, 3, 4), bool))
