@@ -29,7 +29,7 @@ using Json = nlohmann::json;
 }
 
 /// What the child finds of its call: {} where that takes too many steps.
-using Find = std::function<Json(const Steps&)>;
+using Find = std::function<Json(const ExecutedSteps&)>;
 
 Json answer_of(const TimedRow& row, std::uint64_t max_steps, const Find& find) {
   Json answer = Json::object();
@@ -143,7 +143,7 @@ Counted counted_in_two_ways(const Rows& rows, std::uint64_t max_steps, Callgrind
 }  // namespace
 
 std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_steps) {
-  const Json answer = answer_of_child(row, max_steps, [](const Steps& steps) {
+  const Json answer = answer_of_child(row, max_steps, [](const ExecutedSteps& steps) {
     return Json{{"instructions", steps.instructions}};
   });
   if (answer.empty()) return std::nullopt;
@@ -151,7 +151,7 @@ std::optional<std::uint64_t> count_of(const TimedRow& row, std::uint64_t max_ste
 }
 
 std::optional<RowCode> code_of(const TimedRow& row, std::uint64_t max_steps) {
-  const Json answer = answer_of_child(row, max_steps, [](const Steps& steps) {
+  const Json answer = answer_of_child(row, max_steps, [](const ExecutedSteps& steps) {
     const ExecutedCode code = executed_code(steps.addresses);
     return Json{
         {"count", steps.instructions}, {"instructions", code.instructions}, {"order", code.order}};

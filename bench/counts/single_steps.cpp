@@ -73,7 +73,7 @@ std::unique_ptr<std::uint64_t[]> room_for(std::uint64_t most) {
 
 }  // namespace
 
-std::optional<Steps> steps_of(const std::function<void()>& call, std::uint64_t max_steps) {
+std::optional<ExecutedSteps> steps_of(const std::function<void()>& call, std::uint64_t max_steps) {
   constexpr std::uint64_t kMostRoundACall = 1000;
   const TrapHandler handler;
   const auto round_it = room_for(kMostRoundACall);
@@ -86,7 +86,7 @@ std::optional<Steps> steps_of(const std::function<void()>& call, std::uint64_t m
   const auto first = std::ranges::mismatch(steps, before).in1;
   const auto last =
       std::mismatch(steps.rbegin(), steps.rend(), before.rbegin(), before.rend()).first;
-  Steps found{all.instructions - empty.instructions, {}};
+  ExecutedSteps found{all.instructions - empty.instructions, {}};
   if (first < last.base()) found.addresses.assign(first, last.base());
   return found;
 }
@@ -97,7 +97,7 @@ std::optional<Steps> steps_of(const std::function<void()>& call, std::uint64_t m
 
 namespace thinbench {
 
-std::optional<Steps> steps_of(const std::function<void()>&, std::uint64_t) {
+std::optional<ExecutedSteps> steps_of(const std::function<void()>&, std::uint64_t) {
   return std::nullopt;
 }
 

@@ -11,7 +11,7 @@
 namespace thinbench {
 
 /// What a call executes in this thread.
-struct Steps {
+struct ExecutedSteps {
   std::uint64_t instructions = 0;
   std::vector<std::uint64_t> addresses;  // in the order of execution, with the return of the call
 };
@@ -20,7 +20,7 @@ struct Steps {
 /// x86-64 always none, without a call. An instruction that repeats itself (rep movsb) counts once,
 /// and takes a step for each repetition. The call must block no signals and set no handler for
 /// SIGTRAP; two threads must not count at the same time.
-[[nodiscard]] std::optional<Steps> steps_of(const std::function<void()>& call,
-                                            std::uint64_t max_steps);
+[[nodiscard]] std::optional<ExecutedSteps> steps_of(const std::function<void()>& call,
+                                                    std::uint64_t max_steps);
 
 }  // namespace thinbench
