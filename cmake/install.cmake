@@ -38,9 +38,8 @@ install(EXPORT thinbench NAMESPACE thinbench:: FILE thinbenchTargets.cmake DESTI
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/thinbenchConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/thinbenchConfig.cmake
                               INSTALL_DESTINATION ${thinbench_package})
-# Before 1.0 another minor version may be incompatible.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/thinbenchConfigVersion.cmake
-                                 COMPATIBILITY SameMinorVersion)
+                                 COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/thinbenchConfig.cmake ${PROJECT_BINARY_DIR}/thinbenchConfigVersion.cmake
         DESTINATION ${thinbench_package})
 

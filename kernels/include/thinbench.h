@@ -28,7 +28,7 @@ typedef enum thinbench_status {
   THINBENCH_INTERNAL_ERROR = 3
 } thinbench_status;
 
-/* The version of the library, for example "0.1.0". */
+/* The version of the library, for example "1.0.0". */
 THINBENCH_API const char* thinbench_version(void);
 
 /* Frees the memory that the calling thread keeps for its next calls: at most 8 MiB in 32 blocks. A

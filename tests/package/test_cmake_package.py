@@ -149,6 +149,7 @@ def test_version_is_the_same_everywhere():
     version = (ROOT / "kernels/include/thinbench/version.hpp").read_text()
     project = re.search(r"project\(thinbench VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
     assert project and f'kVersion = "{project.group(1)}"' in version
+    assert f"\nversion: {project.group(1)}\n" in (ROOT / "CITATION.cff").read_text()
 
 
 def test_installed_headers_are_the_public_ones(prefix):
