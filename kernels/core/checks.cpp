@@ -124,6 +124,24 @@ bool overlap(const ConstImageView& a, const ConstImageView& b) {
   return ranges_overlap(a.data, image_bytes(a), b.data, image_bytes(b)) && !side_by_side(a, b);
 }
 
+/// Checks two images of numbers, which must have the same size and share no byte.
+template <class S, class T>
+void check_pair(const View<S>& source, const std::string& source_name, const View<T>& numbers,
+                const std::string& name) {
+  const ConstImageView from = bytes_of(source, (source_name + " exceeds").c_str());
+  const ConstImageView to = bytes_of(numbers, (name + " exceed").c_str());
+  check_view(from, source_name.c_str());
+  check_view(to, name.c_str());
+  if (source.width != numbers.width || source.height != numbers.height) {
+    reject(source_name + " is " + text_of(source) + " and " + name + " " + text_of(numbers) +
+           "; they must have the same size");
+  }
+  if (image_bytes(from) > 0 &&
+      ranges_overlap(from.data, image_bytes(from), to.data, image_bytes(to))) {
+    reject(source_name + " and " + name + " overlap");
+  }
+}
+
 bool has_pixels(const ConstStackView& stack) {
   return stack.count > 0 && image_bytes(stack) > 0;
 }
@@ -300,22 +318,19 @@ void check_views(const ConstPackedView& source, const ConstPackedView& destinati
 template <class T>
 void check_views(const ConstImageView& source, const View<T>& numbers) {
   constexpr bool is_label = std::is_same_v<T, std::int32_t>;
-  const std::string name = is_label ? "labels" : "distances";
-  const ConstImageView as_bytes = bytes_of(numbers, (name + " exceed").c_str());
-  check_view(source, "source");
-  check_view(as_bytes, name.c_str());
-  if (source.width != numbers.width || source.height != numbers.height) {
-    reject("source is " + text_of(source) + " and " + name + " " + text_of(numbers) +
-           "; they must have the same size");
-  }
-  if (image_bytes(source) > 0 &&
-      ranges_overlap(source.data, image_bytes(source), as_bytes.data, image_bytes(as_bytes))) {
-    reject("source and " + name + " overlap");
-  }
+  check_pair(source, "source", numbers, is_label ? "labels" : "distances");
 }
 
 template void check_views(const ConstImageView& source, const LabelView& numbers);
 template void check_views(const ConstImageView& source, const View<double>& numbers);
+
+void check_labels(const ConstLabelView& labels) {
+  check_view(bytes_of(labels, "labels exceed"), "labels");
+}
+
+void check_views(const ConstLabelView& labels, const View<double>& distances) {
+  check_pair(labels, "labels", distances, "distances");
+}
 
 void check_views(const ConstLabelView& source, const LabelView& destination) {
   if (source.width != destination.width || source.height != destination.height) {

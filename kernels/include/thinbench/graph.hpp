@@ -37,10 +37,11 @@ enum class NodeKind : std::int32_t {
   end,
   junction,  // one pixel or several
   cycle,     // the first pixel of a closed line without junctions
+  given,     // a pixel of a line, by split_at(): thinbench/graph_parts.hpp
 };
 
-inline constexpr std::array<std::string_view, 4> kNodeKindNames = {"isolated", "end", "junction",
-                                                                   "cycle"};
+inline constexpr std::array<std::string_view, 5> kNodeKindNames = {"isolated", "end", "junction",
+                                                                   "cycle", "given"};
 
 /// What a pixel is. Ends and isolated pixels are nodes; joined junction pixels are one.
 enum class PixelClass : std::uint8_t { background, isolated, end, line, junction };

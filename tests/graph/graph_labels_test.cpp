@@ -1,0 +1,181 @@
+#include "thinbench/graph_labels.hpp"
+
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "graph.hpp"
+#include "support/rejection.hpp"
+#include "support/text_image.hpp"
+
+namespace thinbench {
+namespace {
+
+/// A label for each pixel, all lines of the same length; '.' is background.
+struct LabelImage {
+  Index width;
+  Index height;
+  std::vector<std::int32_t> labels;
+
+  [[nodiscard]] ConstLabelView view() const { return {labels.data(), width, height}; }
+  [[nodiscard]] LabelView view() { return {labels.data(), width, height}; }
+};
+
+LabelImage labels_of(const TextImage& lines) {
+  LabelImage image = {static_cast<Index>(lines.front().size()), static_cast<Index>(lines.size()),
+                      {}};
+  for (const std::string& line : lines) {
+    for (const char c : line) image.labels.push_back(c == '.' ? 0 : c - '0');
+  }
+  return image;
+}
+
+/// Labels side by side, negative ones among them, or labels on lines with gaps.
+LabelImage random_labels(std::mt19937& random) {
+  LabelImage image = {1 + static_cast<Index>(random() % 70), 1 + static_cast<Index>(random() % 12),
+                      {}};
+  const unsigned labels = 1 + static_cast<unsigned>(random() % 7);
+  const unsigned rarity = 1 + static_cast<unsigned>(random() % 5);
+  for (Index i = 0; i < image.width * image.height; ++i) {
+    const bool is_drawn = random() % rarity == 0;
+    const auto label = static_cast<std::int32_t>(random() % labels) - 2;
+    image.labels.push_back(is_drawn ? label : 0);
+  }
+  return image;
+}
+
+ByteImage mask_of(const LabelImage& image, std::int32_t label) {
+  ByteImage mask(image.width, image.height);
+  for (Index y = 0; y < image.height; ++y) {
+    for (Index x = 0; x < image.width; ++x) {
+      mask.at(x, y) = image.view().row(y)[x] == label ? 255 : 0;
+    }
+  }
+  return mask;
+}
+
+void append(LabelGraph& to, std::int32_t label, const Graph& graph) {
+  const auto size_of = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
+  for (GraphEdge edge : graph.edges) {
+    edge.from += size_of(to.graph.nodes);
+    edge.to += size_of(to.graph.nodes);
+    edge.first_pixel += size_of(to.graph.edge_pixels);
+    to.graph.edges.push_back(edge);
+  }
+  for (GraphNode node : graph.nodes) {
+    node.first_pixel += size_of(to.graph.node_pixels);
+    to.labels.push_back(label);
+    to.graph.nodes.push_back(node);
+  }
+  to.graph.edge_pixels.insert(to.graph.edge_pixels.end(), graph.edge_pixels.begin(),
+                              graph.edge_pixels.end());
+  to.graph.node_pixels.insert(to.graph.node_pixels.end(), graph.node_pixels.begin(),
+                              graph.node_pixels.end());
+}
+
+/// `body(label, mask)` for every label but 0, in ascending order.
+template <class Body>
+void for_each_label(const LabelImage& image, const Body& body) {
+  std::set<std::int32_t> labels(image.labels.begin(), image.labels.end());
+  labels.erase(0);
+  for (const std::int32_t label : labels) body(label, mask_of(image, label));
+}
+
+LabelGraph loop_over(const LabelImage& image) {
+  LabelGraph all;
+  for_each_label(image, [&](std::int32_t label, const ByteImage& mask) {
+    append(all, label, reference::skeleton_graph(mask.view()));
+  });
+  return all;
+}
+
+TEST(GraphOfLabels, lines_that_touch_stay_apart) {
+  const LabelImage image = labels_of({"5552",  //
+                                      "...2"});
+  const LabelGraph found = graph_of_labels(image.view());
+  EXPECT_EQ(found.labels, (std::vector<std::int32_t>{2, 2, 5, 5}));
+  ASSERT_EQ(found.graph.edges.size(), 2U);
+  EXPECT_EQ(length_of(found.graph.edges[0]), 1);
+  EXPECT_EQ(length_of(found.graph.edges[1]), 2);
+}
+
+TEST(GraphOfLabels, equals_a_loop_over_the_labels) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 300; ++i) {
+    const LabelImage image = random_labels(random);
+    ASSERT_TRUE(graph_of_labels(image.view()) == loop_over(image)) << "image " << i;
+  }
+}
+
+TEST(GraphOfLabels, of_an_image_without_pixels_or_labels_is_empty) {
+  const LabelImage background = labels_of({"...", "..."});
+  EXPECT_TRUE(graph_of_labels(background.view()) == LabelGraph{});
+  EXPECT_TRUE(graph_of_labels({nullptr, 0, 5}) == LabelGraph{});
+  EXPECT_TRUE(graph_of_labels({nullptr, 5, 0}) == LabelGraph{});
+}
+
+TEST(GraphOfLabels, unsuitable_views_are_rejected) {
+  EXPECT_EQ(rejection_of([] { static_cast<void>(graph_of_labels({nullptr, 3, 3})); }),
+            "labels has no data");
+}
+
+TEST(LabelDistances, are_those_to_the_nearest_pixel_of_another_label) {
+  const LabelImage image = labels_of({"11112", "11112", "11112"});
+  std::vector<double> found(15);
+  label_distances(image.view(), {found.data(), 5, 3});
+  EXPECT_EQ(std::vector<double>(found.begin(), found.begin() + 5),
+            (std::vector<double>{4, 3, 2, 1, 1}));
+}
+
+TEST(LabelDistances, equal_a_loop_over_the_labels) {
+  std::mt19937 random(2);
+  const Spacing spacing = {.y = 0.5, .x = 2};
+  for (int i = 0; i < 200; ++i) {
+    const LabelImage image = random_labels(random);
+    const std::size_t pixels = image.labels.size();
+    std::vector<double> found(pixels), of_label(pixels), expected(pixels);
+    label_distances(image.view(), {found.data(), image.width, image.height}, spacing);
+    for_each_label(image, [&](std::int32_t label, const ByteImage& mask) {
+      distances(mask.view(), {of_label.data(), image.width, image.height}, spacing);
+      for (std::size_t at = 0; at < pixels; ++at) {
+        if (image.labels[at] == label) expected[at] = of_label[at];
+      }
+    });
+    ASSERT_EQ(found, expected) << "image " << i;
+  }
+}
+
+TEST(LabelDistances, views_that_do_not_fit_are_rejected) {
+  const LabelImage image = labels_of({"12", "34"});
+  std::vector<double> numbers(4);
+  EXPECT_EQ(
+      rejection_of([&] { label_distances(image.view(), {numbers.data(), 2, 1}); }),
+      "labels is 2 x 2 and distances 2 x 1; they must have the same size");
+  const auto* inside = reinterpret_cast<const std::int32_t*>(numbers.data());
+  EXPECT_EQ(rejection_of([&] { label_distances({inside, 2, 2}, {numbers.data(), 2, 2}); }),
+            "labels and distances overlap");
+}
+
+TEST(PruneLabels, equals_a_loop_over_the_labels) {
+  std::mt19937 random(3);
+  const Pruning pruning = {.min_length = 3, .removes_components = true};
+  for (int i = 0; i < 200; ++i) {
+    LabelImage image = random_labels(random);
+    LabelGraph expected;
+    std::vector<std::int32_t> left(image.labels.size());
+    for_each_label(image, [&](std::int32_t label, ByteImage mask) {
+      append(expected, label, prune(mask.view(), mask.view(), pruning));
+      for (std::size_t at = 0; at < left.size(); ++at) {
+        const Index x = static_cast<Index>(at) % image.width;
+        if (mask.at(x, static_cast<Index>(at) / image.width) != 0) left[at] = label;
+      }
+    });
+    ASSERT_TRUE(prune_labels(image.view(), image.view(), pruning) == expected) << "image " << i;
+    ASSERT_EQ(image.labels, left) << "image " << i;
+  }
+}
+
+}  // namespace
+}  // namespace thinbench

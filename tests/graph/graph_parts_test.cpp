@@ -1,0 +1,170 @@
+#include "thinbench/graph_parts.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/rejection.hpp"
+#include "support/text_image.hpp"
+#include "thinbench/graph_paths.hpp"
+
+namespace thinbench {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+using enum NodeKind;
+
+// A cross with a square on its right.
+const TextImage kDrawn = {"..#......",  //
+                          "..#..###.",  //
+                          "######.#.",  //
+                          "..#..###.",  //
+                          "..#......"};
+
+Graph graph_of(const TextImage& lines) {
+  return skeleton_graph(image_of(lines).view());
+}
+
+double total_length(const Graph& graph) {
+  double sum = 0;
+  for (const GraphEdge& edge : graph.edges) sum += length_of(edge);
+  return sum;
+}
+
+TEST(Subgraph, has_the_edges_in_the_order_given_and_their_nodes_alone) {
+  const Graph line = graph_of({"##.###.#"});
+  ASSERT_EQ(line.edges.size(), 2U);
+  const Graph second = subgraph(line, Numbers{1});
+  ASSERT_EQ(second.nodes.size(), 2U);
+  EXPECT_EQ(second.edges[0], (GraphEdge{0, 1, {3, 0}, {5, 0}, 0, 1, {2, 0, 0}}));
+  EXPECT_EQ(second.edge_pixels, (std::vector<Pixel>{{4, 0}}));
+  const Graph swapped = subgraph(line, Numbers{1, 0});
+  EXPECT_EQ(swapped.edges[0].start, (Pixel{3, 0}));
+  EXPECT_EQ(swapped.edges[1].start, (Pixel{0, 0}));
+  EXPECT_EQ(subgraph(line, {}), Graph{});
+}
+
+TEST(Subgraph, other_numbers_are_rejected) {
+  EXPECT_EQ(rejection_of([] { static_cast<void>(subgraph(graph_of({"###"}), Numbers{1})); }),
+            "edges: expected numbers below 1, got 1");
+}
+
+TEST(SplitAt, makes_two_edges_of_one_that_end_in_the_pixel) {
+  const std::vector<Pixel> pixels = {{2, 1}};
+  const Graph split = split_at(graph_of({"#....",  //
+                                         ".###.",  //
+                                         "....#"}),
+                               pixels);
+  ASSERT_EQ(split.nodes.size(), 3U);
+  EXPECT_EQ(split.nodes[2], (GraphNode{given, 2, 1}));
+  EXPECT_EQ(split.node_pixels[2], (Pixel{2, 1}));
+  ASSERT_EQ(split.edges.size(), 2U);
+  EXPECT_EQ(split.edges[0], (GraphEdge{0, 2, {0, 0}, {2, 1}, 0, 1, {1, 0, 1}}));
+  EXPECT_EQ(split.edges[1], (GraphEdge{1, 2, {4, 2}, {2, 1}, 1, 1, {1, 0, 1}}));
+  EXPECT_EQ(split.edge_pixels, (std::vector<Pixel>{{1, 1}, {3, 1}}));
+}
+
+TEST(SplitAt, pixels_of_nodes_change_nothing_and_others_are_rejected) {
+  const Graph graph = graph_of(kDrawn);
+  EXPECT_EQ(split_at(graph, std::vector<Pixel>{{2, 0}, {0, 2}}), graph);
+  EXPECT_EQ(rejection_of([&] { static_cast<void>(split_at(graph, std::vector<Pixel>{{0, 0}})); }),
+            "nodes: expected pixels of the skeleton, got column 0, row 0");
+}
+
+TEST(SplitAt, keeps_every_pixel_and_the_length) {
+  std::mt19937 random(4);
+  const Graph graph = graph_of(kDrawn);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<Pixel> pixels;
+    for (int n = 0; n < 4; ++n) pixels.push_back(graph.edge_pixels[random() % graph.edge_pixels.size()]);
+    const Graph split = split_at(graph, pixels);
+    EXPECT_EQ(split.node_pixels.size() + split.edge_pixels.size(),
+              graph.node_pixels.size() + graph.edge_pixels.size());
+    EXPECT_EQ(split.edges.size() - graph.edges.size(), split.nodes.size() - graph.nodes.size());
+    EXPECT_NEAR(total_length(split), total_length(graph), 1e-12);
+    for (const GraphEdge& edge : split.edges) EXPECT_LE(edge.from, edge.to);
+  }
+}
+
+TEST(OpenCycles, removes_the_closing_edges_of_short_cycles_alone) {
+  const Graph graph = graph_of(kDrawn);
+  const auto nodes = static_cast<std::uint32_t>(graph.nodes.size());
+  const auto found = cycles(nodes, links_of(graph));
+  ASSERT_EQ(found.size(), 1U);
+  const double length = found[0].length;
+  EXPECT_EQ(open_cycles(graph, length - 0.01), graph);
+  const Graph open = open_cycles(graph, length);
+  EXPECT_EQ(open.nodes, graph.nodes);
+  EXPECT_EQ(open.edges.size(), graph.edges.size() - 1);
+  EXPECT_TRUE(cycles(nodes, links_of(open)).empty());
+  EXPECT_EQ(open_cycles(graph), open);
+}
+
+TEST(OpenCycles, the_length_is_in_the_unit_of_the_spacing) {
+  const Graph graph = graph_of(kDrawn);
+  EXPECT_EQ(open_cycles(graph, 50, {.y = 10, .x = 10}).edges.size(), graph.edges.size());
+  EXPECT_EQ(open_cycles(graph, 100, {.y = 10, .x = 10}).edges.size(), graph.edges.size() - 1);
+}
+
+TEST(OpenCycles, no_number_and_negative_lengths_are_rejected) {
+  EXPECT_EQ(rejection_of([] { static_cast<void>(open_cycles({}, -1)); }),
+            "max_length: expected a number of at least 0, got -1");
+  EXPECT_NE(rejection_of([] { static_cast<void>(open_cycles({}, std::nan(""))); }), "");
+}
+
+TEST(NearestPlace, is_the_first_of_the_nearest_pixels) {
+  const Graph graph = graph_of({"#####"});
+  EXPECT_EQ(nearest_place(graph, 1.9, 3), (GraphPlace{0, {2, 0}, std::hypot(0.1, 3)}));
+  EXPECT_EQ(nearest_place(graph, 1.5, 0), (GraphPlace{0, {1, 0}, 0.5}));
+  EXPECT_EQ(nearest_place(graph, 9, 0, {.y = 1, .x = 2}), (GraphPlace{0, {4, 0}, 10}));
+}
+
+TEST(NearestPlace, needs_an_edge_and_a_finite_point) {
+  EXPECT_EQ(rejection_of([] { static_cast<void>(nearest_place({}, 0, 0)); }),
+            "expected a graph with edges, got none");
+  EXPECT_NE(rejection_of([] { static_cast<void>(nearest_place(graph_of({"##"}), INFINITY, 0)); }),
+            "");
+}
+
+TEST(Summary, tells_branches_by_what_they_lead_between) {
+  const std::vector<Branch> rows = summary(graph_of({"###.....",  //
+                                                     "........",  //
+                                                     "..#..##.",  //
+                                                     "..#.#..#",  //
+                                                     "##...##.",  //
+                                                     "..#....."}));
+  Numbers counts(4);
+  for (const Branch& row : rows) ++counts[static_cast<std::size_t>(row.type)];
+  EXPECT_EQ(rows[0].type, BranchType::end_end);
+  EXPECT_EQ(rows[0].length, 2);
+  EXPECT_EQ(rows[0].tortuosity, 1);
+  EXPECT_EQ(counts[static_cast<std::size_t>(BranchType::cycle)], 1U);
+  const Branch& cycle = rows.back();
+  EXPECT_EQ(cycle.type, BranchType::cycle);
+  EXPECT_DOUBLE_EQ(cycle.length, 2 + 4 * std::numbers::sqrt2);
+  EXPECT_EQ(cycle.chord, 0);
+  EXPECT_TRUE(std::isnan(cycle.tortuosity));
+}
+
+TEST(Summary, chords_and_lengths_are_in_the_unit_of_the_spacing) {
+  const std::vector<Branch> rows = summary(graph_of({"##.",  //
+                                                     "..#"}),
+                                           {.y = 4, .x = 3});
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_DOUBLE_EQ(rows[0].length, 3 + 5);
+  EXPECT_DOUBLE_EQ(rows[0].chord, std::hypot(6, 4));
+}
+
+TEST(Summary, numbers_components_by_their_first_nodes) {
+  const std::vector<Branch> rows = summary(graph_of({"##.##"}));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].component, 0U);
+  EXPECT_EQ(rows[1].component, 1U);
+}
+
+}  // namespace
+}  // namespace thinbench
