@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/checks.hpp"
 #include "thinbench.h"
@@ -105,6 +106,16 @@ Struct versioned(const Struct* given, size_t first_version, Struct defaults, con
 
 [[nodiscard]] inline Spacing spacing_of(const thinbench_spacing* spacing) {
   return spacing == nullptr ? Spacing{} : Spacing{spacing->y, spacing->x};
+}
+
+/// A member of a handle as an array of C structs: NULL, and a count of 0, for a NULL handle and where
+/// the size of the caller's struct is another.
+template <class Struct, class Handle, class Base, class T>
+const Struct* list_of(const Handle* handle, std::vector<T> Base::*list, size_t* count,
+                      size_t size) {
+  const bool is_there = handle != nullptr && size == sizeof(Struct);
+  if (count != nullptr) *count = is_there ? (handle->*list).size() : 0;
+  return is_there ? reinterpret_cast<const Struct*>((handle->*list).data()) : nullptr;
 }
 
 struct PackedViews {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "api/c_arguments.hpp"
+#include "api/c_graph.hpp"
 #include "core/checks.hpp"
 #include "thinbench.h"
-#include "thinbench/graph.hpp"
 
 static_assert(sizeof(thinbench_graph_node) == sizeof(thinbench::GraphNode));
 static_assert(sizeof(thinbench_graph_edge) == sizeof(thinbench::GraphEdge));
@@ -17,25 +17,11 @@ static_assert(offsetof(thinbench_graph_node, pixel_count) ==
 static_assert(offsetof(thinbench_graph_edge, horizontal_steps) ==
               offsetof(thinbench::GraphEdge, steps));
 
-struct thinbench_graph {
-  thinbench::Graph found;
-};
-
-namespace {
-
 using namespace thinbench;
 using namespace thinbench::detail;
 
-/// A list of the graph as C structs.
-template <class Struct, class T>
-const Struct* list_of(const thinbench_graph* graph, std::vector<T> Graph::*list, size_t* count,
-                      size_t size) {
-  const bool is_there = graph != nullptr && size == sizeof(Struct);
-  if (count != nullptr) *count = is_there ? (graph->found.*list).size() : 0;
-  return is_there ? reinterpret_cast<const Struct*>((graph->found.*list).data()) : nullptr;
-}
-
-Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image) {
+Pruning thinbench::detail::pruning_of(const thinbench_pruning* pruning, Index width,
+                                      Index height) {
   require_pointer(pruning, "pruning");
   constexpr size_t first_version = sizeof(thinbench_pruning);
   const thinbench_pruning given = versioned(pruning, first_version, thinbench_pruning{}, "pruning",
@@ -43,13 +29,11 @@ Pruning pruning_of(const thinbench_pruning* pruning, const ConstImageView& image
   Pruning result = {.min_length = given.min_length, .min_widths = given.min_widths};
   result.removes_components = given.removes_components != 0;
   if (given.distances != nullptr) {
-    result.distances = {given.distances, image.width, image.height, given.distances_stride};
+    result.distances = {given.distances, width, height, given.distances_stride};
   }
   result.spacing = spacing_of(given.spacing);
   return result;
 }
-
-}  // namespace
 
 thinbench_status thinbench_classify_pixels(const thinbench_stack* image, uint8_t* classes,
                                            ptrdiff_t classes_stride, uint8_t* degrees,
@@ -77,7 +61,8 @@ thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
   return guarded([&] {
     require_pointer(graph, "graph");
     *graph = nullptr;
-    *graph = new thinbench_graph{skeleton_graph(image_of(skeleton), execution_of(execution))};
+    *graph = new thinbench_graph{
+        {skeleton_graph(image_of(skeleton), execution_of(execution))}, {}};
   });
 }
 
@@ -90,8 +75,9 @@ thinbench_status thinbench_prune(const thinbench_stack* skeleton,
     const ConstImageView image = image_of(skeleton);
     const StackView target = destination_of(destination, source_of(skeleton));
     auto found = std::make_unique<thinbench_graph>();
-    found->found =
-        prune(image, target.image(0), pruning_of(pruning, image), execution_of(execution));
+    static_cast<Graph&>(*found) =
+        prune(image, target.image(0), pruning_of(pruning, image.width, image.height),
+              execution_of(execution));
     set_foreground(destination, target);
     if (graph != nullptr) *graph = found.release();
   });
@@ -99,22 +85,22 @@ thinbench_status thinbench_prune(const thinbench_stack* skeleton,
 
 const thinbench_graph_node* thinbench_graph_nodes(const thinbench_graph* graph, size_t* count,
                                                   size_t size) {
-  return list_of<thinbench_graph_node>(graph, &Graph::nodes, count, size);
+  return list_of<thinbench_graph_node>(graph, &thinbench_graph::nodes, count, size);
 }
 
 const thinbench_graph_edge* thinbench_graph_edges(const thinbench_graph* graph, size_t* count,
                                                   size_t size) {
-  return list_of<thinbench_graph_edge>(graph, &Graph::edges, count, size);
+  return list_of<thinbench_graph_edge>(graph, &thinbench_graph::edges, count, size);
 }
 
 const thinbench_pixel* thinbench_graph_node_pixels(const thinbench_graph* graph, size_t* count,
                                                    size_t size) {
-  return list_of<thinbench_pixel>(graph, &Graph::node_pixels, count, size);
+  return list_of<thinbench_pixel>(graph, &thinbench_graph::node_pixels, count, size);
 }
 
 const thinbench_pixel* thinbench_graph_edge_pixels(const thinbench_graph* graph, size_t* count,
                                                    size_t size) {
-  return list_of<thinbench_pixel>(graph, &Graph::edge_pixels, count, size);
+  return list_of<thinbench_pixel>(graph, &thinbench_graph::edge_pixels, count, size);
 }
 
 void thinbench_graph_destroy(thinbench_graph* graph) {
@@ -126,9 +112,9 @@ thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph, const
                                              thinbench_edge_widths* widths) {
   return guarded([&] {
     require_pointer(graph, "graph");
-    if (graph->found.edges.empty()) return;
+    if (graph->edges.empty()) return;
     require_pointer(widths, "widths");
-    const auto found = edge_widths(graph->found, {distances, width, height, stride});
+    const auto found = edge_widths(*graph, {distances, width, height, stride});
     for (const auto& [mean, median, least, greatest] : found) {
       *widths++ = {mean, median, least, greatest};
     }

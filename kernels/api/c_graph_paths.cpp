@@ -45,14 +45,6 @@ thinbench_status give(thinbench_graph_paths** paths, const Find& find) {
   });
 }
 
-template <class T>
-const T* list_of(const thinbench_graph_paths* paths, std::vector<T> thinbench_graph_paths::*list,
-                 size_t* count, size_t size) {
-  const bool is_there = paths != nullptr && size == sizeof(T);
-  if (count != nullptr) *count = is_there ? (paths->*list).size() : 0;
-  return is_there ? (paths->*list).data() : nullptr;
-}
-
 }  // namespace
 
 thinbench_status thinbench_main_paths(uint32_t nodes, const thinbench_link* links,
@@ -85,17 +77,17 @@ thinbench_status thinbench_components(uint32_t nodes, const thinbench_link* link
 
 const thinbench_graph_path* thinbench_graph_paths_list(const thinbench_graph_paths* paths,
                                                        size_t* count, size_t size) {
-  return list_of(paths, &thinbench_graph_paths::list, count, size);
+  return list_of<thinbench_graph_path>(paths, &thinbench_graph_paths::list, count, size);
 }
 
 const uint32_t* thinbench_graph_paths_nodes(const thinbench_graph_paths* paths, size_t* count,
                                             size_t size) {
-  return list_of(paths, &thinbench_graph_paths::nodes, count, size);
+  return list_of<uint32_t>(paths, &thinbench_graph_paths::nodes, count, size);
 }
 
 const uint32_t* thinbench_graph_paths_edges(const thinbench_graph_paths* paths, size_t* count,
                                             size_t size) {
-  return list_of(paths, &thinbench_graph_paths::edges, count, size);
+  return list_of<uint32_t>(paths, &thinbench_graph_paths::edges, count, size);
 }
 
 void thinbench_graph_paths_destroy(thinbench_graph_paths* paths) {

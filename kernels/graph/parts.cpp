@@ -138,9 +138,9 @@ Graph split_at(const Graph& graph, std::span<const Pixel> pixels) {
   for (const Pixel pixel : pixels) {
     if (std::ranges::find(result.node_pixels, pixel) != result.node_pixels.end()) continue;
     const auto at = find_on_lines(result, pixel);
-    detail::require(at.has_value(), "nodes: expected pixels of the skeleton, got column " +
-                                        std::to_string(pixel.x) + ", row " +
-                                        std::to_string(pixel.y));
+    detail::require(at.has_value(), "nodes: expected pixels of the skeleton, got row " +
+                                        std::to_string(pixel.y) + ", column " +
+                                        std::to_string(pixel.x));
     result = split_line(result, *at);
   }
   return result;

@@ -343,7 +343,8 @@ typedef struct thinbench_pixel {
 } thinbench_pixel;
 
 typedef struct thinbench_graph_node {
-  int32_t kind; /* 0: isolated pixel, 1: end, 2: junction, 3: first pixel of a closed line */
+  int32_t kind; /* 0: isolated pixel, 1: end, 2: junction, 3: first pixel of a closed line,
+                   4: given to thinbench_graph_split */
   uint32_t first_pixel; /* in the list of the pixels of nodes */
   uint32_t pixel_count;
 } thinbench_graph_node;
@@ -430,6 +431,80 @@ THINBENCH_API thinbench_status thinbench_graph_edge_widths(const thinbench_graph
                                                            ptrdiff_t height, ptrdiff_t width,
                                                            ptrdiff_t stride,
                                                            thinbench_edge_widths* widths);
+
+/* The graphs of all labels of a height x width image of labels, one after another, in the order of
+ * the labels: thinbench/graph_labels.hpp. 0 is background; pixels with different labels are not
+ * joined. `stride` is in labels. *graph must be destroyed; NULL on failure. */
+THINBENCH_API thinbench_status thinbench_graph_of_labels(const int32_t* skeletons, ptrdiff_t stride,
+                                                         ptrdiff_t height, ptrdiff_t width,
+                                                         const thinbench_execution* execution,
+                                                         thinbench_graph** graph);
+/* The label of each node, as the other arrays; none for a graph that is not one of labels. */
+THINBENCH_API const int32_t* thinbench_graph_node_labels(const thinbench_graph* graph,
+                                                         size_t* count, size_t size);
+
+/* The distance from each pixel of a label to the nearest pixel without this label; 0 on background.
+ * Strides are in labels and in numbers. */
+THINBENCH_API thinbench_status thinbench_label_distances(
+    const int32_t* labels, ptrdiff_t labels_stride, double* distances, ptrdiff_t distances_stride,
+    ptrdiff_t height, ptrdiff_t width, const thinbench_spacing* spacing,
+    const thinbench_execution* execution);
+
+/* Prunes the skeleton of each label as if it were alone; pixels that are removed become 0. The
+ * distances are thinbench_label_distances() of what was thinned. Destination may be the source.
+ * `graph` as in thinbench_prune(), with labels. */
+THINBENCH_API thinbench_status thinbench_prune_labels(
+    const int32_t* skeletons, ptrdiff_t skeletons_stride, int32_t* destination,
+    ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width,
+    const thinbench_pruning* pruning, const thinbench_execution* execution,
+    thinbench_graph** graph);
+
+/* Graphs made from another one: thinbench/graph_parts.hpp. They know no labels, must be destroyed,
+ * and are NULL on failure. */
+
+/* Some edges, by their numbers, and their nodes. */
+THINBENCH_API thinbench_status thinbench_graph_subgraph(const thinbench_graph* graph,
+                                                        const uint32_t* edges, size_t count,
+                                                        thinbench_graph** part);
+/* With a node at each of these pixels of lines. */
+THINBENCH_API thinbench_status thinbench_graph_split(const thinbench_graph* graph,
+                                                     const thinbench_pixel* pixels, size_t count,
+                                                     thinbench_graph** split);
+/* Without the longest edge of each cycle that is at most so long. */
+THINBENCH_API thinbench_status thinbench_graph_open_cycles(const thinbench_graph* graph,
+                                                           double max_length,
+                                                           const thinbench_spacing* spacing,
+                                                           thinbench_graph** opened);
+
+/* A pixel of an edge, and how far it is from where it was looked for. */
+typedef struct thinbench_graph_place {
+  uint32_t edge;
+  thinbench_pixel pixel;
+  double distance;
+} thinbench_graph_place;
+
+/* The pixel of an edge that is nearest to a point, the first of equally near ones. */
+THINBENCH_API thinbench_status thinbench_graph_nearest(const thinbench_graph* graph, double x,
+                                                       double y, const thinbench_spacing* spacing,
+                                                       thinbench_graph_place* place);
+
+/* An edge as a row of the table that skan's summarize() makes. */
+typedef struct thinbench_branch {
+  uint32_t component; /* numbered from 0 by the first nodes */
+  uint32_t from;
+  uint32_t to;
+  int32_t type; /* 0: between ends, 1: end and junction, 2: junctions, 3: a closed line */
+  thinbench_pixel start;
+  thinbench_pixel stop;
+  double length;
+  double chord;      /* the distance between start and stop */
+  double tortuosity; /* length / chord; NaN where start and stop are one pixel */
+} thinbench_branch;
+
+/* That of every edge, in the order of the edges, for which `branches` has room. */
+THINBENCH_API thinbench_status thinbench_graph_summary(const thinbench_graph* graph,
+                                                       const thinbench_spacing* spacing,
+                                                       thinbench_branch* branches);
 
 /* An edge between nodes, by their numbers from 0. */
 typedef struct thinbench_link {

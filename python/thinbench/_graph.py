@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import struct
 import warnings
 from collections.abc import Iterable, Sequence
 from typing import Any, Literal
@@ -11,16 +10,12 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from thinbench import _arrays, _graph_splits, _images, _label_graphs, _library, _thinning
+from thinbench import _arrays, _images, _library, _thinning
+from thinbench._graph_handles import split_at, taken
 from thinbench._rules import Rule
-from thinbench._skeleton_graph import KINDS, Array, Graph, Groups, bounds_of, counted
+from thinbench._skeleton_graph import Graph
 
 PIXEL_CLASSES = ("background", "isolated", "end", "line", "junction")
-_PIXEL = np.dtype([("x", "i4"), ("y", "i4")])
-_NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
-_EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", _PIXEL), ("stop", _PIXEL), ("first_pixel", "u4"),
-                  ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
-_PRUNING = struct.Struct("NddPni4xP")
 
 Spacing = float | Sequence[float]
 
@@ -79,55 +74,7 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacin
     handle = ctypes.c_void_p()
     _library.skeleton_graph(stack, options, ctypes.byref(handle))
     del kept_alive
-    return _graph_splits.split_at(_taken(handle, units, distances), nodes)
-
-
-def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
-                 threads: int = 1) -> Graph:
-    """Find the graphs of many skeletons that share an image, each with its own label, in one call.
-
-    Pixels with different labels are never joined, even where they touch. The result is that of a loop over
-    the labels with `graph(skeletons == label, labels == label)`, one after another.
-
-    Parameters
-    ----------
-    skeletons : array of bool or integers, shape (H, W)
-        0 is background; `thin(labels)` makes such an image.
-    labels : array of bool or integers, shape (H, W), optional
-        What was thinned, for the widths of edges.
-    spacing : float or two floats
-        As for `graph`.
-    threads : int
-        The maximum number of threads. An image below 2**20 pixels uses one.
-
-    Returns
-    -------
-    Graph
-        Nodes and edges have a column "label", by which they are sorted.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument does not fit.
-
-    References
-    ----------
-    docs/graphs.md: the definition of nodes and edges.
-
-    Examples
-    --------
-    >>> import thinbench
-    >>> found = thinbench.graph_labels([[5, 5, 5, 2], [0, 0, 0, 2]])
-    >>> print(found.edges["label"], found.edges["length"])
-    [2 5] [1. 2.]
-    """
-    lines = _arrays.labels(skeletons)
-    objects = lines if labels is None else _arrays.labels(labels)
-    if objects.shape != lines.shape:
-        raise ValueError(f"labels: expected the skeletons' shape {lines.shape}, got {objects.shape}")
-    units = _arrays.spacing("spacing", spacing)
-    return _label_graphs.graph_of(lines, objects, lambda part, image: graph(
-        part, None if labels is None else image, spacing=units, not_thin="ignore", threads=threads))
+    return taken(split_at(handle, nodes), units, distances)
 
 
 def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
@@ -188,9 +135,9 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     units = _arrays.spacing("spacing", spacing)
     distances = None if image is None else _distances_of(image, array.shape, units, threads)
     packed_units = np.array(units)
-    pruning = _PRUNING.pack(_PRUNING.size, _arrays.real("min_length", min_length),
-                            widths, 0 if distances is None else distances.ctypes.data,
-                            array.shape[1], bool(remove_components), packed_units.ctypes.data)
+    pruning = _library.PRUNING.pack(_library.PRUNING.size, _arrays.real("min_length", min_length),
+                                    widths, 0 if distances is None else distances.ctypes.data,
+                                    array.shape[1], bool(remove_components), packed_units.ctypes.data)
     result = _arrays.result_for(array, out)
     stack, kept_alive = _arrays.source(array)
     _library.prune(stack, _arrays.destination(result), pruning, options, None)
@@ -310,59 +257,3 @@ def _distances_of(image: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[f
     if distances.shape != shape:
         raise ValueError(f"image: expected the skeleton's shape {shape}, got {distances.shape}")
     return distances
-
-
-def _taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Array | None) -> Graph:
-    """The graph of a handle, which is destroyed."""
-    try:
-        nodes, edges, node_pixels, edge_pixels = (
-            _library.copied(handle, list_of, dtype) for list_of, dtype in (
-                (_library.graph_nodes, _NODE), (_library.graph_edges, _EDGE),
-                (_library.graph_node_pixels, _PIXEL), (_library.graph_edge_pixels, _PIXEL)))
-        widths = {} if distances is None else _width_columns(handle, distances, len(edges))
-    finally:
-        _library.graph_destroy(handle)
-    pixels = Groups(_rows_and_columns(node_pixels), bounds_of(nodes["pixel_count"]))
-    chains = _chains(edges, _rows_and_columns(edge_pixels))
-    columns = {**_edge_columns(edges, spacing), **widths}
-    return counted(_node_columns(nodes, pixels, distances), columns, spacing, pixels, chains, distances)
-
-
-def _rows_and_columns(pixels: Array) -> Array:
-    return np.stack([pixels["y"], pixels["x"]], axis=-1)
-
-
-def _chains(edges: Array, lines: Array) -> Groups:
-    """The pixels along each edge, from start to stop."""
-    bounds = bounds_of(edges["pixel_count"].astype(np.int64) + 2)
-    values = np.empty((bounds[-1], 2), np.int32)
-    is_line = np.ones(len(values), bool)
-    is_line[bounds[:-1]] = is_line[bounds[1:] - 1] = False
-    values[is_line] = lines
-    values[bounds[:-1]], values[bounds[1:] - 1] = _rows_and_columns(edges["start"]), _rows_and_columns(edges["stop"])
-    return Groups(values, bounds)
-
-
-def _node_columns(nodes: Array, pixels: Groups, distances: Array | None) -> dict[str, Array]:
-    sums = pixels.reduced(np.add, pixels.values.astype(np.int64))
-    rows, columns = (sums / nodes["pixel_count"][:, None]).T
-    found = {"kind": KINDS[nodes["kind"]], "row": rows, "column": columns}
-    if distances is not None:
-        found["width"] = 2 * pixels.reduced(np.maximum, distances[tuple(pixels.values.T)])
-    return found
-
-
-def _edge_columns(edges: Array, spacing: tuple[float, float]) -> dict[str, Array]:
-    rows, columns = spacing
-    difference = (_rows_and_columns(edges["stop"]) - _rows_and_columns(edges["start"])) * spacing
-    straight = edges["horizontal_steps"] * columns + edges["vertical_steps"] * rows
-    return {"from": edges["from"].astype(np.int64), "to": edges["to"].astype(np.int64),
-            "length": straight + edges["diagonal_steps"] * np.sqrt(columns * columns + rows * rows),
-            "chord": np.hypot(difference[:, 0], difference[:, 1])}
-
-
-def _width_columns(handle: ctypes.c_void_p, distances: npt.NDArray[np.float64], count: int) -> dict[str, Array]:
-    widths = np.empty((count, 4))
-    height, width = distances.shape
-    _library.graph_edge_widths(handle, distances.ctypes.data, height, width, width, widths.ctypes.data)
-    return {"width-" + name: widths[:, i] for i, name in enumerate(("mean", "median", "min", "max"))}

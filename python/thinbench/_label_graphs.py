@@ -1,79 +1,132 @@
-"""The graphs of all labels of an image, of which labels that touch are looked at apart."""
+"""Graphs and pruning of skeletons that share an image, each with its own label."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import ctypes
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from thinbench._skeleton_graph import Graph, Groups, bounds_of, counted
+from thinbench import _arrays, _library
+from thinbench._graph_handles import taken
+from thinbench._skeleton_graph import Graph
 
 Array = npt.NDArray[Any]
+Spacing = float | Sequence[float]
 
 
-def graph_of(lines: Array, objects: Array, find: Callable[[Array, Array], Graph]) -> Graph:
-    """`find(lines, objects)` for labels that do not touch one another, as often as needed."""
-    is_line, is_object = lines != 0, objects != 0
-    pairs = _touching(objects, is_object)
-    if len(pairs) == 0:
-        found = find(is_line, is_object)
-    else:
-        labels, numbers = np.unique(objects, return_inverse=True)
-        colours = _colours(labels, np.searchsorted(labels, pairs))
-        of_pixels = colours[numbers].reshape(objects.shape)
-        found = _joined([find(is_line & (of_pixels == colour), of_pixels == colour)
-                         for colour in range(1, int(colours.max()) + 1)])
-    of_nodes = lines[tuple(found._nodes.values[found._nodes.bounds[:-1]].T)]
-    found.nodes["label"] = of_nodes.astype(np.int64)
-    found.edges["label"] = found.nodes["label"][found.edges["from"]]
-    return found._with_edges(np.argsort(found.edges["label"], kind="stable"),
-                             np.argsort(found.nodes["label"], kind="stable"))
+def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, *, spacing: Spacing = 1,
+                 threads: int = 1) -> Graph:
+    """Find the graphs of many skeletons that share an image, each with its own label, in one call.
+
+    Pixels with different labels are never joined, even where they touch. The result is that of a loop over
+    the labels with `graph(skeletons == label, labels == label)`, one after another.
+
+    Parameters
+    ----------
+    skeletons : array of bool or integers, shape (H, W)
+        0 is background; `thin(labels)` makes such an image.
+    labels : array of bool or integers, shape (H, W), optional
+        What was thinned, for the widths of edges.
+    spacing : float or two floats
+        As for `graph`.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
+
+    Returns
+    -------
+    Graph
+        Nodes and edges have a column "label", by which they are sorted.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit.
+
+    References
+    ----------
+    docs/graphs.md: the definition of nodes and edges.
+
+    Examples
+    --------
+    >>> import thinbench
+    >>> found = thinbench.graph_labels([[5, 5, 5, 2], [0, 0, 0, 2]])
+    >>> print(found.edges["label"], found.edges["length"])
+    [2 5] [1. 2.]
+    """
+    lines = _arrays.label_rows(_arrays.labels(skeletons))
+    options = _library.execution(_arrays.integer("threads", threads))
+    units = _arrays.spacing("spacing", spacing)
+    distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
+    handle = ctypes.c_void_p()
+    _library.graph_of_labels(lines.ctypes.data, _arrays.label_stride(lines), *lines.shape, options,
+                             ctypes.byref(handle))
+    return taken(handle, units, distances, has_labels=True)
 
 
-def _colours(labels: Array, pairs: Array) -> Array:
-    """1, 2, ... for every label, and 0 for the background, so that both of each pair are different."""
-    neighbours: dict[int, list[int]] = {}
-    for one, other in pairs.tolist():
-        neighbours.setdefault(other, []).append(one)
-    colours: Array = (labels != 0).astype(np.int64)
-    for number in sorted(neighbours):  # the others of its pairs are below, and have their colours
-        taken = {int(colours[other]) for other in neighbours[number]}
-        colours[number] = min(set(range(1, len(taken) + 2)) - taken)
-    return colours
+def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
+                 labels: npt.ArrayLike | None = None, spacing: Spacing = 1, remove_components: bool = False,
+                 out: npt.NDArray[Any] | None = None, threads: int = 1) -> npt.NDArray[Any]:
+    """Remove short branches from many skeletons that share an image, each as if it were alone.
+
+    Parameters
+    ----------
+    skeletons : array of bool or integers, shape (H, W)
+        0 is background; `thin_labels(labels)` makes such an image. Never modified.
+    min_length, min_widths, spacing, remove_components, threads
+        As for `prune`.
+    labels : array of bool or integers, shape (H, W), optional
+        What was thinned; needed with `min_widths`.
+    out : array, optional
+        Receives the result: same shape and dtype as the skeletons, C-contiguous. May be the skeletons.
+
+    Returns
+    -------
+    array of the shape and dtype of the skeletons
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is written.
+
+    References
+    ----------
+    docs/graphs.md: the definition of branches.
+
+    Examples
+    --------
+    >>> import thinbench
+    >>> print(thinbench.prune_labels([[0, 5, 0, 2], [5, 5, 5, 2]], 1.5))
+    [[0 0 0 2]
+     [5 5 5 2]]
+    """
+    image = _arrays.labels(skeletons)
+    lines = _arrays.label_rows(image)
+    options = _library.execution(_arrays.integer("threads", threads))
+    widths = _arrays.real("min_widths", min_widths)
+    if labels is None and widths > 0:
+        raise ValueError(f"min_widths: expected labels=..., what was thinned, beside it, got {widths:g} without")
+    units = _arrays.spacing("spacing", spacing)
+    distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
+    result = _arrays.result_for(image, out)
+    kept = np.empty(lines.shape, np.int32)
+    packed_units = np.array(units)
+    pruning = _library.PRUNING.pack(_library.PRUNING.size, _arrays.real("min_length", min_length), widths,
+                                    0 if distances is None else distances.ctypes.data, lines.shape[1],
+                                    bool(remove_components), packed_units.ctypes.data)
+    _library.prune_labels(lines.ctypes.data, _arrays.label_stride(lines), kept.ctypes.data, lines.shape[1],
+                          *lines.shape, pruning, options, None)
+    result[...] = kept
+    return result
 
 
-def _touching(objects: Array, is_object: Array) -> Array:
-    """The pairs of labels with pixels that are 8-neighbours, the lower first."""
-    height, width = objects.shape
-    pairs = []
-    for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
-        here = np.s_[:height - down, max(-right, 0):width - max(right, 0)]
-        there = np.s_[down:, max(right, 0):width + min(right, 0)]
-        touch = objects[here] != objects[there]
-        touch &= is_object[here]
-        touch &= is_object[there]
-        pairs.append(np.stack([objects[here][touch], objects[there][touch]], axis=-1))
-    found: Array = np.unique(np.sort(np.concatenate(pairs), axis=1), axis=0)
-    return found
-
-
-def _joined(graphs: list[Graph]) -> Graph:
-    """All nodes, one graph after another, and all edges."""
-    if len(graphs) == 1:
-        return graphs[0]
-    first = bounds_of([len(graph.nodes["kind"]) for graph in graphs])
-    nodes = {name: np.concatenate([graph.nodes[name] for graph in graphs]) for name in graphs[0].nodes}
-    edges = {name: np.concatenate([graph.edges[name] for graph in graphs]) for name in graphs[0].edges}
-    for side in ("from", "to"):
-        edges[side] = np.concatenate([graph.edges[side] + start for graph, start in zip(graphs, first)])
-    distances = [graph._distances for graph in graphs if graph._distances is not None]
-    return counted(nodes, edges, graphs[0].spacing, _concatenated([graph._nodes for graph in graphs]),
-                   _concatenated([graph._chains for graph in graphs]),
-                   np.maximum.reduce(distances) if distances else None)
-
-
-def _concatenated(groups: list[Groups]) -> Groups:
-    lengths = np.concatenate([group.lengths() for group in groups])
-    return Groups(np.concatenate([group.values for group in groups]), bounds_of(lengths))
+def _distances_of(labels: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[float, float], options: bytes) -> Array:
+    objects = _arrays.label_rows(_arrays.labels(labels))
+    if objects.shape != shape:
+        raise ValueError(f"labels: expected the skeletons' shape {shape}, got {objects.shape}")
+    distances = np.empty(objects.shape)
+    _library.label_distances(objects.ctypes.data, _arrays.label_stride(objects), distances.ctypes.data,
+                             objects.shape[1], *objects.shape, _library.SPACING.pack(*spacing), options)
+    return distances

@@ -20,6 +20,7 @@ OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
 PACKED = struct.Struct("Pnnni4x")  # data, height, width, stride, lsb_first
 _THINNING = struct.Struct("NPi4x")  # size, border, max_iterations
 SPACING = struct.Struct("dd")  # y, x
+PRUNING = struct.Struct("NddPni4xP")
 _EXECUTION = struct.Struct("Ni4xP")  # size, threads, isa
 _RULE_INFO = struct.Struct("NPPPi4xPNPii")  # size, name, and as RuleInfo
 
@@ -92,6 +93,12 @@ class Pixel(ctypes.Structure):
 
 find_path = _checked("find_path", _BYTES, Pixel, Pixel, ctypes.c_double, _BYTES, _POINTER, _POINTER)
 prune = _checked("prune", _BYTES, _BYTES, _BYTES, _BYTES, _POINTER)
+graph_of_labels = _checked("graph_of_labels", _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _BYTES, _POINTER)
+label_distances = _checked("label_distances", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE,
+                           _BYTES, _BYTES)
+prune_labels = _checked("prune_labels", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _BYTES,
+                        _BYTES, _POINTER)
+graph_split = _checked("graph_split", _POINTER, _POINTER, _SIZE, _POINTER)
 find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _POINTER)
 label_image, label_components = (
     _checked(name, _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _BYTES, _POINTER)
@@ -100,11 +107,11 @@ localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_small_holes = _checked(
     "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)
 euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
-(regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels,
+(regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels, graph_node_labels,
  graph_paths_list, graph_paths_nodes, graph_paths_edges) = (
     _function(lists, _POINTER, _POINTER, _SIZE, result=_POINTER)
     for lists in ("regions_objects", "regions_holes", "graph_nodes", "graph_edges", "graph_node_pixels",
-                  "graph_edge_pixels", "graph_paths_list", "graph_paths_nodes", "graph_paths_edges"))
+                  "graph_edge_pixels", "graph_node_labels", "graph_paths_list", "graph_paths_nodes", "graph_paths_edges"))
 main_paths = _checked("main_paths", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
 cycles = _checked("cycles", ctypes.c_uint32, _POINTER, _SIZE, _POINTER)
 shortest_path = _checked(

@@ -106,14 +106,14 @@ def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
         parser.error("--quick needs --self-test")
     if options.reason is not None and not options.update:
         parser.error("--reason needs --update")
-    if options.against is not None and git("rev-parse", "--verify", "--quiet",
-                               f"{options.against}^{{commit}}") is None:
-        parser.error(f"there is no commit '{options.against}' in this clone; a shallow one lacks "
-                     "most of them, and without git there are none")
     if options.against is not None and options.base_build is not None:
         parser.error("--against builds a commit, --base-build is a build: give one of them")
     if options.update:
         _check_update(parser, options)
+    if options.against is not None and git("rev-parse", "--verify", "--quiet",
+                               f"{options.against}^{{commit}}") is None:
+        parser.error(f"there is no commit '{options.against}' in this clone; a shallow one lacks "
+                     "most of them, and without git there are none")
 
 
 def _check_update(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:

@@ -605,6 +605,68 @@ static void finds_the_graph_of_a_skeleton(void) {
   thinbench_graph_destroy(graph);
 }
 
+/* Two lines that touch, and a branch that is pruned. */
+static const int32_t labelled[3][5] = {{0, 0, 4, 0, 7}, {4, 4, 4, 4, 7}, {0, 0, 0, 0, 7}};
+
+static void finds_the_graphs_of_labels(void) {
+  const int32_t* lines = &labelled[0][0];
+  double distances[15];
+  int32_t kept[15];
+  const thinbench_pruning pruning = {sizeof(thinbench_pruning), 1.5, 0, NULL, 0, 0, NULL};
+  size_t count = 0;
+  thinbench_graph* graph = NULL;
+  CHECK(thinbench_graph_of_labels(lines, 5, 3, 5, NULL, &graph) == THINBENCH_OK);
+  const int32_t* labels = thinbench_graph_node_labels(graph, &count, sizeof(int32_t));
+  CHECK(count == 6 && labels[0] == 4 && labels[3] == 4 && labels[4] == 7 && labels[5] == 7);
+  CHECK(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)) != NULL && count == 4);
+  thinbench_graph_destroy(graph);
+  CHECK(thinbench_label_distances(lines, 5, distances, 5, 3, 5, NULL, NULL) == THINBENCH_OK);
+  CHECK(distances[4] == 1 && distances[0] == 0 && distances[8] == 1);
+  CHECK(thinbench_prune_labels(lines, 5, kept, 5, 3, 5, &pruning, NULL, &graph) == THINBENCH_OK);
+  CHECK(kept[4] == 7 && kept[5] == 4 && labelled[0][2] == 4 && kept[2] * kept[8] == 0);
+  thinbench_graph_destroy(graph);
+  rejects(thinbench_graph_of_labels(lines, 4, 3, 5, NULL, &graph), "labels has a stride of");
+  CHECK(graph == NULL);
+  rejects(thinbench_graph_of_labels(lines, 5, 3, 5, NULL, NULL), "graph");
+  rejects(thinbench_label_distances(lines, 5, NULL, 5, 3, 5, NULL, NULL), "distances has no data");
+  rejects(thinbench_prune_labels(lines, 5, kept, 5, 3, 5, NULL, NULL, NULL), "pruning");
+}
+
+static void makes_graphs_from_a_graph(void) {
+  const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
+  const uint32_t chosen[1] = {2}, missing[1] = {3};
+  const thinbench_pixel middle[1] = {{2, 1}}, elsewhere[1] = {{0, 0}};
+  const thinbench_spacing spacing = {2, 1};
+  size_t count = 0;
+  thinbench_graph *graph = NULL, *made = NULL;
+  thinbench_graph_place place;
+  thinbench_branch rows[3];
+  CHECK(thinbench_skeleton_graph(&image, NULL, &graph) == THINBENCH_OK);
+  CHECK(thinbench_graph_node_labels(graph, &count, sizeof(int32_t)) == NULL || count == 0);
+  CHECK(thinbench_graph_subgraph(graph, chosen, 1, &made) == THINBENCH_OK);
+  CHECK(thinbench_graph_nodes(made, &count, sizeof(thinbench_graph_node)) != NULL && count == 2);
+  thinbench_graph_destroy(made);
+  CHECK(thinbench_graph_split(graph, middle, 1, &made) == THINBENCH_OK);
+  CHECK(thinbench_graph_nodes(made, &count, sizeof(thinbench_graph_node))[4].kind == 4);
+  CHECK(count == 5);
+  thinbench_graph_destroy(made);
+  CHECK(thinbench_graph_open_cycles(graph, 9, NULL, &made) == THINBENCH_OK);
+  CHECK(thinbench_graph_edges(made, &count, sizeof(thinbench_graph_edge)) != NULL && count == 3);
+  thinbench_graph_destroy(made);
+  CHECK(thinbench_graph_nearest(graph, 2, -1, &spacing, &place) == THINBENCH_OK);
+  CHECK(place.pixel.x == 2 && place.pixel.y == 0 && place.distance == 2);
+  CHECK(thinbench_graph_summary(graph, &spacing, rows) == THINBENCH_OK);
+  CHECK(rows[0].type == 1 && rows[0].length == 4 && rows[0].chord == 4 && rows[0].tortuosity == 1);
+  rejects(thinbench_graph_subgraph(graph, missing, 1, &made), "edges: expected numbers below 3");
+  CHECK(made == NULL);
+  rejects(thinbench_graph_split(graph, elsewhere, 1, &made), "nodes: expected pixels");
+  rejects(thinbench_graph_split(graph, NULL, 1, &made), "pixels");
+  rejects(thinbench_graph_open_cycles(graph, -1, NULL, &made), "max_length");
+  rejects(thinbench_graph_nearest(NULL, 0, 0, NULL, &place), "graph");
+  rejects(thinbench_graph_summary(graph, NULL, NULL), "branches");
+  thinbench_graph_destroy(graph);
+}
+
 static void finds_paths_through_a_graph(void) {
   const thinbench_link links[4] = {{0, 1, 1}, {1, 2, 2}, {2, 0, 5}, {3, 3, 7}};
   uint32_t components[4];
@@ -733,6 +795,8 @@ int main(void) {
   lists_rules();
   takes_images_without_pixels();
   finds_the_graph_of_a_skeleton();
+  finds_the_graphs_of_labels();
+  makes_graphs_from_a_graph();
   finds_paths_through_a_graph();
   finds_a_path_for_a_robot();
   prunes_and_simplifies();

@@ -72,7 +72,7 @@ TEST(SplitAt, pixels_of_nodes_change_nothing_and_others_are_rejected) {
   const Graph graph = graph_of(kDrawn);
   EXPECT_EQ(split_at(graph, std::vector<Pixel>{{2, 0}, {0, 2}}), graph);
   EXPECT_EQ(rejection_of([&] { static_cast<void>(split_at(graph, std::vector<Pixel>{{0, 0}})); }),
-            "nodes: expected pixels of the skeleton, got column 0, row 0");
+            "nodes: expected pixels of the skeleton, got row 0, column 0");
 }
 
 TEST(SplitAt, keeps_every_pixel_and_the_length) {

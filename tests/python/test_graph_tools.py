@@ -154,6 +154,8 @@ def test_given_pixels_are_nodes_that_split_their_edges():
     assert path.pixels[0].tolist() == [2, 3] and path.pixels[-1].tolist() == [0, 10]
     with pytest.raises(ValueError, match="nodes: expected pixels of the skeleton, got row 4, column 0"):
         thinbench.graph(TREE, nodes=[(4, 0)])
+    with pytest.raises(ValueError, match="nodes: expected pixels of the skeleton, got row -1, column 0"):
+        thinbench.graph(TREE, nodes=[(-1, 0)])
 
 
 def test_the_nearest_pixel_of_an_edge_is_found_in_the_unit_of_the_spacing():
@@ -189,6 +191,22 @@ def test_the_graphs_of_labels_are_those_of_a_loop(seed):
         np.testing.assert_array_equal(found.nodes[name], np.concatenate([graph.nodes[name] for graph in graphs]))
     assert found.summary()["label"].tolist() == found.edges["label"].tolist()
     assert set(found.nodes["label"]) == set(skeletons[skeletons != 0])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_labels_are_pruned_as_if_each_were_alone(seed):
+    random = np.random.RandomState(seed)
+    labels = np.kron(random.randint(0, 5, (12, 15)), np.ones((2, 2), int)) * 300
+    skeletons = np.where(random.rand(*labels.shape) < 0.6, labels, 0)
+    expected = np.zeros_like(skeletons)
+    for label in np.unique(labels[labels != 0]):
+        kept = thinbench.prune(skeletons == label, 2, min_widths=0.5, image=labels == label, remove_components=True)
+        expected[kept] = label
+    found = thinbench.prune_labels(skeletons, 2, min_widths=0.5, labels=labels, remove_components=True)
+    assert found.dtype == skeletons.dtype
+    np.testing.assert_array_equal(found, expected)
+    with pytest.raises(ValueError, match="min_widths: expected labels=..., what was thinned"):
+        thinbench.prune_labels(skeletons, min_widths=1)
 
 
 def test_label_images_of_other_shapes_are_rejected_and_empty_ones_have_no_graph():

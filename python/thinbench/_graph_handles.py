@@ -1,0 +1,104 @@
+"""Graphs of the library as arrays."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from thinbench import _arrays, _library
+from thinbench._skeleton_graph import KINDS, Array, Graph, Groups, bounds_of, counted
+
+_PIXEL = np.dtype([("x", "i4"), ("y", "i4")])
+_NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
+_EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", _PIXEL), ("stop", _PIXEL), ("first_pixel", "u4"),
+                  ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
+
+
+def split_at(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
+    """The graph with a node at each pixel (row, column), instead of the handle."""
+    try:
+        places = np.array([_pixel_of(pixel) for pixel in pixels], _PIXEL)
+        split = ctypes.c_void_p()
+        if len(places):
+            _library.graph_split(handle, places.ctypes.data, len(places), ctypes.byref(split))
+    except BaseException:
+        _library.graph_destroy(handle)
+        raise
+    if not split:
+        return handle
+    _library.graph_destroy(handle)
+    return split
+
+
+def _pixel_of(pixel: Sequence[int]) -> tuple[int, int]:
+    if len(pixel) != 2:
+        raise ValueError(f"nodes: expected pairs of row and column, got {pixel!r}")
+    row, column = (_arrays.integer("nodes", number) for number in pixel)
+    if not (0 <= row < 2**31 and 0 <= column < 2**31):
+        raise ValueError(f"nodes: expected pixels of the skeleton, got row {row}, column {column}")
+    return column, row
+
+
+def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Array | None, *,
+          has_labels: bool = False) -> Graph:
+    """The graph of a handle, which is destroyed."""
+    try:
+        nodes, edges, node_pixels, edge_pixels = (
+            _library.copied(handle, list_of, dtype) for list_of, dtype in (
+                (_library.graph_nodes, _NODE), (_library.graph_edges, _EDGE),
+                (_library.graph_node_pixels, _PIXEL), (_library.graph_edge_pixels, _PIXEL)))
+        labels = _library.copied(handle, _library.graph_node_labels, np.dtype(np.int32)).astype(np.int64)
+        widths = {} if distances is None else _width_columns(handle, distances, len(edges))
+    finally:
+        _library.graph_destroy(handle)
+    pixels = Groups(_rows_and_columns(node_pixels), bounds_of(nodes["pixel_count"]))
+    chains = _chains(edges, _rows_and_columns(edge_pixels))
+    node_columns, edge_columns = _node_columns(nodes, pixels, distances), {**_edge_columns(edges, spacing), **widths}
+    if has_labels:
+        node_columns["label"] = labels
+        edge_columns["label"] = labels[edges["from"]]
+    return counted(node_columns, edge_columns, spacing, pixels, chains, distances)
+
+
+def _rows_and_columns(pixels: Array) -> Array:
+    return np.stack([pixels["y"], pixels["x"]], axis=-1)
+
+
+def _chains(edges: Array, lines: Array) -> Groups:
+    """The pixels along each edge, from start to stop."""
+    bounds = bounds_of(edges["pixel_count"].astype(np.int64) + 2)
+    values = np.empty((bounds[-1], 2), np.int32)
+    is_line = np.ones(len(values), bool)
+    is_line[bounds[:-1]] = is_line[bounds[1:] - 1] = False
+    values[is_line] = lines
+    values[bounds[:-1]], values[bounds[1:] - 1] = _rows_and_columns(edges["start"]), _rows_and_columns(edges["stop"])
+    return Groups(values, bounds)
+
+
+def _node_columns(nodes: Array, pixels: Groups, distances: Array | None) -> dict[str, Array]:
+    sums = pixels.reduced(np.add, pixels.values.astype(np.int64))
+    rows, columns = (sums / nodes["pixel_count"][:, None]).T
+    found = {"kind": KINDS[nodes["kind"]], "row": rows, "column": columns}
+    if distances is not None:
+        found["width"] = 2 * pixels.reduced(np.maximum, distances[tuple(pixels.values.T)])
+    return found
+
+
+def _edge_columns(edges: Array, spacing: tuple[float, float]) -> dict[str, Array]:
+    rows, columns = spacing
+    difference = (_rows_and_columns(edges["stop"]) - _rows_and_columns(edges["start"])) * spacing
+    straight = edges["horizontal_steps"] * columns + edges["vertical_steps"] * rows
+    return {"from": edges["from"].astype(np.int64), "to": edges["to"].astype(np.int64),
+            "length": straight + edges["diagonal_steps"] * np.sqrt(columns * columns + rows * rows),
+            "chord": np.hypot(difference[:, 0], difference[:, 1])}
+
+
+def _width_columns(handle: ctypes.c_void_p, distances: npt.NDArray[np.float64], count: int) -> dict[str, Array]:
+    widths = np.empty((count, 4))
+    height, width = distances.shape
+    _library.graph_edge_widths(handle, distances.ctypes.data, height, width, width, widths.ctypes.data)
+    return {"width-" + name: widths[:, i] for i, name in enumerate(("mean", "median", "min", "max"))}
