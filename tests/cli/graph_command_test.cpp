@@ -90,7 +90,7 @@ TEST_F(GraphCommand, writes_a_table_with_a_row_for_each_edge) {
   ASSERT_EQ(graph({"--csv", csv}).status, 0);
   const std::string text = text_in(csv);
   EXPECT_EQ(std::ranges::count(text, '\n'), 4);
-  EXPECT_NE(text.find(",12,8,3,3,4,junction,end,5,3,10,3,4,5,5,2,2,2,2,\n"), std::string::npos)
+  EXPECT_NE(text.find(",12,8,3,3,4,junction,end,5,3,10,3,4,5,5,2,2,2,2,,\n"), std::string::npos)
       << text;
 }
 
@@ -113,7 +113,7 @@ TEST_F(GraphCommand, lengths_and_widths_are_in_the_unit_of_the_spacing) {
   const Json found = Json::parse(run.out);
   EXPECT_EQ(found.at("spacing"), Json::parse("[3.0, 0.5]"));
   EXPECT_EQ(found.at("edges")[2].at("length"), 2.5);
-  EXPECT_NE(text_in(csv).find(",2.5,2.5,3.3333333333333335,3.5,1,5,mm\n"), std::string::npos)
+  EXPECT_NE(text_in(csv).find(",2.5,2.5,3.3333333333333335,3.5,1,5,mm,\n"), std::string::npos)
       << text_in(csv);
   const Json features = Json::parse(text_in(geojson)).at("features");
   EXPECT_EQ(features[7].at("geometry").at("coordinates"),
@@ -230,7 +230,7 @@ TEST_F(GraphCommand, widths_without_background_are_null_and_empty) {
   const ProgramRun run = graph({"--foreground", "bright", "--json", "--csv", csv});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(Json::parse(run.out).at("edges")[0].at("width_min").is_null()) << run.out;
-  EXPECT_NE(text_in(csv).find(",8,8,,,,,\n"), std::string::npos) << text_in(csv);
+  EXPECT_NE(text_in(csv).find(",8,8,,,,,,\n"), std::string::npos) << text_in(csv);
 }
 
 }  // namespace

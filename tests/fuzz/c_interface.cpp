@@ -279,7 +279,9 @@ class Caller {
   }
 
   void call_more() {
-    switch (input_.number(0, 5)) {
+    switch (input_.number(0, 6)) {
+      case 6:
+        return use_labels();
       case 0:
         return find_distances();
       case 1:
@@ -752,6 +754,55 @@ class Caller {
           if (graph != nullptr) compare_graph(graph, destination);
         });
     thinbench_graph_destroy(graph);
+  }
+
+  /// The components of an image, their graphs and distances, with strides that may not fit.
+  void use_labels() {
+    const auto execution = draw_execution(input_);
+    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    if (!source.is_safe()) return;
+    source.draw(input_);
+    const thinbench_stack from = source.source();
+    Index stride = 0;
+    std::vector<std::int32_t> labels = draw_numbers(source, stride);
+    thinbench_regions* regions = nullptr;
+    const char* const orders[] = {"raster", nullptr, "other"};
+    const bool is_labelled = is_accepted(thinbench_label_components(
+        &from, labels.data(), stride, input_.once_in(16) ? 5 : 8, input_.pick(orders),
+        execution.pointer(), &regions));
+    thinbench_regions_destroy(regions);
+    if (!is_labelled || !source.is_readable()) return;
+    std::vector<double> distances(labels.size());
+    check_status(thinbench_label_distances(labels.data(), stride,
+                                           input_.once_in(16) ? nullptr : distances.data(), stride,
+                                           from.height, from.width, nullptr, execution.pointer()));
+    thinbench_pruning pruning = draw_pruning();
+    pruning.distances = distances.data();
+    pruning.distances_stride = stride;
+    thinbench_graph* graph = nullptr;
+    check_status(thinbench_prune_labels(labels.data(), stride, labels.data(), stride, from.height,
+                                        from.width, &pruning, execution.pointer(), &graph));
+    make_parts(graph);
+    thinbench_graph_destroy(graph);
+  }
+
+  /// Whatever is made of a graph, or of none.
+  void make_parts(const thinbench_graph* graph) {
+    std::size_t count = 0;
+    static_cast<void>(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)));
+    const std::uint32_t edges[] = {0, input_.byte()};
+    const thinbench_pixel pixels[] = {{input_.byte(), input_.byte()}, {-1, 0}};
+    thinbench_graph* made = nullptr;
+    check_status(thinbench_graph_subgraph(graph, edges, input_.once_in(2) ? 1 : 2, &made));
+    thinbench_graph_destroy(made);
+    check_status(thinbench_graph_split(graph, pixels, input_.once_in(8) ? 2 : 1, &made));
+    thinbench_graph_destroy(made);
+    check_status(thinbench_graph_open_cycles(graph, input_.byte() - 1.0, nullptr, &made));
+    thinbench_graph_destroy(made);
+    thinbench_graph_place place{};
+    check_status(thinbench_graph_nearest(graph, input_.byte(), 1e300, nullptr, &place));
+    std::vector<thinbench_branch> rows(count);
+    check_status(thinbench_graph_summary(graph, nullptr, rows.data()));
   }
 
   /// Points anywhere: what is kept is a part that begins and ends like all of them.

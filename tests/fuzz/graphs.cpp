@@ -1,9 +1,10 @@
 // Graphs of any image: equal to the reference, every pixel once, as many nodes more than edges as
 // the Euler number says. Pruning keeps holes and components, and leaves no short branch. Polylines
-// stay near their lines.
+// stay near their lines. Graphs made from graphs keep what they promise; those of labels equal a loop.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -14,7 +15,9 @@
 #include "holes.hpp"
 #include "reference.hpp"
 #include "thinbench/distance.hpp"
-#include "thinbench/graph.hpp"
+#include "thinbench/graph_labels.hpp"
+#include "thinbench/graph_parts.hpp"
+#include "thinbench/graph_paths.hpp"
 
 namespace thinbench {
 namespace {
@@ -159,13 +162,77 @@ void check_graph(ByteSource& input) {
   check_pruning(input, image, of_image, spacing, execution);
 }
 
+/// Graphs made from a graph.
+void check_parts(ByteSource& input) {
+  const ByteImage image = draw_binary(input, draw_size(input));
+  const Graph graph = skeleton_graph(image.view());
+  if (graph.edge_pixels.empty()) return;
+  const auto last = static_cast<Index>(graph.edge_pixels.size()) - 1;
+  const Pixel pixel = graph.edge_pixels[static_cast<std::size_t>(input.number(0, last))];
+  const Graph split = split_at(graph, {&pixel, 1});
+  must(split.nodes.size() == graph.nodes.size() + 1, "no new node");
+  must(split.edges.size() == graph.edges.size() + 1, "no new edge");
+  check_pixels(split, image.view());
+  const GraphPlace place = nearest_place(split, pixel.x, pixel.y);
+  must(place.pixel == pixel && place.distance == 0, "another nearest pixel");
+  const Graph open = open_cycles(graph);
+  const auto nodes = static_cast<std::uint32_t>(graph.nodes.size());
+  must(cycles(nodes, links_of(open)).empty(), "a cycle remains");
+  must(components_of(nodes, links_of(open)) == components_of(nodes, links_of(graph)),
+       "another component");
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t i = 0; i < graph.edges.size(); i += 2) chosen.push_back(i);
+  const Graph part = subgraph(graph, chosen);
+  const std::vector<Branch> rows = summary(part);
+  must(part.edges.size() == chosen.size() && rows.size() == chosen.size(), "other edges");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    must(points_of(part, part.edges[i]) == points_of(graph, graph.edges[chosen[i]]), "other points");
+    must(rows[i].length >= rows[i].chord - 1e-9, "a chord longer than its line");
+  }
+}
+
+/// Equal to a loop over the labels.
+void check_labels(ByteSource& input) {
+  const auto [width, height] = draw_size(input);
+  std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height));
+  for (std::int32_t& label : labels) label = input.byte() % 5 - 1;
+  const LabelGraph found = graph_of_labels({labels.data(), width, height});
+  std::size_t nodes = 0;
+  std::size_t edges = 0;
+  for (const std::int32_t label : {-1, 1, 2, 3}) {
+    ByteImage mask(width, height);
+    for (Index i = 0; i < width * height; ++i) {
+      if (labels[static_cast<std::size_t>(i)] == label) mask.at(i % width, i / width) = 255;
+    }
+    const Graph graph = reference::skeleton_graph(mask.view());
+    for (const GraphNode& node : graph.nodes) {
+      must(nodes < found.labels.size() && found.labels[nodes] == label, "another label");
+      must(std::ranges::equal(found.graph.pixels_of(found.graph.nodes[nodes++]),
+                              graph.pixels_of(node)),
+           "another node");
+    }
+    for (const GraphEdge& edge : graph.edges) {
+      must(edges < found.graph.edges.size() &&
+               points_of(found.graph, found.graph.edges[edges++]) == points_of(graph, edge),
+           "another edge");
+    }
+  }
+  must(nodes == found.graph.nodes.size() && edges == found.graph.edges.size(), "more graphs");
+}
+
+void check(ByteSource& input) {
+  if (input.once_in(4)) return check_labels(input);
+  if (input.once_in(4)) return check_parts(input);
+  check_graph(input);
+}
+
 }  // namespace
 }  // namespace thinbench
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   thinbench::ByteSource input(data, size);
   try {
-    thinbench::check_graph(input);
+    thinbench::check(input);
   } catch (const std::invalid_argument& error) {
     thinbench::must_be_one_line(error.what());
   }

@@ -252,6 +252,14 @@ std::optional<std::vector<double>> numbers_from(const std::string& text) {
   }
 }
 
+Pixel pixel_from(const char* name, const std::string& text) {
+  std::smatch parts;
+  if (std::regex_match(text, parts, std::regex("([0-9]{1,9}),([0-9]{1,9})"))) {
+    return {std::stoi(parts[1]), std::stoi(parts[2])};
+  }
+  throw UsageError(std::string(name) + ": expected X,Y such as 120,45, got '" + text + "'");
+}
+
 void add_spacing_option(CLI::App& app, Spacing& spacing) {
   const auto set = [&spacing](const std::string& text) {
     const auto numbers = numbers_from(text).value_or(std::vector<double>());

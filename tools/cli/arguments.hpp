@@ -12,6 +12,7 @@
 
 #include "images/binarise.hpp"
 #include "thinbench/distance.hpp"
+#include "thinbench/graph.hpp"
 #include "thinbench/isa.hpp"
 
 namespace thinbench {
@@ -33,6 +34,9 @@ namespace thinbench {
 
 /// "0.5,2" as numbers; nothing unless all are finite.
 [[nodiscard]] std::optional<std::vector<double>> numbers_from(const std::string& text);
+
+/// From "120,45". Throws UsageError that begins with the option's name.
+[[nodiscard]] Pixel pixel_from(const char* name, const std::string& text);
 
 /// `--spacing DY[,DX]`.
 void add_spacing_option(CLI::App& app, Spacing& spacing);

@@ -28,10 +28,13 @@ struct GraphCommandOptions {
   GraphRequest request;
   BinariseOptions binarise;
   std::string transform;  // empty: by the spacing
+  std::vector<std::string> nodes;
+  bool has_labels = false;
   bool only_thin = false;
   bool json = false;
   std::string out;
   std::string csv;
+  std::string summary;
   std::string geojson;
   std::string overlay;
 };
@@ -50,7 +53,9 @@ AffineTransform transform_of(const GraphCommandOptions& options) {
 }
 
 void check_names(const GraphCommandOptions& options) {
-  if (!options.out.empty()) check_extension(options.out);
+  if (!options.out.empty()) {
+    (options.has_labels ? check_deep_extension : check_extension)(options.out);
+  }
   if (!options.overlay.empty()) check_overlay_name(options.overlay);
   if (options.out == kStandardStream && options.overlay == kStandardStream) {
     throw UsageError("--out and --overlay cannot both be standard output");
@@ -59,7 +64,8 @@ void check_names(const GraphCommandOptions& options) {
     return std::filesystem::weakly_canonical(target_of(path));
   };
   std::vector<std::filesystem::path> known = {place_of(options.in)};
-  for (const std::string& path : {options.csv, options.geojson, options.overlay, options.out}) {
+  for (const std::string& path :
+       {options.csv, options.summary, options.geojson, options.overlay, options.out}) {
     if (path.empty() || path == kStandardStream) continue;
     check_target(path);
     const bool is_in = path == options.out && place_of(path) == known.front();  // read before
@@ -94,21 +100,28 @@ void check_thin(const ByteImage& skeleton, const GraphCommandOptions& options,
   }
 }
 
+/// Of --image and of IN.
+void check_same_size(const GraphCommandOptions& options, std::pair<Index, Index> size,
+                     std::pair<Index, Index> expected) {
+  if (size == expected) return;
+  throw FileError(fmt::format("{}: expected {} x {} pixels as in {}, got {} x {}", options.image,
+                              expected.first, expected.second, options.in, size.first,
+                              size.second));
+}
+
 /// The image whose distances to the background give the widths.
 ByteImage image_of_widths(ByteImage binary, const GraphCommandOptions& options,
                           std::ostream& remarks) {
   if (options.image.empty()) return binary;
   ByteImage image = read_binary(options.image, options.binarise, &remarks);
-  if (image.width() == binary.width() && image.height() == binary.height()) return image;
-  throw FileError(fmt::format("{}: expected {} x {} pixels as in {}, got {} x {}", options.image,
-                              binary.width(), binary.height(), options.in, image.width(),
-                              image.height()));
+  check_same_size(options, {image.width(), image.height()}, {binary.width(), binary.height()});
+  return image;
 }
 
 void write_files(const GraphCommandOptions& options, const FoundGraph& found,
-                 const ByteImage& skeleton, const ByteImage& grey) {
-  if (!options.out.empty()) write_grey(options.out, skeleton.view());
+                 const ByteImage& grey) {
   if (!options.csv.empty()) write_whole_file(options.csv, csv_text(graph_json(found)));
+  if (!options.summary.empty()) write_whole_file(options.summary, graph_summary(found));
   if (!options.geojson.empty()) {
     write_whole_file(options.geojson, graph_geojson(found, transform_of(options)));
   }
@@ -120,22 +133,77 @@ std::ostream& list_stream(const Console& console, const GraphCommandOptions& opt
   return summary_stream(console, options.out == kStandardStream ? options.out : options.overlay);
 }
 
-int run(const GraphCommandOptions& options, const Console& console) {
-  const AffineTransform transform = transform_of(options);
-  check_names(options);
-  check_thinning(options.request);
-  std::ostringstream remarks;  // failures are one line, without them
+void check_size(const GraphCommandOptions& options, Index width, Index height) {
+  check_graph_size(options.in, width, height);
+  check_transform(transform_of(options), options, width, height);
+}
+
+FoundGraph graph_of_image(const GraphCommandOptions& options, std::ostream& remarks) {
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
-  check_graph_size(options.in, grey.width(), grey.height());
-  check_transform(transform, options, grey.width(), grey.height());
+  check_size(options, grey.width(), grey.height());
   const bool draws = !options.overlay.empty();
   BinaryImage binary = binarise(draws ? copy_of(grey.view()) : std::move(grey), options.binarise);
   print_remarks(options.in, binary, options.binarise, remarks);
   ByteImage skeleton = skeleton_of(binary.image, options.request);
   check_thin(skeleton, options, remarks);
   const ByteImage image = image_of_widths(std::move(binary.image), options, remarks);
-  const FoundGraph found = find_graph(image, skeleton, {options.in}, options.request);
-  write_files(options, found, skeleton, grey);
+  FoundGraph found = find_graph(image, skeleton, {options.in}, options.request);
+  if (!options.out.empty()) write_grey(options.out, skeleton.view());
+  write_files(options, found, grey);
+  return found;
+}
+
+/// The objects alone, for the lines that are drawn over them.
+ByteImage drawing_of(const LabelPixels& objects) {
+  ByteImage image(objects.width, objects.height);
+  for (Index y = 0; y < objects.height; ++y) {
+    const std::int32_t* labels = objects.view().row(y);
+    for (Index x = 0; x < objects.width; ++x) image.at(x, y) = labels[x] != 0 ? 255 : 0;
+  }
+  return image;
+}
+
+LabelPixels objects_of_widths(LabelPixels labels, const GraphCommandOptions& options) {
+  if (options.image.empty()) return labels;
+  LabelPixels objects = read_labels(options.image);
+  check_same_size(options, {objects.width, objects.height}, {labels.width, labels.height});
+  return objects;
+}
+
+FoundGraph graph_of_labelled(const GraphCommandOptions& options) {
+  LabelPixels labels = read_labels(options.in);
+  check_size(options, labels.width, labels.height);
+  LabelPixels skeletons = skeletons_of(labels, options.request);
+  const LabelPixels objects = objects_of_widths(std::move(labels), options);
+  FoundGraph found = find_graphs(objects, skeletons, {options.in}, options.request);
+  if (!options.out.empty()) {
+    const std::vector<std::uint16_t> levels(skeletons.labels.begin(), skeletons.labels.end());
+    write_deep(options.out, {levels.data(), skeletons.width, skeletons.height});
+  }
+  write_files(options, found, drawing_of(objects));
+  return found;
+}
+
+/// The request, with the nodes that its words name.
+GraphCommandOptions checked(GraphCommandOptions options) {
+  static_cast<void>(transform_of(options));
+  check_names(options);
+  check_thinning(options.request);
+  const std::string words = binarise_words(options.binarise);
+  if (options.has_labels && !words.empty()) {
+    throw UsageError("--labels excludes" + words + ": labels are read as they are");
+  }
+  for (const std::string& node : options.nodes) {
+    options.request.nodes.push_back(pixel_from("--node", node));
+  }
+  return options;
+}
+
+int run(const GraphCommandOptions& given, const Console& console) {
+  const GraphCommandOptions options = checked(given);
+  std::ostringstream remarks;  // failures are one line, without them
+  const FoundGraph found =
+      options.has_labels ? graph_of_labelled(options) : graph_of_image(options, remarks);
   console.err << remarks.str();
   list_stream(console, options) << (options.json ? json_text(graph_json(found))
                                                  : graph_list(found));
@@ -148,6 +216,7 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
   };
   app.add_flag("--json", options.json, "Print JSON");
   add("--csv", options.csv, "Table of edges to write");
+  add("--summary", options.summary, "Table of edges to write, with the columns of skan's summarize");
   add("--geojson", options.geojson, "GeoJSON file to write");
   app.add_option("--transform", options.transform,
                  "A,B,C,D,E,F: GeoJSON has x' = A x + B y + C, y' = D x + E y + F (default: by the "
@@ -167,8 +236,17 @@ Command add_graph_command(CLI::App& program) {
   const auto options = std::make_shared<GraphCommandOptions>();
   add_input(*app, options->in);
   add_graph_options(*app, options->request);
+  app->add_option("--node", options->nodes, "Make a node of this pixel of the skeleton; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->check(not_empty())
+      ->type_name("X,Y");
+  CLI::Option* const labels =
+      app->add_flag("--labels", options->has_labels,
+                    "IN numbers objects, as `thinbench labels` writes them: a graph for each");
   app->add_flag("--only-thin", options->only_thin,
-                "Fail if the skeleton has blocks of 2 x 2 pixels");
+                "Fail if the skeleton has blocks of 2 x 2 pixels")
+      ->excludes(labels);
   app->add_option("--image", options->image,
                   "Image that gives the widths, where IN is a skeleton made from it")
       ->check(not_empty())
@@ -182,6 +260,8 @@ Command add_graph_command(CLI::App& program) {
   thinbench graph roads.png --prune-widths 1 --overlay drawn.png
   thinbench graph roots.png --spacing 0.25 --unit mm --prune 5 --csv roots.csv
   thinbench graph worms.png --main-path --overlay worms.svg
+  thinbench graph cells.tif --labels --summary branches.csv
+  thinbench graph roads.png --node 120,45 --open-cycles 20
   thinbench graph roads.tif --geojson roads.json --transform 0.5,0,4500000,0,-0.5,5400000
   thinbench graph skeleton.png --thinning none --image roads.png --only-thin --json > graph.json
 

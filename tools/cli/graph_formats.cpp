@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "thinbench/graph_parts.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -58,7 +60,8 @@ std::string nodes_text(const Graph& graph) {
     const auto count = static_cast<std::size_t>(
         std::ranges::count(graph.nodes, static_cast<NodeKind>(kind), &GraphNode::kind));
     if (count == 0) continue;
-    const bool is_noun = static_cast<NodeKind>(kind) != NodeKind::isolated;
+    const auto of_kind = static_cast<NodeKind>(kind);
+    const bool is_noun = of_kind != NodeKind::isolated && of_kind != NodeKind::given;
     const std::string name(kNodeKindNames[kind]);
     text += before + (is_noun ? number_of(count, name.c_str()) : fmt::format("{} {}", count, name));
     before = ", ";
@@ -69,20 +72,25 @@ std::string nodes_text(const Graph& graph) {
 Json properties_of(const FoundGraph& found, std::size_t i) {
   const GraphEdge& edge = found.graph.edges[i];
   const EdgeWidths& width = found.widths[i];
-  return {{"id", i + 1},
-          {"from", edge.from + 1},
-          {"to", edge.to + 1},
-          {"pixels", edge.pixel_count},
-          {"length", length_of(edge, found.spacing)},
-          {"chord", chord_of(edge, found.spacing)},
-          {"width_mean", width.mean},
-          {"width_median", width.median},
-          {"width_min", width.least},
-          {"width_max", width.greatest}};
+  Json properties = {{"id", i + 1},
+                     {"from", edge.from + 1},
+                     {"to", edge.to + 1},
+                     {"pixels", edge.pixel_count},
+                     {"length", length_of(edge, found.spacing)},
+                     {"chord", chord_of(edge, found.spacing)},
+                     {"width_mean", width.mean},
+                     {"width_median", width.median},
+                     {"width_min", width.least},
+                     {"width_max", width.greatest}};
+  if (!found.labels.empty()) properties["label"] = found.labels[edge.from];
+  return properties;
 }
 
-Json properties_of(const Graph& graph, std::size_t i, std::size_t degree) {
-  return {{"id", i + 1}, {"kind", kind_of(graph.nodes[i])}, {"degree", degree}};
+Json node_properties_of(const FoundGraph& found, std::size_t i, std::size_t degree) {
+  Json properties = {
+      {"id", i + 1}, {"kind", kind_of(found.graph.nodes[i])}, {"degree", degree}};
+  if (!found.labels.empty()) properties["label"] = found.labels[i];
+  return properties;
 }
 
 template <class PositionOf>
@@ -134,9 +142,10 @@ std::string graph_list(const FoundGraph& found) {
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const GraphEdge& edge = graph.edges[i];
     const EdgeWidths& width = found.widths[i];
-    text += fmt::format("edge {}: node {} to {}, length {:.2f}, width {:.2f} ({:.2f} to {:.2f})\n",
+    text += fmt::format("edge {}: node {} to {}, length {:.2f}, width {:.2f} ({:.2f} to {:.2f})",
                         i + 1, edge.from + 1, edge.to + 1, length_of(edge, found.spacing),
                         width.mean, width.least, width.greatest);
+    text += found.labels.empty() ? "\n" : fmt::format(", label {}\n", found.labels[edge.from]);
   }
   for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
     const GraphPath& path = found.main_paths[i];
@@ -152,7 +161,7 @@ Json graph_json(const FoundGraph& found) {
   Json nodes = Json::array();
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const auto [x, y] = centre_of(graph, graph.nodes[i]);
-    nodes.push_back(properties_of(graph, i, degrees[i]));
+    nodes.push_back(node_properties_of(found, i, degrees[i]));
     nodes.back()["centre"] = {x, y};
   }
   Json edges = Json::array();
@@ -168,6 +177,30 @@ Json graph_json(const FoundGraph& found) {
   return json;
 }
 
+std::string graph_summary(const FoundGraph& found) {
+  const auto number = [](double value) {
+    return std::isfinite(value) ? fmt::to_string(value) : std::string();
+  };
+  std::string text =
+      "skeleton-id,node-id-src,node-id-dst,branch-distance,branch-type,image-coord-src-0,"
+      "image-coord-src-1,image-coord-dst-0,image-coord-dst-1,coord-src-0,coord-src-1,coord-dst-0,"
+      "coord-dst-1,euclidean-distance,tortuosity,width-mean,width-median,width-min,width-max";
+  text += found.labels.empty() ? "\n" : ",label\n";
+  const auto [dy, dx] = found.spacing;
+  std::size_t i = 0;
+  for (const Branch& row : summary(found.graph, found.spacing)) {
+    const auto& [start, stop] = std::pair(row.start, row.stop);
+    const EdgeWidths& width = found.widths[i++];
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", row.component,
+                        row.from, row.to, row.length, static_cast<int>(row.type), start.y, start.x,
+                        stop.y, stop.x, start.y * dy, start.x * dx, stop.y * dy, stop.x * dx,
+                        row.chord, number(row.tortuosity), number(width.mean),
+                        number(width.median), number(width.least), number(width.greatest));
+    text += found.labels.empty() ? "\n" : fmt::format(",{}\n", found.labels[row.from]);
+  }
+  return text;
+}
+
 std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform) {
   const auto position = [&transform](double column, double row) {
     const auto& [a, b, c, d, e, f] = transform;
@@ -180,7 +213,7 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
   Json features = Json::array();
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const auto [x, y] = centre_of(graph, graph.nodes[i]);
-    features.push_back(feature("Point", position(x, y), properties_of(graph, i, degrees[i])));
+    features.push_back(feature("Point", position(x, y), node_properties_of(found, i, degrees[i])));
   }
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     features.push_back(feature(
@@ -196,8 +229,9 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
 }
 
 Overlay graph_overlay(const FoundGraph& found) {
-  constexpr std::array<OverlayColour, 4> colours = {
-      {{0x86, 0x8e, 0x96}, {0x2f, 0x9e, 0x44}, {0x19, 0x71, 0xc2}, {0x9c, 0x36, 0xb5}}};
+  constexpr std::array<OverlayColour, kNodeKindNames.size()> colours = {
+      {{0x86, 0x8e, 0x96}, {0x2f, 0x9e, 0x44}, {0x19, 0x71, 0xc2}, {0x9c, 0x36, 0xb5},
+       {0xf0, 0x8c, 0x00}}};
   const Graph& graph = found.graph;
   Overlay overlay;
   overlay.is_faded = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,12 +28,16 @@ struct FoundGraph {
   Spacing spacing;
   std::string unit;
   std::vector<GraphPath> main_paths;  // of the components, if asked for
+  std::vector<std::int32_t> labels;   // of the nodes, if the image has labels
 };
 
 /// Nodes and edges have the ids 1, 2, 3, ... everywhere. Infinite widths are null in JSON. Texts
 /// end with a newline.
 [[nodiscard]] std::string graph_list(const FoundGraph& found);
 [[nodiscard]] nlohmann::ordered_json graph_json(const FoundGraph& found);
+/// A row for each edge with the column names of skan's summarize(): numbers of nodes and of
+/// skeletons, which are components, count from 0 there. A CSV file.
+[[nodiscard]] std::string graph_summary(const FoundGraph& found);
 /// A Point for each node, a LineString for each edge.
 [[nodiscard]] std::string graph_geojson(const FoundGraph& found, const AffineTransform& transform);
 [[nodiscard]] Overlay graph_overlay(const FoundGraph& found);

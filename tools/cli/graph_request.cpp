@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +12,9 @@
 #include "cli/thinning_request.hpp"
 #include "support/file_error.hpp"
 #include "thinbench/distance.hpp"
+#include "thinbench/graph_labels.hpp"
+#include "thinbench/graph_parts.hpp"
+#include "thinbench/labels.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -20,6 +24,26 @@ RequestedThinning thinning_of(const GraphRequest& request) {
   ThinningRequest thinning;
   thinning.rule = request.thinning;
   return requested_thinning(thinning);
+}
+
+/// What the request wants to know of a pruned graph.
+FoundGraph described(Graph graph, const View<double>& distances, const ImagePage& page,
+                     const GraphRequest& request) {
+  const Spacing& spacing = request.pruning.spacing;
+  if (!request.nodes.empty()) graph = split_at(graph, request.nodes);
+  if (request.open_cycles) graph = open_cycles(graph, *request.open_cycles, spacing);
+  FoundGraph found = {page, distances.width, distances.height, {}, {}, {}, spacing, request.unit,
+                      {}, {}};
+  found.widths = edge_widths(graph, distances);
+  for (const GraphEdge& edge : graph.edges) {
+    found.lines.push_back(polyline(points_of(graph, edge), request.tolerance, spacing));
+  }
+  if (request.with_main_paths) {
+    found.main_paths =
+        main_paths(static_cast<std::uint32_t>(graph.nodes.size()), links_of(graph, spacing));
+  }
+  found.graph = std::move(graph);
+  return found;
 }
 
 }  // namespace
@@ -46,6 +70,10 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
   app.add_flag("--remove-components", request.pruning.removes_components,
                "Also remove lines and pixels on their own below LENGTH")
       ->needs(prune);
+  app.add_option("--open-cycles", request.open_cycles,
+                 "Remove the longest line of each cycle of at most LENGTH")
+      ->check(real_number(0, no_limit))
+      ->type_name("LENGTH");
   app.add_flag("--main-path", request.with_main_paths,
                "Also the longest of the shortest paths of each component");
   app.add_option("--tolerance", request.tolerance,
@@ -66,6 +94,7 @@ std::string graph_words(const GraphRequest& request) {
   if (pruning.min_length > 0) words += fmt::format(" --prune {}", pruning.min_length);
   if (pruning.min_widths > 0) words += fmt::format(" --prune-widths {}", pruning.min_widths);
   if (pruning.removes_components) words += " --remove-components";
+  if (request.open_cycles) words += fmt::format(" --open-cycles {}", *request.open_cycles);
   if (request.with_main_paths) words += " --main-path";
   if (request.tolerance != usual.tolerance) {
     words += fmt::format(" --tolerance {}", request.tolerance);
@@ -102,20 +131,38 @@ std::string thickness_of(const ByteImage& skeleton) {
 FoundGraph find_graph(const ByteImage& image, ByteImage& skeleton, const ImagePage& page,
                       const GraphRequest& request) {
   const Index width = image.width(), height = image.height();
+  const Execution execution = {.threads = request.threads};
   Pruning pruning = request.pruning;
   std::vector<double> numbers(static_cast<std::size_t>(width * height));
   const View<double> of_image(numbers.data(), width, height);
-  distances(image.view(), of_image, pruning.spacing, {.threads = request.threads});
+  distances(image.view(), of_image, pruning.spacing, execution);
   pruning.distances = of_image;
-  FoundGraph found = {page, width, height, {}, {}, {}, pruning.spacing, request.unit, {}};
-  found.graph = prune(skeleton.view(), skeleton.view(), pruning, {.threads = request.threads});
-  found.widths = edge_widths(found.graph, pruning.distances);
-  for (const GraphEdge& edge : found.graph.edges) {
-    found.lines.push_back(polyline(points_of(found.graph, edge), request.tolerance, found.spacing));
+  return described(prune(skeleton.view(), skeleton.view(), pruning, execution), of_image, page,
+                   request);
+}
+
+LabelPixels skeletons_of(const LabelPixels& objects, const GraphRequest& request) {
+  LabelPixels skeletons = objects;
+  if (!request.is_skeleton()) {
+    thin_labels(thinning_of(request).rule, objects.view(), skeletons.view(), {},
+                {.threads = request.threads});
   }
-  if (request.with_main_paths) {
-    found.main_paths = main_paths(static_cast<std::uint32_t>(found.graph.nodes.size()),
-                                  links_of(found.graph, found.spacing));
+  return skeletons;
+}
+
+FoundGraph find_graphs(const LabelPixels& objects, LabelPixels& skeletons, const ImagePage& page,
+                       const GraphRequest& request) {
+  const Execution execution = {.threads = request.threads};
+  Pruning pruning = request.pruning;
+  std::vector<double> numbers(objects.labels.size());
+  const View<double> of_objects(numbers.data(), objects.width, objects.height);
+  label_distances(objects.view(), of_objects, pruning.spacing, execution);
+  pruning.distances = of_objects;
+  LabelGraph pruned = prune_labels(skeletons.view(), skeletons.view(), pruning, execution);
+  FoundGraph found = described(std::move(pruned.graph), of_objects, page, request);
+  for (const GraphNode& node : found.graph.nodes) {
+    const Pixel first = found.graph.pixels_of(node).front();
+    found.labels.push_back(skeletons.view().row(first.y)[first.x]);
   }
   return found;
 }

@@ -1,7 +1,6 @@
 // thinbench path: a path for a robot through a map.
 #include <cmath>
 #include <memory>
-#include <regex>
 #include <sstream>
 #include <string>
 
@@ -30,15 +29,6 @@ struct PathOptions {
   BinariseOptions binarise;
   bool json = false;
 };
-
-/// From "120,45".
-Pixel pixel_from(const char* name, const std::string& text) {
-  std::smatch parts;
-  if (std::regex_match(text, parts, std::regex("([0-9]{1,9}),([0-9]{1,9})"))) {
-    return {std::stoi(parts[1]), std::stoi(parts[2])};
-  }
-  throw UsageError(std::string(name) + ": expected X,Y such as 120,45, got '" + text + "'");
-}
 
 std::string path_json(const PathOptions& options, const ByteImage& map, const FoundPath& path) {
   Json pixels = Json::array();

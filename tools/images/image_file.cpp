@@ -86,7 +86,24 @@ cv::Mat decoded(const std::string& path, const Decode& decode, std::string* warn
   const std::string found = jpeg_warning(path, captured.text());
   if (!found.empty() && warning == nullptr) cannot_read(path, found);
   if (warning != nullptr) *warning = found;
+  if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
+    cannot_read(path, "it has more than 2^31 pixels");
+  }
   return image;
+}
+
+/// What `read()` makes of a file that exists; exceptions as FileError.
+template <class Read>
+auto guarded_read(const std::string& path, int page, const Read& read) {
+  check_file(path);
+  try {
+    check_header(path, page);
+    return read();
+  } catch (const cv::Exception& error) {
+    reject(path, error);
+  } catch (const std::bad_alloc&) {
+    cannot_read(path, "there is not enough memory for it");
+  }
 }
 
 /// The image itself, not a copy.
@@ -132,6 +149,28 @@ ByteImage read_grey(const std::string& path, std::string* warning) {
   return read_channel(path, std::nullopt, grey, warning);
 }
 
+LabelPixels read_labels(const std::string& path) {
+  if (path == kStandardStream) {
+    LabelPixels labels;
+    read_standard_input([&](const std::string& copy) { labels = read_labels(copy); });
+    return labels;
+  }
+  return guarded_read(path, 0, [&] {
+    const auto decode = [&] { return cv::imread(path, cv::IMREAD_UNCHANGED); };
+    cv::Mat image = decoded(path, decode, nullptr);
+    const bool is_deep = image.depth() == CV_16U;
+    if (image.channels() != 1 || (!is_deep && image.depth() != CV_8U)) {
+      cannot_read(path, "labels are one channel of 8 or 16 bits, and it has " +
+                            std::to_string(image.channels()) + " of " +
+                            std::to_string(8 * image.elemSize1()));
+    }
+    image.convertTo(image, CV_32S);
+    return LabelPixels{image.cols, image.rows,
+                       std::vector<std::int32_t>(image.begin<std::int32_t>(),
+                                                 image.end<std::int32_t>())};
+  });
+}
+
 ByteImage read_channel(const std::string& path, std::optional<int> page, Channel& channel,
                        std::string* warning) {
   if (path == kStandardStream) {
@@ -141,21 +180,11 @@ ByteImage read_channel(const std::string& path, std::optional<int> page, Channel
     });
     return image;
   }
-  check_file(path);
-  try {
-    check_header(path, page.value_or(0));
+  return guarded_read(path, page.value_or(0), [&] {
     const int how = channel == Channel::grey ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR;
     const auto decode = [&] { return page ? one_page(path, *page, how) : first_page(path, how); };
-    const cv::Mat image = decoded(path, decode, warning);
-    if (image.total() > static_cast<std::size_t>(kMaxImagePixels)) {
-      cannot_read(path, "it has more than 2^31 pixels");
-    }
-    return channel_of(image, channel);
-  } catch (const cv::Exception& error) {
-    reject(path, error);
-  } catch (const std::bad_alloc&) {
-    cannot_read(path, "there is not enough memory for it");
-  }
+    return channel_of(decoded(path, decode, warning), channel);
+  });
 }
 
 namespace {

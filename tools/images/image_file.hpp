@@ -1,6 +1,7 @@
 // Grey image files. OpenCV decodes and encodes; nothing of it shows here.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -38,6 +39,20 @@ void check_file(const std::string& path);
 /// counted from 0, or of the only image. Takes 3 bytes per pixel more unless it is Channel::grey.
 [[nodiscard]] ByteImage read_channel(const std::string& path, std::optional<int> page,
                                      Channel& channel, std::string* warning = nullptr);
+
+/// Labels of pixels in rows without gaps; 0 is background.
+struct LabelPixels {
+  Index width = 0;
+  Index height = 0;
+  std::vector<std::int32_t> labels;
+
+  [[nodiscard]] ConstLabelView view() const { return {labels.data(), width, height}; }
+  [[nodiscard]] LabelView view() { return {labels.data(), width, height}; }
+};
+
+/// The numbers of the pixels of an image file with one channel of 8 or 16 bits, such as write_deep
+/// makes. Throws FileError.
+[[nodiscard]] LabelPixels read_labels(const std::string& path);
 
 /// The number of images in a TIFF file; 1 for all other files, unreadable ones included.
 [[nodiscard]] int page_count(const std::string& path);
