@@ -39,7 +39,8 @@ void check_pixels(const Graph& graph, const ConstImageView& image) {
     must(may_be_line || !is_line, "a line pixel in a node");
   };
   for (const GraphNode& node : graph.nodes) {
-    for (const Pixel p : graph.pixels_of(node)) take(p, node.kind == NodeKind::cycle);
+    const bool is_of_line = node.kind == NodeKind::cycle || node.kind == NodeKind::given;
+    for (const Pixel p : graph.pixels_of(node)) take(p, is_of_line);
   }
   for (const Pixel p : graph.edge_pixels) take(p, true);
   for (Index y = 0; y < image.height; ++y) {
