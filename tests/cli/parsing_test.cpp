@@ -141,7 +141,8 @@ TEST(Program, every_command_rejects_a_malformed_cap) {
   const std::string text = "THINBENCH_MAX_ISA: expected one of " + all_isa_names() + ", got 'sse9'";
   const std::string name = kOperation;
   for (const Words& words : {Words{"list"}, Words{"run", name, "in.png", "out.png"}, Words{"rule"},
-                             Words{"batch", name, "in", "--out", "out"}, Words{"graph", "in.png"},
+                             Words{"batch", name, "in", "--out", testing::TempDir() + "out"},
+                             Words{"graph", "in.png"},
                              Words{"holes", "in.png"}, Words{"edges", "in.png", "out.png"}}) {
     EXPECT_EQ(failure_of(words, 2), text) << words.front();
   }
