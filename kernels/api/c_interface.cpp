@@ -161,6 +161,18 @@ thinbench_status thinbench_label_components(const thinbench_stack* source, int32
   });
 }
 
+thinbench_status thinbench_label_values(const int32_t* values, ptrdiff_t values_stride,
+                                        int32_t* labels, ptrdiff_t labels_stride, ptrdiff_t height,
+                                        ptrdiff_t width, int32_t connectivity, int32_t background,
+                                        uint32_t* components) {
+  return guarded([&] {
+    require_pointer(components, "components");
+    *components =
+        label_values({values, width, height, values_stride}, {labels, width, height, labels_stride},
+                     connectivity_of(connectivity), background);
+  });
+}
+
 thinbench_status thinbench_localise(const thinbench_stack* grey, int32_t gradient_threshold,
                                     int32_t brightness_threshold,
                                     const thinbench_execution* execution,

@@ -332,13 +332,13 @@ void check_views(const ConstLabelView& labels, const View<double>& distances) {
   check_pair(labels, "labels", distances, "distances");
 }
 
-void check_views(const ConstLabelView& source, const LabelView& destination) {
+void check_views(const ConstLabelView& source, const LabelView& destination, InPlace in_place) {
   if (source.width != destination.width || source.height != destination.height) {
     reject("source is " + size_text(source.width, source.height) + " and destination " +
            size_text(destination.width, destination.height) + "; they must have the same size");
   }
   check_views(bytes_of(source, "source exceeds"), bytes_of(destination, "destination exceeds"),
-              InPlace::allowed);
+              in_place);
 }
 
 void check_lists(std::span<const ConstImageView> sources, std::span<const ImageView> destinations) {

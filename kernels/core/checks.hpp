@@ -51,11 +51,10 @@ void check_views(const ConstImageView& source, const View<T>& numbers);
 extern template void check_views(const ConstImageView& source, const LabelView& numbers);
 extern template void check_views(const ConstImageView& source, const View<double>& numbers);
 
-/// The same for an image of labels, alone, with distances, and with another one, which may be the
-/// same image.
+/// The same for an image of labels, alone, with distances, and with another one.
 void check_labels(const ConstLabelView& labels);
 void check_views(const ConstLabelView& labels, const View<double>& distances);
-void check_views(const ConstLabelView& source, const LabelView& destination);
+void check_views(const ConstLabelView& source, const LabelView& destination, InPlace in_place);
 
 /// The same for lists of images of any sizes, and rejects more than 2^40 pixels and lists of
 /// different lengths. Each destination is its source or shares no byte with any image of the lists.

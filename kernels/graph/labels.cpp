@@ -230,7 +230,7 @@ void label_distances(ConstLabelView labels, View<double> distances, const Spacin
 
 LabelGraph prune_labels(ConstLabelView skeletons, LabelView destination, const Pruning& pruning,
                         const Execution& execution) {
-  detail::check_views(skeletons, destination);
+  detail::check_views(skeletons, destination, detail::InPlace::allowed);
   detail::require_label_size(skeletons.width, skeletons.height);
   ByteImage kept(skeletons.width, skeletons.height);
   std::vector<std::uint8_t> is_kept(static_cast<std::size_t>(kept.width() * kept.height()));

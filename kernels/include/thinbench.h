@@ -318,6 +318,14 @@ THINBENCH_API thinbench_status thinbench_label_components(const thinbench_stack*
                                                           int32_t connectivity, const char* order,
                                                           const thinbench_execution* execution,
                                                           thinbench_regions** regions);
+/* The labels of components of equal values in a height x width image of any values: 4- or
+ * 8-connected pixels with one value. Those with the value `background` get 0. Strides are in values;
+ * the images share no byte. */
+THINBENCH_API thinbench_status thinbench_label_values(const int32_t* values,
+                                                      ptrdiff_t values_stride, int32_t* labels,
+                                                      ptrdiff_t labels_stride, ptrdiff_t height,
+                                                      ptrdiff_t width, int32_t connectivity,
+                                                      int32_t background, uint32_t* components);
 /* Sobel's edges of a grey image, filled, and the regions of the result. */
 THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
                                                   int32_t gradient_threshold,

@@ -232,7 +232,7 @@ void clear(const LabelView& labels, const ThreadTeam& team) {
 int thin_labels(const Rule& rule, ConstLabelView source, LabelView destination,
                 const Thinning& thinning, const Execution& execution) {
   detail::require_label_size(source.width, source.height);
-  detail::check_views(source, destination);
+  detail::check_views(source, destination, detail::InPlace::allowed);
   detail::require_threads(execution.threads);
   const detail::ThinningCall call = {rule, thinning, execution};
   const ThreadTeam team(execution.threads);

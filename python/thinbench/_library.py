@@ -103,6 +103,8 @@ find_regions = _checked("find_regions", _BYTES, _POINTER, _DISTANCE, _BYTES, _PO
 label_image, label_components = (
     _checked(name, _BYTES, _POINTER, _DISTANCE, _INT, _BYTES, _BYTES, _POINTER)
     for name in ("label_image", "label_components"))
+label_values = _checked("label_values", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _INT,
+                        _INT, _POINTER)
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_small_holes = _checked(
     "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)

@@ -217,6 +217,8 @@ static void finds_regions_and_labels(void) {
   CHECK(thinbench_euler_number(&one, 4, NULL, &number) == THINBENCH_OK && number == 0);
 }
 
+static const int32_t labelled[3][5] = {{0, 0, 4, 0, 7}, {4, 4, 4, 4, 7}, {0, 0, 0, 0, 7}};
+
 static void labels_objects(void) {
   const thinbench_stack one = source(1);
   int32_t labels[HEIGHT][WIDTH];
@@ -245,6 +247,10 @@ static void labels_objects(void) {
           "raster");
   rejects(thinbench_label_components(&one, &labels[0][0], WIDTH, 8, "opencv", NULL, NULL),
           "regions");
+  CHECK(thinbench_label_values(&labelled[0][0], 5, &labels[0][0], WIDTH, 3, 5, 8, 0, &objects) ==
+        THINBENCH_OK);
+  CHECK(objects == 2 && labels[0][2] == 1 && labels[1][0] == 1 && labels[0][4] == 2);
+  rejects(thinbench_label_values(&labelled[0][0], 5, &labels[0][0], WIDTH, 3, 5, 5, 0, &objects), "5");
 }
 
 static void fills_holes_and_finds_edges(void) {
@@ -606,8 +612,6 @@ static void finds_the_graph_of_a_skeleton(void) {
 }
 
 /* Two lines that touch, and a branch that is pruned. */
-static const int32_t labelled[3][5] = {{0, 0, 4, 0, 7}, {4, 4, 4, 4, 7}, {0, 0, 0, 0, 7}};
-
 static void finds_the_graphs_of_labels(void) {
   const int32_t* lines = &labelled[0][0];
   double distances[15];

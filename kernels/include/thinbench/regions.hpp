@@ -60,6 +60,13 @@ THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
                                         Connectivity connectivity, const Execution& execution = {},
                                         LabelOrder order = LabelOrder::pixels);
 
+/// Labels components of equal values, in an image of any 32-bit values: 4- or 8-connected sets of
+/// pixels with one value, such as the parts of each label. Labels count in raster order of first
+/// pixels; pixels of the value `background` get 0. Returns the number of components. Both views must
+/// have the same size, at most 2^31 pixels, and share no byte. One thread.
+THINBENCH_API std::uint32_t label_values(ConstLabelView values, LabelView labels,
+                                         Connectivity connectivity, std::int32_t background = 0);
+
 /// Number of objects minus number of holes. euler_number_4 uses 4-connected objects and 8-connected
 /// holes.
 [[nodiscard]] THINBENCH_API std::int64_t euler_number(ConstImageView source,

@@ -1,9 +1,9 @@
-"""Label images as runs: what their labels measure, and components of equal values."""
+"""Label images as runs: what their labels measure."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -21,8 +21,8 @@ _MIN_CLOSED_AREA = 8  # of a 4-connected object that encloses a pixel
 class _Runs:
     """Runs of equal pixels in rows, sorted by value, those of a value in raster order."""
 
-    def __init__(self, image: npt.NDArray[Any], foreground: npt.NDArray[np.bool_] | None = None) -> None:
-        """Without `foreground`, of values above 0."""
+    def __init__(self, image: npt.NDArray[Any]) -> None:
+        """Of values above 0."""
         height, width = image.shape
         flat = image.ravel()
         begins = np.empty(image.shape, bool)
@@ -30,7 +30,7 @@ class _Runs:
         begins[:, :1] = True
         places = np.flatnonzero(begins)
         found = flat[places]
-        kept = np.flatnonzero(found > 0 if foreground is None else foreground.ravel()[places])
+        kept = np.flatnonzero(found > 0)
         kept = kept[np.argsort(found[kept], kind="stable")]
         lengths = np.diff(places, append=height * width)
         self.rows, self.begins = np.divmod(places[kept], max(width, 1))
@@ -110,34 +110,3 @@ def _filled_areas(labels: npt.NDArray[Any], runs: _Runs) -> _Integers:
         filled = _images.fill_holes(part == runs.values[i], connectivity=4)
         areas[i] = np.count_nonzero(filled)
     return areas
-
-
-def label_values(image: npt.NDArray[Any], foreground: npt.NDArray[np.bool_],
-                 connectivity: Literal[4, 8]) -> tuple[npt.NDArray[np.int32], int]:
-    """Labels of components of equal values in raster order, and their number."""
-    if not foreground.any():
-        return _images.label(foreground, connectivity)
-    first = image[np.unravel_index(foreground.argmax(), image.shape)]
-    if not ((image == first) != foreground).any():
-        return _images.label(foreground, connectivity)
-    runs = _Runs(image, foreground)
-    labels = np.zeros(image.shape, np.int32)
-    count = 0
-    for value, top, left, bottom, right in zip(runs.values, *runs.boxes):
-        box = np.s_[top:bottom, left:right]
-        inside = image[box] == value
-        parts, objects = _images.label(inside, connectivity)
-        np.add(parts, count, out=labels[box], where=inside)
-        count += objects
-    return _in_raster_order(labels, count), count
-
-
-def _in_raster_order(labels: npt.NDArray[np.int32], count: int) -> npt.NDArray[np.int32]:
-    """Other numbers for the labels 1 to `count`."""
-    flat = labels.ravel()
-    places = np.empty(count + 1, np.intp)
-    places[flat[::-1]] = np.arange(flat.size)[::-1]  # the first place of a label is written last
-    places[0] = -1
-    numbers = np.empty(count + 1, np.int32)
-    numbers[np.argsort(places)] = np.arange(count + 1)
-    return numbers[labels]

@@ -99,8 +99,7 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
     Parameters
     ----------
     label_image : array of real numbers, shape (H, W)
-        Floats count as the integers that they are truncated to. Takes longer for more than one value
-        besides the background: for each as long as for an image of the size of the value's bounding box.
+        Floats count as the integers that they are truncated to.
     background : int, optional
         The value of background, which gets label 0. Default: 0.
     return_num : bool
@@ -140,10 +139,26 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
         labels, count = _images.label(~picture if background == 1 else picture, neighbours)
         return (labels, count) if return_num else labels
     value = 0 if background is None else _arrays.integer("background", background)
-    whole = picture.astype(np.intp, copy=False) if picture.dtype.kind == "f" else picture
-    labels, count = _label_tables.label_values(whole, whole != value, neighbours)
+    labels, count = _label_values(picture, value, neighbours)
     wide = labels.astype(np.intp)
     return (wide, count) if return_num else wide
+
+
+def _label_values(picture: npt.NDArray[Any], background: int,
+                  connectivity: Literal[4, 8]) -> tuple[npt.NDArray[np.int32], int]:
+    """Bits where one value is foreground; else values, renumbered if they do not fit into int32."""
+    whole = picture.astype(np.intp, copy=False) if picture.dtype.kind == "f" else picture
+    foreground = whole != background
+    if not foreground.any():
+        return _images.label(foreground, connectivity)
+    first = whole[np.unravel_index(foreground.argmax(), whole.shape)]
+    if not ((whole == first) != foreground).any():
+        return _images.label(foreground, connectivity)
+    if whole.dtype.itemsize < 4 or -2**31 <= whole.min() and whole.max() < 2**31:
+        return _images.label_values(whole, connectivity, background=background)
+    numbers = np.unique(whole, return_inverse=True)[1].reshape(whole.shape) + 1
+    numbers[~foreground] = 0
+    return _images.label_values(numbers, connectivity)
 
 
 def regionprops_table(label_image: npt.ArrayLike, intensity_image: None = None,
