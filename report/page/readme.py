@@ -128,9 +128,11 @@ def speed_table(rows: Rows, cases: Sequence[str]) -> str:
 
 
 def _quality() -> str:
-    """The first table of the experiment."""
+    """The first table of the experiment, without the columns that are on the page only."""
     table = experiment_tables(load_experiments())[0]
-    return markdown_table(table.header, table.rows, frozenset(range(1, len(table.header))))
+    kept = [i for i, title in enumerate(table.header) if title not in {"Ends", "Branches", "Largest"}]
+    rows = [[row[i] for i in kept] for row in table.rows]
+    return markdown_table([table.header[i] for i in kept], rows, frozenset(range(1, len(kept))))
 
 
 def _run_line(rows: Rows, folder: Path) -> str:
