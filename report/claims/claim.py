@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 TITLE = "The paper's claims, judged"
-LEAD = ("Figures and verdicts are computed from the data of one run and from the experiments; none "
-        "is typed by hand.")
+LEAD = "Figures and verdicts are computed from the data of one run and from the experiments."
 
 
 class Verdict(Enum):
