@@ -29,12 +29,12 @@ def duration(ns: float) -> str:
 
 
 def interval(low: float | None, high: float | None) -> str:
-    """Such as 251 to 258."""
-    return "" if low is None or high is None else f"{three_digits(low)} to {three_digits(high)}"
+    """Such as 251\N{EN DASH}258."""
+    return "" if low is None or high is None else f"{three_digits(low)}\N{EN DASH}{three_digits(high)}"
 
 
 def speedup_text(row: Row) -> str:
-    """Over the plain reference, with its interval, such as 254× (251 to 258)."""
+    """Over the plain reference, with its interval, such as 254× (251\N{EN DASH}258)."""
     if row.speedup_vs_reference is None or row.is_reference:
         return NOTHING
     bounds = interval(row.speedup_low, row.speedup_high)

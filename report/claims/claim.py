@@ -6,11 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
-from report.formatting import markdown_table
-
 TITLE = "The paper's claims, judged"
-LEAD = ("Figures and verdicts are computed from the data of one run and from the experiments; none "
-        "is typed by hand.")
+LEAD = "Figures and verdicts are computed from the data of one run and from the experiments."
 
 
 class Verdict(Enum):
@@ -47,12 +44,11 @@ def open_claim(claim: str, command: str) -> Claim:
 
 def to_markdown(claims: list[Claim], origin: str) -> str:
     """All claims, a section each; `origin` says of which run."""
-    table = markdown_table(("Claim", "Verdict"), [(c.claim, c.verdict.value) for c in claims])
-    return "\n".join([f"# {TITLE}", "", LEAD, "", origin, "", table, *map(_section, claims)])
+    return "\n".join([f"# {TITLE}", "", LEAD, "", origin, "", *map(_section, claims)])
 
 
 def _section(claim: Claim) -> str:
-    it = "" if claim.verdict is Verdict.OPEN else "it "
-    lines = [f"## {claim.claim}", "", f"**Verdict: {it}{claim.verdict.value}.**", ""]
-    lines += [f"{claim.figure[0].upper()}{claim.figure[1:]}.", ""] if claim.figure else []
-    return "\n".join([*lines, claim.why, "", f"Measured by `{claim.command}`.", ""])
+    verdict = claim.verdict.value if claim.verdict is Verdict.OPEN else f"it {claim.verdict.value}"
+    figure = f"{claim.figure[0].upper()}{claim.figure[1:]}. " if claim.figure else ""
+    return (f"## {claim.claim}\n\n**{verdict[0].upper()}{verdict[1:]}.** {figure}{claim.why} "
+            f"Measured by `{claim.command}`.\n")

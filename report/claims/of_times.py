@@ -37,7 +37,7 @@ class TimeRatio:
 
     @property
     def text(self) -> str:
-        """Such as 1.17 (1.14 to 1.30)."""
+        """Such as 1.17 (1.14\N{EN DASH}1.30)."""
         return f"{three_digits(self.value)} ({interval(self.low, self.high)})"
 
 

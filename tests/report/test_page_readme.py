@@ -26,11 +26,11 @@ def test_only_what_stands_between_the_marks_changes(tmp_path):
     assert "old" not in text
     assert all(words in text for words in ("Before.\n", "Between.\n", "After.\n"))
     assert "| Guo-Hall, border kept, `thin_guo_hall` | 64.0 µs | simd_bitpacked, avx512 | 156× " \
-           "(153 to 159) | 1,406× |" in text
+           "(153\N{EN DASH}159) | 1,406× |" in text
     assert "[all timings](run/timings.csv)" in text
-    assert "| `simd_bitpacked` | avx512 | 156× (153 to 159) | 156× (153 to 159) | \N{EN DASH} |" in text
+    assert "| `simd_bitpacked` | avx512 | 156× (153\N{EN DASH}159) | 156× (153\N{EN DASH}159) | \N{EN DASH} |" in text
     assert "| `holes` on `square_64` |" in text
-    assert "| `simd_runs` | avx2 | \N{EN DASH} | \N{EN DASH} | 15.6× (15.3 to 15.9) |" in text
+    assert "| `simd_runs` | avx2 | \N{EN DASH} | \N{EN DASH} | 15.6× (15.3\N{EN DASH}15.9) |" in text
     assert "| `opencv` | native |" in text
 
 
@@ -61,7 +61,7 @@ def test_many_images_fill_their_parts_and_no_other(tmp_path):
     fill_documents(write_many_images(tmp_path / "run"), [page])
     text = page.read_text()
     assert text.startswith(MARKED)
-    assert "| `ours` | 41.3 µs | `theirs` | 63.3 ms | 1,533 (1,500 to 1,540, open) |" in text
+    assert "| `ours` | 41.3 µs | `theirs` | 63.3 ms | 1,533 (1,500\N{EN DASH}1,540, open) |" in text
     assert "Run of commit abc1234 on Fake (intel-6-143-8-1a2b3c4d), 2 cores, of which other " \
            "processes kept 0.25 busy: [all figures](run/many-images/many_images.csv)." in text
     page.write_text(text.replace("-images calls:", "-images walls:"))

@@ -195,7 +195,7 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
 
     References
     ----------
-    docs/distance.md: exact integers.
+    docs/graphs.md: exact integers.
 
     Examples
     --------
