@@ -74,7 +74,13 @@ def test_widths_are_those_of_the_image_at_each_pixel_and_of_nodes_and_may_be_inf
     geojson = infinite.to_geojson()
     assert geojson["features"][2]["properties"]["width_min"] is None
     json.dumps(geojson, allow_nan=False)
+    image[1, 0] = image[0, 1:5] = False
+    uneven = thinbench.graph(skeleton, image)
+    found = [uneven.edges[f"width-{name}"][0] for name in ("mean", "median", "min", "max")]
+    assert found == [reduce(uneven.edge_widths(0)) for reduce in (np.mean, np.median, np.min, np.max)]
+    assert len(set(found)) == 4
     image[0] = image[-1] = False
+    image[1, 0] = True
     for spacing in (1, 0.5):
         graph = thinbench.graph(skeleton, image, spacing=spacing)
         assert graph.edge_widths(0).tolist() == [4 * spacing] * 9
