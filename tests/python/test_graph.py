@@ -79,6 +79,8 @@ def test_widths_are_those_of_the_image_at_each_pixel_and_of_nodes_and_may_be_inf
     found = [uneven.edges[f"width-{name}"][0] for name in ("mean", "median", "min", "max")]
     assert found == [reduce(uneven.edge_widths(0)) for reduce in (np.mean, np.median, np.min, np.max)]
     assert len(set(found)) == 4
+    block = drawn("##", "##", "..")  # a node is as wide as its widest pixel
+    assert thinbench.graph(block, block, not_thin="ignore").nodes["width"] == [4]
     image[0] = image[-1] = False
     image[1, 0] = True
     for spacing in (1, 0.5):
