@@ -10,8 +10,6 @@ import pickle
 import re
 import subprocess
 import sys
-import threading
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +19,7 @@ import thinbench
 from images import random_image
 from record_bwmorph import OPERATION_CASES, OPERATIONS, assert_recorded, repetitions
 from thinbench import Rule, compat
-from waiting import longest_wait_during
+from waiting import in_eight_threads, longest_wait_during
 
 ROOT = Path(__file__).resolve().parents[2]
 BORDERS = ["background", "keep", "foreground"]
@@ -122,61 +120,6 @@ def test_empty_images_are_accepted(shape):
     for border in BORDERS:
         rule = Rule(np.ones(512, bool), border=border)
         assert thinbench.apply(np.ones(shape, bool), rule).shape == shape
-
-
-# Built-in rules from their articles.
-
-def zhang_suen(b: int, n: list[bool], sub: int, least: int = 2) -> bool:
-    """n from the east, anticlockwise, as in n[0] ... n[7]."""
-    one_transition = sum(not n[i] and n[(i + 1) % 8] for i in range(8)) == 1
-    east, north, west, south = n[0], n[2], n[4], n[6]
-    blocked = ((north and east and south) or (east and south and west) if sub == 0 else
-               (north and east and west) or (north and south and west))
-    return one_transition and least <= b <= 6 and not blocked
-
-
-def guo_hall(b: int, n: list[bool], sub: int) -> bool:
-    east, north_east, north, north_west, west, south_west, south, south_east = n
-    crossings = ((not north and (north_east or east)) + (not east and (south_east or south)) +
-                 (not south and (south_west or west)) + (not west and (north_west or north)))
-    pairs = min((north_west or north) + (north_east or east) + (south_east or south)
-                + (south_west or west),
-                (north or north_east) + (east or south_east) + (south or south_west)
-                + (west or north_west))
-    last = ((south or south_west or not north_west) and west if sub == 0 else
-            (north or north_east or not south_east) and east)
-    return crossings == 1 and 2 <= pairs <= 3 and not last
-
-
-def thinning_rule(removed: Callable[..., bool], **options) -> Rule:
-    def deleted(index: int, sub: int) -> bool:
-        ring = [bool(index >> i & 1) for i in range(8)]
-        return removed(sum(ring), ring, sub)
-
-    return Rule.from_deletions(
-        [[deleted(index, sub) for index in range(256)] for sub in range(2)], **options)
-
-
-BUILT_IN = {
-    "zhang_suen": zhang_suen,
-    "lu_wang": lambda b, n, sub: zhang_suen(b, n, sub, 3),
-    "guo_hall": guo_hall,
-    "guo_hall_skimage": lambda b, n, sub: guo_hall(b, n, 1 - sub),
-}
-
-
-@pytest.mark.parametrize("border", ["background", "keep"])
-@pytest.mark.parametrize("name", BUILT_IN)
-def test_built_in_rules_as_tables_equal_thin(name, border):
-    for limit in (1, 3, None):
-        rule = thinning_rule(BUILT_IN[name], border=border, max_iterations=limit)
-        for seed in range(40):
-            image = random_image(seed, 200)
-            options = {"border": border, "max_iterations": limit, "return_iterations": True}
-            expected, iterations = thinbench.thin(image, name, **options)
-            result, count = thinbench.apply(image, rule, return_iterations=True)
-            np.testing.assert_array_equal(result, expected)
-            assert count == iterations
 
 
 # Other projects.
@@ -280,12 +223,11 @@ def population(cells: list[str], side: int, generations: int) -> int:
     return np.count_nonzero(thinbench.apply(board, "life", max_iterations=generations, out=board))
 
 
-def test_r_pentomino_has_116_cells_in_generation_1103():
-    assert population([".##", "##.", ".#."], 600, 1103) == 116
-
-
-def test_acorn_has_633_cells_in_generation_5206():
-    assert population([".#.....", "...#...", "##..###"], 2800, 5206) == 633
+@pytest.mark.parametrize(("cells", "side", "generations", "count"), [
+    ([".##", "##.", ".#."], 600, 1103, 116), ([".#.....", "...#...", "##..###"], 2800, 5206, 633)],
+    ids=["r-pentomino", "acorn"])
+def test_patterns_of_life_have_their_known_numbers_of_cells(cells, side, generations, count):
+    assert population(cells, side, generations) == count
 
 
 # Tables and notations.
@@ -462,11 +404,7 @@ def test_threads_share_a_rule():
                     if not np.array_equal(thinbench.apply(image, one), right):
                         wrong.append(1)
 
-    threads = [threading.Thread(target=work) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    in_eight_threads(work)
     assert not wrong
 
 

@@ -7,7 +7,6 @@ import doctest
 import gc
 import importlib
 import resource
-import threading
 import tracemalloc
 
 import numpy as np
@@ -15,7 +14,7 @@ import pytest
 
 import thinbench
 from images import random_image
-from waiting import longest_wait_during
+from waiting import in_eight_threads, longest_wait_during
 
 MODULES = ["thinbench", "thinbench._thinning", "thinbench._rules", "thinbench._images", "thinbench._graph",
            "thinbench._catalogue", "thinbench._binarise", "thinbench._packed", "thinbench._path", "thinbench.compat",
@@ -101,14 +100,6 @@ def test_localise_finds_an_object_and_its_hole():
     np.testing.assert_array_equal(found["is_hole"], [False, True])
     np.testing.assert_array_equal(found["parent"], [0, 1])
     np.testing.assert_allclose(found["centroid-0"], 29.5)
-
-
-def in_eight_threads(work) -> None:
-    threads = [threading.Thread(target=work) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
 
 
 def test_a_thousand_calls_from_eight_threads_are_equal_and_leak_nothing():
