@@ -143,6 +143,8 @@ def test_geojson_has_transformed_points_and_lines():
     points = [f for f in found["features"] if f["geometry"]["type"] == "Point"]
     lines = [f for f in found["features"] if f["geometry"]["type"] == "LineString"]
     assert json.loads(json.dumps(found)) == found
+    spaced = thinbench.graph(RING_WITH_TAILS, spacing=(2, 10)).to_geojson()
+    assert spaced["features"][0]["geometry"]["coordinates"] == [5, 3] and spaced["spacing"] == [2, 10]
     assert len(points) == len(lines) == 4
     assert points[0]["geometry"]["coordinates"] == [101, 47]
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
@@ -258,6 +260,7 @@ def test_a_subgraph_has_the_edges_that_are_asked_for_and_their_nodes():
     assert long.nodes["degree"].tolist() == [1, 1, 2]
     assert long.edge_pixels(1).tolist() == graph.edge_pixels(1).tolist()
     assert len(graph.subgraph([]).nodes["kind"]) == 0
+    assert thinbench.graph(TREE, spacing=(0.5, 2)).subgraph([0]).spacing == (0.5, 2)
 
 
 def test_given_pixels_are_nodes_that_split_their_edges():
@@ -271,7 +274,7 @@ def test_given_pixels_are_nodes_that_split_their_edges():
 
 def test_the_nearest_pixel_of_an_edge_is_found_in_the_unit_of_the_spacing():
     assert thinbench.graph(TREE).nearest(4, 6) == (2, 4, 5, 1.0)
-    assert thinbench.graph(TREE, spacing=(1, 3)).nearest(4, 7)[1:] == (2, 7, 2.0)
+    assert thinbench.graph(TREE, spacing=(1, 3)).nearest(4, 6)[1:] == (2, 6, 2.0)
 
 
 def by_a_loop(skeletons, labels):
