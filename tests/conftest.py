@@ -9,7 +9,7 @@ from collections.abc import Generator
 
 import pytest
 
-MISSING = re.compile(r"could not import|not installed")
+MISSING = re.compile(r"could not import|not installed|is not there|no programs in")
 
 
 def _judge(report: pytest.TestReport | pytest.CollectReport) -> None:

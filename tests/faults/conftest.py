@@ -40,6 +40,11 @@ class Result:
         lines = self.err.decode(errors="replace").splitlines()
         return [line for line in lines if not REMARKS.match(line)]
 
+    def assert_failed(self, says: str = "", status: int = 1) -> None:
+        """With one line that has this pattern."""
+        assert self.status == status and len(self.errors) == 1, self
+        assert re.search(says, self.errors[0]), self
+
 
 @dataclass(frozen=True)
 class Fault:
@@ -147,3 +152,18 @@ def _inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def limit(number: int, value: int) -> Callable[[], None]:
     """Sets a limit of the system in the child."""
     return lambda: resource.setrlimit(number, (value, value))
+
+
+READERS = ["run thin_guo_hall {} out.tif", "run majority {} out.png", "holes {}", "edges {} out.png",
+           "fill-holes {} out.png", "labels {} out.png", "distance {} out.png", "euler {}",
+           "localise {} --csv out.csv --overlay out.svg", "graph {} --csv out.csv --overlay out.png",
+           "path {} --start 1,1 --goal 9,9 --overlay out.svg"]
+"""Commands that read an image."""
+
+
+def mounted(commands: str) -> tuple[str, ...]:
+    """The prefix of a program that runs where these commands may mount file systems."""
+    prefix = ("unshare", "-rm", "sh", "-c")
+    if subprocess.run([*prefix, "mount -t tmpfs none /mnt"], check=False, capture_output=True).returncode:
+        pytest.skip("mounting needs root or namespaces of users")
+    return (*prefix, commands, "sh")

@@ -23,14 +23,12 @@ class Check:
 @dataclass(frozen=True)
 class Family:
     """`sources` are patterns of files in kernels/. `checks` take seconds and notice most mutants; the
-    `thorough` ones are for those that survive. Of the files that include a changed header,
-    those in `first` are compiled and tested first."""
+    `thorough` ones are for those that survive."""
 
     name: str
     sources: tuple[str, ...]
     checks: tuple[Check, ...]
     thorough: tuple[Check, ...]
-    first: tuple[str, ...] = ()
 
     def files(self, kernels: Path) -> list[str]:
         """The sources, relative to `kernels`."""
@@ -66,13 +64,11 @@ THINNING = (Check("thinning_test"), Check("engines_test"), crosscheck("thin_*"),
 
 FAMILIES = (
     Family("rules", ("rules/built_in/*.hpp",),
-           (Check("rules_test"), crosscheck("thin_{stem}", "thin_{stem}_keep", images="shapes"), GOLDEN), THINNING,
-           first=("techniques/scalar.cpp", "techniques/autovec.cpp", "scan/built_in_scans.cpp")),
+           (Check("rules_test"), crosscheck("thin_{stem}", "thin_{stem}_keep", images="shapes"), GOLDEN), THINNING),
     Family("tables", ("rules/*",), (Check("rules_test"), TECHNIQUES, GOLDEN), (*THINNING, crosscheck("net_*"))),
     Family("scans", ("scan/*",), (*SOME_THINNING, SOME_TABLES), THINNING),
     Family("planes", ("engines/words.hpp", "engines/iterate.*", "engines/plane_state.hpp"),
-           (*SOME_THINNING, ITERATE), (*THINNING, crosscheck("net_*")),
-           first=("engines/iterate.cpp", "engines/variants.cpp")),
+           (*SOME_THINNING, ITERATE), (*THINNING, crosscheck("net_*"))),
     Family("rows", ("engines/rows.cpp",), (*SOME_THINNING, SOME_TABLES), (*THINNING, crosscheck("net_*"))),
     Family("tiles", ("engines/tile_*", "engines/iterate_tiles.*"), (*SOME_THINNING, ITERATE, SOME_TABLES), THINNING),
     Family("lanes", ("engines/lane*", "thinning/batch.cpp"),
@@ -83,7 +79,7 @@ FAMILIES = (
            (crosscheck("skeleton_scan*"), API)),
     Family("techniques", ("techniques/*",),
            (TECHNIQUES, *SOME_THINNING, crosscheck("net_*_1", images="sheets"), SCAN, REGIONS),
-           (*THINNING, EDGES, DISTANCE, GRAPH, crosscheck("net_*")), first=("techniques/scalar.cpp",)),
+           (*THINNING, EDGES, DISTANCE, GRAPH, crosscheck("net_*"))),
     Family("edges", ("edges/*",), (EDGES, LOCALISE, crosscheck("edges_*"), GOLDEN, Check("api_test", "*dges*")),
            (API,)),
     Family("regions", ("regions/*",), (REGIONS, GOLDEN, LOCALISE),
@@ -92,14 +88,13 @@ FAMILIES = (
     Family("distance", ("distance/*",), (DISTANCE, crosscheck("squared_distances", images="sh*")),
            (crosscheck("squared_distances"), API)),
     Family("graph", ("graph/*",), (GRAPH, crosscheck("skeleton_graph", images="sh*")),
-           (crosscheck("skeleton_graph"), API), first=("techniques/bitpacked_graph.cpp",)),
+           (crosscheck("skeleton_graph"), API)),
     Family("compile", ("compile/*",), (COMPILE, SOME_TABLES, INTERPRETED),
            (Check("engines_test"), crosscheck("apply_*"), GOLDEN)),
     Family("core", ("core/byte_image.cpp", "core/packed_rows.cpp", "core/packing.cpp"),
            (CORE, LOCALISE, GOLDEN, Check("api_test", "*Pack*:*pack*"), SIZES), (*THINNING, EDGES, SCAN)),
     Family("simd", ("simd/*",), (CORE, EDGES, TECHNIQUES, SCAN, LOCALISE, TILE_GRID, *SOME_THINNING),
-           (*THINNING, REGIONS, crosscheck("net_*")),
-           first=("core/packing.cpp", "scan/built_in_scans.cpp", "engines/tile_layout.cpp", "edges/simd.cpp")),
+           (*THINNING, REGIONS, crosscheck("net_*"))),
     Family("lists", ("thinning/canvases.*", "thinning/labels.cpp", "thinning/many.cpp"),
            (Check("thinning_test", "*ThinMany*:*ThinLabels*:*Layouts*"),), (Check("thinning_test"), API)),
     Family("api", ("api/edges.cpp", "api/localise.cpp", "api/regions.cpp", "api/rule.cpp", "api/thinning.cpp",

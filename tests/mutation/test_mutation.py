@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -12,13 +11,14 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 # pylint: disable=wrong-import-position
-from choice import (Candidate, Equivalent, append_result, candidates, read_equivalents,  # noqa: E402
-                    read_results, result_of, stale)
+from choice import (Equivalent, Result, append_result, candidates, next_of,  # noqa: E402
+                    read_equivalents, read_results, stale)
 from families import FAMILIES, Check, Family  # noqa: E402
 from operators import mutations  # noqa: E402
-from run import EQUIVALENTS, ROOT, main  # noqa: E402
-from tree import EDITS, Overlay, Tree  # noqa: E402
-from trial import Trial, Usual, Verdict  # noqa: E402
+from run import EQUIVALENTS, KERNELS, main, report  # noqa: E402
+from trial import BEFORE, EDITED, ROOT, Build, Trial  # noqa: E402
+
+RULES = candidates(FAMILIES[0], KERNELS, 1)
 
 
 def changes(line: str) -> set[tuple[str, str]]:
@@ -63,18 +63,23 @@ def test_the_rest_of_a_text_remains() -> None:
 
 
 def test_the_choice_depends_on_the_seed_alone_and_rotates_operators() -> None:
-    family = next(one for one in FAMILIES if one.name == "rules")
-    kernels = ROOT / "kernels"
-    order = candidates(family, kernels, 1)
-    assert order == candidates(family, kernels, 1) != candidates(family, kernels, 2)
-    operators = {one.mutation.operator for one in order}
-    assert {one.mutation.operator for one in order[:len(operators)]} == operators
+    assert RULES == candidates(FAMILIES[0], KERNELS, 1) != candidates(FAMILIES[0], KERNELS, 2)
+    operators = {one.mutation.operator for one in RULES}
+    assert {one.mutation.operator for one in RULES[:len(operators)]} == operators
 
 
-def test_every_family_has_sources_and_every_edit_of_the_copy_finds_its_text() -> None:
-    assert all(family.files(ROOT / "kernels") for family in FAMILIES)
-    for name, before, _ in EDITS:
-        assert before in (ROOT / name).read_text(encoding="utf-8")
+def test_mutants_are_tried_until_enough_count() -> None:
+    results: dict[str, Result] = {}
+    states = ["same code", "killed", "not compiled", "survived", "killed", "killed"]
+    while few := next_of(RULES, 3, results):
+        for one in few:
+            results[one.key] = Result(states[len(results)])
+    assert list(results) == [one.key for one in RULES[:5]]
+
+
+def test_every_family_has_sources_and_the_edit_of_the_copy_finds_its_text() -> None:
+    assert all(family.files(KERNELS) for family in FAMILIES)
+    assert BEFORE in (ROOT / EDITED).read_text(encoding="utf-8")
 
 
 def test_an_equivalent_mutant_is_stale_if_its_line_is_gone_or_no_operator_makes_it(tmp_path: Path) -> None:
@@ -95,73 +100,77 @@ TOY = """int toy(int n) {
   for (int i = 0; i < n; ++i) sum += i;
   return sum + 0;
 }
+int endless(int n) {
+  int sum = 0;
+  while (sum < n) sum = sum + 1;
+  return sum;
+}
 """
-OBJECT = "kernels/CMakeFiles/thinbench_common.dir/toy.cpp.o"
 TOY_TEST = """int toy(int);
-int main() { return toy(3) == 3 && toy(0) == 0 ? 0 : 1; }
+int endless(int);
+int main() { return toy(3) == 3 && toy(0) == 0 && endless(3) == 3 ? 0 : 1; }
 """
-
-
-@pytest.fixture(name="toy")
-def toy_trial(tmp_path: Path) -> Trial:
-    """A trial of a file with a function and of a program that tests it."""
-    tree = Tree(tmp_path)
-    tree.kernels.mkdir(parents=True)
-    for name in ("bin", "kernels/CMakeFiles/thinbench_common.dir"):
-        (tree.build / name).mkdir(parents=True)
-    (tree.kernels / "toy.cpp").write_text(TOY, encoding="utf-8")
-    (tree.build / "test.cpp").write_text(TOY_TEST, encoding="utf-8")
-    tree.objects = {"kernels/toy.cpp": [OBJECT]}
-    tree.commands = {OBJECT: ["g++", "-O1", "-c", str(tree.kernels / "toy.cpp"), "-o", OBJECT]}
-    tree.links = {"toy_test": ["g++", "test.o", OBJECT, "-o", "bin/toy_test"]}
-    tree.inputs = {"toy_test": {"test.o", OBJECT}}
-    for command in (["g++", "-c", "test.cpp"], tree.commands[OBJECT], tree.links["toy_test"]):
-        subprocess.run(command, cwd=tree.build, check=True)
-    return Trial(Overlay(tree, tmp_path / "mutant"), Usual(tree, tmp_path / "seconds.json"))
-
-
+TOY_BUILD = """cmake_minimum_required(VERSION 3.25)
+project(toy CXX)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+add_executable(toy_test kernels/toy.cpp test.cpp)
+"""
 FAMILY = Family("toy", ("toy.cpp",), (Check("toy_test"),), ())
 
 
-def verdict(trial: Trial, before: str, after: str) -> Verdict:
-    """Of the mutant that has `after` in place of `before`."""
-    mutated = TOY.replace(before, after)
-    mutation = next(one for one in mutations(TOY) if one.apply(TOY) == mutated)
-    return trial.judge(FAMILY, "toy.cpp", mutation)
+@pytest.fixture(name="trial", scope="module")
+def toy_trial(tmp_path_factory: pytest.TempPathFactory) -> Trial:
+    """Of a file with two functions and of a program that tests it."""
+    sources = tmp_path_factory.mktemp("toy")
+    (sources / "kernels").mkdir()
+    for name, text in (("kernels/toy.cpp", TOY), ("test.cpp", TOY_TEST),
+                       ("CMakeLists.txt", TOY_BUILD)):
+        (sources / name).write_text(text, encoding="utf-8")
+    build = Build(sources, sources / "build", "baseline", ["toy_test"])
+    return Trial(sources, build, build)
 
 
-def test_a_mutant_is_judged_by_its_code_and_its_tests(toy: Trial) -> None:
-    assert verdict(toy, "i < n", "i <= n") == Verdict("killed", "toy_test (status 1)")
-    assert verdict(toy, "sum = 0", "sum = 1").state == "killed"
-    assert verdict(toy, "return sum + 0", "return sum - 0") == Verdict("same code")
-    assert verdict(toy, "i = 0", "i = 1") == Verdict("survived")  # adds 0 no more
+@pytest.mark.parametrize(("before", "after", "state", "test"), [
+    ("i < n", "i <= n", "killed", "toy_test (status 1)"),
+    ("sum = 0", "sum = 1", "killed", "toy_test (status 1)"),
+    ("return sum + 0", "return sum - 0", "same code", ""),
+    ("i = 0", "i = 1", "survived", ""),  # adds 0 no more
+    ("(int n) {", "(int n) }", "not compiled", ""),
+    ("sum = sum + 1", "sum = sum", "killed", "toy_test (status -9)"),  # never ends
+])
+def test_a_mutant_is_judged_by_its_code_and_its_tests(
+        trial: Trial, before: str, after: str, state: str, test: str) -> None:
+    one = RULES[0]
+    change = next((change for change in mutations(TOY)
+                   if change.apply(TOY) == TOY.replace(before, after, 1)),
+                  replace(one.mutation, line=1, column=TOY.index(before), before=before, after=after))
+    result = trial.result(replace(one, family=FAMILY, file="toy.cpp", mutation=change))
+    assert (result.state, result.test) == (state, test)
+    assert (trial.kernels / "toy.cpp").read_text(encoding="utf-8") == TOY
 
 
-def test_a_mutant_that_never_ends_is_killed(toy: Trial) -> None:
-    text = "int toy(int n) {\n  int sum = 0;\n  while (sum < n) sum = sum + 1;\n  return sum;\n}\n"
-    (toy.tree.kernels / "toy.cpp").write_text(text, encoding="utf-8")
-    endless = next(one for one in mutations(text) if one.before == " + 1")
-    assert toy.judge(FAMILY, "toy.cpp", endless) == Verdict("killed", "toy_test (time limit)")
-
-
-def test_what_the_compiler_rejects_does_not_count(toy: Trial) -> None:
-    toy.tree.commands[OBJECT].append("-no-such-option")
-    assert verdict(toy, "i < n", "i <= n") == Verdict("not compiled")
-
-
-def test_results_are_read_again_without_a_line_cut_short(tmp_path: Path) -> None:
+def test_results_are_read_again_without_a_truncated_line(tmp_path: Path) -> None:
     path = tmp_path / "results.jsonl"
-    candidate: Candidate = candidates(FAMILIES[0], ROOT / "kernels", 1)[0]
-    result = result_of(candidate, "killed", "a test", 1.25)
-    append_result(path, result)
+    append_result(path, "a key", Result("killed", "a test", 1.25))
     with path.open("a", encoding="utf-8") as out:
-        out.write('{"key": "cut')
-    assert read_results(path) == {candidate.key: result}
-    append_result(path, result_of(candidate, "survived", "", 2))
-    assert read_results(path)[candidate.key].state == "survived"
+        out.write('["trunc')
+    assert read_results(path) == {"a key": Result("killed", "a test", 1.25)}
+    append_result(path, "a key", Result("survived"))
+    assert read_results(path) == {"a key": Result("survived")}
 
 
-def test_wrong_options_are_refused() -> None:
+def test_survivors_that_nothing_explains_lower_the_share(capsys: pytest.CaptureFixture[str]) -> None:
+    explained, other, killed = RULES[:3]
+    entry = Equivalent(explained.file, explained.before, explained.after, "A reason.")
+    tried = [(explained, Result("survived")), (other, Result("survived")),
+             *[(killed, Result("killed", "a test"))] * 49]
+    assert report(tried, [entry]) == 0
+    assert "killed: 49 of 50, 98.0 %" in capsys.readouterr().out
+    assert report(tried[:-1], [entry]) == 1
+    assert f"survived: {other}" in capsys.readouterr().out
+
+
+def test_wrong_options_are_rejected() -> None:
     with pytest.raises(SystemExit) as error:
         main(["--number", "-1"])
     assert error.value.code == 2

@@ -8,9 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from images import photograph, random_image
-from test_compat import DTYPES, images, many, views
+from test_compat import DTYPES, cv2, images, many, views
 from thinbench import compat
 
+measure = pytest.importorskip("skimage.measure")
+ndimage = pytest.importorskip("scipy.ndimage")
 CROSS = [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
 STRUCTURES = [None, CROSS, np.ones((3, 3))]
 PROPERTIES = ("label", "area", "bbox", "centroid", "euler_number", "area_filled")
@@ -47,7 +49,6 @@ def several_values(image: np.ndarray, seed: int) -> np.ndarray:
 @given(images(), views(), st.sampled_from(STRUCTURES), st.sampled_from(DTYPES),
        st.sampled_from([None, np.int32, np.int64, np.uint16, float]))
 def test_label_equals_scipy(image, view, structure, dtype, output):
-    ndimage = pytest.importorskip("scipy.ndimage")
     source = view(image.astype(dtype))
     assert_same(compat.ndimage.label(source, structure, output), ndimage.label(source, structure, output))
 
@@ -55,7 +56,6 @@ def test_label_equals_scipy(image, view, structure, dtype, output):
 @many
 @given(images(), views(), st.sampled_from(STRUCTURES), st.sampled_from(DTYPES))
 def test_binary_fill_holes_equals_scipy(image, view, structure, dtype):
-    ndimage = pytest.importorskip("scipy.ndimage")
     source = view(image.astype(dtype))
     assert_same(compat.ndimage.binary_fill_holes(source, structure), ndimage.binary_fill_holes(source, structure))
 
@@ -63,7 +63,6 @@ def test_binary_fill_holes_equals_scipy(image, view, structure, dtype):
 @many
 @given(images(), views(), st.sampled_from([None, 1, 0.5, (2, 2), (1, 3), (2, 0.25)]), st.sampled_from(DTYPES))
 def test_distance_transform_edt_equals_scipy(image, view, sampling, dtype):
-    ndimage = pytest.importorskip("scipy.ndimage")
     source = view(image.astype(dtype))
     assert_same(compat.ndimage.distance_transform_edt(source, sampling),
                 ndimage.distance_transform_edt(source, sampling))
@@ -73,7 +72,6 @@ def test_distance_transform_edt_equals_scipy(image, view, sampling, dtype):
 @given(images(), views(), st.sampled_from([None, 1, 2]), st.sampled_from([None, 0, 1, 255]),
        st.sampled_from([bool, np.uint8, np.int32, np.float64]), st.booleans())
 def test_label_of_two_values_equals_scikit_image(image, view, connectivity, background, dtype, return_num):
-    measure = pytest.importorskip("skimage.measure")
     source = view((image * (255 if dtype == np.uint8 else 1)).astype(dtype))
     arguments = (background, return_num, connectivity)
     assert_same(compat.skimage.label(source, *arguments), measure.label(source, *arguments))
@@ -83,7 +81,6 @@ def test_label_of_two_values_equals_scikit_image(image, view, connectivity, back
 @given(images(), views(), st.sampled_from([None, 1, 2]), st.sampled_from([None, 0, 2, -1, 9]),
        st.integers(0, 1000), st.sampled_from([np.int8, np.int64, np.float64]))
 def test_label_of_several_values_equals_scikit_image(image, view, connectivity, background, seed, dtype):
-    measure = pytest.importorskip("skimage.measure")
     source = view(several_values(image, seed).astype(dtype))
     arguments = (background, True, connectivity)
     assert_same(compat.skimage.label(source, *arguments), measure.label(source, *arguments))
@@ -93,7 +90,6 @@ def test_label_of_several_values_equals_scikit_image(image, view, connectivity, 
 @given(small_images(), views(), st.sampled_from([1, 2, None]), st.sampled_from([np.int32, np.int64, np.uint16]),
        st.permutations(PROPERTIES))
 def test_regionprops_table_equals_scikit_image(image, view, connectivity, dtype, properties):
-    measure = pytest.importorskip("skimage.measure")
     source = view(several_values(image, 1) if connectivity is None
                   else 3 * measure.label(image, connectivity=connectivity)).astype(dtype)
     arguments = {"properties": properties[:3], "separator": "_"}
@@ -110,7 +106,6 @@ LABEL_TYPES = [compat.cv2.CV_32S, compat.cv2.CV_16U]
 @many
 @given(images(), views(), st.sampled_from([8, 4]), st.sampled_from(LABEL_TYPES), st.sampled_from([np.uint8, np.int8]))
 def test_connected_components_equal_opencv(image, view, connectivity, ltype, dtype):
-    cv2 = pytest.importorskip("cv2")
     source = view(image.astype(dtype))
     if source.size == 0:  # OpenCV crashes
         with pytest.raises(ValueError, match="with pixels"):
@@ -126,7 +121,6 @@ def test_connected_components_equal_opencv(image, view, connectivity, ltype, dty
 @many
 @given(images(), views())
 def test_distance_transform_equals_opencv_but_for_the_last_bit(image, view):
-    cv2 = pytest.importorskip("cv2")
     source = view(image.astype(np.uint8))
     if source.size == 0:
         with pytest.raises(ValueError, match="with pixels"):
@@ -139,9 +133,6 @@ def test_distance_transform_equals_opencv_but_for_the_last_bit(image, view):
 
 
 def test_photographs_equal_all_peers():
-    cv2 = pytest.importorskip("cv2")
-    ndimage = pytest.importorskip("scipy.ndimage")
-    measure = pytest.importorskip("skimage.measure")
     for seed in range(4):
         grey = photograph(seed)
         image = (grey < 128 + seed).astype(np.uint8)
@@ -161,7 +152,6 @@ def test_photographs_equal_all_peers():
 
 
 def test_spacing_that_is_no_power_of_two_may_differ_in_last_bits():
-    ndimage = pytest.importorskip("scipy.ndimage")
     image = photograph(1) < 128
     np.testing.assert_allclose(compat.ndimage.distance_transform_edt(image, 0.3),
                                ndimage.distance_transform_edt(image, 0.3), rtol=1e-15)
@@ -184,46 +174,3 @@ def test_results_are_written_where_the_caller_says():
     floats = np.empty(image.shape, np.float32)
     assert compat.cv2.distanceTransform(image, 2, 0, floats) is floats
     np.testing.assert_array_equal(floats, compat.cv2.distanceTransform(image, 2, 0))
-
-
-ONE = np.ones((3, 3), np.uint8)
-CHECKERS = np.indices((600, 600)).sum(axis=0) % 2
-
-
-@pytest.mark.parametrize(("call", "error", "message"), [
-    (lambda: compat.ndimage.label(np.ones((3, 3, 3))), NotImplementedError, "scipy.ndimage.label"),
-    (lambda: compat.ndimage.label(ONE, [[1, 1, 1]] * 2), ValueError, r"\(2, 3\)"),
-    (lambda: compat.ndimage.label(ONE, [1, 1, 1]), RuntimeError, r"\(3,\)"),
-    (lambda: compat.ndimage.label(ONE, np.eye(3)), NotImplementedError, "scipy.ndimage.label"),
-    (lambda: compat.ndimage.label(ONE, output=np.empty((3, 4))), ValueError, r"\(3, 4\)"),
-    (lambda: compat.ndimage.label(ONE + 1j), TypeError, "complex"),
-    (lambda: compat.ndimage.label(CHECKERS, output=np.int8), RuntimeError, "180000 labels, got int8"),
-    (lambda: compat.ndimage.binary_fill_holes(ONE, np.ones((5, 5))), NotImplementedError, "scipy"),
-    (lambda: compat.ndimage.binary_fill_holes(ONE, origin=1), NotImplementedError, "origin.*scipy"),
-    (lambda: compat.ndimage.binary_fill_holes(ONE, output=np.empty(3, bool)), RuntimeError, r"\(3,\)"),
-    (lambda: compat.ndimage.distance_transform_edt(ONE, return_indices=True), NotImplementedError, "scipy"),
-    (lambda: compat.ndimage.distance_transform_edt(ONE, (1, 2, 3)), RuntimeError, "one number or two"),
-    (lambda: compat.ndimage.distance_transform_edt(ONE, (1, 2, 3)), RuntimeError, "(1, 2, 3)"),
-    (lambda: compat.ndimage.distance_transform_edt(ONE, return_distances=False), RuntimeError, "False"),
-    (lambda: compat.ndimage.distance_transform_edt(ONE, distances=ONE), RuntimeError, "uint8"),
-    (lambda: compat.skimage.label(ONE, connectivity=3), ValueError, "3"),
-    (lambda: compat.skimage.label(np.ones(3)), NotImplementedError, "skimage.measure.label"),
-    (lambda: compat.skimage.regionprops_table(ONE, properties=("label", "solidity")), NotImplementedError,
-     "'solidity'; use skimage.measure.regionprops_table"),
-    (lambda: compat.skimage.regionprops_table(ONE, ONE), NotImplementedError, "skimage"),
-    (lambda: compat.skimage.regionprops_table(ONE > 0), TypeError, "bool"),
-    (lambda: compat.cv2.connectedComponents(ONE, connectivity=6), ValueError, "6"),
-    (lambda: compat.cv2.connectedComponents(ONE, ltype=3), ValueError, "3"),
-    (lambda: compat.cv2.connectedComponents(ONE, np.empty((3, 3))), ValueError, "float64"),
-    (lambda: compat.cv2.connectedComponents(ONE > 0), TypeError, "bool"),
-    (lambda: compat.cv2.connectedComponents(CHECKERS.astype(np.uint8), None, 4, compat.cv2.CV_16U), ValueError,
-     "180000 labels"),
-    (lambda: compat.cv2.connectedComponentsWithStats(ONE, stats=ONE), NotImplementedError, "cv2"),
-    (lambda: compat.cv2.distanceTransform(ONE, 1, 0), NotImplementedError, "distanceType.*cv2"),
-    (lambda: compat.cv2.distanceTransform(ONE, 2, 5), NotImplementedError, "maskSize.*cv2"),
-    (lambda: compat.cv2.distanceTransform(ONE, 2, 0, dstType=0), NotImplementedError, "dstType.*cv2"),
-    (lambda: compat.cv2.distanceTransform(ONE, 2, 0, ONE), ValueError, "uint8"),
-])
-def test_what_is_not_supported_is_rejected_with_its_value(call, error, message):
-    with pytest.raises(error, match=message):
-        call()

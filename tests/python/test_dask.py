@@ -14,6 +14,7 @@ import pytest
 
 import thinbench
 from images import random_image
+from test_every_rule import all_options, every_rule, or_reason
 from thinbench import Rule
 
 dask = pytest.importorskip("dask")
@@ -21,8 +22,6 @@ da = pytest.importorskip("dask.array")
 zarr = pytest.importorskip("zarr")
 tb_dask = pytest.importorskip("thinbench.dask")
 dask_thinning = importlib.import_module("thinbench._dask_thinning")
-
-REACH = {name: reach for name in thinbench.rules() if (reach := Rule.named(name).reach) > 0}
 
 
 @pytest.fixture(autouse=True)
@@ -68,30 +67,22 @@ def test_reach_is_what_one_changed_pixel_changes_in_an_iteration(rule):
         assert reach == Rule.named(rule).reach
 
 
-@pytest.mark.parametrize("border", ["background", "keep"])
-@pytest.mark.parametrize("rule", REACH)
-def test_result_equals_that_in_memory_for_any_chunks(rule, border):
-    for seed in range(7):
-        image, array = random_array(seed)
-        depth = REACH[rule] * (1 + seed % 4)
-        result = tb_dask.thin(array, rule, border=border, depth=depth)
-        assert result.chunks == array.chunks and result.dtype == array.dtype
-        np.testing.assert_array_equal(result.compute(), thinbench.thin(image, rule, border=border))
-
-
-@pytest.mark.parametrize("border", ["background", "keep"])
-@pytest.mark.parametrize("rule", REACH)
-def test_limited_iterations_are_lazy_and_exact(rule, border):
+@every_rule
+@all_options
+def test_result_equals_that_in_memory_for_any_chunks_and_limited_ones_are_lazy(rule, options):
     computed = []
-    for seed, limit in enumerate([1, 2, 3, 50]):
+    for seed in range(4):
         image, array = random_array(seed)
         counted = array.map_blocks(lambda block: computed.append(1) or block, meta=array._meta)
-        result = tb_dask.thin(counted, rule, border=border, max_iterations=limit)
-        assert not computed and result.chunks == array.chunks
-        expected = thinbench.thin(image, rule, border=border, max_iterations=limit)
-        np.testing.assert_array_equal(result.compute(), expected)
-        assert computed
         computed.clear()
+        result = or_reason(tb_dask.thin, counted, rule, depth=16 + 4 * seed, **options)
+        if isinstance(result, str):
+            assert "no bound" in result or result == or_reason(thinbench.thin, image, rule, **options)
+            return
+        assert not computed or options != {"max_iterations": 2}
+        assert result.chunks == array.chunks and result.dtype == array.dtype
+        np.testing.assert_array_equal(result.compute(), thinbench.thin(image, rule, **options))
+        assert computed
 
 
 def count_chunks(monkeypatch) -> list[int]:

@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
-PLOTS = ["edges.png", "coins.png", "horse.png"]
 
 
 def blocks(page: Path) -> list[tuple[str, str]]:
@@ -27,25 +26,13 @@ def run(page: Path) -> None:
         assert printed.getvalue() == expected
 
 
-def test_page_of_the_package_runs_and_prints_what_it_says(tmp_path, monkeypatch):
-    matplotlib = pytest.importorskip("matplotlib")
+@pytest.mark.parametrize(("page", "plots"), [
+    ("python", ["edges.png", "coins.png", "horse.png"]), ("graphs", ["main-path.png"]), ("rules", [])])
+def test_blocks_of_a_page_run_and_print_what_it_says(page, plots, tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib").use("Agg")
     pytest.importorskip("skimage.data")
     pytest.importorskip("dask.array")
-    matplotlib.use("Agg")
     monkeypatch.chdir(tmp_path)
-    run(DOCS / "python.md")
-    for plot in PLOTS:
+    run(DOCS / f"{page}.md")
+    for plot in plots:
         assert (tmp_path / plot).stat().st_size > 10_000
-
-
-def test_page_of_graphs_runs_and_prints_what_it_says(tmp_path, monkeypatch):
-    matplotlib = pytest.importorskip("matplotlib")
-    pytest.importorskip("skimage.data")
-    matplotlib.use("Agg")
-    monkeypatch.chdir(tmp_path)
-    run(DOCS / "graphs.md")
-    assert (tmp_path / "main-path.png").stat().st_size > 10_000
-
-
-def test_page_of_custom_rules_runs_and_prints_what_it_says():
-    run(DOCS / "rules.md")

@@ -4,6 +4,7 @@ THINBENCH_FUZZ_EXAMPLES sets how many calls of each kind are tried, other ones i
 from __future__ import annotations
 
 import os
+import pickle
 import re
 from collections.abc import Callable
 from typing import Any
@@ -48,7 +49,7 @@ def arrays(draw: st.DrawFn, usual: tuple[Any, ...] = ("?", "u1"), dimensions: in
     count = dimensions if is_usual else draw(st.integers(0, 4))
     shape = tuple(draw(st.lists(st.integers(0, 24), min_size=count, max_size=count)))
     array = pixels(shape, dtype, draw(st.integers(0, 99)))
-    layout = draw(st.sampled_from(["plain", "fortran", "steps", "broadcast", "unaligned", "read-only"]))
+    layout = draw(st.sampled_from(["plain", "fortran", "steps", "broadcast", "unaligned", "read-only", "unpickled"]))
     if layout == "fortran":
         array = np.asfortranarray(array)
     if layout == "steps" and shape:
@@ -60,7 +61,10 @@ def arrays(draw: st.DrawFn, usual: tuple[Any, ...] = ("?", "u1"), dimensions: in
         memory = np.zeros(array.nbytes + 1, np.uint8)[1:]
         memory[...] = np.frombuffer(array.tobytes(), np.uint8)
         array = memory.view(array.dtype).reshape(array.shape)
-    array.flags.writeable = layout != "read-only" and array.flags.writeable
+    if layout == "unpickled":
+        array = pickle.loads(pickle.dumps(array))
+    if layout == "read-only":
+        array.flags.writeable = False
     return array
 
 
@@ -149,7 +153,7 @@ def test_thin_packed_gives_what_thin_gives_or_names_the_argument(packed, width, 
 
 @SETTINGS
 @given(arrays())
-def test_regions_and_filled_holes_are_those_of_scipy_or_the_image_is_named(image):
+def test_regions_filled_holes_and_distances_are_those_of_scipy_or_the_image_is_named(image):
     found = result_or_reason("image", thinbench.regions, image, return_labels=True)
     filled = result_or_reason("image", thinbench.fill_holes, image)
     number = result_or_reason("image", thinbench.euler_number, image)
@@ -161,6 +165,8 @@ def test_regions_and_filled_holes_are_those_of_scipy_or_the_image_is_named(image
     np.testing.assert_array_equal(np.where(labels <= count, labels, 0), objects)
     np.testing.assert_array_equal(filled != 0, ndimage.binary_fill_holes(image != 0))
     assert number == count - int(table["is_hole"].sum())
+    if not np.all(image):
+        np.testing.assert_array_equal(thinbench.distance(image), ndimage.distance_transform_edt(image != 0))
 
 
 @SETTINGS

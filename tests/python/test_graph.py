@@ -1,4 +1,4 @@
-"""Distances, graphs and pruning: equal to SciPy's where it has them, to what is known otherwise."""
+"""Distances, graphs, pruning, and what is made of graphs: drawn ones with known answers, SciPy, loops."""
 
 from __future__ import annotations
 
@@ -13,29 +13,110 @@ from scipy.sparse import csgraph
 import thinbench
 from images import random_image
 
+
+def drawn(*lines):
+    return np.array([[pixel == "#" for pixel in line] for line in lines])
+
+
+TREE = drawn("#.........#",
+             ".#.......#.",
+             "..#######..",
+             ".....#.....",
+             ".....#.....")
+EIGHT = drawn("#########",
+              "#...#...#",
+              "#...#...#",
+              "#########",
+              "........#")
 RING_WITH_TAILS = np.array([[0, 0, 0, 1, 1, 0, 0, 0],
                             [1, 1, 1, 0, 0, 1, 1, 1],
                             [0, 0, 0, 1, 1, 0, 0, 0]], bool)
 
 
-@pytest.mark.parametrize("share", [0.5, 0.9, 0.999])
-def test_distances_equal_scipys(share):
-    image = np.random.RandomState(1).rand(150, 200) < share
-    image[70, 90] = False
-    np.testing.assert_array_equal(thinbench.distance(image), ndimage.distance_transform_edt(image))
-    np.testing.assert_array_equal(thinbench.distance(image, threads=2, squared=True),
-                                  np.rint(ndimage.distance_transform_edt(image) ** 2))
+@pytest.mark.parametrize("sampling", [1, 2, (1, 3), (0.25, 0.7), [1e-3, 40]])
+def test_distances_equal_scipys_also_with_out_and_threads(sampling):
+    for seed in range(20):
+        image = np.random.RandomState(seed).rand(40, 60) < 0.5 + seed / 41
+        image[seed, 5] = False
+        out = np.empty(image.shape)
+        assert thinbench.distance(image, sampling=sampling, threads=2, out=out) is out
+        np.testing.assert_array_max_ulp(out, ndimage.distance_transform_edt(image, sampling=sampling), maxulp=1)
 
 
-def test_without_background_distances_are_infinite():
+def test_squared_distances_are_exact_and_those_without_background_infinite():
+    image = np.random.RandomState(1).rand(150, 200) < 0.9
+    out = np.empty(image.shape, np.int32)
+    assert thinbench.distance(image, threads=2, squared=True, out=out) is out
+    np.testing.assert_array_equal(out, np.rint(ndimage.distance_transform_edt(image) ** 2))
     assert (thinbench.distance(np.ones((3, 4), bool)) == np.inf).all()
     assert (thinbench.distance(np.ones((3, 4), bool), squared=True) == 2**31 - 1).all()
+    thinbench.release_memory()
 
 
-def test_distances_of_views_of_any_strides_equal_those_of_copies():
-    image = np.random.RandomState(2).rand(40, 60) < 0.9
-    for view in (image[::2, ::3], image.T, image[::-1]):
-        np.testing.assert_array_equal(thinbench.distance(view), thinbench.distance(view.copy()))
+def test_shortest_paths_by_scipy_take_any_column_as_cost():
+    graph = thinbench.graph(RING_WITH_TAILS)
+    assert csgraph.shortest_path(graph.to_csgraph())[0, 3] == pytest.approx(4 + 1 + 2 * 2**0.5)
+    graph.edges["cost"] = np.arange(4.0)  # edges without cost remain
+    assert csgraph.shortest_path(graph.to_csgraph("cost"), directed=False)[0].tolist() == [0, 0, 1, 4]
+
+
+def test_empty_images_have_empty_graphs():
+    for shape in ((0, 5), (5, 0), (3, 3)):
+        for graph in (thinbench.graph(np.zeros(shape, bool)), thinbench.graph_labels(np.zeros(shape, int))):
+            assert len(graph.nodes["kind"]) == len(graph.edges["from"]) == 0
+
+
+def test_widths_are_those_of_the_image_at_each_pixel_and_of_nodes_and_may_be_infinite():
+    image = np.ones((5, 9), bool)
+    skeleton = drawn(".........", ".........", "#########", ".........", ".........")
+    infinite = thinbench.graph(skeleton, image)
+    assert infinite.edges["width-max"].tolist() == [np.inf]
+    geojson = infinite.to_geojson()
+    assert geojson["features"][2]["properties"]["width_min"] is None
+    json.dumps(geojson, allow_nan=False)
+    image[1, 0] = image[0, 1:5] = False
+    uneven = thinbench.graph(skeleton, image)
+    found = [uneven.edges[f"width-{name}"][0] for name in ("mean", "median", "min", "max")]
+    assert found == [reduce(uneven.edge_widths(0)) for reduce in (np.mean, np.median, np.min, np.max)]
+    assert len(set(found)) == 4
+    block = drawn("##", "##", "..")  # a node is as wide as its widest pixel
+    assert thinbench.graph(block, block, not_thin="ignore").nodes["width"] == [4]
+    image[0] = image[-1] = False
+    image[1, 0] = True
+    for spacing in (1, 0.5):
+        graph = thinbench.graph(skeleton, image, spacing=spacing)
+        assert graph.edge_widths(0).tolist() == [4 * spacing] * 9
+        assert all(graph.edges[f"width-{name}"] == 4 * spacing for name in ("mean", "min", "max", "median"))
+        assert graph.nodes["width"].tolist() == [4 * spacing] * 2 and graph.edges["length"] == 8 * spacing
+
+
+def test_pruning_removes_spurs_by_lengths_in_the_unit_of_the_spacing_or_by_widths():
+    line = np.where(drawn("...........", ".....#.....", ".....#.....", "###########"), 255, 0).astype(np.uint8)
+    expected = line.copy()
+    expected[1:3] = 0
+    np.testing.assert_array_equal(thinbench.prune(line, 2.5), expected)
+    np.testing.assert_array_equal(thinbench.prune(line, 2), line)
+    np.testing.assert_array_equal(thinbench.prune(line, 2.5, spacing=2), line)
+    image = np.ones_like(line)
+    image[0] = 0
+    np.testing.assert_array_equal(thinbench.prune(line, min_widths=1, image=image), expected)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert thinbench.prune(TREE, min_widths=2, image=TREE, spacing=0.1)[3:].sum() == 0
+
+
+def test_classes_of_pixels_have_names_and_degrees():
+    image = drawn("#.###..", "....#.#", "##..###", "##....#")
+    classes, degrees = thinbench.classify_pixels(image)
+    assert [thinbench.PIXEL_CLASSES[c] for c in classes[0, :4]] == ["isolated", "background", "end", "line"]
+    assert [thinbench.PIXEL_CLASSES[c] for c in classes[2, 4:]] == ["line", "line", "junction"]
+    assert degrees[2].tolist() == [2, 2, 0, 0, 2, 2, 3]
+
+
+def test_polylines_keep_what_is_farther_than_the_tolerance():
+    graph = thinbench.graph(drawn("#.....#", ".#...#.", "..#.#..", "...#..."))
+    assert [line.tolist() for line in graph.polylines(1)] == [[[0, 0], [3, 3], [0, 6]]]
+    assert [line.tolist() for line in graph.polylines(3)] == [[[0, 0], [0, 6]]]
 
 
 def test_a_ring_with_tails_has_parallel_edges():
@@ -49,40 +130,6 @@ def test_a_ring_with_tails_has_parallel_edges():
     assert graph.node_pixels(1).tolist() == [[1, 2]]
 
 
-def test_nodes_minus_edges_is_the_euler_number_and_every_pixel_is_once():
-    for seed in range(20):
-        skeleton = thinbench.thin(random_image(seed))
-        graph = thinbench.graph(skeleton, not_thin="ignore")
-        edges = graph.edges["from"]
-        assert len(graph.nodes["kind"]) - len(edges) == thinbench.euler_number(skeleton)
-        pixels = [graph.node_pixels(n) for n in range(len(graph.nodes["kind"]))]
-        pixels += [graph.edge_pixels(e)[1:-1] for e in range(len(edges))]
-        drawn = np.zeros(skeleton.shape, int)
-        np.add.at(drawn, tuple(np.concatenate(pixels).T), 1)
-        np.testing.assert_array_equal(drawn, skeleton != 0)
-
-
-def test_widths_are_those_of_the_image():
-    image = np.zeros((9, 30), bool)
-    image[1:8, 1:29] = True
-    skeleton = np.zeros_like(image)
-    skeleton[4, 5:25] = True
-    graph = thinbench.graph(skeleton, image)
-    assert [graph.edges[f"width-{name}"].tolist() for name in ("mean", "min", "max")] == [[8], [8], [8]]
-
-
-def test_without_background_widths_are_infinite():
-    line = np.ones((1, 5), bool)
-    edges = thinbench.graph(line, line).edges
-    assert [edges[f"width-{name}"].tolist() for name in ("mean", "min", "max")] == [[np.inf]] * 3
-
-
-def test_shortest_paths_by_scipy():
-    graph = thinbench.graph(RING_WITH_TAILS)
-    distances = csgraph.shortest_path(graph.to_csgraph())
-    assert distances[0, 3] == pytest.approx(4 + 1 + 2 * 2**0.5)
-
-
 def test_networkx_graph_has_the_columns():
     pytest.importorskip("networkx")
     graph = thinbench.graph(RING_WITH_TAILS).to_networkx()
@@ -91,75 +138,18 @@ def test_networkx_graph_has_the_columns():
     assert len(graph[1][2]) == 2 and graph[0][1][0]["pixels"].shape == (3, 2)
 
 
-def test_empty_images_have_empty_graphs():
-    for shape in ((0, 5), (5, 0), (3, 3)):
-        graph = thinbench.graph(np.zeros(shape, bool))
-        assert len(graph.nodes["kind"]) == len(graph.edges["from"]) == 0
-
-
-def test_pruning_removes_spurs():
-    line = np.zeros((4, 20), np.uint8)
-    line[3, :] = 255
-    line[1:3, 10] = 255
-    expected = line.copy()
-    expected[1:3, 10] = 0
-    np.testing.assert_array_equal(thinbench.prune(line, 2.5), expected)
-    np.testing.assert_array_equal(thinbench.prune(line, 2), line)
-    image = np.ones_like(line)
-    image[0] = 0
-    np.testing.assert_array_equal(thinbench.prune(line, min_widths=1, image=image), expected)
-
-
-def test_unsuitable_arguments_are_named():
-    line = np.ones((1, 5), bool)
-    with pytest.raises(ValueError, match="min_length"):
-        thinbench.prune(line, -1)
-    with pytest.raises(ValueError, match="min_widths"):
-        thinbench.prune(line, min_widths=1)
-    with pytest.raises(ValueError, match="image: expected the skeleton's shape"):
-        thinbench.graph(line, np.ones((2, 5), bool))
-    with pytest.raises(ValueError, match="32767"):
-        thinbench.distance(np.ones((1, 40000), bool))
-
-
-def test_classes_and_degrees_of_pixels_follow_the_definition():
-    image = np.array([[1, 0, 1, 1, 1, 0, 0],
-                      [0, 0, 0, 0, 1, 0, 1],
-                      [1, 1, 0, 0, 1, 1, 1],
-                      [1, 1, 0, 0, 0, 0, 1]], bool)
-    classes, degrees = thinbench.classify_pixels(image)
-    assert [thinbench.PIXEL_CLASSES[c] for c in classes[0, :4]] == ["isolated", "background", "end", "line"]
-    assert [thinbench.PIXEL_CLASSES[c] for c in classes[2, 4:]] == ["line", "line", "junction"]
-    assert thinbench.PIXEL_CLASSES[classes[3, 1]] == "junction"
-    assert degrees[2].tolist() == [2, 2, 0, 0, 2, 2, 3]
-
-
-def test_polylines_keep_what_is_farther_than_the_tolerance():
-    skeleton = np.zeros((4, 7), bool)
-    skeleton[[0, 1, 2, 3, 2, 1, 0], range(7)] = True
-    graph = thinbench.graph(skeleton)
-    assert [line.tolist() for line in graph.polylines(1)] == [[[0, 0], [3, 3], [0, 6]]]
-    assert [line.tolist() for line in graph.polylines(3)] == [[[0, 0], [0, 6]]]
-    with pytest.raises(ValueError, match="tolerance: expected a finite number of at least 0, got nan"):
-        graph.polylines(np.nan)
-
-
 def test_geojson_has_transformed_points_and_lines():
     found = thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(2, 0, 100, 0, -2, 50))
     points = [f for f in found["features"] if f["geometry"]["type"] == "Point"]
     lines = [f for f in found["features"] if f["geometry"]["type"] == "LineString"]
     assert json.loads(json.dumps(found)) == found
+    spaced = thinbench.graph(RING_WITH_TAILS, spacing=(2, 10)).to_geojson()
+    assert spaced["features"][0]["geometry"]["coordinates"] == [5, 3] and spaced["spacing"] == [2, 10]
     assert len(points) == len(lines) == 4
     assert points[0]["geometry"]["coordinates"] == [101, 47]
     assert lines[0]["geometry"]["coordinates"] == [[101, 47], [105, 47]]
     assert points[1]["properties"] == {"id": 2, "kind": "junction", "degree": 3}
     assert lines[0]["properties"] == {"id": 1, "from": 1, "to": 2, "pixels": 1, "length": 2, "chord": 2}
-    with pytest.raises(ValueError, match="transform: expected finite numbers, got inf"):
-        thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1e308, 1e308, 1e308, 0, 1, 0))
-    with pytest.raises(ValueError, match="transform: expected finite numbers, got nan"):
-        thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1, 0, 0, 0, np.nan, 0))
-    with pytest.raises(ValueError, match="transform: expected 6 numbers, got 5"):
-        thinbench.graph(RING_WITH_TAILS).to_geojson(transform=(1, 0, 0, 0, 1))
 
 
 def test_blocks_of_an_image_that_is_not_thin_are_reported():
@@ -173,43 +163,159 @@ def test_blocks_of_an_image_that_is_not_thin_are_reported():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert thinbench.graph(thick, not_thin="ignore").nodes["kind"].tolist() == ["junction"]
-    with pytest.raises(ValueError, match="not_thin: expected 'warn', 'raise' or 'ignore', got 'stop'"):
-        thinbench.graph(thick, not_thin="stop")
 
 
-def test_geojson_of_widths_without_background_is_json():
-    line = np.ones((1, 9), bool)
-    found = thinbench.graph(line, line).to_geojson()
-    assert found["features"][2]["properties"]["width_min"] is None
-    json.dumps(found, allow_nan=False)
+def test_a_graph_says_in_a_line_what_it_is():
+    cross = np.array([[0, 1, 0, 0], [1, 1, 1, 1], [0, 1, 0, 0]], bool)
+    assert repr(thinbench.graph(cross)) == "Graph(5 nodes (4 end, 1 junction), 4 edges of length 5.0)"
+    assert repr(thinbench.graph(np.zeros((2, 2), bool))) == "Graph(0 nodes, 0 edges of length 0.0)"
 
 
-def test_edges_without_cost_remain_in_csgraph():
-    graph = thinbench.graph(RING_WITH_TAILS)
-    graph.edges["cost"] = np.arange(4.0)
-    costs = csgraph.shortest_path(graph.to_csgraph("cost"), directed=False)
-    assert costs[0].tolist() == [0, 0, 1, 4]
+def test_a_graph_is_plotted_as_lines_and_points():
+    figure = pytest.importorskip("matplotlib.figure").Figure()
+    graph = thinbench.graph(thinbench.thin(random_image(6)), not_thin="ignore")
+    ax = figure.add_subplot()
+    assert graph.plot(ax) is ax
+    ends = sum(len(line.get_xdata()) for line in ax.lines if line.get_label() == "end")
+    assert ends == (graph.nodes["kind"] == "end").sum()
+    lines = [line for line in ax.lines if line.get_linestyle() == "-"]
+    assert len(lines) == len(graph.edges["length"])
+    bottom, top = ax.get_ylim()
+    assert bottom > top
+    graph.plot(ax)
+    assert ax.get_ylim() == (bottom, top)
 
 
-def test_number_beyond_floats_is_named():
-    with pytest.raises(ValueError, match=r"min_length: expected less than 2\*\*1024 in magnitude"):
-        thinbench.prune(RING_WITH_TAILS, 10**400)
+def test_the_main_path_of_a_tree_leaves_out_its_short_branch():
+    path = thinbench.graph(TREE).main_path()
+    assert path.length == pytest.approx(6 + 4 * 2**0.5)
+    assert path.pixels.tolist() == [[0, 0], [1, 1], *[[2, x] for x in range(2, 9)], [1, 9], [0, 10]]
+    assert len(path.nodes) == 3 and len(path.edges) == 2
 
 
-@pytest.mark.parametrize("value", ["a", None, [1, 2]])
-def test_what_is_no_number_is_named(value):
-    with pytest.raises(TypeError, match="min_length: expected a number, got"):
-        thinbench.prune(RING_WITH_TAILS, value)
-    with pytest.raises(TypeError, match="tolerance: expected a number, got"):
-        thinbench.graph(RING_WITH_TAILS).polylines(value)
+def test_main_paths_are_in_the_unit_of_the_spacing():
+    graph = thinbench.graph(TREE, spacing=(0.5, 2))
+    assert graph.main_path().length == pytest.approx(6 * 2 + 4 * (4 + 0.25) ** 0.5)
+    assert graph.edges["chord"].max() == pytest.approx((25 + 1) ** 0.5 * 2, abs=1)
 
 
-def test_distances_are_written_into_the_array_that_is_given():
-    image = random_image(3)
-    for squared, dtype in ((False, np.float64), (True, np.int32)):
-        out = np.empty(image.shape, dtype)
-        assert thinbench.distance(image, squared=squared, out=out) is out
-        np.testing.assert_array_equal(out, thinbench.distance(image, squared=squared))
-    with pytest.raises(ValueError, match="out: expected float64"):
-        thinbench.distance(image, out=np.empty(image.shape, np.int32))
-    thinbench.release_memory()
+def test_there_is_a_main_path_for_each_component_and_none_without_nodes():
+    graph = thinbench.graph(drawn("##.#", "....", "###."))
+    assert [path.length for path in graph.main_paths()] == [1, 0, 2]
+    assert graph.main_path().pixels.tolist() == [[2, 0], [2, 1], [2, 2]]
+
+
+def test_cycles_close_by_their_longest_edge_and_know_their_holes():
+    graph = thinbench.graph(EIGHT)
+    cycles = graph.cycles()
+    assert len(cycles) == 2
+    assert sorted(len(cycle.holes) for cycle in cycles) == [1, 1]
+    assert sorted(hole for cycle in cycles for hole in cycle.holes.tolist()) == [[1, 1], [1, 5]]
+    for cycle in cycles:
+        assert graph.edges["length"][cycle.edges[-1]] == graph.edges["length"][cycle.edges].max()
+        assert cycle.pixels[0].tolist() == cycle.pixels[-1].tolist()
+
+
+def test_a_cycle_round_another_encloses_both_holes():
+    ring = drawn("#######",
+                 "#..#..#",
+                 "#.#.#.#",
+                 "#..#..#",
+                 "#.....#",
+                 "#######")
+    assert sorted(len(cycle.holes) for cycle in thinbench.graph(ring, not_thin="ignore").cycles()) == [1, 2]
+
+
+def test_open_cycles_takes_the_longest_edge_of_short_cycles_only():
+    graph = thinbench.graph(EIGHT)
+    lengths = sorted(cycle.length for cycle in graph.cycles())
+    assert len(graph.open_cycles(lengths[0] - 1).edges["from"]) == len(graph.edges["from"])
+    assert len(graph.open_cycles(lengths[-1]).edges["from"]) == len(graph.edges["from"]) - 2
+
+
+def test_the_summary_has_the_columns_of_skan_and_the_values_of_a_table_by_hand():
+    graph = thinbench.graph(TREE, spacing=(2, 1))
+    table = graph.summary()
+    assert list(table["branch-type"]) == [1, 1, 1]
+    assert list(table["skeleton-id"]) == [0, 0, 0]
+    assert table["node-id-src"].tolist() == [0, 1, 2] and table["node-id-dst"].tolist() == [2, 2, 3]
+    np.testing.assert_allclose(table["branch-distance"], [2 * 5**0.5 + 2, 2 * 5**0.5 + 2, 4], atol=1)
+    assert table["image-coord-src-0"].tolist() == [0, 0, 2] and table["coord-dst-0"][2] == 8
+    np.testing.assert_allclose(table["tortuosity"], table["branch-distance"] / table["euclidean-distance"])
+    assert "branch_distance" in graph.summary(separator="_")
+
+
+def test_branch_types_are_those_of_ends_junctions_and_closed_lines():
+    line = thinbench.graph(drawn("###")).summary()
+    ring = thinbench.graph(drawn(".#.", "#.#", ".#.")).summary()
+    eight = thinbench.graph(EIGHT).summary()
+    assert line["branch-type"].tolist() == [0] and ring["branch-type"].tolist() == [3]
+    assert np.isnan(ring["tortuosity"]).all() and set(eight["branch-type"].tolist()) == {1, 2}
+
+
+def test_a_subgraph_has_the_edges_that_are_asked_for_and_their_nodes():
+    graph = thinbench.graph(TREE)
+    long = graph.subgraph(graph.edges["length"] > 4)
+    assert len(long.edges["from"]) == 2 and long.nodes["kind"].tolist() == ["end", "end", "junction"]
+    assert long.nodes["degree"].tolist() == [1, 1, 2]
+    assert long.edge_pixels(1).tolist() == graph.edge_pixels(1).tolist()
+    assert len(graph.subgraph([]).nodes["kind"]) == 0
+    assert thinbench.graph(TREE, spacing=(0.5, 2)).subgraph([0]).spacing == (0.5, 2)
+
+
+def test_given_pixels_are_nodes_that_split_their_edges():
+    graph = thinbench.graph(TREE, nodes=[(2, 3), (0, 0)])
+    assert graph.nodes["kind"].tolist() == ["end", "end", "junction", "end", "given"]
+    assert len(graph.edges["from"]) == 4
+    assert graph.edges["length"].sum() == pytest.approx(thinbench.graph(TREE).edges["length"].sum())
+    path = graph.shortest_path(4, 1)
+    assert path.pixels[0].tolist() == [2, 3] and path.pixels[-1].tolist() == [0, 10]
+
+
+def test_the_nearest_pixel_of_an_edge_is_found_in_the_unit_of_the_spacing():
+    assert thinbench.graph(TREE).nearest(4, 6) == (2, 4, 5, 1.0)
+    assert thinbench.graph(TREE, spacing=(1, 3)).nearest(4, 6)[1:] == (2, 6, 2.0)
+
+
+def by_a_loop(skeletons, labels):
+    return [thinbench.graph(skeletons == label, labels == label, not_thin="ignore")
+            for label in np.unique(labels[labels != 0])]
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_the_graphs_of_labels_are_those_of_a_loop(seed):
+    random = np.random.RandomState(seed)
+    labels = np.kron(random.randint(0, 2 + seed % 5, (12, 15)), np.ones((1 + seed % 4,) * 2, int)) * 7
+    skeletons = np.where(random.rand(*labels.shape) < 0.7, labels, 0)
+    found = thinbench.graph_labels(skeletons, labels)
+    graphs = by_a_loop(skeletons, labels)
+    first = np.cumsum([0] + [len(graph.nodes["kind"]) for graph in graphs])
+    for name in graphs[0].edges:
+        shift = first if name in ("from", "to") else np.zeros(len(first))
+        expected = [graph.edges[name] + more for graph, more in zip(graphs, shift)]
+        np.testing.assert_array_equal(found.edges[name], np.concatenate(expected))
+    for name in set(graphs[0].nodes) - {"component"}:
+        np.testing.assert_array_equal(found.nodes[name], np.concatenate([graph.nodes[name] for graph in graphs]))
+    assert found.summary()["label"].tolist() == found.edges["label"].tolist()
+    assert set(found.nodes["label"]) == set(skeletons[skeletons != 0])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_labels_are_pruned_as_if_each_were_alone(seed):
+    random = np.random.RandomState(seed)
+    labels = np.kron(random.randint(0, 5, (12, 15)), np.ones((2, 2), int)) * 300
+    skeletons = np.where(random.rand(*labels.shape) < 0.6, labels, 0)
+    expected = np.zeros_like(skeletons)
+    for label in np.unique(labels[labels != 0]):
+        kept = thinbench.prune(skeletons == label, 2, min_widths=0.5, image=labels == label, remove_components=True)
+        expected[kept] = label
+    found = thinbench.prune_labels(skeletons, 2, min_widths=0.5, labels=labels, remove_components=True)
+    assert found.dtype == skeletons.dtype
+    np.testing.assert_array_equal(found, expected)
+
+
+def test_the_medial_axis_is_the_skeleton_with_its_distances():
+    image = random_image(5)
+    skeleton, distances = thinbench.medial_axis(image, "zhang_suen", spacing=(2, 1))
+    np.testing.assert_array_equal(skeleton, thinbench.thin(image, "zhang_suen"))
+    np.testing.assert_array_equal(distances, np.where(skeleton, thinbench.distance(image, sampling=(2, 1)), 0))

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import heapq
 import json
-import os
-import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import thinbench
 from images import random_image
+from program import ROOT, assert_rejected, run_text
 
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build/release/bin")) / "thinbench"
 sys.path.insert(0, str(ROOT / "python" / "examples"))
 pytest.importorskip("matplotlib")
 planning = pytest.importorskip("path_planning")
@@ -34,10 +30,6 @@ def plan(tmp_path):
 
 def xy(point):
     return f"{point[1]},{point[0]}"
-
-
-def run(*words: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([PROGRAM, "path", *map(str, words)], capture_output=True, text=True, check=False)
 
 
 def assert_is_path(found, free, start, goal, width):
@@ -132,7 +124,7 @@ def test_the_robots_of_the_floor_plan(plan, tmp_path, width):
     found = thinbench.path(free, planning.START, planning.GOAL, width)
     assert_is_path(found, free, planning.START, planning.GOAL, width)
     overlay = tmp_path / "path.png"
-    made = run(path, "--start", xy(planning.START), "--goal", xy(planning.GOAL), "--width", width, "--json",
+    made = run_text("path", path, "--start", xy(planning.START), "--goal", xy(planning.GOAL), "--width", width, "--json",
                "--overlay", overlay)
     assert made.returncode == 0, made.stderr
     listed = json.loads(made.stdout)
@@ -173,7 +165,7 @@ def test_the_path_follows_the_skeleton():
 
 def test_free_space_of_more_than_half_a_map_is_nothing_doubtful(plan):
     for options in ([], ["--foreground", "bright"]):
-        made = run(plan[0], "--start", xy(planning.START), "--goal", xy(planning.GOAL), *options)
+        made = run_text("path", plan[0], "--start", xy(planning.START), "--goal", xy(planning.GOAL), *options)
         assert made.returncode == 0 and "warning" not in made.stderr
 
 
@@ -190,24 +182,7 @@ def test_free_space_of_more_than_half_a_map_is_nothing_doubtful(plan):
     (["--start", "40,150", "--goal", "590,80", "--width", "-2"], "--width"),
     (["--start", "40,150", "--goal", "590,80", "--overlay", "x.jpg"], "JPEG")])
 def test_what_cannot_be_is_one_line(plan, words, said):
-    failed = run(plan[0], *words)
-    assert failed.returncode in (1, 2) and failed.stdout == ""
-    assert failed.stderr.count("\n") == 1 and said in failed.stderr
-
-
-@pytest.mark.parametrize("call, error, said", [
-    (lambda free: thinbench.path(free, (0, 0), (20, 40)), ValueError, "start: (0, 0) is inside an obstacle"),
-    (lambda free: thinbench.path(free, (20, 20), (20, 400)), ValueError, "goal: (400, 20) is outside"),
-    (lambda free: thinbench.path(free, 5, (20, 40)), TypeError, "start: expected a row and a column, got 5"),
-    (lambda free: thinbench.path(free, (20, 1.5), (20, 40)), TypeError, "start"),
-    (lambda free: thinbench.path(free, (20, 20), (20, 40), float("nan")), ValueError, "width"),
-    (lambda free: thinbench.path(np.zeros((0, 0), bool), (0, 0), (0, 0)), ValueError, "outside the map of 0 x 0")])
-def test_python_rejects_what_cannot_be(call, error, said):
-    free = np.zeros((41, 101), bool)
-    free[5:36, 5:96] = True
-    with pytest.raises(error, match="^[^\n]*$") as failure:
-        call(free)
-    assert said in str(failure.value)
+    assert_rejected(said, "path", plan[0], *words)
 
 
 def test_a_map_without_obstacles_and_a_path_of_one_pixel():

@@ -14,12 +14,9 @@ from scipy import ndimage
 import test_docs
 import test_types
 import thinbench
+from test_path import ROOT, assert_is_path, length, planning as path_planning
 
-pytest.importorskip("matplotlib")
-ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "python" / "examples" / "path_planning.py"
-sys.path.insert(0, str(EXAMPLE.parent))
-import path_planning  # noqa: E402
 
 FREE = path_planning.floor_plan()
 SKELETON = thinbench.prune(thinbench.thin(FREE), min_widths=1, image=FREE)
@@ -31,16 +28,6 @@ def planned(width, start=path_planning.START, goal=path_planning.GOAL):
     return path_planning.plan_path(FREE, SKELETON, width, start, goal)
 
 
-def length(path):
-    return np.hypot(*np.diff(path, axis=0).T).sum()
-
-
-def assert_is_path(path, width, start, goal, clearance=CLEARANCE):
-    assert tuple(path[0]) == start and tuple(path[-1]) == goal
-    assert (np.abs(np.diff(path, axis=0)).max(axis=1) == 1).all()
-    assert clearance[tuple(path.T)].min() >= width / 2
-
-
 def run(*options, cwd):
     package = str(Path(thinbench.__file__).parents[1])
     return subprocess.run([sys.executable, EXAMPLE, *map(str, options)], cwd=cwd, text=True, capture_output=True,
@@ -49,7 +36,7 @@ def run(*options, cwd):
 
 @pytest.mark.parametrize("width", [0.5, *range(1, 36)])
 def test_every_pixel_is_as_clear_as_the_robot_is_wide_and_next_to_the_one_before(width):
-    assert_is_path(planned(width), width, path_planning.START, path_planning.GOAL)
+    assert_is_path(planned(width), FREE, path_planning.START, path_planning.GOAL, width)
 
 
 def test_the_narrow_robot_takes_the_narrow_door_and_a_shorter_path():
@@ -68,7 +55,7 @@ def test_start_and_goal_may_lie_anywhere_that_is_clear(on_skeleton):
     points = np.argwhere(near & (2 * CLEARANCE >= width + 4))
     for first, last in np.random.RandomState(1).randint(len(points), size=(30, 2)):
         start, goal = tuple(points[first]), tuple(points[last])
-        assert_is_path(planned(width, start, goal), width, start, goal)
+        assert_is_path(planned(width, start, goal), FREE, start, goal, width)
 
 
 def test_no_clear_path_over_the_skeletons_pixels_is_shorter():
@@ -90,7 +77,7 @@ def test_of_parallel_edges_a_robot_takes_the_shortest_that_is_wide_enough():
     assert len(np.unique(ends, axis=1).T) < len(ends.T)
     paths = {width: path_planning.plan_path(free, skeleton, width, start, goal) for width in (10, 18)}
     for width, path in paths.items():
-        assert_is_path(path, width, start, goal, clearance)
+        assert_is_path(path, free, start, goal, width)
     middles = {width: path[path[:, 1] == 100, 0] for width, path in paths.items()}
     assert (middles[10] < 20).all() and (middles[18] >= 50).all()
 

@@ -8,7 +8,6 @@ import json
 import os
 import re
 import subprocess
-from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -16,15 +15,10 @@ import pytest
 
 import thinbench
 from images import random_image
+from program import PROGRAMS, assert_rejected, run
 
 cv2 = pytest.importorskip("cv2")
 pil = pytest.importorskip("PIL.Image")
-PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", Path(__file__).resolve().parents[2] / "build/release/bin"))
-
-
-def run(*words: object, data: bytes | None = None, stdout: object = subprocess.PIPE) -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run([PROGRAMS / "thinbench", *map(str, words)], stdout=stdout, stderr=subprocess.PIPE, input=data,
-                          check=False)
 
 
 @pytest.fixture
@@ -37,11 +31,8 @@ def picture(tmp_path):
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
-    study = PROGRAMS / "thinbench-study"
-    if not study.exists():
-        pytest.skip("thinbench-study draws the scene and is not built")
     path = tmp_path_factory.mktemp("scene") / "scene.png"
-    subprocess.run([study, "scene", path], check=True, capture_output=True)
+    subprocess.run([PROGRAMS / "thinbench-study", "scene", path], check=True, capture_output=True)
     return path
 
 
@@ -155,8 +146,8 @@ def test_overlays_are_images_or_svg_by_their_names(rings, tmp_path, command):
         for x, y in re.findall(r"(\d+),(\d+)", line.get("points")):
             assert int(x) < 120 and int(y) < 60
     for name in ("a.jpg", "a.pgm", "a", "a.txt"):
-        failed = run(*words, "--overlay", tmp_path / name)
-        assert failed.returncode == 2 and failed.stderr.count(b"\n") == 1 and not (tmp_path / name).exists()
+        assert_rejected("", *words, "--overlay", tmp_path / name, status=(2,))
+        assert not (tmp_path / name).exists()
 
 
 @pytest.mark.parametrize("words", [[*map(str, (name, "-", *more)), "--overlay", "-"] for name, more in PLACES.items()]
@@ -184,26 +175,6 @@ def test_packed_files_read_and_write_the_standard_streams(picture, tmp_path):
         assert out.read_bytes() == expected
         if options:
             assert run("run", "thin_guo_hall", "-", "-", *options, data=data).stdout == expected
-    failed = run("run", "thin_guo_hall", "-", tmp_path / "out.pbm", "--raw", "999x999", data=packed)
-    assert failed.returncode == 1 and b"cannot read standard input: it has" in failed.stderr
-    for files in (("-", tmp_path / "x.pbm"), (tmp_path / "a.pbm", "-")):
-        failed = run("run", "thin_guo_hall", *files, "--out-of-core", data=packed)
-        assert failed.returncode == 2 and b"no standard streams" in failed.stderr
-
-
-@pytest.mark.parametrize("words", [["holes", "IN", "--csv"], ["localise", "IN", "--csv"], ["graph", "IN", "--csv"],
-                                   ["graph", "IN", "--geojson"], ["rule", "golay_l", "--save"],
-                                   ["batch", "holes", "IN", "--out", "OUT", "--table"]])
-def test_no_file_is_called_minus(picture, tmp_path, words, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    failed = run(*[picture[0] if word == "IN" else word for word in words], "-")
-    assert failed.returncode == 2 and b"expected the name of a file, got '-'" in failed.stderr
-    assert not Path("-").exists() and not Path("OUT").exists()
-
-
-def test_out_and_overlay_of_a_graph_do_not_share_standard_output(picture):
-    failed = run("graph", picture[0], "--out", "-", "--overlay", "-")
-    assert failed.returncode == 2 and failed.stdout == b"" and failed.stderr.count(b"\n") == 1
 
 
 def test_localise_finds_the_scene_and_equals_python_and_the_batch(scene, tmp_path):
@@ -214,15 +185,6 @@ def test_localise_finds_the_scene_and_equals_python_and_the_batch(scene, tmp_pat
     assert [one["area"] for one in listed["objects"]] == list(table["area"][~table["is_hole"]])
     assert run("batch", "localise", scene, "--out", tmp_path / "found").returncode == 0
     assert (tmp_path / "found" / "scene.json").read_bytes() == run("localise", scene, "--json").stdout
-
-
-@pytest.mark.parametrize("word, command", [
-    ("edges_sobel", "edges --operator sobel"), ("holes", "holes"), ("fill_holes", "fill-holes"),
-    ("euler_number", "euler"), ("localise_objects", "localise"), ("labels", "labels"), ("graph", "graph"), ("path", "path")])
-def test_run_names_the_command_for_what_is_not_its_own(picture, tmp_path, word, command):
-    failed = run("run", word, picture[0], tmp_path / "out.png")
-    assert failed.returncode == 2
-    assert failed.stderr.decode().endswith(f"'{word}' is done by 'thinbench {command}'\n")
 
 
 @pytest.mark.parametrize("words", [["run", "thin_guo_hall"], ["edges"], ["fill-holes"], ["labels"], ["distance"]])
@@ -239,14 +201,6 @@ def test_lists_read_standard_input(picture, words):
     path, _ = picture
     piped = run(*words, "-", "--foreground", "bright", data=path.read_bytes())
     assert piped.returncode == 0 and piped.stdout == made(*words, path).stdout
-
-
-@pytest.mark.parametrize("data, said", [(b"", "the file is empty"), (b"no picture", "not an image of a known format"),
-                                        (b"\x89PNG\r\n\x1a\n" + bytes(40), "standard input")])
-def test_bad_standard_input_is_one_line(data, said):
-    failed = run("run", "thin_guo_hall", "-", "-", data=data)
-    assert failed.returncode == 1 and failed.stdout == b"" and failed.stderr.count(b"\n") == 1
-    assert said in failed.stderr.decode() and "standard input" in failed.stderr.decode()
 
 
 def test_a_full_standard_output_is_an_error(picture):
@@ -269,31 +223,6 @@ def test_new_commands_survive_bad_files(picture, tmp_path, words):
     if out:
         assert run(*words, path, tmp_path / "no" / "out.png").returncode == 1
         assert run(*words, path, tmp_path / "out.jpg").returncode == 2
-
-
-def test_more_objects_than_16_bits_number_are_rejected(tmp_path):
-    image = np.zeros((600, 600), np.uint8)
-    image[::2, ::2] = 255
-    cv2.imwrite(str(tmp_path / "dots.png"), image)
-    failed = run("labels", tmp_path / "dots.png", tmp_path / "out.png", "--foreground", "bright")
-    assert failed.returncode == 1 and b"90000 objects" in failed.stderr and not (tmp_path / "out.png").exists()
-
-
-def test_a_distance_without_background_is_rejected(tmp_path):
-    cv2.imwrite(str(tmp_path / "white.png"), np.full((5, 5), 255, np.uint8))
-    failed = run("distance", tmp_path / "white.png", tmp_path / "out.png", "--foreground", "bright")
-    assert failed.returncode == 1 and b"all of it is foreground" in failed.stderr
-
-
-@pytest.mark.parametrize("kind, name", [("GIF", "GIF"), ("WEBP", "WebP"), ("JPEG2000", "JPEG 2000")])
-def test_other_formats_are_named_as_what_they_are(tmp_path, kind, name):
-    path = tmp_path / "picture.png"
-    try:
-        pil.fromarray(np.zeros((8, 9), np.uint8)).save(path, kind)
-    except (OSError, KeyError):
-        pytest.skip(f"Pillow writes no {kind}")
-    failed = run("holes", path)
-    assert failed.returncode == 1 and f"it is a {name} file" in failed.stderr.decode()
 
 
 def transparent_picture(kind):
@@ -328,3 +257,47 @@ def test_an_opaque_image_brings_none(tmp_path, kind, how):
     grey[5:10, 5:10] = 255
     pil.fromarray(grey).convert(kind).save(tmp_path / "a.png", **how)
     assert b"transparent" not in run("holes", tmp_path / "a.png").stderr
+
+
+def format_file(path, kind):
+    pil.fromarray(np.zeros((8, 9), np.uint8)).save(path, kind)
+
+
+FILES = {
+    "dots.png": lambda path: cv2.imwrite(str(path), np.kron(np.ones((300, 300)), [[255, 0], [0, 0]])),
+    "white.png": lambda path: cv2.imwrite(str(path), np.full((5, 5), 255, np.uint8)),
+    "empty": lambda path: path.touch(),
+    "text": lambda path: path.write_bytes(b"no picture"),
+    "zeros": lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40)),
+    **{kind: lambda path, kind=kind: format_file(path, kind) for kind in ("GIF", "WEBP", "JPEG2000")}}
+
+
+@pytest.mark.parametrize("words, status, said", [
+    *((f"{words} -", 2, "expected the name of a file, got '-'") for words in (
+        "holes a.pbm --csv", "localise a.pbm --csv", "graph a.pbm --csv", "graph a.pbm --geojson",
+        "rule golay_l --save", "batch holes a.pbm --out out --table")),
+    *((f"run {word} a.pbm out.png", 2, f"'{word}' is done by 'thinbench {command}'\n") for word, command in (
+        ("edges_sobel", "edges --operator sobel"), ("holes", "holes"), ("fill_holes", "fill-holes"),
+        ("euler_number", "euler"), ("localise_objects", "localise"), ("labels", "labels"),
+        ("graph", "graph"), ("path", "path"))),
+    ("graph a.pbm --out - --overlay -", 2, ""),
+    ("run thin_guo_hall - out.pbm --out-of-core", 2, "no standard streams"),
+    ("run thin_guo_hall a.pbm - --out-of-core", 2, "no standard streams"),
+    ("run thin_guo_hall - out.pbm --raw 999x999 < a.pbm", 1, "cannot read standard input: it has"),
+    ("run thin_guo_hall - - < empty", 1, "standard input: the file is empty"),
+    ("run thin_guo_hall - - < text", 1, "standard input: it is not an image of a known format"),
+    ("run thin_guo_hall - - < zeros", 1, "standard input"),
+    ("labels dots.png out.png --foreground bright", 1, "90000 objects"),
+    ("distance white.png out.png --foreground bright", 1, "all of it is foreground"),
+    ("holes GIF", 1, "it is a GIF file"), ("holes WEBP", 1, "it is a WebP file"),
+    ("holes JPEG2000", 1, "it is a JPEG 2000 file")])
+def test_what_cannot_be_is_one_line_and_makes_no_file(picture, tmp_path, monkeypatch, words, status, said):
+    monkeypatch.chdir(tmp_path)
+    pil.fromarray(picture[1]).save("a.pbm")
+    for name, write in FILES.items():
+        if name in words.split():
+            write(tmp_path / name)
+    before = set(tmp_path.iterdir())
+    words, _, stdin = words.partition(" < ")
+    assert_rejected(said, *words.split(), status=(status,), data=(tmp_path / stdin).read_bytes() if stdin else None)
+    assert set(tmp_path.iterdir()) == before

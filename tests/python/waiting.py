@@ -1,4 +1,4 @@
-"""How long a call keeps other threads of Python waiting."""
+"""Threads of Python: what they do at once, and how long a call keeps them waiting."""
 
 from __future__ import annotations
 
@@ -24,3 +24,11 @@ def longest_wait_during(call: Callable[[], object]) -> float:
         longest, before = max(longest, now - before), now
     thread.join()
     return longest / duration[0]
+
+
+def in_eight_threads(work: Callable[[], object]) -> None:
+    threads = [threading.Thread(target=work) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()

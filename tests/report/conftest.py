@@ -1,7 +1,9 @@
-"""A small synthetic run, made of Row objects."""
+"""A small synthetic run, made of Row objects; samples of made-up programs."""
 
 from __future__ import annotations
 
+import random
+import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -16,19 +18,13 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 # pylint: disable=wrong-import-position
+import fake_programs  # noqa: E402
 from report.__main__ import main  # noqa: E402
-from report.files import read_json, to_json, write_files  # noqa: E402
+from report.files import to_json, write_files  # noqa: E402
+from report.measure.sampler import Json, Process, Samples  # noqa: E402
 from report.measure.timings import Row, to_csv  # noqa: E402
 
-MACHINE: dict[str, Any] = {
-    "schema": 1, "fingerprint": "intel-6-143-8-1a2b3c4d",
-    "cpu": {"vendor": "intel", "family": 6, "model": 143, "stepping": 8, "name": "Fake <CPU>",
-            "flags": ["avx2"]},
-    "cores": 2, "caches": [{"level": 1, "type": "Data", "size_kib": 48}], "memory_gib": 23,
-    "kernel": "Linux 6.1.0", "os": "Debian 12",
-    "compiler": {"id": "GNU", "version": "12.2.0", "flags": "-O3", "build_type": "Release"},
-    "libraries": {"xsimd": "8.1.0"}, "commit": "abc1234", "date": "2026-11-21T00:10:00Z",
-    "options": {}, "isa_available": ["baseline", "avx2", "avx512"], "isa_cap": None}
+MACHINE: dict[str, Any] = fake_programs.MACHINE | {"isa_available": ["baseline", "avx2", "avx512"]}
 
 SIZES = {"scene": (510, 412), "square_64": (64, 64), "square_128": (128, 128)}
 EQUAL = "opencv"
@@ -121,10 +117,23 @@ def build(directory: Path, capsys: pytest.CaptureFixture[str]) -> Built:
     return Built(directory, capsys.readouterr().out)
 
 
+Make = Callable[..., Built]
+
+
+@pytest.fixture(name="make")
+def _make(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Make:
+    """Builds a run of rows, beside files by their names, with changed facts."""
+    def make(rows: list[Row] | None = None, files: dict[str, bytes] | None = None, **facts: Any) -> Built:
+        directory = write_run(tmp_path / "run", all_rows() if rows is None else rows, **facts)
+        write_files(directory, files or {})
+        return build(directory, capsys)
+    return make
+
+
 @pytest.fixture(name="built")
-def _built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Built:
+def _built(make: Make) -> Built:
     """The whole synthetic run."""
-    return build(write_run(tmp_path / "run", all_rows()), capsys)
+    return make()
 
 
 @pytest.fixture(name="rejection")
@@ -140,7 +149,16 @@ def _rejection(capsys: pytest.CaptureFixture[str]) -> Iterator[Callable[..., str
     yield run
 
 
-def change_facts(directory: Path, **changes: Any) -> None:
-    """Changes run.json."""
-    facts = read_json(directory / "run.json") | changes
-    write_files(directory, {"run.json": to_json(facts)})
+def study(programs: Path, *words: object) -> subprocess.CompletedProcess[str]:
+    """A command of ./study on programs that exist already, in a directory for each preset."""
+    return subprocess.run(["/usr/bin/python3", Path(__file__).with_name("fake_study.py"), programs,
+                           *map(str, words)], check=False, text=True, capture_output=True)
+
+
+def make_samples(plan: Json, spread: float = 0.005, processes: int = 9, load: float = 0.0,
+                 seed: int = 1, **controls: float) -> Samples:
+    """As the sampler takes them."""
+    dice = random.Random(seed)
+    return Samples(plan, [
+        Process(number, [fake_programs.make_group(group, dice, spread, **controls) for group in plan["groups"]],
+                [{"chain_ns": 0.3}] * 2, load) for number in range(processes)])

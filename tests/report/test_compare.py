@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import csv
 import io
-import random
 import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_programs import MACHINE, install, make_group, make_plan
+from conftest import make_samples
+from fake_programs import MACHINE, install, make_plan
 
 from report.compare import Comparison, compare_runs
 from report.errors import ReportError
 from report.measure.run import Run, load_run, write_run
-from report.measure.sampler import Process, Samples
 
 HERE = Path(__file__).parent
 
@@ -23,11 +22,7 @@ HERE = Path(__file__).parent
 def made_run(directory: Path, pixels: str = "0" * 16, machine: dict[str, Any] | None = None,
              inputs: tuple[str, ...] = ("scene", "square_64")) -> Run:
     """A run of nine processes."""
-    plan = make_plan(inputs, pixels)
-    dice = random.Random(1)
-    samples = Samples(plan, [
-        Process(seed, [make_group(group, dice, 0.01) for group in plan["groups"]],
-                [{"chain_ns": 0.3}] * 2, 0.0) for seed in range(9)])
+    samples = make_samples(make_plan(inputs, pixels), 0.01)
     write_run(directory, MACHINE | (machine or {}), {}, [("", samples)])
     return load_run(directory)
 

@@ -6,16 +6,18 @@ import lzma
 import random
 from dataclasses import fields, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-from fake_programs import MACHINE, TIMES, install, make_group, make_plan
+from conftest import make_samples
+from fake_programs import MACHINE, TIMES, install, make_plan
 
 from report.errors import ReportError
 from report.measure.converge import measure_until_converged, open_entries
 from report.measure.estimates import NEEDED, TOLERANCE, floor_of
 from report.measure.run import controls_of, load_run, load_samples, write_run
-from report.measure.sampler import Process, Sampler, Samples, every_entry
+from report.measure.sampler import Sampler, Samples, every_entry
 from report.measure.timings import Origin, Row, read_csv, rows_of, to_csv
 from report.schemas import check_schema
 
@@ -23,14 +25,9 @@ ROOT = Path(__file__).resolve().parents[2]
 STATES = [{"chain_ns": 0.3}] * 2
 
 
-def samples_of(spread: float = 0.005, load: float = 0.0, processes: int = 9,
-               **controls: float) -> Samples:
+def samples_of(**options: Any) -> Samples:
     """Two inputs."""
-    plan = make_plan(("scene", "square_64"))
-    dice = random.Random(1)
-    return Samples(plan, [
-        Process(seed, [make_group(group, dice, spread, **controls) for group in plan["groups"]],
-                STATES, load) for seed in range(processes)])
+    return make_samples(make_plan(("scene", "square_64")), **options)
 
 
 def rows(samples: Samples) -> list[Row]:
@@ -42,7 +39,7 @@ def rows(samples: Samples) -> list[Row]:
 def test_quotients_of_published_times_are_the_published_speedups(tmp_path: Path,
                                                                  spread: float) -> None:
     path = tmp_path / "timings.csv"
-    path.write_text(to_csv(rows(samples_of(spread))))
+    path.write_text(to_csv(rows(samples_of(spread=spread))))
     published = read_csv(path)
     references = {row.input: row for row in published if row.is_reference}
     peers = {(row.technique, row.input): row for row in published if row.peer}

@@ -14,10 +14,10 @@ from urllib.parse import unquote
 import numpy as np
 import pytest
 from PIL import Image
-from conftest import Built, all_rows, build, change_facts, make_rows, write_run
+from conftest import Built, all_rows, build, make_facts, make_rows, write_run
 
 from report.errors import ReportError
-from report.files import to_json, write_files
+from report.files import to_json
 from report.formatting import duration, times
 from report.measure.run import load_run
 from report.measure.timings import to_csv
@@ -113,28 +113,31 @@ def test_a_clean_run_carries_no_flags_and_no_warning(built):
     assert 'class="warning"' not in page and 'class="flag"' not in page and "noisy" not in page
 
 
-@pytest.mark.parametrize("spoil", ["controls", "flags"])
-def test_doubts_are_told_on_the_first_screen_and_in_the_terminal(tmp_path, capsys, spoil):
-    flags = "open" if spoil == "flags" else ""
-    directory = write_run(tmp_path / "run", [replace(row, flags=flags) for row in all_rows()])
-    if spoil == "controls":
-        facts = load_run(directory).facts
-        change_facts(directory, controls=facts["controls"] | {"passed": False})
-    built = build(directory, capsys)
-    assert 'class="warning"' in built.text("index.html").split("<table")[0]
-    assert "controls" in built.stdout if spoil == "controls" else "did not settle" in built.stdout
+@pytest.mark.parametrize(("flags", "passed", "said"), [("", False, "controls"), ("open", True, "did not settle")])
+def test_doubts_are_told_on_the_first_screen_and_in_the_terminal(make, flags, passed, said):
+    built = make([replace(row, flags=flags) for row in all_rows()],
+                 controls=make_facts(all_rows())["controls"] | {"passed": passed})
+    assert 'class="warning"' in built.text("index.html").split("<table")[0] and said in built.stdout
 
 
-def test_a_run_of_one_operation_has_a_page(tmp_path, capsys):
-    built = build(write_run(tmp_path / "run", make_rows("euler_number_4")), capsys)
-    assert "Euler number" in built.stdout and 'id="euler_number_4"' in built.text("index.html")
+@pytest.mark.parametrize(("rows", "name"), [
+    (make_rows("euler_number_4"), "Euler number"),
+    ([replace(row, scope="kernel") for row in make_rows("thin_mb2")[1:]], "Page: ")],
+    ids=["one operation", "no end-to-end rows"])
+def test_a_run_of_few_rows_has_a_page(make, rows, name):
+    built = make(rows)
+    assert name in built.stdout and f'id="{rows[0].operation}"' in built.text("index.html")
 
 
-def test_large_images_are_scaled_down(tmp_path, capsys):
-    directory = write_run(tmp_path / "run", all_rows())
+def png(pixels):
+    stream = io.BytesIO()
+    Image.fromarray(pixels).save(stream, "PNG")
+    return stream.getvalue()
+
+
+def test_large_images_are_scaled_down(make):
     noise = np.random.RandomState(1).randint(0, 256, (900, 3000), np.uint8)
-    Image.fromarray(noise).save(directory / "pictures" / "scene_grey.png")
-    page = build(directory, capsys).text("index.html")
+    page = make(files={"pictures/scene_grey.png": png(noise)}).text("index.html")
     found = re.search(r'src="data:image/png;base64,([^"]*)" alt="the input, scene, scaled down"', page)
     assert found
     with Image.open(io.BytesIO(base64.b64decode(found[1]))) as image:
@@ -142,43 +145,31 @@ def test_large_images_are_scaled_down(tmp_path, capsys):
     assert len(page) < 2_000_000
 
 
-def write_limits(directory: Path, model: str, **more: int) -> None:
+def limits(model: str, **more: int) -> dict[str, bytes]:
     """One row, on a part of the image."""
     row = {"row": "thin_guo_hall/lut/baseline/1/end_to_end/scene_24_rows",
            "operation": "thin_guo_hall", "instructions": 123456, "instructions_per_cycle": 3.5, "ns": 9e3,
            "cycles": 40000, **more}
-    (directory / "limits.json").write_bytes(to_json({
+    return {"limits.json": to_json({
         "schema": 2, "input": {"name": "scene_24_rows", "width": 510, "height": 24},
-        "cycle_ns": 0.25, "model": model, "rows": [row]}))
+        "cycle_ns": 0.25, "model": model, "rows": [row]})}
 
 
-def test_clock_cycles_stand_with_their_operation_and_the_image_that_was_counted(tmp_path, capsys):
-    directory = write_run(tmp_path / "run", all_rows())
-    write_limits(directory, "llvm-mca 19, znver4", model_cycles=30000)
-    page = build(directory, capsys).text("index.html")
+def test_clock_cycles_stand_with_their_operation_and_the_image_that_was_counted(make):
+    page = make(files=limits("llvm-mca 19, znver4", model_cycles=30000)).text("index.html")
     assert "clock cycles of the middle 24 rows of scene, 510 × 24 pixels</summary>" in page
     assert "123,456" in page and "The model (llvm-mca 19, znver4)" in page and ">75 %<" in page
 
 
-def test_without_a_model_the_page_says_why_and_has_no_column_of_it(tmp_path, capsys):
-    directory = write_run(tmp_path / "run", all_rows())
-    write_limits(directory, "none: LLVM 19 has no model of this processor (znver5)")
-    page = build(directory, capsys).text("index.html")
+def test_without_a_model_the_page_says_why_and_has_no_column_of_it(make):
+    page = make(files=limits("none: LLVM 19 has no model of this processor (znver5)")).text("index.html")
     assert "no model to compare with: LLVM 19 has no model of this processor (znver5)." in page
     assert "40,000" in page and "Cycles of the model" not in page
 
 
-def test_a_run_that_has_no_end_to_end_rows_has_a_page(tmp_path, capsys):
-    rows = [replace(row, scope="kernel") for row in make_rows("thin_mb2")[1:]]
-    built = build(write_run(tmp_path / "run", rows), capsys)
-    assert "Page: " in built.stdout and 'id="thin_mb2"' in built.text("index.html")
-
-
-def test_parameter_sweeps_are_plotted_useful_rules_first(tmp_path, capsys):
+def test_parameter_sweeps_are_plotted_useful_rules_first(make):
     rows = [replace(row, sweep="size") for row in all_rows()]
-    directory = write_run(tmp_path / "run", all_rows())
-    write_files(directory / "sweeps", {"timings.csv": to_csv(rows).encode()})
-    part = build(directory, capsys).text("index.html").split('id="sweeps"')[1]
+    part = make(files={"sweeps/timings.csv": to_csv(rows).encode()}).text("index.html").split('id="sweeps"')[1]
     assert "side of the square, pixels" in part
     assert part.index("Guo-Hall thinning") < part.index("thinning by the paper")
 

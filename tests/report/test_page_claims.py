@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import copy
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import pytest
-from conftest import MACHINE, ROOT, build, make_facts, make_row, write_run
+from conftest import MACHINE, ROOT, make_facts, make_row
 
 from report.claims import Claim, Verdict, judge, of_experiments, of_times
 from report.errors import ReportError
@@ -25,10 +26,6 @@ def rows_with(*rows: Row) -> Rows:
     return Rows(Run(ROOT, make_facts(list(rows)), list(rows)))
 
 
-def golden(name: str, **changes: Any) -> Any:
-    return copy.deepcopy(GOLDEN[name]) | changes
-
-
 def test_every_experiment_is_stored_and_has_a_table():
     assert set(GOLDEN) == set(NAMES)
     assert len(experiment_tables(GOLDEN)) >= len(NAMES)
@@ -43,44 +40,43 @@ def test_a_damaged_experiment_is_rejected(tmp_path):
         load_experiments(tmp_path)
 
 
-def test_operation_counts_hold_only_where_every_count_is_the_papers():
-    data = golden("operation-counts")
-    assert of_experiments.operation_counts(data).verdict is Verdict.HOLDS
+def without_a_sum(data: Any) -> None:
+    """One count is another than the paper's."""
     cluster = next(one for one in data["methods"] if one["method"].startswith("Cluster"))
     cluster["sums"]["arithmetic"] += 1
-    assert of_experiments.operation_counts(data).verdict is Verdict.PARTLY
 
 
-def test_one_wrong_neighbourhood_refutes_the_linear_threshold():
-    data = golden("quantisation", as_published={"right_sigmoid": 256, "right_linear": 255})
-    assert of_experiments.linear_threshold(data).verdict is Verdict.FAILS
+def only_rows(where: Callable[[Any], bool]) -> Callable[[Any], None]:
+    """Others are left out."""
+    def change(data: Any) -> None:
+        data["rows"] = [row for row in data["rows"] if where(row)]
+    return change
 
 
-def test_twelve_nets_hold_with_twelve_runs_and_fail_with_thirteen():
-    data = golden("cluster-runs")
-    assert of_experiments.twelve_nets(data).verdict is Verdict.HOLDS
-    assert of_experiments.twelve_nets(data | {"rows": data["rows"] * 2}).verdict is Verdict.FAILS
+def with_whole_objects(data: Any) -> None:
+    """There are as many objects after thinning as before."""
+    for row in data["rows"]:
+        row["objects_after"] = row["objects_before"]
 
 
-def test_eight_neurons_are_optimal_only_where_fewer_learn_less():
-    data = golden("hidden-neurons")
-    assert of_experiments.eight_hidden_neurons(data).verdict is Verdict.FAILS
-    eight_up = [row for row in data["rows"] if row["hidden"] >= 8]
-    assert of_experiments.eight_hidden_neurons(data | {"rows": eight_up}).verdict is Verdict.HOLDS
-
-
-def test_edges_are_reliable_in_part_where_noise_breaks_some():
-    data = golden("edge-quality")
-    assert of_experiments.reliable_edges(data).verdict is Verdict.PARTLY
-    clean = [row for row in data["rows"] if row["sigma"] == 0]
-    assert of_experiments.reliable_edges(data | {"rows": clean}).verdict is Verdict.HOLDS
-
-
-def test_a_skeleton_is_connected_only_if_objects_stay_as_many():
-    data = golden("quality")
-    assert of_experiments.connected_skeleton(data).verdict is Verdict.FAILS
-    whole = [row | {"objects_after": row["objects_before"]} for row in data["rows"]]
-    assert of_experiments.connected_skeleton(data | {"rows": whole}).verdict is Verdict.HOLDS
+@pytest.mark.parametrize(("claim", "name", "before", "change", "after"), [
+    (of_experiments.operation_counts, "operation-counts", Verdict.HOLDS, without_a_sum, Verdict.PARTLY),
+    (of_experiments.linear_threshold, "quantisation", None,
+     lambda data: data.update(as_published={"right_sigmoid": 256, "right_linear": 255}), Verdict.FAILS),
+    (of_experiments.twelve_nets, "cluster-runs", Verdict.HOLDS,
+     lambda data: data.update(rows=data["rows"] * 2), Verdict.FAILS),
+    (of_experiments.eight_hidden_neurons, "hidden-neurons", Verdict.FAILS,
+     only_rows(lambda row: row["hidden"] >= 8), Verdict.HOLDS),
+    (of_experiments.reliable_edges, "edge-quality", Verdict.PARTLY,
+     only_rows(lambda row: row["sigma"] == 0), Verdict.HOLDS),
+    (of_experiments.connected_skeleton, "quality", Verdict.FAILS, with_whole_objects, Verdict.HOLDS)])
+def test_verdicts_follow_the_results_of_experiments(
+        claim: Callable[[Any], Claim], name: str, before: Verdict | None, change: Callable[[Any], object],
+        after: Verdict) -> None:
+    data = copy.deepcopy(GOLDEN[name])
+    assert before is None or claim(data).verdict is before
+    change(data)
+    assert claim(data).verdict is after
 
 
 def bytes_claim(byte_ns: float) -> Claim:
@@ -90,10 +86,9 @@ def bytes_claim(byte_ns: float) -> Claim:
         make_row(rule, "bitpacked", "baseline", 1e5)))
 
 
-def test_bytes_are_faster_only_where_the_whole_interval_says_so():
-    assert bytes_claim(1e4).verdict is Verdict.HOLDS
-    assert bytes_claim(0.99e5).verdict is Verdict.FAILS
-    assert bytes_claim(1e6).verdict is Verdict.FAILS
+@pytest.mark.parametrize(("ns", "verdict"), [(1e4, Verdict.HOLDS), (0.99e5, Verdict.FAILS), (1e6, Verdict.FAILS)])
+def test_bytes_are_faster_only_where_the_whole_interval_says_so(ns, verdict):
+    assert bytes_claim(ns).verdict is verdict
 
 
 def nets_claim(arithmetic_ns: float, circuit_ns: float) -> Claim:
@@ -104,11 +99,10 @@ def nets_claim(arithmetic_ns: float, circuit_ns: float) -> Claim:
         make_row(net, "simd_bitpacked", "avx2", circuit_ns)))
 
 
-def test_nets_improve_times_only_where_they_are_faster_than_the_rule():
-    assert nets_claim(1e6, 3e5).verdict is Verdict.HOLDS
-    assert nets_claim(1e6, 1e5).verdict is Verdict.HOLDS
-    assert nets_claim(1e6, 5e4).verdict is Verdict.PARTLY
-    assert nets_claim(5e4, 5e4).verdict is Verdict.FAILS
+@pytest.mark.parametrize(("arithmetic", "circuit", "verdict"), [
+    (1e6, 3e5, Verdict.HOLDS), (1e6, 1e5, Verdict.HOLDS), (1e6, 5e4, Verdict.PARTLY), (5e4, 5e4, Verdict.FAILS)])
+def test_nets_improve_times_only_where_they_are_faster_than_the_rule(arithmetic, circuit, verdict):
+    assert nets_claim(arithmetic, circuit).verdict is verdict
 
 
 def test_integers_gain_time_but_lose_answers():
@@ -145,8 +139,6 @@ def test_claims_without_data_are_open():
     assert len(claims) == 10 and all(claim.verdict is Verdict.OPEN for claim in claims)
 
 
-def test_claims_name_their_run(tmp_path, capsys):
-    rows = [replace(make_row("holes", "simd_runs", "avx2", 1e5), border="")]
-    directory = write_run(tmp_path / "run", rows)
-    built = build(directory, capsys)
+def test_claims_name_their_run(make):
+    built = make([replace(make_row("holes", "simd_runs", "avx2", 1e5), border="")])
     assert MACHINE["commit"] in built.text("claims.md") and DIRECTORY.is_dir()

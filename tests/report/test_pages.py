@@ -2,23 +2,15 @@
 
 from __future__ import annotations
 
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from conftest import make_row
+from conftest import make_row, study
 from fake_programs import install
 
 from report.errors import ReportError
 from report.pages import comparisons, images_of, load_pages, pages_table, ratios_table
-
-HERE = Path(__file__).parent
-
-
-def pages(programs: Path, *words: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(["/usr/bin/python3", HERE / "fake_study.py", programs, "pages", *map(str, words)],
-                          check=False, text=True, capture_output=True)
 
 
 def rows_of(picture: str, ours: float, theirs: float) -> list:
@@ -66,7 +58,7 @@ def test_pages_are_a_run_of_their_own_beside_the_study(tmp_path: Path) -> None:
     (tmp_path / "scans").mkdir()
     for name in ("one.png", "two.png"):
         (tmp_path / "scans" / name).touch()
-    done = pages(tmp_path / "builds", "--quick", "--images", tmp_path / "scans", "--out", tmp_path / "run")
+    done = study(tmp_path / "builds", "pages", "--quick", "--images", tmp_path / "scans", "--out", tmp_path / "run")
     assert done.returncode == 0, done.stderr
     run = load_pages(tmp_path / "run")
     assert run and {row.input for row in run.rows} == {"one", "two"}

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import copy
-import random
 from argparse import Namespace
 from pathlib import Path
 
 import pytest
-from fake_programs import MACHINE, install, machine_of, make_group, make_plan
+from conftest import make_samples
+from fake_programs import MACHINE, install, machine_of, make_plan
 from junitparser import JUnitXml
 
 from report.__main__ import main
@@ -29,18 +29,14 @@ ROW, OTHER = (f"thin_guo_hall/{name}/1/end_to_end/scene"
 def samples_of(slower: float = 1.0, *, reference: float = 1.0, plan: Json | None = None,
                **controls: float) -> Samples:
     """Nine processes; `bitpacked` and the reference take so many times as long as usual."""
-    plan = plan or make_plan()
-    dice = random.Random(1)
-    states = [{"chain_ns": 0.3}] * 2
-    processes = [Process(seed, [make_group(group, dice, 0.005, **controls)
-                                for group in plan["groups"]], states, 0) for seed in range(9)]
-    for process in processes:
-        for group, found in zip(plan["groups"], process.groups):
+    samples = make_samples(plan or make_plan(), **controls)
+    for process in samples.processes:
+        for group, found in zip(samples.plan["groups"], process.groups):
             for entry, layouts in zip(group["entries"], found):
                 technique = entry["name"].split("/")[1]
                 factor = {"bitpacked": slower, "reference": reference}.get(technique, 1.0)
                 layouts[:] = [[factor * time for time in times] for times in layouts]
-    return Samples(plan, processes)
+    return samples
 
 
 def baseline_of(samples: Samples) -> Json:
@@ -78,26 +74,19 @@ def test_fail_needs_two_rounds_in_a_row_and_pass_one(rounds: list[Verdict],
     assert left == []
 
 
-def test_only_open_rows_are_measured_again() -> None:
-    asked = []
+@pytest.mark.parametrize("chosen, shown, asked", [
+    (None, [("a", PASS), ("b", FAIL), ("c", SKIPPED)], [(0, None), (1, {"b"})]),
+    ({"a"}, [("a", PASS)], [(0, {"a"})])])
+def test_only_open_rows_are_measured_again_and_only_chosen_ones_judged(
+        chosen: set[str] | None, shown: list[tuple[str, Verdict]], asked: list[object]) -> None:
+    calls: list[object] = []
 
     def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:
-        asked.append((number, rows))
+        calls.append((number, rows))
         return [RowVerdict("a", PASS), RowVerdict("b", FAIL), skipped("c", "new")]
 
-    assert [row.verdict for row in decide(attempt)] == [PASS, FAIL, SKIPPED]
-    assert asked == [(0, None), (1, {"b"})]
-
-
-def test_rows_outside_the_choice_are_not_judged() -> None:
-    asked = []
-
-    def attempt(number: int, rows: set[str] | None) -> list[RowVerdict]:
-        asked.append((number, rows))
-        return [RowVerdict("a", INCONCLUSIVE), RowVerdict("b", PASS)]
-
-    assert [row.name for row in decide(attempt, {"b"})] == ["b"]
-    assert asked == [(0, {"b"})]
+    assert [(row.name, row.verdict) for row in decide(attempt, chosen)] == shown
+    assert calls == asked
 
 
 def test_a_slowdown_in_the_same_state_fails() -> None:
@@ -184,11 +173,7 @@ def test_controls_that_fail_reject_the_comparison_of_two_builds() -> None:
 
 def recorded(spread: float, processes: int = 30) -> list[Samples]:
     """Of a plan with one group; each process at another height above the floor."""
-    plan = builds.common_plan(make_plan(), make_plan())[0]
-    dice = random.Random(2)
-    found = [Process(seed, [make_group(plan["groups"][0], dice, spread)], [], 0)
-             for seed in range(processes)]
-    return [Samples(plan, found)]
+    return [make_samples(builds.common_plan(make_plan(), make_plan())[0], spread, processes, seed=2)]
 
 
 def test_replayed_slowdowns_are_found_and_equal_builds_pass() -> None:

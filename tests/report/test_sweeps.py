@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from conftest import make_row
+from conftest import make_row, study
 from fake_programs import install
 
 from report.measure.estimates import NEEDED
@@ -17,14 +16,7 @@ from report.sweeps.journal import NAME
 from report.sweeps.plans import SWEEPS, plan_words, thread_steps
 from report.sweeps.series import load_sweep_rows, sweep_series, sweeps_markdown, worst_places
 
-HERE = Path(__file__).parent
 SWEPT = ["--quick", "--only", "depth", "--only", "size"]
-
-
-def sweeps(programs: Path, *words: object) -> subprocess.CompletedProcess[str]:
-    """The command on fake programs."""
-    return subprocess.run(["/usr/bin/python3", HERE / "fake_study.py", programs, "sweeps",
-                           *map(str, words)], check=False, text=True, capture_output=True)
 
 
 @pytest.fixture(name="programs", scope="module")
@@ -38,7 +30,7 @@ def _programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(name="run", scope="module")
 def _run(programs: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     directory = tmp_path_factory.mktemp("run")
-    done = sweeps(programs, *SWEPT, "--out", directory)
+    done = study(programs, "sweeps", *SWEPT, "--out", directory)
     assert (done.returncode, done.stderr) == (0, ""), done.stderr
     return directory
 
@@ -98,7 +90,7 @@ def test_an_interrupted_measurement_continues_where_it_was(programs: Path, tmp_p
     program.write_text(program.read_text().replace(
         "exec", f'[ "$1" = plan ] || [ "$(wc -l <"{path}")" -lt 4 ] || '
                 "{ kill -INT $PPID; exit 130; }\nexec", 1))
-    done = sweeps(stopping, *words)
+    done = study(stopping, "sweeps", *words)
     assert done.returncode == 130 and "--resume continues" in done.stderr, done.stderr
     assert sum(row.processes for row in load_run(tmp_path / "sweeps").rows) > 0
 
@@ -106,30 +98,30 @@ def test_an_interrupted_measurement_continues_where_it_was(programs: Path, tmp_p
         stream.write('{"part": 0, "se')  # a process that was not written to its end
     before = path.read_text().splitlines()[:-1]
     assert len(before) == 4
-    assert "unfinished measurement" in sweeps(programs, *words).stderr
-    other = sweeps(programs, *words, "--seconds", "4", "--resume")
+    assert "unfinished measurement" in study(programs, "sweeps", *words).stderr
+    other = study(programs, "sweeps", *words, "--seconds", "4", "--resume")
     assert other.returncode == 1
     assert "seconds was 3 and is now 4; --resume needs the same" in other.stderr
 
-    done = sweeps(programs, *words, "--resume")
+    done = study(programs, "sweeps", *words, "--resume")
     assert done.returncode == 0, done.stderr
     assert not path.exists()
     assert min(row.processes for row in load_run(tmp_path / "sweeps").rows) == NEEDED
 
 
 def test_nothing_to_continue_is_said(programs: Path, tmp_path: Path) -> None:
-    done = sweeps(programs, "--resume", "--out", tmp_path)
+    done = study(programs, "sweeps", "--resume", "--out", tmp_path)
     assert done.returncode == 1 and done.stderr.count("\n") == 1
     assert "unfinished.jsonl' to continue; leave out --resume" in done.stderr
     (tmp_path / "sweeps").mkdir()
     (tmp_path / "sweeps" / NAME).write_text("")
-    done = sweeps(programs, "--resume", "--out", tmp_path)
+    done = study(programs, "sweeps", "--resume", "--out", tmp_path)
     assert done.returncode == 1 and done.stderr.count("\n") == 1
     assert "cannot be continued; delete it" in done.stderr
 
 
 def test_builds_of_two_compilers_are_compared(programs: Path, tmp_path: Path) -> None:
-    done = sweeps(programs, "--compiler", "clang", "--quick", "--out", tmp_path)
+    done = study(programs, "sweeps", "--compiler", "clang", "--quick", "--out", tmp_path)
     assert done.returncode == 0, done.stderr
     directory = tmp_path / "compilers"
     runs = {load_run(directory / preset).machine["compiler"]["id"]

@@ -51,13 +51,6 @@ TEST(ExperimentCommand, quality_takes_pictures_and_leaves_skeletons) {
   EXPECT_EQ(dark.err.find("warning: " + picture + ": 83.5 % of the image is foreground"), 0U);
   EXPECT_EQ(Json::parse(bytes_of(file)).at("command"),
             "thinbench-study experiment quality --image spot.png --foreground dark --threshold 9");
-  EXPECT_EQ(failure_of({"experiment", "quality", "--image", "absent.png"}, 1),
-            "cannot read 'absent.png': there is no such file");
-}
-
-TEST(ExperimentCommand, files_that_cannot_be_written_are_rejected_before_the_work) {
-  EXPECT_EQ(failure_of({"experiment", "hidden-neurons", "--out", "no_such_directory/x.json"}, 1),
-            "cannot write 'no_such_directory/x.json': there is no directory 'no_such_directory'");
 }
 
 }  // namespace

@@ -61,20 +61,5 @@ TEST(InstructionsCommand, image_is_binarised_by_the_given_options) {
   EXPECT_NE(hash({"--foreground", "dark", "--threshold", "1"}), bright);
 }
 
-TEST(InstructionsCommand, why_there_is_nothing_to_count_is_explained) {
-  const IsaCap cap("baseline");
-  EXPECT_EQ(
-      failure_of({"instructions", "--filter", "^euler_number/reference/"}, 2),
-      "no row to count; the filter '^euler_number/reference/' matches only references or rows "
-      "with threads");
-  EXPECT_EQ(
-      failure_of({"instructions", "--filter", "^euler_number/.*/avx2/"}, 2),
-      "every row that matches the filter '^euler_number/.*/avx2/' is skipped: above the ISA cap");
-}
-
-TEST(InstructionsCommand, quick_without_limits_is_rejected) {
-  EXPECT_EQ(failure_of({"instructions", "--quick"}, 2), "--quick goes with --limits only");
-}
-
 }  // namespace
 }  // namespace thinbench

@@ -10,8 +10,6 @@
 namespace thinbench {
 namespace {
 
-using Names = std::set<std::string>;
-
 ByteImage bar(Index width = 90) {
   ByteImage image(width, 40);
   for (Index y = 10; y < 30; ++y) {
@@ -24,20 +22,9 @@ class StudyRun : public testing::Test {
  protected:
   void SetUp() override { write_grey(in, bar().view()); }
 
-  [[nodiscard]] std::vector<std::string> words(const std::string& operation,
-                                               std::vector<std::string> more) const {
+  [[nodiscard]] ProgramRun run(const std::string& operation, std::vector<std::string> more) const {
     more.insert(more.begin(), {"run", operation, in, out, "--threshold", "128"});
-    return more;
-  }
-  [[nodiscard]] ProgramRun run(const std::string& operation,
-                               const std::vector<std::string>& more) const {
-    return run_with(words(operation, more));
-  }
-  [[nodiscard]] std::string failure(const std::string& operation,
-                                    const std::vector<std::string>& more, int status = 2) const {
-    std::string text = failure_of(words(operation, more), status);
-    EXPECT_EQ(directory.names(), Names{"in.png"});
-    return text;
+    return run_with(more);
   }
 
   TemporaryDirectory directory;
@@ -78,26 +65,6 @@ TEST_F(StudyRun, takes_cases_grey_images_and_other_projects_code) {
   detect_edges(EdgeOperator::sobel, bar().view(), edges.view());
   EXPECT_EQ(run("edges_sobel", {"--technique", "simd_16bit", "--isa", "baseline"}).status, 0);
   EXPECT_TRUE(equal(read_grey(out).view(), edges.view()));
-}
-
-TEST_F(StudyRun, variants_that_do_not_exist_are_rejected_with_those_that_do) {
-  EXPECT_EQ(failure("thin_guo", {}),
-            "no operation is named 'thin_guo'; did you mean "
-            "'thin_guo_hall'?");
-  EXPECT_EQ(failure("holes", {"--technique", "lut"})
-                .find("there is no variant of lut, only union_find, bitpacked_runs, simd_runs"),
-            0U);
-  EXPECT_EQ(failure("thin_guo_hall", {"--technique", "lut", "--isa", "sse4.2"}),
-            "there is no variant for sse4.2, only baseline");
-  EXPECT_EQ(failure("thin_guo_hall", {"--technique", "lut_sliding", "--threads", "2"}),
-            "there is no variant on 2 threads, only on one");
-  EXPECT_EQ(failure("holes", {}), "holes gives no image");
-}
-
-TEST_F(StudyRun, variants_that_cannot_run_are_explained) {
-  const IsaCap cap("baseline");
-  const std::string text = failure("thin_guo_hall", {"--technique", "simd_bitpacked_row"}, 1);
-  EXPECT_EQ(text.find("simd_bitpacked_row/avx512"), 0U) << text;
 }
 
 }  // namespace

@@ -93,15 +93,6 @@ TEST(VerifyCommand, fails_if_no_variant_matches) {
       "thinbench-study: no row matches the filter 'no_such_row'; see 'thinbench-study list'\n");
 }
 
-TEST(VerifyCommand, rejects_invalid_arguments_before_it_starts) {
-  EXPECT_EQ(failure_of({"verify", "--filter", "("}, 2).find("--filter: '(' is no regular"), 0U);
-  EXPECT_EQ(failure_of({"verify", "--image", "absent.png"}, 1),
-            "cannot read 'absent.png': there is no such file");
-  EXPECT_EQ(
-      failure_of({"verify", "--threads", "0"}, 2),
-      "--threads: expected an integer in [1, 1024], got '0'; see 'thinbench-study verify --help'");
-}
-
 TEST(VerifyCommand, verifies_peers_like_variants) {
   const ProgramRun result =
       run_with({"verify", "--quick", "--filter", "edges_sobel/(opencv|copy)"});
