@@ -106,6 +106,8 @@ label_image, label_components = (
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_small_holes = _checked(
     "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)
+fill_label_holes = _checked("fill_label_holes", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE,
+                            _INT, ctypes.c_int64, _BYTES)
 euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
 (regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels, graph_node_labels,
  graph_paths_list, graph_paths_nodes, graph_paths_edges) = (
