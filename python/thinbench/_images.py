@@ -17,6 +17,9 @@ REGION = np.dtype([("area", "i8"), ("sum_x", "i8"), ("sum_y", "i8"), ("left", "i
                     ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("parent", "u4")],
                    align=True)
 
+_ONE = np.array(1, np.int32)  # faster than a number of Python
+_LISTS = _library.regions_objects, _library.regions_holes
+
 Columns = dict[str, npt.NDArray[Any]]
 
 
@@ -169,7 +172,7 @@ def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, 
     result = _arrays.result_for(image, out)
     source = _arrays.label_rows(image)
     target = result if result.dtype == np.int32 else np.empty(image.shape, np.int32)
-    _library.fill_label_holes(source.ctypes.data, _arrays.label_stride(source), target.ctypes.data,
+    _library.fill_label_holes(_library.address(source), _arrays.label_stride(source), _library.address(target),
                               _arrays.label_stride(target), *image.shape,
                               _arrays.integer("connectivity", connectivity), largest, None)
     if target is not result:
@@ -267,7 +270,7 @@ def label_objects(image: npt.ArrayLike, connectivity: int,
     labels = np.empty(image.shape, np.int32)
     stack, kept_alive = _arrays.source(image)
     objects = ctypes.c_uint32()
-    _library.label_image(stack, labels.ctypes.data, image.shape[1], connectivity, order, None,
+    _library.label_image(stack, _library.address(labels), image.shape[1], connectivity, order, None,
                          ctypes.byref(objects))
     del kept_alive
     return labels, objects.value
@@ -280,7 +283,7 @@ def label_components(image: npt.ArrayLike, connectivity: int,
     labels = np.empty(image.shape, np.int32)
     stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
-    _library.label_components(stack, labels.ctypes.data, image.shape[1], connectivity, order, None,
+    _library.label_components(stack, _library.address(labels), image.shape[1], connectivity, order, None,
                               ctypes.byref(handle))
     del kept_alive
     return labels, _taken(handle)[0]
@@ -353,9 +356,10 @@ def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squ
         raise ValueError(f"squared: expected no sampling beside it, got {sampling!r}")
     found = _arrays.result_for(array, out, dtype=np.int32 if squared else np.float64)
     if squared:
-        _library.squared_distances(stack, found.ctypes.data, array.shape[1], execution)
+        _library.squared_distances(stack, _library.address(found), array.shape[1], execution)
     else:
-        _library.distances(stack, found.ctypes.data, array.shape[1], _library.SPACING.pack(*spacing), execution)
+        _library.distances(stack, _library.address(found), array.shape[1],
+                           None if spacing == (1, 1) else _library.SPACING.pack(*spacing), execution)
     del kept_alive
     return found
 
@@ -430,7 +434,7 @@ def find_regions(image: _arrays.Array, labels: npt.NDArray[np.int32] | None,
     """Objects, then holes, as an array of REGION, and the number of objects; fills `labels`."""
     stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
-    _library.find_regions(stack, None if labels is None else labels.ctypes.data,
+    _library.find_regions(stack, None if labels is None else _library.address(labels),
                           image.shape[1], None, ctypes.byref(handle))
     del kept_alive
     return _taken(handle)
@@ -490,36 +494,27 @@ def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_thre
 def _taken(handle: ctypes.c_void_p) -> tuple[_arrays.Array, int]:
     """The regions of a handle, which is destroyed, and the number of objects."""
     try:
-        return _copied_lists(handle)
+        found, (objects, _) = _library.copied(handle, _LISTS, REGION)
     finally:
         _library.regions_destroy(handle)
+    return found, objects
 
 
 def columns(found: _arrays.Array, objects: int) -> Columns:
     """An array of REGION as a dict of columns."""
     area = found["area"]
+    divisor = area.astype(np.float64)
+    is_hole = np.zeros(len(found), bool)
+    is_hole[objects:] = True
     return {
         "label": np.arange(1, len(found) + 1, dtype=np.int32),
         "parent": found["parent"].astype(np.int32),
         "area": area.copy(),
-        "centroid-0": found["sum_y"] / area,
-        "centroid-1": found["sum_x"] / area,
+        "centroid-0": found["sum_y"] / divisor,
+        "centroid-1": found["sum_x"] / divisor,
         "bbox-0": found["top"].copy(),
         "bbox-1": found["left"].copy(),
-        "bbox-2": found["bottom"] + 1,
-        "bbox-3": found["right"] + 1,
-        "is_hole": np.arange(len(found)) >= objects,
+        "bbox-2": found["bottom"] + _ONE,
+        "bbox-3": found["right"] + _ONE,
+        "is_hole": is_hole,
     }
-
-
-def _copied_lists(handle: ctypes.c_void_p) -> tuple[npt.NDArray[Any], int]:
-    """Objects, then holes, and the number of objects."""
-    counts = ctypes.c_size_t(), ctypes.c_size_t()
-    lists = [list_of(handle, ctypes.byref(count), REGION.itemsize) for list_of, count in zip(
-        (_library.regions_objects, _library.regions_holes), counts)]
-    objects, holes = (count.value for count in counts)
-    found = np.empty(objects + holes, REGION)
-    address = found.ctypes.data
-    ctypes.memmove(address, lists[0], objects * REGION.itemsize)
-    ctypes.memmove(address + objects * REGION.itemsize, lists[1], holes * REGION.itemsize)
-    return found, objects
