@@ -24,7 +24,8 @@ PRUNING = struct.Struct("NddPni4xP")
 _EXECUTION = struct.Struct("Ni4xP")  # size, threads, isa
 _RULE_INFO = struct.Struct("NPPPi4xPNPii")  # size, name, and as RuleInfo
 
-_address_of_buffer, _buffer_of = ctypes.addressof, ctypes.c_char.from_buffer
+_address_of_buffer = ctypes.addressof
+_buffer_of: Callable[[Any], ctypes.c_char] = ctypes.c_char.from_buffer
 
 _BYTES = ctypes.c_char_p
 _POINTER = ctypes.c_void_p
