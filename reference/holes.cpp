@@ -1,6 +1,8 @@
 #include "holes.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "matrix.hpp"
 
@@ -126,6 +128,35 @@ void fill_outside(const ConstImageView& source, const ImageView& destination,
   }
 }
 
+/// The hole that a pixel of the background gets its label from.
+struct LabelHole {
+  Index begins = -1;  // where, in raster order; -1 for none
+  std::int32_t label = 0;
+};
+
+/// Replaces holes by those of this label that begin later.
+void take_holes_of(std::int32_t label, const ConstLabelView& source, Neighbours of_labels,
+                   std::vector<LabelHole>& taken) {
+  std::vector<std::uint8_t> alone;
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) alone.push_back(source.row(y)[x] == label ? 255 : 0);
+  }
+  const ConstImageView image = {alone.data(), source.width, source.height};
+  Flood flood(image);
+  static_cast<void>(find(flood, image, of_labels));
+  std::map<std::uint32_t, Index> begins;
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      const std::uint32_t number = flood.number(x, y);
+      if (flood.foreground(x, y) || number == kOutside) continue;
+      const Index here = y * source.width + x;
+      const Index begin = begins.try_emplace(number, here).first->second;
+      LabelHole& hole = taken[static_cast<std::size_t>(here)];
+      if (begin > hole.begins) hole = {begin, label};
+    }
+  }
+}
+
 std::int64_t objects_minus_holes(const Regions& found) {
   return static_cast<std::int64_t>(found.objects.size()) -
          static_cast<std::int64_t>(found.holes.size());
@@ -180,6 +211,33 @@ void fill_small_holes(ConstImageView source, ImageView destination, bool four_co
       const bool fills = number != kOutside &&
                          (flood.foreground(x, y) || found.holes[number - 1].area <= max_area);
       destination.row(y)[x] = fills ? 255 : 0;
+    }
+  }
+}
+
+void fill_label_holes(ConstLabelView source, LabelView destination, bool four_connected,
+                      std::int64_t max_area) {
+  std::set<std::int32_t> labels;
+  for (Index y = 0; y < source.height; ++y)
+    labels.insert(source.row(y), source.row(y) + source.width);
+  labels.erase(0);
+  std::vector<LabelHole> taken(static_cast<std::size_t>(source.width * source.height));
+  for (const std::int32_t label : labels) {
+    take_holes_of(label, source, four_connected ? Neighbours::four : Neighbours::eight, taken);
+  }
+  const auto hole_at = [&](Index x, Index y) {
+    return source.row(y)[x] == 0 ? taken[static_cast<std::size_t>(y * source.width + x)]
+                                 : LabelHole{};
+  };
+  std::map<Index, std::int64_t> areas;
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) ++areas[hole_at(x, y).begins];
+  }
+  for (Index y = 0; y < source.height; ++y) {
+    for (Index x = 0; x < source.width; ++x) {
+      const LabelHole hole = hole_at(x, y);
+      const bool fills = hole.begins >= 0 && areas[hole.begins] <= max_area;
+      destination.row(y)[x] = fills ? hole.label : source.row(y)[x];
     }
   }
 }

@@ -69,6 +69,12 @@ void fill_holes_4(ConstImageView source, ImageView destination);
 void fill_small_holes(ConstImageView source, ImageView destination, bool four_connected,
                       std::int64_t max_area);
 
+/// Fills the holes of each label alone: a pixel of the background gets the label of the one that
+/// begins last in raster order among the holes that contain it, if this one has at most `max_area`
+/// such pixels. Labels are 8- or 4-connected.
+void fill_label_holes(ConstLabelView source, LabelView destination, bool four_connected,
+                      std::int64_t max_area);
+
 /// Objects minus holes, by counting both: 8-connected objects and 4-connected holes, or 4-connected
 /// objects and 8-connected holes.
 [[nodiscard]] std::int64_t euler_number(ConstImageView source);

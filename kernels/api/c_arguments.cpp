@@ -35,7 +35,7 @@ const char* last_error() {
 }
 
 void require_pointer(const void* pointer, const char* name) {
-  require(pointer != nullptr, name + std::string(" is NULL"));
+  require(pointer != nullptr, [&] { return name + std::string(" is NULL"); });
 }
 
 std::string_view view_of(const char* name) {
@@ -68,9 +68,10 @@ Thinning thinning_of(const thinbench_thinning* given) {
   const thinbench_thinning defaults = THINBENCH_THINNING_INIT;
   const auto from =
       versioned(given, first_version, defaults, "thinning", "THINBENCH_THINNING_INIT");
-  require(from.max_iterations >= 0,
-          "max_iterations: expected 1 or more, or 0 for the rule's own limit, got " +
-              std::to_string(from.max_iterations));
+  require(from.max_iterations >= 0, [&] {
+    return "max_iterations: expected 1 or more, or 0 for the rule's own limit, got " +
+           std::to_string(from.max_iterations);
+  });
   if (from.max_iterations > 0) thinning.max_iterations = from.max_iterations;
   if (from.border != nullptr) thinning.border = border_of(from.border);
   return thinning;
@@ -107,7 +108,8 @@ StackView destination_of(const thinbench_output* output, const ConstStackView& s
 
 ConstImageView image_of(const thinbench_stack* stack) {
   const ConstStackView source = source_of(stack);
-  require(source.count == 1, "expected one image, got " + std::to_string(source.count));
+  require(source.count == 1,
+          [&] { return "expected one image, got " + std::to_string(source.count); });
   return source.image(0);
 }
 

@@ -79,9 +79,10 @@ T named(const char* what, const char* name, std::optional<T> value, const Names&
 template <class Struct>
 Struct versioned(const Struct* given, size_t first_version, Struct defaults, const char* name,
                  const char* initialiser) {
-  require(first_version <= given->size && given->size <= sizeof(Struct),
-          std::string(name) + ".size: expected " + std::to_string(sizeof(Struct)) + ", got " +
-              std::to_string(given->size) + "; " + initialiser + " sets it");
+  require(first_version <= given->size && given->size <= sizeof(Struct), [&] {
+    return std::string(name) + ".size: expected " + std::to_string(sizeof(Struct)) + ", got " +
+           std::to_string(given->size) + "; " + initialiser + " sets it";
+  });
   std::memcpy(&defaults, given, given->size);
   return defaults;
 }
@@ -108,8 +109,8 @@ Struct versioned(const Struct* given, size_t first_version, Struct defaults, con
   return spacing == nullptr ? Spacing{} : Spacing{spacing->y, spacing->x};
 }
 
-/// A member of a handle as an array of C structs: NULL, and a count of 0, for a NULL handle and where
-/// the size of the caller's struct is another.
+/// A member of a handle as an array of C structs: NULL, and a count of 0, for a NULL handle and
+/// where the size of the caller's struct is another.
 template <class Struct, class Handle, class Base, class T>
 const Struct* list_of(const Handle* handle, std::vector<T> Base::*list, size_t* count,
                       size_t size) {

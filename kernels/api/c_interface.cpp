@@ -220,6 +220,18 @@ thinbench_status thinbench_fill_small_holes(const thinbench_stack* source,
   });
 }
 
+thinbench_status thinbench_fill_label_holes(const int32_t* source, ptrdiff_t source_stride,
+                                            int32_t* destination, ptrdiff_t destination_stride,
+                                            ptrdiff_t height, ptrdiff_t width, int32_t connectivity,
+                                            int64_t max_area,
+                                            const thinbench_execution* execution) {
+  return guarded([&] {
+    fill_label_holes({source, width, height, source_stride},
+                     {destination, width, height, destination_stride},
+                     connectivity_of(connectivity), max_area, execution_of(execution));
+  });
+}
+
 thinbench_status thinbench_euler_number(const thinbench_stack* source, int32_t connectivity,
                                         const thinbench_execution* execution, int64_t* number) {
   return guarded([&] {

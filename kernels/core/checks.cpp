@@ -228,6 +228,10 @@ void require(bool condition, const std::string& message) {
   if (!condition) reject(message);
 }
 
+void require(bool condition, const char* message) {
+  if (!condition) reject(message);
+}
+
 std::string number_text(double number) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", number);
@@ -268,16 +272,18 @@ void require_label_size(Index width, Index height) {
 }
 
 void require_not_negative(const char* name, double number) {
-  require(
-      number >= 0 && std::isfinite(number),
-      std::string(name) + ": expected a finite number of at least 0, got " + number_text(number));
+  require(number >= 0 && std::isfinite(number), [&] {
+    return std::string(name) + ": expected a finite number of at least 0, got " +
+           number_text(number);
+  });
 }
 
 void require_spacing(const Spacing& spacing) {
   for (const double distance : {spacing.y, spacing.x}) {
-    require(distance >= 1e-30 && distance <= 1e30,
-            "spacing: expected numbers from 1e-30 to 1e30, got " + number_text(spacing.y) + ", " +
-                number_text(spacing.x));
+    require(distance >= 1e-30 && distance <= 1e30, [&] {
+      return "spacing: expected numbers from 1e-30 to 1e30, got " + number_text(spacing.y) + ", " +
+             number_text(spacing.x);
+    });
   }
 }
 

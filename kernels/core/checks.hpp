@@ -2,6 +2,7 @@
 // std::invalid_argument.
 #pragma once
 
+#include <concepts>
 #include <span>
 #include <string>
 
@@ -13,6 +14,12 @@ namespace thinbench::detail {
 
 /// Throws with this message unless the condition holds.
 void require(bool condition, const std::string& message);
+void require(bool condition, const char* message);
+/// The same with a message that is made only if it is needed: for what every call or pixel checks.
+template <std::invocable Text>
+void require(bool condition, const Text& text) {
+  if (!condition) require(false, text());
+}
 
 /// "510 x 412", for messages.
 [[nodiscard]] std::string size_text(Index width, Index height);

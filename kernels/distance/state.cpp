@@ -77,9 +77,10 @@ void DistanceState::write_roots(const std::uint16_t* vertical, DistanceRow& memo
 }
 
 void DistanceState::check(const DistanceParameters&, Index width, Index height) {
-  require(width <= kMaxDistanceSide && height <= kMaxDistanceSide,
-          "image size " + size_text(width, height) + " has a side above " +
-              std::to_string(kMaxDistanceSide) + " pixels, the limit for distances");
+  require(width <= kMaxDistanceSide && height <= kMaxDistanceSide, [&] {
+    return "image size " + size_text(width, height) + " has a side above " +
+           std::to_string(kMaxDistanceSide) + " pixels, the limit for distances";
+  });
 }
 
 const DistanceOperation& distance_operation() {

@@ -24,8 +24,9 @@ State make(const EdgeSetting& setting) {
 }
 
 void require_threshold(const char* name, int value) {
-  require(0 <= value && value <= kMaxThreshold,
-          std::string(name) + ": expected an integer in [0, 255], got " + std::to_string(value));
+  require(0 <= value && value <= kMaxThreshold, [&] {
+    return std::string(name) + ": expected an integer in [0, 255], got " + std::to_string(value);
+  });
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "thinbench/graph_parts.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "core/checks.hpp"
+#include "thinbench/graph_parts.hpp"
 #include "thinbench/graph_paths.hpp"
 
 namespace thinbench {
@@ -123,9 +122,10 @@ BranchType type_of(const Graph& graph, const GraphEdge& edge) {
 Graph subgraph(const Graph& graph, std::span<const std::uint32_t> edges) {
   std::vector<bool> is_used(graph.nodes.size());
   for (const std::uint32_t edge : edges) {
-    detail::require(edge < graph.edges.size(),
-                    "edges: expected numbers below " + std::to_string(graph.edges.size()) +
-                        ", got " + std::to_string(edge));
+    detail::require(edge < graph.edges.size(), [&] {
+      return "edges: expected numbers below " + std::to_string(graph.edges.size()) + ", got " +
+             std::to_string(edge);
+    });
     is_used[graph.edges[edge].from] = is_used[graph.edges[edge].to] = true;
   }
   Numbers nodes = all_of(size_of(graph.nodes));
@@ -160,9 +160,9 @@ Graph open_cycles(const Graph& graph, double max_length, const Spacing& spacing)
 
 GraphPlace nearest_place(const Graph& graph, double x, double y, const Spacing& spacing) {
   detail::require_spacing(spacing);
-  detail::require(std::isfinite(x) && std::isfinite(y),
-                  "expected a finite point, got " + detail::number_text(x) + ", " +
-                      detail::number_text(y));
+  detail::require(
+      std::isfinite(x) && std::isfinite(y),
+      "expected a finite point, got " + detail::number_text(x) + ", " + detail::number_text(y));
   detail::require(!graph.edges.empty(), "expected a graph with edges, got none");
   GraphPlace nearest = {0, {}, std::numeric_limits<double>::infinity()};
   for (std::uint32_t edge = 0; edge < graph.edges.size(); ++edge) {

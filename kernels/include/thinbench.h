@@ -588,6 +588,14 @@ THINBENCH_API thinbench_status thinbench_fill_small_holes(const thinbench_stack*
                                                           int32_t connectivity, int64_t max_area,
                                                           const thinbench_execution* execution);
 
+/* Fills the holes of labels in a height x width image: background gets the label of the innermost
+ * hole around it, as thinbench/regions.hpp says. The connectivity, 8 or 4, is that of labels; only
+ * holes of at most `max_area` pixels. Strides are in labels; destination may be the source. */
+THINBENCH_API thinbench_status thinbench_fill_label_holes(
+    const int32_t* source, ptrdiff_t source_stride, int32_t* destination,
+    ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width, int32_t connectivity,
+    int64_t max_area, const thinbench_execution* execution);
+
 /* Objects minus holes of one image; connectivity 8 or 4 is that of the objects. */
 THINBENCH_API thinbench_status thinbench_euler_number(const thinbench_stack* source,
                                                       int32_t connectivity,

@@ -4,7 +4,6 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
-#include <string>
 
 #include "core/packing.hpp"
 #include "core/planes.hpp"
@@ -31,6 +30,8 @@ struct RegionsParameters {
 };
 /// The task of fill_holes(). Throws std::invalid_argument.
 [[nodiscard]] RegionsTask fill_task(Connectivity objects);
+/// Rejects a negative area.
+void require_max_area(std::int64_t max_area);
 
 using RegionsSetting = Setting<RegionsParameters>;
 
@@ -45,9 +46,7 @@ class RegionsState {
 
   static void check(const RegionsParameters& parameters, Index width, Index height) {
     require_regions_size(width, height);
-    if (parameters.max_area >= 0) return;
-    throw std::invalid_argument("max_area: expected at least 0, got " +
-                                std::to_string(parameters.max_area));
+    require_max_area(parameters.max_area);
   }
 
   RegionsState() = default;

@@ -1,6 +1,8 @@
 #include "regions/variants.hpp"
 
 #include <atomic>
+#include <stdexcept>
+#include <string>
 
 #include "core/exported.hpp"
 #include "core/features.hpp"
@@ -132,6 +134,11 @@ std::span<const RegionsOperation> regions_operations() {
 RegionsTask fill_task(Connectivity objects) {
   require_connectivity(static_cast<int>(objects));
   return objects == Connectivity::four ? RegionsTask::fill_four : RegionsTask::fill;
+}
+
+void require_max_area(std::int64_t max_area) {
+  if (max_area >= 0) return;
+  throw std::invalid_argument("max_area: expected at least 0, got " + std::to_string(max_area));
 }
 
 const RegionsOperation& operation_of(RegionsTask task) {

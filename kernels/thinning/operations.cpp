@@ -44,14 +44,18 @@ ThinningParameters thinning_parameters(const Rule& rule, const Thinning& thinnin
   const Border border = thinning.border.value_or(body->border);
   const int max_iterations = thinning.max_iterations.value_or(body->max_iterations);
   const std::string& name = body->operation;
-  require(static_cast<std::size_t>(border) < kBorderNames.size(),
-          "border: expected background, keep or foreground, got " +
-              std::to_string(static_cast<int>(border)));
-  require(max_iterations >= 1, "max_iterations: expected an integer of at least 1, got " +
-                                   std::to_string(max_iterations));
-  require(
-      max_iterations != kUnlimited || !body->adds_pixels() || !body->removes_pixels(),
-      name + ": this rule adds and removes pixels, so it may never end; it needs max_iterations");
+  require(static_cast<std::size_t>(border) < kBorderNames.size(), [&] {
+    return "border: expected background, keep or foreground, got " +
+           std::to_string(static_cast<int>(border));
+  });
+  require(max_iterations >= 1, [&] {
+    return "max_iterations: expected an integer of at least 1, got " +
+           std::to_string(max_iterations);
+  });
+  require(max_iterations != kUnlimited || !body->adds_pixels() || !body->removes_pixels(), [&] {
+    return name +
+           ": this rule adds and removes pixels, so it may never end; it needs max_iterations";
+  });
   if (border != Border::foreground) return {body, border, max_iterations, false};
   require(body->complement != nullptr,
           name +

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import difflib
 import operator
 from collections.abc import Iterable
@@ -18,6 +17,7 @@ _Value = TypeVar("_Value")
 
 _BOOL = np.dtype(bool)
 _UINT8 = np.dtype(np.uint8)
+_BINARY = (_UINT8, _BOOL)
 
 
 def unmasked(image: Any, name: str = "image") -> Array:
@@ -33,8 +33,10 @@ def binary(image: Any, max_dimensions: int = 2, name: str = "image", stack: bool
 
     What has the shape of a colour image is rejected as a stack where `stack` is None.
     """
+    if type(image) is np.ndarray and image.ndim == 2 and image.dtype in _BINARY:
+        return image  # at once, as small images take a microsecond
     image = unmasked(image, name)
-    if image.dtype not in (_BOOL, _UINT8):
+    if image.dtype not in _BINARY:
         raise TypeError(f"{name}: expected dtype bool or uint8, got {image.dtype}; "
                         f"`{name} != 0` or `{name} > threshold` makes one")
     if is_colour(image) and not stack:
@@ -66,6 +68,8 @@ def labels(image: Any) -> Array:
 
 def grey(image: Any, name: str = "image") -> Array:
     """A uint8 image of grey levels."""
+    if type(image) is np.ndarray and image.ndim == 2 and image.dtype == _UINT8:
+        return image
     image = unmasked(image, name)
     if image.dtype != _UINT8:
         raise TypeError(f"{name}: expected dtype uint8 of grey levels, got {image.dtype}")
@@ -81,9 +85,9 @@ def _with_dimensions(image: Array, max_dimensions: int, name: str = "image") -> 
 
 def result_for(image: Array, out: Array | None, name: str = "out", dtype: npt.DTypeLike = None) -> Array:
     """An array like the image, or of another type, or `out` if that fits."""
-    wanted = np.dtype(dtype) if dtype is not None else image.dtype
     if out is None:
-        return np.empty(image.shape, wanted)
+        return np.empty(image.shape, image.dtype if dtype is None else dtype)
+    wanted = np.dtype(dtype) if dtype is not None else image.dtype
     if not isinstance(out, np.ndarray):
         raise TypeError(f"{name}: expected an array, got {type(out).__name__}")
     if out.dtype != wanted or out.shape != image.shape:
@@ -98,16 +102,19 @@ def result_for(image: Array, out: Array | None, name: str = "out", dtype: npt.DT
 
 def source(image: Array) -> tuple[bytes, Array]:
     """A thinbench_stack struct, and the array that it points to."""
-    height, width = image.shape[-2:]
-    count = 1 if image.ndim == 2 else image.shape[0]
-    strides = image.strides
-    stride = strides[-2]
-    image_stride = height * stride if image.ndim == 2 else strides[0]
-    if strides[-1] != 1 or stride < width or image_stride < height * stride:
+    if image.ndim == 2:
+        height, width = image.shape
+        stride, step = image.strides
+        if step != 1 or stride < width:
+            image = np.ascontiguousarray(image)
+            stride = width
+        return _library.STACK.pack(_library.address(image), 1, height, width, stride, 0), image
+    count, height, width = image.shape
+    image_stride, stride, step = image.strides
+    if step != 1 or stride < width or image_stride < height * stride:
         image = np.ascontiguousarray(image)
         stride, image_stride = width, height * width
-    address = image.__array_interface__["data"][0]
-    return _library.STACK.pack(address, count, height, width, stride, image_stride), image
+    return _library.STACK.pack(_library.address(image), count, height, width, stride, image_stride), image
 
 
 def label_rows(image: Array) -> Array:
@@ -127,13 +134,13 @@ def label_stride(image: Array) -> int:
 def destination(out: Array) -> bytes:
     """A thinbench_output struct for a contiguous array; foreground is 1 in an array of bool."""
     height, width = out.shape[-2:]
-    # Faster than __array_interface__, but for arrays that have elements.
-    address = ctypes.addressof(ctypes.c_char.from_buffer(out.data)) if out.size else 0
-    return _library.OUTPUT.pack(address, width, height * width, out.dtype == _BOOL)
+    return _library.OUTPUT.pack(_library.address(out), width, height * width, out.dtype == _BOOL)
 
 
 def integer(name: str, value: Any) -> int:
     """An integer in the range of the C interface."""
+    if type(value) is int and -(2**31) <= value < 2**31:
+        return value
     if isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name}: expected an integer, got {value}")
     try:
@@ -167,6 +174,8 @@ def real(name: str, value: Any) -> float:
 
 def spacing(name: str, value: Any) -> tuple[float, float]:
     """The distance of rows and that of columns, from one number or two."""
+    if type(value) is int and value == 1:
+        return 1.0, 1.0
     numbers = (value, value) if np.ndim(value) == 0 else tuple(value)
     if len(numbers) != 2:
         raise ValueError(f"{name}: expected a number or two, of rows and of columns, got {value!r}")

@@ -12,19 +12,19 @@ import numpy.typing as npt
 from thinbench import _arrays, _library
 from thinbench._skeleton_graph import KINDS, Array, Graph, Groups, bounds_of, counted
 
-_PIXEL = np.dtype([("x", "i4"), ("y", "i4")])
+_PIXEL = np.dtype(("i4", 2))  # column and row
 _NODE = np.dtype([("kind", "i4"), ("first_pixel", "u4"), ("pixel_count", "u4")])
-_EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", _PIXEL), ("stop", _PIXEL), ("first_pixel", "u4"),
+_EDGE = np.dtype([("from", "u4"), ("to", "u4"), ("start", "i4", 2), ("stop", "i4", 2), ("first_pixel", "u4"),
                   ("pixel_count", "u4"), ("horizontal_steps", "u4"), ("vertical_steps", "u4"), ("diagonal_steps", "u4")])
 
 
 def split_at(handle: ctypes.c_void_p, pixels: Iterable[Sequence[int]]) -> ctypes.c_void_p:
     """The graph with a node at each pixel (row, column), instead of the handle."""
     try:
-        places = np.array([_pixel_of(pixel) for pixel in pixels], _PIXEL)
+        places = np.array([_pixel_of(pixel) for pixel in pixels], np.int32)
         split = ctypes.c_void_p()
         if len(places):
-            _library.graph_split(handle, places.ctypes.data, len(places), ctypes.byref(split))
+            _library.graph_split(handle, _library.address(places), len(places), ctypes.byref(split))
     except BaseException:
         _library.graph_destroy(handle)
         raise
@@ -48,15 +48,15 @@ def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Arra
     """The graph of a handle, which is destroyed."""
     try:
         nodes, edges, node_pixels, edge_pixels = (
-            _library.copied(handle, list_of, dtype) for list_of, dtype in (
+            _library.copied(handle, [list_of], dtype)[0] for list_of, dtype in (
                 (_library.graph_nodes, _NODE), (_library.graph_edges, _EDGE),
                 (_library.graph_node_pixels, _PIXEL), (_library.graph_edge_pixels, _PIXEL)))
-        labels = _library.copied(handle, _library.graph_node_labels, np.dtype(np.int32)).astype(np.int64)
+        labels = _library.copied(handle, [_library.graph_node_labels], np.dtype(np.int32))[0].astype(np.int64)
         widths = {} if distances is None else _width_columns(handle, distances, len(edges))
     finally:
         _library.graph_destroy(handle)
     pixels = Groups(_rows_and_columns(node_pixels), bounds_of(nodes["pixel_count"]))
-    chains = _chains(edges, _rows_and_columns(edge_pixels))
+    chains = _chains(edges, edge_pixels)
     node_columns, edge_columns = _node_columns(nodes, pixels, distances), {**_edge_columns(edges, spacing), **widths}
     if has_labels:
         node_columns["label"] = labels
@@ -65,18 +65,19 @@ def taken(handle: ctypes.c_void_p, spacing: tuple[float, float], distances: Arra
 
 
 def _rows_and_columns(pixels: Array) -> Array:
-    return np.stack([pixels["y"], pixels["x"]], axis=-1)
+    return pixels[:, ::-1]
 
 
 def _chains(edges: Array, lines: Array) -> Groups:
     """The pixels along each edge, from start to stop."""
-    bounds = bounds_of(edges["pixel_count"].astype(np.int64) + 2)
+    bounds = bounds_of(edges["pixel_count"] + 2)
+    first, last = bounds[:-1], bounds[1:] - 1
     values = np.empty((bounds[-1], 2), np.int32)
+    values[first], values[last] = edges["start"], edges["stop"]
     is_line = np.ones(len(values), bool)
-    is_line[bounds[:-1]] = is_line[bounds[1:] - 1] = False
-    values[is_line] = lines
-    values[bounds[:-1]], values[bounds[1:] - 1] = _rows_and_columns(edges["start"]), _rows_and_columns(edges["stop"])
-    return Groups(values, bounds)
+    is_line[first] = is_line[last] = False
+    values.view(np.int64)[is_line] = lines.view(np.int64)  # a pixel at a time
+    return Groups(_rows_and_columns(values), bounds)
 
 
 def _node_columns(nodes: Array, pixels: Groups, distances: Array | None) -> dict[str, Array]:

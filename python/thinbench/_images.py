@@ -17,6 +17,9 @@ REGION = np.dtype([("area", "i8"), ("sum_x", "i8"), ("sum_y", "i8"), ("left", "i
                     ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("parent", "u4")],
                    align=True)
 
+_ONE = np.array(1, np.int32)  # faster than a number of Python
+_LISTS = _library.regions_objects, _library.regions_holes
+
 Columns = dict[str, npt.NDArray[Any]]
 
 
@@ -118,11 +121,67 @@ def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     image = _arrays.binary(image)
     result = _arrays.result_for(image, out)
     stack, kept_alive = _arrays.source(image)
-    largest = _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area)
+    largest = _hole_area(max_area)
     _library.fill_small_holes(stack, _arrays.destination(result),
                               _arrays.integer("connectivity", connectivity), largest, None)
     del kept_alive
     return result
+
+
+def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, max_area: int | None = None,
+                     out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
+    """Fill the holes of every label of a label image.
+
+    Parameters
+    ----------
+    labels : array of bool or integers, shape (H, W)
+        0 is background. Never modified.
+    connectivity : {8, 4}
+        Of labels; holes have the other one.
+    max_area : int, optional
+        Fill only holes of which at most so many pixels are to be filled.
+    out : array, optional
+        Receives the result: same shape and dtype as `labels`, C-contiguous. May be `labels`.
+
+    Returns
+    -------
+    array of the shape and dtype of `labels`
+        Background in a hole of a label has this label, that of the innermost hole where labels are
+        around each other. The holes of a label are those of `fill_holes(labels == label)`. Labels
+        keep their pixels.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument does not fit; then nothing is written.
+
+    References
+    ----------
+    docs/regions.md: holes of labels.
+
+    Examples
+    --------
+    >>> import thinbench
+    >>> print(thinbench.fill_label_holes([[5, 5, 5, 2], [5, 0, 5, 2], [5, 5, 5, 0]]))
+    [[5 5 5 2]
+     [5 5 5 2]
+     [5 5 5 0]]
+    """
+    image = _arrays.labels(labels)
+    largest = _hole_area(max_area)
+    result = _arrays.result_for(image, out)
+    source = _arrays.label_rows(image)
+    target = result if result.dtype == np.int32 else np.empty(image.shape, np.int32)
+    _library.fill_label_holes(_library.address(source), _arrays.label_stride(source), _library.address(target),
+                              _arrays.label_stride(target), *image.shape,
+                              _arrays.integer("connectivity", connectivity), largest, None)
+    if target is not result:
+        result[...] = target
+    return result
+
+
+def _hole_area(max_area: int | None) -> int:
+    return _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area)
 
 
 def euler_number(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8) -> int:
@@ -257,7 +316,7 @@ def label_objects(image: npt.ArrayLike, connectivity: int,
     labels = np.empty(image.shape, np.int32)
     stack, kept_alive = _arrays.source(image)
     objects = ctypes.c_uint32()
-    _library.label_image(stack, labels.ctypes.data, image.shape[1], connectivity, order, None,
+    _library.label_image(stack, _library.address(labels), image.shape[1], connectivity, order, None,
                          ctypes.byref(objects))
     del kept_alive
     return labels, objects.value
@@ -270,7 +329,7 @@ def label_components(image: npt.ArrayLike, connectivity: int,
     labels = np.empty(image.shape, np.int32)
     stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
-    _library.label_components(stack, labels.ctypes.data, image.shape[1], connectivity, order, None,
+    _library.label_components(stack, _library.address(labels), image.shape[1], connectivity, order, None,
                               ctypes.byref(handle))
     del kept_alive
     return labels, _taken(handle)[0]
@@ -343,9 +402,10 @@ def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squ
         raise ValueError(f"squared: expected no sampling beside it, got {sampling!r}")
     found = _arrays.result_for(array, out, dtype=np.int32 if squared else np.float64)
     if squared:
-        _library.squared_distances(stack, found.ctypes.data, array.shape[1], execution)
+        _library.squared_distances(stack, _library.address(found), array.shape[1], execution)
     else:
-        _library.distances(stack, found.ctypes.data, array.shape[1], _library.SPACING.pack(*spacing), execution)
+        _library.distances(stack, _library.address(found), array.shape[1],
+                           None if spacing == (1, 1) else _library.SPACING.pack(*spacing), execution)
     del kept_alive
     return found
 
@@ -420,7 +480,7 @@ def find_regions(image: _arrays.Array, labels: npt.NDArray[np.int32] | None,
     """Objects, then holes, as an array of REGION, and the number of objects; fills `labels`."""
     stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
-    _library.find_regions(stack, None if labels is None else labels.ctypes.data,
+    _library.find_regions(stack, None if labels is None else _library.address(labels),
                           image.shape[1], None, ctypes.byref(handle))
     del kept_alive
     return _taken(handle)
@@ -480,36 +540,27 @@ def localise(image: npt.ArrayLike, gradient_threshold: int = 40, brightness_thre
 def _taken(handle: ctypes.c_void_p) -> tuple[_arrays.Array, int]:
     """The regions of a handle, which is destroyed, and the number of objects."""
     try:
-        return _copied_lists(handle)
+        found, (objects, _) = _library.copied(handle, _LISTS, REGION)
     finally:
         _library.regions_destroy(handle)
+    return found, objects
 
 
 def columns(found: _arrays.Array, objects: int) -> Columns:
     """An array of REGION as a dict of columns."""
     area = found["area"]
+    divisor = area.astype(np.float64)
+    is_hole = np.zeros(len(found), bool)
+    is_hole[objects:] = True
     return {
         "label": np.arange(1, len(found) + 1, dtype=np.int32),
         "parent": found["parent"].astype(np.int32),
         "area": area.copy(),
-        "centroid-0": found["sum_y"] / area,
-        "centroid-1": found["sum_x"] / area,
+        "centroid-0": found["sum_y"] / divisor,
+        "centroid-1": found["sum_x"] / divisor,
         "bbox-0": found["top"].copy(),
         "bbox-1": found["left"].copy(),
-        "bbox-2": found["bottom"] + 1,
-        "bbox-3": found["right"] + 1,
-        "is_hole": np.arange(len(found)) >= objects,
+        "bbox-2": found["bottom"] + _ONE,
+        "bbox-3": found["right"] + _ONE,
+        "is_hole": is_hole,
     }
-
-
-def _copied_lists(handle: ctypes.c_void_p) -> tuple[npt.NDArray[Any], int]:
-    """Objects, then holes, and the number of objects."""
-    counts = ctypes.c_size_t(), ctypes.c_size_t()
-    lists = [list_of(handle, ctypes.byref(count), REGION.itemsize) for list_of, count in zip(
-        (_library.regions_objects, _library.regions_holes), counts)]
-    objects, holes = (count.value for count in counts)
-    found = np.empty(objects + holes, REGION)
-    address = found.ctypes.data
-    ctypes.memmove(address, lists[0], objects * REGION.itemsize)
-    ctypes.memmove(address + objects * REGION.itemsize, lists[1], holes * REGION.itemsize)
-    return found, objects

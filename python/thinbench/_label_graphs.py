@@ -122,7 +122,8 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     return result
 
 
-def _distances_of(labels: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[float, float], options: bytes) -> Array:
+def _distances_of(labels: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[float, float],
+                  options: bytes | None) -> Array:
     objects = _arrays.label_rows(_arrays.labels(labels))
     if objects.shape != shape:
         raise ValueError(f"labels: expected the skeletons' shape {shape}, got {objects.shape}")

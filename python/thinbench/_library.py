@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -23,6 +23,9 @@ SPACING = struct.Struct("dd")  # y, x
 PRUNING = struct.Struct("NddPni4xP")
 _EXECUTION = struct.Struct("Ni4xP")  # size, threads, isa
 _RULE_INFO = struct.Struct("NPPPi4xPNPii")  # size, name, and as RuleInfo
+
+_address_of_buffer = ctypes.addressof
+_buffer_of: Callable[[Any], ctypes.c_char] = ctypes.c_char.from_buffer
 
 _BYTES = ctypes.c_char_p
 _POINTER = ctypes.c_void_p
@@ -108,6 +111,8 @@ label_values = _checked("label_values", _POINTER, _DISTANCE, _POINTER, _DISTANCE
 localise = _checked("localise", _BYTES, _INT, _INT, _BYTES, _POINTER)
 fill_small_holes = _checked(
     "fill_small_holes", _BYTES, _BYTES, _INT, ctypes.c_int64, _BYTES)
+fill_label_holes = _checked("fill_label_holes", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE, _DISTANCE,
+                            _INT, ctypes.c_int64, _BYTES)
 euler_number = _checked("euler_number", _BYTES, _INT, _BYTES, _POINTER)
 (regions_objects, regions_holes, graph_nodes, graph_edges, graph_node_pixels, graph_edge_pixels, graph_node_labels,
  graph_paths_list, graph_paths_nodes, graph_paths_edges) = (
@@ -142,15 +147,15 @@ isa_available = _function("isa_available", _BYTES)
 
 
 @lru_cache(maxsize=256)
-def thinning(border: int, max_iterations: int) -> bytes:
+def thinning(border: int, max_iterations: int) -> bytes | None:
     """A thinbench_thinning struct, with one of BORDERS; 0 stands for what the rule says."""
-    return _THINNING.pack(_THINNING.size, border, max_iterations)
+    return _THINNING.pack(_THINNING.size, border, max_iterations) if border or max_iterations else None
 
 
 @lru_cache(maxsize=256)
-def execution(threads: int) -> bytes:
-    """A thinbench_execution struct."""
-    return _EXECUTION.pack(_EXECUTION.size, threads, 0)
+def execution(threads: int) -> bytes | None:
+    """A thinbench_execution struct; None, the library's default, for one thread."""
+    return _EXECUTION.pack(_EXECUTION.size, threads, 0) if threads != 1 else None
 
 
 class RuleInfo(NamedTuple):
@@ -188,14 +193,32 @@ def gates(handle: int | None, sub_iteration: int) -> int:
     return number.value
 
 
-def copied(handle: ctypes.c_void_p, list_of: Callable[..., Any], dtype: np.dtype[Any]) -> npt.NDArray[Any]:
-    """A list of a result, which the result may not outlive."""
-    count = ctypes.c_size_t()
-    address = list_of(handle, ctypes.byref(count), dtype.itemsize)
-    copy = np.empty(count.value, dtype)
-    if count.value:
-        ctypes.memmove(copy.ctypes.data, address, copy.nbytes)
-    return copy
+def address(array: npt.NDArray[Any]) -> int:
+    """Where the first element is."""
+    try:
+        return _address_of_buffer(_buffer_of(array))  # a quarter of the time, but not for all arrays
+    except (BufferError, TypeError, ValueError):  # read-only, with gaps, or without elements
+        place: int = array.__array_interface__["data"][0]
+        return place
+
+
+def copied(handle: ctypes.c_void_p, lists: Sequence[Callable[..., Any]], dtype: np.dtype[Any],
+           ) -> tuple[npt.NDArray[Any], list[int]]:
+    """Lists of a result, which they outlive, one after another, and their lengths."""
+    number = ctypes.c_size_t()
+    place = ctypes.byref(number)
+    found = [(list_of(handle, place, dtype.itemsize), number.value) for list_of in lists]
+    counts = [count for _, count in found]
+    total = sum(counts)
+    memory = bytearray(total * dtype.itemsize)
+    copy: npt.NDArray[Any] = np.ndarray(total, dtype, memory)
+    if memory:
+        to = _address_of_buffer(_buffer_of(memory))
+        for first, count in found:
+            if count:
+                ctypes.memmove(to, first, count * dtype.itemsize)
+                to += count * dtype.itemsize
+    return copy, counts
 
 
 def handle_from(make: Callable[..., None], *arguments: Any) -> int | None:

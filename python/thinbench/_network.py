@@ -45,16 +45,16 @@ def shortest_path(nodes: int, table: Array, first: int, last: int) -> list[Path]
 def components(nodes: int, table: Array) -> Array:
     """The component of every node, numbered from 0 by their first nodes."""
     numbers = np.empty(nodes, np.uint32)
-    _library.components(nodes, table.ctypes.data, len(table), numbers.ctypes.data)
+    _library.components(nodes, _library.address(table), len(table), _library.address(numbers))
     return numbers.astype(np.int64)
 
 
 def _found(function: Callable[..., None], nodes: int, table: Array, *more: int) -> list[Path]:
     handle = ctypes.c_void_p()
-    function(nodes, table.ctypes.data, len(table), *more, ctypes.byref(handle))
+    function(nodes, _library.address(table), len(table), *more, ctypes.byref(handle))
     try:
-        paths = _library.copied(handle, _library.graph_paths_list, _PATH)
-        numbers = [_library.copied(handle, list_of, np.dtype("u4")).astype(np.int64)
+        paths = _library.copied(handle, [_library.graph_paths_list], _PATH)[0]
+        numbers = [_library.copied(handle, [list_of], np.dtype("u4"))[0].astype(np.int64)
                    for list_of in (_library.graph_paths_nodes, _library.graph_paths_edges)]
     finally:
         _library.graph_paths_destroy(handle)

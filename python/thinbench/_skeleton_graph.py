@@ -45,8 +45,10 @@ class Groups(NamedTuple):
         return found
 
 
-def bounds_of(lengths: npt.ArrayLike) -> Array:
-    return np.concatenate([[0], np.cumsum(lengths, dtype=np.int64)])
+def bounds_of(lengths: Array) -> Array:
+    bounds = np.zeros(len(lengths) + 1, np.int64)
+    np.cumsum(lengths, out=bounds[1:])
+    return bounds
 
 
 class GraphPath(NamedTuple):

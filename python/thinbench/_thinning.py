@@ -26,8 +26,10 @@ def rule_of(rule: str | Rule) -> Rule:
 
 
 def request(rule: str | Rule, border: str | None, max_iterations: int | None, threads: int,
-            ) -> tuple[int | None, bytes, bytes]:
-    """What to compute and how: a handle, valid as long as the rule, and two structs."""
+            ) -> tuple[int | None, bytes | None, bytes | None]:
+    """What to compute and how: a handle, valid as long as the rule, and two structs or None for the defaults."""
+    if border is None and max_iterations is None and type(threads) is int and threads == 1:
+        return rule_of(rule).handle, None, None
     outside = 0 if border is None else _arrays.one_of("border", border, _library.BORDERS)
     return (rule_of(rule).handle, _library.thinning(outside, _arrays.limit(max_iterations)),
             _library.execution(_arrays.integer("threads", threads)))
@@ -123,7 +125,8 @@ def thin(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, border: str | N
     result = _arrays.result_for(array, out)
     source, kept_alive = _arrays.source(array)
     iterations = ctypes.c_int32()
-    _library.thin(handle, source, _arrays.destination(result), *options, ctypes.byref(iterations))
+    _library.thin(handle, source, _arrays.destination(result), *options,
+                  ctypes.byref(iterations) if return_iterations else None)
     del kept_alive
     return (result, iterations.value) if return_iterations else result
 

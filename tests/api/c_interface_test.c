@@ -636,6 +636,21 @@ static void finds_the_graphs_of_labels(void) {
   rejects(thinbench_prune_labels(lines, 5, kept, 5, 3, 5, NULL, NULL, NULL), "pruning");
 }
 
+static void fills_the_holes_of_labels(void) {
+  int32_t labels[3][6] = {{4, 4, 4, 7, 7, 7}, {4, 0, 4, 7, 0, 7}, {4, 4, 4, 0, 7, 7}};
+  int32_t* const numbers = &labels[0][0];
+  int32_t filled[18];
+  CHECK(thinbench_fill_label_holes(numbers, 6, filled, 6, 3, 6, 4, INT64_MAX, NULL) == THINBENCH_OK);
+  CHECK(filled[7] == 4 && filled[10] == 0 && filled[15] == 0);
+  CHECK(thinbench_fill_label_holes(numbers, 6, filled, 6, 3, 6, 8, 0, NULL) == THINBENCH_OK);
+  CHECK(memcmp(filled, numbers, sizeof(filled)) == 0);
+  CHECK(thinbench_fill_label_holes(numbers, 6, numbers, 6, 3, 6, 8, 1, NULL) == THINBENCH_OK);
+  CHECK(labels[1][1] == 4 && labels[1][4] == 7 && labels[2][3] == 0);
+  rejects(thinbench_fill_label_holes(numbers, 6, filled, 5, 3, 6, 8, 1, NULL), "destination");
+  rejects(thinbench_fill_label_holes(numbers, 6, filled, 6, 3, 6, 6, 1, NULL), "connectivity");
+  rejects(thinbench_fill_label_holes(numbers, 6, filled, 6, 3, 6, 8, -1, NULL), "max_area");
+}
+
 static void makes_graphs_from_a_graph(void) {
   const thinbench_stack image = {&tee[0][0], 1, 3, 5, 5, 15};
   const uint32_t chosen[1] = {2}, missing[1] = {3};
@@ -800,6 +815,7 @@ int main(void) {
   takes_images_without_pixels();
   finds_the_graph_of_a_skeleton();
   finds_the_graphs_of_labels();
+  fills_the_holes_of_labels();
   makes_graphs_from_a_graph();
   finds_paths_through_a_graph();
   finds_a_path_for_a_robot();

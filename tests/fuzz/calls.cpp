@@ -16,6 +16,7 @@
 #include "thinbench/batch.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
+#include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -262,6 +263,19 @@ class Calls {
     }
     must(found == expected, "labels differ from the reference");
     must(iterations == expected_iterations, "labels: other iterations");
+    fill_label_image(labels, width, height);
+  }
+
+  void fill_label_image(std::vector<std::int32_t>& labels, Index width, Index height) {
+    constexpr std::array<std::int64_t, 4> areas = {kAnyHoleArea, 0, 1, 9};
+    const bool four = input_.once_in(2);
+    const std::int64_t max_area = input_.pick(areas);
+    std::vector<std::int32_t> expected(labels.size());
+    reference::fill_label_holes({labels.data(), width, height}, {expected.data(), width, height},
+                                four, max_area);
+    const LabelView view = {labels.data(), width, height};
+    fill_label_holes(view, view, four ? Connectivity::four : Connectivity::eight, max_area);
+    must(labels == expected, "filled labels differ from the reference");
   }
 
   void find_all_regions() {

@@ -89,4 +89,22 @@ THINBENCH_API void fill_holes(ConstImageView source, ImageView destination,
 THINBENCH_API void fill_holes(ConstImageView source, ImageView destination, Connectivity objects,
                               std::int64_t max_area, const Execution& execution = {});
 
+/// Fills the holes of labels: a pixel of the background gets the label of the innermost hole around
+/// it, all others keep theirs. The holes of a label are those of an image of this label alone. Of
+/// several around a pixel, the one that begins last in raster order is the innermost. Only holes
+/// with at most `max_area` pixels that they would fill.
+///
+/// 0 is background, and so is everything outside the image; labels may be any other numbers, and a
+/// label may have several components. Labels are 8- or 4-connected, holes the other way round.
+/// Takes 10 bytes of memory per pixel, and 4 more where labels touch, at corners, too; then the
+/// image is searched several times, as a rule two to five.
+///
+/// Both views must have the same size, at most 2^31 pixels, and be the same image or share no
+/// pixel. Thread-safe for different destinations. Throws as fill_holes() does; nothing is written
+/// if it throws.
+THINBENCH_API void fill_label_holes(ConstLabelView source, LabelView destination,
+                                    Connectivity labels = Connectivity::eight,
+                                    std::int64_t max_area = kAnyHoleArea,
+                                    const Execution& execution = {});
+
 }  // namespace thinbench
