@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "graph.hpp"
+#include "support/made_image.hpp"
 #include "support/rejection.hpp"
 #include "support/text_image.hpp"
 
@@ -24,8 +25,8 @@ struct LabelImage {
 };
 
 LabelImage labels_of(const TextImage& lines) {
-  LabelImage image = {static_cast<Index>(lines.front().size()), static_cast<Index>(lines.size()),
-                      {}};
+  LabelImage image = {
+      static_cast<Index>(lines.front().size()), static_cast<Index>(lines.size()), {}};
   for (const std::string& line : lines) {
     for (const char c : line) image.labels.push_back(c == '.' ? 0 : c - '0');
   }
@@ -34,8 +35,8 @@ LabelImage labels_of(const TextImage& lines) {
 
 /// Labels side by side, negative ones among them, or labels on lines with gaps.
 LabelImage random_labels(std::mt19937& random) {
-  LabelImage image = {1 + static_cast<Index>(random() % 70), 1 + static_cast<Index>(random() % 12),
-                      {}};
+  LabelImage image = {
+      1 + static_cast<Index>(random() % 70), 1 + static_cast<Index>(random() % 12), {}};
   const unsigned labels = 1 + static_cast<unsigned>(random() % 7);
   const unsigned rarity = 1 + static_cast<unsigned>(random() % 5);
   for (Index i = 0; i < image.width * image.height; ++i) {
@@ -47,13 +48,8 @@ LabelImage random_labels(std::mt19937& random) {
 }
 
 ByteImage mask_of(const LabelImage& image, std::int32_t label) {
-  ByteImage mask(image.width, image.height);
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index x = 0; x < image.width; ++x) {
-      mask.at(x, y) = image.view().row(y)[x] == label ? 255 : 0;
-    }
-  }
-  return mask;
+  return image_by(image.width, image.height,
+                  [&](Index x, Index y) { return image.view().row(y)[x] == label ? 255 : 0; });
 }
 
 void append(LabelGraph& to, std::int32_t label, const Graph& graph) {
@@ -116,11 +112,6 @@ TEST(GraphOfLabels, of_an_image_without_pixels_or_labels_is_empty) {
   EXPECT_TRUE(graph_of_labels({nullptr, 5, 0}) == LabelGraph{});
 }
 
-TEST(GraphOfLabels, unsuitable_views_are_rejected) {
-  EXPECT_EQ(rejection_of([] { static_cast<void>(graph_of_labels({nullptr, 3, 3})); }),
-            "labels has no data");
-}
-
 TEST(LabelDistances, are_those_to_the_nearest_pixel_of_another_label) {
   const LabelImage image = labels_of({"11112", "11112", "11112"});
   std::vector<double> found(15);
@@ -147,14 +138,21 @@ TEST(LabelDistances, equal_a_loop_over_the_labels) {
   }
 }
 
-TEST(LabelDistances, views_that_do_not_fit_are_rejected) {
+TEST(GraphOfLabels, views_that_do_not_fit_are_rejected) {
   const LabelImage image = labels_of({"12", "34"});
   std::vector<double> numbers(4);
-  EXPECT_EQ(
-      rejection_of([&] { label_distances(image.view(), {numbers.data(), 2, 1}); }),
-      "labels is 2 x 2 and distances 2 x 1; they must have the same size");
   const auto* inside = reinterpret_cast<const std::int32_t*>(numbers.data());
-  EXPECT_EQ(rejection_of([&] { label_distances({inside, 2, 2}, {numbers.data(), 2, 2}); }),
+  EXPECT_EQ(rejection_of([] {
+              static_cast<void>(graph_of_labels({nullptr, 3, 3}));
+            }),
+            "labels has no data");
+  EXPECT_EQ(rejection_of([&] {
+              label_distances(image.view(), {numbers.data(), 2, 1});
+            }),
+            "labels is 2 x 2 and distances 2 x 1; they must have the same size");
+  EXPECT_EQ(rejection_of([&] {
+              label_distances({inside, 2, 2}, {numbers.data(), 2, 2});
+            }),
             "labels and distances overlap");
 }
 
