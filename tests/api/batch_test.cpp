@@ -64,7 +64,8 @@ TEST(ThinBatch, rejects_invalid_stacks) {
       {{data, 3, 5, 5, 5, 50}, {data + 25, 3, 5, 5, 5, 50}, overlap},  // interleaved
   };
   for (const auto& [source, destination, part] : cases) {
-    expect_rejected([&] { thin_batch(Rule::guo_hall, source, destination); }, part);
+    expect_rejected([&, in = source, out = destination] { thin_batch(Rule::guo_hall, in, out); },
+                    part);
   }
 }
 

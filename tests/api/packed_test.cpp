@@ -99,7 +99,8 @@ TEST(PackedThin, rejects_invalid_views) {
       {{to.data() + 1, 20, 10, order}, out, "overlap without being the same image"},
   };
   for (const auto& [source, destination, part] : cases) {
-    expect_rejected([&] { thin(Rule::guo_hall, source, destination); }, part);
+    expect_rejected([&, in = source, result = destination] { thin(Rule::guo_hall, in, result); },
+                    part);
   }
   expect_rejected([&] { thin(Rule::guo_hall, good, out, {}, {.threads = 0}); },
                   "threads: expected an integer in [1, 1024], got 0");

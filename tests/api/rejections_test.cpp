@@ -82,8 +82,8 @@ TEST(Operations, reject_invalid_sources) {
              {{from.data(), 20, 10, kHuge},
               "source exceeds the address space: 20 x 10, stride 4611686018427387903"}}) {
       expect_rejected(
-          [&] {
-            operation.call(source, {to.data(), source.width, source.height, 64}, {});
+          [&, in = source] {
+            operation.call(in, {to.data(), in.width, in.height, 64}, {});
           },
           part);
     }
@@ -220,11 +220,11 @@ TEST(Thresholds, are_levels) {
            {{0, 256}, "brightness_threshold: expected an integer in [0, 255], got 256"},
            {{0, -1}, "brightness_threshold: expected an integer in [0, 255], got -1"}}) {
     expect_rejected(
-        [&] {
-          detect_edges(EdgeOperator::sobel, source, {memory.data() + 20, 20, 8, 64}, thresholds);
+        [&, given = thresholds] {
+          detect_edges(EdgeOperator::sobel, source, {memory.data() + 20, 20, 8, 64}, given);
         },
         part);
-    expect_rejected([&] { (void)localise_objects(source, thresholds); }, part);
+    expect_rejected([&, given = thresholds] { (void)localise_objects(source, given); }, part);
   }
 }
 
@@ -251,8 +251,8 @@ TEST(Sizes, beyond_what_coordinates_can_hold_are_rejected) {
            {5, -1, "image size 5 x -1 is negative"},
            {Index{1} << 40, 2, "image size 1099511627776 x 2 is larger than 2^40 pixels"},
            {2, std::numeric_limits<Index>::max(), "9223372036854775807 is larger than 2^40"}}) {
-    expect_rejected([&] { Thinner(Rule::guo_hall, width, height); }, part);
-    expect_rejected([&] { ThinningBatch(Rule::guo_hall, width, height); }, part);
+    expect_rejected([w = width, h = height] { Thinner(Rule::guo_hall, w, h); }, part);
+    expect_rejected([w = width, h = height] { ThinningBatch(Rule::guo_hall, w, h); }, part);
   }
 }
 

@@ -53,8 +53,9 @@ TEST_F(EdgesCommand, thresholds_have_long_names_and_defaults_and_bright_foregrou
            {"bright --threshold 180", {gradient, 255 - 180}, true}}) {
     SCOPED_TRACE(options);
     output_of("edges in.png out.png --foreground " + options);
-    expect_edges(mapped(noise, [&](int level) { return is_inverted ? 255 - level : level; }),
-                 EdgeOperator::sobel, thresholds);
+    expect_edges(
+        mapped(noise, [inverts = is_inverted](int level) { return inverts ? 255 - level : level; }),
+        EdgeOperator::sobel, thresholds);
   }
 }
 

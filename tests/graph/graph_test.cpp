@@ -309,7 +309,7 @@ TEST(Prune, rejects_unsuitable_arguments) {
            {{.spacing = {1, 0}}, "spacing: expected numbers from 1e-30 to 1e30, got 1, 0"},
            {in_widths(-12), "distances has a stride of -12, below its width of 12"},
            {in_widths(11), "distances has a stride of 11, below its width of 12"}}) {
-    expect_rejected([&] { prune(image.view(), image.view(), pruning); }, part);
+    expect_rejected([&, given = pruning] { prune(image.view(), image.view(), given); }, part);
   }
   EXPECT_EQ(text_of(image), kSpurs);
 }
@@ -345,7 +345,9 @@ TEST(EdgeWidths, reject_distances_that_do_not_fit) {
   expect_widths_rejected({nullptr, 3, 2}, "distances has no data");
   expect_widths_rejected({numbers.data(), 3, 2, -3}, "distances has a stride of -3, below its");
   expect_rejected(
-      [&] { static_cast<void>(edge_widths(graph_of({"###"}), {numbers.data(), 2, 1})); },
+      [&] {
+        static_cast<void>(edge_widths(graph_of({"###"}), {numbers.data(), 2, 1}));
+      },
       "distances");
   EXPECT_TRUE(edge_widths({}, {nullptr, 3, 0}).empty());
 }

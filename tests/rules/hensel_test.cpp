@@ -173,7 +173,8 @@ TEST(Hensel, errors_name_the_column_and_what_was_expected) {
            {"B3\n/S", 3, "expected S, got '?'"},
            {"B3/S23" + std::string(1, '\0'), 7, "expected the end, got '?'"},
            {std::string(100000, 'B'), 257, "expected at most 256 characters, got 100000"}}) {
-    const std::string text = rejection_of([&] { return table_from_hensel(typed); });
+    const std::string text =
+        rejection_of([&, notation = typed] { return table_from_hensel(notation); });
     EXPECT_EQ(text.rfind("rule '", 0), 0U) << text;
     EXPECT_TRUE(text.ends_with("', column " + std::to_string(column) + ": " + expected)) << text;
     EXPECT_TRUE(std::ranges::all_of(text, [](char c) { return c >= ' ' && c < '\x7F'; })) << text;

@@ -111,8 +111,9 @@ using Errors = std::vector<std::pair<std::string, std::string>>;
 /// Texts and what is wrong with them, after the name of the file.
 void expect_errors(const Errors& errors) {
   for (const auto& [text, expected] : errors) {
-    EXPECT_EQ(rejection_of<std::runtime_error>([&] { (void)parse_rule(text, "rule.json"); }),
-              "rule.json: " + expected)
+    EXPECT_EQ(
+        rejection_of<std::runtime_error>([&, json = text] { (void)parse_rule(json, "rule.json"); }),
+        "rule.json: " + expected)
         << text.substr(0, 200);
   }
 }

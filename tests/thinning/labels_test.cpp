@@ -75,6 +75,19 @@ TEST(ThinLabels, needs_no_gap_between_rows) {
   }
 }
 
+TEST(ThinLabels, writes_to_another_image_what_it_writes_in_place) {
+  for (const Index width : {1, 30, 65, 150}) {
+    for (const int threads : {1, 3}) {
+      LabelImage image = noise_labels(width, 37, 85, 16, 12);
+      LabelImage result = {width, 37};
+      const int iterations =
+          thin_labels(Rule::mb2, image.view(), result.view(), {}, {.threads = threads});
+      EXPECT_EQ(thin_labels(Rule::mb2, image.view(), image.view()), iterations);
+      EXPECT_EQ(result.labels, image.labels) << width << " wide, threads " << threads;
+    }
+  }
+}
+
 TEST(ThinLabels, takes_no_iteration_without_labels) {
   LabelImage image = {50, 4};
   std::fill(image.labels.begin(), image.labels.end(), 0);
