@@ -134,6 +134,16 @@ TEST(ThinMany, takes_no_iteration_without_images_and_one_for_images_without_pixe
   EXPECT_EQ(thin_many(Rule::mb2, source, destination), 1);
 }
 
+TEST(ThinMany, shares_the_rows_of_large_images_among_threads) {
+  const ByteImage image = noise_image(1100, 1000, 90, 3, 8);
+  ByteImage expected(1100, 1000), result(1100, 1000);
+  const int iterations = thin(Rule::guo_hall, image.view(), expected.view());
+  const ConstImageView source[] = {image.view()};
+  const ImageView destination[] = {result.view()};
+  EXPECT_EQ(thin_many(Rule::guo_hall, source, destination, {}, {.threads = 3}), iterations);
+  EXPECT_TRUE(equal(result.view(), expected.view()));
+}
+
 /// A view of part of a 40 x 40 image.
 ImageView part(std::vector<std::uint8_t>& bytes, Index x, Index y, Index width, Index height) {
   return {bytes.data() + y * 40 + x, width, height, 40};
