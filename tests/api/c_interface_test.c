@@ -90,14 +90,11 @@ static void thins_images_and_stacks(void) {
 }
 
 static void thins_lists_of_images(void) {
-  uint8_t small[5][9], expected[COUNT][HEIGHT][WIDTH], expected_small[5][9];
-  thinbench_stack sources[COUNT + 1];
-  thinbench_output destinations[COUNT + 1];
+  uint8_t expected[COUNT][HEIGHT][WIDTH];
+  thinbench_stack sources[COUNT];
+  thinbench_output destinations[COUNT];
   const thinbench_stack stack = source(COUNT);
   const thinbench_output output = destination();
-  const thinbench_stack small_source = {&small[0][0], 1, 5, 9, 9, 0};
-  const thinbench_output small_expected = {&expected_small[0][0], 9, 0, 7};
-  thinbench_execution execution = THINBENCH_EXECUTION_INIT;
   int32_t iterations = 0, expected_iterations = 0;
   int i;
   draw();
@@ -111,22 +108,10 @@ static void thins_lists_of_images(void) {
     destinations[i] = destination();
     destinations[i].data = &results[i][0][0];
   }
-  memset(small, 1, sizeof(small));
-  sources[COUNT] = small_source;
-  destinations[COUNT] = small_expected;
-  CHECK(thinbench_thin(guo_hall, &sources[COUNT], &destinations[COUNT], NULL, NULL, NULL) ==
-        THINBENCH_OK);
-  destinations[COUNT].data = &small[0][0];
-  CHECK(thinbench_thin_many(guo_hall, sources, destinations, COUNT + 1, NULL, NULL, &iterations) ==
+  CHECK(thinbench_thin_many(guo_hall, sources, destinations, COUNT, NULL, NULL, &iterations) ==
         THINBENCH_OK);
   CHECK(memcmp(results, expected, sizeof(expected)) == 0);
-  CHECK(memcmp(small, expected_small, sizeof(small)) == 0 && memchr(small, 7, sizeof(small)));
   CHECK(iterations == expected_iterations);
-  execution.isa = "baseline";
-  CHECK(thinbench_thin_many(guo_hall, sources, destinations, COUNT + 1, NULL, &execution,
-                            &iterations) == THINBENCH_OK);
-  CHECK(memcmp(results, expected, sizeof(expected)) == 0 && iterations == expected_iterations);
-  CHECK(memcmp(small, expected_small, sizeof(small)) == 0);
   CHECK(thinbench_thin_many(guo_hall, NULL, NULL, 0, NULL, NULL, &iterations) == THINBENCH_OK);
   CHECK(iterations == 0);
   draw();
@@ -137,10 +122,6 @@ static void thins_lists_of_images(void) {
           "destinations is NULL");
   sources[1].count = 2;
   rejects(thinbench_thin_many(guo_hall, sources, destinations, 2, NULL, NULL, NULL), "got 2");
-  sources[1].count = 1;
-  destinations[1] = destinations[0];
-  rejects(thinbench_thin_many(guo_hall, sources, destinations, 2, NULL, NULL, NULL),
-          "shares bytes");
 }
 
 static void thins_labels_each_alone(void) {
@@ -275,43 +256,6 @@ static void fills_holes_and_finds_edges(void) {
         memchr(results, 255, sizeof(results)) == NULL);
 }
 
-/* Row y of the packed image: bits of the pixels 8 x to 8 x + 7. */
-static uint8_t packed_byte(const uint8_t* row, int x, int width, int lsb_first) {
-  uint8_t byte = 0;
-  for (int i = 0; i < 8 && 8 * x + i < width; ++i) {
-    if (row[8 * x + i] != 0) byte |= (uint8_t)(lsb_first ? 1 << i : 128 >> i);
-  }
-  return byte;
-}
-
-static void packed_equals_bytes(void) {
-  enum { kWidth = 21, kHeight = 9, kRow = 3 };
-  uint8_t bytes[kHeight][kWidth], packed[kHeight][kRow], result[kHeight][kRow];
-  int32_t iterations = 0, expected = 0;
-  const thinbench_stack source = {&bytes[0][0], 1, kHeight, kWidth, kWidth, kWidth * kHeight};
-  const thinbench_output output = {&bytes[0][0], kWidth, kWidth * kHeight, 0};
-  draw();
-  for (int lsb_first = 0; lsb_first < 2; ++lsb_first) {
-    const thinbench_packed image = {&packed[0][0], kHeight, kWidth, kRow, lsb_first};
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) bytes[y][x] = x > 1 && y > 1 && x < 18 && y < 8 ? 1 : 0;
-      for (int x = 0; x < kRow; ++x) packed[y][x] = packed_byte(bytes[y], x, kWidth, lsb_first);
-    }
-    CHECK(thinbench_thin(guo_hall, &source, &output, NULL, NULL, &expected) == THINBENCH_OK);
-    CHECK(thinbench_thin_packed(guo_hall, &image, &result[0][0], kRow, NULL, NULL, &iterations) ==
-          THINBENCH_OK);
-    CHECK(iterations == expected && iterations > 1);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kRow; ++x) {
-        CHECK(result[y][x] == packed_byte(bytes[y], x, kWidth, lsb_first));
-      }
-    }
-    rejects(thinbench_thin_packed(guo_hall, &image, &result[0][0], 2, NULL, NULL, NULL),
-            "stride of 2");
-    rejects(thinbench_thin_packed(guo_hall, NULL, &result[0][0], kRow, NULL, NULL, NULL), "source");
-  }
-}
-
 /* Conway's blinker, and the same by a rule given as a table of values. */
 static void rules_are_made_from_tables(void) {
   const thinbench_stack all = source(COUNT);
@@ -371,28 +315,10 @@ static void rules_have_sub_iterations_and_borders(void) {
   thinbench_rule_destroy(rule);
 }
 
-/* Nothing is eroded from outside. */
-static void rules_with_tables_have_a_border_of_foreground(void) {
-  const thinbench_stack one = source(1);
-  const thinbench_output output = destination();
-  thinbench_thinning thinning = THINBENCH_THINNING_INIT;
-  thinbench_rule* erode = NULL;
-  memset(pixels, 1, sizeof(pixels));
-  CHECK(thinbench_rule_named("erode", &erode) == THINBENCH_OK);
-  CHECK(thinbench_thin(erode, &one, &output, NULL, NULL, NULL) == THINBENCH_OK);
-  CHECK(results[0][0][0] == 255);
-  thinning.border = "background";
-  CHECK(thinbench_thin(erode, &one, &output, &thinning, NULL, NULL) == THINBENCH_OK);
-  CHECK(results[0][0][0] == 0 && results[0][1][1] == 255);
-  thinning.border = "foreground";
-  CHECK(thinbench_thin(guo_hall, &one, &output, &thinning, NULL, NULL) == THINBENCH_OK);
-  CHECK(results[0][0][0] == 255);
-  thinbench_rule_destroy(erode);
-}
-
 static void rules_apply_to_packed_images(void) {
   const uint8_t image[3] = {0, 0x38, 0};
   const thinbench_packed packed = {image, 3, 7, 1, 0};
+  const thinbench_packed lsb_first = {image, 3, 7, 1, 1};
   uint8_t result[3] = {1, 1, 1};
   int32_t iterations = 0;
   thinbench_rule* life = NULL;
@@ -400,6 +326,11 @@ static void rules_apply_to_packed_images(void) {
   CHECK(thinbench_thin_packed(life, &packed, result, 1, NULL, NULL, &iterations) == THINBENCH_OK);
   CHECK(iterations == 1);
   CHECK(result[0] == 0x10 && result[1] == 0x10 && result[2] == 0x10);
+  CHECK(thinbench_thin_packed(life, &lsb_first, result, 1, NULL, NULL, NULL) == THINBENCH_OK);
+  CHECK(result[0] == 0x10 && result[1] == 0x10 && result[2] == 0x10);
+  draw();
+  rejects(thinbench_thin_packed(life, &packed, result, 0, NULL, NULL, NULL), "stride of 0");
+  rejects(thinbench_thin_packed(life, NULL, result, 1, NULL, NULL, NULL), "source");
   thinbench_rule_destroy(life);
 }
 
@@ -503,38 +434,11 @@ static void rejects_invalid_rules(void) {
   CHECK(rule == NULL);
 }
 
-/* What a function cannot do with a rule. */
-static void rejects_what_a_rule_cannot_do(void) {
-  const thinbench_stack one = source(1);
-  const thinbench_output output = destination();
-  int32_t labels[HEIGHT * WIDTH] = {0};
-  thinbench_thinning thinning = THINBENCH_THINNING_INIT;
-  thinbench_rule* life = NULL;
-  thinbench_rule* mb2 = NULL;
-  draw();
-  CHECK(thinbench_rule_named("life", &life) == THINBENCH_OK);
-  CHECK(thinbench_rule_named("mb2", &mb2) == THINBENCH_OK);
-  rejects(
-      thinbench_thin_labels(life, labels, WIDTH, labels, WIDTH, HEIGHT, WIDTH, NULL, NULL, NULL),
-      "adds pixels");
-  thinning.max_iterations = INT32_MAX;
-  rejects(thinbench_thin(life, &one, &output, &thinning, NULL, NULL), "max_iterations");
-  thinning.max_iterations = 0;
-  thinning.border = "foreground";
-  rejects(thinbench_thin(mb2, &one, &output, &thinning, NULL, NULL), "foreground");
-  rejects(thinbench_thin_labels(guo_hall, labels, WIDTH, labels, WIDTH, HEIGHT, WIDTH, &thinning,
-                                NULL, NULL),
-          "foreground");
-  thinbench_rule_destroy(life);
-  thinbench_rule_destroy(mb2);
-}
-
 /* Without images the other arguments are checked all the same. */
 static void rejects_invalid_arguments_without_images(void) {
   const thinbench_stack none = source(0);
   thinbench_stack bad = none;
   const thinbench_output output = destination();
-  thinbench_thinning thinning = THINBENCH_THINNING_INIT;
   thinbench_execution execution = THINBENCH_EXECUTION_INIT;
   int32_t iterations = 9;
   draw();
@@ -542,12 +446,9 @@ static void rejects_invalid_arguments_without_images(void) {
   CHECK(iterations == 0);
   CHECK(thinbench_edges("sobel", &none, &output, 0, 0, NULL) == THINBENCH_OK);
   CHECK(thinbench_fill_holes(&none, &output, NULL) == THINBENCH_OK);
-  rejects(thinbench_edges("sobel", &none, &output, 256, 0, NULL), "256");
   rejects(thinbench_edges("sobel", &none, &output, 0, -1, NULL), "-1");
   bad.stride = 3;
   rejects(thinbench_fill_holes(&bad, &output, NULL), "stride of 3");
-  thinning.border = "wrap";
-  rejects(thinbench_thin(guo_hall, &none, &output, &thinning, NULL, NULL), "'wrap'");
   execution.threads = 0;
   rejects(thinbench_thin(guo_hall, &none, &output, NULL, &execution, NULL), "got 0");
   rejects(thinbench_edges("sobel", &none, &output, 0, 0, &execution), "got 0");
@@ -754,7 +655,6 @@ static void prunes_and_simplifies(void) {
 static void rejects_invalid_arguments(void) {
   const thinbench_stack one = source(1);
   const thinbench_stack all = source(COUNT);
-  thinbench_stack bad = one;
   const thinbench_output output = destination();
   thinbench_thinning thinning = THINBENCH_THINNING_INIT;
   thinbench_execution execution = THINBENCH_EXECUTION_INIT;
@@ -764,24 +664,13 @@ static void rejects_invalid_arguments(void) {
   rejects(thinbench_thin(NULL, &one, &output, NULL, NULL, NULL), "rule is NULL");
   rejects(thinbench_thin(guo_hall, NULL, &output, NULL, NULL, NULL), "source");
   rejects(thinbench_thin(guo_hall, &one, NULL, NULL, NULL, NULL), "destination");
-  bad.data = NULL;
-  rejects(thinbench_thin(guo_hall, &bad, &output, NULL, NULL, NULL), "no data");
-  bad = one;
-  bad.width = -3;
-  rejects(thinbench_thin(guo_hall, &bad, &output, NULL, NULL, NULL), "-3");
-  execution.threads = 0;
-  rejects(thinbench_thin(guo_hall, &one, &output, NULL, &execution, NULL), "got 0");
-  execution.threads = 1;
   execution.isa = "mmx";
   rejects(thinbench_thin(guo_hall, &one, &output, NULL, &execution, NULL), "'mmx'");
   execution.size = 4;
   rejects(thinbench_thin(guo_hall, &one, &output, NULL, &execution, NULL), "got 4");
-  thinning.max_iterations = -1;
-  rejects(thinbench_thin(guo_hall, &one, &output, &thinning, NULL, NULL), "-1");
   thinning.size = 4;
   rejects(thinbench_thin(guo_hall, &one, &output, &thinning, NULL, NULL), "got 4");
   rejects(thinbench_edges("canny", &one, &output, 0, 0, NULL), "'canny'");
-  rejects(thinbench_edges("sobel", &all, &output, 256, 0, NULL), "256");
   rejects(thinbench_find_regions(&all, NULL, 0, NULL, &regions), "3");
   rejects(thinbench_find_regions(&one, NULL, 0, NULL, NULL), "regions");
   rejects(thinbench_euler_number(&one, 6, NULL, &number), "6");
@@ -805,10 +694,8 @@ int main(void) {
   finds_regions_and_labels();
   labels_objects();
   fills_holes_and_finds_edges();
-  packed_equals_bytes();
   rules_are_made_from_tables();
   rules_have_sub_iterations_and_borders();
-  rules_with_tables_have_a_border_of_foreground();
   rules_apply_to_packed_images();
   rules_are_made_from_nets();
   lists_rules();
@@ -823,7 +710,6 @@ int main(void) {
   rejects_invalid_arguments();
   rejects_invalid_tables();
   rejects_invalid_rules();
-  rejects_what_a_rule_cannot_do();
   rejects_invalid_arguments_without_images();
   lists_what_there_is();
   thinbench_rule_destroy(guo_hall);

@@ -1,4 +1,4 @@
-// thin() of packed images: equal to thin() of bytes; rejected arguments.
+// thin() of packed images: equal to thin() of bytes.
 #include "thinbench/packed.hpp"
 
 #include <array>
@@ -9,9 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
+#include "support/made_image.hpp"
 #include "support/packed_image.hpp"
-#include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
+#include "support/untouched.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -44,8 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Rules, PackedThin, all_rules_and_borders(), rule_and_bo
 
 TEST(PackedThin, every_variant_gives_the_same_bits) {
   const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
-  ByteImage expected(1100, 1000);
-  thin(Rule::guo_hall, image.view(), expected.view());
+  const ByteImage expected = thinned(Rule::guo_hall, image);
   const PackedImage source(image.view(), BitOrder::msb_first);
   const PackedImage bits(expected.view(), BitOrder::lsb_first);
   for_each_state(detail::thinning_parameters(Rule::guo_hall, {}), 1100, 1000, 3,
@@ -58,8 +58,7 @@ TEST(PackedThin, every_variant_gives_the_same_bits) {
 
 TEST(PackedThin, works_in_place_and_from_one_bit_order_to_the_other) {
   const ByteImage image = noise_image(131, 50, 90, 2, 4);
-  ByteImage expected(131, 50);
-  thin(Rule::zhang_suen, image.view(), expected.view());
+  const ByteImage expected = thinned(Rule::zhang_suen, image);
   for (const BitOrder order : kOrders) {
     PackedImage bits(image.view(), BitOrder::msb_first, 3);
     PackedView to = bits.view();
@@ -77,35 +76,34 @@ TEST(PackedThin, takes_one_iteration_for_images_without_pixels) {
   }
 }
 
-std::string rejected(const ConstPackedView& source, const PackedView& destination,
-                     const Thinning& thinning = {}, const Execution& execution = {}) {
-  return rejection_of([&] { thin(Rule::guo_hall, source, destination, thinning, execution); });
-}
-
-TEST(PackedThin, rejects_invalid_views_and_options_and_writes_nothing) {
+TEST(PackedThin, rejects_invalid_views) {
+  Untouched from, to;
+  std::uint8_t* const data = from.data();
   constexpr BitOrder order = BitOrder::msb_first;
-  std::vector<std::uint8_t> bytes(100, 0x5A);
-  std::uint8_t* const data = bytes.data();
-  const PackedView to(data, 20, 10, order);
-  const std::vector<std::uint8_t> other(100, 0xFF);
-  const ConstPackedView from(other.data(), 20, 10, order);
-  EXPECT_EQ(rejected({other.data(), 20, 9, order}, to),
-            "source is 20 x 9 and destination 20 x 10; they must have the same size");
-  EXPECT_EQ(rejected({other.data(), -1, 9, 8, order}, to), "source has the size -1 x 9");
-  EXPECT_EQ(rejected({other.data(), 20, 10, 2, order}, to),
-            "source has a stride of 2 bytes; its rows of 20 pixels take 3");
-  EXPECT_EQ(rejected(from, {data, 20, 10, 2, order}),
-            "destination has a stride of 2 bytes; its rows of 20 pixels take 3");
-  EXPECT_EQ(rejected({nullptr, 20, 10, order}, to), "source has no data");
-  EXPECT_EQ(rejected(from, {data, 20, 10, static_cast<BitOrder>(2)}),
-            "destination has the bit order 2; expected msb_first or lsb_first");
-  EXPECT_EQ(rejected({data + 1, 20, 10, order}, to),
-            "source and destination overlap without being the same image");
-  EXPECT_EQ(rejected(from, to, {}, {.threads = 0}),
-            "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected(from, to, {.max_iterations = 0}),
-            "max_iterations: expected an integer of at least 1, got 0");
-  EXPECT_EQ(bytes, std::vector<std::uint8_t>(100, 0x5A));
+  const ConstPackedView good = {data, 20, 10, order};
+  const PackedView out = {to.data(), 20, 10, order};
+  struct Case {
+    ConstPackedView source;
+    PackedView destination;
+    std::string part;
+  };
+  const Case cases[] = {
+      {{data, 20, 9, order}, out, "source is 20 x 9 and destination 20 x 10; they must have the"},
+      {{data, -1, 9, 8, order}, out, "source has the size -1 x 9"},
+      {{data, 20, 10, 2, order}, out, "source has a stride of 2 bytes; its rows of 20 pixels take"},
+      {good, {to.data(), 20, 10, 2, order}, "destination has a stride of 2 bytes; its rows of 20"},
+      {{nullptr, 20, 10, order}, out, "source has no data"},
+      {good,
+       {to.data(), 20, 10, static_cast<BitOrder>(2)},
+       "destination has the bit order 2; expected msb_first or lsb_first"},
+      {{to.data() + 1, 20, 10, order}, out, "overlap without being the same image"},
+  };
+  for (const auto& [source, destination, part] : cases) {
+    expect_rejected([&, in = source, result = destination] { thin(Rule::guo_hall, in, result); },
+                    part);
+  }
+  expect_rejected([&] { thin(Rule::guo_hall, good, out, {}, {.threads = 0}); },
+                  "threads: expected an integer in [1, 1024], got 0");
 }
 
 }  // namespace

@@ -1,37 +1,21 @@
-// thin() and Thinner: results, chosen variants, rejected arguments.
+// thin() and Thinner: results and chosen variants.
 #include "thinbench/thinning.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
 #include "support/filled_image.hpp"
-#include "support/isa_parameters.hpp"
+#include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
-#include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
-#include "thinbench/edges.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinning/operations.hpp"
 
 namespace thinbench {
 namespace {
-
-constexpr std::uint8_t kUntouched = 0x5A;
-
-ByteImage untouched(Index width, Index height) {
-  return filled_image(width, height, kUntouched);
-}
-
-bool is_untouched(const ConstImageView& view) {
-  return is_filled(view, kUntouched);
-}
 
 class ThinBy : public testing::TestWithParam<RuleAndBorder> {};
 
@@ -78,8 +62,7 @@ TEST(Thinner, runs_a_net_that_equals_the_rule_as_the_rule) {
     Thinner by_net(net, width, 70);
     EXPECT_EQ(by_net.technique(), by_rule.technique());
     EXPECT_EQ(by_net.isa(), by_rule.isa());
-    ByteImage expected(width, 70);
-    ByteImage out(width, 70);
+    ByteImage expected(width, 70), out(width, 70);
     EXPECT_EQ(by_rule(image.view(), expected.view()), by_net(image.view(), out.view()));
     EXPECT_TRUE(equal(out.view(), expected.view())) << width;
   }
@@ -90,8 +73,7 @@ TEST(Thin, large_image_has_the_same_result_on_one_and_on_three_threads) {
   const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
   for (const auto& [name, rule, border] : rules_and_borders()) {
     if (name == "guo_hall" || name == "midpoint_scan" || name == "adding_tables") {
-      ByteImage one(1100, 1000);
-      ByteImage three(1100, 1000);
+      ByteImage one(1100, 1000), three(1100, 1000);
       const Thinning thinning = {border, 4};
       EXPECT_EQ(thin(rule, image.view(), one.view(), thinning),
                 thin(rule, image.view(), three.view(), thinning, {.threads = 3}));
@@ -114,144 +96,17 @@ TEST(Thin, takes_one_iteration_for_images_without_pixels) {
 }
 
 TEST(Thin, treats_any_nonzero_byte_as_foreground_and_writes_0_and_255) {
-  ByteImage image = noise_image(70, 12, 90, 1, 3);
-  const Thinned expected = thinned_by_reference(Rule::zhang_suen, image);
-  for (Index y = 0; y < 12; ++y) {
-    for (Index x = 0; x < 70; ++x) {
-      if (image.at(x, y) != 0) image.at(x, y) = static_cast<std::uint8_t>(1 + (x * 7 + y) % 255);
-    }
-  }
-  ByteImage out = untouched(70, 12);
+  const ByteImage bits = noise_image(70, 12, 90, 1, 3);
+  const Thinned expected = thinned_by_reference(Rule::zhang_suen, bits);
+  const ByteImage image = image_by(
+      70, 12, [&](Index x, Index y) { return bits.at(x, y) != 0 ? 1 + (x * 7 + y) % 255 : 0; });
+  ByteImage out = filled_image(70, 12, 0x5A);
   EXPECT_EQ(thin(Rule::zhang_suen, image.view(), out.view()), expected.iterations);
   EXPECT_TRUE(equal(out.view(), expected.image.view()));
 }
 
-TEST(Thin, accepts_disjoint_views_of_one_buffer) {
-  const ByteImage image = noise_image(20, 10, 90, 1, 3);
-  const Thinned expected = thinned_by_reference(Rule::guo_hall, image);
-  for (const Index first : {0, 20}) {  // the source's column; the destination is the other half
-    ByteImage buffer(40, 10);
-    const ImageView source{buffer.view().data + first, 20, 10, buffer.view().stride};
-    const ImageView destination{buffer.view().data + 20 - first, 20, 10, buffer.view().stride};
-    for (Index y = 0; y < 10; ++y) std::copy_n(image.view().row(y), 20, source.row(y));
-    EXPECT_EQ(rejection_of([&] { thin(Rule::guo_hall, source, destination); }), "");
-    EXPECT_TRUE(equal(destination, expected.image.view()));
-    EXPECT_TRUE(equal(source, image.view()));
-  }
-}
-
-std::string rejected_views(const ConstImageView& source, const ImageView& destination) {
-  return rejection_of([&] { thin(Rule::guo_hall, source, destination); });
-}
-
-TEST(Thin, rejects_invalid_views) {
-  ByteImage a = untouched(20, 10);
-  ByteImage b = untouched(20, 11);
-  EXPECT_EQ(rejected_views(a.view(), b.view()),
-            "source is 20 x 10 and destination 20 x 11; they must have the same size");
-  const ConstImageView from = a.view();
-  const ImageView to = {b.view().data, 20, 10, b.view().stride};
-  EXPECT_EQ(rejected_views({from.data, 20, 10, 19}, to),
-            "source has a stride of 19 bytes, below its width of 20");
-  EXPECT_EQ(rejected_views(from, {to.data, 20, 10, 19}),
-            "destination has a stride of 19 bytes, below its width of 20");
-  EXPECT_EQ(rejected_views({from.data, 20, -1, 64}, {to.data, 20, -1, 64}),
-            "source has the size 20 x -1");
-  EXPECT_EQ(rejected_views({from.data, -20, 1, 64}, to), "source has the size -20 x 1");
-  EXPECT_EQ(rejected_views({nullptr, 20, 10, 64}, to), "source has no data");
-  EXPECT_EQ(rejected_views(from, {nullptr, 20, 10, 64}), "destination has no data");
-  constexpr Index huge = std::numeric_limits<Index>::max() / 2;
-  EXPECT_EQ(rejected_views({from.data, 20, 10, huge}, to),
-            "source exceeds the address space: 20 x 10, stride 4611686018427387903");
-  EXPECT_TRUE(is_untouched(a.view()));
-  EXPECT_TRUE(is_untouched(b.view()));
-}
-
-TEST(Thin, rejects_partial_overlap) {
-  const std::string text = "source and destination overlap without being the same image";
-  ByteImage buffer = untouched(40, 10);
-  const Index stride = buffer.view().stride;
-  std::uint8_t* data = buffer.view().data;
-  EXPECT_EQ(rejected_views({data, 20, 8, stride}, {data, 20, 8, stride}), "") << "one image";
-  buffer = untouched(40, 10);
-  data = buffer.view().data;
-  for (const Index distance : {Index{1}, Index{19}, stride - 19, stride + 19, 2 * stride}) {
-    EXPECT_EQ(rejected_views({data, 20, 8, stride}, {data + distance, 20, 8, stride}), text)
-        << distance;
-    EXPECT_EQ(rejected_views({data + distance, 20, 8, stride}, {data, 20, 8, stride}), text)
-        << distance;
-  }
-  EXPECT_EQ(rejected_views({data, 20, 4, stride}, {data, 20, 4, 2 * stride}), text)
-      << "same first pixel, other strides";
-  EXPECT_TRUE(is_untouched(buffer.view()));
-}
-
-/// The error that thin() and Thinner throw for these options; checks that nothing was written.
-std::string rejected_options(const Rule& rule, const Thinning& thinning,
-                             const Execution& execution = {}) {
-  const ByteImage image = noise_image(60, 10, 80, 1, 5);
-  ByteImage out = untouched(60, 10);
-  const std::string text =
-      rejection_of([&] { thin(rule, image.view(), out.view(), thinning, execution); });
-  EXPECT_TRUE(is_one_sentence(text)) << text;
-  EXPECT_TRUE(is_untouched(out.view())) << text;
-  const std::string of_thinner = rejection_of([&] { Thinner(rule, 60, 10, thinning, execution); });
-  EXPECT_EQ(of_thinner, text);
-  return text;
-}
-
-TEST(Thin, rejects_numbers_out_of_range) {
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {.threads = 0}),
-            "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {.threads = -1}),
-            "threads: expected an integer in [1, 1024], got -1");
-  EXPECT_EQ(rejected_options(Rule::guo_hall, {}, {.threads = 1025}),
-            "threads: expected an integer in [1, 1024], got 1025");
-  for (const RuleInfo& info : kRules) {
-    EXPECT_EQ(rejected_options(info.rule, {.max_iterations = 0}),
-              "max_iterations: expected an integer of at least 1, got 0");
-    EXPECT_EQ(rejected_options(info.rule, {.max_iterations = -1}),
-              "max_iterations: expected an integer of at least 1, got -1");
-  }
-}
-
-TEST(Enumerations, names_and_descriptions_of_values_outside_them_are_rejected) {
-  const std::string end = ": expected one of the enumeration, got number 99";
-  const auto rejection = [](auto ask) { return rejection_of([&] { static_cast<void>(ask()); }); };
-  EXPECT_EQ(rejection([] { return rule_info(static_cast<BuiltInRule>(99)).name; }), "rule" + end);
-  EXPECT_EQ(rejection([] { return rule_name(static_cast<BuiltInRule>(99)); }), "rule" + end);
-  EXPECT_EQ(rejection([] { return border_name(static_cast<Border>(99)); }), "border" + end);
-  EXPECT_EQ(rejection([] { return edge_operator_info(static_cast<EdgeOperator>(99)).name; }),
-            "operator" + end);
-}
-
-TEST(Thin, rejects_invalid_enumerators) {
-  const auto number = [](auto kind, int value) { return static_cast<decltype(kind)>(value); };
-  for (const int value : {static_cast<int>(kRules.size()), 99, 255}) {
-    EXPECT_EQ(rejection_of([&] { Rule(number(BuiltInRule{}, value)); }),
-              "rule: expected one of the enumeration, got number " + std::to_string(value));
-  }
-  for (const int value : {static_cast<int>(Isa::neon_sha3) + 1, 99, 255}) {
-    EXPECT_EQ(rejected_options(Rule::mb2, {}, {.isa = number(Isa{}, value)}),
-              "isa: expected one of " + all_isa_names() + ", got number " + std::to_string(value));
-  }
-  for (const int value : {3, 99, 255}) {
-    for (const RuleInfo& info : kRules) {
-      EXPECT_EQ(rejected_options(info.rule, {.border = number(Border{}, value)}),
-                "border: expected background, keep or foreground, got " + std::to_string(value));
-    }
-  }
-  EXPECT_EQ(rejection_of([] { Rule(Directions{0x10}); }),
-            "directions: expected bits in [0, 15], got 16");
-}
-
 bool has_row_kernel() {
   return best_isa() == Isa::avx512 || best_isa() == Isa::avx512icl;
-}
-
-TEST(Thin, error_for_a_missing_variant_lists_the_existing_instruction_sets) {
-  EXPECT_EQ(rejected_options(Rule::spta, {}, {.isa = Isa::sse42}),
-            "thin_spta at sse4.2 on one thread: its instruction sets are baseline");
 }
 
 TEST(Thinner, chooses_the_latest_isa_and_the_technique_by_width) {
@@ -276,7 +131,7 @@ TEST(Thinner, gives_correct_results_on_repeated_use) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const ByteImage image = noise_image(90, 33, 30 * static_cast<int>(seed), 2, seed);
     const Thinned expected = thinned_by_reference(Rule::guo_hall, image, {Border::keep, 2});
-    ByteImage out = untouched(90, 33);
+    ByteImage out(90, 33);
     EXPECT_EQ(thinner(image.view(), out.view()), expected.iterations);
     EXPECT_TRUE(equal(out.view(), expected.image.view()));
   }
@@ -294,29 +149,9 @@ TEST(Thinner, works_after_moves) {
   Thinner third(Rule::spta, 5, 5);
   third = std::move(second);
   EXPECT_EQ(third.technique(), technique);
-  ByteImage out = untouched(60, 20);
+  ByteImage out(60, 20);
   EXPECT_EQ(third(image.view(), out.view()), expected.iterations);
   EXPECT_TRUE(equal(out.view(), expected.image.view()));
-}
-
-TEST(Thinner, rejects_invalid_sizes) {
-  const auto rejected = [](Index width, Index height) {
-    return rejection_of([&] { Thinner(Rule::guo_hall, width, height); });
-  };
-  EXPECT_EQ(rejected(-1, 5), "image size -1 x 5 is negative");
-  EXPECT_EQ(rejected(5, -1), "image size 5 x -1 is negative");
-  EXPECT_EQ(rejected(Index{1} << 40, 2), "image size 1099511627776 x 2 is larger than 2^40 pixels");
-  EXPECT_EQ(rejected(2, std::numeric_limits<Index>::max()),
-            "image size 2 x 9223372036854775807 is larger than 2^40 pixels");
-}
-
-TEST(Thinner, rejects_images_of_another_size) {
-  Thinner thinner(Rule::guo_hall, 28, 28);
-  ByteImage image(28, 27);
-  ByteImage out = untouched(28, 27);
-  EXPECT_EQ(rejection_of([&] { thinner(image.view(), out.view()); }),
-            "expected images of 28 x 28, got 28 x 27");
-  EXPECT_TRUE(is_untouched(out.view()));
 }
 
 }  // namespace

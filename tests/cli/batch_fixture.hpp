@@ -1,95 +1,71 @@
 // A directory of three images for tests of the batch command.
 #pragma once
 
-#include <filesystem>
 #include <regex>
-#include <set>
-#include <string>
-#include <vector>
 
-#include <gtest/gtest.h>
-
-#include "images/image_file.hpp"
-#include "program_run.hpp"
-#include "support/temporary_directory.hpp"
-#include "thinbench/thinning.hpp"
+#include "support/made_image.hpp"
+#include "typed.hpp"
 
 namespace thinbench {
 
-namespace fs = std::filesystem;
-using Names = std::set<std::string>;
-using Words = std::vector<std::string>;
-
 /// A bright bar with a hole.
 inline ByteImage bar(Index size) {
-  ByteImage image(size + 20, 50);
-  for (Index y = 5; y < 25; ++y) {
-    for (Index x = 5; x < size + 15; ++x) image.at(x, y) = 200;
-  }
-  image.at(10, 12) = 0;
-  return image;
+  return image_by(size + 20, 50, [=](Index x, Index y) {
+    const bool hole = x == 10 && y == 12;
+    return !hole && x >= 5 && x < size + 15 && y >= 5 && y < 25 ? 200 : 0;
+  });
 }
 
-inline ByteImage skeleton_of(const ByteImage& grey) {
-  ByteImage image = copy_of(grey.view());
-  thin(Rule::guo_hall, image.view(), image.view());
-  return image;
+inline void write_bar(const std::string& name, Index size) {
+  fs::create_directories(fs::absolute(name).parent_path());
+  write_grey(name, bar(size).view());
+}
+
+inline void write_pages(const std::string& name, const std::vector<Index>& sizes) {
+  std::vector<ByteImage> pages;
+  for (const Index size : sizes) pages.push_back(bar(size));
+  write_grey_pages(name, pages);
+}
+
+inline ProgramRun batch(const std::string& operation_and_words) {
+  return typed("batch " + operation_and_words + " --out out");
+}
+
+/// What a batch prints that must succeed.
+inline std::string done(const std::string& operation_and_words) {
+  const ProgramRun run = batch(operation_and_words);
+  EXPECT_EQ(run.status, 0) << operation_and_words << ": " << run.err;
+  return run.out;
+}
+
+/// All files in out/.
+inline Names results() {
+  Names names;
+  for (const auto& entry : fs::recursive_directory_iterator("out")) {
+    if (!entry.is_directory()) names.insert(fs::relative(entry.path(), "out"));
+  }
+  return names;
+}
+
+inline std::string manifest() {
+  return bytes_of("out/manifest.csv");
 }
 
 /// All but the seconds, which differ from run to run.
 inline std::string without_seconds(const std::string& manifest) {
-  return std::regex_replace(manifest, std::regex(R"((,[0-9]+[.e][0-9.e-]+){3},)"), ",s,");
+  const std::string csv =
+      std::regex_replace(manifest, std::regex(R"((,[0-9]+[.e][0-9.e-]+){3},)"), ",s,");
+  return std::regex_replace(csv, std::regex(R"(seconds":[0-9.e-]+)"), "s");
 }
 
-class BatchCommand : public testing::Test {
+class BatchCommand : public Commands {
  protected:
-  void SetUp() override {
+  BatchCommand() {
     for (const Index size : {40, 50, 60}) write_bar("in/" + std::to_string(size) + ".png", size);
   }
-
-  void write_bar(const std::string& name, Index size) const {
-    fs::create_directories(fs::path(directory.file(name)).parent_path());
-    write_grey(directory.file(name), bar(size).view());
+  static void expect_skeleton(const std::string& name, Index size) {
+    expect_image("out/" + name, thinned(Rule::guo_hall, bar(size)));
   }
-  void write_pages(const std::string& name, const std::vector<Index>& sizes) const {
-    std::vector<ByteImage> pages;
-    for (const Index size : sizes) pages.push_back(bar(size));
-    write_grey_pages(directory.file(name), pages);
-  }
-
-  [[nodiscard]] Words words(const Words& more, const std::string& operation) const {
-    Words all = {"batch", operation, "--out", out};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-  [[nodiscard]] ProgramRun run(const Words& more,
-                               const std::string& operation = "thin_guo_hall") const {
-    return run_with(words(more, operation));
-  }
-  /// The error message; checks that nothing was written.
-  [[nodiscard]] std::string failure(const Words& more, int status,
-                                    const std::string& operation = "thin_guo_hall") const {
-    std::string text = failure_of(words(more, operation), status);
-    EXPECT_FALSE(fs::exists(out));
-    return text;
-  }
-
-  [[nodiscard]] std::string result(const std::string& name) const { return out + "/" + name; }
-  [[nodiscard]] Names results() const {
-    Names names;
-    for (const auto& entry : fs::recursive_directory_iterator(out)) {
-      if (!entry.is_directory()) names.insert(fs::relative(entry.path(), out));
-    }
-    return names;
-  }
-  [[nodiscard]] std::string manifest() const { return bytes_of(result("manifest.csv")); }
-  void expect_skeleton(const std::string& name, Index size) const {
-    EXPECT_TRUE(equal(read_grey(result(name)).view(), skeleton_of(bar(size)).view())) << name;
-  }
-
-  TemporaryDirectory directory;
-  std::string in = directory.file("in");
-  std::string out = directory.file("out");
 };
 
 }  // namespace thinbench

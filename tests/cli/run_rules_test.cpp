@@ -1,157 +1,118 @@
 // thinbench run with rules of every kind: names, notations and files.
-#include <filesystem>
 #include <regex>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "noise_fixture.hpp"
+#include "noise_image.hpp"
 #include "support/packed_image.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {
 namespace {
 
-class RunRules : public NoiseFixture {
- protected:
-  [[nodiscard]] std::string failure(const std::string& rule, int status,
-                                    const std::vector<std::string>& more = {}) const {
-    std::string text = failure_of(words(rule, more), status);
-    EXPECT_FALSE(std::filesystem::exists(out));
-    return text;
+using RunRules = NoiseImage;
+
+const Rule kLife(table_from_hensel("B3/S23"));
+
+TEST_F(RunRules, every_kind_of_rule_is_applied_and_prints_its_name) {
+  const std::string life = R"({"name": "twice", "hensel": "B3/S23", "max_iterations": 2, )"
+                           R"("border": "keep"})";
+  put("two.json", life);
+  put("plain", R"({"hensel": "B/S", "max_iterations": 1})");
+  struct Case {
+    std::string words, name;
+    ByteImage expected;
+  };
+  const Case cases[] = {
+      {"majority", "majority", applied(Rule::named("majority"))},
+      {"guo_hall", "thin_guo_hall", applied(Rule::guo_hall)},
+      {"B3/S23 --max-iterations 5", "B3/S23", applied(kLife, {.max_iterations = 5})},
+      {"b2-as12 --max-iterations 1", "b2-as12",
+       applied(Rule(table_from_hensel("B2-a/S12")), {.max_iterations = 1})},
+      {"two.json", "twice", applied(kLife, {Border::keep, 2})},
+      {"two.json --border foreground --max-iterations 3", "twice",
+       applied(kLife, {Border::foreground, 3})},
+      {"plain", "plain", ByteImage(203, 70)},
+      {"bridge --isa baseline --threads 2", "bridge", applied(Rule::named("bridge"))},
+      {"erode --optimise", "erode", applied(Rule::named("erode"))},
+  };
+  for (const auto& [words, name, expected] : cases) {
+    const std::string line = run(words);
+    EXPECT_TRUE(std::regex_match(
+        line, std::regex(name + R"(: 203 x 70, \d+ iterations?, \d+ foreground pixels before, )"
+                                R"(\d+ after, \d+\.\d{3} ms\n)")))
+        << line;
+    expect_image("out.png", expected);
   }
-};
-
-TEST_F(RunRules, named_rule_is_applied_and_prints_one_line) {
-  const ProgramRun result = run("majority");
-  const std::regex line(R"(majority: 203 x 70, 1 iteration, \d+ foreground pixels before, )"
-                        R"(\d+ after, \d+\.\d{3} ms\n)");
-  EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
-  EXPECT_TRUE(wrote(applied(Rule::named("majority"))));
-  EXPECT_EQ(directory.names(), (Names{"in.png", "out.png"}));
+  EXPECT_EQ(names(), (Names{"in.png", "out.png", "plain", "two.json"}));
 }
 
-TEST_F(RunRules, built_in_rule_has_the_name_of_its_operation) {
-  EXPECT_EQ(run("guo_hall").out.rfind("thin_guo_hall: ", 0), 0U);
-  EXPECT_TRUE(wrote(applied(Rule::guo_hall)));
-}
-
-TEST_F(RunRules, notation_is_applied) {
-  const std::string text = run("B3/S23", {"--max-iterations", "5"}).out;
-  EXPECT_EQ(text.rfind("B3/S23: ", 0), 0U) << text;
-  EXPECT_TRUE(wrote(applied(Rule(table_from_hensel("B3/S23")), {.max_iterations = 5})));
-  run("b2-as12", {"--max-iterations", "1"});
-  EXPECT_TRUE(wrote(applied(Rule(table_from_hensel("B2-a/S12")), {.max_iterations = 1})));
-}
-
-TEST_F(RunRules, file_is_applied_with_its_border_and_limit) {
-  const std::string file = directory.with(
-      "two.json",
-      R"({"name": "twice", "hensel": "B3/S23", "max_iterations": 2, "border": "keep"})");
-  const std::string text = run(file).out;
-  EXPECT_EQ(text.rfind("twice: ", 0), 0U) << text;
-  EXPECT_TRUE(wrote(applied(Rule(table_from_hensel("B3/S23")), {Border::keep, 2})));
-}
-
-TEST_F(RunRules, options_override_border_and_limit) {
-  const std::string file =
-      directory.with("two.json", R"({"hensel": "B3/S23", "max_iterations": 2, "border": "keep"})");
-  run(file, {"--border", "foreground", "--max-iterations", "3"});
-  EXPECT_TRUE(wrote(applied(Rule(table_from_hensel("B3/S23")), {Border::foreground, 3})));
-}
-
-TEST_F(RunRules, every_border_applies_to_built_in_rules_and_nets) {
-  for (const char* const name : {"thin_zhang_suen", "net_two_layer_linear"}) {
+TEST_F(RunRules, every_border_applies_to_rules_of_every_kind) {
+  for (const std::string name :
+       {"thin_zhang_suen", "net_two_layer_linear", "thin_spta", "skeleton_scan"}) {
+    run(name);
+    expect_image("out.png", applied(Rule::named(name)));
     for (const Border border : {Border::background, Border::keep, Border::foreground}) {
-      run(name, {"--border", std::string(border_name(border))});
-      EXPECT_TRUE(wrote(applied(Rule::named(name), {.border = border}))) << name;
+      const std::string words = name + " --border " + std::string(border_name(border));
+      if (border == Border::foreground && Rule::named(name).sub_iterations().empty()) {
+        expect_rejected({1,
+                         "run " + words + " in.png no.png",
+                         {name + ": border: expected background or keep, got foreground"}});
+        continue;
+      }
+      run(words);
+      expect_image("out.png", applied(Rule::named(name), {.border = border}));
     }
   }
 }
 
-TEST_F(RunRules, border_of_foreground_is_rejected_for_rules_without_tables) {
-  EXPECT_EQ(
-      failure("thin_mb2", 1, {"--border", "foreground"}),
-      "thin_mb2: border: expected background or keep, got foreground, which only rules that are "
-      "functions of 3 x 3 pixels can have");
-}
-
-TEST_F(RunRules, file_needs_no_extension) {
-  const std::string file = directory.with("plain", R"({"hensel": "B/S", "max_iterations": 1})");
-  EXPECT_EQ(run(file).out.rfind("plain: ", 0), 0U);
-}
-
-TEST_F(RunRules, isa_and_threads_do_not_change_the_pixels) {
-  run("bridge", {"--isa", "baseline", "--threads", "2"});
-  EXPECT_TRUE(wrote(applied(Rule::named("bridge"))));
-}
-
-TEST_F(RunRules, optimise_gives_the_same_pixels) {
-  run("erode", {"--optimise"});
-  EXPECT_TRUE(wrote(applied(Rule::named("erode"))));
-}
-
 TEST_F(RunRules, packed_files_take_every_rule) {
-  const std::string header = "P4 203 70\n";
   const auto packed = [&](const ByteImage& image) {
-    return header + raw_bytes(PackedImage(image.view(), BitOrder::msb_first));
+    return "P4 203 70\n" + raw_bytes(PackedImage(image.view(), BitOrder::msb_first));
   };
-  const std::string pbm = directory.with("in.pbm", packed(noise()));
-  const std::string result = directory.file("out.pbm");
-  ASSERT_EQ(run_with({"run", "majority", pbm, result}).status, 0);
-  EXPECT_EQ(bytes_of(result), packed(applied(Rule::named("majority"))));
-  ASSERT_EQ(run_with({"run", "golay_l", pbm, result, "--out-of-core"}).status, 0);
-  EXPECT_EQ(bytes_of(result), packed(applied(Rule::named("golay_l"))));
-  EXPECT_EQ(failure_of({"run", "majority", pbm, result, "--threshold", "5"}, 2),
-            "--threshold does not apply to packed files, whose pixels have one bit");
+  put("in.pbm", packed(noise()));
+  output_of("run majority in.pbm out.pbm");
+  EXPECT_EQ(bytes_of("out.pbm"), packed(applied(Rule::named("majority"))));
+  output_of("run golay_l in.pbm out.pbm --out-of-core");
+  EXPECT_EQ(bytes_of("out.pbm"), packed(applied(Rule::named("golay_l"))));
 }
 
-TEST_F(RunRules, unknown_names_are_rejected) {
-  EXPECT_EQ(failure("majorty", 2), "no rule is named 'majorty'; did you mean 'majority'?");
-  EXPECT_EQ(failure("bridg", 2), "no rule is named 'bridg'; did you mean 'bridge'?");
-  EXPECT_EQ(failure("wxyz", 2).rfind("no rule is named 'wxyz'; known: thin_naccache_shinghal, ", 0),
-            0U);
-  EXPECT_EQ(failure("majority", 2, {"--border", "keeep"}),
-            "no border is named 'keeep'; did you mean 'keep'?");
+TEST_F(RunRules, names_and_notations_that_are_no_rules_are_rejected) {
+  const std::string limit = ": this rule adds and removes pixels, so it may never end; it needs ";
+  put("life.json", R"({"hensel": "B3/S23"})");
+  expect_rejected({
+      {2, "run majorty in.png out.png", {"'majorty'; did you mean 'majority'?"}},
+      {2, "run bridg in.png out.png", {"'bridg'; did you mean 'bridge'?"}},
+      {2, "run wxyz in.png out.png", {"'wxyz'; known: thin_naccache_shinghal, "}},
+      {2, "run B9/S23 in.png out.png", {"'B9/S23', column 2", "digit from 0 to 8, got '9'"}},
+      {2, "run B3/S2x in.png out.png", {"rule 'B3/S2x', column 6: "}},
+      {1, "run B3/S23 in.png out.png", {"B3/S23" + limit + "max_iterations"}},
+      {1, "run life.json in.png out.png", {"life" + limit + "max_iterations"}},
+  });
 }
 
-TEST_F(RunRules, malformed_notations_are_rejected_with_the_column) {
-  EXPECT_EQ(failure("B9/S23", 2), "rule 'B9/S23', column 2: expected a digit from 0 to 8, got '9'");
-  EXPECT_EQ(failure("B3/S2x", 2).rfind("rule 'B3/S2x', column 6: ", 0), 0U);
-}
-
-TEST_F(RunRules, rules_that_may_never_end_need_a_limit) {
-  const std::string why =
-      ": this rule adds and removes pixels, so it may never end; it needs max_iterations";
-  EXPECT_EQ(failure("B3/S23", 1), "B3/S23" + why);
-  EXPECT_EQ(failure(directory.with("life.json", R"({"hensel": "B3/S23"})"), 1), "life" + why);
-}
-
-TEST_F(RunRules, files_that_cannot_be_read_are_rejected) {
-  EXPECT_EQ(failure("absent.json", 1), "cannot read 'absent.json': there is no such file");
-  EXPECT_EQ(failure("/absent/rule", 1), "cannot read '/absent/rule': there is no such file");
-  const std::string huge = directory.with("huge.json", "{");
-  std::filesystem::resize_file(huge, std::uintmax_t{1} << 30);
-  EXPECT_EQ(failure(huge, 1), "cannot read '" + huge + "': it has more than 1,000,000 bytes");
-  const std::string fifo = directory.file("fifo");
-  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
-  EXPECT_EQ(failure(fifo, 1), "cannot read '" + fifo + "': it is not a regular file");
-  const std::string folder = directory.path().string();
-  EXPECT_EQ(failure(folder, 1), "cannot read '" + folder + "': it is a directory");
-}
-
-TEST_F(RunRules, files_that_are_no_rules_are_rejected_with_the_field) {
-  const auto error = [&](const std::string& text) {
-    const std::string file = directory.with("bad.json", text);
-    return failure(file, 1).substr(file.size());
-  };
-  EXPECT_EQ(error(R"({"hensel": "B/S", "hensel": "B3/S23"})"), ": the key \"hensel\" is repeated");
-  EXPECT_EQ(error("[1, 2"), ": not JSON, or truncated, at byte 6 of 5");
-  EXPECT_EQ(error(R"({"sub_iterations": [{"raster": "01"}]})"),
-            ": sub_iterations[0].raster has 2 characters; it must have 512 digits 0 and 1 or 128 "
-            "hexadecimal digits");
-  EXPECT_EQ(error(R"({"hensel": "B3/S9"})"),
-            ": hensel is invalid: rule 'B3/S9', column 5: expected a digit from 0 to 8, got '9'");
+TEST_F(RunRules, files_that_are_no_rules_are_rejected_with_the_reason_or_the_field) {
+  put("huge.json", "{");
+  fs::resize_file("huge.json", std::uintmax_t{1} << 30);
+  ASSERT_EQ(mkfifo("fifo.json", 0600), 0);
+  fs::create_directory("directory.json");
+  put("twice.json", R"({"hensel": "B/S", "hensel": "B3/S23"})");
+  put("cut.json", "[1, 2");
+  put("short.json", R"({"sub_iterations": [{"raster": "01"}]})");
+  put("wrong.json", R"({"hensel": "B3/S9"})");
+  for (const auto& [file, reason] : std::vector<std::pair<std::string, std::string>>{
+           {"absent.json", "cannot read 'absent.json': there is no such file"},
+           {"/absent/rule", "cannot read '/absent/rule': there is no such file"},
+           {"huge.json", "cannot read 'huge.json': it has more than 1,000,000 bytes"},
+           {"fifo.json", "cannot read 'fifo.json': it is not a regular file"},
+           {"directory.json", "cannot read 'directory.json': it is a directory"},
+           {"twice.json", "twice.json: the key \"hensel\" is repeated"},
+           {"cut.json", "cut.json: not JSON, or truncated, at byte 6 of 5"},
+           {"short.json", "short.json: sub_iterations[0].raster has 2 characters"},
+           {"wrong.json", "wrong.json: hensel is invalid: rule 'B3/S9', column 5: "}}) {
+    expect_rejected({1, "run " + file + " in.png out.png", {reason}});
+  }
 }
 
 }  // namespace

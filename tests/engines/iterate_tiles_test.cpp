@@ -7,6 +7,7 @@
 #include "core/exported.hpp"
 #include "core/packing.hpp"
 #include "harness/splitmix64.hpp"
+#include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/variant_of.hpp"
 
@@ -22,14 +23,10 @@ int thin_by_tiles(BuiltInRule rule, const ByteImage& image, ByteImage& skeleton,
 
 /// A grid of squares of different sizes, so that tiles stop changing at different times.
 ByteImage squares(Index width, Index height, Index side) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      const Index size = 2 + (x / side + 3 * (y / side)) % (side - 2);
-      image.at(x, y) = x % side < size && y % side < size ? 255 : 0;
-    }
-  }
-  return image;
+  return image_by(width, height, [=](Index x, Index y) {
+    const Index size = 2 + (x / side + 3 * (y / side)) % (side - 2);
+    return x % side < size && y % side < size ? 255 : 0;
+  });
 }
 
 /// Compares tiles with the reference for a rule on 3 x 3 pixels and one on 5 x 5 pixels.
@@ -47,11 +44,9 @@ void expect_equal_to_reference(const ByteImage& image, int threads) {
 
 TEST(IterateTiles, equals_the_reference_if_tiles_are_written_during_the_scan) {
   for (const Index side : {7, 40, 130}) expect_equal_to_reference(squares(1000, 400, side), 1);
-}
-
-TEST(IterateTiles, equals_the_reference_with_a_reduced_delay) {
-  expect_equal_to_reference(squares(200, 2500, 30),
-                            1);  // strips of 157 tiles, so that find_delay is called
+  expect_equal_to_reference(squares(4500, 300, 64), 1);  // more than 64 groups of tiles
+  // Strips of 157 tiles, so that find_delay is called.
+  expect_equal_to_reference(squares(200, 2500, 30), 1);
 }
 
 TEST(IterateTiles, equals_the_reference_on_several_threads) {
@@ -61,12 +56,9 @@ TEST(IterateTiles, equals_the_reference_on_several_threads) {
 
 TEST(IterateTiles, equals_the_reference_if_one_of_many_threads_works_alone) {
   // 4,012 tiles with their margins are enough for 7 threads, but the 2,000 with foreground are not.
-  ByteImage image(64, 16000);
   std::uint64_t index = 0;
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x)
-      image.at(x, y) = splitmix64(3, index++) % 8 != 0 ? 255 : 0;
-  }
+  const ByteImage image =
+      image_by(64, 16000, [&](Index, Index) { return splitmix64(3, index++) % 8 != 0 ? 255 : 0; });
   expect_equal_to_reference(image, 7);
 }
 
@@ -130,32 +122,6 @@ TEST(FindDelay, result_suffices_and_is_close_to_the_minimum) {
       }
     }
   }
-}
-
-TEST(IterateTiles, equals_the_reference_with_more_than_64_groups_of_tiles) {
-  const ByteImage image = squares(4500, 300, 64);
-  ByteImage by_tiles(4500, 300);
-  thin_by_tiles(Rule::zhang_suen, image, by_tiles);
-  const Thinned expected = thinned_by_reference(Rule::zhang_suen, image);
-  EXPECT_TRUE(equal(by_tiles.view(), expected.image.view()));
-}
-
-TEST(IterateTiles, several_threads_equal_one_for_a_rule_with_four_sub_iterations) {
-  const ByteImage image = squares(2000, 1200, 90);
-  ByteImage one(2000, 1200);
-  ByteImage many(2000, 1200);
-  for (const int threads : {2, 3, 7}) {
-    const int iterations = thin_by_tiles(Rule::spta_directional, image, one);
-    EXPECT_EQ(iterations, thin_by_tiles(Rule::spta_directional, image, many, threads));
-    EXPECT_TRUE(equal(one.view(), many.view())) << threads << " threads";
-  }
-}
-
-TEST(IterateTiles, image_without_foreground_takes_one_iteration) {
-  const ByteImage background(70, 70);
-  ByteImage result(70, 70);
-  EXPECT_EQ(thin_by_tiles(Rule::guo_hall, background, result), 1);
-  EXPECT_TRUE(equal(background.view(), result.view()));
 }
 
 }  // namespace

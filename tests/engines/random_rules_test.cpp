@@ -10,7 +10,8 @@
 #include "harness/splitmix64.hpp"
 #include "reference.hpp"
 #include "support/filled_image.hpp"
-#include "support/rejection.hpp"
+#include "support/made_image.hpp"
+#include "support/untouched.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/batch.hpp"
 #include "thinbench/rule_notation.hpp"
@@ -105,19 +106,14 @@ ThinningParameters parameters_of(const RandomRule& rule) {
 }
 
 ByteImage random_image(Random& random, Index width, Index height) {
-  ByteImage image(width, height);
   const int density = 5 + random.below(91);
   const int block = 1 + random.below(9);
   std::vector<std::uint8_t> blocks(
       static_cast<std::size_t>((width / block + 1) * (height / block + 1)));
   for (std::uint8_t& pixel : blocks) pixel = random.with_chance(density) ? 255 : 0;
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      image.at(x, y) =
-          blocks[static_cast<std::size_t>(y / block * (width / block + 1) + x / block)];
-    }
-  }
-  return image;
+  return image_by(width, height, [&](Index x, Index y) {
+    return blocks[static_cast<std::size_t>(y / block * (width / block + 1) + x / block)];
+  });
 }
 
 /// Widths around words and registers, and any.
@@ -311,26 +307,17 @@ TEST(Rules, are_compiled_safely_by_several_threads) {
 
 TEST(Rules, name_what_is_wrong) {
   const WindowTable life = table_from_hensel("B3/S23");
-  const auto rejection = [](auto... arguments) {
-    return rejection_of([&] { Rule rule(arguments...); });
-  };
-  const std::vector<WindowTable> none;
   const std::vector<WindowTable> nine(9, WindowTable{});
-  EXPECT_EQ(rejection(std::span<const WindowTable>(none)),
-            "a rule has 1 to 8 sub-iterations, not 0");
-  EXPECT_EQ(rejection(std::span<const WindowTable>(nine)),
-            "a rule has 1 to 8 sub-iterations, not 9");
-  EXPECT_EQ(rejection(life, RuleOptions{.max_iterations = 0}),
-            "max_iterations: expected an integer of at least 1, got 0");
-  EXPECT_EQ(rejection(life, RuleOptions{.border = static_cast<Border>(9)}),
-            "border: expected background, keep or foreground, got 9");
-  EXPECT_EQ(rejection(life), "");
   ByteImage image(3, 3);
-  EXPECT_EQ(rejection_of([&] { thin(Rule(life), image.view(), image.view()); }),
-            "custom: this rule adds and removes pixels, so it may never end; it needs "
-            "max_iterations");
-  EXPECT_EQ(rejection_of([] { static_cast<void>(Rule::named("magic")); }),
-            "rule: expected a name, got 'magic'");
+  const std::pair<std::function<void()>, const char*> cases[] = {
+      {[&] { Rule(std::span(nine).first(0)); }, "a rule has 1 to 8 sub-iterations, not 0"},
+      {[&] { Rule(std::span(nine)); }, "a rule has 1 to 8 sub-iterations, not 9"},
+      {[&] { Rule(life, {.max_iterations = 0}); }, "expected an integer of at least 1, got 0"},
+      {[&] { Rule(life, {.border = static_cast<Border>(9)}); }, "border: expected background, "},
+      {[&] { thin(Rule(life), image.view(), image.view()); },
+       "custom: this rule adds and removes pixels, so it may never end; it needs max_iterations"},
+      {[&] { static_cast<void>(Rule::named("magic")); }, "rule: expected a name, got 'magic'"}};
+  for (const auto& [call, part] : cases) expect_rejected(call, part);
 }
 
 TEST(Rules, with_equal_tables_share_what_was_compiled) {

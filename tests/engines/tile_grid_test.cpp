@@ -106,28 +106,6 @@ TEST(TileGrid, round_trip_keeps_the_pixels_of_images_of_every_size) {
   }
 }
 
-TEST(TileGrid, lists_the_tiles_with_foreground) {
-  BitPlane plane(3 * kTileColumns, 2 * kTileRows);
-  plane.view().row(kTileRows - 1)[0] = 1;                           // strip 0, tile 0
-  plane.view().row(2 * kTileRows - 1)[1] = std::uint64_t{1} << 31;  // strip 2, tile 1
-  LoadedGrid loaded(3 * kTileColumns, 2 * kTileRows);
-  ASSERT_EQ(loaded.load(plane), 2);
-  const Index strip = loaded.grid.view().strip_tiles;
-  EXPECT_EQ(loaded.list[0], strip);
-  EXPECT_EQ(loaded.list[1], 3 * strip + 1);
-}
-
-TEST(TileGrid, second_image_replaces_the_first) {
-  const BitPlane first = noise(100, 50);
-  const BitPlane background(100, 50);
-  BitPlane result(100, 50);
-  LoadedGrid loaded(100, 50);
-  loaded.load(first);
-  EXPECT_EQ(loaded.load(background), 0);
-  loaded.store(result);
-  EXPECT_TRUE(equal_planes(background.view(), std::as_const(result).view()));
-}
-
 TEST(TileGrid, margin_check_detects_a_pixel_outside_the_image) {
   for (const Index word : {Index{-1}, Index{0}, Index{20}}) {
     LoadedGrid loaded(40, 20);
@@ -136,44 +114,6 @@ TEST(TileGrid, margin_check_detects_a_pixel_outside_the_image) {
     view.words[view.strip_tiles * kTileRows + (word == 0 ? -kTileRows : word)] = 1;
     EXPECT_FALSE(margin_is_zero(loaded.grid.view())) << word;
   }
-}
-
-/// Strip and row of the tiles with a bit in `border_tiles`.
-std::vector<std::pair<Index, Index>> border_tiles_of(const TileGridView& grid) {
-  std::vector<std::pair<Index, Index>> tiles;
-  for (Index tile = 0; tile < grid.groups * kTileGroup; ++tile) {
-    const std::uint32_t group = grid.border_tiles[tile / kTileGroup];
-    if ((group >> (tile % kTileGroup) & 1) == 0) continue;
-    tiles.emplace_back(tile / grid.strip_tiles - 1, tile % grid.strip_tiles);
-  }
-  return tiles;
-}
-
-TEST(TileGrid, marks_the_tiles_on_the_image_border_if_it_is_kept) {
-  const LoadedGrid plain(4 * kTileColumns, 3 * kTileRows);
-  EXPECT_EQ(plain.grid.view().border_tiles, nullptr);
-  const LoadedGrid kept(3 * kTileColumns + 1, 3 * kTileRows, Isa::baseline, Border::keep);
-  EXPECT_EQ(border_tiles_of(kept.grid.view()),
-            (std::vector<std::pair<Index, Index>>{
-                {0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 2}, {3, 0}, {3, 1}, {3, 2}}));
-  const LoadedGrid single(1, 1, Isa::baseline, Border::keep);
-  EXPECT_EQ(border_tiles_of(single.grid.view()), (std::vector<std::pair<Index, Index>>{{0, 0}}));
-}
-
-TEST(TileGrid, neighbours_of_border_tiles_are_in_the_grid_and_background) {
-  LoadedGrid loaded(40, 20);
-  BitPlane full(40, 20);
-  for (Index y = 0; y < 20; ++y) full.view().row(y)[0] = (std::uint64_t{1} << 40) - 1;
-  loaded.load(full);
-  const TileGridView& view = loaded.grid.view();
-  const std::uint32_t* first = view.words + view.strip_tiles * kTileRows;
-  EXPECT_EQ(first[0], 0xFFFFFFFFU);
-  EXPECT_EQ(first[-1], 0U);
-  EXPECT_EQ(first[19], 0xFFFFFFFFU);
-  EXPECT_EQ(first[20], 0U);
-  EXPECT_EQ(first[-view.strip_tiles * kTileRows], 0U);
-  EXPECT_EQ(first[view.strip_tiles * kTileRows], 0xFFU);
-  EXPECT_EQ(first[2 * view.strip_tiles * kTileRows], 0U);
 }
 
 }  // namespace

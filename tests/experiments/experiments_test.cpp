@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/filled_image.hpp"
+#include "support/made_image.hpp"
+
 namespace thinbench {
 namespace {
 
@@ -27,17 +30,11 @@ Json quantisation_row(Quantisation way, std::size_t bits) {
   return rows.at(way == Quantisation::round ? bits : rows.size() / 2 + bits);
 }
 
-TEST(Quantisation, integer_rounding_of_table_1_keeps_251_with_the_sigmoid_and_252_linear) {
+TEST(Quantisation, of_table_1_keeps_so_many_decisions_and_one_fractional_bit_is_enough) {
   EXPECT_EQ(quantisation_row(Quantisation::round, 0).at("right_sigmoid"), 251);
   EXPECT_EQ(quantisation_row(Quantisation::round, 0).at("right_linear"), 252);
-}
-
-TEST(Quantisation, integer_truncation_of_table_1_keeps_254_with_the_sigmoid_and_253_linear) {
   EXPECT_EQ(quantisation_row(Quantisation::truncate, 0).at("right_sigmoid"), 254);
   EXPECT_EQ(quantisation_row(Quantisation::truncate, 0).at("right_linear"), 253);
-}
-
-TEST(Quantisation, one_fractional_bit_by_rounding_is_enough) {
   for (std::size_t bits = 1; bits <= 8; ++bits) {
     EXPECT_EQ(quantisation_row(Quantisation::round, bits).at("right_sigmoid"), 256) << bits;
     EXPECT_EQ(quantisation_row(Quantisation::round, bits).at("right_linear"), 256) << bits;
@@ -116,9 +113,7 @@ TEST(OperationCounts, circuit_has_at_most_eight_three_input_gates_and_serves_eve
 }
 
 ByteImage image_with_column(Index column) {
-  ByteImage image(20, 10);
-  for (Index y = 0; y < 10; ++y) image.at(column, y) = 255;
-  return image;
+  return image_by(20, 10, [=](Index x, Index) { return x == column ? 255 : 0; });
 }
 
 TEST(EdgeQuality, contours_are_both_sides_of_a_border_or_the_inner_one) {
@@ -159,10 +154,7 @@ TEST(EdgeQuality, merit_is_measured_against_a_contour_one_pixel_wide) {
 }
 
 TEST(EdgeQuality, recall_means_little_where_much_is_marked) {
-  ByteImage everything(20, 10);
-  for (Index y = 0; y < 10; ++y) {
-    for (Index x = 0; x < 20; ++x) everything.at(x, y) = 255;
-  }
+  const ByteImage everything = filled_image(20, 10, 255);
   const TrueContours contours{image_with_column(5), image_with_column(5)};
   const EdgeQuality quality = quality_of(contours, everything.view());
   EXPECT_EQ(quality.recall, 1);

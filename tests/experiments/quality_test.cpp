@@ -9,24 +9,12 @@
 #include "experiments/thinning_quality.hpp"
 #include "harness/test_images.hpp"
 #include "images/image_file.hpp"
+#include "support/made_image.hpp"
 #include "support/temporary_directory.hpp"
-#include "thinbench/thinning.hpp"
+#include "support/text_image.hpp"
 
 namespace thinbench {
 namespace {
-
-using Rows = std::vector<std::string>;
-
-ByteImage image_of(const Rows& rows) {
-  ByteImage image(static_cast<Index>(rows.front().size()), static_cast<Index>(rows.size()));
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      const bool dark = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#';
-      image.at(x, y) = dark ? 255 : 0;
-    }
-  }
-  return image;
-}
 
 TEST(SkeletonMeasures, objects_join_at_corners_and_holes_do_not) {
   const ByteImage image = image_of({"##..###", "#.#.#.#", "....###", "#......"});
@@ -46,10 +34,8 @@ TEST(SkeletonMeasures, ends_branches_and_blocks_are_counted) {
 }
 
 TEST(SkeletonMeasures, axis_of_a_bar_is_its_middle_row_and_the_diagonals_at_its_ends) {
-  ByteImage bar(40, 13);
-  for (Index y = 1; y < 12; ++y) {
-    for (Index x = 1; x < 39; ++x) bar.at(x, y) = 255;
-  }
+  const ByteImage bar = image_by(
+      40, 13, [](Index x, Index y) { return x > 0 && x < 39 && y > 0 && y < 12 ? 255 : 0; });
   const ByteImage axis = medial_axis_of(bar.view());
   for (Index y = 1; y < 12; ++y) EXPECT_EQ(axis.at(20, y) != 0, y == 6) << y;
   for (Index i = 1; i < 6; ++i) EXPECT_NE(axis.at(i, i), 0) << i;
@@ -116,11 +102,9 @@ ByteImage turned(const ConstImageView& image, int quarters) {
 
 /// The overlap of the skeleton with that of the image turned by so many quarters.
 double overlap_turned(const std::string& operation, const ConstImageView& image, int quarters) {
-  ByteImage skeleton(image.width, image.height);
-  thin(*rule_from_name(operation), image, skeleton.view());
-  const ByteImage source = turned(image, quarters);
-  ByteImage other(source.width(), source.height());
-  thin(*rule_from_name(operation), source.view(), other.view());
+  const Rule rule = *rule_from_name(operation);
+  const ByteImage skeleton = thinned(rule, copy_of(image));
+  const ByteImage other = thinned(rule, turned(image, quarters));
   return overlap(skeleton.view(), turned(other.view(), 4 - quarters).view());
 }
 

@@ -264,7 +264,6 @@ class Caller {
       case 5:
         return use_thinner();
       case 6:
-        return make_tables();
       case 7:
         return ask_rule();
       case 8:
@@ -280,20 +279,14 @@ class Caller {
 
   void call_more() {
     switch (input_.number(0, 6)) {
-      case 6:
-        return use_labels();
       case 0:
         return find_distances();
       case 1:
         return find_graph();
-      case 2:
-        return prune_skeleton();
-      case 3:
-        return simplify();
       case 4:
         return make_net();
       default:
-        return ask_names();
+        return use_labels();
     }
   }
 
@@ -477,49 +470,6 @@ class Caller {
     for (std::size_t i = 0; i < mask.size(); ++i) {
       must(found[i] == (mask[i] != 0 ? 5 : 0), "labels differ");
     }
-  }
-
-  /// The tables of a notation; 0 if it is rejected.
-  std::size_t draw_tables(std::uint64_t* tables) {
-    constexpr std::array<const char*, 7> orders = {"raster",    "matlab", "octave", "descriptor",
-                                                   "clockwise", nullptr,  "north"};
-    switch (input_.number(0, 4)) {
-      case 0:
-        return is_accepted(thinbench_table_from_hensel(input_.line().c_str(), tables)) ? 1 : 0;
-      case 1: {
-        const std::string lines[] = {input_.line(), input_.line()};
-        const char* const patterns[] = {lines[0].c_str(),
-                                        input_.once_in(8) ? nullptr : lines[1].c_str()};
-        return is_accepted(thinbench_table_from_patterns(patterns, 2, tables)) ? 1 : 0;
-      }
-      case 2:
-      case 3: {
-        std::array<std::uint8_t, 512> values{};
-        for (std::uint8_t& value : values) value = input_.byte() & (input_.once_in(255) ? 3 : 1);
-        const char* const order = input_.pick(orders);
-        const auto status = input_.once_in(2)
-                                ? thinbench_table_from_values(values.data(), order, tables)
-                                : thinbench_table_from_removals(values.data(), order, tables);
-        return is_accepted(status) ? 1 : 0;
-      }
-      default: {
-        const DrawnCall call(input_);
-        thinbench_rule_info info{};
-        info.size = input_.once_in(8) ? static_cast<std::size_t>(input_.byte()) : sizeof(info);
-        if (!is_accepted(thinbench_rule_describe(call.rule, &info)) || info.size != sizeof(info)) {
-          return 0;
-        }
-        std::copy_n(info.tables, info.sub_iterations * THINBENCH_TABLE_WORDS, tables);
-        return info.sub_iterations;
-      }
-    }
-  }
-
-  void make_tables() {
-    std::array<std::uint64_t, 64> tables{};
-    static_cast<void>(draw_tables(tables.data()));
-    check_status(thinbench_table_from_hensel(nullptr, tables.data()));
-    check_status(thinbench_table_from_hensel("B3/S23", nullptr));
   }
 
   void ask_rule() {
@@ -722,40 +672,6 @@ class Caller {
     return pruning;
   }
 
-  /// The distances are those of the skeleton itself.
-  void prune_skeleton() {
-    const auto execution = draw_execution(input_);
-    thinbench_pruning pruning = draw_pruning();
-    const bool with_distances = input_.once_in(2);
-    std::vector<double> distances;
-    thinbench_graph* graph = nullptr;
-    check_stacks(
-        true,
-        [&](const thinbench_stack* source, const thinbench_output* destination) {
-          const bool has_pixels = source != nullptr && source->data != nullptr &&
-                                  source->width > 0 && source->height > 0 &&
-                                  source->width <= 1 << 12 && source->height <= 1 << 12;
-          distances.resize(has_pixels ? static_cast<std::size_t>(source->width * source->height)
-                                      : 1);
-          if (has_pixels && source->count == 1 && source->stride >= source->width) {
-            check_status(
-                thinbench_distances(source, distances.data(), source->width, nullptr, nullptr));
-          }
-          if (with_distances) pruning.distances = distances.data();
-          pruning.distances_stride = source == nullptr || input_.once_in(16) ? -1 : source->width;
-          return thinbench_prune(source, destination, input_.once_in(32) ? nullptr : &pruning,
-                                 execution.pointer(), input_.once_in(4) ? nullptr : &graph);
-        },
-        [&](const ConstImageView& source, const ImageView& destination) {
-          Pruning same = {.min_length = pruning.min_length, .min_widths = pruning.min_widths};
-          same.removes_components = pruning.removes_components != 0;
-          same.distances = {distances.data(), source.width, source.height};
-          prune(source, destination, same);
-          if (graph != nullptr) compare_graph(graph, destination);
-        });
-    thinbench_graph_destroy(graph);
-  }
-
   /// The components of an image, their graphs and distances, with strides that may not fit.
   void use_labels() {
     const auto execution = draw_execution(input_);
@@ -767,9 +683,9 @@ class Caller {
     std::vector<std::int32_t> labels = draw_numbers(source, stride);
     thinbench_regions* regions = nullptr;
     const char* const orders[] = {"raster", nullptr, "other"};
-    const bool is_labelled = is_accepted(thinbench_label_components(
-        &from, labels.data(), stride, input_.once_in(16) ? 5 : 8, input_.pick(orders),
-        execution.pointer(), &regions));
+    const bool is_labelled = is_accepted(
+        thinbench_label_components(&from, labels.data(), stride, input_.once_in(16) ? 5 : 8,
+                                   input_.pick(orders), execution.pointer(), &regions));
     thinbench_regions_destroy(regions);
     if (!is_labelled || !source.is_readable()) return;
     std::vector<double> distances(labels.size());
@@ -806,50 +722,6 @@ class Caller {
     check_status(thinbench_graph_nearest(graph, input_.byte(), 1e300, nullptr, &place));
     std::vector<thinbench_branch> rows(count);
     check_status(thinbench_graph_summary(graph, nullptr, rows.data()));
-  }
-
-  /// Points anywhere: what is kept is a part that begins and ends like all of them.
-  void simplify() {
-    constexpr std::array<std::int32_t, 8> far = {INT32_MIN, INT32_MAX, -1, 0, 1, 2, 1 << 16, -99};
-    constexpr std::array<double, 6> tolerances = {
-        0, 0.5, 3, 1e300, -1, std::numeric_limits<double>::quiet_NaN()};
-    const double tolerance = input_.pick(tolerances);
-    std::vector<thinbench_pixel> points(static_cast<std::size_t>(input_.number(0, 40)));
-    for (thinbench_pixel& p : points) {
-      const bool is_near = !input_.once_in(8);
-      p.x = is_near ? input_.byte() : input_.pick(far);
-      p.y = is_near ? input_.byte() : input_.pick(far);
-    }
-    std::vector<thinbench_pixel> kept(points.size());
-    std::size_t count = 0;
-    if (!is_accepted(thinbench_polyline(points.data(), points.size(), tolerance, nullptr,
-                                        input_.once_in(32) ? nullptr : kept.data(), &count))) {
-      return;
-    }
-    kept.resize(count);
-    const auto same = [](const thinbench_pixel& p, const thinbench_pixel& q) {
-      return p.x == q.x && p.y == q.y;
-    };
-    auto next = kept.begin();
-    for (const thinbench_pixel& p : points) {
-      if (next != kept.end() && same(p, *next)) ++next;
-    }
-    must(next == kept.end() && (count == 0) == points.empty(), "points that were not given");
-    must(count == 0 || (same(kept.front(), points.front()) && same(kept.back(), points.back())),
-         "other ends");
-  }
-
-  void ask_names() {
-    const std::array<std::size_t, 4> indices = {static_cast<std::size_t>(input_.byte()), 0,
-                                                SIZE_MAX, SIZE_MAX / 2};
-    const std::size_t index = input_.pick(indices);
-    const char* const name = thinbench_rule_name(index);
-    must((name != nullptr) == (index < kRules.size() + named_rules().size()),
-         "a wrong end of the rules");
-    static_cast<void>(thinbench_edge_operator_name(index));
-    const char* const isa = thinbench_isa_name(index);
-    must(thinbench_isa_available(isa) >= (isa == nullptr ? -1 : 0), "no ISA");
-    must(thinbench_isa_available("nonsense") == -1, "an ISA that does not exist");
   }
 
   ByteSource& input_;

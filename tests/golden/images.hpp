@@ -10,6 +10,7 @@
 
 #include "harness/test_images.hpp"
 #include "scene/scene.hpp"
+#include "support/made_image.hpp"
 
 namespace thinbench::golden {
 
@@ -19,15 +20,6 @@ inline std::string sized(std::string_view name, Index width, Index height) {
 
 inline std::string seeded(const std::string& name, std::uint64_t seed) {
   return name + "_seed" + std::to_string(seed);
-}
-
-template <class Level>
-ByteImage drawn(Index width, Index height, const Level& level) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) image.at(x, y) = static_cast<std::uint8_t>(level(x, y));
-  }
-  return image;
 }
 
 /// Collects images of one kind. A name holds all parameters of its image.
@@ -42,11 +34,11 @@ class Gallery {
   template <class Contains>
   void add_shape(std::string_view name, Index width, Index height, const Contains& contains) {
     add(sized(name, width, height),
-        drawn(width, height, [&](Index x, Index y) { return contains(x, y) ? 255 : 0; }));
+        image_by(width, height, [&](Index x, Index y) { return contains(x, y) ? 255 : 0; }));
   }
   template <class Level>
   void add_levels(std::string_view name, Index width, Index height, const Level& level) {
-    add(sized(name, width, height), drawn(width, height, level));
+    add(sized(name, width, height), image_by(width, height, level));
   }
 
   std::vector<TestImage> take() { return std::move(images_); }

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/byte_image.hpp"
+#include "support/made_image.hpp"
 #include "thinbench/graph.hpp"
 
 namespace thinbench {
@@ -15,13 +15,9 @@ namespace {
 constexpr std::size_t kMany = 65'536;
 
 ByteImage drawn(std::int32_t width, std::int32_t height, bool (*is_foreground)(Pixel)) {
-  ByteImage image(width, height);
-  for (std::int32_t y = 0; y < height; ++y) {
-    for (std::int32_t x = 0; x < width; ++x) {
-      if (is_foreground({x, y})) image.at(x, y) = 255;
-    }
-  }
-  return image;
+  return image_by(width, height, [=](Index x, Index y) {
+    return is_foreground({static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}) ? 255 : 0;
+  });
 }
 
 std::ptrdiff_t count_of(const Graph& graph, NodeKind kind) {

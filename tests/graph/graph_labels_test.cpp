@@ -8,19 +8,15 @@
 
 #include "graph.hpp"
 #include "support/label_image.hpp"
+#include "support/made_image.hpp"
 #include "support/rejection.hpp"
 
 namespace thinbench {
 namespace {
 
 ByteImage mask_of(const LabelImage& image, std::int32_t label) {
-  ByteImage mask(image.width, image.height);
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index x = 0; x < image.width; ++x) {
-      mask.at(x, y) = image.view().row(y)[x] == label ? 255 : 0;
-    }
-  }
-  return mask;
+  return image_by(image.width, image.height,
+                  [&](Index x, Index y) { return image.view().row(y)[x] == label ? 255 : 0; });
 }
 
 void append(LabelGraph& to, std::int32_t label, const Graph& graph) {
@@ -83,11 +79,6 @@ TEST(GraphOfLabels, of_an_image_without_pixels_or_labels_is_empty) {
   EXPECT_TRUE(graph_of_labels({nullptr, 5, 0}) == LabelGraph{});
 }
 
-TEST(GraphOfLabels, unsuitable_views_are_rejected) {
-  EXPECT_EQ(rejection_of([] { static_cast<void>(graph_of_labels({nullptr, 3, 3})); }),
-            "labels has no data");
-}
-
 TEST(LabelDistances, are_those_to_the_nearest_pixel_of_another_label) {
   const LabelImage image = labels_of({"11112", "11112", "11112"});
   std::vector<double> found(15);
@@ -114,14 +105,21 @@ TEST(LabelDistances, equal_a_loop_over_the_labels) {
   }
 }
 
-TEST(LabelDistances, views_that_do_not_fit_are_rejected) {
+TEST(GraphOfLabels, views_that_do_not_fit_are_rejected) {
   const LabelImage image = labels_of({"12", "34"});
   std::vector<double> numbers(4);
-  EXPECT_EQ(
-      rejection_of([&] { label_distances(image.view(), {numbers.data(), 2, 1}); }),
-      "labels is 2 x 2 and distances 2 x 1; they must have the same size");
   const auto* inside = reinterpret_cast<const std::int32_t*>(numbers.data());
-  EXPECT_EQ(rejection_of([&] { label_distances({inside, 2, 2}, {numbers.data(), 2, 2}); }),
+  EXPECT_EQ(rejection_of([] {
+              static_cast<void>(graph_of_labels({nullptr, 3, 3}));
+            }),
+            "labels has no data");
+  EXPECT_EQ(rejection_of([&] {
+              label_distances(image.view(), {numbers.data(), 2, 1});
+            }),
+            "labels is 2 x 2 and distances 2 x 1; they must have the same size");
+  EXPECT_EQ(rejection_of([&] {
+              label_distances({inside, 2, 2}, {numbers.data(), 2, 2});
+            }),
             "labels and distances overlap");
 }
 

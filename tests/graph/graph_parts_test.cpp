@@ -71,7 +71,9 @@ TEST(SplitAt, makes_two_edges_of_one_that_end_in_the_pixel) {
 TEST(SplitAt, pixels_of_nodes_change_nothing_and_others_are_rejected) {
   const Graph graph = graph_of(kDrawn);
   EXPECT_EQ(split_at(graph, std::vector<Pixel>{{2, 0}, {0, 2}}), graph);
-  EXPECT_EQ(rejection_of([&] { static_cast<void>(split_at(graph, std::vector<Pixel>{{0, 0}})); }),
+  EXPECT_EQ(rejection_of([&] {
+              static_cast<void>(split_at(graph, std::vector<Pixel>{{0, 0}}));
+            }),
             "nodes: expected pixels of the skeleton, got row 0, column 0");
 }
 
@@ -80,7 +82,8 @@ TEST(SplitAt, keeps_every_pixel_and_the_length) {
   const Graph graph = graph_of(kDrawn);
   for (int i = 0; i < 100; ++i) {
     std::vector<Pixel> pixels;
-    for (int n = 0; n < 4; ++n) pixels.push_back(graph.edge_pixels[random() % graph.edge_pixels.size()]);
+    for (int n = 0; n < 4; ++n)
+      pixels.push_back(graph.edge_pixels[random() % graph.edge_pixels.size()]);
     const Graph split = split_at(graph, pixels);
     EXPECT_EQ(split.node_pixels.size() + split.edge_pixels.size(),
               graph.node_pixels.size() + graph.edge_pixels.size());

@@ -5,16 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "graph.hpp"
-#include "support/rejection.hpp"
+#include "support/made_image.hpp"
 #include "support/text_image.hpp"
+#include "support/untouched.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
@@ -39,22 +38,10 @@ Graph graph_of(const TextImage& lines) {
 }
 
 ByteImage random_image(std::mt19937& random) {
-  ByteImage image(1 + static_cast<Index>(random() % 80), 1 + static_cast<Index>(random() % 12));
+  const auto width = 1 + static_cast<Index>(random() % 80);
+  const auto height = 1 + static_cast<Index>(random() % 12);
   const auto rarity = static_cast<unsigned>(2 + random() % 6);
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      if (random() % rarity == 0) image.at(x, y) = 255;
-    }
-  }
-  return image;
-}
-
-ByteImage transposed(const ByteImage& image) {
-  ByteImage result(image.height(), image.width());
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) result.at(y, x) = image.at(x, y);
-  }
-  return result;
+  return image_by(width, height, [&](Index, Index) { return random() % rarity == 0 ? 255 : 0; });
 }
 
 TEST(SkeletonGraph, of_a_line_has_two_ends_and_an_edge) {
@@ -77,64 +64,34 @@ TEST(SkeletonGraph, lengths_are_in_the_unit_of_the_spacing) {
   EXPECT_DOUBLE_EQ(length_of(graph.edges[0], {.y = 4, .x = 3}), 3 * 3 + 2 * 4 + 5);
 }
 
-TEST(SkeletonGraph, a_corner_is_no_junction) {
-  EXPECT_EQ(kinds_of(graph_of({"##.",  //
-                               ".##",  //
-                               "..#"})),
-            (Kinds{end, end}));
-}
-
-TEST(SkeletonGraph, joined_junction_pixels_are_one_node) {
-  const Graph graph = graph_of({"#...#",  //
-                                ".#.#.",  //
-                                "..#..",  //
-                                "..#..",  //
-                                ".#.#.",  //
-                                "#...#"});
-  EXPECT_EQ(kinds_of(graph), (Kinds{end, end, junction, end, end}));
-  EXPECT_EQ(graph.pixels_of(graph.nodes[2]).size(), 2U);
-  EXPECT_EQ(graph.edges.size(), 4U);
-}
-
-TEST(SkeletonGraph, single_pixels_and_closed_lines_are_nodes) {
-  const Graph graph = graph_of({".#....",  //
-                                "#.#..#",  //
-                                ".#...."});
-  EXPECT_EQ(kinds_of(graph), (Kinds{isolated, cycle}));
-  ASSERT_EQ(graph.edges.size(), 1U);
-  EXPECT_EQ(graph.edges[0], (GraphEdge{1, 1, {1, 0}, {1, 0}, 0, 3, {0, 0, 4}}));
-}
-
-TEST(SkeletonGraph, parallel_edges_and_loops_are_kept) {
-  const Graph ring_with_tails = graph_of({"...##...",  //
-                                          "###..###",  //
-                                          "...##..."});
-  EXPECT_EQ(kinds_of(ring_with_tails), (Kinds{end, junction, junction, end}));
-  EXPECT_EQ(ring_with_tails.edges.size(), 4U);
-  const Graph loop = graph_of({"....##.",  //
-                               "####..#",  //
-                               "....##."});
-  EXPECT_EQ(kinds_of(loop), (Kinds{end, junction}));
-  ASSERT_EQ(loop.edges.size(), 2U);
-  EXPECT_EQ(loop.edges[1].from, loop.edges[1].to);
-}
-
-TEST(SkeletonGraph, a_hole_within_a_junction_is_a_loop_without_pixels) {
-  const Graph graph = graph_of({"..#..",  //
-                                "..#..",  //
-                                "##.##",  //
-                                "..#..",  //
-                                "..#.."});
-  EXPECT_EQ(kinds_of(graph), (Kinds{end, junction, end, end, end}));
-  EXPECT_EQ(graph.edges.size(), 5U);
-  EXPECT_EQ(graph.edges.back().pixel_count, 0U);
-}
-
-TEST(SkeletonGraph, a_full_block_is_a_junction) {
-  const Graph graph = graph_of({"##..",  //
-                                "####"});
-  EXPECT_EQ(kinds_of(graph), (Kinds{junction, end}));
-  EXPECT_EQ(graph.nodes[0].pixel_count, 4U);
+TEST(SkeletonGraph, has_the_nodes_and_the_number_of_edges_that_a_person_sees) {
+  struct Case {
+    const char* what;
+    TextImage image;
+    Kinds nodes;
+    std::size_t edges;
+  };
+  for (const auto& [what, image, nodes, edges] : std::vector<Case>{
+           {"a corner is no junction", {"##.", ".##", "..#"}, {end, end}, 1},
+           {"joined junction pixels are one node",
+            {"#...#", ".#.#.", "..#..", "..#..", ".#.#.", "#...#"},
+            {end, end, junction, end, end},
+            4},
+           {"single pixels and closed lines", {".#....", "#.#..#", ".#...."}, {isolated, cycle}, 1},
+           {"parallel edges",
+            {"...##...", "###..###", "...##..."},
+            {end, junction, junction, end},
+            4},
+           {"a loop", {"....##.", "####..#", "....##."}, {end, junction}, 2},
+           {"a hole within a junction is a loop without pixels",
+            {"..#..", "..#..", "##.##", "..#..", "..#.."},
+            {end, junction, end, end, end},
+            5},
+           {"a full block is a junction", {"##..", "####"}, {junction, end}, 1}}) {
+    const Graph graph = graph_of(image);
+    EXPECT_EQ(kinds_of(graph), nodes) << what;
+    EXPECT_EQ(graph.edges.size(), edges) << what;
+  }
 }
 
 TEST(ClassifyPixels, follows_the_definition_of_degrees) {
@@ -145,11 +102,10 @@ TEST(ClassifyPixels, follows_the_definition_of_degrees) {
   ByteImage classes(7, 4), degrees(7, 4);
   classify_pixels(image.view(), classes.view(), degrees.view());
   const auto lines = [](const ByteImage& values) {
-    TextImage text;
-    for (Index y = 0; y < values.height(); ++y) {
-      text.emplace_back();
-      for (Index x = 0; x < values.width(); ++x)
-        text.back() += static_cast<char>('0' + values.at(x, y));
+    TextImage text(4);
+    for (Index y = 0; y < 4; ++y) {
+      for (Index x = 0; x < 7; ++x)
+        text[static_cast<std::size_t>(y)] += char('0' + values.at(x, y));
     }
     return text;
   };
@@ -161,25 +117,6 @@ TEST(ClassifyPixels, follows_the_definition_of_degrees) {
                                        "0000201",  //
                                        "2200223",  //
                                        "2200001"}));
-}
-
-TEST(ClassifyPixels, agrees_with_the_nodes_of_the_graph) {
-  std::mt19937 random(4);
-  for (int i = 0; i < 2000; ++i) {
-    const ByteImage image = random_image(random);
-    ByteImage classes(image.width(), image.height());
-    classify_pixels(image.view(), classes.view(), {});
-    const Graph graph = skeleton_graph(image.view());
-    ByteImage expected(image.width(), image.height());
-    for (const Pixel p : graph.edge_pixels) expected.at(p.x, p.y) = 3;
-    for (const GraphNode& node : graph.nodes) {
-      constexpr std::array<std::uint8_t, 4> class_of_kind = {1, 2, 4, 3};
-      for (const Pixel p : graph.pixels_of(node)) {
-        expected.at(p.x, p.y) = class_of_kind[static_cast<std::size_t>(node.kind)];
-      }
-    }
-    ASSERT_TRUE(equal(classes.view(), expected.view()));
-  }
 }
 
 TEST(ClassifyPixels, counts_four_neighbours) {
@@ -241,53 +178,32 @@ TEST(SkeletonGraph, rejects_unsuitable_images) {
   }
 }
 
-TEST(SkeletonGraph, has_every_pixel_once_and_the_euler_number_on_20000_random_images) {
+/// The class of each pixel that the nodes and edges say.
+ByteImage classes_by(const Graph& graph, const ByteImage& image) {
+  constexpr std::array<std::uint8_t, 4> class_of_kind = {1, 2, 4, 3};
+  ByteImage classes(image.width(), image.height());
+  for (const Pixel p : graph.edge_pixels) classes.at(p.x, p.y) = 3;
+  for (const GraphNode& node : graph.nodes) {
+    for (const Pixel p : graph.pixels_of(node)) {
+      classes.at(p.x, p.y) = class_of_kind[static_cast<std::size_t>(node.kind)];
+    }
+  }
+  return classes;
+}
+
+TEST(SkeletonGraph, has_every_pixel_once_its_class_and_the_euler_number_on_20000_random_images) {
   std::mt19937 random(1);
   for (int i = 0; i < 20000; ++i) {
     const ByteImage image = random_image(random);
     const Graph graph = skeleton_graph(image.view());
-    ByteImage drawn(image.width(), image.height());
-    for (const std::vector<Pixel>& list : {graph.node_pixels, graph.edge_pixels}) {
-      for (const Pixel p : list) {
-        ASSERT_EQ(drawn.at(p.x, p.y), 0);
-        drawn.at(p.x, p.y) = 255;
-      }
-    }
-    ASSERT_TRUE(equal(drawn.view(), image.view()));
-    ASSERT_EQ(static_cast<std::int64_t>(graph.nodes.size()) -
-                  static_cast<std::int64_t>(graph.edges.size()),
-              euler_number(image.view()));
-  }
-}
-
-/// What does not depend on the order: kinds and sizes of nodes, ends and lengths of edges.
-auto summary_of(const Graph& graph, bool transposed) {
-  std::multiset<std::tuple<int, std::int32_t, std::int32_t>> nodes;
-  for (const GraphNode& node : graph.nodes) {
-    if (node.kind == cycle) continue;  // its pixel depends on the order
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    for (const Pixel p : graph.pixels_of(node)) {
-      x += p.x;
-      y += p.y;
-    }
-    if (transposed) std::swap(x, y);
-    nodes.emplace(static_cast<int>(node.kind), x, y);
-  }
-  std::multiset<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges;
-  for (const GraphEdge& edge : graph.edges) {
-    edges.emplace(edge.pixel_count, edge.steps.horizontal + edge.steps.vertical,
-                  edge.steps.diagonal);
-  }
-  return std::pair(nodes, edges);
-}
-
-TEST(SkeletonGraph, of_a_transposed_image_is_the_same_up_to_order) {
-  std::mt19937 random(2);
-  for (int i = 0; i < 2000; ++i) {
-    const ByteImage image = random_image(random);
-    ASSERT_EQ(summary_of(skeleton_graph(image.view()), false),
-              summary_of(skeleton_graph(transposed(image).view()), true));
+    ASSERT_TRUE(graph == reference::skeleton_graph(image.view()));
+    ByteImage classes(image.width(), image.height());
+    classify_pixels(image.view(), classes.view(), {});
+    ASSERT_TRUE(equal(classes.view(), classes_by(graph, image).view()));
+    Index pixels = 0;
+    mapped(image, [&](int pixel) { return pixels += pixel != 0; });
+    ASSERT_EQ(std::ssize(graph.node_pixels) + std::ssize(graph.edge_pixels), pixels);
+    ASSERT_EQ(std::ssize(graph.nodes) - std::ssize(graph.edges), euler_number(image.view()));
   }
 }
 
@@ -379,124 +295,61 @@ TEST(Prune, equals_the_plain_method) {
 
 TEST(Prune, rejects_unsuitable_arguments) {
   ByteImage image = image_of(kSpurs);
-  const auto rejected = [&](const Pruning& pruning) {
-    return rejection_of([&] { prune(image.view(), image.view(), pruning); });
-  };
-  EXPECT_EQ(rejected({.min_length = -1}),
-            "min_length: expected a finite number of at least 0, got -1");
-  EXPECT_EQ(rejected({.min_length = std::nan("")}),
-            "min_length: expected a finite number of at least 0, got nan");
-  EXPECT_EQ(rejected({.min_widths = 1}), "min_widths: expected distances of size 12 x 5");
-  EXPECT_EQ(rejected({.spacing = {1, 0}}),
-            "spacing: expected numbers from 1e-30 to 1e30, got 1, 0");
-  EXPECT_EQ(text_of(image), kSpurs);
-}
-
-TEST(Prune, rejects_distances_whose_rows_overlap) {
-  ByteImage image = image_of(kSpurs);
   const std::vector<double> numbers(60, 1);
-  for (const Index stride : {Index{-12}, Index{11}}) {
+  const auto in_widths = [&](Index stride) {
     Pruning pruning = {.min_widths = 1};
     pruning.distances = {numbers.data(), 12, 5, stride};
-    EXPECT_EQ(rejection_of([&] { prune(image.view(), image.view(), pruning); }),
-              "distances has a stride of " + std::to_string(stride) + ", below its width of 12");
+    return pruning;
+  };
+  for (const auto& [pruning, part] : std::vector<std::pair<Pruning, std::string>>{
+           {{.min_length = -1}, "min_length: expected a finite number of at least 0, got -1"},
+           {{.min_length = std::nan("")},
+            "min_length: expected a finite number of at least 0, got"},
+           {{.min_widths = 1}, "min_widths: expected distances of size 12 x 5"},
+           {{.spacing = {1, 0}}, "spacing: expected numbers from 1e-30 to 1e30, got 1, 0"},
+           {in_widths(-12), "distances has a stride of -12, below its width of 12"},
+           {in_widths(11), "distances has a stride of 11, below its width of 12"}}) {
+    expect_rejected([&, given = pruning] { prune(image.view(), image.view(), given); }, part);
   }
   EXPECT_EQ(text_of(image), kSpurs);
 }
 
 TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
-  const Graph graph = graph_of({"###"});
-  const std::vector<double> distances = {1, 3, 2.5};
-  const std::vector<EdgeWidths> widths = edge_widths(graph, {distances.data(), 3, 1});
-  ASSERT_EQ(widths.size(), 1U);
-  EXPECT_DOUBLE_EQ(widths[0].mean, 13.0 / 3);
-  EXPECT_DOUBLE_EQ(widths[0].median, 5);
-  EXPECT_DOUBLE_EQ(widths[0].least, 2);
-  EXPECT_DOUBLE_EQ(widths[0].greatest, 6);
-  EXPECT_NE(rejection_of([&] {
-              static_cast<void>(edge_widths(graph, {distances.data(), 2, 1}));
-            }),
-            "");
-}
-
-TEST(EdgeWidths, have_the_mean_of_both_middle_ones_as_median_of_an_even_number) {
-  const Graph graph = graph_of({"####"});
-  const std::vector<double> distances = {8, 1, 2, 3};
-  EXPECT_DOUBLE_EQ(edge_widths(graph, {distances.data(), 4, 1}).at(0).median, 5);
-}
-
-TEST(EdgeWidths, are_least_and_greatest_anywhere_on_the_line) {
-  const Graph graph = graph_of({"#####"});
-  const std::vector<double> distances = {2, 4, 3, 1, 2};
-  const std::vector<EdgeWidths> widths = edge_widths(graph, {distances.data(), 5, 1});
-  EXPECT_DOUBLE_EQ(widths.at(0).mean, 4.8);
-  EXPECT_DOUBLE_EQ(widths.at(0).least, 2);
-  EXPECT_DOUBLE_EQ(widths.at(0).greatest, 8);
-}
-
-TEST(EdgeWidths, reject_distances_without_data_or_with_rows_that_overlap) {
-  const Graph graph = graph_of({"###", "###"});
-  const std::vector<double> numbers(6, 1);
-  const auto rejected = [&](const View<const double>& distances) {
-    return rejection_of([&] { static_cast<void>(edge_widths(graph, distances)); });
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  struct Case {
+    std::vector<double> distances;
+    EdgeWidths widths;  // mean, median, least, greatest
   };
-  EXPECT_EQ(rejected({nullptr, 3, 2}), "distances has no data");
-  EXPECT_TRUE(edge_widths({}, {nullptr, 3, 0}).empty());
-  EXPECT_EQ(rejected({numbers.data(), 3, 2, -3}),
-            "distances has a stride of -3, below its width of 3");
-}
-
-TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
-  const Graph graph = graph_of({"#.....#",  //
-                                ".#...#.",  //
-                                "..#.#..",  //
-                                "...#..."});
-  const std::vector<Pixel> points = points_of(graph, graph.edges.at(0));
-  EXPECT_EQ(polyline(points, 1), (std::vector<Pixel>{{0, 0}, {3, 3}, {6, 0}}));
-  EXPECT_EQ(polyline(points, 3), (std::vector<Pixel>{{0, 0}, {6, 0}}));
-  EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(points, -1)); }), "");
-}
-
-TEST(Polyline, measures_from_lines_of_one_step_too) {
-  const std::vector<Pixel> points = {{0, 0}, {4, 0}, {1, 0}};
-  EXPECT_EQ(polyline(points, 3), (std::vector<Pixel>{{0, 0}, {1, 0}}));
-}
-
-TEST(Polyline, of_straight_lines_has_two_points_without_any_tolerance) {
-  for (std::int32_t length = 2; length <= 500; ++length) {
-    std::vector<Pixel> row, diagonal;
-    for (std::int32_t i = 0; i < length; ++i) {
-      row.push_back({7, 3 + i});
-      diagonal.push_back({1 + i, 9 - i});
-    }
-    ASSERT_EQ(polyline(row, 0).size(), 2U);
-    ASSERT_EQ(polyline(diagonal, 0).size(), 2U);
+  for (const auto& [distances, expected] :
+       std::vector<Case>{{{1, 3, 2.5}, {13.0 / 3, 5, 2, 6}},
+                         {{8, 1, 2, 3}, {7, 5, 2, 16}},  // the mean of both middle ones
+                         {{2, 4, 3, 1, 2}, {4.8, 4, 2, 8}},
+                         {{infinity, infinity}, {infinity, infinity, infinity, infinity}}}) {
+    const Graph graph = graph_of({std::string(distances.size(), '#')});
+    const auto width = static_cast<Index>(distances.size());
+    const auto found = edge_widths(graph, {distances.data(), width, 1});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_DOUBLE_EQ(found[0].mean, expected.mean);
+    EXPECT_DOUBLE_EQ(found[0].median, expected.median);
+    EXPECT_DOUBLE_EQ(found[0].least, expected.least);
+    EXPECT_DOUBLE_EQ(found[0].greatest, expected.greatest);
   }
 }
 
-TEST(EdgeWidths, without_background_are_infinite) {
-  const Graph graph = graph_of({"###"});
-  const std::vector<double> distances(3, std::numeric_limits<double>::infinity());
-  const EdgeWidths width = edge_widths(graph, {distances.data(), 3, 1}).at(0);
-  EXPECT_TRUE(std::isinf(width.mean) && std::isinf(width.least) && std::isinf(width.greatest));
-}
-
-TEST(Polyline, of_no_points_is_empty) {
-  EXPECT_EQ(polyline({}, 1), std::vector<Pixel>());
-}
-
-TEST(Polyline, takes_points_as_far_apart_as_numbers_allow) {
-  constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
-  const std::vector<Pixel> points = {{-far - 1, 0}, {0, 3}, {far, 0}};
-  EXPECT_EQ(polyline(points, 3.5), (std::vector<Pixel>{points[0], points[2]}));
-  EXPECT_EQ(polyline(points, 2.5), points);
-}
-
-TEST(Polyline, of_a_closed_line_keeps_what_is_far_from_its_start) {
-  const Graph graph = graph_of({".###.",  //
-                                "#...#",  //
-                                ".###."});
-  EXPECT_GE(polyline(points_of(graph, graph.edges.at(0)), 0.5).size(), 4U);
+TEST(EdgeWidths, reject_distances_that_do_not_fit) {
+  const Graph graph = graph_of({"###", "###"});
+  const std::vector<double> numbers(6, 1);
+  const auto expect_widths_rejected = [&](const View<const double>& distances, const char* part) {
+    expect_rejected([&] { static_cast<void>(edge_widths(graph, distances)); }, part);
+  };
+  expect_widths_rejected({nullptr, 3, 2}, "distances has no data");
+  expect_widths_rejected({numbers.data(), 3, 2, -3}, "distances has a stride of -3, below its");
+  expect_rejected(
+      [&] {
+        static_cast<void>(edge_widths(graph_of({"###"}), {numbers.data(), 2, 1}));
+      },
+      "distances");
+  EXPECT_TRUE(edge_widths({}, {nullptr, 3, 0}).empty());
 }
 
 }  // namespace

@@ -3,15 +3,16 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "graph.hpp"
-#include "support/byte_image.hpp"
+#include "support/rejection.hpp"
+#include "support/text_image.hpp"
 #include "thinbench/graph.hpp"
-#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
@@ -88,29 +89,44 @@ TEST(Polyline, equals_the_plain_method_on_square_waves) {
   }
 }
 
-TEST(Polyline, equals_the_plain_method_on_circles_and_spirals) {
-  for (const double turns : {0.25, 1.0, 7.5}) {
-    Line line;
-    for (int i = 0; i <= 5000; ++i) {
-      const double angle = turns * 6.283185307179586 * i / 5000;
-      const double radius = turns <= 1 ? 3000 : 0.5 * i;
-      line.push_back({static_cast<std::int32_t>(std::lround(radius * std::cos(angle))),
-                      static_cast<std::int32_t>(std::lround(radius * std::sin(angle)))});
+TEST(Polyline, keeps_what_is_farther_than_the_tolerance) {
+  const Graph graph = skeleton_graph(image_of({"#.....#",  //
+                                               ".#...#.",  //
+                                               "..#.#..",  //
+                                               "...#..."})
+                                         .view());
+  const Line points = points_of(graph, graph.edges.at(0));
+  EXPECT_EQ(polyline(points, 1), (Line{{0, 0}, {3, 3}, {6, 0}}));
+  EXPECT_EQ(polyline(points, 3), (Line{{0, 0}, {6, 0}}));
+  EXPECT_NE(rejection_of([&] { static_cast<void>(polyline(points, -1)); }), "");
+}
+
+TEST(Polyline, measures_from_lines_of_one_step_too) {
+  const Line points = {{0, 0}, {4, 0}, {1, 0}};
+  EXPECT_EQ(polyline(points, 3), (Line{{0, 0}, {1, 0}}));
+}
+
+TEST(Polyline, of_straight_lines_has_two_points_without_any_tolerance) {
+  for (std::int32_t length = 2; length <= 500; ++length) {
+    Line row, diagonal;
+    for (std::int32_t i = 0; i < length; ++i) {
+      row.push_back({7, 3 + i});
+      diagonal.push_back({1 + i, 9 - i});
     }
-    must_equal_the_plain_method(line);
+    ASSERT_EQ(polyline(row, 0).size(), 2U);
+    ASSERT_EQ(polyline(diagonal, 0).size(), 2U);
   }
 }
 
-TEST(Polyline, equals_the_plain_method_on_graphs) {
-  std::mt19937 random(3);
-  ByteImage image(400, 300);
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) image.at(x, y) = random() % 3 == 0 ? 255 : 0;
-  }
-  thin(Rule::guo_hall, image.view(), image.view());
-  const Graph graph = skeleton_graph(image.view());
-  ASSERT_GT(graph.edges.size(), 100U);
-  for (const GraphEdge& edge : graph.edges) must_equal_the_plain_method(points_of(graph, edge));
+TEST(Polyline, of_no_points_is_empty) {
+  EXPECT_EQ(polyline({}, 1), Line());
+}
+
+TEST(Polyline, takes_points_as_far_apart_as_numbers_allow) {
+  constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+  const Line points = {{-far - 1, 0}, {0, 3}, {far, 0}};
+  EXPECT_EQ(polyline(points, 3.5), (Line{points[0], points[2]}));
+  EXPECT_EQ(polyline(points, 2.5), points);
 }
 
 template <class Method>

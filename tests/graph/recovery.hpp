@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "graph/drawing.hpp"
-#include "support/byte_image.hpp"
+#include "support/made_image.hpp"
 
 namespace thinbench {
 
@@ -22,24 +22,18 @@ inline constexpr int kMazes = 150;
 inline constexpr int kTrees = 200;
 inline constexpr int kCircles = 60;
 inline constexpr int kWheels = 160;
-inline constexpr int kSpirals = 90;
-inline constexpr int kScales = 12;
-inline constexpr int kLetters = 19 * kScales;
 inline constexpr int kCrossings = 207;
 inline constexpr int kWholeCrossings = 100;
 inline constexpr int kStars = 100;
 inline constexpr int kCompassStars = 161;
-static_assert(kGrids + kMazes + kTrees + kCircles + kWheels + kSpirals + kLetters + kCrossings +
-                  kWholeCrossings + kStars + kCompassStars >=
+static_assert(kGrids + kMazes + kTrees + kCircles + kWheels + kCrossings + kWholeCrossings +
+                  kStars + kCompassStars >=
               1000);
 
 /// Beside more background than the drawing has, so that lines meet the ends of words anywhere.
 inline ByteImage placed(const ConstImageView& drawing, Index left) {
-  ByteImage image(left + drawing.width, drawing.height);
-  for (Index y = 0; y < drawing.height; ++y) {
-    for (Index x = 0; x < drawing.width; ++x) image.at(left + x, y) = drawing.row(y)[x];
-  }
-  return image;
+  return image_by(left + drawing.width, drawing.height,
+                  [&](Index x, Index y) { return x < left ? 0 : drawing.row(y)[x - left]; });
 }
 
 /// The true node that a found one is, or else the number of true nodes.

@@ -26,9 +26,9 @@ using Counts = std::array<std::size_t, detail::kIsas.size()>;
 using Table = std::map<std::string, Counts>;
 
 std::string header() {
-  std::string text = "case";
-  for (const Isa isa : all_isas()) text.append("\t").append(isa_name(isa));
-  return text;
+  std::string text;
+  for (const Isa isa : all_isas()) text.append(isa_name(isa)).append("\t");
+  return text + "cases";
 }
 
 /// The technique of each variant at an ISA, peers excluded.
@@ -51,13 +51,15 @@ Table table_of_operations() {
   return table;
 }
 
+/// A line for the cases with the same numbers.
 void write_table(const std::string& path, const Table& table) {
+  std::map<Counts, std::string> names;
+  for (const auto& [name, counts] : table) names[counts] += ' ' + name;
   std::ofstream file(path);
   file << header() << '\n';
-  for (const auto& [name, counts] : table) {
-    file << name;
-    for (const std::size_t count : counts) file << '\t' << count;
-    file << '\n';
+  for (const auto& [counts, list] : names) {
+    for (const std::size_t count : counts) file << count << '\t';
+    file << list.substr(1) << '\n';
   }
 }
 
@@ -69,12 +71,10 @@ Table read_table(const std::string& path) {
   Table table;
   while (std::getline(file, line)) {
     std::istringstream columns(line);
-    std::string name;
     Counts counts{};
-    std::getline(columns, name, '\t');
     for (std::size_t& count : counts) columns >> count;
     EXPECT_TRUE(columns) << path << ": truncated: " << line;
-    table[name] = counts;
+    for (std::string name; columns >> name;) table[name] = counts;
   }
   return table;
 }

@@ -10,15 +10,14 @@
 #include "images/image_file.hpp"
 #include "images/mat_of.hpp"
 #include "scene/scene.hpp"
-#include "support/temporary_directory.hpp"
+#include "support/made_image.hpp"
+#include "support/own_directory.hpp"
 
 namespace thinbench {
 namespace {
 
 ByteImage all_levels() {
-  ByteImage image(256, 1);
-  for (Index x = 0; x < 256; ++x) image.at(x, 0) = static_cast<std::uint8_t>(x);
-  return image;
+  return image_by(256, 1, [](Index x, Index) { return x; });
 }
 
 /// A rectangle of level `part` on level `ground`.
@@ -47,51 +46,44 @@ constexpr BinariseOptions dark_below(int threshold) {
   return {Foreground::dark, threshold};
 }
 
-TEST(Binarise, bright_foreground_is_at_or_above_the_threshold) {
-  const ByteImage image = binarised(all_levels(), bright_from(60)).image;
-  for (Index x = 0; x < 256; ++x) EXPECT_EQ(image.at(x, 0), x >= 60 ? 255 : 0) << x;
-  EXPECT_EQ(foreground_pixels(image.view()), 196);
-}
-
-TEST(Binarise, dark_foreground_is_below_the_threshold) {
-  const BinaryImage binary = binarised(all_levels(), dark_below(60));
-  for (Index x = 0; x < 256; ++x) EXPECT_EQ(binary.image.at(x, 0), x < 60 ? 255 : 0) << x;
-  EXPECT_EQ(binary.foreground_share, 60.0 / 256);
-}
-
-TEST(Binarise, accepts_thresholds_0_and_255) {
-  EXPECT_EQ(binarised(all_levels(), bright_from(0)).foreground_share, 1);
-  EXPECT_EQ(foreground_pixels(binarised(all_levels(), bright_from(255)).image.view()), 1);
-  EXPECT_EQ(binarised(all_levels(), dark_below(0)).foreground_share, 0);
-}
-
-TEST(Binarise, default_threshold_equals_opencvs_otsu_threshold) {
-  for (const ByteImage& grey :
-       {grey_noise_image(90, 40, 0, 255, 1), grey_noise_image(7, 50, 90, 99, 2),
-        copy_of(render_scene().grey.view()), rectangle(31, 77), all_levels()}) {
-    cv::Mat expected;
-    const double level = cv::threshold(mat_of(grey.view()), expected, 0, 255, cv::THRESH_OTSU);
-    const BinaryImage bright = binarised(grey, {Foreground::bright});
-    EXPECT_EQ(bright.threshold, level + 1);
-    EXPECT_EQ(cv::norm(mat_of(bright.image.view()), expected, cv::NORM_INF), 0);
-    const ByteImage again = binarised(grey, bright_from(bright.threshold)).image;
-    EXPECT_TRUE(equal(again.view(), bright.image.view())) << "with the reported threshold";
+TEST(Binarise, bright_foreground_is_at_or_above_the_threshold_and_dark_below) {
+  for (const int threshold : {0, 60, 255}) {
+    const BinaryImage bright = binarised(all_levels(), bright_from(threshold));
+    const BinaryImage dark = binarised(all_levels(), dark_below(threshold));
+    for (Index x = 0; x < 256; ++x) {
+      EXPECT_EQ(bright.image.at(x, 0), x >= threshold ? 255 : 0) << x;
+      EXPECT_EQ(dark.image.at(x, 0), x < threshold ? 255 : 0) << x;
+    }
+    EXPECT_EQ(foreground_pixels(bright.image.view()), 256 - threshold);
+    EXPECT_EQ(bright.foreground_share, (256 - threshold) / 256.0);
+    EXPECT_EQ(dark.foreground_share, threshold / 256.0);
   }
 }
 
-TEST(Binarise, default_threshold_equals_opencvs_on_random_levels) {
+/// Compares the threshold, and the pixels by it, with OpenCV's.
+void expect_otsu(const ByteImage& grey) {
+  cv::Mat expected;
+  const double level = cv::threshold(mat_of(grey.view()), expected, 0, 255, cv::THRESH_OTSU);
+  const BinaryImage bright = binarised(grey, {Foreground::bright});
+  EXPECT_EQ(bright.threshold, static_cast<int>(level) + 1);
+  if (bright.only_level) return;
+  EXPECT_EQ(cv::norm(mat_of(bright.image.view()), expected, cv::NORM_INF), 0);
+  const ByteImage again = binarised(grey, bright_from(bright.threshold)).image;
+  EXPECT_TRUE(equal(again.view(), bright.image.view())) << "with the reported threshold";
+}
+
+TEST(Binarise, default_threshold_equals_opencvs_otsu_threshold) {
+  expect_otsu(grey_noise_image(90, 40, 0, 255, 1));
+  expect_otsu(grey_noise_image(7, 50, 90, 99, 2));
+  expect_otsu(render_scene().grey);
+  expect_otsu(rectangle(31, 77));
+  expect_otsu(all_levels());
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    ByteImage grey(static_cast<Index>(1 + seed % 23), static_cast<Index>(1 + seed % 17));
     const std::uint64_t levels = 1 + seed % 255;
-    for (Index y = 0; y < grey.height(); ++y) {
-      for (Index x = 0; x < grey.width(); ++x) {
-        const auto index = static_cast<std::uint64_t>(y * grey.width() + x);
-        grey.at(x, y) = static_cast<std::uint8_t>(splitmix64(seed, index) % levels);
-      }
-    }
-    cv::Mat ignored;
-    const double level = cv::threshold(mat_of(grey.view()), ignored, 0, 255, cv::THRESH_OTSU);
-    EXPECT_EQ(binarised(grey).threshold, static_cast<int>(level) + 1) << seed;
+    const auto width = static_cast<Index>(1 + seed % 23);
+    expect_otsu(image_by(width, static_cast<Index>(1 + seed % 17), [&](Index x, Index y) {
+      return splitmix64(seed, static_cast<std::uint64_t>(y * width + x)) % levels;
+    }));
   }
 }
 
@@ -137,43 +129,39 @@ TEST(LikelyForeground, is_right_on_the_scenes_grey_and_binary) {
   }
 }
 
-TEST(Remarks, name_the_automatic_choices_and_the_options_that_override_them) {
-  EXPECT_EQ(remarks(rectangle(200, 40)),
-            "note: a.png: foreground is dark (grey level < 41); --foreground bright and "
-            "--threshold N override this\n");
-  EXPECT_EQ(remarks(rectangle(40, 200), {Foreground::automatic, 90}),
-            "note: a.png: foreground is bright (grey level >= 90); --foreground dark overrides "
-            "this\n");
-  EXPECT_EQ(remarks(rectangle(40, 200), {Foreground::bright}),
-            "note: a.png: foreground is bright (grey level >= 41); --threshold N overrides this\n");
-  EXPECT_EQ(remarks(rectangle(40, 200), bright_from(90)), "");
-}
-
-TEST(Remarks, are_omitted_for_binary_images_unless_the_foreground_is_dark) {
-  EXPECT_EQ(remarks(rectangle(0, 255)), "");
-  EXPECT_EQ(remarks(rectangle(0, 255), {Foreground::bright}), "");
-  EXPECT_EQ(
-      remarks(rectangle(255, 0)),
-      "note: a.png: foreground is dark (grey level < 1); --foreground bright overrides this\n");
-  EXPECT_EQ(remarks(rectangle(255, 0), {Foreground::dark}), "");
-}
-
-TEST(Remarks, warn_of_more_than_half_foreground) {
-  EXPECT_EQ(remarks(rectangle(200, 40), bright_from(90)),
-            "warning: a.png: 91.0 % of the image is foreground; --foreground dark takes the rest "
-            "instead\n");
-  EXPECT_EQ(remarks(rectangle(40, 200), dark_below(90)),
-            "warning: a.png: 91.0 % of the image is foreground; --foreground bright takes the rest "
-            "instead\n");
-  EXPECT_EQ(remarks(rectangle(200, 40, {0, 0, 20, 30}), bright_from(90)), "") << "exactly half";
-}
-
-TEST(Remarks, warn_of_images_of_one_level_with_any_options) {
+TEST(Remarks, name_the_choices_and_what_overrides_them_and_warn_of_images_of_one_class) {
+  const std::string dark = "note: a.png: foreground is dark (grey level < ";
+  const std::string bright = "note: a.png: foreground is bright (grey level >= ";
+  const std::string most = "warning: a.png: 91.0 % of the image is foreground; --foreground ";
   const std::string same = "warning: a.png: all pixels have the same grey level, ";
-  EXPECT_EQ(remarks(rectangle(77, 77)), same + "77: none is foreground\n");
-  EXPECT_EQ(remarks(ByteImage(9, 9)), same + "0: none is foreground\n");
-  EXPECT_EQ(remarks(rectangle(255, 255)), same + "255: none is foreground\n");
-  EXPECT_EQ(remarks(rectangle(77, 77), bright_from(70)), same + "77: all of them are foreground\n");
+  struct Case {
+    ByteImage image;
+    BinariseOptions options;
+    std::string expected;
+  };
+  const Case cases[] = {
+      {rectangle(200, 40), {}, dark + "41); --foreground bright and --threshold N override this\n"},
+      {rectangle(40, 200),
+       {Foreground::automatic, 90},
+       bright + "90); --foreground dark overrides this\n"},
+      {rectangle(40, 200), {Foreground::bright}, bright + "41); --threshold N overrides this\n"},
+      {rectangle(40, 200), bright_from(90), ""},
+      // Binary images need no remark unless their foreground is dark.
+      {rectangle(0, 255), {}, ""},
+      {rectangle(0, 255), {Foreground::bright}, ""},
+      {rectangle(255, 0), {}, dark + "1); --foreground bright overrides this\n"},
+      {rectangle(255, 0), {Foreground::dark}, ""},
+      {rectangle(200, 40), bright_from(90), most + "dark takes the rest instead\n"},
+      {rectangle(40, 200), dark_below(90), most + "bright takes the rest instead\n"},
+      {rectangle(200, 40, {0, 0, 20, 30}), bright_from(90), ""},  // exactly half
+      {rectangle(77, 77), {}, same + "77: none is foreground\n"},
+      {ByteImage(9, 9), {}, same + "0: none is foreground\n"},
+      {rectangle(255, 255), {}, same + "255: none is foreground\n"},
+      {rectangle(77, 77), bright_from(70), same + "77: all of them are foreground\n"},
+  };
+  for (const auto& [image, options, expected] : cases) {
+    EXPECT_EQ(remarks(image, options), expected);
+  }
 }
 
 TEST(Remarks, warn_of_classes_that_overlap_unless_the_threshold_is_given) {
@@ -194,14 +182,14 @@ TEST(Separation, is_three_quarters_for_uniform_levels_and_1_for_two_levels) {
   EXPECT_EQ(binarised(rectangle(100, 101)).separation, 1);
 }
 
-TEST(ReadBinary, binarises_the_file_and_prints_remarks) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.file("a.png");
-  write_grey(file, rectangle(200, 40).view());
+using ReadBinary = OwnDirectory;
+
+TEST_F(ReadBinary, binarises_the_file_and_prints_remarks) {
+  write_grey("a.png", rectangle(200, 40).view());
   std::ostringstream log;
-  EXPECT_EQ(foreground_pixels(read_binary(file, {}, &log).view()), 12 * 9);
-  EXPECT_EQ(log.str().find("note: " + file + ": foreground is dark"), 0U) << log.str();
-  EXPECT_EQ(foreground_pixels(read_binary(file, bright_from(90)).view()), 40 * 30 - 12 * 9);
+  EXPECT_EQ(foreground_pixels(read_binary("a.png", {}, &log).view()), 12 * 9);
+  EXPECT_EQ(log.str().find("note: a.png: foreground is dark"), 0U) << log.str();
+  EXPECT_EQ(foreground_pixels(read_binary("a.png", bright_from(90)).view()), 40 * 30 - 12 * 9);
 }
 
 TEST(ForegroundPixels, ignores_bytes_between_rows) {

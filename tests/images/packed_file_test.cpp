@@ -7,18 +7,19 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
+#include "support/own_directory.hpp"
 #include "support/packed_image.hpp"
-#include "support/rejection.hpp"
-#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
 
-TEST(PbmFormat, header_may_have_comments_and_any_spaces) {
-  const TemporaryDirectory directory;
+using PbmFormat = OwnDirectory;
+
+TEST_F(PbmFormat, header_may_have_comments_and_any_spaces) {
   for (const std::string header :
        {"P4\n12 3\n", "P4 12 3 ", "P4\n# a\n# b 7\n12\t# c\n\n3\n", "P4#\n12 3\r"}) {
-    const PackedFormat format = pbm_format(directory.with("image", header + "......"));
+    put("image", header + "......");
+    const PackedFormat format = pbm_format("image");
     EXPECT_EQ(format.width, 12) << header;
     EXPECT_EQ(format.height, 3) << header;
     EXPECT_EQ(format.header, header);
@@ -26,15 +27,15 @@ TEST(PbmFormat, header_may_have_comments_and_any_spaces) {
   }
 }
 
-TEST(PackedFile, blocks_copied_one_by_one_give_the_image_with_clear_unused_bits) {
-  const TemporaryDirectory directory;
+using PackedFileBlocks = OwnDirectory;
+
+TEST_F(PackedFileBlocks, blocks_copied_one_by_one_give_the_image_with_clear_unused_bits) {
   for (const BitOrder order : {BitOrder::msb_first, BitOrder::lsb_first}) {
     const ByteImage image = noise_image(83, 21, 50, 1, 4);
     const PackedFormat format = {83, 21, order};
-    const std::string path =
-        directory.with("in", raw_bytes(PackedImage(image.view(), order, 0, 0xFF)));
-    const PackedFile source = PackedFile::open(path, format);
-    const PackedFile target = PackedFile::create(directory.file("out"), format);
+    put("in", raw_bytes(PackedImage(image.view(), order, 0, 0xFF)));
+    const PackedFile source = PackedFile::open("in", format);
+    const PackedFile target = PackedFile::create("out", format);
     for (const Block& block :
          {Block{0, 0, 83, 4}, Block{0, 4, 32, 17}, Block{32, 4, 51, 9}, Block{32, 13, 51, 8}}) {
       std::vector<std::uint8_t> bytes(static_cast<std::size_t>(block.row_bytes() * block.height));

@@ -8,16 +8,14 @@
 
 #include "support/filled_image.hpp"
 #include "support/flood_fill.hpp"
+#include "support/made_image.hpp"
 #include "support/property_images.hpp"
-#include "thinbench/thinning.hpp"
 
 namespace thinbench {
 namespace {
 
 ByteImage scanned(const ByteImage& image, Directions directions = {}) {
-  ByteImage result(image.width(), image.height());
-  thin(Rule(directions), image.view(), result.view());
-  return result;
+  return thinned(Rule(directions), image);
 }
 
 Directions only(Direction direction) {

@@ -24,56 +24,47 @@ Directions only(Direction direction) {
 }
 
 /// The marks of the reference.
-TextImage marked(const TextImage& lines, Directions directions,
-                 Border border = Border::background) {
+TextImage marked(const TextImage& lines, Directions directions, Border border) {
   ByteImage image = image_of(lines);
   EXPECT_EQ(reference::midpoint_scan(directions, border, image.view(), image.view()), 1);
   return text_of(image);
 }
 
-TEST(ReferenceMidpointScan, rows_mark_the_middle_pixel_or_the_west_one_of_two) {
-  EXPECT_EQ(marked({"#.##.###.####"}, only(Direction::rows)), TextImage{"#.#...#...#.."});
-}
-
-TEST(ReferenceMidpointScan, runs_end_at_the_image_border) {
-  EXPECT_EQ(marked({"#####"}, only(Direction::rows)), TextImage{"..#.."});
-  EXPECT_EQ(marked({"####", "####"}, only(Direction::rows)), (TextImage{".#..", ".#.."}));
-}
-
-TEST(ReferenceMidpointScan, columns_mark_the_middle_pixel_or_the_north_one_of_two) {
-  EXPECT_EQ(marked({"#.#", "##.", ".##", "###"}, only(Direction::columns)),
-            (TextImage{"#.#", "...", ".##", "#.."}));
-}
-
-TEST(ReferenceMidpointScan, diagonals_go_down_to_the_east) {
-  EXPECT_EQ(marked({"#...", ".#..", "..#.", "...#"}, only(Direction::diagonals)),
-            (TextImage{"....", ".#..", "....", "...."}));
-  EXPECT_EQ(marked({"..#", ".#.", "#.."}, only(Direction::diagonals)),
-            (TextImage{"..#", ".#.", "#.."}));
-}
-
-TEST(ReferenceMidpointScan, antidiagonals_go_down_to_the_west) {
-  EXPECT_EQ(marked({"...#", "..#.", ".#..", "#..."}, only(Direction::antidiagonals)),
-            (TextImage{"....", "..#.", "....", "...."}));
-  EXPECT_EQ(marked({"..#", ".#.", "#.."}, only(Direction::antidiagonals)),
-            (TextImage{"...", ".#.", "..."}));
-}
-
-TEST(ReferenceMidpointScan, result_is_the_union_of_all_directions) {
-  // Diagonals of 1, 2, 3, 2, 1 pixels add the corners and the north pixel of each pair.
-  EXPECT_EQ(marked({"###", "###", "###"}, Directions{}), (TextImage{"###", "###", "###"}));
+TEST(ReferenceMidpointScan, marks_the_middle_of_each_run_or_the_first_of_two) {
   Directions two = only(Direction::rows);
   two.add(Direction::columns);
-  EXPECT_EQ(marked({"###", "###", "###"}, two), (TextImage{".#.", "###", ".#."}));
-  EXPECT_EQ(marked({"###"}, kNoDirections), TextImage{"..."});
-}
-
-TEST(ReferenceMidpointScan, keeps_the_border_on_request) {
-  EXPECT_EQ(marked({"###", "###", "###"}, only(Direction::rows), Border::keep),
-            (TextImage{"###", "###", "###"}));
-  EXPECT_EQ(marked({"#####", "#####", ".....", "####."}, only(Direction::rows), Border::keep),
-            (TextImage{"#####", "#.#.#", ".....", "####."}));
-  EXPECT_EQ(marked({"####"}, kNoDirections, Border::keep), TextImage{"####"});
+  const TextImage square = {"###", "###", "###"};
+  struct Case {
+    TextImage image;
+    Directions directions;
+    TextImage marks;
+    Border border = Border::background;
+  };
+  for (const auto& [image, directions, marks, border] : std::vector<Case>{
+           {{"#.##.###.####"}, only(Direction::rows), {"#.#...#...#.."}},
+           {{"#####"}, only(Direction::rows), {"..#.."}},  // runs end at the image border
+           {{"####", "####"}, only(Direction::rows), {".#..", ".#.."}},
+           {{"#.#", "##.", ".##", "###"}, only(Direction::columns), {"#.#", "...", ".##", "#.."}},
+           {{"#...", ".#..", "..#.", "...#"},
+            only(Direction::diagonals),
+            {"....", ".#..", "....", "...."}},
+           {{"..#", ".#.", "#.."}, only(Direction::diagonals), {"..#", ".#.", "#.."}},
+           {{"...#", "..#.", ".#..", "#..."},
+            only(Direction::antidiagonals),
+            {"....", "..#.", "....", "...."}},
+           {{"..#", ".#.", "#.."}, only(Direction::antidiagonals), {"...", ".#.", "..."}},
+           // Diagonals of 1, 2, 3, 2, 1 pixels add the corners and the north pixel of each pair.
+           {square, Directions{}, square},
+           {square, two, {".#.", "###", ".#."}},
+           {{"###"}, kNoDirections, {"..."}},
+           {square, only(Direction::rows), square, Border::keep},
+           {{"#####", "#####", ".....", "####."},
+            only(Direction::rows),
+            {"#####", "#.#.#", ".....", "####."},
+            Border::keep},
+           {{"####"}, kNoDirections, {"####"}, Border::keep}}) {
+    EXPECT_EQ(marked(image, directions, border), marks) << testing::PrintToString(image);
+  }
 }
 
 TEST(MidpointScan, every_variant_equals_the_reference_with_every_set_of_directions_and_border) {
@@ -108,7 +99,8 @@ TEST(MidpointScan, every_variant_equals_the_reference_on_runs_longer_than_short_
     for_each_state(detail::thinning_parameters(Rule::midpoint_scan, {}), width, height, 1,
                    [&](ThinningState& state, const std::string& name) {
                      state.run(full.view(), found.view());
-                     EXPECT_TRUE(equal(found.view(), expected.view())) << name << ", " << full.width();
+                     EXPECT_TRUE(equal(found.view(), expected.view()))
+                         << name << ", " << full.width();
                    });
   }
 }

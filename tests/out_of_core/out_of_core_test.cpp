@@ -2,6 +2,7 @@
 #include "out_of_core/out_of_core.hpp"
 
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "out_of_core/packed_files.hpp"
 #include "scene/scene.hpp"
 #include "support/file_size_limit.hpp"
+#include "support/made_image.hpp"
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
 #include "thinbench/thinning.hpp"
@@ -88,12 +90,9 @@ INSTANTIATE_TEST_SUITE_P(Rules, OutOfCore, testing::ValuesIn(rules_for_tiles()),
 
 TEST(OutOfCore, counts_the_iterations_of_a_long_last_pass) {
   // One thick bar among thin ones: its tile changes long after all others.
-  ByteImage image(500, 100);
-  for (Index y = 0; y < 100; ++y) {
-    for (Index x = 0; x < 500; ++x) {
-      image.at(x, y) = y % 8 < 3 || (x > 220 && x < 258 && y > 20 && y < 90) ? 255 : 0;
-    }
-  }
+  const ByteImage image = image_by(500, 100, [](Index x, Index y) {
+    return y % 8 < 3 || (x > 220 && x < 258 && y > 20 && y < 90) ? 255 : 0;
+  });
   for (const int iterations : {2, 7, 15, 16, 30}) {
     expect_equal_to_thin(image, {.rule = Rule::guo_hall}, iterations);
   }
@@ -135,55 +134,42 @@ PreparedRun prepared_noise(const OutOfCoreRun& options) {
   return {source, run};
 }
 
-/// Checks that nothing was written.
-std::string rejection_on_tiles(const OutOfCoreRun& options) {
-  const PreparedRun prepared = prepared_noise(options);
-  std::string error = rejection_of([&] { thin_out_of_core(prepared.run); });
+/// A run that must fail with these words, and leave nothing.
+void expect_run_rejected(const PreparedRun& prepared, const std::string& part) {
+  const std::string error = rejection_of<std::exception>([&] { thin_out_of_core(prepared.run); });
+  EXPECT_NE(error.find(part), std::string::npos) << error;
+  EXPECT_TRUE(is_one_sentence(error)) << error;
   EXPECT_EQ(prepared.directory.names(), Names{"in"});
-  return error;
 }
 
-TEST(OutOfCore, rules_without_a_bounded_reach_are_rejected) {
-  const std::string why =
+TEST(OutOfCore, rules_without_a_bounded_reach_and_those_that_add_pixels_are_rejected) {
+  const std::string reach =
       " cannot run on tiles; only rules that compute all pixels of a sub-iteration from the same "
       "image can";
-  EXPECT_EQ(rejection_on_tiles({.rule = Rule::spta}), "thin_spta" + why);
-  EXPECT_EQ(rejection_on_tiles({.rule = Rule::midpoint_scan}), "skeleton_scan" + why);
-  EXPECT_EQ(rejection_on_tiles({.rule = Rule(Directions{3})}), "skeleton_scan" + why);
-}
-
-TEST(OutOfCore, rules_that_add_pixels_and_foreground_outside_are_rejected) {
-  const std::string why =
+  const std::string adds =
       " cannot run on tiles; only rules that add no pixels, with background outside the image, can";
-  EXPECT_EQ(rejection_on_tiles({.rule = Rule::named("dilate")}), "dilate" + why);
-  EXPECT_EQ(rejection_on_tiles({.rule = Rule::named("majority")}), "majority" + why);
-  EXPECT_EQ(rejection_on_tiles({.rule = adding_rule()}), "custom" + why);
-  EXPECT_EQ(rejection_on_tiles({.rule = Rule::guo_hall, .thinning = {Border::foreground}}),
-            "thin_guo_hall" + why);
+  for (const auto& [rule, border, expected] : std::vector<std::tuple<Rule, Border, std::string>>{
+           {Rule::spta, Border::background, "thin_spta" + reach},
+           {Rule::midpoint_scan, Border::background, "skeleton_scan" + reach},
+           {Rule(Directions{3}), Border::background, "skeleton_scan" + reach},
+           {Rule::named("dilate"), Border::background, "dilate" + adds},
+           {Rule::named("majority"), Border::background, "majority" + adds},
+           {adding_rule(), Border::background, "custom" + adds},
+           {Rule::guo_hall, Border::foreground, "thin_guo_hall" + adds}}) {
+    OutOfCoreRun run{.rule = rule};
+    if (border == Border::foreground) run.thinning.border = border;
+    expect_run_rejected(prepared_noise(run), expected);
+  }
 }
 
-TEST(OutOfCore, input_of_another_length_is_rejected) {
+TEST(OutOfCore, what_cannot_be_read_or_written_is_reported_before_the_work) {
   PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
   prepared.run.format.height = 91;
-  EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
-            "cannot read '" + prepared.run.in + "': it has 1710 bytes; 150 x 91 pixels take 1729");
-  EXPECT_EQ(prepared.directory.names(), Names{"in"});
-}
-
-TEST(OutOfCore, missing_directory_is_reported_before_the_work) {
-  PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
-  prepared.run.out = prepared.directory.file("none/out");
-  EXPECT_EQ(rejection_of<FileError>([&] { thin_out_of_core(prepared.run); }),
-            "cannot write '" + prepared.run.out + "': there is no directory '" +
-                prepared.directory.file("none") + "'");
-}
-
-TEST(OutOfCore, too_little_space_is_reported_before_the_work) {
-  PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
+  expect_run_rejected(prepared, "in': it has 1710 bytes; 150 x 91 pixels take 1729");
   prepared.run.format = {Index{1} << 30, Index{1} << 30};
-  const std::string error = rejection_of<FileError>([&] { thin_out_of_core(prepared.run); });
-  EXPECT_NE(error.find("the work files need 288230376151.7 MB"), std::string::npos) << error;
-  EXPECT_TRUE(is_one_sentence(error)) << error;
+  expect_run_rejected(prepared, "the work files need 288230376151.7 MB");
+  prepared.run.out = prepared.directory.file("none/out");
+  expect_run_rejected(prepared, "none/out': there is no directory '");
 }
 
 TEST(OutOfCore, second_run_for_the_same_output_is_rejected) {

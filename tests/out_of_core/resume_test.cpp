@@ -14,7 +14,6 @@
 #include "harness/test_images.hpp"
 #include "out_of_core/checkpoint.hpp"
 #include "out_of_core/packed_files.hpp"
-#include "support/isa_parameters.hpp"
 #include "support/rejection.hpp"
 #include "support/unfinished_file.hpp"
 
@@ -142,6 +141,13 @@ Rule as_tables(const Rule& rule) {
   return Rule(rule.sub_iterations());
 }
 
+void expect_another_run(OutOfCoreRun run) {
+  run.resume = true;
+  const std::string error = rejection_of<FileError>([&] { thin_out_of_core(run); });
+  EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+  EXPECT_TRUE(is_one_sentence(error)) << error;
+}
+
 TEST(Resume, run_with_other_options_or_tables_is_rejected_and_keeps_the_files) {
   PreparedRun prepared = thick_strokes(as_tables(Rule::guo_hall));
   ASSERT_TRUE(run_and_kill(prepared.run, 40));
@@ -152,11 +158,8 @@ TEST(Resume, run_with_other_options_or_tables_is_rejected_and_keeps_the_files) {
   other_tables.rule = as_tables(Rule::zhang_suen);
   OutOfCoreRun other_order = prepared.run;
   other_order.format.order = BitOrder::lsb_first;
-  for (OutOfCoreRun other : {other_options, other_tables, other_order}) {
-    other.resume = true;
-    const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
-    EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
-    EXPECT_TRUE(is_one_sentence(error)) << error;
+  for (const OutOfCoreRun& other : {other_options, other_tables, other_order}) {
+    expect_another_run(other);
     EXPECT_EQ(prepared.directory.names(), names);
   }
   prepared.run.resume = true;
@@ -231,8 +234,7 @@ TEST(Resume, converted_files_are_unpacked_once_and_resumed_like_others) {
     OutOfCoreRun other = prepared.run;
     other.conversion.name = ", otherwise";
     if (tiles > 25) {
-      const std::string error = rejection_of<FileError>([&] { thin_out_of_core(other); });
-      EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+      expect_another_run(other);
       prepared.run.conversion.unpack = [](const PackedFile&) { ADD_FAILURE() << "unpacked again"; };
     }
     EXPECT_EQ(thin_out_of_core(prepared.run).iterations, expected.iterations);
@@ -240,22 +242,6 @@ TEST(Resume, converted_files_are_unpacked_once_and_resumed_like_others) {
     EXPECT_EQ(prepared.directory.names(), (Names{"in", "out"}));
   }
   EXPECT_GT(kills, 3);
-}
-
-TEST(Resume, invalid_enumerators_and_limits_are_rejected_before_there_is_a_file) {
-  PreparedRun prepared = thick_strokes();
-  const auto rejection = [&](const auto& change) {
-    OutOfCoreRun run = prepared.run;
-    change(run);
-    return rejection_of([&] { thin_out_of_core(run); });
-  };
-  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.thinning.border = static_cast<Border>(9); }),
-            "border: expected background, keep or foreground, got 9");
-  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.execution.isa = static_cast<Isa>(9); }),
-            "isa: expected one of " + all_isa_names() + ", got number 9");
-  EXPECT_EQ(rejection([](OutOfCoreRun& run) { run.thinning.max_iterations = 0; }),
-            "max_iterations: expected an integer of at least 1, got 0");
-  EXPECT_EQ(prepared.directory.names(), Names{"in"});
 }
 
 constexpr const char* kDamaged = "': the file is damaged; run without --resume to begin again";
@@ -335,8 +321,7 @@ TEST(Resume, another_input_of_the_same_size_and_time_is_rejected) {
   const auto time = std::filesystem::last_write_time(prepared.run.in);
   flip_a_bit(prepared.run.in);
   std::filesystem::last_write_time(prepared.run.in, time);
-  const std::string error = rejection_of<FileError>([&] { thin_out_of_core(prepared.run); });
-  EXPECT_NE(error.find("it belongs to another run"), std::string::npos) << error;
+  expect_another_run(prepared.run);
   flip_a_bit(prepared.run.in);  // its time is another, but not its pixels
   thin_out_of_core(prepared.run);
   EXPECT_TRUE(prepared.result() == undisturbed().bytes);

@@ -6,6 +6,7 @@
 #include "peers/peers.hpp"
 #include "scene/scene.hpp"
 #include "support/flood_fill.hpp"
+#include "support/made_image.hpp"
 #include "support/property_images.hpp"
 
 namespace thinbench {
@@ -57,11 +58,10 @@ std::ostream& operator<<(std::ostream& out, const Counts& counts) {
 
 /// Adds a margin of one background pixel, which connects all background outside of objects.
 ByteImage padded(const ByteImage& image) {
-  ByteImage result(image.width() + 2, image.height() + 2);
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) result.at(x + 1, y + 1) = image.at(x, y);
-  }
-  return result;
+  return image_by(image.width() + 2, image.height() + 2, [&](Index x, Index y) {
+    const bool inside = x > 0 && y > 0 && x <= image.width() && y <= image.height();
+    return inside ? image.at(x - 1, y - 1) : 0;
+  });
 }
 
 Counts counts_of(const ByteImage& image, int connectivity) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "regions/all_finders.hpp"
+#include "support/made_image.hpp"
 #include "support/text_image.hpp"
 
 namespace thinbench {
@@ -81,56 +82,12 @@ TEST(Holes, region_merged_from_many_runs_has_correct_sums) {
   });
 }
 
-/// A spiral of foreground, one pixel wide; its background is connected and open at the border.
-ByteImage spiral(Index size) {
-  ByteImage image(size, size);
-  Index x = 0;
-  Index y = 0;
-  Index dx = 1;
-  Index dy = 0;
-  const auto foreground_at = [&](Index at_x, Index at_y) {
-    return at_x >= 0 && at_x < size && at_y >= 0 && at_y < size && image.at(at_x, at_y) != 0;
-  };
-  for (int turns = 0; turns < 2;) {
-    image.at(x, y) = 255;
-    const Index next_x = x + dx;
-    const Index next_y = y + dy;
-    const bool inside = next_x >= 0 && next_x < size && next_y >= 0 && next_y < size;
-    if (inside && !foreground_at(next_x, next_y) && !foreground_at(next_x + dx, next_y + dy)) {
-      x = next_x;
-      y = next_y;
-      turns = 0;
-      continue;
-    }
-    dx = -std::exchange(dy, dx);
-    ++turns;
-  }
-  return image;
-}
-
-TEST(Holes, closed_spiral_is_one_object_with_one_hole) {
-  for (const Index size : {9, 64, 65, 129}) {
-    ByteImage image = spiral(size);
-    const Index background = size * size - reference::components(image.view()).objects[0].area;
-    image.at(0, 1) = 255;  // closes the opening
-    for_each_finder(image.view(), [&](const Regions& found, const std::string& finder) {
-      ASSERT_EQ(found.objects.size(), 1U) << finder << " at " << size;
-      ASSERT_EQ(found.holes.size(), 1U) << finder << " at " << size;
-      EXPECT_EQ(found.holes[0].area, background - 1) << finder << " at " << size;
-    });
-  }
-}
-
 TEST(Holes, wide_and_tall_images_do_not_overflow_narrow_sums) {
   for (const auto& [width, height] :
        {std::pair<Index, Index>{20000, 60}, {65534, 5}, {70000, 4}, {9, 3000}}) {
-    ByteImage image(width, height);
-    for (Index y = 0; y < height; ++y) {
-      for (Index x = 0; x < width; ++x) {
-        const bool on_border = x == 0 || y == 0 || x == width - 1 || y == height - 1;
-        image.at(x, y) = on_border || x == width / 2 ? 255 : 0;
-      }
-    }
+    const ByteImage image = image_by(width, height, [w = width, h = height](Index x, Index y) {
+      return x == 0 || y == 0 || x == w - 1 || y == h - 1 || x == w / 2 ? 255 : 0;
+    });
     const reference::Regions expected = reference::holes(image.view());
     ASSERT_EQ(expected.holes.size(), 2U);
     for_each_finder(image.view(),

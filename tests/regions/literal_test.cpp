@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "holes.hpp"
+#include "support/made_image.hpp"
 #include "support/text_image.hpp"
 
 namespace thinbench {
@@ -75,14 +76,10 @@ TEST(HolesLiteral, more_than_254_levels_are_rejected) {
 
 /// A plate with a row of one-pixel holes, `wall` pixels from its border and from each other.
 ByteImage plate_with_holes(Index holes, Index wall) {
-  ByteImage plate(holes * (wall + 1) + wall, 2 * wall + 1);
-  for (Index y = 0; y < plate.height(); ++y) {
-    for (Index x = 0; x < plate.width(); ++x) {
-      const bool hole = y == wall && x % (wall + 1) == wall && x < plate.width() - 1;
-      plate.at(x, y) = hole ? 0 : 255;
-    }
-  }
-  return plate;
+  const Index width = holes * (wall + 1) + wall;
+  return image_by(width, 2 * wall + 1, [=](Index x, Index y) {
+    return y == wall && x % (wall + 1) == wall && x < width - 1 ? 0 : 255;
+  });
 }
 
 TEST(HolesLiteral, is_correct_on_one_object_whose_walls_are_at_least_three_pixels_thick) {

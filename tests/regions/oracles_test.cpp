@@ -8,6 +8,7 @@
 
 #include "harness/test_images.hpp"
 #include "holes.hpp"
+#include "images/mat_of.hpp"
 #include "scene/scene.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/regions.hpp"
@@ -30,13 +31,9 @@ std::vector<Summary> summaries(const std::vector<Region>& regions) {
 
 /// The image with a margin of one background pixel.
 cv::Mat padded(const ByteImage& image) {
-  cv::Mat mat(static_cast<int>(image.height()) + 2, static_cast<int>(image.width()) + 2, CV_8U,
-              cv::Scalar(0));
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      mat.at<std::uint8_t>(static_cast<int>(y) + 1, static_cast<int>(x) + 1) = image.at(x, y);
-    }
-  }
+  ByteImage copy = copy_of(image.view());
+  cv::Mat mat;
+  cv::copyMakeBorder(mat_of(copy.view()), mat, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   return mat;
 }
 

@@ -20,22 +20,6 @@ void expect_equal(const RegionLists& found, const reference::Regions& expected) 
                          expected.objects.end()));
 }
 
-TEST(RegionsState, result_does_not_depend_on_the_previous_image) {
-  const ByteImage blocks = noise_image(300, 200, 50, 20, 3);
-  const ByteImage noise = noise_image(300, 200, 50, 1, 4);
-  const reference::Regions expected = reference::holes(blocks.view());
-  const RegionsOperation& operation = study::operation_of(RegionsTask::holes);
-  for (const RegionsVariant& variant : operation.variants) {
-    if (!unavailable_reason(variant, 300).empty()) continue;
-    const auto state = make_state(variant, 300, 200, {operation.key}, 4);
-    for (const auto& view : {blocks.view(), noise.view(), blocks.view()}) {
-      state->load(view);
-      state->compute();
-    }
-    expect_equal(state->regions(), expected);
-  }
-}
-
 /// Noise, on which a kernel gives up after some rows, below objects, on which it does not.
 ByteImage noise_below_blocks(Index height) {
   ByteImage image = noise_image(200, height, 50, 20, 7);
@@ -58,37 +42,6 @@ TEST(RegionsState, components_are_the_same_wherever_a_kernel_gives_up) {
         state->compute();
         expect_equal({state->regions().objects, {}},
                      {reference::components(one->view()).objects, {}});
-      }
-    }
-  }
-}
-
-TEST(RegionsState, compute_keeps_its_input_and_is_repeatable) {
-  const ByteImage image = noise_image(150, 70, 55, 3, 5);
-  for (const RegionsOperation& operation : study::regions_operations()) {
-    for (const RegionsVariant& variant : operation.variants) {
-      if (!unavailable_reason(variant, 150).empty()) continue;
-      const auto state = make_state(variant, 150, 70, {operation.key}, 2);
-      state->load(image.view());
-      state->compute();
-      state->compute();
-      if (operation.key == RegionsTask::holes) {
-        expect_equal(state->regions(), reference::holes(image.view()));
-      } else if (operation.key == RegionsTask::components) {
-        const std::vector<Region> expected = reference::components(image.view()).objects;
-        const auto found = state->regions().objects;
-        EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
-      } else if (operation.key == RegionsTask::euler_eight) {
-        EXPECT_EQ(state->number(), reference::euler_number(image.view()));
-      } else if (operation.key == RegionsTask::euler_four) {
-        EXPECT_EQ(state->number(), reference::euler_number_4(image.view()));
-      } else {
-        ByteImage expected(150, 70);
-        ByteImage found(150, 70);
-        const bool four = operation.key == RegionsTask::fill_four;
-        (four ? reference::fill_holes_4 : reference::fill_holes)(image.view(), expected.view());
-        state->store(found.view());
-        EXPECT_TRUE(equal(found.view(), expected.view()));
       }
     }
   }
@@ -130,17 +83,6 @@ TEST(RegionsState, rejects_results_of_other_tasks) {
     EXPECT_THROW((void)state_of(RegionsTask::fill, technique)->regions(), std::logic_error);
   }
   EXPECT_THROW((void)state_of(RegionsTask::euler_eight, "lut")->regions(), std::logic_error);
-}
-
-TEST(RegionsState, rejects_sizes_and_thread_counts_out_of_range) {
-  const RegionsVariant& variant = operation_of(RegionsTask::holes).variants.front();
-  const auto make = [&](Index width, Index height, int threads = 1) {
-    static_cast<void>(make_state(variant, width, height, {RegionsTask::holes}, threads));
-  };
-  EXPECT_THROW(make((Index{1} << 29) + 1, 1), std::invalid_argument);
-  EXPECT_THROW(make(1 << 17, 1 << 17), std::invalid_argument);
-  EXPECT_THROW(make(-1, 1), std::invalid_argument);
-  EXPECT_THROW(make(1, 1, kMaxThreads + 1), std::invalid_argument);
 }
 
 }  // namespace

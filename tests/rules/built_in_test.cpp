@@ -54,19 +54,6 @@ TEST(NaccacheShinghal, circuit_equals_the_keep_table_and_keeps_176_descriptors) 
   EXPECT_EQ(kept, 176);
 }
 
-TEST(NaccacheShinghal, is_symmetric_under_quarter_turns_and_reflection) {
-  const auto rotated = [](std::size_t k) { return (k << 2 | k >> 6) & 255; };
-  const auto reflected = [](std::size_t k) {
-    std::size_t m = 0;
-    for (std::size_t i = 0; i < 8; ++i) m |= (k >> i & 1) << ((12 - i) % 8);
-    return m;
-  };
-  for (std::size_t k = 0; k < 256; ++k) {
-    EXPECT_EQ(kTable[256 + k], kTable[256 + rotated(k)]) << k;
-    EXPECT_EQ(kTable[256 + k], kTable[256 + reflected(k)]) << k;
-  }
-}
-
 TEST(CountingPattern, enumerates_all_neighbourhoods) {
   for (int word = 0; word < 8; ++word) {
     for (int bit = 0; bit < 64; ++bit) {
@@ -250,15 +237,6 @@ TEST(ParallelRules, only_remove_pixels) {
     }
     (std::make_integer_sequence<int, Type::kSubIterations>{});
   });
-}
-
-TEST(Rotation, half_turn_swaps_opposite_neighbours) {
-  const Neighbourhood<int> n = {8, 0, 1, 2, 3, 4, 5, 6, 7};
-  const Neighbourhood<int> half = rotated<4>(n);
-  EXPECT_EQ(half.n0, 4);
-  EXPECT_EQ(half.n3, 7);
-  EXPECT_EQ(half.n7, 3);
-  EXPECT_EQ(half.p, 8);
 }
 
 }  // namespace

@@ -69,31 +69,30 @@ TEST(Patterns, whitespace_does_not_matter) {
 }
 
 TEST(Patterns, errors_name_pattern_column_and_what_was_expected) {
+  struct Case {
+    const char* typed;
+    int column;
+    std::string expected;
+  };
+  const std::string pixel = "a pixel (0, 1, '.' or X), nine in all, got ";
   const auto error = [](const std::string& pattern) {
     return rejection_of([&] {
       return table_from_patterns(Patterns{"1:(... ... ...)->0", pattern});
     });
   };
-  EXPECT_EQ(error(""), "pattern 2 '', column 1: expected an operation: 1, 4, M or N, got the end");
-  EXPECT_EQ(error("(... ... ...)->0"),
-            "pattern 2 '(... ... ...)->0', column 1: expected an operation: 1, 4, M or N, got '('");
-  EXPECT_EQ(error("4m:(... ... ...)->0"),
-            "pattern 2 '4m:(... ... ...)->0', column 2: expected an operation (1, 4, M or N) or "
-            "':', got 'm'");
-  EXPECT_EQ(error("1:(... ... ..)->0"),
-            "pattern 2 '1:(... ... ..)->0', column 14: expected a pixel (0, 1, '.' or X), nine in "
-            "all, got ')'");
-  EXPECT_EQ(error("1:(... ... ....)->0"),
-            "pattern 2 '1:(... ... ....)->0', column 15: expected ')', got '.'");
-  EXPECT_EQ(error("1:(... .2. ...)->0"),
-            "pattern 2 '1:(... .2. ...)->0', column 9: expected a pixel (0, 1, '.' or X), nine in "
-            "all, got '2'");
-  EXPECT_EQ(error("1:(... ... ...)>0"),
-            "pattern 2 '1:(... ... ...)>0', column 16: expected '-', got '>'");
-  EXPECT_EQ(error("1:(... ... ...)->2"),
-            "pattern 2 '1:(... ... ...)->2', column 18: expected the result, 0 or 1, got '2'");
-  EXPECT_EQ(error("1:(... ... ...)->01"),
-            "pattern 2 '1:(... ... ...)->01', column 19: expected the end, got '1'");
+  for (const auto& [typed, column, expected] :
+       std::vector<Case>{{"", 1, "an operation: 1, 4, M or N, got the end"},
+                         {"(... ... ...)->0", 1, "an operation: 1, 4, M or N, got '('"},
+                         {"4m:(... ... ...)->0", 2, "an operation (1, 4, M or N) or ':', got 'm'"},
+                         {"1:(... ... ..)->0", 14, pixel + "')'"},
+                         {"1:(... ... ....)->0", 15, "')', got '.'"},
+                         {"1:(... .2. ...)->0", 9, pixel + "'2'"},
+                         {"1:(... ... ...)>0", 16, "'-', got '>'"},
+                         {"1:(... ... ...)->2", 18, "the result, 0 or 1, got '2'"},
+                         {"1:(... ... ...)->01", 19, "the end, got '1'"}}) {
+    EXPECT_EQ(error(typed), std::string("pattern 2 '") + typed + "', column " +
+                                std::to_string(column) + ": expected " + expected);
+  }
   EXPECT_EQ(rejection_of([] { return table_from_patterns(Patterns(1001, "1:(.........)->0")); }),
             "expected at most 1000 patterns, got 1001");
   EXPECT_NE(error(std::string(1001, ' ')).find("expected at most 1000 characters, got 1001"),

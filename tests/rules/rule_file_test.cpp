@@ -2,14 +2,12 @@
 #include "rules/rule_file.hpp"
 
 #include <bit>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/stat.h>
 
-#include "support/temporary_directory.hpp"
-#include "support/whole_file.hpp"
+#include "support/own_directory.hpp"
+#include "support/rejection.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
 
@@ -20,33 +18,13 @@ using Json = nlohmann::json;
 
 const WindowTable kLife = table_from_hensel("B3/S23");
 
-/// The error's line, or "accepted".
-std::string error_of(const std::string& text) {
-  try {
-    (void)parse_rule(text, "rule.json");
-    return "accepted";
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-}
-
-std::string error_of_file(const std::string& path) {
-  try {
-    (void)read_rule_file(path);
-    return "accepted";
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-}
-
-/// The error of a rule with this table.
-std::string error_of_table(const Json& table) {
-  return error_of(Json{{"sub_iterations", Json::array({table})}}.dump());
+/// A text with this table as its only one.
+std::string with_table(const Json& table) {
+  return Json{{"sub_iterations", Json::array({table})}}.dump();
 }
 
 WindowTable only_table(const Json& table) {
-  const RuleDescription rule =
-      parse_rule(Json{{"sub_iterations", Json::array({table})}}.dump(), "rule.json");
+  const RuleDescription rule = parse_rule(with_table(table), "rule.json");
   EXPECT_EQ(rule.sub_iterations.size(), 1U);
   return rule.sub_iterations.front();
 }
@@ -128,111 +106,92 @@ TEST(RuleFile, sub_iterations_keep_their_order) {
   EXPECT_EQ(rule.sub_iterations, (std::vector{kLife, WindowTable(), kLife}));
 }
 
-TEST(RuleFile, errors_of_structure) {
-  EXPECT_EQ(error_of(""), "rule.json: not JSON, or truncated, at byte 1 of 0");
-  EXPECT_EQ(error_of(R"({"hensel": "B3/S23")"),
-            "rule.json: not JSON, or truncated, at byte 20 of 19");
-  EXPECT_EQ(error_of("[]"), "rule.json: the outermost value must be an object");
-  EXPECT_EQ(error_of("{}"),
-            "rule.json: the outermost value must have either sub_iterations or hensel");
-  EXPECT_EQ(error_of(R"({"hensel": "B/S", "sub_iterations": []})"),
-            "rule.json: the outermost value must have either sub_iterations or hensel");
-  EXPECT_EQ(error_of(R"({"hensel": "B/S", "colour": 1})"),
-            R"(rule.json: the outermost value has the unknown key "colour")");
-  EXPECT_EQ(error_of(R"({"hensel": "B/S", "hensel": "B/S"})"),
-            R"(rule.json: the key "hensel" is repeated)");
-  EXPECT_EQ(error_of(R"({"sub_iterations": [{"hensel": "B/S"}, {"raster": 1, "raster": 2}]})"),
-            R"(rule.json: the key "raster" is repeated)");
-  EXPECT_EQ(error_of(std::string(16, '[') + std::string(16, ']')),
-            "rule.json: the outermost value must be an object");
-  EXPECT_EQ(error_of(std::string(17, '[') + std::string(17, ']')),
-            "rule.json: values are nested too deep");
-  EXPECT_EQ(error_of(std::string(900000, '[')), "rule.json: values are nested too deep");
-  EXPECT_EQ(error_of(R"({"hensel": "B/S", "max_iterations": 1e999})"),
-            "rule.json: a number is too large to read");
-}
+using Errors = std::vector<std::pair<std::string, std::string>>;
 
-TEST(RuleFile, errors_of_options) {
-  const auto error = [](const std::string& field) {
-    return error_of(R"({"hensel": "B/S", )" + field + "}");
-  };
-  EXPECT_EQ(error(R"("border": "reflect")"),
-            R"(rule.json: border must be "background", "keep" or "foreground")");
-  EXPECT_EQ(error(R"("border": 1)"), "rule.json: border must be a text");
-  EXPECT_EQ(error(R"("max_iterations": 0)"),
-            "rule.json: max_iterations must lie between 1 and 2147483647");
-  EXPECT_EQ(error(R"("max_iterations": 2147483648)"),
-            "rule.json: max_iterations must lie between 1 and 2147483647");
-  EXPECT_EQ(error(R"("max_iterations": 1.5)"), "rule.json: max_iterations must be an integer");
-  for (const char* name : {R"("name": "")", R"("name": "a\nb")"}) {
-    EXPECT_EQ(error(name), "rule.json: name must have 1 to 100 bytes without control characters");
+/// Texts and what is wrong with them, after the name of the file.
+void expect_errors(const Errors& errors) {
+  for (const auto& [text, expected] : errors) {
+    EXPECT_EQ(
+        rejection_of<std::runtime_error>([&, json = text] { (void)parse_rule(json, "rule.json"); }),
+        "rule.json: " + expected)
+        << text.substr(0, 200);
   }
 }
 
-TEST(RuleFile, errors_of_tables) {
-  EXPECT_EQ(error_of(R"({"sub_iterations": []})"),
-            "rule.json: sub_iterations has 0 tables; it must have 1 to 8");
-  EXPECT_EQ(error_of(R"({"sub_iterations": {}})"), "rule.json: sub_iterations must be a list");
-  EXPECT_EQ(error_of(R"({"sub_iterations": [1,2,3,4,5,6,7,8,9]})"),
-            "rule.json: sub_iterations has 9 tables; it must have 1 to 8");
-  EXPECT_EQ(error_of_table(5), "rule.json: sub_iterations[0] must be an object");
-  EXPECT_EQ(error_of_table(Json::object()),
-            "rule.json: sub_iterations[0] must have raster, makelut, remove, patterns or hensel");
-  EXPECT_EQ(error_of_table({{"raster", "01"}, {"hensel", "B/S"}}),
-            R"(rule.json: sub_iterations[0] has the unknown key "hensel")");
-  EXPECT_EQ(error_of_table({{"hensel", "B9/S"}}),
-            "rule.json: sub_iterations[0].hensel is invalid: rule 'B9/S', column 2: expected a "
-            "digit from 0 to 8, got '9'");
-  EXPECT_EQ(error_of_table({{"patterns", Json::array({"4:(...)->1"})}}),
-            "rule.json: sub_iterations[0].patterns is invalid: pattern 1 '4:(...)->1', column 7: "
-            "expected a pixel (0, 1, '.' or X), nine in all, got ')'");
-  EXPECT_EQ(error_of_table({{"patterns", Json::array()}}),
-            "rule.json: sub_iterations[0].patterns has 0 patterns; it must have 1 to 1000");
+TEST(RuleFile, errors_of_structure_and_options_name_the_key) {
+  const std::string limits = "max_iterations must lie between 1 and 2147483647";
+  const std::string name = "name must have 1 to 100 bytes without control characters";
+  expect_errors({
+      {"", "not JSON, or truncated, at byte 1 of 0"},
+      {R"({"hensel": "B3/S23")", "not JSON, or truncated, at byte 20 of 19"},
+      {"[]", "the outermost value must be an object"},
+      {"{}", "the outermost value must have either sub_iterations or hensel"},
+      {R"({"hensel": "B/S", "sub_iterations": []})",
+       "the outermost value must have either sub_iterations or hensel"},
+      {R"({"hensel": "B/S", "colour": 1})", R"(the outermost value has the unknown key "colour")"},
+      {R"({"hensel": "B/S", "hensel": "B/S"})", R"(the key "hensel" is repeated)"},
+      {R"({"sub_iterations": [{"hensel": "B/S"}, {"raster": 1, "raster": 2}]})",
+       R"(the key "raster" is repeated)"},
+      {std::string(16, '[') + std::string(16, ']'), "the outermost value must be an object"},
+      {std::string(17, '[') + std::string(17, ']'), "values are nested too deep"},
+      {std::string(900000, '['), "values are nested too deep"},
+      {R"({"hensel": "B/S", "max_iterations": 1e999})", "a number is too large to read"},
+      {R"({"hensel": "B/S", "border": "reflect"})",
+       R"(border must be "background", "keep" or "foreground")"},
+      {R"({"hensel": "B/S", "border": 1})", "border must be a text"},
+      {R"({"hensel": "B/S", "max_iterations": 0})", limits},
+      {R"({"hensel": "B/S", "max_iterations": 2147483648})", limits},
+      {R"({"hensel": "B/S", "max_iterations": 1.5})", "max_iterations must be an integer"},
+      {R"({"hensel": "B/S", "name": ""})", name},
+      {R"({"hensel": "B/S", "name": "a\nb"})", name},
+  });
 }
 
-TEST(RuleFile, errors_of_values) {
+TEST(RuleFile, errors_of_tables_name_their_place) {
   std::vector<int> values(512);
-  const Json table = {{"makelut", values}};
-  EXPECT_EQ(error_of_table(table), "rule.json: sub_iterations[0].order is missing");
-  EXPECT_EQ(error_of_table({{"makelut", values}, {"order", "raster"}}),
-            R"(rule.json: sub_iterations[0].order must be "matlab" or "octave")");
-  EXPECT_EQ(error_of_table({{"remove", values}, {"order", "matlab"}}),
-            R"(rule.json: sub_iterations[0].order must be "descriptor", "clockwise" or "raster")");
-  EXPECT_EQ(error_of_table({{"remove", values}, {"order", "raster"}}),
-            "rule.json: sub_iterations[0].remove has 512 values; it must have 256");
-  values[17] = 2;
-  EXPECT_EQ(error_of_table({{"makelut", values}, {"order", "matlab"}}),
-            "rule.json: sub_iterations[0].makelut[17] must be 0 or 1");
-  EXPECT_EQ(error_of_table({{"raster", std::string(511, '0')}}),
-            "rule.json: sub_iterations[0].raster has 511 characters; it must have 512 digits 0 and "
-            "1 or 128 hexadecimal digits");
-  EXPECT_EQ(error_of_table({{"raster", std::string(511, '0') + "2"}}),
-            "rule.json: sub_iterations[0].raster has no digit 0 or 1 at position 512");
-  EXPECT_EQ(error_of_table({{"raster", "g" + std::string(127, '0')}}),
-            "rule.json: sub_iterations[0].raster has no digit 0 to 9 or a to f at position 1");
+  std::vector<int> with_2 = values;
+  with_2[17] = 2;
+  const std::string first = "sub_iterations[0]";
+  expect_errors({
+      {R"({"sub_iterations": []})", "sub_iterations has 0 tables; it must have 1 to 8"},
+      {R"({"sub_iterations": {}})", "sub_iterations must be a list"},
+      {R"({"sub_iterations": [1,2,3,4,5,6,7,8,9]})",
+       "sub_iterations has 9 tables; it must have 1 to 8"},
+      {with_table(5), first + " must be an object"},
+      {with_table(Json::object()),
+       first + " must have raster, makelut, remove, patterns or hensel"},
+      {with_table({{"raster", "01"}, {"hensel", "B/S"}}),
+       first + R"( has the unknown key "hensel")"},
+      {with_table({{"hensel", "B9/S"}}),
+       first + ".hensel is invalid: rule 'B9/S', column 2: expected a digit from 0 to 8, got '9'"},
+      {with_table({{"patterns", Json::array({"4:(...)->1"})}}),
+       first + ".patterns is invalid: pattern 1 '4:(...)->1', column 7: expected a pixel (0, 1, "
+               "'.' or X), nine in all, got ')'"},
+      {with_table({{"patterns", Json::array()}}),
+       first + ".patterns has 0 patterns; it must have 1 to 1000"},
+      {with_table({{"makelut", values}}), first + ".order is missing"},
+      {with_table({{"makelut", values}, {"order", "raster"}}),
+       first + R"(.order must be "matlab" or "octave")"},
+      {with_table({{"remove", values}, {"order", "matlab"}}),
+       first + R"(.order must be "descriptor", "clockwise" or "raster")"},
+      {with_table({{"remove", values}, {"order", "raster"}}),
+       first + ".remove has 512 values; it must have 256"},
+      {with_table({{"makelut", with_2}, {"order", "matlab"}}),
+       first + ".makelut[17] must be 0 or 1"},
+      {with_table({{"raster", std::string(511, '0')}}),
+       first + ".raster has 511 characters; it must have 512 digits 0 and 1 or 128 hexadecimal "
+               "digits"},
+      {with_table({{"raster", std::string(511, '0') + "2"}}),
+       first + ".raster has no digit 0 or 1 at position 512"},
+      {with_table({{"raster", "g" + std::string(127, '0')}}),
+       first + ".raster has no digit 0 to 9 or a to f at position 1"},
+  });
 }
 
-TEST(RuleFile, only_regular_files_of_limited_size_are_read) {
-  const std::string directory = testing::TempDir() + "rule_file_test";
-  std::filesystem::create_directories(directory);
-  const std::string path = directory + "/life.json";
-  write_whole_file(path, R"({"hensel": "B3/S23"})");
-  EXPECT_EQ(read_rule_file(path).sub_iterations, std::vector{kLife});
-  EXPECT_EQ(read_rule_file(path).name, "life");
-  write_whole_file(path, R"({"hensel": "B3/S23"})" + std::string(1000000, ' '));
-  EXPECT_EQ(error_of_file(path), "cannot read '" + path + "': it has more than 1,000,000 bytes");
-  EXPECT_EQ(error_of_file(directory), "cannot read '" + directory + "': it is a directory");
-  EXPECT_EQ(error_of_file(directory + "/none"),
-            "cannot read '" + directory + "/none': there is no such file");
-  const std::string fifo = directory + "/fifo";
-  mkfifo(fifo.c_str(), 0600);
-  EXPECT_EQ(error_of_file(fifo), "cannot read '" + fifo + "': it is not a regular file");
-  std::filesystem::remove_all(directory);
-}
+using RuleFiles = OwnDirectory;
 
-TEST(RuleFile, what_is_written_reads_back) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.file("rule.json");
+TEST_F(RuleFiles, what_is_written_reads_back) {
+  const std::string file = "rule.json";
   for (const NamedRule& named : named_rules()) {
     const RuleDescription rule = {std::string(named.name),
                                   {named.sub_iterations.begin(), named.sub_iterations.end()},

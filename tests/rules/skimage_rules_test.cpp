@@ -3,7 +3,7 @@
 
 #include "harness/test_images.hpp"
 #include "rules/rule_table.hpp"
-#include "thinbench/thinning.hpp"
+#include "support/made_image.hpp"
 
 namespace thinbench {
 namespace {
@@ -22,19 +22,9 @@ TEST(ZhangSuenSkimage, differs_from_zhang_suen_in_31_of_512_decisions) {
 }
 
 ByteImage rotated_by_180_degrees(const ByteImage& image) {
-  ByteImage result(image.width(), image.height());
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) {
-      result.at(x, y) = image.at(image.width() - 1 - x, image.height() - 1 - y);
-    }
-  }
-  return result;
-}
-
-ByteImage thinned(BuiltInRule rule, const ByteImage& image) {
-  ByteImage result(image.width(), image.height());
-  thin(rule, image.view(), result.view());
-  return result;
+  return image_by(image.width(), image.height(), [&](Index x, Index y) {
+    return image.at(image.width() - 1 - x, image.height() - 1 - y);
+  });
 }
 
 TEST(GuoHallSkimage, is_guo_hall_of_the_image_rotated_by_180_degrees) {

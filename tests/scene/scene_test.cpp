@@ -92,13 +92,6 @@ TEST(Scene, grey_bytes_are_the_same_on_every_machine) {
   EXPECT_EQ(fnv1a(grey_of(render_kind(SceneKind::border_touching))), kFrameTouchingHash);
 }
 
-TEST(Scene, rendering_twice_gives_equal_bytes) {
-  const Scene first = render_scene();
-  const Scene second = render_scene();
-  EXPECT_TRUE(equal(grey_of(first), grey_of(second)));
-  EXPECT_TRUE(equal(binary_of(first), binary_of(second)));
-}
-
 TEST(Scene, another_seed_changes_the_noise) {
   EXPECT_FALSE(equal(grey_of(render_scene()), grey_of(render_scene({.seed = 2000}))));
 }
@@ -121,22 +114,12 @@ TEST(Scene, foreground_share_is_between_35_and_45_percent) {
   EXPECT_LT(share, 0.45);
 }
 
-TEST(Scene, has_at_least_ten_parts_and_fifteen_holes) {
-  const Scene scene = render_scene();
-  EXPECT_GE(scene.parts.size(), 10u);
-  EXPECT_GE(scene.holes.size(), 15u);
-}
-
-TEST(Scene, every_part_is_one_8_connected_object) {
+TEST(Scene, every_part_is_one_8_connected_object_and_every_hole_one_4_connected_hole) {
   for (const SceneKind kind : kKinds) {
     const Scene scene = render_kind(kind);
+    EXPECT_GE(scene.parts.size(), 10U);
+    EXPECT_GE(scene.holes.size(), 15U);
     EXPECT_EQ(objects_of(binary_of(scene)).list.size(), scene.parts.size());
-  }
-}
-
-TEST(Scene, every_hole_is_one_4_connected_hole) {
-  for (const SceneKind kind : kKinds) {
-    const Scene scene = render_kind(kind);
     EXPECT_EQ(holes_of(binary_of(scene)).size(), scene.holes.size());
   }
 }

@@ -6,21 +6,18 @@
 
 #include "harness/test_images.hpp"
 #include "support/filled_image.hpp"
+#include "support/made_image.hpp"
 
 namespace thinbench::edge_case_images {
 
 /// Bars three pixels thick along all four sides, with gaps, and lines from side to side.
 inline ByteImage shapes_on_every_side(Index width, Index height) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      const bool bar = x < 3 || y < 3 || x >= width - 3 || y >= height - 3;
-      const bool gap = (x + 2 * y) % 11 < 2;
-      const bool line = x % 29 == 7 || y % 13 == 5 || (x + y) % 31 < 2;
-      image.at(x, y) = (bar && !gap) || line ? 255 : 0;
-    }
-  }
-  return image;
+  return image_by(width, height, [=](Index x, Index y) {
+    const bool bar = x < 3 || y < 3 || x >= width - 3 || y >= height - 3;
+    const bool gap = (x + 2 * y) % 11 < 2;
+    const bool line = x % 29 == 7 || y % 13 == 5 || (x + y) % 31 < 2;
+    return (bar && !gap) || line ? 255 : 0;
+  });
 }
 
 /// Noise, all foreground, shapes, and noise again, so that consecutive images have both more and

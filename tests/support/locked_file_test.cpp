@@ -10,15 +10,16 @@
 #include <sys/stat.h>
 
 #include "support/file_error.hpp"
+#include "support/own_directory.hpp"
 #include "support/rejection.hpp"
-#include "support/temporary_directory.hpp"
 
 namespace thinbench {
 namespace {
 
-TEST(LockedFile, belongs_to_one_at_a_time) {
-  const TemporaryDirectory directory;
-  const std::string path = directory.file("a");
+using LockedFileTest = OwnDirectory;
+
+TEST_F(LockedFileTest, belongs_to_one_at_a_time) {
+  const std::string path = "a";
   const LockedFile first(path, path);
   EXPECT_EQ(rejection_of<FileError>([&] { const LockedFile second(path, path); }),
             "cannot write '" + path + "': another run is writing it");
@@ -46,14 +47,11 @@ int replace_again_and_again(const std::string& path, const std::string& other) {
   return unnamed;
 }
 
-TEST(LockedFile, has_its_name_even_where_others_replace_it) {
-  const TemporaryDirectory directory;
+TEST_F(LockedFileTest, has_its_name_even_where_others_replace_it) {
   std::atomic<int> unnamed = 0;
   std::vector<std::thread> threads;
   for (const std::string name : {"b", "c", "d"}) {
-    threads.emplace_back([&, name] {
-      unnamed += replace_again_and_again(directory.file("a"), directory.file(name));
-    });
+    threads.emplace_back([&, name] { unnamed += replace_again_and_again("a", name); });
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(unnamed, 0);

@@ -1,10 +1,10 @@
-// thin_labels(): equal to the reference on each label alone; borders, strides, rejected arguments.
+// thin_labels(): borders, strides, rejected arguments. The operations labels_... of the cross-check
+// compare each label alone with the reference.
 #include "thinbench/labels.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -12,9 +12,8 @@
 
 #include "compile/rule_body.hpp"
 #include "harness/test_images.hpp"
-#include "support/reference_thinning.hpp"
-#include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
+#include "support/untouched.hpp"
 
 namespace thinbench {
 namespace {
@@ -47,74 +46,6 @@ LabelImage noise_labels(Index width, Index height, int percent, Index block_widt
   return image;
 }
 
-ByteImage mask_of(LabelImage& image, std::int32_t label) {
-  ByteImage mask(image.width, image.height);
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index x = 0; x < image.width; ++x) mask.at(x, y) = image.at(x, y) == label ? 255 : 0;
-  }
-  return mask;
-}
-
-/// Thins the labels one after another; returns the maximum number of iterations.
-int thin_each_by_reference(const Rule& rule, LabelImage& image, LabelImage& result,
-                           const reference::Repetition& repetition) {
-  std::set<std::int32_t> labels(image.labels.begin(), image.labels.end());
-  labels.erase(kUntouched);
-  for (Index y = 0; y < image.height; ++y) std::fill_n(result.view().row(y), image.width, 0);
-  int iterations = 0;
-  for (const std::int32_t label : labels) {
-    if (label == 0) continue;
-    const Thinned thinned = thinned_by_reference(rule, mask_of(image, label), repetition);
-    iterations = std::max(iterations, thinned.iterations);
-    for (Index y = 0; y < image.height; ++y) {
-      for (Index x = 0; x < image.width; ++x) {
-        if (thinned.image.at(x, y) != 0) result.at(x, y) = label;
-      }
-    }
-  }
-  return iterations;
-}
-
-/// Compares with the reference, on one thread and on three, into another image and in place.
-void expect_reference(const Rule& rule, LabelImage image, const reference::Repetition& repetition) {
-  LabelImage expected = {image.width, image.height};
-  const int iterations = thin_each_by_reference(rule, image, expected, repetition);
-  for (const int threads : {1, 3}) {
-    const Thinning thinning = {repetition.border, repetition.max_iterations};
-    const Execution execution = {.threads = threads};
-    LabelImage result = {image.width, image.height};
-    EXPECT_EQ(thin_labels(rule, image.view(), result.view(), thinning, execution), iterations);
-    EXPECT_EQ(result.labels, expected.labels) << image.width << " wide, threads " << threads;
-    LabelImage in_place = image;
-    EXPECT_EQ(thin_labels(rule, in_place.view(), in_place.view(), thinning, execution), iterations);
-    EXPECT_EQ(in_place.labels, expected.labels) << image.width << " wide, in place";
-  }
-}
-
-/// Those that add no pixels, without foreground outside.
-std::vector<RuleAndBorder> rules_for_labels() {
-  std::vector<RuleAndBorder> all = rules_and_borders();
-  std::erase_if(all, [](const RuleAndBorder& one) {
-    return one.border == Border::foreground || one.rule.body()->adds_pixels();
-  });
-  return all;
-}
-
-class ThinLabels : public testing::TestWithParam<RuleAndBorder> {};
-
-TEST_P(ThinLabels, equals_the_reference_on_each_label_alone) {
-  const auto& [name, rule, border] = GetParam();
-  for (const Index width : {1, 2, 30, 33, 62, 64, 65, 129, 150}) {
-    expect_reference(rule, noise_labels(width, 37, 85, 16, 12), {.border = border});
-    expect_reference(rule, noise_labels(width, 9, 95, 140, 9), {.border = border});
-  }
-  expect_reference(rule, noise_labels(140, 140, 97, 200, 60), {.border = border});
-  expect_reference(rule, noise_labels(60, 50, 90, 20, 20), {border, 2});
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ThinLabels, testing::ValuesIn(rules_for_labels()),
-                         rule_and_border_test_name);
-
 TEST(ThinLabels, keeps_the_image_border_and_no_other) {
   LabelImage image = {20, 12};
   for (Index y = 0; y < 12; ++y) {
@@ -144,6 +75,19 @@ TEST(ThinLabels, needs_no_gap_between_rows) {
   }
 }
 
+TEST(ThinLabels, writes_to_another_image_what_it_writes_in_place) {
+  for (const Index width : {1, 30, 65, 150}) {
+    for (const int threads : {1, 3}) {
+      LabelImage image = noise_labels(width, 37, 85, 16, 12);
+      LabelImage result = {width, 37};
+      const int iterations =
+          thin_labels(Rule::mb2, image.view(), result.view(), {}, {.threads = threads});
+      EXPECT_EQ(thin_labels(Rule::mb2, image.view(), image.view()), iterations);
+      EXPECT_EQ(result.labels, image.labels) << width << " wide, threads " << threads;
+    }
+  }
+}
+
 TEST(ThinLabels, takes_no_iteration_without_labels) {
   LabelImage image = {50, 4};
   std::fill(image.labels.begin(), image.labels.end(), 0);
@@ -153,76 +97,59 @@ TEST(ThinLabels, takes_no_iteration_without_labels) {
   }
 }
 
-/// The error for these arguments; checks that nothing was written.
-std::string rejected(const ConstLabelView& source, const LabelView& destination,
-                     const Thinning& thinning = {}, const Execution& execution = {}) {
-  const std::string text =
-      rejection_of([&] { thin_labels(Rule::guo_hall, source, destination, thinning, execution); });
-  EXPECT_TRUE(is_one_sentence(text)) << text;
-  return text;
-}
-
 TEST(ThinLabels, rejects_invalid_arguments_and_writes_nothing) {
+  constexpr Index smallest = std::numeric_limits<Index>::min();
   LabelImage image = noise_labels(40, 20, 90, 10, 10);
   LabelImage result = {40, 20};
-  const std::int32_t* data = image.labels.data();
-  EXPECT_EQ(rejected({data, -1, 20}, result.view()), "image size -1 x 20 is negative");
-  EXPECT_EQ(rejected({data, 1 << 16, 1 << 16}, result.view()),
-            "image size 65536 x 65536 is larger than 2^31 pixels, the limit for labels");
-  EXPECT_EQ(rejected({data, 39, 20, 43}, result.view()),
-            "source is 39 x 20 and destination 40 x 20; they must have the same size");
-  EXPECT_EQ(rejected({nullptr, 40, 20}, result.view()), "source has no data");
-  EXPECT_EQ(rejected({data, 40, 20, 39}, result.view()),
-            "source has a stride of 156 bytes, below its width of 160");
-  EXPECT_EQ(rejected({data, 40, 20, PTRDIFF_MAX / 3}, result.view()),
-            "source exceeds the address space: 40 x 20, stride 3074457345618258602");
-  EXPECT_EQ(rejected({result.labels.data() + 1, 40, 19, 43}, {result.labels.data(), 40, 19, 43}),
-            "source and destination overlap without being the same image");
-  EXPECT_EQ(rejected(image.view(), result.view(), {}, {.threads = 0}),
-            "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected(image.view(), result.view(), {.max_iterations = 0}),
-            "max_iterations: expected an integer of at least 1, got 0");
+  std::int32_t* const data = image.labels.data();
+  std::int32_t* const out = result.labels.data();
+  const auto expect_labels_rejected = [](const ConstLabelView& source, const LabelView& destination,
+                                         const std::string& part, const Thinning& thinning = {},
+                                         const Execution& execution = {}) {
+    expect_rejected([&] { thin_labels(Rule::guo_hall, source, destination, thinning, execution); },
+                    part);
+  };
+  struct Case {
+    ConstLabelView source;
+    LabelView destination;
+    std::string part;
+  };
+  const Case cases[] = {
+      {{data, -1, 20}, result.view(), "image size -1 x 20 is negative"},
+      {{data, 1 << 16, 1 << 16}, result.view(), "image size 65536 x 65536 is larger than 2^31"},
+      {{data, 39, 20, 43}, result.view(), "source is 39 x 20 and destination 40 x 20; they must"},
+      {{nullptr, 40, 20}, result.view(), "source has no data"},
+      {{data, 40, 20, 39}, result.view(), "a stride of 156 bytes, below its width of 160"},
+      {{data, 40, 20, PTRDIFF_MAX / 3}, result.view(), "source exceeds the address space: 40 x 20"},
+      {{data, 0, 1, smallest}, {data, 0, 1, 1}, "source exceeds the address space: 0 x 1, stride"},
+      {{data, 0, 1, 1}, {data, 0, 1, smallest}, "destination exceeds the address space: 0 x 1"},
+      {{out + 1, 40, 19, 43}, {out, 40, 19, 43}, "overlap without being the same image"}};
+  for (const auto& [source, destination, part] : cases) {
+    expect_labels_rejected(source, destination, part);
+  }
+  expect_labels_rejected(image.view(), result.view(), "threads: expected", {}, {.threads = 0});
+  expect_labels_rejected(image.view(), result.view(), "got 0", {.max_iterations = 0});
   image.at(7, 19) = -3;
-  EXPECT_EQ(rejected(image.view(), result.view(), {}, {.threads = 2}),
-            "labels: expected 0 or more, got -3 in row 19, column 7");
-  EXPECT_TRUE(std::all_of(result.labels.begin(), result.labels.end(),
-                          [](std::int32_t label) { return label == kUntouched; }));
+  expect_labels_rejected(image.view(), result.view(),
+                         "labels: expected 0 or more, got -3 in row 19, column 7");
+  EXPECT_EQ(result.labels, (LabelImage{40, 20}.labels));
 }
 
 TEST(ThinLabels, rejects_rules_that_add_pixels_and_foreground_outside) {
   LabelImage image = noise_labels(40, 20, 90, 10, 10);
   LabelImage result = {40, 20};
+  const auto expect_rule_rejected = [&](const Rule& rule, Border border, const char* part) {
+    expect_rejected([&] { thin_labels(rule, image.view(), result.view(), {border}); }, part);
+  };
   for (const auto& [name, rule, border] : rules_and_borders()) {
     if (border != Border::foreground && !rule.body()->adds_pixels()) continue;
-    const Rule& tested = rule;
-    const Thinning thinning = {border};
-    const std::string text =
-        rejection_of([&] { thin_labels(tested, image.view(), result.view(), thinning); });
-    EXPECT_TRUE(is_one_sentence(text)) << name << ": " << text;
+    expect_rule_rejected(rule, border, "");
   }
-  const Rule life = Rule::named("life");
-  EXPECT_EQ(rejection_of([&] { thin_labels(life, image.view(), result.view()); }),
-            "life adds pixels, which would belong to no label; apply it to an image");
-  EXPECT_EQ(rejection_of([&] {
-              thin_labels(Rule::guo_hall, image.view(), result.view(), {Border::foreground});
-            }),
-            "guo_hall: labels have no border of foreground");
-  EXPECT_TRUE(std::all_of(result.labels.begin(), result.labels.end(),
-                          [](std::int32_t label) { return label == kUntouched; }));
-}
-
-TEST(ThinLabels, strides_too_small_for_a_count_of_bytes_are_rejected) {
-  constexpr Index smallest = std::numeric_limits<Index>::min();
-  std::int32_t label = 7;
-  const std::string exceeds = " exceeds the address space: ";
-  EXPECT_EQ(rejection_of([&] {
-              thin_labels(Rule::guo_hall, {&label, 0, 1, smallest}, {&label, 0, 1, 1});
-            }),
-            "source" + exceeds + "0 x 1, stride " + std::to_string(smallest));
-  EXPECT_EQ(rejection_of([&] {
-              thin_labels(Rule::guo_hall, {&label, 0, 1, 1}, {&label, 0, 1, smallest});
-            }),
-            "destination" + exceeds + "0 x 1, stride " + std::to_string(smallest));
+  expect_rule_rejected(Rule::named("life"), Border::background,
+                       "life adds pixels, which would belong to no label; apply it to an image");
+  expect_rule_rejected(Rule::guo_hall, Border::foreground,
+                       "guo_hall: labels have no border of foreground");
+  EXPECT_EQ(result.labels, (LabelImage{40, 20}.labels));
 }
 
 }  // namespace

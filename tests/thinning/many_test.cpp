@@ -10,8 +10,8 @@
 
 #include "harness/test_images.hpp"
 #include "support/reference_thinning.hpp"
-#include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
+#include "support/untouched.hpp"
 #include "thinbench/batch.hpp"
 #include "thinbench/thinning.hpp"
 
@@ -136,8 +136,7 @@ TEST(ThinMany, takes_no_iteration_without_images_and_one_for_images_without_pixe
 
 TEST(ThinMany, shares_the_rows_of_large_images_among_threads) {
   const ByteImage image = noise_image(1100, 1000, 90, 3, 8);
-  ByteImage expected(1100, 1000);
-  ByteImage result(1100, 1000);
+  ByteImage expected(1100, 1000), result(1100, 1000);
   const int iterations = thin(Rule::guo_hall, image.view(), expected.view());
   const ConstImageView source[] = {image.view()};
   const ImageView destination[] = {result.view()};
@@ -181,61 +180,55 @@ TEST(ThinMany, thins_halves_of_an_image_in_place) {
   EXPECT_EQ(pixels, expected);
 }
 
-/// The error for these images; checks that nothing was written.
-std::string rejected(std::vector<std::uint8_t>& to, std::vector<ConstImageView> sources,
-                     std::vector<ImageView> destinations, const Thinning& thinning = {},
-                     const Execution& execution = {}) {
-  const std::string text =
-      rejection_of([&] { thin_many(Rule::guo_hall, sources, destinations, thinning, execution); });
-  EXPECT_TRUE(is_one_sentence(text)) << text;
-  EXPECT_TRUE(
-      std::all_of(to.begin(), to.end(), [](std::uint8_t byte) { return byte == kUntouched; }));
-  return text;
+/// A call must fail without a byte written.
+void expect_many_rejected(std::vector<ConstImageView> sources, std::vector<ImageView> destinations,
+                          const std::string& part, const Thinning& thinning = {},
+                          const Execution& execution = {}) {
+  expect_rejected([&] { thin_many(Rule::guo_hall, sources, destinations, thinning, execution); },
+                  part);
 }
 
 TEST(ThinMany, rejects_invalid_images_and_options_and_writes_nothing) {
-  std::vector<std::uint8_t> from(1600, 1);
-  std::vector<std::uint8_t> to(1600, kUntouched);
+  std::vector<std::uint8_t> from(1600, 1), to(1600, kUntouched);
   const ConstImageView good = part(from, 0, 0, 9, 9);
   const ImageView good_to = part(to, 0, 0, 9, 9);
-  const auto second = [&](const ConstImageView& source, const ImageView& destination) {
-    return rejected(to, {good, source}, {good_to, destination});
-  };
-  EXPECT_EQ(rejected(to, {good, good}, {good_to}),
-            "expected as many destinations as sources, got 2 sources and 1 destinations");
-  EXPECT_EQ(second({from.data(), -1, 5}, part(to, 0, 20, 5, 5)),
-            "image 1: source has the size -1 x 5");
-  EXPECT_EQ(second({from.data(), 5, 5}, {nullptr, 5, 5}), "image 1: destination has no data");
-  EXPECT_EQ(second({from.data(), 5, 5, 4}, part(to, 0, 20, 5, 5)),
-            "image 1: source has a stride of 4 bytes, below its width of 5");
-  EXPECT_EQ(second({from.data(), 5, 5}, part(to, 0, 20, 5, 6)),
-            "image 1: source is 5 x 5 and destination 5 x 6; they must have the same size");
+  expect_many_rejected({good, good}, {good_to}, "got 2 sources and 1 destinations");
   auto* const far = reinterpret_cast<std::uint8_t*>(std::uintptr_t{1} << 60);
-  EXPECT_EQ(
-      second({from.data(), Index{1} << 21, Index{1} << 20}, {far, Index{1} << 21, Index{1} << 20}),
-      "image 1: image size 2097152 x 1048576 is larger than 2^40 pixels");
-  EXPECT_EQ(rejected(to, {good}, {good_to}, {}, {.threads = 0}),
-            "threads: expected an integer in [1, 1024], got 0");
-  EXPECT_EQ(rejected(to, {good}, {good_to}, {.max_iterations = 0}),
-            "max_iterations: expected an integer of at least 1, got 0");
-  EXPECT_EQ(rejected(to, {}, {}, {.border = static_cast<Border>(3)}),
-            "border: expected background, keep or foreground, got 3");
+  constexpr Index side = Index{1} << 21;
+  struct Case {
+    ConstImageView source;
+    ImageView destination;
+    std::string part;
+  };
+  const Case cases[] = {
+      {{from.data(), -1, 5}, part(to, 0, 20, 5, 5), "source has the size -1 x 5"},
+      {{from.data(), 5, 5}, {nullptr, 5, 5}, "destination has no data"},
+      {{from.data(), 5, 5, 4}, part(to, 0, 20, 5, 5), "source has a stride of 4 bytes, below its"},
+      {{from.data(), 5, 5}, part(to, 0, 20, 5, 6), "source is 5 x 5 and destination 5 x 6; they"},
+      {{from.data(), side, side / 2}, {far, side, side / 2}, "is larger than 2^40 pixels"}};
+  for (const auto& [source, destination, part] : cases) {
+    expect_many_rejected({good, source}, {good_to, destination}, "image 1: ");
+    expect_many_rejected({good, source}, {good_to, destination}, part);
+  }
+  expect_many_rejected({good}, {good_to}, "threads: expected", {}, {.threads = 0});
+  expect_many_rejected({good}, {good_to}, "max_iterations: expected", {.max_iterations = 0});
+  expect_many_rejected({}, {}, "border: expected", {.border = static_cast<Border>(3)});
+  EXPECT_EQ(to, std::vector<std::uint8_t>(1600, kUntouched));
 }
 
 TEST(ThinMany, rejects_destinations_that_share_bytes_with_another_image) {
-  std::vector<std::uint8_t> from(1600, 1);
-  std::vector<std::uint8_t> to(1600, kUntouched);
+  std::vector<std::uint8_t> from(1600, 1), to(1600, kUntouched);
   const ConstImageView other = part(from, 0, 0, 9, 9);
-  EXPECT_EQ(rejected(to, {other, other}, {part(to, 0, 0, 9, 9), part(to, 8, 8, 9, 9)}),
-            "the destination of image 1 shares bytes with the destination of image 0");
-  EXPECT_EQ(
-      rejected(to, {other, part(to, 5, 5, 9, 9)}, {part(to, 0, 0, 9, 9), part(to, 9, 9, 9, 9)}),
-      "image 1: source and destination overlap without being the same image");
-  EXPECT_EQ(
-      rejected(to, {other, part(to, 5, 5, 9, 9)}, {part(to, 0, 0, 9, 9), part(to, 20, 20, 9, 9)}),
-      "the destination of image 0 shares bytes with the source of image 1");
-  EXPECT_EQ(rejected(to, {other, other}, {part(to, 0, 0, 9, 9), part(to, 0, 0, 9, 9)}),
-            "the destination of image 1 shares bytes with the destination of image 0");
+  const ImageView first = part(to, 0, 0, 9, 9);
+  const ConstImageView inner = part(to, 5, 5, 9, 9);
+  const std::string both = "the destination of image 1 shares bytes with the destination of image ";
+  expect_many_rejected({other, other}, {first, part(to, 8, 8, 9, 9)}, both + "0");
+  expect_many_rejected({other, other}, {first, first}, both + "0");
+  expect_many_rejected({other, inner}, {first, part(to, 9, 9, 9, 9)},
+                       "image 1: source and destination overlap without being the same image");
+  expect_many_rejected({other, inner}, {first, part(to, 20, 20, 9, 9)},
+                       "the destination of image 0 shares bytes with the source of image 1");
+  EXPECT_EQ(to, std::vector<std::uint8_t>(1600, kUntouched));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void check_names(const GraphCommandOptions& options) {
     throw UsageError("--out and --overlay cannot both be standard output");
   }
   const auto place_of = [](const std::string& path) {
-    return std::filesystem::weakly_canonical(target_of(path));
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of(path)));
   };
   std::vector<std::filesystem::path> known = {place_of(options.in)};
   for (const std::string& path :
