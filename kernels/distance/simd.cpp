@@ -211,22 +211,24 @@ Index search_run_at(const std::uint16_t* vertical, DistanceRow& memory, std::int
   return first + run.width;
 }
 
+/// The same for the `count` pixels at the end of a row.
+bool search_end(const std::int16_t* squares, std::int32_t* distances, Index count) {
+  std::int16_t own[kBlock] = {};
+  std::int32_t found[kBlock];
+  std::copy_n(squares, count, own);
+  if (!search_block(squares, own, found)) return false;
+  std::copy_n(found, count, distances);
+  return true;
+}
+
 void row(const std::uint16_t* vertical, DistanceRow& memory, std::int32_t* distances, Index width) {
   const std::int16_t* const squares = square_row(vertical, memory.squares(), width);
   Index x = 0;
   while (x < width) {
     const Index count = std::min(kBlock, width - x);
-    std::int16_t own[kBlock] = {};
-    std::int32_t found[kBlock];
-    const bool is_whole = count == kBlock;
-    if (!is_whole) std::copy_n(squares + x, count, own);
-    if (!search_block(squares + x, is_whole ? squares + x : own,
-                      is_whole ? distances + x : found)) {
-      x = search_run_at(vertical, memory, distances, x, width);
-      continue;
-    }
-    if (!is_whole) std::copy_n(found, count, distances + x);
-    x += count;
+    const bool is_found = count == kBlock ? search_block(squares + x, squares + x, distances + x)
+                                          : search_end(squares + x, distances + x, count);
+    x = is_found ? x + count : search_run_at(vertical, memory, distances, x, width);
   }
 }
 
