@@ -36,11 +36,15 @@ constexpr Index kPrefetchBytes = 4096;
   }
 }
 
-// The last word of a row covers bytes past the row, which must not be accessed. Rows of at least 64
-// pixels use the last 64 bytes of the row and shift; only narrower rows go through a buffer, which
-// made rows of 510 pixels about 1.5 times as slow, as 64 bytes stored in pieces are loaded at once.
+// The last word of a row covers bytes past the row, which must not be accessed. Where there are no
+// masked loads and stores, rows of at least 64 pixels use the last 64 bytes of the row and shift;
+// only narrower rows go through a buffer, which made rows of 510 pixels about 1.5 times as slow, as
+// 64 bytes stored in pieces are loaded at once.
 
 std::uint64_t pack_tail(const std::uint8_t* row, Index width, Index tail) {
+  if constexpr (kHasMaskedBytes) {
+    return load_nonzero_bits(row + width - tail, (std::uint64_t{1} << tail) - 1);
+  }
   if (width >= kWordBits) return pack_word(row + width - kWordBits) >> (kWordBits - tail);
   std::uint8_t buffer[kWordBits] = {};
   for (Index i = 0; i < tail; ++i) buffer[i] = row[i];
@@ -54,6 +58,10 @@ bool allows_non_temporal_stores(const ImageView& target) {
 }
 
 void unpack_some(std::uint64_t word, std::uint8_t* bytes, Index count) {
+  if constexpr (kHasMaskedBytes) {
+    store_spread_bits(bytes, word, (std::uint64_t{1} << count) - 1);
+    return;
+  }
   std::uint8_t buffer[kWordBits];
   unpack_word(word, buffer);
   for (Index i = 0; i < count; ++i) bytes[i] = buffer[i];

@@ -15,7 +15,9 @@ namespace thinbench::detail {
 struct DistanceParameters {};
 using DistanceSetting = Setting<DistanceParameters>;
 
-/// Owns 2 bytes per pixel, and a row of numbers per thread. Threads share columns, then rows.
+/// Owns, for each thread, a strip of vertical distances and a row of numbers. Where there are
+/// several strips, a scan before finds how far background is beyond their edges, so that they are
+/// independent. Threads share columns, then strips.
 class DistanceState {
  public:
   using Parameters = DistanceParameters;
@@ -33,12 +35,21 @@ class DistanceState {
   /// Calls `row(y, vertical distances, memory)` for every row.
   template <class Row>
   void for_rows(const ConstImageView& source, const Row& row);
+  [[nodiscard]] ConstImageView strip_of(const ConstImageView& source, Index strip) const;
+  [[nodiscard]] StripEdges edges_of(Index strip) const;
+  void find_edges(const ConstImageView& columns, Index first);
+  template <class T, class Make>
+  void write_row(const View<T>& result, Index y, T* memory, const Make& make);
   void write_roots(const std::uint16_t* vertical, DistanceRow& memory, double spacing,
                    double* distances, Index width);
 
   DistanceKernels kernels_;
   ThreadTeam team_;
+  Index stride_;        // of rows of vertical distances
+  Index strip_height_;  // but for the last strip
+  Index strips_;
   AlignedArray<std::uint16_t> vertical_;
+  AlignedArray<std::uint16_t> edges_;  // of each strip, above and below
   std::vector<DistanceRow> rows_;
 };
 

@@ -23,6 +23,9 @@ void count(const ConstBitPlaneView& image, Label* first) {
 /// Narrower images are faster word by word.
 constexpr Index kMinBlockWidth = 193;
 
+/// With fewer runs per word they are marked faster one by one.
+constexpr Index kMinRunsForLanes = 5;
+
 template <BandKind band>
 [[gnu::always_inline]] inline void unite_with_above(const ConstBitPlaneView& image, Index number,
                                                     const RunForest& runs) {
@@ -42,7 +45,14 @@ void unite_all(const ConstBitPlaneView& image, const RunForest& runs) {
 
 template <BandKind band>
 Label number(const ConstBitPlaneView& image, const RunForest& runs) {
-  return number_runs<band>(image, runs);
+  return number_runs<band>(image, runs, [&](Index number) {
+    if constexpr (kHasCompress) {
+      const auto count = static_cast<Index>(runs.first[number + 1] - runs.first[number]);
+      const bool is_dense = count > kMinRunsForLanes * words_of(image);
+      if (is_dense) return mark_first_row_in_lanes<Lanes32>(image, number, runs);
+    }
+    return mark_first_row(image, number, runs);
+  });
 }
 
 template <BandKind band>

@@ -36,8 +36,11 @@ template <class Batch>
 template <BandKind band>
 [[gnu::always_inline]] inline void paint_word(const BandWord& word, std::uint32_t* top,
                                               std::uint32_t* bottom, Index count) {
-  for (Index x = 0; x < kWordBits; x += kLabelLanes) {
-    if (x >= count) return;
+  for (Index next = 0; next < kWordBits; next += kLabelLanes) {
+    if (next >= count) return;
+    // Where stores of parts of registers are slow, the last one overlaps that before it.
+    const bool is_last = !kHasMaskedBytes && next + kLabelLanes > count && count >= kLabelLanes;
+    const Index x = is_last ? count - kLabelLanes : next;
     // From the run of the first lane on: as many lanes as runs at most.
     const std::uint64_t upto_first = (std::uint64_t{2} << x) - 1;
     const auto near = Lanes32::load_unaligned(word.ids + count_bits(word.starts & upto_first));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/byte_image.hpp"
-#include "regions/run_bits.hpp"
+#include "regions/run_numbers.hpp"
 #include "simd/vector.hpp"
 
 namespace thinbench::detail {
@@ -95,6 +95,34 @@ template <BandKind band, class Block>
     before_above += static_cast<Label>(before_upper.words[7]) + count_bits(upper_words.words[7]);
     before_here += static_cast<Label>(before_lower.words[7]) + count_bits(lower_words.words[7]);
   }
+}
+
+/// As mark_first_row(), where the ISA can compress: in the order of their last bits, which is that
+/// of runs.
+template <class Batch>
+[[gnu::always_inline]] inline Label mark_first_row_in_lanes(const ConstBitPlaneView& image,
+                                                            Index number, const RunForest& runs) {
+  constexpr Index lanes = static_cast<Index>(Batch::size);
+  const Batch mark(kInFirstRow);
+  BandBits<BandKind::pair> here(image, number);
+  Follow in_run;
+  Label* ids = runs.ids + runs.first[number];
+  Label marked = 0;
+  for (Index word = 0; word < words_of(image); ++word) {
+    const std::uint64_t merged = here.merged(word);
+    const std::uint64_t ends = merged & ~(merged >> 1 | here.merged(word + 1) << 63);
+    const std::uint64_t top = here.top(word);
+    const std::uint64_t first = ends & (top | in_run(top, here.starts(word)));
+    for (Index x = 0; x < kWordBits; x += lanes) {
+      const auto selected =
+          static_cast<std::uint32_t>(ends >> x & ((std::uint64_t{1} << lanes) - 1));
+      store_compressed(ids, permuted_where(mark, Batch(0), static_cast<std::uint32_t>(first >> x)),
+                       selected);
+      ids += count_bits(selected);
+    }
+    marked += count_bits(first);
+  }
+  return marked;
 }
 
 }  // namespace THINBENCH_ISA

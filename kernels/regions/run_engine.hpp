@@ -19,6 +19,7 @@ struct RunAccumulators {
 /// By so many more rows than others may suit a kernel badly before it gives up; see
 /// RunLabelling::patience.
 inline constexpr Index kPatience = 32;
+inline constexpr Index kEndlessPatience = Index{1} << 40;
 
 /// The working data of a kernel, in the caller's memory. Rows of runs and accumulators have room
 /// for any row plus 2 * kKeyPadding.

@@ -64,10 +64,11 @@ RunBand::RunBand(Index width)
   }
 }
 
-bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last) {
+bool RunBand::label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last,
+                    Index patience) {
   labels_.clear();
   labelling_.tables = labels_.tables();
-  labelling_.patience = kPatience;
+  labelling_.patience = patience;
   label_first_row(image, first, labelling_);
   const RunRow& row = labelling_.above;
   first_row_.count = row.count;
@@ -110,11 +111,13 @@ RegionLists RunLabeller::label(const ConstBitPlaneView& image) {
 bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
   std::atomic<bool> is_done = true;
   const auto count = static_cast<Index>(bands_.size());
+  // Contacts take one thread.
+  const Index patience = with_holes_ && count > 1 ? kEndlessPatience : kPatience;
   team_.for_ranges(count, [&](Index first, Index last) {
     for (Index band = first; band < last; ++band) {
       RunBand& rows = bands_[static_cast<std::size_t>(band)];
       if (!rows.label(label_rows_, image, image.height * band / count,
-                      image.height * (band + 1) / count)) {
+                      image.height * (band + 1) / count, patience)) {
         is_done = false;
       }
     }
@@ -124,8 +127,8 @@ bool RunLabeller::label_bands(const ConstBitPlaneView& image) {
 
 RegionLists RunLabeller::label_contacts(const ConstBitPlaneView& image) {
   if (!contacts_) {
-    contacts_ =
-        make_contact_labels({LabelsTask::components_eight}, isa_, image.width, image.height);
+    const LabelsTask task = with_holes_ ? LabelsTask::regions : LabelsTask::components_eight;
+    contacts_ = make_contact_labels({task}, isa_, image.width, image.height);
   }
   contacts_->find(image);
   return contacts_->regions();

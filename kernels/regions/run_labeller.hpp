@@ -18,7 +18,8 @@ class RunBand {
   explicit RunBand(Index width);
 
   /// Labels rows [first, last) of the image; needs first < last. False if the kernel gave up.
-  bool label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last);
+  bool label(LabelRows label_rows, const ConstBitPlaneView& image, Index first, Index last,
+             Index patience);
 
   // Results: the rows at the seams, and the labels.
   [[nodiscard]] RunRow& first_row() { return first_row_; }
@@ -32,8 +33,8 @@ class RunBand {
   LabelStore labels_;
 };
 
-/// Finds regions by a kernel for runs that repeat from row to row. Where the kernel for objects
-/// alone gives up, as on noise, they are found by contacts of runs.
+/// Finds regions by a kernel for runs that repeat from row to row. Where the kernel gives up, as on
+/// noise, they are found by contacts of runs.
 class RunLabeller {
  public:
   /// By one of the two kernels of `engine`.

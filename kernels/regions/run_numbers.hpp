@@ -60,13 +60,14 @@ inline constexpr Label kInFirstRow = Label{1} << 31;
 }
 
 /// Numbers the objects that begin in a pair of rows: first those that have a pixel in the first
-/// row, then the others.
-[[gnu::always_inline]] inline Label number_pair(const ConstBitPlaneView& image, Index number,
-                                                const RunForest& runs, Label objects) {
+/// row, then the others. `mark(number)` is mark_first_row().
+template <class Mark>
+[[gnu::always_inline]] inline Label number_pair(Index number, const RunForest& runs, Label objects,
+                                                const Mark& mark_runs) {
   const auto& [parents, ids, firsts] = runs;
   const Label first = firsts[number];
   const Label end = firsts[number + 1];
-  if (mark_first_row(image, number, runs) == end - first) {
+  if (mark_runs(number) == end - first) {
     return number_in_order(runs, first, end, objects);
   }
   for (Label run = first; run < end; ++run) {
@@ -92,25 +93,28 @@ inline constexpr Label kInFirstRow = Label{1} << 31;
   for (Label run = begin; run < end; ++run) runs.ids[run] = runs.ids[runs.parents[run]];
 }
 
-[[gnu::always_inline]] inline bool has_root(const Label* parents, Label begin, Label end) {
-  bool found = false;
-  for (Label run = begin; run < end; ++run) found |= parents[run] == run;
-  return found;
+[[gnu::always_inline]] inline Label count_roots(const Label* parents, Label begin, Label end) {
+  Label roots = 0;
+  for (Label run = begin; run < end; ++run) roots += parents[run] == run ? 1 : 0;
+  return roots;
 }
 
-template <BandKind band>
+template <BandKind band, class Mark>
 [[gnu::always_inline]] inline Label number_runs(const ConstBitPlaneView& image,
-                                                const RunForest& runs) {
+                                                const RunForest& runs, const Mark& mark_runs) {
   const Index bands = bands_of(band, image.height);
   if constexpr (band != BandKind::pair) return number_in_order(runs, 0, runs.first[bands], 0);
   Label objects = 0;
   for (Index number = 0; number < bands; ++number) {
     const Label begin = runs.first[number];
     const Label end = runs.first[number + 1];
-    if (has_root(runs.parents, begin, end)) {
-      objects = number_pair(image, number, runs, objects);
-    } else {
+    const Label roots = count_roots(runs.parents, begin, end);
+    if (roots == 0) {
       copy_ids(runs, begin, end);
+    } else if (roots == 1) {  // in any order
+      objects = number_in_order(runs, begin, end, objects);
+    } else {
+      objects = number_pair(number, runs, objects, mark_runs);
     }
   }
   return objects;

@@ -162,9 +162,14 @@ template <bool with_background>
 }
 
 /// Contacts of runs are faster than union-find on a row whose runs do not match those above, with a
-/// boundary in every seventh pixel or more.
-[[gnu::always_inline]] inline void lose_patience(RunLabelling& labelling, Index width) {
-  if (7 * labelling.here.count > width) {
+/// boundary in every seventh pixel or more; with background in every sixth, and not where rows are
+/// repeated.
+template <bool with_background>
+[[gnu::always_inline]] inline void lose_patience(RunLabelling& labelling, bool is_change,
+                                                 Index width) {
+  if (!with_background && !is_change) return;
+  constexpr Index pixels = with_background ? 6 : 7;
+  if (is_change && pixels * labelling.here.count > width) {
     --labelling.patience;
   } else if (labelling.patience < kPatience) {
     ++labelling.patience;
@@ -182,10 +187,10 @@ Index label_block(const ConstBitPlaneView& image, Index first, Index last,
   Index y = first;
   for (; y < last && has_room(labelling.tables, image.width) && labelling.patience >= 0; ++y) {
     here.count = find_keys_of_row(image.row(y), words, here.keys);
-    if (here.count != above.count || !all_match(above.keys, here.keys, here.count)) {
-      label_change<with_background>(labelling, first, y);
-      if (!with_background) lose_patience(labelling, image.width);
-    }
+    const bool is_change =
+        here.count != above.count || !all_match(above.keys, here.keys, here.count);
+    if (is_change) label_change<with_background>(labelling, first, y);
+    lose_patience<with_background>(labelling, is_change, image.width);
     add_row(labelling.accumulators, here.keys, here.count, y - first);
     Key* const keys = above.keys;
     above.keys = here.keys;

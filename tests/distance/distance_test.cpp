@@ -79,6 +79,29 @@ TEST(SquaredDistances, equal_brute_force_by_every_variant) {
   }
 }
 
+/// Results of 4 MB and more are written in another way, and such images are cut into strips.
+TEST(SquaredDistances, of_large_images_with_distant_background_equal_the_reference) {
+  constexpr Index width = 1710, height = 620;
+  std::mt19937 random(3);
+  const auto pixels = random_pixels(width * height, 20'000, random);
+  const ConstImageView image(pixels.data(), width, height);
+  Numbers expected(pixels.size());
+  reference::squared_distances(image, {expected.data(), width, height});
+  std::vector<double> roots;
+  for (const std::int32_t square : expected) roots.push_back(std::sqrt(square));
+  for (const auto& variant : detail::study::distance_operation().variants) {
+    if (!unavailable_reason(variant, width).empty()) continue;
+    const auto state = make_state(variant, width, height, {}, 3);
+    Numbers found(expected.size() + 1);
+    state->run(image, {found.data() + 1, width, height});
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), found.begin() + 1))
+        << name_of(variant);
+    std::vector<double> found_roots(expected.size());
+    state->run(image, {found_roots.data(), width, height}, {});
+    EXPECT_TRUE(found_roots == roots) << name_of(variant);
+  }
+}
+
 TEST(SquaredDistances, are_exact_at_the_greatest_distance) {
   std::vector<std::uint8_t> pixels(kMaxDistanceSide, 1);
   pixels.front() = 0;

@@ -22,9 +22,10 @@ inline constexpr std::int32_t kNoBackground = std::numeric_limits<std::int32_t>:
 /// distance_transform_edt; surround the image with background where it should. Exact integers.
 ///
 /// Views must have the same size and share no byte; the stride of `distances` is in numbers. Takes
-/// 2 bytes of memory per pixel beside the views. Thread-safe for different destinations. Throws
-/// std::invalid_argument for a side above kMaxDistanceSide, unsuitable views, threads out of range
-/// and an ISA that is not available, and std::bad_alloc. Nothing is written if it throws.
+/// half a byte of memory per pixel at most beside the views, and half a megabyte per thread.
+/// Thread-safe for different destinations. Throws std::invalid_argument for a side above
+/// kMaxDistanceSide, unsuitable views, threads out of range and an ISA that is not available, and
+/// std::bad_alloc. Nothing is written if it throws.
 ///
 /// Source: A. Meijster, J. Roerdink and W. Hesselink 2000, "A general algorithm for computing
 /// distance transforms in linear time".
