@@ -198,6 +198,7 @@ static void finds_regions_and_labels(void) {
   CHECK(thinbench_euler_number(&one, 4, NULL, &number) == THINBENCH_OK && number == 0);
 }
 
+/* Two lines that touch. */
 static const int32_t labelled[3][5] = {{0, 0, 4, 0, 7}, {4, 4, 4, 4, 7}, {0, 0, 0, 0, 7}};
 
 static void labels_objects(void) {
@@ -512,7 +513,6 @@ static void finds_the_graph_of_a_skeleton(void) {
   thinbench_graph_destroy(graph);
 }
 
-/* Two lines that touch, and a branch that is pruned. */
 static void finds_the_graphs_of_labels(void) {
   const int32_t* lines = &labelled[0][0];
   double distances[15];

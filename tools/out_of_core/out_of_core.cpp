@@ -68,8 +68,8 @@ class OutOfCore {
   explicit OutOfCore(const OutOfCoreRun& run)
       : run_(run),
         parameters_(checked_parameters(run)),
-        files_(run.in, run.out, run.format, run.conversion, number_of_files(run)),
         identity_(identity_of(run, parameters_)),
+        files_(run.in, run.out, run.format, run.conversion, number_of_files(run)),
         tiles_(static_cast<std::size_t>(run.tiling.count()), {true, true}),
         hashes_(tiles_.size()),
         team_(static_cast<int>(std::min<Index>(run.execution.threads, run.tiling.count()))) {
@@ -212,8 +212,8 @@ class OutOfCore {
 
   const OutOfCoreRun& run_;
   detail::ThinningParameters parameters_;
+  std::string identity_;  // reads the input, and rejects it before there are files
   WorkFiles files_;
-  std::string identity_;
   Checkpoint state_;                   // of all passes
   std::vector<TileState> tiles_;       // of the last pass
   std::vector<std::uint64_t> hashes_;  // of the tiles that it left
