@@ -232,7 +232,8 @@ static void labels_objects(void) {
   CHECK(thinbench_label_values(&labelled[0][0], 5, &labels[0][0], WIDTH, 3, 5, 8, 0, &objects) ==
         THINBENCH_OK);
   CHECK(objects == 2 && labels[0][2] == 1 && labels[1][0] == 1 && labels[0][4] == 2);
-  rejects(thinbench_label_values(&labelled[0][0], 5, &labels[0][0], WIDTH, 3, 5, 5, 0, &objects), "5");
+  rejects(thinbench_label_values(&labelled[0][0], 5, &labels[0][0], WIDTH, 3, 5, 5, 0, &objects),
+          "5");
 }
 
 static void fills_holes_and_finds_edges(void) {
@@ -541,7 +542,8 @@ static void fills_the_holes_of_labels(void) {
   int32_t labels[3][6] = {{4, 4, 4, 7, 7, 7}, {4, 0, 4, 7, 0, 7}, {4, 4, 4, 0, 7, 7}};
   int32_t* const numbers = &labels[0][0];
   int32_t filled[18];
-  CHECK(thinbench_fill_label_holes(numbers, 6, filled, 6, 3, 6, 4, INT64_MAX, NULL) == THINBENCH_OK);
+  CHECK(thinbench_fill_label_holes(numbers, 6, filled, 6, 3, 6, 4, INT64_MAX, NULL) ==
+        THINBENCH_OK);
   CHECK(filled[7] == 4 && filled[10] == 0 && filled[15] == 0);
   CHECK(thinbench_fill_label_holes(numbers, 6, filled, 6, 3, 6, 8, 0, NULL) == THINBENCH_OK);
   CHECK(memcmp(filled, numbers, sizeof(filled)) == 0);
