@@ -440,13 +440,13 @@ void Emitter::emit_row_functions(const std::vector<int>& registers) {
 /// Without registers of their own, the rows are in the pool; there are no places on the stack until
 /// the pool is full.
 void Emitter::load_tile_rows() {
-  constexpr int kRowBytes = 4;
+  const int row_bytes = wide_ ? 64 : 32;
   if (!wide_) {
     for (std::size_t i = 0; i < kWindowPixels; ++i) rows_[(i / 3 + 2) % 3][i % 3].reg = pool_[i];
   }
   begin_row(0);
   for (int y = 0; y < 3; ++y) {
-    const Xbyak::RegExp at = r8 + static_cast<std::size_t>((y - 1) * kRowBytes);
+    const Xbyak::RegExp at = r8 + static_cast<std::size_t>((y - 1) * row_bytes);
     const auto pixel = [&](int x) { return place_of(3 * y + x).reg; };
     load(vector(pixel(1)), ptr[at]);
     emit_neighbours(vector(pixel(0)), vector(pixel(1)), vector(pixel(2)), at);

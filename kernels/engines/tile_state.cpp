@@ -24,7 +24,7 @@ TileState::TileState(TileEngine engine, const ThinningSetting& setting)
       team_(setting.width, setting.height, setting.threads),
       conversion_(plane_conversion<std::uint64_t>(setting.isa)),
       workspace_(setting.width, setting.height, setting.border, setting.threads) {
-  const Index tile_rows = std::max<Index>(1, workspace_.grid().tile_rows());
+  const Index tile_rows = std::max<Index>(1, workspace_.grid().tile_rows);
   const auto bands = static_cast<std::size_t>(std::min<Index>(setting.threads, tile_rows));
   rows_.reserve(bands);
   while (rows_.size() < bands) rows_.emplace_back(setting.width, kTileRows);
@@ -54,20 +54,20 @@ void TileState::store(const PackedView& destination) const {
 }
 
 int TileState::thin() {
-  TileGrid& grid = workspace_.grid();
+  const TileGridView& grid = workspace_.grid();
   const TileLayout& layout = *engine_.layout;
   const ConstBitPlaneView from = std::as_const(planes_.value().source).view();
   const BitPlaneView to = planes_.value().result.view();
-  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+  team_.for_bands(grid.tile_rows, [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
-      layout.load_rows(grid.view(), rows_of_tiles(from, row), row);
+      layout.load_rows(grid, rows_of_tiles(from, row), row);
     }
   });
   const int iterations =
       iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
-  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+  team_.for_bands(grid.tile_rows, [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
-      layout.store_rows(grid.view(), rows_of_tiles(to, row), row);
+      layout.store_rows(grid, rows_of_tiles(to, row), row);
     }
   });
   if (setting_.complemented) complement(to);
@@ -77,7 +77,7 @@ int TileState::thin() {
 template <class Body>
 void TileState::for_tile_rows(const Body& body) {
   std::atomic<std::size_t> next = 0;
-  team_.for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
+  team_.for_bands(workspace_.grid().tile_rows, [&](Index first, Index last) {
     BitPlaneView band = rows_[next++].view();
     for (Index row = first; row < last; ++row) {
       band.height = std::min(kTileRows, setting_.height - row * kTileRows);
@@ -88,7 +88,7 @@ void TileState::for_tile_rows(const Body& body) {
 
 template <class Read, class Write>
 int TileState::run_by_tile_rows(const Read& read, const Write& write) {
-  const TileGridView& grid = workspace_.grid().view();
+  const TileGridView& grid = workspace_.grid();
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     read(row, rows);
     if (setting_.complemented) complement(rows);
@@ -122,7 +122,7 @@ int TileState::run(const ConstPackedView& source, const PackedView& destination)
 std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting) {
   require(TileGrid::fits(setting.width, setting.height),
           "image size " + size_text(setting.width, setting.height) +
-              " needs more than 2^31 tiles of 32 x 16 pixels");
+              " needs more than 2^30 tiles of 32 x 32 pixels");
   BoundRule rule = bind(setting.rule, setting.isa, Layout::tiles, false);
   for (std::size_t i = 0; i < rule.sub_iterations; ++i) {
     if (rule.tile_passes[i] == nullptr) return nullptr;

@@ -19,7 +19,7 @@ enum class Layout : std::uint8_t {
   lanes_32,   // a row of an image per lane
   lanes_64,   //
   lanes_128,  // a row of an image per pair of 64-bit lanes
-  tiles,      // a row of a tile per 32-bit lane; all neighbours are in memory
+  tiles,      // a row of a tile per 32-bit lane, rows above and below in other registers
 };
 inline constexpr std::size_t kLayouts = 6;
 
@@ -30,7 +30,7 @@ constexpr bool is_in_place(Layout layout) {
 
 /// Rows of registers, one below the other. Row -1 and the row after the last are readable, and one
 /// more at either end for two-stage rules. The target is the source, or does not overlap with it.
-/// Of tiles, each register has several rows.
+/// Of tiles, each register has several rows, and row -1 those above them.
 struct ColumnScan {
   const void* source;   // row 0
   Index source_stride;  // bytes
@@ -39,7 +39,7 @@ struct ColumnScan {
   Index rows;
   Index band_rows;        // of these, in at most 64 bands; the last band may have fewer
   const void* fixed;      // a register with a 1 for every pixel that must not change, or nullptr
-  Index side_stride = 0;  // tiles: bytes from a tile to its eastern neighbour
+  Index side_stride = 0;  // tiles: bytes to the same register of the tile to the east
 };
 
 /// Returns the bit set of bands in which a pixel changed.
@@ -75,11 +75,11 @@ struct Prefetcher {
 using RepeatFunction = int (*)(const ColumnScan& scan, int max_iterations, Prefetcher& prefetcher);
 
 struct TileGridView;
-struct TileRange;
+struct TileList;
 
-/// Applies one sub-iteration to the tiles of a range, see engines/tile_passes.hpp. Compiled from
+/// Applies one sub-iteration to the tiles of a list, see engines/tile_passes.hpp. Compiled from
 /// the template of a built-in rule, which ignores `scan`, or one that calls `scan` for each tile.
-using TilePass = void (*)(const BoundScan& scan, const TileGridView& grid, const TileRange& range);
+using TilePass = void (*)(const BoundScan& scan, const TileGridView& grid, const TileList& list);
 
 inline constexpr int kMaxSubIterations = static_cast<int>(Rule::kMaxSubIterations);
 

@@ -1,10 +1,7 @@
 #include "engines/iterate_tiles.hpp"
 
-#include <vector>
-
 #include <gtest/gtest.h>
 
-#include "core/exported.hpp"
 #include "core/packing.hpp"
 #include "harness/splitmix64.hpp"
 #include "support/reference_thinning.hpp"
@@ -49,18 +46,25 @@ TEST(IterateTiles, equals_the_reference_if_tiles_are_written_during_the_scan) {
   for (const Index side : {7, 40, 130}) expect_equal_to_reference(squares(1000, 400, side), 1);
 }
 
-TEST(IterateTiles, equals_the_reference_with_a_reduced_delay) {
-  expect_equal_to_reference(squares(200, 2500, 30),
-                            1);  // strips of 157 tiles, so that find_delay is called
+TEST(IterateTiles, equals_the_reference_if_a_chunk_ends_at_a_gap_within_a_row) {
+  ByteImage image = squares(4000, 300, 24);  // rows of 125 tiles, more than 1,024 in ten of them
+  for (Index y = 0; y < image.height(); ++y) {
+    for (Index x = 1900; x < 2300; ++x) image.at(x, y) = 0;
+  }
+  expect_equal_to_reference(image, 1);
+}
+
+TEST(IterateTiles, equals_the_reference_if_a_row_of_tiles_is_longer_than_a_chunk) {
+  expect_equal_to_reference(squares(40000, 70, 26), 1);
 }
 
 TEST(IterateTiles, equals_the_reference_on_several_threads) {
-  const ByteImage image = squares(2000, 2400, 24);  // more than 7 x 512 tiles, enough for 7 threads
+  const ByteImage image = squares(2000, 2400, 24);  // more than 7 x 256 tiles, enough for 7 threads
   for (const int threads : {2, 7}) expect_equal_to_reference(image, threads);
 }
 
 TEST(IterateTiles, equals_the_reference_if_one_of_many_threads_works_alone) {
-  // 4,012 tiles with their margins are enough for 7 threads, but the 2,000 with foreground are not.
+  // The tiles are too few for 7 threads.
   ByteImage image(64, 16000);
   std::uint64_t index = 0;
   for (Index y = 0; y < image.height(); ++y) {
@@ -84,55 +88,7 @@ TEST(IterateTiles, non_temporal_stores_write_the_same_pixels) {
   }
 }
 
-/// Whether tiles[i + distance] - tiles[i] >= reach for all i.
-bool all_gaps_reach(const std::vector<std::uint32_t>& tiles, std::size_t distance,
-                    std::uint32_t reach) {
-  for (std::size_t i = 0; i + distance < tiles.size(); ++i) {
-    if (tiles[i + distance] - tiles[i] < reach) return false;
-  }
-  return true;
-}
-
-/// An ascending list with gaps of 1 to `max_gap`.
-std::vector<std::uint32_t> tiles_with_gaps(std::size_t count, std::uint64_t max_gap) {
-  std::vector<std::uint32_t> tiles;
-  std::uint32_t tile = 0;
-  while (tiles.size() < count) {
-    const std::uint64_t random = splitmix64(7, max_gap << 32 | tiles.size());
-    tile += 1 + static_cast<std::uint32_t>(random % max_gap);
-    tiles.push_back(tile);
-  }
-  return tiles;
-}
-
-/// Checks that the delay suffices and that one about an eighth smaller would not.
-void expect_near_minimum(FindDelay find_delay, const std::vector<std::uint32_t>& tiles,
-                         std::uint32_t reach) {
-  const auto count = static_cast<Index>(tiles.size());
-  for (const Index guess : {1, 50, 1000}) {
-    const Index delay = find_delay(tiles.data(), count, reach, guess, static_cast<Index>(reach));
-    EXPECT_LE(delay, reach);
-    EXPECT_TRUE(all_gaps_reach(tiles, static_cast<std::size_t>(delay), reach));
-    const Index fewer = delay - delay / 8 - 1;
-    EXPECT_TRUE(fewer < 32 || !all_gaps_reach(tiles, static_cast<std::size_t>(fewer), reach));
-  }
-}
-
-TEST(FindDelay, result_suffices_and_is_close_to_the_minimum) {
-  for (const Isa isa : all_isas()) {
-    if (!isa_available(isa)) continue;
-    for (const std::uint32_t reach : {70U, 261U}) {
-      for (const std::size_t count : {0U, 1U, 30U, 400U, 3000U}) {
-        for (const std::uint64_t max_gap : {1U, 3U, 40U}) {
-          expect_near_minimum(kernels_of<TileKernels>(isa).find_delay,
-                              tiles_with_gaps(count, max_gap), reach);
-        }
-      }
-    }
-  }
-}
-
-TEST(IterateTiles, equals_the_reference_with_more_than_64_groups_of_tiles) {
+TEST(IterateTiles, equals_the_reference_with_several_words_per_row_of_tiles) {
   const ByteImage image = squares(4500, 300, 64);
   ByteImage by_tiles(4500, 300);
   thin_by_tiles(Rule::zhang_suen, image, by_tiles);
