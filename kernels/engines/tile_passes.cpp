@@ -26,6 +26,7 @@ namespace {
 using Rows = Lanes32;  // one row of a tile per lane
 constexpr Index kLanes = static_cast<Index>(Rows::size);
 constexpr Index kRegisters = kTileRows / kLanes;  // of a tile, which lie one below the other
+static_assert(kTileRows * sizeof(std::uint32_t) == kTileBytes);
 
 /// `body.template operator()<k>()` for all registers of a tile, unrolled.
 template <class Body>
@@ -89,30 +90,21 @@ struct BuiltInVisitor {
   }
 };
 
-/// The same by a scan function, which reads the registers one below the other.
+/// The same by a scan function.
 struct ScanVisitor {
   const BoundScan& scan;
 
   [[gnu::always_inline]] void operator()(const RowsOfTile& rows, Tile& next) const {
-    constexpr auto bytes = static_cast<Index>(sizeof(Rows));
-    alignas(sizeof(Rows)) std::uint32_t columns[3][kRegisters + 2][kLanes];
     alignas(sizeof(Rows)) std::uint32_t target[kRegisters][kLanes];
-    const auto copy = [&](Index y) __attribute__((always_inline)) {
-      for (Index column = 0; column < 3; ++column) {
-        rows.load(column - 1, y).store_aligned(columns[column][y + 1]);
-      }
-    };
-    copy(-1);
-    for_registers(copy);
-    copy(kRegisters);
-    scan({.source = columns[1][1],
-          .source_stride = bytes,
+    scan({.source = rows.words,
+          .source_stride = 0,
           .target = target,
-          .target_stride = bytes,
-          .rows = kRegisters,
-          .band_rows = kRegisters,
+          .target_stride = 0,
+          .rows = 0,
+          .band_rows = 0,
           .fixed = nullptr,
-          .side_stride = (kRegisters + 2) * bytes});
+          .above = rows.above[0],
+          .below = rows.below[0]});
     for_registers([&](auto y) { next.rows[y] = Rows::load_aligned(target[y]); });
   }
 };

@@ -28,18 +28,25 @@ constexpr bool is_in_place(Layout layout) {
   return layout != Layout::words && layout != Layout::tiles;
 }
 
+inline constexpr Index kTileBytes = 128;  // of 32 x 32 pixels
+
 /// Rows of registers, one below the other. Row -1 and the row after the last are readable, and one
 /// more at either end for two-stage rules. The target is the source, or does not overlap with it.
-/// Of tiles, each register has several rows, and row -1 those above them.
+///
+/// A tile is one after the other of its registers, each of which has every n-th of its rows; so do
+/// row -1, which is the last register with each row moved down by one lane, and the row after the
+/// last. What no register has comes from the tiles above and below. Tiles beside it are kTileBytes
+/// away. Only source, target, above and below have a meaning.
 struct ColumnScan {
   const void* source;   // row 0
   Index source_stride;  // bytes
   void* target;
   Index target_stride;
   Index rows;
-  Index band_rows;        // of these, in at most 64 bands; the last band may have fewer
-  const void* fixed;      // a register with a 1 for every pixel that must not change, or nullptr
-  Index side_stride = 0;  // tiles: bytes to the same register of the tile to the east
+  Index band_rows;    // of these, in at most 64 bands; the last band may have fewer
+  const void* fixed;  // a register with a 1 for every pixel that must not change, or nullptr
+  const std::uint32_t* above = nullptr;  // tiles: the last row of the tile above, between those
+  const std::uint32_t* below = nullptr;  // of its neighbours; the first row of the tile below
 };
 
 /// Returns the bit set of bands in which a pixel changed.
