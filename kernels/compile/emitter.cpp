@@ -435,9 +435,9 @@ void Emitter::emit_row_functions(const std::vector<int>& registers) {
 /// the first and below the last.
 void Emitter::load_tile_register(const Vector& to, int y, int column) {
   const int bytes = wide_ ? 64 : 32;
-  const int registers = static_cast<int>(kTileBytes) / bytes;
+  constexpr auto registers = static_cast<int>(kScannedRegisters);
   const auto own = [&](int number, int offset) {
-    const int displacement = column * static_cast<int>(kTileBytes) + number * bytes + offset;
+    const int displacement = (column * registers + number) * bytes + offset;
     return ptr[r8 + static_cast<std::size_t>(displacement)];
   };
   if (0 <= y && y < registers) return load(to, own(y, 0));
@@ -477,7 +477,7 @@ void Emitter::emit_tile() {
     load_wide(-1);
     load_wide(0);
   }
-  for (int y = 0; y * bytes < static_cast<int>(kTileBytes); ++y) {
+  for (int y = 0; y < static_cast<int>(kScannedRegisters); ++y) {
     const auto turn = static_cast<std::size_t>(y) % 3;
     if (wide_) {
       load_wide(y + 1);

@@ -5,14 +5,15 @@
 namespace thinbench::detail {
 namespace {
 
-/// With fewer tiles per thread, barriers cost more than threads gain:
+/// With fewer rows of tiles per thread, all tiles together, barriers cost more than threads gain:
 /// docs/experiments.md#threads.
-constexpr Index kMinShare = 256;
+constexpr Index kMinShareRows = 8192;
 
 }  // namespace
 
-TileWorkspace::TileWorkspace(Index width, Index height, Border border, int threads)
-    : grid_(width, height, border) {
+TileWorkspace::TileWorkspace(Index width, Index height, Border border, int threads,
+                             const TileShape& shape)
+    : grid_(width, height, border, shape) {
   const TileGridView& grid = grid_.view();
   const Index words = grid.tile_rows * grid.row_words;
   words_ = make_aligned<std::uint32_t>(static_cast<std::size_t>(words + kListSlack));
@@ -38,7 +39,8 @@ class TileIteration {
     const ActiveCount active = engine_.kernels->find_active(
         grid_, {sub, engine_.rule.sub_iterations, parity_, 0, grid_.tile_rows,
                 workspace_.words_.get(), workspace_.before_.get()});
-    const Index shares = active.tiles < team_.threads() * kMinShare ? 1 : team_.threads();
+    const Index shares =
+        active.tiles * grid_.shape.rows < team_.threads() * kMinShareRows ? 1 : team_.threads();
     if (shares == 1) {
       visit(sub, 0, active.words, 0);
     } else {

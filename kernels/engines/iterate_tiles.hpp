@@ -12,7 +12,7 @@ namespace thinbench::detail {
 /// tiles of a chunk and what changed in them.
 class TileWorkspace {
  public:
-  TileWorkspace(Index width, Index height, Border border, int threads);
+  TileWorkspace(Index width, Index height, Border border, int threads, const TileShape& shape);
 
   [[nodiscard]] const TileGridView& grid() const { return grid_.view(); }
 

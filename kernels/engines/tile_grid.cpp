@@ -11,26 +11,27 @@ Index tile_columns_of(Index width) {
   return (width + kTileColumns - 1) / kTileColumns;
 }
 
-Index tile_rows_of(Index height) {
-  return (height + kTileRows - 1) / kTileRows;
+Index tile_rows_of(Index height, const TileShape& shape) {
+  return (height + shape.rows - 1) / shape.rows;
 }
 
 }  // namespace
 
-bool TileGrid::fits(Index width, Index height) {
+bool TileGrid::fits(Index width, Index height, const TileShape& shape) {
   constexpr Index max_tiles = Index{1} << 30;  // 31 bits number them and the rows around them
-  return tile_rows_of(height) + 2 <= max_tiles / (tile_columns_of(width) + 2);
+  return tile_rows_of(height, shape) + 2 <= max_tiles / (tile_columns_of(width) + 2);
 }
 
-TileGrid::TileGrid(Index width, Index height, Border border)
+TileGrid::TileGrid(Index width, Index height, Border border, const TileShape& shape)
     : columns_(tile_columns_of(width)), view_{} {
   view_.width = width;
   view_.height = height;
-  view_.tile_rows = tile_rows_of(height);
+  view_.shape = shape;
+  view_.tile_rows = tile_rows_of(height, shape);
   view_.stride = columns_ + 2;
   view_.row_words = (view_.stride + kWordBits - 1) / kWordBits;
   const Index tiles = view_.tile_rows * view_.stride + 1;
-  words_ = make_aligned<std::uint32_t>(count_of(tiles * kTileRows));
+  words_ = make_aligned<std::uint32_t>(count_of(tiles * shape.rows));
   view_.words = words_.get();
 
   std::size_t edge = 0;
@@ -42,6 +43,14 @@ TileGrid::TileGrid(Index width, Index height, Border border)
         row = edges_[edge++].get() + margin;
       }
     }
+  }
+
+  ChangedLanes& lanes = view_.changed_lanes;
+  std::size_t number = 0;
+  for (auto** const bytes : {&lanes.any, &lanes.west, &lanes.east, &lanes.first, &lanes.last}) {
+    if (shape.lanes > 8) break;
+    changed_lanes_[number] = make_aligned<std::uint8_t>(count_of(tiles + kWordBits));
+    *bytes = changed_lanes_[number++].get();
   }
 
   first_tiles_ = make_aligned<std::uint32_t>(count_of(view_.tile_rows * view_.row_words));

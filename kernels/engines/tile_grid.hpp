@@ -1,4 +1,5 @@
-// Packed pixels in tiles of 32 rows by 32 columns (1024 bits), and which of them changed.
+// Packed pixels in tiles of 32 rows by 32 columns, or of 16 rows with registers of less than 512
+// bits, and which of them changed.
 //
 // Rows of tiles are stored one after the other, with a background tile before and after each.
 // Registers of a tile hold every n-th of its rows, so a row's neighbours above and below are in
@@ -16,15 +17,19 @@
 
 namespace thinbench::detail {
 
-inline constexpr Index kTileRows = 32;
 inline constexpr Index kTileColumns = 32;
 
-/// Where row `y` of a tile is among its words, if a register has `lanes` words: register y modulo
-/// the number of registers.
-[[nodiscard]] constexpr Index word_of_row(Index y, Index lanes) {
-  const Index registers = kTileRows / lanes;
-  return y % registers * lanes + y / registers;
-}
+/// What an ISA makes of tiles. Grids are for the kernels of one shape.
+struct TileShape {
+  Index rows;
+  Index lanes;  // of a register, each of which holds a row
+
+  /// Where row `y` is among the words of a tile: in register y modulo the number of registers.
+  [[nodiscard]] constexpr Index word_of_row(Index y) const {
+    const Index registers = rows / lanes;
+    return y % registers * lanes + y / registers;
+  }
+};
 
 /// The outermost rows of all tiles, by tile: [0] is the first or last row, [1] the next one, which
 /// two-stage rules read.
@@ -41,16 +46,28 @@ struct TileChanges {
   std::uint64_t* above;  // of tiles in row r + 1
 };
 
+/// What a visit changed, a byte per tile with a bit per lane of a register. Not used with 16 lanes.
+struct ChangedLanes {
+  std::uint8_t* any;    // of all registers
+  std::uint8_t* west;   // in the first column
+  std::uint8_t* east;   // in the last column
+  std::uint8_t* first;  // of the first register: bit 0 is the first row of the tile
+  std::uint8_t* last;   // of the last register: the last bit is the last row
+};
+
 struct TileGridView {
   Index width;
   Index height;
+  TileShape shape;
   Index tile_rows;
   Index stride;  // tiles from a tile to the one below it; tiles beside it are next to it
 
-  std::uint32_t* words;  // tile i is at words[kTileRows * i]; the low bit is westernmost
+  std::uint32_t* words;  // tile i is at words[shape.rows * i]; the low bit is westernmost
   /// A sub-iteration reads one and writes the other, for the tiles that it visits. Those that it
   /// changes are visited by the next one, too, so both agree on all other tiles.
   std::array<TileEdges, 2> edges;
+
+  ChangedLanes changed_lanes;
 
   // Bit sets of tiles, in `row_words` words per row of tiles. Bit 0 of a row is the background tile
   // before it, which has number first_tiles[word]; a background tile after it has a bit, too.
@@ -70,10 +87,10 @@ struct TileGridView {
 /// Owns a grid. Allocates only in the constructor.
 class TileGrid {
  public:
-  TileGrid(Index width, Index height, Border border);
+  TileGrid(Index width, Index height, Border border, const TileShape& shape);
 
   /// Whether 31 bits number the tiles of such an image and those next to them.
-  [[nodiscard]] static bool fits(Index width, Index height);
+  [[nodiscard]] static bool fits(Index width, Index height, const TileShape& shape);
 
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
@@ -86,6 +103,7 @@ class TileGrid {
   AlignedArray<std::uint32_t> words_;
   std::array<AlignedArray<std::uint32_t>, 8> edges_;
   AlignedArray<std::uint32_t> first_tiles_;
+  std::array<AlignedArray<std::uint8_t>, 5> changed_lanes_;
   std::array<AlignedArray<std::uint64_t>, kMaxSubIterations + 9> sets_;
   std::size_t set_count_ = 0;
 };

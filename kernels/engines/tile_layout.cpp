@@ -7,15 +7,13 @@
 
 #include "core/exported.hpp"
 #include "engines/tile_passes.hpp"
-#include "simd/vector.hpp"
+#include "engines/tile_registers.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
 constexpr Index kColumnsPerWord = 2;  // of tiles, in 64 bits
-constexpr Index kLanes = static_cast<Index>(Lanes32::size);
-constexpr Index kRegisters = kTileRows / kLanes;
 
 /// Marks tiles with foreground, from `column` on.
 void mark_occupied(const TileGridView& grid, Index tile_row, Index column, std::uint64_t tiles) {
@@ -34,8 +32,8 @@ void load_two_tiles(const TileGridView& grid, const ConstBitPlaneView& rows, Ind
   std::uint64_t any = 0;
   for (Index y = 0; y < kTileRows; ++y) {
     const std::uint64_t word = y < rows.height ? rows.row(y)[column / kColumnsPerWord] : 0;
-    low[word_of_row(y, kLanes)] = static_cast<std::uint32_t>(word);
-    high[word_of_row(y, kLanes)] = static_cast<std::uint32_t>(word >> kTileColumns);
+    low[kTileShape.word_of_row(y)] = static_cast<std::uint32_t>(word);
+    high[kTileShape.word_of_row(y)] = static_cast<std::uint32_t>(word >> kTileColumns);
     any |= word;
   }
   const std::uint64_t in_low = static_cast<std::uint32_t>(any) != 0 ? 1 : 0;
@@ -47,7 +45,7 @@ void store_two_tiles(const TileGridView& grid, const BitPlaneView& rows, Index c
   const std::uint32_t* low = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
   const std::uint32_t* high = low + kTileRows;
   for (Index y = 0; y < rows.height; ++y) {
-    const Index word = word_of_row(y, kLanes);
+    const Index word = kTileShape.word_of_row(y);
     rows.row(y)[column / kColumnsPerWord] = low[word] | std::uint64_t{high[word]} << kTileColumns;
   }
 }
@@ -58,10 +56,11 @@ template <class View>
 void load_transposed(const TileGridView& grid, const View& rows, Index column, Index tile_row) {
   std::uint32_t* const tiles = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
   Lanes32 any(0);
-  for (Index number = 0; number < kRegisters; ++number) {
+  for (Index number = 0; number < kTileRegisters; ++number) {
     Square square;
     for (Index lane = 0; lane < kLanes; ++lane) {
-      const std::uint64_t* row = rows.row(lane * kRegisters + number) + column / kColumnsPerWord;
+      const std::uint64_t* row =
+          rows.row(lane * kTileRegisters + number) + column / kColumnsPerWord;
       square.rows[lane] = reinterpreted<Lanes32>(WordBatch::load_unaligned(row));
       any = any | square.rows[lane];
     }
@@ -76,14 +75,14 @@ void load_transposed(const TileGridView& grid, const View& rows, Index column, I
 template <class View>
 void store_transposed(const TileGridView& grid, const View& rows, Index column, Index tile_row) {
   const std::uint32_t* const tiles = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
-  for (Index number = 0; number < kRegisters; ++number) {
+  for (Index number = 0; number < kTileRegisters; ++number) {
     Square square;
     for (Index tile = 0; tile < kLanes; ++tile) {
       square.rows[tile] = Lanes32::load_aligned(tiles + tile * kTileRows + number * kLanes);
     }
     const Square pixels = transposed(square);
     for (Index lane = 0; lane < kLanes; ++lane) {
-      std::uint64_t* row = rows.row(lane * kRegisters + number) + column / kColumnsPerWord;
+      std::uint64_t* row = rows.row(lane * kTileRegisters + number) + column / kColumnsPerWord;
       reinterpreted<WordBatch>(pixels.rows[lane]).store_unaligned(row);
     }
   }
@@ -156,7 +155,7 @@ void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_r
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const TileLayout Exported<TileLayout, kThisIsa>::kKernels = {kLanes, &load_rows,
+constinit const TileLayout Exported<TileLayout, kThisIsa>::kKernels = {kTileShape, &load_rows,
                                                                        &store_rows};
 
 }  // namespace thinbench::detail

@@ -1,4 +1,4 @@
-// Sub-iterations on tiles of 32 x 32 packed pixels. Visits only tiles in which, or within one pixel
+// Sub-iterations on tiles of packed pixels. Visits only tiles in which, or within one pixel
 // of which, something changed since the same sub-iteration last ran. Compiled once for every ISA.
 //
 // Cost per tile at AVX-512: 12 loads, 6 of them of single words, 6 permutations, 8 funnel shifts,
@@ -15,18 +15,16 @@
 #include <utility>
 
 #include "core/exported.hpp"
+#include "engines/tile_registers.hpp"
 #include "scan/built_in.hpp"
 #include "scan/window.hpp"
-#include "simd/vector.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-using Rows = Lanes32;  // one row of a tile per lane
-constexpr Index kLanes = static_cast<Index>(Rows::size);
-constexpr Index kRegisters = kTileRows / kLanes;  // of a tile, which lie one below the other
-static_assert(kTileRows * sizeof(std::uint32_t) == kTileBytes);
+using Rows = Lanes32;                                               // one row of a tile per lane
+static_assert(kTileRegisters == kScannedRegisters || kLanes == 4);  // then there are no scans
 
 /// `body.template operator()<k>()` for all registers of a tile, unrolled.
 template <class Body>
@@ -34,12 +32,12 @@ template <class Body>
   [&]<Index... numbers>(std::integer_sequence<Index, numbers...>) __attribute__((always_inline)) {
     (body(std::integral_constant<Index, numbers>{}), ...);
   }
-  (std::make_integer_sequence<Index, kRegisters>{});
+  (std::make_integer_sequence<Index, kTileRegisters>{});
 }
 
 /// A tile in registers.
 struct Tile {
-  Rows rows[kRegisters];
+  Rows rows[kTileRegisters];
 };
 
 /// Row access for rules: row(y) is register y of a tile; the registers above the first and below
@@ -56,12 +54,11 @@ struct RowsOfTile {
 
   /// Register `y` of the tile, or of the one `column` tiles to the east.
   [[gnu::always_inline]] Rows load(Index column, Index y) const {
-    const auto own = [&](Index number) {
-      return Rows::load_aligned(words + column * kTileRows + number * kLanes);
-    };
-    if (y < 0) return previous_lane(own(y + kRegisters), above[-1 - y][column]);
-    if (y >= kRegisters) return next_lane(own(y - kRegisters), below[y - kRegisters][column]);
-    return own(y);
+    const auto own = [&](Index number) { return words + column * kTileRows + number * kLanes; };
+    if (y < 0) return previous_lanes(own(y + kTileRegisters), above[-1 - y][column]);
+    if (y >= kTileRegisters)
+      return next_lanes(own(y - kTileRegisters), below[y - kTileRegisters][column]);
+    return Rows::load_aligned(own(y));
   }
 
   [[gnu::always_inline]] RowTriple<Rows> row(Index y) const {
@@ -95,7 +92,7 @@ struct ScanVisitor {
   const BoundScan& scan;
 
   [[gnu::always_inline]] void operator()(const RowsOfTile& rows, Tile& next) const {
-    alignas(sizeof(Rows)) std::uint32_t target[kRegisters][kLanes];
+    alignas(sizeof(Rows)) std::uint32_t target[kTileRegisters][kLanes];
     scan({.source = rows.words,
           .source_stride = 0,
           .target = target,
@@ -109,29 +106,34 @@ struct ScanVisitor {
   }
 };
 
-/// What changed in a tile, as four numbers of 16 bits, from the low end:
+/// Stores what changed in a tile. In registers of 16 lanes, in an entry of four numbers of 16 bits,
+/// from the low end:
 /// - the changed rows of the first register: bit 0 is the first row of the tile
-/// - those of all others: bit 15 is the last row of the tile
-/// - the rows that changed in the first column, in any order: bit 0 tells of the first row and
-///   possibly of others of its lane, bit 15 of the last row
+/// - those of the last: bit 15 is the last row of the tile
+/// - the lanes with changes in the first column: bit 0 tells of the first row and possibly of
+/// others,
+///   bit 15 of the last row
 /// - the same of the last column
-[[gnu::always_inline]] inline void store_changes(std::uint64_t* to, const std::uint32_t* words,
-                                                 const Tile& next) {
+/// Else in ChangedLanes.
+[[gnu::always_inline]] inline void store_changes(const TileGridView& grid, std::uint64_t* entry,
+                                                 Index tile, const Tile& next) {
+  const std::uint32_t* const words = grid.words + tile * kTileRows;
   Tile changed;
   for_registers(
       [&](auto y) { changed.rows[y] = Rows::load_aligned(words + y * kLanes) ^ next.rows[y]; });
   Rows any = changed.rows[0];
   for_registers([&](auto y) { any = any | changed.rows[y]; });
+  const Rows& first = changed.rows[0];
+  const Rows& last = changed.rows[kTileRegisters - 1];
   if constexpr (kRegisterHoldsRow) {
-    store_lane_bits(to, changed.rows[0], changed.rows[kRegisters - 1], any);
+    store_lane_bits(entry, first, last, any);
   } else {
-    constexpr int to_last = static_cast<int>(16 - kLanes);
-    const auto at_both_ends = [](std::uint64_t bits) { return bits | bits << to_last; };
-    *to =
-        nonzero_lanes(changed.rows[0]) |
-        (nonzero_lanes(any) | std::uint64_t{nonzero_lanes(changed.rows[kRegisters - 1])} << to_last)
-            << 16 |
-        at_both_ends(lowest_bits(any)) << 32 | at_both_ends(highest_bits(any)) << 48;
+    const ChangedLanes& lanes = grid.changed_lanes;
+    lanes.any[tile] = static_cast<std::uint8_t>(nonzero_lanes(any));
+    lanes.west[tile] = static_cast<std::uint8_t>(lowest_bits(any));
+    lanes.east[tile] = static_cast<std::uint8_t>(highest_bits(any));
+    lanes.first[tile] = static_cast<std::uint8_t>(nonzero_lanes(first));
+    lanes.last[tile] = static_cast<std::uint8_t>(nonzero_lanes(last));
   }
 }
 
@@ -163,7 +165,7 @@ template <class Visitor>
   const BorderOfTile border = border_of(grid, tile);
   for (Index y = 0; y < kTileRows; ++y) {
     const std::uint32_t fixed = (border.rows >> y & 1) != 0 ? ~std::uint32_t{0} : border.columns;
-    const Index word = word_of_row(y, kLanes);
+    const Index word = kTileShape.word_of_row(y);
     new_words[word] |= rows.words[word] & fixed;
   }
 }
@@ -176,8 +178,8 @@ template <std::size_t depth>
   for_registers([&](auto y) { next.rows[y].store_aligned(words + y * kLanes); });
   for (std::size_t i = 0; i < depth; ++i) {
     const auto y = static_cast<Index>(i);
-    edges.top[i][tile] = words[word_of_row(y, kLanes)];
-    edges.bottom[i][tile] = words[word_of_row(kTileRows - 1 - y, kLanes)];
+    edges.top[i][tile] = words[kTileShape.word_of_row(y)];
+    edges.bottom[i][tile] = words[kTileShape.word_of_row(kTileRows - 1 - y)];
   }
 }
 
@@ -205,7 +207,7 @@ template <std::size_t depth, bool has_border, class Visitor>
     } else {
       visitor(RowsOfTile(grid, from, tile), next);
     }
-    store_changes(list.changes + i, grid.words + Index{tile} * kTileRows, next);
+    store_changes(grid, list.changes + i, tile, next);
     commit<depth>(grid, to, pending_tile, pending);
     pending = next;
     pending_tile = tile;
@@ -366,48 +368,60 @@ template <class Entry>
           nonzero_lanes(last & east & highest)};
 }
 
-[[gnu::always_inline]] inline ChangedTiles changed_tiles(const std::uint64_t* changes,
-                                                         std::uint64_t tiles) {
+/// Of the tiles of a batch of bytes, visited or not.
+[[gnu::always_inline]] inline ChangedTiles changed_lanes(const ChangedLanes& lanes, Index tile) {
+  const auto load = [&](const std::uint8_t* from) {
+    return ByteBatch::load_unaligned(from + tile);
+  };
+  const ByteBatch lowest(std::uint8_t{1});
+  const ByteBatch highest(static_cast<std::uint8_t>(1U << (kLanes - 1)));
+  const ByteBatch west = load(lanes.west);
+  const ByteBatch east = load(lanes.east);
+  const ByteBatch top = load(lanes.first) & lowest;
+  const ByteBatch bottom = load(lanes.last) & highest;
+  return {nonzero_bits(load(lanes.any)),
+          nonzero_bits(top),
+          nonzero_bits(bottom),
+          nonzero_bits(west),
+          nonzero_bits(east),
+          nonzero_bits(top & west),
+          nonzero_bits(top & east),
+          nonzero_bits(bottom & west),
+          nonzero_bits(bottom & east)};
+}
+
+/// Of the tiles of a word. `changes` has their entries.
+[[gnu::always_inline]] inline ChangedTiles changed_tiles(const TileGridView& grid, Index word,
+                                                         const std::uint64_t* changes) {
+  const std::uint64_t tiles = grid.active[word];
+  ChangedTiles changed{};
   if constexpr (kRegisterHoldsRow) {
     constexpr int entries = 32;
-    ChangedTiles changed = changed_entries(changes);
+    changed = changed_entries(changes);
     if (__builtin_popcountll(tiles) > entries) {
       const ChangedTiles more = changed_entries(changes + entries);
       for_all_bits([&](auto bits) { changed.*bits |= more.*bits << entries; });
     }
     for_all_bits([&](auto bits) { changed.*bits = scatter_bits(changed.*bits, tiles); });
-    return changed;
   } else {
-    ChangedTiles changed{};
-    for (std::uint64_t rest = tiles; rest != 0; rest &= rest - 1, ++changes) {
-      const std::uint64_t tile = rest & -rest;
-      const std::uint64_t entry = *changes;
-      const auto where = [&](std::uint64_t bits) { return bits != 0 ? tile : 0; };
-      const std::uint64_t top = entry & 1;
-      const std::uint64_t bottom = entry >> 31 & 1;
-      changed.any |= where(entry);
-      changed.top |= where(top);
-      changed.bottom |= where(bottom);
-      changed.west |= where(entry >> 32 & 0xFFFF);
-      changed.east |= where(entry >> 48);
-      changed.north_west |= where(top & entry >> 32);
-      changed.north_east |= where(top & entry >> 48);
-      changed.south_west |= where(bottom & entry >> 47);
-      changed.south_east |= where(bottom & entry >> 63);
+    for (Index at = 0; at < kWordBits; at += static_cast<Index>(ByteBatch::size)) {
+      const ChangedTiles some = changed_lanes(grid.changed_lanes, grid.first_tiles[word] + at);
+      for_all_bits([&](auto bits) { changed.*bits |= some.*bits << at; });
     }
-    return changed;
+    for_all_bits([&](auto bits) { changed.*bits &= tiles; });
   }
+  return changed;
 }
 
 /// Correct for two-stage rules too, see TwoStageRule.
-void record_changes(const TileGridView& grid, const TileWords& words, const std::uint64_t* changes,
-                    std::size_t parity) {
+void record_changes(const TileGridView& shared, const TileWords& words,
+                    const std::uint64_t* changes, std::size_t parity) {
+  const TileGridView grid = shared;
   const TileChanges sets = grid.changes[parity];
-  const std::uint64_t* const active = grid.active;
   for (Index i = 0; i < words.count; ++i) {
     const Index word = words.words[i];
-    const ChangedTiles changed = changed_tiles(changes, active[word]);
-    changes += __builtin_popcountll(active[word]);
+    const ChangedTiles changed = changed_tiles(grid, word, changes);
+    changes += __builtin_popcountll(grid.active[word]);
     sets.here[word] |= changed.any | changed.west >> 1 | changed.east << 1;
     sets.below[word] |= changed.top | changed.north_west >> 1 | changed.north_east << 1;
     sets.above[word] |= changed.bottom | changed.south_west >> 1 | changed.south_east << 1;

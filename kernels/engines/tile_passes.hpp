@@ -58,9 +58,9 @@ inline constexpr Index kMinChunk = 1024;
 inline constexpr Index kListSlack = 64;
 
 /// Copies the pixels of one row of tiles into the grid and back, and makes all tiles with
-/// foreground active. `rows` has kTileRows rows of pixels, fewer at the lower end of the image.
+/// foreground active. `rows` has the pixels, fewer rows at the lower end of the image.
 struct TileLayout {
-  Index lanes;  // of a register, see word_of_row()
+  TileShape shape;
   void (*load_rows)(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row);
   void (*store_rows)(const TileGridView& grid, const BitPlaneView& rows, Index tile_row);
 };

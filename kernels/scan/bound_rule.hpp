@@ -28,15 +28,15 @@ constexpr bool is_in_place(Layout layout) {
   return layout != Layout::words && layout != Layout::tiles;
 }
 
-inline constexpr Index kTileBytes = 128;  // of 32 x 32 pixels
+inline constexpr Index kScannedRegisters = 2;  // of a tile
 
 /// Rows of registers, one below the other. Row -1 and the row after the last are readable, and one
 /// more at either end for two-stage rules. The target is the source, or does not overlap with it.
 ///
 /// A tile is one after the other of its registers, each of which has every n-th of its rows; so do
 /// row -1, which is the last register with each row moved down by one lane, and the row after the
-/// last. What no register has comes from the tiles above and below. Tiles beside it are kTileBytes
-/// away. Only source, target, above and below have a meaning.
+/// last. What no register has comes from the tiles above and below. Tiles beside it are next to it
+/// in memory. Only source, target, above and below have a meaning.
 struct ColumnScan {
   const void* source;   // row 0
   Index source_stride;  // bytes

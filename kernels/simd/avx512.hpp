@@ -180,12 +180,14 @@ inline std::uint32_t lowest_bits(Lanes32 a) {
   return _mm512_test_epi32_mask(a, _mm512_set1_epi32(1));
 }
 
-inline Lanes32 previous_lane(Lanes32 a, std::uint32_t first) {
-  return _mm512_alignr_epi32(a, _mm512_set1_epi32(static_cast<int>(first)), 15);
+inline Lanes32 previous_lanes(const std::uint32_t* words, std::uint32_t first) {
+  const __m512i lane = _mm512_set1_epi32(static_cast<int>(first));
+  return _mm512_alignr_epi32(Lanes32::load_aligned(words), lane, 15);
 }
 
-inline Lanes32 next_lane(Lanes32 a, std::uint32_t last) {
-  return _mm512_alignr_epi32(_mm512_set1_epi32(static_cast<int>(last)), a, 1);
+inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last) {
+  const __m512i lane = _mm512_set1_epi32(static_cast<int>(last));
+  return _mm512_alignr_epi32(lane, Lanes32::load_aligned(words), 1);
 }
 
 // Joined in mask registers: through general registers a visit of a tile takes 9 cycles longer.

@@ -69,12 +69,12 @@ inline std::uint32_t lowest_bits(Lanes32 a) {
   return highest_bits(a << 31);
 }
 
-inline Lanes32 previous_lane(Lanes32 a, std::uint32_t first) {
-  return Lanes32::lanes([&](std::size_t i) { return i > 0 ? a[i - 1] : first; });
+inline Lanes32 previous_lanes(const std::uint32_t* words, std::uint32_t first) {
+  return Lanes32::lanes([&](std::size_t i) { return i > 0 ? words[i - 1] : first; });
 }
 
-inline Lanes32 next_lane(Lanes32 a, std::uint32_t last) {
-  return Lanes32::lanes([&](std::size_t i) { return i + 1 < a.size ? a[i + 1] : last; });
+inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last) {
+  return Lanes32::lanes([&](std::size_t i) { return i + 1 < Lanes32::size ? words[i + 1] : last; });
 }
 
 inline WordBatch previous_in_pair(WordBatch a) {

@@ -164,9 +164,11 @@ template <int number>
 [[gnu::always_inline]] inline std::uint32_t highest_bits(Lanes32 a);
 [[gnu::always_inline]] inline std::uint32_t lowest_bits(Lanes32 a);
 
-/// Lane i is lane i - 1 of `a`, lane 0 is `first`; or lane i + 1, and the last lane is `last`.
-[[gnu::always_inline]] inline Lanes32 previous_lane(Lanes32 a, std::uint32_t first);
-[[gnu::always_inline]] inline Lanes32 next_lane(Lanes32 a, std::uint32_t last);
+/// Lane i is words[i - 1], lane 0 is `first`; or words[i + 1], and the last lane is `last`. Words
+/// are aligned, and words[-1], or the word after the last, is readable.
+[[gnu::always_inline]] inline Lanes32 previous_lanes(const std::uint32_t* words,
+                                                     std::uint32_t first);
+[[gnu::always_inline]] inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last);
 
 /// Stores nonzero_lanes(a), nonzero_lanes(b), lowest_bits(c) and highest_bits(c), 16 bits each,
 /// from the low end. [kRegisterHoldsRow]
