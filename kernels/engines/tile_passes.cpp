@@ -368,8 +368,9 @@ template <class Entry>
           nonzero_lanes(last & east & highest)};
 }
 
-/// Of the tiles of a batch of bytes, visited or not.
-[[gnu::always_inline]] inline ChangedTiles changed_lanes(const ChangedLanes& lanes, Index tile) {
+/// Of the tiles of a batch of bytes, visited or not. A template because not every ISA uses it.
+template <class Lanes>
+[[gnu::always_inline]] inline ChangedTiles changed_lanes(const Lanes& lanes, Index tile) {
   const auto load = [&](const std::uint8_t* from) {
     return ByteBatch::load_unaligned(from + tile);
   };
