@@ -9,8 +9,8 @@ inline namespace THINBENCH_ISA {
 
 inline constexpr Index kLanes = static_cast<Index>(Lanes32::size);  // a row of a tile in each
 
-/// Twice as many rows cost a quarter more time per pixel, as a change makes more pixels active, and
-/// more registers. Tiles of 32 rows pay only in registers of 16 lanes: docs/experiments.md#tiles.
+/// Of 32 rows, a quarter more pixels are visited than of 16, with fewer visits. That pays only in
+/// registers of 16 lanes: docs/experiments.md#tiles.
 inline constexpr Index kTileRows = kLanes == 16 ? 32 : 16;
 inline constexpr Index kTileRegisters = kTileRows / kLanes;
 inline constexpr TileShape kTileShape = {kTileRows, kLanes};
