@@ -81,7 +81,7 @@ std::optional<Emitter::RowFunction> Emitter::row_function_of(const Gate& gate,
 /// Finds the functions of rows that several rows need.
 void Emitter::find_row_functions() {
   row_functions_by_gate_.resize(network_.gates.size());
-  if (layout_ == Layout::tiles) return;  // every step loads all of its rows
+  if (layout_ == Layout::tiles && !wide_) return;  // every row loads all that it reads
   std::vector<RowFunction> functions;
   std::vector<unsigned> rows_with;  // by function: a bit per row
   for (std::size_t i = 0; i < network_.gates.size(); ++i) {
@@ -327,7 +327,7 @@ void Emitter::apply(std::uint8_t function, const Vector& to, const Vector& first
 }
 
 /// Restores fixed pixels, stores the row and records changes.
-void Emitter::emit_output() {
+void Emitter::emit_output(const Xbyak::Address& target) {
   const int output = network_.output;
   const std::array<int, 3> pinned = {output, kCentre, output};
   const Vector before = vector(in_register(kCentre, pinned));
@@ -338,19 +338,19 @@ void Emitter::emit_output() {
       next = vector(scratch_);
       vpternlogq(next, before, vector(fixed_), 0xD8);  // fixed ? before : next
     }
-    store(ptr[r10], next);
+    store(target, next);
     vpternlogq(vector(changed_), before, next, 0xF6);  // changed | (before ^ next)
     return;
   }
   const Vector next = vector(in_register(output, pinned));
   const Vector difference = vector(scratch_);
-  if (!has_fixed_) store(ptr[r10], next);
+  if (!has_fixed_) store(target, next);
   vpxor(difference, next, before);
   if (has_fixed_) {
     vpandn(difference, vector(fixed_), difference);
     vpor(vector(changed_), vector(changed_), difference);
     vpxor(difference, difference, before);
-    store(ptr[r10], difference);
+    store(target, difference);
     return;
   }
   vpor(vector(changed_), vector(changed_), difference);
@@ -364,12 +364,6 @@ void Emitter::emit_neighbours(const Vector& west, const Vector& centre, const Ve
     const bool narrow = layout_ == Layout::lanes_32;
     narrow ? vpslld(west, centre, 1) : vpsllq(west, centre, 1);
     narrow ? vpsrld(east, centre, 1) : vpsrlq(east, centre, 1);
-    return;
-  }
-  if (layout_ == Layout::tiles) {
-    load(west, ptr[at + rsi]);
-    load(east, ptr[at + rdi]);
-    combine_neighbours<32>(west, centre, east);
     return;
   }
   if (layout_ == Layout::words) {
@@ -437,53 +431,99 @@ void Emitter::emit_row_functions(const std::vector<int>& registers) {
   }
 }
 
-/// Without registers of their own, the rows are in the pool; there are no places on the stack until
-/// the pool is full.
-void Emitter::load_tile_rows() {
-  constexpr int kRowBytes = 4;
-  if (!wide_) {
-    for (std::size_t i = 0; i < kWindowPixels; ++i) rows_[(i / 3 + 2) % 3][i % 3].reg = pool_[i];
+/// Register `y` of a tile, or of the one `column` tiles to the east; see ColumnScan for those above
+/// the first and below the last.
+void Emitter::load_tile_register(const Vector& to, int y, int column) {
+  const int bytes = wide_ ? 64 : 32;
+  constexpr auto registers = static_cast<int>(kScannedRegisters);
+  const auto own = [&](int number, int offset) {
+    const int displacement = (column * registers + number) * bytes + offset;
+    return ptr[r8 + static_cast<std::size_t>(displacement)];
+  };
+  if (0 <= y && y < registers) return load(to, own(y, 0));
+  const bool is_above = y < 0;
+  const Vector other = vector(scratch_);
+  vpbroadcastd(other, ptr[(is_above ? r9 : r11) + static_cast<std::size_t>(column * 4)]);
+  if (wide_) {
+    load(to, own(is_above ? registers - 1 : 0, 0));
+    is_above ? valignd(to, to, other, 15) : valignd(to, other, to, 1);
+  } else {
+    load(to, is_above ? own(registers - 1, -4) : own(0, 4));
+    vpblendd(to, to, other, is_above ? 0x01 : 0x80);
   }
-  begin_row(0);
-  for (int y = 0; y < 3; ++y) {
-    const Xbyak::RegExp at = r8 + static_cast<std::size_t>((y - 1) * kRowBytes);
-    const auto pixel = [&](int x) { return place_of(3 * y + x).reg; };
-    load(vector(pixel(1)), ptr[at]);
-    emit_neighbours(vector(pixel(0)), vector(pixel(1)), vector(pixel(2)), at);
-    for (int x = 0; x < 3 && !wide_; ++x) {
-      holds_[static_cast<std::size_t>(pixel(x))] = 3 * y + x;
+}
+
+/// Into registers of west, centre and east pixels.
+void Emitter::load_tile_row(int y, const std::array<int, 3>& registers) {
+  for (int column = -1; column <= 1; ++column) {
+    load_tile_register(vector(registers[static_cast<std::size_t>(column + 1)]), y, column);
+  }
+  combine_neighbours<32>(vector(registers[0]), vector(registers[1]), vector(registers[2]));
+}
+
+/// r8 is the address of the tile, r9 that of the row above it, r11 of the row below, r10 the
+/// target. Without registers of their own, rows are in the pool; there are no places on the stack
+/// until the pool is full.
+void Emitter::emit_tile() {
+  const int bytes = wide_ ? 64 : 32;
+  const auto load_wide = [&](int y) {
+    const RowPlaces& row = rows_[static_cast<std::size_t>(y + 3) % 3];
+    std::vector<int> registers;
+    for (const Place& place : row) registers.push_back(place.reg);
+    load_tile_row(y, {registers[0], registers[1], registers[2]});
+    emit_row_functions(registers);
+  };
+  if (wide_) {
+    load_wide(-1);
+    load_wide(0);
+  }
+  for (int y = 0; y < static_cast<int>(kScannedRegisters); ++y) {
+    const auto turn = static_cast<std::size_t>(y) % 3;
+    if (wide_) {
+      load_wide(y + 1);
+      begin_row(turn);
+    } else {
+      for (std::size_t i = 0; i < kWindowPixels; ++i) {
+        rows_[(turn + i / 3 + 2) % 3][i % 3].reg = pool_[i];
+      }
+      begin_row(turn);
+      for (std::size_t row = 0; row < 3; ++row) {
+        load_tile_row(y - 1 + static_cast<int>(row),
+                      {pool_[3 * row], pool_[3 * row + 1], pool_[3 * row + 2]});
+      }
+      for (std::size_t i = 0; i < kWindowPixels; ++i) {
+        holds_[static_cast<std::size_t>(pool_[i])] = static_cast<int>(i);
+      }
     }
+    emit_gates();
+    emit_output(ptr[r10 + static_cast<std::size_t>(y * bytes)]);
+  }
+  emit_return();
+}
+
+void Emitter::emit_gates() {
+  for (now_ = 0; now_ < network_.gates.size(); ++now_) {
+    if (row_functions_by_gate_[now_].function != kNowhere) continue;
+    wide_ ? emit_ternary(now_) : emit_binary(now_);
   }
 }
 
 void Emitter::emit_row(std::size_t turn) {
   L(row_labels_[turn]);
-  if (layout_ == Layout::tiles) {
-    load_tile_rows();
-  } else {
-    load_row(rows_[(turn + 1) % 3], r8 + r9);
-    begin_row(turn);
-  }
-  if (!wide_ && layout_ != Layout::tiles) {
+  load_row(rows_[(turn + 1) % 3], r8 + r9);
+  begin_row(turn);
+  if (!wide_) {
     for (std::size_t i = 0; i < 3; ++i) {  // still in the registers through which they came
       const int value = 6 + static_cast<int>(i);
       place_of(value).reg = pool_[i];
       holds_[static_cast<std::size_t>(pool_[i])] = value;
     }
   }
-  for (now_ = 0; now_ < network_.gates.size(); ++now_) {
-    if (row_functions_by_gate_[now_].function != kNowhere) continue;
-    wide_ ? emit_ternary(now_) : emit_binary(now_);
-  }
-  emit_output();
+  emit_gates();
+  emit_output(ptr[r10]);
   add(r8, r9);
   add(r10, r11);
   dec(rcx);
-  if (layout_ == Layout::tiles) {
-    jnz(row_labels_[0], T_NEAR);
-    emit_return();
-    return;
-  }
   Xbyak::Label same_band;
   jnz(turn == 2 ? row_labels_[0] : same_band, T_NEAR);
   emit_band_end(turn);
@@ -524,8 +564,8 @@ void Emitter::emit_return() {
 }
 
 /// rdi is the program, unused, then the bit of the band; rsi the scan; r8, r9 address and stride of
-/// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it. For
-/// tiles, rdi and rsi become the distances to the tiles in the east and in the west.
+/// the source, r10, r11 of the target; rcx the rows left in the band, rdx those below it. For tiles
+/// see emit_tile().
 void Emitter::emit_function() {
   endbr64();  // an indirect call leads here
   push(rbp);
@@ -551,10 +591,9 @@ void Emitter::emit_function() {
   clear(vector(changed_));
   xor_(eax, eax);
   if (layout_ == Layout::tiles) {
-    mov(rdi, ptr[rsi + offsetof(ColumnScan, side_stride)]);
-    mov(rsi, rdi);
-    neg(rsi);
-    emit_row(0);
+    mov(r9, ptr[rsi + offsetof(ColumnScan, above)]);
+    mov(r11, ptr[rsi + offsetof(ColumnScan, below)]);
+    emit_tile();
   } else {
     mov(edi, 1);
     sub(r8, r9);

@@ -21,8 +21,9 @@ namespace thinbench::detail {
 /// address.
 ///
 /// It keeps three rows, each with its west and east neighbours, as the C++ kernels do. The loop is
-/// unrolled three times, so that rows change roles instead of places. With 32 registers the rows
-/// are in registers; with 16 they are on the stack, and registers hold what is needed next.
+/// unrolled three times, so that rows change roles instead of places; the few rows of a tile have
+/// no loop. With 32 registers the rows are in registers; with 16 they are on the stack, and
+/// registers hold what is needed next.
 class Emitter : private Xbyak::CodeGenerator {
  public:
   static constexpr std::size_t kMaxCodeBytes = 256 * 1024;
@@ -64,7 +65,10 @@ class Emitter : private Xbyak::CodeGenerator {
   void emit_row_functions(const std::vector<int>& registers);
   void emit_function();
   void emit_row(std::size_t turn);
-  void load_tile_rows();
+  void emit_gates();
+  void emit_tile();
+  void load_tile_row(int y, const std::array<int, 3>& registers);
+  void load_tile_register(const Vector& to, int y, int column);
   void emit_band_end(std::size_t turn);
   void load_row(RowPlaces& row, const Xbyak::RegExp& at);
   void emit_neighbours(const Vector& west, const Vector& centre, const Vector& east,
@@ -75,7 +79,7 @@ class Emitter : private Xbyak::CodeGenerator {
   void emit_ternary(std::size_t index);
   void emit_binary(std::size_t index);
   void apply(std::uint8_t function, const Vector& to, const Vector& first, const Vector& second);
-  void emit_output();
+  void emit_output(const Xbyak::Address& target);
 
   // Registers during a row.
   void begin_row(std::size_t turn);

@@ -1,32 +1,33 @@
 // Iterates the tile engine over its lists of active tiles.
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "core/thread_team.hpp"
 #include "engines/tile_passes.hpp"
 
 namespace thinbench::detail {
 
-/// The memory of iterate_tiles(): the grid, the lists of active tiles and the pending tiles. A
-/// share is one thread's part of a list.
+/// The memory of iterate_tiles(): the grid, the words with active tiles and, for each thread, the
+/// tiles of a chunk and what changed in them.
 class TileWorkspace {
  public:
-  TileWorkspace(Index width, Index height, Border border, int threads);
+  TileWorkspace(Index width, Index height, Border border, int threads, const TileShape& shape);
 
-  [[nodiscard]] TileGrid& grid() { return grid_; }
+  [[nodiscard]] const TileGridView& grid() const { return grid_.view(); }
 
  private:
   friend class TileIteration;
 
+  struct Chunk {
+    AlignedArray<std::uint32_t> tiles;
+    AlignedArray<std::uint64_t> changes;
+  };
+
   TileGrid grid_;
-  Index max_delay_;
-  Index ring_size_ = 0;                // tiles per ring buffer
-  AlignedArray<PendingTile> pending_;  // two ring buffers per share
-  AlignedArray<Index> listed_;         // number of tiles listed, by share
-  // For the current and the next sub-iteration; one thread uses a single list.
-  std::array<AlignedArray<std::uint32_t>, 2> lists_;
-  std::array<AlignedArray<std::uint64_t>, 2> visited_;
+  AlignedArray<std::uint32_t> words_;
+  AlignedArray<std::uint32_t> before_;
+  std::vector<Chunk> chunks_;
 };
 
 /// Iterates the engine's sub-iterations on the pixels in the grid, in place, until an iteration

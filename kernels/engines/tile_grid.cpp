@@ -1,7 +1,5 @@
 #include "engines/tile_grid.hpp"
 
-#include <algorithm>
-
 namespace thinbench::detail {
 namespace {
 
@@ -9,103 +7,85 @@ std::size_t count_of(Index elements) {
   return static_cast<std::size_t>(elements);
 }
 
-Index strips_of(Index width) {
+Index tile_columns_of(Index width) {
   return (width + kTileColumns - 1) / kTileColumns;
 }
 
-Index tile_rows_of(Index height) {
-  return (height + kTileRows - 1) / kTileRows;
-}
-
-/// Odd, so that horizontally adjacent tiles never map to the same cache set.
-Index strip_tiles_of(Index tile_rows) {
-  return (tile_rows + 1) | 1;
+Index tile_rows_of(Index height, const TileShape& shape) {
+  return (height + shape.rows - 1) / shape.rows;
 }
 
 }  // namespace
 
-bool TileGrid::fits(Index width, Index height) {
-  constexpr Index max_tiles = Index{1} << 31;  // half of them, as sums with a strip must fit, too
-  return strips_of(width) + 2 <= max_tiles / strip_tiles_of(tile_rows_of(height));
+bool TileGrid::fits(Index width, Index height, const TileShape& shape) {
+  constexpr Index max_tiles = Index{1} << 30;  // 31 bits number them and the rows around them
+  return tile_rows_of(height, shape) + 2 <= max_tiles / (tile_columns_of(width) + 2);
 }
 
-TileGrid::TileGrid(Index width, Index height, Border border)
-    : strips_(strips_of(width)), tile_rows_(tile_rows_of(height)), view_{} {
+TileGrid::TileGrid(Index width, Index height, Border border, const TileShape& shape)
+    : columns_(tile_columns_of(width)), view_{} {
   view_.width = width;
   view_.height = height;
-  view_.strip_tiles = strip_tiles_of(tile_rows_);
-  const Index tiles = round_up((strips_ + 2) * view_.strip_tiles, kTileGroup);
-  view_.groups = tiles / kTileGroup;
-  words_ = make_aligned<std::uint32_t>(count_of((tiles + 2) * kTileRows));
-  view_.words = words_.get() + kTileRows;
+  view_.shape = shape;
+  view_.tile_rows = tile_rows_of(height, shape);
+  view_.stride = columns_ + 2;
+  view_.row_words = (view_.stride + kWordBits - 1) / kWordBits;
+  const Index tiles = view_.tile_rows * view_.stride + 1;
+  words_ = make_aligned<std::uint32_t>(count_of(tiles * shape.rows));
+  view_.words = words_.get();
 
-  const Index margin = round_up(view_.strip_tiles + kTileGroup, kTileGroup);
-  const std::array flags = {&view_.changed_rows, &view_.changed_west, &view_.changed_east};
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    changed_[i] = make_aligned<std::uint16_t>(count_of(tiles + 2 * margin));
-    *flags[i] = changed_[i].get() + margin;
+  std::size_t edge = 0;
+  const Index margin = round_up(view_.stride + 1, kBlockWords * 2);
+  for (TileEdges& edges : view_.edges) {
+    for (auto* rows : {&edges.top, &edges.bottom}) {
+      for (std::uint32_t*& row : *rows) {
+        edges_[edge] = make_aligned<std::uint32_t>(count_of(tiles + 2 * margin));
+        row = edges_[edge++].get() + margin;
+      }
+    }
   }
-  occupied_ = make_aligned<std::uint32_t>(count_of(view_.groups));
-  view_.occupied = occupied_.get();
-  changed_near_ = make_aligned<std::uint32_t>(count_of(kMaxSubIterations * view_.groups));
-  for (Index sub = 0; sub < kMaxSubIterations; ++sub) {
-    view_.changed_near[count_of(sub)] = changed_near_.get() + sub * view_.groups;
+
+  ChangedLanes& lanes = view_.changed_lanes;
+  std::size_t number = 0;
+  for (auto** const bytes : {&lanes.any, &lanes.west, &lanes.east, &lanes.first, &lanes.last}) {
+    if (shape.lanes > 8) break;
+    changed_lanes_[number] = make_aligned<std::uint8_t>(count_of(tiles + kWordBits));
+    *bytes = changed_lanes_[number++].get();
   }
-  occupied_groups_ = make_aligned<std::uint64_t>(count_of(group_words()));
-  view_.occupied_groups = occupied_groups_.get();
+
+  first_tiles_ = make_aligned<std::uint32_t>(count_of(view_.tile_rows * view_.row_words));
+  for (Index i = 0; i < view_.tile_rows * view_.row_words; ++i) {
+    const Index tile = i / view_.row_words * view_.stride + i % view_.row_words * kWordBits;
+    first_tiles_[count_of(i)] = static_cast<std::uint32_t>(tile);
+  }
+  view_.first_tiles = first_tiles_.get();
+  view_.occupied = make_set();
+  view_.active = make_set();
+  for (std::uint64_t*& near : view_.near) near = make_set();
+  for (TileChanges& changes : view_.changes) {
+    changes = {make_set(), make_set(), make_set()};
+  }
   if (border == Border::keep) mark_border_tiles();
 }
 
+/// With a row of tiles before the first one and after the last one.
+std::uint64_t* TileGrid::make_set() {
+  auto& set = sets_[set_count_++];
+  set = make_aligned<std::uint64_t>(count_of((view_.tile_rows + 2) * view_.row_words));
+  return set.get() + view_.row_words;
+}
+
 void TileGrid::mark_border_tiles() {
-  border_tiles_ = make_aligned<std::uint32_t>(count_of(view_.groups));
-  view_.border_tiles = border_tiles_.get();
-  const auto mark = [&](Index strip, Index row) {
-    const Index tile = (strip + 1) * view_.strip_tiles + row;
-    border_tiles_[count_of(tile / kTileGroup)] |= std::uint32_t{1} << (tile % kTileGroup);
-  };
-  for (Index strip = 0; strip < strips_; ++strip) {
-    for (Index row = 0; row < tile_rows_; ++row) {
-      const bool outer_strip = strip == 0 || strip == strips_ - 1;
-      if (outer_strip || row == 0 || row == tile_rows_ - 1) mark(strip, row);
+  std::uint64_t* const border = make_set();
+  for (Index row = 0; row < view_.tile_rows; ++row) {
+    const bool outer_row = row == 0 || row == view_.tile_rows - 1;
+    for (Index column = 0; column < columns_; ++column) {
+      if (!outer_row && column != 0 && column != columns_ - 1) continue;
+      const Index bit = column + 1;
+      border[view_.first_word(row) + bit / kWordBits] |= std::uint64_t{1} << (bit % kWordBits);
     }
   }
-}
-
-void TileGrid::find_occupied() {
-  for (Index group = 0; group < view_.groups; ++group) {
-    std::uint32_t tiles = 0;
-    for (Index i = 0; i < kTileGroup; ++i) {
-      const bool occupied = view_.changed_rows[group * kTileGroup + i] != 0;
-      tiles |= std::uint32_t{occupied} << i;
-    }
-    occupied_[count_of(group)] = tiles;
-  }
-}
-
-Index TileGrid::list_occupied(std::uint32_t* list) {
-  std::fill_n(occupied_groups_.get(), group_words(), 0);
-  Index count = 0;
-  for (Index group = 0; group < view_.groups; ++group) {
-    const std::uint32_t tiles = view_.occupied[group];
-    for (std::uint32_t rest = tiles; rest != 0; rest &= rest - 1) {
-      list[count++] = static_cast<std::uint32_t>(group * kTileGroup + __builtin_ctz(rest));
-    }
-    if (tiles == 0) continue;
-    occupied_groups_[count_of(group / kWordBits)] |= std::uint64_t{1} << (group % kWordBits);
-  }
-  return count;
-}
-
-Index TileGrid::restart(std::uint32_t* list, std::uint64_t* visited) {
-  const Index tiles = view_.groups * kTileGroup;
-  find_occupied();
-  for (std::uint16_t* flags : {view_.changed_rows, view_.changed_west, view_.changed_east}) {
-    std::fill_n(flags, tiles, 0);
-  }
-  for (std::uint32_t* near : view_.changed_near) std::copy_n(view_.occupied, view_.groups, near);
-  const Index count = list_occupied(list);
-  std::copy_n(view_.occupied_groups, group_words(), visited);
-  return count;
+  view_.border = border;
 }
 
 }  // namespace thinbench::detail

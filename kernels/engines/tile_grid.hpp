@@ -1,8 +1,10 @@
-// Packed pixels in tiles of 16 rows by 32 columns (512 bits), and which of their rows changed.
+// Packed pixels in tiles of 32 rows by 32 columns, or of 16 rows with registers of less than 512
+// bits, and which of them changed.
 //
-// Tiles are stored in vertical strips 32 columns wide, so the words before and after a word are its
-// neighbours above and below. Every strip ends with at least one background tile, and there is a
-// background strip on either side, so that no neighbour access needs a condition.
+// Rows of tiles are stored one after the other, with a background tile before and after each.
+// Registers of a tile hold every n-th of its rows, so a row's neighbours above and below are in
+// other registers, in the same lanes. The first and last row of every tile are also kept apart:
+// what a tile needs of the rows of tiles above and below lies side by side there.
 #pragma once
 
 #include <array>
@@ -15,69 +17,95 @@
 
 namespace thinbench::detail {
 
-inline constexpr Index kTileRows = 16;
 inline constexpr Index kTileColumns = 32;
-/// A group is the tiles that share a word of a bit set.
-inline constexpr Index kTileGroup = 32;
+
+/// What an ISA makes of tiles. Grids are for the kernels of one shape.
+struct TileShape {
+  Index rows;
+  Index lanes;  // of a register, each of which holds a row
+
+  /// Where row `y` is among the words of a tile: in register y modulo the number of registers.
+  [[nodiscard]] constexpr Index word_of_row(Index y) const {
+    const Index registers = rows / lanes;
+    return y % registers * lanes + y / registers;
+  }
+};
+
+/// The outermost rows of all tiles, by tile: [0] is the first or last row, [1] the next one, which
+/// two-stage rules read.
+struct TileEdges {
+  std::array<std::uint32_t*, 2> top;
+  std::array<std::uint32_t*, 2> bottom;
+};
+
+/// Bit sets of the tiles next to, or with, a pixel that changed in a sub-iteration, by where the
+/// pixel is: in the same row of tiles, or in the one below or above.
+struct TileChanges {
+  std::uint64_t* here;
+  std::uint64_t* below;  // bits of row r are of tiles in row r - 1
+  std::uint64_t* above;  // of tiles in row r + 1
+};
+
+/// What a visit changed, a byte per tile with a bit per lane of a register. Not used with 16 lanes.
+struct ChangedLanes {
+  std::uint8_t* any;    // of all registers
+  std::uint8_t* west;   // in the first column
+  std::uint8_t* east;   // in the last column
+  std::uint8_t* first;  // of the first register: bit 0 is the first row of the tile
+  std::uint8_t* last;   // of the last register: the last bit is the last row
+};
 
 struct TileGridView {
-  Index strip_tiles;  // the distance between horizontally adjacent tiles
-  Index groups;       // margins included
-
-  std::uint32_t* words;  // row r of tile i is words[kTileRows * i + r]; the low bit is westernmost
-
-  // The rows of each tile that the last sub-iteration changed, as bits: in any column, in the first
-  // column, in the last column. Zero for tiles that were not visited. Readable up to one strip and
-  // one group beyond both ends.
-  std::uint16_t* changed_rows;
-  std::uint16_t* changed_west;
-  std::uint16_t* changed_east;
-
-  // Bit sets of tiles or groups.
-  const std::uint32_t* occupied;  // tiles with foreground in the input
-  /// By sub-iteration: tiles in which, or next to which, a pixel changed.
-  std::array<std::uint32_t*, kMaxSubIterations> changed_near;
-  const std::uint64_t* occupied_groups;  // groups with an occupied tile
-  /// Tiles with border pixels, which must not change; nullptr if all pixels may change.
-  const std::uint32_t* border_tiles;
   Index width;
   Index height;
+  TileShape shape;
+  Index tile_rows;
+  Index stride;  // tiles from a tile to the one below it; tiles beside it are next to it
+
+  std::uint32_t* words;  // tile i is at words[shape.rows * i]; the low bit is westernmost
+  /// A sub-iteration reads one and writes the other, for the tiles that it visits. Those that it
+  /// changes are visited by the next one, too, so both agree on all other tiles.
+  std::array<TileEdges, 2> edges;
+
+  ChangedLanes changed_lanes;
+
+  // Bit sets of tiles, in `row_words` words per row of tiles. Bit 0 of a row is the background tile
+  // before it, which has number first_tiles[word]; a background tile after it has a bit, too.
+  Index row_words;
+  const std::uint32_t* first_tiles;  // the tile of bit 0, by word
+  std::uint64_t* occupied;           // with foreground in the input
+  std::uint64_t* active;             // to be visited
+  const std::uint64_t* border;       // with pixels that must not change; nullptr if there are none
+  std::array<std::uint64_t*, kMaxSubIterations> near;  // changes of all rows, by sub-iteration
+  std::array<TileChanges, 2> changes;  // of the last sub-iteration and of this one, in turn
+
+  /// The number of the tile in the first column.
+  [[nodiscard]] Index first_tile(Index tile_row) const { return tile_row * stride + 1; }
+  [[nodiscard]] Index first_word(Index tile_row) const { return tile_row * row_words; }
 };
 
 /// Owns a grid. Allocates only in the constructor.
 class TileGrid {
  public:
-  TileGrid(Index width, Index height, Border border);
+  TileGrid(Index width, Index height, Border border, const TileShape& shape);
 
-  /// Whether 32 bits number the tiles of such an image and those next to them.
-  [[nodiscard]] static bool fits(Index width, Index height);
+  /// Whether 31 bits number the tiles of such an image and those next to them.
+  [[nodiscard]] static bool fits(Index width, Index height, const TileShape& shape);
 
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
-  /// The number of rows of tiles.
-  [[nodiscard]] Index tile_rows() const { return tile_rows_; }
-  /// The number of 64-bit words of a bit set of groups.
-  [[nodiscard]] Index group_words() const { return (view_.groups + kWordBits - 1) / kWordBits; }
-
-  /// Clears the history. Call after all rows are loaded (see TileLayout). Writes the occupied tiles
-  /// to `list`, which has room for all tiles, in ascending order, and the bit set of their groups
-  /// to `visited`; returns the number of tiles.
-  Index restart(std::uint32_t* list, std::uint64_t* visited);
-
  private:
+  std::uint64_t* make_set();
   void mark_border_tiles();
-  void find_occupied();
-  Index list_occupied(std::uint32_t* list);
 
-  Index strips_;
-  Index tile_rows_;
+  Index columns_;
   TileGridView view_;
   AlignedArray<std::uint32_t> words_;
-  std::array<AlignedArray<std::uint16_t>, 3> changed_;
-  AlignedArray<std::uint32_t> occupied_;
-  AlignedArray<std::uint32_t> changed_near_;
-  AlignedArray<std::uint32_t> border_tiles_;
-  AlignedArray<std::uint64_t> occupied_groups_;
+  std::array<AlignedArray<std::uint32_t>, 8> edges_;
+  AlignedArray<std::uint32_t> first_tiles_;
+  std::array<AlignedArray<std::uint8_t>, 5> changed_lanes_;
+  std::array<AlignedArray<std::uint64_t>, kMaxSubIterations + 9> sets_;
+  std::size_t set_count_ = 0;
 };
 
 }  // namespace thinbench::detail

@@ -1,111 +1,152 @@
 // Converts rows of packed pixels to tiles and back. Compiled once for every ISA.
 //
-// AVX-512 transposes 16 tiles in registers: 16 loads, 64 shuffles and 16 stores for 8,192 pixels.
-// Other ISAs, and the remainder at the edges, move one 64-bit word of two tiles at a time.
+// AVX-512 transposes 16 tiles in registers, every second row at a time: 16 loads, 64 shuffles and
+// 16 stores for 8,192 pixels. Other ISAs, and the remainder at the edges, move one 64-bit word of
+// two tiles at a time.
+#include <algorithm>
+
 #include "core/exported.hpp"
 #include "engines/tile_passes.hpp"
-#include "simd/vector.hpp"
+#include "engines/tile_registers.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-constexpr Index kStripsPerWord = 2;  // of 64 bits
+constexpr Index kColumnsPerWord = 2;  // of tiles, in 64 bits
 
-/// The tile of a row of tiles in the first strip of the image.
-Index first_tile(const TileGridView& grid, Index tile_row) {
-  return grid.strip_tiles + tile_row;
+/// Marks tiles with foreground, from `column` on.
+void mark_occupied(const TileGridView& grid, Index tile_row, Index column, std::uint64_t tiles) {
+  const Index bit = column + 1;
+  const auto shift = static_cast<int>(bit % kWordBits);
+  std::uint64_t* const word = grid.occupied + grid.first_word(tile_row) + bit / kWordBits;
+  word[0] |= tiles << shift;
+  if (shift != 0 && tiles >> (kWordBits - shift) != 0) word[1] |= tiles >> (kWordBits - shift);
 }
 
-/// Loads tiles of two adjacent strips. The second may be the background strip after the last.
-void load_two_tiles(const TileGridView& grid, const ConstBitPlaneView& rows, Index strip,
+/// Loads tiles of two adjacent columns. The second may be the background tile after the last.
+void load_two_tiles(const TileGridView& grid, const ConstBitPlaneView& rows, Index column,
                     Index tile_row) {
-  const Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
-  std::uint32_t* low = grid.words + tile * kTileRows;
-  std::uint32_t* high = low + grid.strip_tiles * kTileRows;
+  std::uint32_t* const low = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
+  std::uint32_t* const high = low + kTileRows;
   std::uint64_t any = 0;
-  for (Index y = 0; y < rows.height; ++y) {
-    const std::uint64_t word = rows.row(y)[strip / kStripsPerWord];
-    low[y] = static_cast<std::uint32_t>(word);
-    high[y] = static_cast<std::uint32_t>(word >> kTileColumns);
+  for (Index y = 0; y < kTileRows; ++y) {
+    const std::uint64_t word = y < rows.height ? rows.row(y)[column / kColumnsPerWord] : 0;
+    low[kTileShape.word_of_row(y)] = static_cast<std::uint32_t>(word);
+    high[kTileShape.word_of_row(y)] = static_cast<std::uint32_t>(word >> kTileColumns);
     any |= word;
   }
-  grid.changed_rows[tile] = static_cast<std::uint32_t>(any) != 0 ? 1 : 0;
-  grid.changed_rows[tile + grid.strip_tiles] = any >> kTileColumns != 0 ? 1 : 0;
+  const std::uint64_t in_low = static_cast<std::uint32_t>(any) != 0 ? 1 : 0;
+  mark_occupied(grid, tile_row, column, in_low | (any >> kTileColumns != 0 ? 2 : 0));
 }
 
-void store_two_tiles(const TileGridView& grid, const BitPlaneView& rows, Index strip,
+void store_two_tiles(const TileGridView& grid, const BitPlaneView& rows, Index column,
                      Index tile_row) {
-  const Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
-  const std::uint32_t* low = grid.words + tile * kTileRows;
-  const std::uint32_t* high = low + grid.strip_tiles * kTileRows;
+  const std::uint32_t* low = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
+  const std::uint32_t* high = low + kTileRows;
   for (Index y = 0; y < rows.height; ++y) {
-    rows.row(y)[strip / kStripsPerWord] = low[y] | std::uint64_t{high[y]} << kTileColumns;
+    const Index word = kTileShape.word_of_row(y);
+    rows.row(y)[column / kColumnsPerWord] = low[word] | std::uint64_t{high[word]} << kTileColumns;
   }
 }
 
-constexpr Index kTransposedStrips = Square::kSize;
-static_assert(!kHasTranspose || Square::kSize == kTileRows);
-
-/// Loads whole tiles of kTransposedStrips strips. This and store_transposed() are templates so that
-/// they are instantiated only on ISAs that can transpose a Square.
+/// Loads whole tiles of a square's number of columns. This and store_transposed() are templates so
+/// that they are instantiated only on ISAs that can transpose a Square.
 template <class View>
-void load_transposed(const TileGridView& grid, const View& rows, Index strip, Index tile_row) {
-  Square square;
-  for (int y = 0; y < kTileRows; ++y) {
-    const std::uint64_t* row = rows.row(y) + strip / kStripsPerWord;
-    square.rows[y] = reinterpreted<Lanes32>(WordBatch::load_unaligned(row));
+void load_transposed(const TileGridView& grid, const View& rows, Index column, Index tile_row) {
+  std::uint32_t* const tiles = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
+  Lanes32 any(0);
+  for (Index number = 0; number < kTileRegisters; ++number) {
+    Square square;
+    for (Index lane = 0; lane < kLanes; ++lane) {
+      const std::uint64_t* row =
+          rows.row(lane * kTileRegisters + number) + column / kColumnsPerWord;
+      square.rows[lane] = reinterpreted<Lanes32>(WordBatch::load_unaligned(row));
+      any = any | square.rows[lane];
+    }
+    const Square registers = transposed(square);
+    for (Index tile = 0; tile < kLanes; ++tile) {
+      registers.rows[tile].store_aligned(tiles + tile * kTileRows + number * kLanes);
+    }
   }
-  const Square tiles = transposed(square);
-  Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
-  for (const Lanes32& pixels : tiles.rows) {
-    pixels.store_aligned(grid.words + tile * kTileRows);
-    grid.changed_rows[tile] = static_cast<std::uint16_t>(nonzero_lanes(pixels));
-    tile += grid.strip_tiles;
-  }
+  mark_occupied(grid, tile_row, column, nonzero_lanes(any));
 }
 
 template <class View>
-void store_transposed(const TileGridView& grid, const View& rows, Index strip, Index tile_row) {
-  Square square;
-  Index tile = first_tile(grid, tile_row) + strip * grid.strip_tiles;
-  for (Lanes32& pixels : square.rows) {
-    pixels = Lanes32::load_aligned(grid.words + tile * kTileRows);
-    tile += grid.strip_tiles;
-  }
-  const Square pixels = transposed(square);
-  for (int y = 0; y < kTileRows; ++y) {
-    reinterpreted<WordBatch>(pixels.rows[y]).store_unaligned(rows.row(y) + strip / kStripsPerWord);
+void store_transposed(const TileGridView& grid, const View& rows, Index column, Index tile_row) {
+  const std::uint32_t* const tiles = grid.words + (grid.first_tile(tile_row) + column) * kTileRows;
+  for (Index number = 0; number < kTileRegisters; ++number) {
+    Square square;
+    for (Index tile = 0; tile < kLanes; ++tile) {
+      square.rows[tile] = Lanes32::load_aligned(tiles + tile * kTileRows + number * kLanes);
+    }
+    const Square pixels = transposed(square);
+    for (Index lane = 0; lane < kLanes; ++lane) {
+      std::uint64_t* row = rows.row(lane * kTileRegisters + number) + column / kColumnsPerWord;
+      reinterpreted<WordBatch>(pixels.rows[lane]).store_unaligned(row);
+    }
   }
 }
 
-/// The number of leading strips that can be transposed in whole squares.
+/// The number of leading columns that can be transposed in whole squares.
 template <class View>
-Index transposed_strips(const View& rows) {
+Index transposed_columns(const View& rows) {
   if (rows.height < kTileRows) return 0;
-  const Index strips = (rows.width + kTileColumns - 1) / kTileColumns;
-  return strips / kTransposedStrips * kTransposedStrips;
+  const Index columns = (rows.width + kTileColumns - 1) / kTileColumns;
+  return columns / kLanes * kLanes;
+}
+
+/// Copies row `y`, or background beyond the last row, to edges of the tiles.
+void load_edge(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row, Index y,
+               std::uint32_t* to, std::uint32_t* copy) {
+  const Index first = grid.first_tile(tile_row);
+  for (Index column = 0; column * kTileColumns < rows.width; ++column) {
+    const std::uint64_t word = y < rows.height ? rows.row(y)[column / kColumnsPerWord] : 0;
+    const auto pixels =
+        static_cast<std::uint32_t>(word >> (column % kColumnsPerWord * kTileColumns));
+    to[first + column] = pixels;
+    copy[first + column] = pixels;
+  }
+}
+
+/// The first sub-iteration finds its tiles in the changes of the last, the others in `near`.
+void activate_occupied(const TileGridView& grid, Index tile_row) {
+  const Index first = grid.first_word(tile_row);
+  const std::uint64_t* const from = grid.occupied + first;
+  const TileChanges& changes = grid.changes[1];
+  std::copy_n(from, grid.row_words, changes.here + first);
+  std::fill_n(changes.below + first, grid.row_words, 0);
+  std::fill_n(changes.above + first, grid.row_words, 0);
+  for (std::uint64_t* near : grid.near) std::copy_n(from, grid.row_words, near + first);
 }
 
 void load_rows(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row) {
-  Index strip = 0;
+  std::fill_n(grid.occupied + grid.first_word(tile_row), grid.row_words, 0);
+  Index column = 0;
   if constexpr (kHasTranspose) {
-    const Index end = transposed_strips(rows);
-    for (; strip < end; strip += kTransposedStrips) load_transposed(grid, rows, strip, tile_row);
+    const Index end = transposed_columns(rows);
+    for (; column < end; column += kLanes) load_transposed(grid, rows, column, tile_row);
   }
-  for (; strip * kTileColumns < rows.width; strip += kStripsPerWord) {
-    load_two_tiles(grid, rows, strip, tile_row);
+  for (; column * kTileColumns < rows.width; column += kColumnsPerWord) {
+    load_two_tiles(grid, rows, column, tile_row);
   }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto y = static_cast<Index>(i);
+    load_edge(grid, rows, tile_row, y, grid.edges[0].top[i], grid.edges[1].top[i]);
+    load_edge(grid, rows, tile_row, kTileRows - 1 - y, grid.edges[0].bottom[i],
+              grid.edges[1].bottom[i]);
+  }
+  activate_occupied(grid, tile_row);
 }
 
 void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_row) {
-  Index strip = 0;
+  Index column = 0;
   if constexpr (kHasTranspose) {
-    const Index end = transposed_strips(rows);
-    for (; strip < end; strip += kTransposedStrips) store_transposed(grid, rows, strip, tile_row);
+    const Index end = transposed_columns(rows);
+    for (; column < end; column += kLanes) store_transposed(grid, rows, column, tile_row);
   }
-  for (; strip * kTileColumns < rows.width; strip += kStripsPerWord) {
-    store_two_tiles(grid, rows, strip, tile_row);
+  for (; column * kTileColumns < rows.width; column += kColumnsPerWord) {
+    store_two_tiles(grid, rows, column, tile_row);
   }
 }
 
@@ -114,6 +155,7 @@ void store_rows(const TileGridView& grid, const BitPlaneView& rows, Index tile_r
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const TileLayout Exported<TileLayout, kThisIsa>::kKernels = {&load_rows, &store_rows};
+constinit const TileLayout Exported<TileLayout, kThisIsa>::kKernels = {kTileShape, &load_rows,
+                                                                       &store_rows};
 
 }  // namespace thinbench::detail

@@ -1,113 +1,89 @@
-// Sub-iterations on tiles of 16 x 32 packed pixels. Visits only tiles in which, or within one pixel
+// Sub-iterations on tiles of packed pixels. Visits only tiles in which, or within one pixel
 // of which, something changed since the same sub-iteration last ran. Compiled once for every ISA.
 //
-// Cost per tile at AVX-512: 9 loads, 6 of them across cache lines, 6 funnel shifts, the rule's
-// gates, 1 gate to detect changes, 3 for its flags, 1 store to the pending tiles, then 1 load and 1
-// store to copy it to the grid. A two-stage rule takes 16 funnel shifts and 15 loads (20 as
-// compiled by GCC).
+// Cost per tile at AVX-512: 12 loads, 6 of them of single words, 6 permutations, 8 funnel shifts,
+// twice the rule's gates, 2 gates and 7 mask instructions for what changed, 2 stores of pixels and
+// 1 of changes. With Guo-Hall that is 28 to 32 cycles where tiles are in the third-level cache.
 //
-// The grid is updated in place: new pixels are pending until no neighbour needs the old ones. The
-// number of pending tiles is adapted to the list. With the ring buffer of the densest list, 32 KB
-// for 4,120 rows, the grid was evicted from the L1 cache, and Zhang-Suen took 14 % longer on deep
-// strokes.
+// The grid is updated in place: the new pixels of a tile are stored one visit later, when the tile
+// to the east has read the old ones. The tiles above and below read only edges, of which there are
+// two copies.
 //
-// On the test image with Guo-Hall it visits 8,613 tiles; the row kernel visits 18,228 rows of the
-// same size in pixels. But a tile takes twice as long: 17 cycles in the L1 cache, of which
-// instructions account for 10, stores for 3 and line-crossing loads for 2. Tiles are faster for
-// deep strokes and large images, where most tiles are inactive.
-//
-// Alternatives not adopted: docs/experiments.md#tiles.
+// What was tried: docs/experiments.md#tiles.
 #include "engines/tile_passes.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "core/exported.hpp"
+#include "engines/tile_registers.hpp"
 #include "scan/built_in.hpp"
 #include "scan/window.hpp"
-#include "simd/vector.hpp"
 
 namespace thinbench::detail {
 inline namespace THINBENCH_ISA {
 namespace {
 
-using Rows = Lanes32;   // one row of a tile per lane
-using Flags = Lanes16;  // one tile per lane
-constexpr Index kRowLanes = static_cast<Index>(Rows::size);
-constexpr Index kFlagLanes = static_cast<Index>(Flags::size);
-constexpr std::uint16_t kFirstRow = 1;
-constexpr std::uint16_t kLastRow = 0x8000;
+using Rows = Lanes32;                                               // one row of a tile per lane
+static_assert(kTileRegisters == kScannedRegisters || kLanes == 4);  // then there are no scans
 
-/// Row access for rules: row(y) has kRowLanes rows of the strip, from y rows below `words`.
+/// `body.template operator()<k>()` for all registers of a tile, unrolled.
+template <class Body>
+[[gnu::always_inline]] inline void for_registers(const Body& body) {
+  [&]<Index... numbers>(std::integer_sequence<Index, numbers...>) __attribute__((always_inline)) {
+    (body(std::integral_constant<Index, numbers>{}), ...);
+  }
+  (std::make_integer_sequence<Index, kTileRegisters>{});
+}
+
+/// A tile in registers.
+struct Tile {
+  Rows rows[kTileRegisters];
+};
+
+/// Row access for rules: row(y) is register y of a tile; the registers above the first and below
+/// the last take the rows that are not the tile's from edges.
 struct RowsOfTile {
   const std::uint32_t* words;
-  Index strip;
+  const std::uint32_t* above[2];  // the last row of the tile above, and the one above that
+  const std::uint32_t* below[2];
+
+  [[gnu::always_inline]] RowsOfTile(const TileGridView& grid, const TileEdges& edges, Index tile)
+      : words(grid.words + tile * kTileRows),
+        above{edges.bottom[0] + tile - grid.stride, edges.bottom[1] + tile - grid.stride},
+        below{edges.top[0] + tile + grid.stride, edges.top[1] + tile + grid.stride} {}
+
+  /// Register `y` of the tile, or of the one `column` tiles to the east.
+  [[gnu::always_inline]] Rows load(Index column, Index y) const {
+    const auto own = [&](Index number) { return words + column * kTileRows + number * kLanes; };
+    if (y < 0) return previous_lanes(own(y + kTileRegisters), above[-1 - y][column]);
+    if (y >= kTileRegisters)
+      return next_lanes(own(y - kTileRegisters), below[y - kTileRegisters][column]);
+    return Rows::load_aligned(own(y));
+  }
 
   [[gnu::always_inline]] RowTriple<Rows> row(Index y) const {
-    const std::uint32_t* at = words + y;
-    const Rows centre = Rows::load_unaligned(at);
-    return {west_neighbour<1>(centre, Rows::load_unaligned(at - strip)), centre,
-            east_neighbour<1>(centre, Rows::load_unaligned(at + strip))};
+    const Rows centre = load(0, y);
+    return {west_neighbour<1>(centre, load(-1, y)), centre, east_neighbour<1>(centre, load(1, y))};
   }
 
   template <class Rule>
-  [[gnu::always_inline]] RowTriple<Rows> features(Index y, const RowTriple<Rows>& above,
+  [[gnu::always_inline]] RowTriple<Rows> features(Index y, const RowTriple<Rows>& above_y,
                                                   const RowTriple<Rows>& here,
-                                                  const RowTriple<Rows>& below) const {
-    const std::uint32_t* at = words + y;
-    return feature_triple<Rule>(above, here, below,
-                                west_neighbour<2>(here.centre, Rows::load_unaligned(at - strip)),
-                                east_neighbour<2>(here.centre, Rows::load_unaligned(at + strip)));
+                                                  const RowTriple<Rows>& below_y) const {
+    return feature_triple<Rule>(above_y, here, below_y, west_neighbour<2>(here.centre, load(-1, y)),
+                                east_neighbour<2>(here.centre, load(1, y)));
   }
 };
 
-/// The changed rows of a tile or register as bits, see TileGridView.
-struct ChangedRows {
-  std::uint32_t anywhere, west, east;
-};
-
-[[gnu::always_inline]] inline ChangedRows changed_rows(Rows before, Rows after) {
-  const Rows changed = before ^ after;
-  return {nonzero_lanes(changed), lowest_bits(changed), highest_bits(changed)};
-}
-
-/// A Window would be correct for every rule. Without one GCC keeps more values in registers on ISAs
-/// below AVX-512: naccache_shinghal takes 14 % less time with SSE2.
-template <class Rule, int sub>
-[[gnu::always_inline]] inline Rows next_rows(const RowsOfTile& rows) {
-  if constexpr (TwoStageRule<Rule>) {
-    return Window<Rule, RowsOfTile>(rows, 0).template next<sub>(Rule{}, rows, 0);
-  } else {
-    return Rule{}.template next<sub>(neighbourhood(rows.row(-1), rows.row(0), rows.row(1)));
-  }
-}
-
-/// Computes a tile's new pixels, as visitors do.
-template <class NextRows>
-[[gnu::always_inline]] inline ChangedRows compute_tile(const std::uint32_t* tile,
-                                                       PendingTile& pending,
-                                                       const NextRows& next_rows_from) {
-  ChangedRows all{};
-  for (Index row = 0; row < kTileRows; row += kRowLanes) {
-    const Rows before = Rows::load_unaligned(tile + row);
-    const Rows next = next_rows_from(row);
-    next.store_aligned(pending.words + row);
-    const ChangedRows some = changed_rows(before, next);
-    all.anywhere |= some.anywhere << row;
-    all.west |= some.west << row;
-    all.east |= some.east << row;
-  }
-  return all;
-}
-
-/// Visits a tile: writes its new pixels to `pending` and returns what changed.
+/// Visitors compute a tile's new pixels.
 template <class Rule, int sub>
 struct BuiltInVisitor {
-  [[gnu::always_inline]] ChangedRows operator()(const std::uint32_t* tile, Index strip,
-                                                PendingTile& pending) const {
-    return compute_tile(
-        tile, pending, [&](Index row) __attribute__((always_inline)) {
-          return next_rows<Rule, sub>(RowsOfTile{tile + row, strip});
-        });
+  [[gnu::always_inline]] void operator()(const RowsOfTile& rows, Tile& next) const {
+    Window<Rule, RowsOfTile> window(rows, 0);
+    for_registers([&](auto y) __attribute__((always_inline)) {
+      next.rows[y] = window.template next<sub>(Rule{}, rows, y);
+      window.move_down();
+    });
   }
 };
 
@@ -115,24 +91,51 @@ struct BuiltInVisitor {
 struct ScanVisitor {
   const BoundScan& scan;
 
-  [[gnu::always_inline]] ChangedRows operator()(const std::uint32_t* tile, Index strip,
-                                                PendingTile& pending) const {
-    constexpr auto bytes = static_cast<Index>(sizeof(Rows));
-    constexpr Index steps = kTileRows / kRowLanes;
-    scan({.source = tile,
-          .source_stride = bytes,
-          .target = pending.words,
-          .target_stride = bytes,
-          .rows = steps,
-          .band_rows = steps,
+  [[gnu::always_inline]] void operator()(const RowsOfTile& rows, Tile& next) const {
+    alignas(sizeof(Rows)) std::uint32_t target[kTileRegisters][kLanes];
+    scan({.source = rows.words,
+          .source_stride = 0,
+          .target = target,
+          .target_stride = 0,
+          .rows = 0,
+          .band_rows = 0,
           .fixed = nullptr,
-          .side_stride = strip * static_cast<Index>(sizeof(std::uint32_t))});
-    return compute_tile(
-        tile, pending, [&](Index row) __attribute__((always_inline)) {
-          return Rows::load_aligned(pending.words + row);
-        });
+          .above = rows.above[0],
+          .below = rows.below[0]});
+    for_registers([&](auto y) { next.rows[y] = Rows::load_aligned(target[y]); });
   }
 };
+
+/// Stores what changed in a tile. In registers of 16 lanes, in an entry of four numbers of 16 bits,
+/// from the low end:
+/// - the changed rows of the first register: bit 0 is the first row of the tile
+/// - those of the last: bit 15 is the last row of the tile
+/// - the lanes with changes in the first column: bit 0 tells of the first row and possibly of
+/// others,
+///   bit 15 of the last row
+/// - the same of the last column
+/// Else in ChangedLanes.
+[[gnu::always_inline]] inline void store_changes(const TileGridView& grid, std::uint64_t* entry,
+                                                 Index tile, const Tile& next) {
+  const std::uint32_t* const words = grid.words + tile * kTileRows;
+  Tile changed;
+  for_registers(
+      [&](auto y) { changed.rows[y] = Rows::load_aligned(words + y * kLanes) ^ next.rows[y]; });
+  Rows any = changed.rows[0];
+  for_registers([&](auto y) { any = any | changed.rows[y]; });
+  const Rows& first = changed.rows[0];
+  const Rows& last = changed.rows[kTileRegisters - 1];
+  if constexpr (kRegisterHoldsRow) {
+    store_lane_bits(entry, first, last, any);
+  } else {
+    const ChangedLanes& lanes = grid.changed_lanes;
+    lanes.any[tile] = static_cast<std::uint8_t>(nonzero_lanes(any));
+    lanes.west[tile] = static_cast<std::uint8_t>(lowest_bits(any));
+    lanes.east[tile] = static_cast<std::uint8_t>(highest_bits(any));
+    lanes.first[tile] = static_cast<std::uint8_t>(nonzero_lanes(first));
+    lanes.last[tile] = static_cast<std::uint8_t>(nonzero_lanes(last));
+  }
+}
 
 /// The border pixels of the image within a tile.
 struct BorderOfTile {
@@ -141,8 +144,8 @@ struct BorderOfTile {
 };
 
 inline BorderOfTile border_of(const TileGridView& grid, Index tile) {
-  const Index x = (tile / grid.strip_tiles - 1) * kTileColumns;
-  const Index y = tile % grid.strip_tiles * kTileRows;
+  const Index x = (tile % grid.stride - 1) * kTileColumns;
+  const Index y = tile / grid.stride * kTileRows;
   const auto bit = [](Index at, Index size) {
     return 0 <= at && at < size ? std::uint32_t{1} << at : 0;
   };
@@ -152,194 +155,289 @@ inline BorderOfTile border_of(const TileGridView& grid, Index tile) {
 
 /// Visits a tile with border pixels, which it restores. Out of line because such tiles are few.
 template <class Visitor>
-[[gnu::noinline]] ChangedRows visit_border_tile(const Visitor& visitor, const TileGridView& grid,
-                                                Index tile, PendingTile& pending) {
-  const std::uint32_t* before = grid.words + tile * kTileRows;
-  static_cast<void>(visitor(before, grid.strip_tiles * kTileRows, pending));
+[[gnu::noinline]] void visit_border_tile(const Visitor& visitor, const TileGridView& grid,
+                                         const TileEdges& edges, Index tile,
+                                         std::uint32_t* new_words) {
+  const RowsOfTile rows(grid, edges, tile);
+  Tile next;
+  visitor(rows, next);
+  for_registers([&](auto y) { next.rows[y].store_aligned(new_words + y * kLanes); });
   const BorderOfTile border = border_of(grid, tile);
-  ChangedRows all{};
-  for (Index row = 0; row < kTileRows; ++row) {
-    const std::uint32_t fixed = (border.rows >> row & 1) != 0 ? ~std::uint32_t{0} : border.columns;
-    std::uint32_t& next = pending.words[row];
-    next |= before[row] & fixed;
-    const std::uint32_t changed = before[row] ^ next;
-    all.anywhere |= std::uint32_t{changed != 0} << row;
-    all.west |= (changed & 1) << row;
-    all.east |= (changed >> (kTileColumns - 1)) << row;
+  for (Index y = 0; y < kTileRows; ++y) {
+    const std::uint32_t fixed = (border.rows >> y & 1) != 0 ? ~std::uint32_t{0} : border.columns;
+    const Index word = kTileShape.word_of_row(y);
+    new_words[word] |= rows.words[word] & fixed;
   }
-  return all;
 }
 
-template <bool has_border, class Visitor>
+/// Writes new pixels to the grid.
+template <std::size_t depth>
+[[gnu::always_inline]] inline void commit(const TileGridView& grid, const TileEdges& edges,
+                                          Index tile, const Tile& next) {
+  std::uint32_t* const words = grid.words + tile * kTileRows;
+  for_registers([&](auto y) { next.rows[y].store_aligned(words + y * kLanes); });
+  for (std::size_t i = 0; i < depth; ++i) {
+    const auto y = static_cast<Index>(i);
+    edges.top[i][tile] = words[kTileShape.word_of_row(y)];
+    edges.bottom[i][tile] = words[kTileShape.word_of_row(kTileRows - 1 - y)];
+  }
+}
+
+/// `depth`: how many rows of the tiles above and below the rule reads.
+template <std::size_t depth, bool has_border, class Visitor>
 [[gnu::always_inline]] inline void visit_tiles(const Visitor& visitor, const TileGridView& shared,
-                                               const TileRange& range) {
-  const TileGridView grid = shared;  // a local copy, which stores cannot alias
-  const Index strip = grid.strip_tiles * kTileRows;
-  PendingTile* pending = range.pending;
-  PendingTile* const pending_end = pending + range.delay;
-  const auto next_pixels = [&](Index tile) __attribute__((always_inline)) {
-    if constexpr (has_border) {
-      if ((grid.border_tiles[tile / kTileGroup] >> (tile % kTileGroup) & 1) != 0) {
-        return visit_border_tile(visitor, grid, tile, *pending);
-      }
+                                               const TileList& shared_list) {
+  const TileGridView grid = shared;  // local copies, which stores cannot alias
+  const TileList list = shared_list;
+  const TileEdges from = grid.edges[list.parity];
+  const TileEdges to = grid.edges[1 - list.parity];
+  Index pending_tile = list.tiles[0] & ~kBorderTile;
+  Tile pending;  // at first the old pixels, so that the loop needs no condition
+  for_registers([&](auto y) {
+    pending.rows[y] = Rows::load_aligned(grid.words + pending_tile * kTileRows + y * kLanes);
+  });
+  for (Index i = 0; i < list.count; ++i) {
+    Tile next;
+    std::uint32_t tile = list.tiles[i];
+    if (has_border && (tile & kBorderTile) != 0) {
+      tile ^= kBorderTile;
+      alignas(sizeof(Rows)) std::uint32_t words[kTileRows];
+      visit_border_tile(visitor, grid, from, tile, words);
+      for_registers([&](auto y) { next.rows[y] = Rows::load_aligned(words + y * kLanes); });
+    } else {
+      visitor(RowsOfTile(grid, from, tile), next);
     }
-    return visitor(grid.words + tile * kTileRows, strip, *pending);
-  };
-  const auto visit = [&](Index tile) __attribute__((always_inline)) {
-    const ChangedRows changed = next_pixels(tile);
-    grid.changed_rows[tile] = static_cast<std::uint16_t>(changed.anywhere);
-    grid.changed_west[tile] = static_cast<std::uint16_t>(changed.west);
-    grid.changed_east[tile] = static_cast<std::uint16_t>(changed.east);
-    ++pending;
-    if (pending == pending_end) pending = range.pending;
-  };
-  const auto commit = [&](Index tile) __attribute__((always_inline)) {
-    std::uint32_t* to = grid.words + tile * kTileRows;
-    for (Index row = 0; row < kTileRows; row += kRowLanes) {
-      Rows::load_aligned(pending->words + row).store_aligned(to + row);
-    }
-  };
-  const std::uint32_t* const end = range.tiles + range.count;
-  const std::uint32_t* next = range.tiles;
-  for (const auto* first = next + std::min(range.count, range.delay); next != first; ++next) {
-    visit(*next);
+    store_changes(grid, list.changes + i, tile, next);
+    commit<depth>(grid, to, pending_tile, pending);
+    pending = next;
+    pending_tile = tile;
   }
-  for (const std::uint32_t* oldest = range.tiles; next != end; ++next, ++oldest) {
-    commit(*oldest);
-    visit(*next);
-  }
+  commit<depth>(grid, to, pending_tile, pending);
 }
 
-/// Tiles of a group in which, or next to which, a pixel changed in the last sub-iteration. Correct
-/// for two-stage rules too, see TwoStageRule.
-[[gnu::always_inline]] inline std::uint32_t tiles_near_changes(const TileGridView& grid,
-                                                               Index first) {
-  const auto any_of = [&](Index tile) {
-    return Flags::load_unaligned(grid.changed_rows + tile) |
-           Flags::load_unaligned(grid.changed_west + tile + grid.strip_tiles) |
-           Flags::load_unaligned(grid.changed_east + tile - grid.strip_tiles);
-  };
-  std::uint32_t tiles = 0;
-  for (Index part = 0; part < kTileGroup; part += kFlagLanes) {
-    const Index tile = first + part;
-    const Flags any =
-        any_of(tile) | (any_of(tile - 1) & Flags(kLastRow)) | (any_of(tile + 1) & Flags(kFirstRow));
-    tiles |= nonzero_lanes(any) << part;
-  }
-  return tiles;
-}
-
-/// Writes the numbers of a group's tiles to `list` and returns how many. May write kTileGroup
-/// entries.
-[[gnu::always_inline]] inline Index append_tiles(std::uint32_t* list, Index first,
-                                                 std::uint32_t tiles) {
-  if constexpr (kHasCompress) {
-    static_assert(!kHasCompress || 2 * kRowLanes == kTileGroup);
-    const Lanes32 low = lane_numbers() + Lanes32(static_cast<std::uint32_t>(first));
-    store_compressed(list, low, tiles);
-    store_compressed(list + __builtin_popcount(tiles & 0xFFFF), low + Lanes32(16), tiles >> 16);
-  } else {
-    for (std::uint32_t rest = tiles; rest != 0; rest &= rest - 1) {
-      *list++ = static_cast<std::uint32_t>(first + __builtin_ctz(rest));
-    }
-  }
-  return __builtin_popcount(tiles);
-}
-
-/// Bits [64 i + offset, 64 i + offset + 64) of a bit set of `words` words; bits outside are zero.
-std::uint64_t bits_from(const std::uint64_t* bits, Index words, Index i, Index offset) {
-  const Index from = i * kWordBits + offset;
-  const Index word = from >> 6;
-  const Index shift = from & 63;
-  const auto at = [&](Index w) { return 0 <= w && w < words ? bits[w] : 0; };
-  return shift == 0 ? at(word) : at(word) >> shift | at(word + 1) << (kWordBits - shift);
-}
-
-/// Occupied groups of word `i` with visited tiles in or next to them: only these can have active
-/// tiles.
-std::uint64_t candidates(const TileGridView& grid, const std::uint64_t* visited, Index i) {
-  const Index strip = grid.strip_tiles / kTileGroup;  // rounded down
-  const Index words = (grid.groups + kWordBits - 1) / kWordBits;
-  std::uint64_t near = 0;
-  for (const Index column : {-strip - 1, -strip, Index{0}, strip, strip + 1}) {
-    for (const Index row : {-1, 0, 1}) near |= bits_from(visited, words, i, column + row);
-  }
-  return near & grid.occupied_groups[i];
-}
-
-/// The list must include every tile that changed, because only a visit resets a tile's flags: the
-/// flags of tiles that are not listed must be zero.
-Index list_active(const TileGridView& shared_grid, const TileListing& shared_listing) {
-  const TileGridView grid = shared_grid;  // local copies, which stores cannot alias
-  const TileListing listing = shared_listing;
-  std::uint32_t* const latest = grid.changed_near[static_cast<std::size_t>(listing.sub_iteration)];
-  const std::uint32_t* earlier[kMaxSubIterations];
-  for (int k = 1; k < listing.sub_iterations; ++k) {
-    const int sub = (listing.sub_iteration + k) % listing.sub_iterations;
-    earlier[k] = grid.changed_near[static_cast<std::size_t>(sub)];
-  }
-  Index count = 0;
-  for (Index i = listing.first_word; i < listing.last_word; ++i) {
-    std::uint64_t visited = 0;
-    for (std::uint64_t rest = candidates(grid, listing.visited, i); rest != 0; rest &= rest - 1) {
-      const Index group = i * kWordBits + __builtin_ctzll(rest);
-      std::uint32_t active = tiles_near_changes(grid, group * kTileGroup);
-      latest[group] = active;
-      for (int k = 1; k < listing.sub_iterations; ++k) active |= earlier[k][group];
-      active &= grid.occupied[group];
-      count += append_tiles(listing.list + count, group * kTileGroup, active);
-      // Without a branch, which would be unpredictable.
-      visited |= std::uint64_t{active != 0} << (group % kWordBits);
-    }
-    listing.next_visited[i] = visited;
-  }
-  return count;
-}
-
-/// Whether tiles[i + delay] - tiles[i] >= reach for all i.
-bool is_sufficient(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index delay) {
-  constexpr Index chunk = 512;  // the inner loop has no exit, so that it is vectorised
-  for (Index begin = 0; begin + delay < count; begin += chunk) {
-    const Index end = std::min(begin + chunk, count - delay);
-    std::uint32_t near = 0;
-    for (Index i = begin; i < end; ++i) near |= tiles[i + delay] - tiles[i] < reach ? 1 : 0;
-    if (near != 0) return false;
-  }
-  return true;
-}
-
-Index find_delay(const std::uint32_t* tiles, Index count, std::uint32_t reach, Index guess,
-                 Index max_delay) {
-  constexpr Index small = 64;  // 4 KB: a search would not pay
-  if (max_delay <= small) return max_delay;
-  Index delay = std::clamp(guess, small / 2, max_delay);
-  while (delay < max_delay && !is_sufficient(tiles, count, reach, delay)) {
-    delay = std::min(max_delay, delay + delay / 8 + 1);
-  }
-  for (Index less = delay - delay / 8 - 1; less >= small / 2; less = delay - delay / 8 - 1) {
-    if (!is_sufficient(tiles, count, reach, less)) break;
-    delay = less;
-  }
-  return delay;
-}
-
-template <class Visitor>
+template <std::size_t depth, class Visitor>
 [[gnu::always_inline]] inline void visit_tiles(const Visitor& visitor, const TileGridView& grid,
-                                               const TileRange& range) {
-  if (grid.border_tiles == nullptr) {
-    visit_tiles<false>(visitor, grid, range);
+                                               const TileList& list) {
+  if (grid.border == nullptr) {
+    visit_tiles<depth, false>(visitor, grid, list);
   } else {
-    visit_tiles<true>(visitor, grid, range);
+    visit_tiles<depth, true>(visitor, grid, list);
   }
 }
 
 template <class Rule, int sub>
-void built_in_pass(const BoundScan&, const TileGridView& grid, const TileRange& range) {
-  visit_tiles(BuiltInVisitor<Rule, sub>{}, grid, range);
+void built_in_pass(const BoundScan&, const TileGridView& grid, const TileList& list) {
+  visit_tiles<TwoStageRule<Rule> ? 2 : 1>(BuiltInVisitor<Rule, sub>{}, grid, list);
 }
 
-void pass_by_scan(const BoundScan& scan, const TileGridView& grid, const TileRange& range) {
-  visit_tiles(ScanVisitor{scan}, grid, range);
+void pass_by_scan(const BoundScan& scan, const TileGridView& grid, const TileList& list) {
+  visit_tiles<1>(ScanVisitor{scan}, grid, list);
+}
+
+/// Activates the tiles of a word of bits, or of a batch of them.
+template <class Word>
+[[gnu::always_inline]] inline void activate(const TileGridView& grid,
+                                            const TileActivation& activation, Index at) {
+  using Traits = WordTraits<Word>;
+  const TileChanges& last = grid.changes[1 - activation.parity];
+  const TileChanges& next = grid.changes[activation.parity];
+  const std::size_t subs = activation.sub_iterations;
+  Word active = Traits::load(last.here + at) | Traits::load(last.below + at + grid.row_words) |
+                Traits::load(last.above + at - grid.row_words);
+  Traits::store(grid.near[(activation.sub_iteration + subs - 1) % subs] + at, active);
+  for (std::size_t k = 0; k + 1 < subs; ++k) {
+    active = active | Traits::load(grid.near[(activation.sub_iteration + k) % subs] + at);
+  }
+  Traits::store(grid.active + at, active & Traits::load(grid.occupied + at));
+  for (std::uint64_t* set : {next.here, next.below, next.above}) {
+    Traits::store(set + at, Traits::zero());
+  }
+}
+
+ActiveCount find_active(const TileGridView& shared_grid, const TileActivation& shared_activation) {
+  const TileGridView grid = shared_grid;  // local copies, which stores cannot alias
+  const TileActivation activation = shared_activation;
+  constexpr auto step = static_cast<Index>(WordBatch::size);
+  const Index end = grid.first_word(activation.last_row);
+  Index at = grid.first_word(activation.first_row);
+  ActiveCount found{};
+  const auto append = [&](Index word) {
+    activation.words[found.words] = static_cast<std::uint32_t>(word);
+    found.words += grid.active[word] != 0 ? 1 : 0;  // without a branch
+  };
+  if constexpr (kHasCompress) {
+    const Lanes32 numbers = lane_numbers();
+    for (; at + step <= end; at += step) {
+      activate<WordBatch>(grid, activation, at);
+      const std::uint32_t nonzero = nonzero_lanes(WordBatch::load_unaligned(grid.active + at));
+      store_compressed(activation.words + found.words,
+                       numbers + Lanes32(static_cast<std::uint32_t>(at)), nonzero);
+      found.words += __builtin_popcount(nonzero);
+    }
+  } else {
+    for (; at + step <= end; at += step) {
+      activate<WordBatch>(grid, activation, at);
+      for (Index word = at; word < at + step; ++word) append(word);
+    }
+  }
+  for (; at < end; ++at) {
+    activate<std::uint64_t>(grid, activation, at);
+    append(at);
+  }
+  for (Index i = 0; i < found.words; ++i) {
+    activation.before[i] = static_cast<std::uint32_t>(found.tiles);
+    found.tiles += __builtin_popcountll(grid.active[activation.words[i]]);
+  }
+  return found;
+}
+
+/// Writes the numbers of tiles, from `first` on, to `list`. May write whole registers.
+[[gnu::always_inline]] inline void append_tiles(std::uint32_t* list, std::uint32_t first,
+                                                std::uint64_t tiles) {
+  if constexpr (kHasCompress) {
+    Lanes32 numbers = lane_numbers() + Lanes32(first);
+    for (int part = 0; part < kWordBits; part += static_cast<int>(kLanes)) {
+      const auto selected = static_cast<std::uint16_t>(tiles >> part);
+      store_compressed(list, numbers, selected);
+      list += __builtin_popcount(selected);
+      numbers = numbers + Lanes32(static_cast<std::uint32_t>(kLanes));
+    }
+  } else {
+    for (std::uint64_t rest = tiles; rest != 0; rest &= rest - 1) {
+      *list++ = first + static_cast<std::uint32_t>(__builtin_ctzll(rest));
+    }
+  }
+}
+
+/// Marks the border tiles among those of a word, which are in `list`.
+void mark_border_tiles(std::uint32_t* list, std::uint64_t tiles, std::uint64_t border) {
+  for (std::uint64_t rest = tiles & border; rest != 0; rest &= rest - 1) {
+    list[__builtin_popcountll(tiles & ((rest & -rest) - 1))] |= kBorderTile;
+  }
+}
+
+ActiveCount list_tiles(const TileGridView& shared, const TileWords& words, std::uint32_t* tiles) {
+  const TileGridView grid = shared;
+  ActiveCount listed{};
+  for (; listed.words < words.count; ++listed.words) {
+    const Index word = words.words[listed.words];
+    const std::uint64_t active = grid.active[word];
+    if (listed.tiles >= kMinChunk) {
+      // The last tile of a row of tiles is background, so the word before is in the same row.
+      const bool adjacent = (grid.active[word - 1] >> (kWordBits - 1) & active & 1) != 0;
+      if (!adjacent) break;
+    }
+    append_tiles(tiles + listed.tiles, grid.first_tiles[word], active);
+    if (grid.border != nullptr) {
+      mark_border_tiles(tiles + listed.tiles, active, grid.border[word]);
+    }
+    listed.tiles += __builtin_popcountll(active);
+  }
+  return listed;
+}
+
+/// What changed in the tiles of a word, a bit per tile.
+struct ChangedTiles {
+  std::uint64_t any, top, bottom, west, east, north_west, north_east, south_west, south_east;
+};
+
+template <class Body>
+[[gnu::always_inline]] inline void for_all_bits(const Body& body) {
+  using Tiles = ChangedTiles;
+  for (const auto bits :
+       {&Tiles::any, &Tiles::top, &Tiles::bottom, &Tiles::west, &Tiles::east, &Tiles::north_west,
+        &Tiles::north_east, &Tiles::south_west, &Tiles::south_east}) {
+    body(bits);
+  }
+}
+
+/// Bit i is of entry i. A template because not every ISA has the vectors.
+template <class Entry>
+[[gnu::always_inline]] inline ChangedTiles changed_entries(const Entry* changes) {
+  const auto [first, last, west, east] = quarters_of_words(changes);
+  const Lanes16 lowest(std::uint16_t{1});
+  const Lanes16 highest(std::uint16_t{0x8000});
+  return {nonzero_lanes(first | last),
+          nonzero_lanes(first & lowest),
+          nonzero_lanes(last & highest),
+          nonzero_lanes(west),
+          nonzero_lanes(east),
+          nonzero_lanes(first & west & lowest),
+          nonzero_lanes(first & east & lowest),
+          nonzero_lanes(last & west & highest),
+          nonzero_lanes(last & east & highest)};
+}
+
+/// Of the tiles of a batch of bytes, visited or not. A template because not every ISA uses it.
+template <class Lanes>
+[[gnu::always_inline]] inline ChangedTiles changed_lanes(const Lanes& lanes, Index tile) {
+  const auto load = [&](const std::uint8_t* from) {
+    return ByteBatch::load_unaligned(from + tile);
+  };
+  const ByteBatch lowest(std::uint8_t{1});
+  const ByteBatch highest(static_cast<std::uint8_t>(1U << (kLanes - 1)));
+  const ByteBatch west = load(lanes.west);
+  const ByteBatch east = load(lanes.east);
+  const ByteBatch top = load(lanes.first) & lowest;
+  const ByteBatch bottom = load(lanes.last) & highest;
+  return {nonzero_bits(load(lanes.any)),
+          nonzero_bits(top),
+          nonzero_bits(bottom),
+          nonzero_bits(west),
+          nonzero_bits(east),
+          nonzero_bits(top & west),
+          nonzero_bits(top & east),
+          nonzero_bits(bottom & west),
+          nonzero_bits(bottom & east)};
+}
+
+/// Of the tiles of a word. `changes` has their entries.
+[[gnu::always_inline]] inline ChangedTiles changed_tiles(const TileGridView& grid, Index word,
+                                                         const std::uint64_t* changes) {
+  const std::uint64_t tiles = grid.active[word];
+  ChangedTiles changed{};
+  if constexpr (kRegisterHoldsRow) {
+    constexpr int entries = 32;
+    changed = changed_entries(changes);
+    if (__builtin_popcountll(tiles) > entries) {
+      const ChangedTiles more = changed_entries(changes + entries);
+      for_all_bits([&](auto bits) { changed.*bits |= more.*bits << entries; });
+    }
+    for_all_bits([&](auto bits) { changed.*bits = scatter_bits(changed.*bits, tiles); });
+  } else {
+    for (Index at = 0; at < kWordBits; at += static_cast<Index>(ByteBatch::size)) {
+      const ChangedTiles some = changed_lanes(grid.changed_lanes, grid.first_tiles[word] + at);
+      for_all_bits([&](auto bits) { changed.*bits |= some.*bits << at; });
+    }
+    for_all_bits([&](auto bits) { changed.*bits &= tiles; });
+  }
+  return changed;
+}
+
+/// Correct for two-stage rules too, see TwoStageRule.
+void record_changes(const TileGridView& shared, const TileWords& words,
+                    const std::uint64_t* changes, std::size_t parity) {
+  const TileGridView grid = shared;
+  const TileChanges sets = grid.changes[parity];
+  for (Index i = 0; i < words.count; ++i) {
+    const Index word = words.words[i];
+    const ChangedTiles changed = changed_tiles(grid, word, changes);
+    changes += __builtin_popcountll(grid.active[word]);
+    sets.here[word] |= changed.any | changed.west >> 1 | changed.east << 1;
+    sets.below[word] |= changed.top | changed.north_west >> 1 | changed.north_east << 1;
+    sets.above[word] |= changed.bottom | changed.south_west >> 1 | changed.south_east << 1;
+    constexpr int last = static_cast<int>(kWordBits - 1);
+    if ((changed.west & 1) != 0) {  // never in the first word of a row
+      sets.here[word - 1] |= changed.west << last;
+      sets.below[word - 1] |= changed.north_west << last;
+      sets.above[word - 1] |= changed.south_west << last;
+    }
+    if (changed.east >> last != 0) {
+      sets.here[word + 1] |= changed.east >> last;
+      sets.below[word + 1] |= changed.north_east >> last;
+      sets.above[word + 1] |= changed.south_east >> last;
+    }
+  }
 }
 
 consteval BuiltInTilePasses make_passes() {
@@ -358,7 +456,8 @@ consteval BuiltInTilePasses make_passes() {
 }  // namespace THINBENCH_ISA
 
 template <>
-constinit const TileKernels Exported<TileKernels, kThisIsa>::kKernels = {&list_active, &find_delay};
+constinit const TileKernels Exported<TileKernels, kThisIsa>::kKernels = {&find_active, &list_tiles,
+                                                                         &record_changes};
 
 template <>
 constinit const BuiltInTilePasses Exported<BuiltInTilePasses, kThisIsa>::kKernels = make_passes();

@@ -1,59 +1,75 @@
-// The interface of the tile engine, see tile_grid.hpp. A TilePass applies one sub-iteration to the
-// tiles of a range and records which rows changed; the last `delay` tiles remain pending.
+// The interface of the tile engine, see tile_grid.hpp. A sub-iteration finds the words of the bit
+// set of active tiles, then takes these words in chunks: it lists the tiles of a chunk, visits them
+// and records what changed.
 #pragma once
 
 #include "engines/tile_grid.hpp"
 
 namespace thinbench::detail {
 
-/// New pixels of a tile, not written to the grid yet because a neighbour still needs the old ones.
-struct alignas(64) PendingTile {
-  std::uint32_t words[kTileRows];
-};
-
-/// A range of the list of active tiles. A tile is written to the grid `delay` visits after its own,
-/// when no neighbour of it remains to be visited.
-struct TileRange {
-  const std::uint32_t* tiles;
+/// An ascending list of one or more tiles. The tile after the last one is not visited in this
+/// sub-iteration.
+struct TileList {
+  const std::uint32_t* tiles;  // numbers; kBorderTile is added to those of border tiles
   Index count;
-  PendingTile* pending;  // a ring buffer of `delay` tiles: entry i is at i modulo `delay`
-  Index delay;
+  std::uint64_t* changes;  // output: an entry per tile, see record_changes() in tile_passes.cpp
+  std::size_t parity;      // which edges of the grid are read
+};
+inline constexpr std::uint32_t kBorderTile = std::uint32_t{1} << 31;
+
+/// Words with active tiles.
+struct TileWords {
+  const std::uint32_t* words;
+  Index count;
 };
 
-/// The input and output of ListActive, which can process parts of the grid in parallel.
-struct TileListing {
-  int sub_iteration;   // index of the one that just ran
-  int sub_iterations;  // per iteration
-  Index first_word;    // words [first_word, last_word) of the bit sets of groups
-  Index last_word;
-  const std::uint64_t* visited;  // all groups that the sub-iteration visited
-  std::uint64_t* next_visited;   // output: the groups of the list, in words of the range only
-  std::uint32_t* list;           // output, ascending; kTileGroup more entries may be overwritten
+/// What FindActive needs to know and writes.
+struct TileActivation {
+  std::size_t sub_iteration;   // the one that follows
+  std::size_t sub_iterations;  // per iteration
+  std::size_t parity;          // of this one
+  Index first_row;             // of tiles
+  Index last_row;
+  std::uint32_t* words;   // output: the words with active tiles, ascending
+  std::uint32_t* before;  // output: the number of active tiles in the words before each
 };
 
-/// Lists the tiles that the next sub-iteration must visit: the occupied tiles in which, or next to
-/// which, a pixel changed during the last iteration. Returns their number.
-using ListActive = Index (*)(const TileGridView& grid, const TileListing& listing);
+/// How many words have active tiles, and how many tiles.
+struct ActiveCount {
+  Index words;
+  Index tiles;
+};
 
-/// A sufficient delay for an ascending list of tiles: tiles[i + delay] - tiles[i] >= reach for all
-/// i, so that entries `delay` places apart are not neighbours. `reach` is positive. At most about
-/// an eighth above the minimum, unless that is small; at most `max_delay`, which must be
-/// sufficient. Fast if `guess` is near the result.
-using FindDelay = Index (*)(const std::uint32_t* tiles, Index count, std::uint32_t reach,
-                            Index guess, Index max_delay);
+/// Finds the tiles in which, or next to which, a pixel changed during the last iteration. Clears
+/// the changes of this sub-iteration. The words and `before` may have 8 more entries written.
+using FindActive = ActiveCount (*)(const TileGridView& grid, const TileActivation& activation);
 
-/// Copies the pixels of one row of tiles into the grid and back. `rows` has kTileRows rows of
-/// pixels, fewer at the lower end of the image. load_rows sets `changed_rows` to nonzero for tiles
-/// with foreground, for TileGrid::restart.
+/// How many words, and tiles in them, were listed.
+using ListTiles = ActiveCount (*)(const TileGridView& grid, const TileWords& words,
+                                  std::uint32_t* tiles);
+
+/// Adds the changes of the tiles of these words to the bit sets.
+using RecordChanges = void (*)(const TileGridView& grid, const TileWords& words,
+                               const std::uint64_t* changes, std::size_t parity);
+
+/// Tiles of a chunk, unless no gap between tiles follows; then at most a row of tiles more.
+inline constexpr Index kMinChunk = 1024;
+/// What may be written or read after the end of lists.
+inline constexpr Index kListSlack = 64;
+
+/// Copies the pixels of one row of tiles into the grid and back, and makes all tiles with
+/// foreground active. `rows` has the pixels, fewer rows at the lower end of the image.
 struct TileLayout {
+  TileShape shape;
   void (*load_rows)(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row);
   void (*store_rows)(const TileGridView& grid, const BitPlaneView& rows, Index tile_row);
 };
 
 /// The tile engine for one ISA.
 struct TileKernels {
-  ListActive list_active;
-  FindDelay find_delay;
+  FindActive find_active;
+  ListTiles list_tiles;
+  RecordChanges record_changes;
 };
 
 /// The tile engine for one ISA and rule.

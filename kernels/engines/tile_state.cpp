@@ -11,9 +11,9 @@ namespace thinbench::detail {
 namespace {
 
 template <class View>
-View rows_of_tiles(const View& view, Index tile_row) {
-  const Index first = tile_row * kTileRows;
-  return rows_of_view(view, first, std::min(first + kTileRows, view.height));
+View rows_of_tiles(const View& view, const TileGridView& grid, Index tile_row) {
+  const Index first = tile_row * grid.shape.rows;
+  return rows_of_view(view, first, std::min(first + grid.shape.rows, view.height));
 }
 
 }  // namespace
@@ -23,11 +23,13 @@ TileState::TileState(TileEngine engine, const ThinningSetting& setting)
       setting_(setting),
       team_(setting.width, setting.height, setting.threads),
       conversion_(plane_conversion<std::uint64_t>(setting.isa)),
-      workspace_(setting.width, setting.height, setting.border, setting.threads) {
-  const Index tile_rows = std::max<Index>(1, workspace_.grid().tile_rows());
+      workspace_(setting.width, setting.height, setting.border, setting.threads,
+                 engine_.layout->shape) {
+  const TileShape& shape = workspace_.grid().shape;
+  const Index tile_rows = std::max<Index>(1, workspace_.grid().tile_rows);
   const auto bands = static_cast<std::size_t>(std::min<Index>(setting.threads, tile_rows));
   rows_.reserve(bands);
-  while (rows_.size() < bands) rows_.emplace_back(setting.width, kTileRows);
+  while (rows_.size() < bands) rows_.emplace_back(setting.width, shape.rows);
 }
 
 template <class View>
@@ -54,20 +56,20 @@ void TileState::store(const PackedView& destination) const {
 }
 
 int TileState::thin() {
-  TileGrid& grid = workspace_.grid();
+  const TileGridView& grid = workspace_.grid();
   const TileLayout& layout = *engine_.layout;
   const ConstBitPlaneView from = std::as_const(planes_.value().source).view();
   const BitPlaneView to = planes_.value().result.view();
-  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+  team_.for_bands(grid.tile_rows, [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
-      layout.load_rows(grid.view(), rows_of_tiles(from, row), row);
+      layout.load_rows(grid, rows_of_tiles(from, grid, row), row);
     }
   });
   const int iterations =
       iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
-  team_.for_bands(grid.tile_rows(), [&](Index first, Index last) {
+  team_.for_bands(grid.tile_rows, [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
-      layout.store_rows(grid.view(), rows_of_tiles(to, row), row);
+      layout.store_rows(grid, rows_of_tiles(to, grid, row), row);
     }
   });
   if (setting_.complemented) complement(to);
@@ -76,11 +78,12 @@ int TileState::thin() {
 
 template <class Body>
 void TileState::for_tile_rows(const Body& body) {
+  const Index rows = workspace_.grid().shape.rows;
   std::atomic<std::size_t> next = 0;
-  team_.for_bands(workspace_.grid().tile_rows(), [&](Index first, Index last) {
+  team_.for_bands(workspace_.grid().tile_rows, [&](Index first, Index last) {
     BitPlaneView band = rows_[next++].view();
     for (Index row = first; row < last; ++row) {
-      band.height = std::min(kTileRows, setting_.height - row * kTileRows);
+      band.height = std::min(rows, setting_.height - row * rows);
       body(row, band);
     }
   });
@@ -88,7 +91,7 @@ void TileState::for_tile_rows(const Body& body) {
 
 template <class Read, class Write>
 int TileState::run_by_tile_rows(const Read& read, const Write& write) {
-  const TileGridView& grid = workspace_.grid().view();
+  const TileGridView& grid = workspace_.grid();
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     read(row, rows);
     if (setting_.complemented) complement(rows);
@@ -107,30 +110,34 @@ int TileState::run_by_tile_rows(const Read& read, const Write& write) {
 int TileState::run(const ConstImageView& source, const ImageView& destination) {
   const auto write = row_writer(conversion_, setting_.width * setting_.height);
   return run_by_tile_rows(
-      [&](Index row, const BitPlaneView& to) { conversion_.read(rows_of_tiles(source, row), to); },
-      [&](Index row, const BitPlaneView& from) { write(from, rows_of_tiles(destination, row)); });
+      [&](Index row, const BitPlaneView& to) {
+        conversion_.read(rows_of_tiles(source, workspace_.grid(), row), to);
+      },
+      [&](Index row, const BitPlaneView& from) {
+        write(from, rows_of_tiles(destination, workspace_.grid(), row));
+      });
 }
 
 int TileState::run(const ConstPackedView& source, const PackedView& destination) {
   return run_by_tile_rows(
-      [&](Index row, const BitPlaneView& to) { read_packed(rows_of_tiles(source, row), to); },
+      [&](Index row, const BitPlaneView& to) {
+        read_packed(rows_of_tiles(source, workspace_.grid(), row), to);
+      },
       [&](Index row, const BitPlaneView& from) {
-        write_packed(from, rows_of_tiles(destination, row));
+        write_packed(from, rows_of_tiles(destination, workspace_.grid(), row));
       });
 }
 
 std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting) {
-  require(TileGrid::fits(setting.width, setting.height),
-          "image size " + size_text(setting.width, setting.height) +
-              " needs more than 2^31 tiles of 32 x 16 pixels");
+  const TileLayout& layout = kernels_of<TileLayout>(setting.isa);
+  require(TileGrid::fits(setting.width, setting.height, layout.shape),
+          "image size " + size_text(setting.width, setting.height) + " needs more than 2^30 tiles");
   BoundRule rule = bind(setting.rule, setting.isa, Layout::tiles, false);
   for (std::size_t i = 0; i < rule.sub_iterations; ++i) {
     if (rule.tile_passes[i] == nullptr) return nullptr;
   }
   return std::make_unique<TileState>(
-      TileEngine{std::move(rule), &kernels_of<TileKernels>(setting.isa),
-                 &kernels_of<TileLayout>(setting.isa)},
-      setting);
+      TileEngine{std::move(rule), &kernels_of<TileKernels>(setting.isa), &layout}, setting);
 }
 
 }  // namespace thinbench::detail

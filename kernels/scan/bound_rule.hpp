@@ -19,7 +19,7 @@ enum class Layout : std::uint8_t {
   lanes_32,   // a row of an image per lane
   lanes_64,   //
   lanes_128,  // a row of an image per pair of 64-bit lanes
-  tiles,      // a row of a tile per 32-bit lane; all neighbours are in memory
+  tiles,      // a row of a tile per 32-bit lane, rows above and below in other registers
 };
 inline constexpr std::size_t kLayouts = 6;
 
@@ -28,18 +28,25 @@ constexpr bool is_in_place(Layout layout) {
   return layout != Layout::words && layout != Layout::tiles;
 }
 
+inline constexpr Index kScannedRegisters = 2;  // of a tile
+
 /// Rows of registers, one below the other. Row -1 and the row after the last are readable, and one
 /// more at either end for two-stage rules. The target is the source, or does not overlap with it.
-/// Of tiles, each register has several rows.
+///
+/// A tile is one after the other of its registers, each of which has every n-th of its rows; so do
+/// row -1, which is the last register with each row moved down by one lane, and the row after the
+/// last. What no register has comes from the tiles above and below. Tiles beside it are next to it
+/// in memory. Only source, target, above and below have a meaning.
 struct ColumnScan {
   const void* source;   // row 0
   Index source_stride;  // bytes
   void* target;
   Index target_stride;
   Index rows;
-  Index band_rows;        // of these, in at most 64 bands; the last band may have fewer
-  const void* fixed;      // a register with a 1 for every pixel that must not change, or nullptr
-  Index side_stride = 0;  // tiles: bytes from a tile to its eastern neighbour
+  Index band_rows;    // of these, in at most 64 bands; the last band may have fewer
+  const void* fixed;  // a register with a 1 for every pixel that must not change, or nullptr
+  const std::uint32_t* above = nullptr;  // tiles: the last row of the tile above, between those
+  const std::uint32_t* below = nullptr;  // of its neighbours; the first row of the tile below
 };
 
 /// Returns the bit set of bands in which a pixel changed.
@@ -75,11 +82,11 @@ struct Prefetcher {
 using RepeatFunction = int (*)(const ColumnScan& scan, int max_iterations, Prefetcher& prefetcher);
 
 struct TileGridView;
-struct TileRange;
+struct TileList;
 
-/// Applies one sub-iteration to the tiles of a range, see engines/tile_passes.hpp. Compiled from
+/// Applies one sub-iteration to the tiles of a list, see engines/tile_passes.hpp. Compiled from
 /// the template of a built-in rule, which ignores `scan`, or one that calls `scan` for each tile.
-using TilePass = void (*)(const BoundScan& scan, const TileGridView& grid, const TileRange& range);
+using TilePass = void (*)(const BoundScan& scan, const TileGridView& grid, const TileList& list);
 
 inline constexpr int kMaxSubIterations = static_cast<int>(Rule::kMaxSubIterations);
 

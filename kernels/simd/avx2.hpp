@@ -106,6 +106,16 @@ inline std::uint32_t lowest_bits(Lanes32 a) {
   return highest_bits(a << 31);
 }
 
+inline Lanes32 previous_lanes(const std::uint32_t* words, std::uint32_t first) {
+  const __m256i lane = _mm256_set1_epi32(static_cast<int>(first));
+  return _mm256_blend_epi32(Lanes32::load_unaligned(words - 1), lane, 0x01);
+}
+
+inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last) {
+  const __m256i lane = _mm256_set1_epi32(static_cast<int>(last));
+  return _mm256_blend_epi32(Lanes32::load_unaligned(words + 1), lane, 0x80);
+}
+
 inline WordBatch previous_in_pair(WordBatch a) {
   return _mm256_bslli_epi128(a, 8);
 }

@@ -119,6 +119,14 @@ inline std::uint32_t lowest_bits(Lanes32 a) {
   return bits_of_lanes(vtstq_u32(a, vdupq_n_u32(1)));
 }
 
+inline Lanes32 previous_lanes(const std::uint32_t* words, std::uint32_t first) {
+  return vextq_u32(vdupq_n_u32(first), vld1q_u32(words), 3);
+}
+
+inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last) {
+  return vextq_u32(vld1q_u32(words), vdupq_n_u32(last), 1);
+}
+
 inline WordBatch previous_in_pair(WordBatch a) {
   return vextq_u64(vdupq_n_u64(0), a, 1);
 }

@@ -69,6 +69,14 @@ inline std::uint32_t lowest_bits(Lanes32 a) {
   return highest_bits(a << 31);
 }
 
+inline Lanes32 previous_lanes(const std::uint32_t* words, std::uint32_t first) {
+  return Lanes32::lanes([&](std::size_t i) { return i > 0 ? words[i - 1] : first; });
+}
+
+inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last) {
+  return Lanes32::lanes([&](std::size_t i) { return i + 1 < Lanes32::size ? words[i + 1] : last; });
+}
+
 inline WordBatch previous_in_pair(WordBatch a) {
   return WordBatch::lanes([&](std::size_t i) { return i % 2 == 1 ? a[i - 1] : 0; });
 }

@@ -69,6 +69,17 @@ inline std::uint32_t lowest_bits(Lanes32 a) {
   return highest_bits(a << 31);
 }
 
+inline Lanes32 previous_lanes(const std::uint32_t* words, std::uint32_t first) {
+  const __m128i lanes = Lanes32::load_unaligned(words - 1);
+  const __m128i lane = _mm_cvtsi32_si128(static_cast<int>(first));
+  return _mm_castps_si128(_mm_move_ss(_mm_castsi128_ps(lanes), _mm_castsi128_ps(lane)));
+}
+
+inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last) {
+  const __m128i lanes = _mm_srli_si128(Lanes32::load_aligned(words), 4);
+  return _mm_or_si128(lanes, _mm_slli_si128(_mm_cvtsi32_si128(static_cast<int>(last)), 12));
+}
+
 inline WordBatch previous_in_pair(WordBatch a) {
   return _mm_bslli_si128(a, 8);
 }

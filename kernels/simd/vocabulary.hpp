@@ -164,6 +164,23 @@ template <int number>
 [[gnu::always_inline]] inline std::uint32_t highest_bits(Lanes32 a);
 [[gnu::always_inline]] inline std::uint32_t lowest_bits(Lanes32 a);
 
+/// Lane i is words[i - 1], lane 0 is `first`; or words[i + 1], and the last lane is `last`. Words
+/// are aligned, and words[-1], or the word after the last, is readable.
+[[gnu::always_inline]] inline Lanes32 previous_lanes(const std::uint32_t* words,
+                                                     std::uint32_t first);
+[[gnu::always_inline]] inline Lanes32 next_lanes(const std::uint32_t* words, std::uint32_t last);
+
+/// Stores nonzero_lanes(a), nonzero_lanes(b), lowest_bits(c) and highest_bits(c), 16 bits each,
+/// from the low end. [kRegisterHoldsRow]
+[[gnu::always_inline]] inline void store_lane_bits(std::uint64_t* to, Lanes32 a, Lanes32 b,
+                                                   Lanes32 c);
+
+/// The 16-bit quarters of 32 words, from the low end. [kRegisterHoldsRow]
+struct WordQuarters {
+  Lanes16 first, second, third, fourth;
+};
+[[gnu::always_inline]] inline WordQuarters quarters_of_words(const std::uint64_t* words);
+
 /// a << count in each lane, filled with the highest bits of `low`. [kHasFunnelShift]
 template <int count>
 [[gnu::always_inline]] inline WordBatch funnel_left(WordBatch a, WordBatch low);

@@ -34,7 +34,7 @@ constexpr std::array kTechniques = {
     TechniqueInfo{"simd_bytes", "xsimd, one pixel per byte lane"},
     TechniqueInfo{"simd_bitpacked", "xsimd on packed words, any width"},
     TechniqueInfo{"simd_bitpacked_tiles",
-                  "xsimd on tiles of 16 x 32 packed pixels, only where something changed"},
+                  "xsimd on tiles of packed pixels, only where something changed"},
     TechniqueInfo{"simd_bitpacked_row", "one row of up to 512 pixels in one AVX-512 register"},
     TechniqueInfo{"simd_16bit", "gradients in 16-bit lanes, one fused scan of the image"},
     TechniqueInfo{"simd_8bit", "gradients in saturating 8-bit lanes, where these are exact"},

@@ -43,16 +43,16 @@ template <class T>
 /// The same for the tiles around an image and for the pixels past its last column and row.
 [[nodiscard]] inline bool margin_is_zero(const detail::TileGridView& grid) {
   const auto pixels_of = [&](Index tile, Index row) {
-    const Index strip = tile / grid.strip_tiles - 1;
-    const Index y = tile % grid.strip_tiles * detail::kTileRows + row;
-    if (tile < 0 || strip < 0 || y >= grid.height) return std::uint32_t{0};
+    const Index column = tile % grid.stride - 1;
+    const Index y = tile / grid.stride * grid.shape.rows + row;
+    if (column < 0 || y >= grid.height) return std::uint32_t{0};
     const Index columns =
-        std::clamp<Index>(grid.width - strip * detail::kTileColumns, 0, detail::kTileColumns);
+        std::clamp<Index>(grid.width - column * detail::kTileColumns, 0, detail::kTileColumns);
     return static_cast<std::uint32_t>((std::uint64_t{1} << columns) - 1);
   };
-  for (Index tile = -1; tile <= grid.groups * detail::kTileGroup; ++tile) {
-    for (Index row = 0; row < detail::kTileRows; ++row) {
-      const std::uint32_t word = grid.words[tile * detail::kTileRows + row];
+  for (Index tile = 0; tile <= grid.tile_rows * grid.stride; ++tile) {
+    for (Index row = 0; row < grid.shape.rows; ++row) {
+      const std::uint32_t word = grid.words[tile * grid.shape.rows + grid.shape.word_of_row(row)];
       if ((word & ~pixels_of(tile, row)) != 0) return false;
     }
   }
