@@ -298,7 +298,7 @@ def label_values(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8, *,
     >>> labels, count = thinbench.label_values(np.array([[7, 7, 2], [0, 0, 7]]))
     >>> print(labels, count)
     [[1 1 2]
-     [0 0 3]] 3
+     [0 0 1]] 2
     """
     values = _arrays.label_rows(_arrays.labels(image))
     labels = np.empty(values.shape, np.int32)
