@@ -121,7 +121,7 @@ void write_filled(const ConstLabelView& source, const HoleStarts& starts,
 
 void fill_label_holes(ConstLabelView source, LabelView destination, Connectivity labels,
                       std::int64_t max_area, const Execution& execution) {
-  detail::check_views(source, destination);
+  detail::check_views(source, destination, detail::InPlace::allowed);
   detail::require_label_size(source.width, source.height);
   detail::require_connectivity(static_cast<int>(labels));
   detail::require_max_area(max_area);
