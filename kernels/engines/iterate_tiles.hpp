@@ -1,6 +1,7 @@
 // Iterates the tile engine over its lists of active tiles.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/thread_team.hpp"
@@ -8,7 +9,7 @@
 
 namespace thinbench::detail {
 
-/// The memory of iterate_tiles(): the grid, the words with active tiles and, for each thread, the
+/// The memory of a TileIteration: the grid, the words with active tiles and, for each thread, the
 /// tiles of a chunk and what changed in them.
 class TileWorkspace {
  public:
@@ -30,11 +31,55 @@ class TileWorkspace {
   std::vector<Chunk> chunks_;
 };
 
-/// Iterates the engine's sub-iterations on the pixels in the grid, in place, until an iteration
-/// changes nothing or `max_iterations` is reached; returns the number of iterations, including the
-/// last. The workspace must be constructed for at least the team's number of threads. Does not
-/// allocate.
-int iterate_tiles(const TileEngine& engine, int max_iterations, TileWorkspace& workspace,
-                  const ThreadTeam& team);
+/// Sub-iterations of the first iteration that run while rows of tiles are loaded. With more, noise
+/// loses what thin strokes gain: docs/experiments.md#tiles.
+inline constexpr Index kFusedSubIterations = 2;
+
+/// Iterates the engine's sub-iterations on the pixels in the grid, in place. Threads share rows of
+/// tiles: what they read of each other's tiles, the edges and changes of the sub-iteration before,
+/// does not change. The workspace must be constructed for at least the team's number of threads.
+/// Does not allocate.
+class TileIteration {
+ public:
+  TileIteration(const TileEngine& engine, TileWorkspace& workspace, const ThreadTeam& team)
+      : engine_(engine), team_(team), workspace_(workspace), grid_(workspace.grid()) {}
+
+  /// Loads all rows of tiles by `load(tile_row)`. Meanwhile it runs the first sub-iterations, each
+  /// one row of tiles behind what it reads, and prefetches the next row from `memory(tile_row)`.
+  template <class Load, class Memory>
+  void run_while_loading(const Load& load, const Memory& memory) {
+    const auto subs = static_cast<Index>(engine_.rule.sub_iterations);
+    const Index fused = std::min(kFusedSubIterations, subs);
+    for (Index row = 0; row < grid_.tile_rows + fused; ++row) {
+      if (row < grid_.tile_rows) load(row);
+      const ConstBytes next = row + 1 < grid_.tile_rows ? memory(row + 1) : ConstBytes{};
+      const Index part = next.size / fused;
+      for (Index sub = 0; sub < fused; ++sub) {
+        const Index ready = row - 1 - sub;
+        if (ready < 0 || ready >= grid_.tile_rows) continue;
+        visit_rows(sub, ready, ready + 1, {next.data + sub * part, part});
+      }
+    }
+    done_ = fused;
+  }
+
+  /// Runs the others until an iteration changes nothing or `max_iterations` is reached; returns
+  /// the number of iterations, including the last.
+  int run(int max_iterations);
+
+ private:
+  /// Runs a sub-iteration, counted from the first iteration on, on rows of tiles. Returns whether
+  /// any were active.
+  bool visit_rows(Index number, Index first_row, Index last_row, const ConstBytes& ahead = {});
+  void visit_words(Index number, Index first, Index last, Index share, ConstBytes ahead = {}) const;
+  [[nodiscard]] std::uint32_t row_of(Index i) const;
+  [[nodiscard]] Index share_begin(Index share, Index shares, const ActiveCount& active) const;
+
+  const TileEngine& engine_;
+  const ThreadTeam& team_;
+  TileWorkspace& workspace_;
+  const TileGridView& grid_;
+  Index done_ = 0;  // sub-iterations
+};
 
 }  // namespace thinbench::detail

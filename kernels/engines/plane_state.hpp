@@ -41,6 +41,8 @@ class BandTeam {
 
   [[nodiscard]] ThreadTeam& threads() { return team_; }
 
+  [[nodiscard]] bool is_large() const { return is_large_; }
+
   /// Calls `body(first, last)` on ranges that partition [0, count): one per thread for large
   /// images, else one.
   template <class Body>

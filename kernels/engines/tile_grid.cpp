@@ -45,6 +45,12 @@ TileGrid::TileGrid(Index width, Index height, Border border, const TileShape& sh
     }
   }
 
+  view_.neighbours = view_.edges;
+  for (TileEdges& edges : view_.neighbours) {
+    for (std::uint32_t*& row : edges.top) row += view_.stride;
+    for (std::uint32_t*& row : edges.bottom) row -= view_.stride;
+  }
+
   ChangedLanes& lanes = view_.changed_lanes;
   std::size_t number = 0;
   for (auto** const bytes : {&lanes.any, &lanes.west, &lanes.east, &lanes.first, &lanes.last}) {

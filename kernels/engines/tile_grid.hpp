@@ -66,6 +66,9 @@ struct TileGridView {
   /// A sub-iteration reads one and writes the other, for the tiles that it visits. Those that it
   /// changes are visited by the next one, too, so both agree on all other tiles.
   std::array<TileEdges, 2> edges;
+  /// The same by the tile that reads them: above the top edge or below the bottom edge. Kept, not
+  /// computed, as loops over tiles are short of registers.
+  std::array<TileEdges, 2> neighbours;
 
   ChangedLanes changed_lanes;
 

@@ -7,6 +7,11 @@
 
 namespace thinbench::detail {
 
+struct ConstBytes {
+  const std::uint8_t* data = nullptr;
+  Index size = 0;
+};
+
 /// An ascending list of one or more tiles. The tile after the last one is not visited in this
 /// sub-iteration.
 struct TileList {
@@ -14,6 +19,7 @@ struct TileList {
   Index count;
   std::uint64_t* changes;  // output: an entry per tile, see record_changes() in tile_passes.cpp
   std::size_t parity;      // which edges of the grid are read
+  ConstBytes ahead;        // prefetched while tiles are visited
 };
 inline constexpr std::uint32_t kBorderTile = std::uint32_t{1} << 31;
 

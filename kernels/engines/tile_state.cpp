@@ -16,6 +16,21 @@ View rows_of_tiles(const View& view, const TileGridView& grid, Index tile_row) {
   return rows_of_view(view, first, std::min(first + grid.shape.rows, view.height));
 }
 
+Index row_bytes(const ConstImageView& view) {
+  return view.width;
+}
+
+Index row_bytes(const ConstPackedView& view) {
+  return packed_row_bytes(view.width);
+}
+
+/// The bytes from the first row to the last, or none if most of them are between rows.
+template <class View>
+ConstBytes memory_of(const View& rows) {
+  if (rows.stride > 2 * row_bytes(rows)) return {};
+  return {rows.data, (rows.height - 1) * rows.stride + row_bytes(rows)};
+}
+
 }  // namespace
 
 TileState::TileState(TileEngine engine, const ThinningSetting& setting)
@@ -66,7 +81,7 @@ int TileState::thin() {
     }
   });
   const int iterations =
-      iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+      TileIteration(engine_, workspace_, team_.threads()).run(setting_.max_iterations);
   team_.for_bands(grid.tile_rows, [&](Index first, Index last) {
     for (Index row = first; row < last; ++row) {
       layout.store_rows(grid, rows_of_tiles(to, grid, row), row);
@@ -76,29 +91,39 @@ int TileState::thin() {
   return iterations;
 }
 
+BitPlaneView TileState::buffer(std::size_t band, Index tile_row) {
+  BitPlaneView rows = rows_[band].view();
+  const Index first = tile_row * workspace_.grid().shape.rows;
+  rows.height = std::min(rows.height, setting_.height - first);
+  return rows;
+}
+
 template <class Body>
 void TileState::for_tile_rows(const Body& body) {
-  const Index rows = workspace_.grid().shape.rows;
   std::atomic<std::size_t> next = 0;
   team_.for_bands(workspace_.grid().tile_rows, [&](Index first, Index last) {
-    BitPlaneView band = rows_[next++].view();
-    for (Index row = first; row < last; ++row) {
-      band.height = std::min(rows, setting_.height - row * rows);
-      body(row, band);
-    }
+    const std::size_t band = next++;
+    for (Index row = first; row < last; ++row) body(row, buffer(band, row));
   });
 }
 
-template <class Read, class Write>
-int TileState::run_by_tile_rows(const Read& read, const Write& write) {
+template <class Source, class Read, class Write>
+int TileState::run_by_tile_rows(const Source& source, const Read& read, const Write& write) {
   const TileGridView& grid = workspace_.grid();
-  for_tile_rows([&](Index row, const BitPlaneView& rows) {
-    read(row, rows);
+  const auto source_rows = [&](Index row) { return rows_of_tiles(source, grid, row); };
+  const auto load = [&](Index row, const BitPlaneView& rows) {
+    read(source_rows(row), rows);
     if (setting_.complemented) complement(rows);
     engine_.layout->load_rows(grid, rows, row);
-  });
-  const int iterations =
-      iterate_tiles(engine_, setting_.max_iterations, workspace_, team_.threads());
+  };
+  TileIteration iteration(engine_, workspace_, team_.threads());
+  if (setting_.threads == 1 && team_.is_large()) {
+    iteration.run_while_loading([&](Index row) { load(row, buffer(0, row)); },
+                                [&](Index row) { return memory_of(source_rows(row)); });
+  } else {
+    for_tile_rows(load);
+  }
+  const int iterations = iteration.run(setting_.max_iterations);
   for_tile_rows([&](Index row, const BitPlaneView& rows) {
     engine_.layout->store_rows(grid, rows, row);
     if (setting_.complemented) complement(rows);
@@ -109,23 +134,18 @@ int TileState::run_by_tile_rows(const Read& read, const Write& write) {
 
 int TileState::run(const ConstImageView& source, const ImageView& destination) {
   const auto write = row_writer(conversion_, setting_.width * setting_.height);
-  return run_by_tile_rows(
-      [&](Index row, const BitPlaneView& to) {
-        conversion_.read(rows_of_tiles(source, workspace_.grid(), row), to);
-      },
-      [&](Index row, const BitPlaneView& from) {
-        write(from, rows_of_tiles(destination, workspace_.grid(), row));
-      });
+  return run_by_tile_rows(source, conversion_.read, [&](Index row, const BitPlaneView& from) {
+    write(from, rows_of_tiles(destination, workspace_.grid(), row));
+  });
 }
 
 int TileState::run(const ConstPackedView& source, const PackedView& destination) {
-  return run_by_tile_rows(
-      [&](Index row, const BitPlaneView& to) {
-        read_packed(rows_of_tiles(source, workspace_.grid(), row), to);
-      },
-      [&](Index row, const BitPlaneView& from) {
-        write_packed(from, rows_of_tiles(destination, workspace_.grid(), row));
-      });
+  const auto read = [](const ConstPackedView& rows, const BitPlaneView& to) {
+    read_packed(rows, to);
+  };
+  return run_by_tile_rows(source, read, [&](Index row, const BitPlaneView& from) {
+    write_packed(from, rows_of_tiles(destination, workspace_.grid(), row));
+  });
 }
 
 std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting) {

@@ -28,10 +28,14 @@ class TileState final : public ThinningState {
  private:
   template <class View>
   void load_planes(const View& source);
-  /// Thins rows of tiles that `read(tile_row, rows)` fills and `write(tile_row, rows)` takes.
-  template <class Read, class Write>
-  int run_by_tile_rows(const Read& read, const Write& write);
-  /// Calls `body(tile_row, rows)` for every row of tiles. `rows` is a buffer for its pixels.
+  /// Thins rows of tiles that `read(source_rows, rows)` fills and `write(tile_row, rows)` takes.
+  /// One thread runs the first sub-iterations on rows of tiles while they are in a near cache. That
+  /// gains nothing if the image is there, too.
+  template <class Source, class Read, class Write>
+  int run_by_tile_rows(const Source& source, const Read& read, const Write& write);
+  /// A buffer for the pixels of a row of tiles.
+  BitPlaneView buffer(std::size_t band, Index tile_row);
+  /// Calls `body(tile_row, rows)` for every row of tiles. `rows` is its buffer().
   template <class Body>
   void for_tile_rows(const Body& body);
 

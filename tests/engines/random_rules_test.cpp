@@ -169,6 +169,32 @@ TEST_P(RandomRules, equal_the_reference_in_every_variant) {
   }
 }
 
+/// Large images: tiles run the first sub-iterations while they load.
+TEST(RandomRules, run_equals_the_steps_by_tiles_with_one_to_eight_sub_iterations) {
+  Random random(17);
+  const ByteImage source = random_image(random, 2099, 531);
+  ByteImage by_steps(source.width(), source.height());
+  ByteImage by_run(source.width(), source.height());
+  for (int sub_iterations = 1; sub_iterations <= kMaxSubIterations; ++sub_iterations) {
+    RandomRule rule;
+    for (int i = 0; i < sub_iterations; ++i) rule.tables.push_back(kKinds[2].make(random));
+    rule.repetition.border = sub_iterations % 2 == 0 ? Border::keep : Border::background;
+    rule.repetition.max_iterations = 1 + sub_iterations % 3;
+    for_each_state(parameters_of(rule), source.width(), source.height(), 2,
+                   [&](ThinningState& state, const std::string& name) {
+                     if (name.rfind("simd_bitpacked_tiles", 0) != 0) return;
+                     state.load(source.view());
+                     const int iterations = state.thin();
+                     state.store(by_steps.view());
+                     for (int run = 0; run < 2; ++run) {
+                       EXPECT_EQ(state.run(source.view(), by_run.view()), iterations) << name;
+                       EXPECT_TRUE(equal(by_run.view(), by_steps.view()))
+                           << name << described(source, rule);
+                     }
+                   });
+  }
+}
+
 /// Images of one size, one below the other.
 ByteImage stacked(const std::vector<ByteImage>& images) {
   const Index height = images.front().height();
