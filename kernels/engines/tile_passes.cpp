@@ -450,7 +450,9 @@ template <class Lanes>
     }
     for_all_bits([&](auto bits) { changed.*bits = scatter_bits(changed.*bits, tiles); });
   } else {
-    for (Index at = 0; at < kWordBits; at += static_cast<Index>(ByteBatch::size)) {
+    constexpr auto step = static_cast<Index>(ByteBatch::size);
+    for (Index at = 0; at < kWordBits; at += step) {
+      if ((tiles >> at & ~std::uint64_t{0} >> (kWordBits - step)) == 0) continue;
       const ChangedTiles some = changed_lanes(grid.changed_lanes, grid.first_tiles[word] + at);
       for_all_bits([&](auto bits) { changed.*bits |= some.*bits << at; });
     }
