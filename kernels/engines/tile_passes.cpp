@@ -452,8 +452,11 @@ template <class Lanes>
   } else {
     constexpr auto step = static_cast<Index>(ByteBatch::size);
     for (Index at = 0; at < kWordBits; at += step) {
+      const Index tile = grid.first_tiles[word] + at;
       if ((tiles >> at & ~std::uint64_t{0} >> (kWordBits - step)) == 0) continue;
-      const ChangedTiles some = changed_lanes(grid.changed_lanes, grid.first_tiles[word] + at);
+      const auto any = nonzero_bits(ByteBatch::load_unaligned(grid.changed_lanes.any + tile));
+      if ((tiles >> at & any) == 0) continue;
+      const ChangedTiles some = changed_lanes(grid.changed_lanes, tile);
       for_all_bits([&](auto bits) { changed.*bits |= some.*bits << at; });
     }
     for_all_bits([&](auto bits) { changed.*bits &= tiles; });
