@@ -35,6 +35,7 @@ void add_pairs(const Label* a, const Label* b, Index count, Pairs& pairs) {
 Pairs touching(const ConstLabelView& labels) {
   Pairs pairs;
   const Index width = labels.width;
+  if (width == 0) return pairs;  // there may be no rows to point to
   for (Index y = 0; y < labels.height; ++y) {
     const Label* row = labels.row(y);
     add_pairs(row, row + 1, width - 1, pairs);
