@@ -113,9 +113,8 @@ struct ScanVisitor {
 /// from the low end:
 /// - the changed rows of the first register: bit 0 is the first row of the tile
 /// - those of the last: bit 15 is the last row of the tile
-/// - the lanes with changes in the first column: bit 0 tells of the first row and possibly of
-/// others,
-///   bit 15 of the last row
+/// - the lanes with changes in the first column: bit 0 tells of the first row, and possibly of
+///   others, bit 15 of the last row
 /// - the same of the last column
 /// Else in ChangedLanes.
 [[gnu::always_inline]] inline void store_changes(const TileGridView& grid, std::uint64_t* entry,

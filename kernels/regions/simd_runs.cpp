@@ -163,17 +163,15 @@ template <bool with_background>
 
 /// Contacts of runs are faster than union-find on a row whose runs do not match those above, with a
 /// boundary in every seventh pixel or more; with background in every sixth, and not where rows are
-/// repeated.
+/// repeated, `repeated` of them since the last change.
 template <bool with_background>
-[[gnu::always_inline]] inline void lose_patience(RunLabelling& labelling, bool is_change,
+[[gnu::always_inline]] inline void lose_patience(RunLabelling& labelling, Index repeated,
                                                  Index width) {
-  if (!with_background && !is_change) return;
   constexpr Index pixels = with_background ? 6 : 7;
-  if (is_change && pixels * labelling.here.count > width) {
-    --labelling.patience;
-  } else if (labelling.patience < kPatience) {
-    ++labelling.patience;
-  }
+  Index patience = labelling.patience + (with_background ? repeated : 0);
+  patience += pixels * labelling.here.count > width ? -1 : 1;
+  if (labelling.patience <= kPatience)
+    labelling.patience = patience < kPatience ? patience : kPatience;
 }
 
 /// Labels rows [first, last), at most max_rows_per_flush.
@@ -185,12 +183,14 @@ Index label_block(const ConstBitPlaneView& image, Index first, Index last,
   RunRow& here = labelling.here;
   clear_accumulators(labelling.accumulators, 0, above.count);
   Index y = first;
+  Index next_change = first;  // if no row is repeated
   for (; y < last && has_room(labelling.tables, image.width) && labelling.patience >= 0; ++y) {
     here.count = find_keys_of_row(image.row(y), words, here.keys);
-    const bool is_change =
-        here.count != above.count || !all_match(above.keys, here.keys, here.count);
-    if (is_change) label_change<with_background>(labelling, first, y);
-    lose_patience<with_background>(labelling, is_change, image.width);
+    if (here.count != above.count || !all_match(above.keys, here.keys, here.count)) {
+      label_change<with_background>(labelling, first, y);
+      lose_patience<with_background>(labelling, y - next_change, image.width);
+      next_change = y + 1;
+    }
     add_row(labelling.accumulators, here.keys, here.count, y - first);
     Key* const keys = above.keys;
     above.keys = here.keys;

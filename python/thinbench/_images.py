@@ -303,8 +303,8 @@ def label_values(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8, *,
     values = _arrays.label_rows(_arrays.labels(image))
     labels = np.empty(values.shape, np.int32)
     components = ctypes.c_uint32()
-    _library.label_values(values.ctypes.data, _arrays.label_stride(values), labels.ctypes.data, values.shape[1],
-                          *values.shape, _arrays.integer("connectivity", connectivity),
+    _library.label_values(_library.address(values), _arrays.label_stride(values), _library.address(labels),
+                          values.shape[1], *values.shape, _arrays.integer("connectivity", connectivity),
                           _arrays.integer("background", background), ctypes.byref(components))
     return labels, components.value
 
