@@ -340,8 +340,8 @@ ActiveCount find_active(const TileGridView& shared_grid, const TileActivation& s
                                                 std::uint64_t tiles) {
   if constexpr (kHasCompress) {
     Lanes32 numbers = lane_numbers() + Lanes32(first);
-    for (int part = 0; part < kWordBits; part += static_cast<int>(kLanes)) {
-      const auto selected = static_cast<std::uint16_t>(tiles >> part);
+    for (; tiles != 0; tiles >>= kLanes) {
+      const auto selected = static_cast<std::uint32_t>(tiles & ((1U << kLanes) - 1));
       store_compressed(list, numbers, selected);
       list += __builtin_popcount(selected);
       numbers = numbers + Lanes32(static_cast<std::uint32_t>(kLanes));

@@ -11,7 +11,7 @@ inline namespace THINBENCH_ISA {
 
 inline constexpr bool kHasFunnelShift = false;
 inline constexpr bool kHasMaskedBytes = false;
-inline constexpr bool kHasCompress = false;
+inline constexpr bool kHasCompress = true;
 inline constexpr bool kHasByteCompress = false;
 inline constexpr bool kHasLanePermute = true;
 inline constexpr bool kHasTranspose = false;
@@ -82,6 +82,11 @@ inline std::uint32_t nonzero_lanes(Lanes32 a) {
   return ~highest_bits(Lanes32(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))) & 0xFF;
 }
 
+inline std::uint32_t nonzero_lanes(WordBatch a) {
+  const __m256i zero = _mm256_cmpeq_epi64(a, _mm256_setzero_si256());
+  return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_castsi256_pd(zero))) ^ 0xF;
+}
+
 inline Lanes32 counts_upto(std::uint32_t bits) {
   const std::uint8_t* counts = kPrefixCounts[bits & 0xFF].data();
   return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(counts)));
@@ -96,6 +101,17 @@ inline Lanes32 counts_upto(std::uint32_t bits) {
 
 inline Lanes32 permuted_where(Lanes32 a, Lanes32 index, std::uint32_t selected) {
   return _mm256_and_si256(_mm256_permutevar8x32_epi32(a, index), lanes_of_bits(selected));
+}
+
+inline Lanes32 lane_numbers() {
+  return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+inline void store_compressed(std::uint32_t* to, Lanes32 a, std::uint32_t selected) {
+  const std::uint64_t bytes = _pdep_u64(selected, 0x0101010101010101) * 0xFF;
+  const auto lanes = static_cast<long long>(_pext_u64(0x0706050403020100, bytes));
+  const __m256i index = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(lanes));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(a, index));
 }
 
 inline void store_first(std::uint32_t* to, Lanes32 a, Index count) {

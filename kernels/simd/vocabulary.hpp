@@ -158,7 +158,7 @@ template <int number>
 /// Bit i is set where lane i is not 0.
 [[gnu::always_inline]] inline std::uint32_t nonzero_lanes(Lanes16 a);
 [[gnu::always_inline]] inline std::uint32_t nonzero_lanes(Lanes32 a);
-[[gnu::always_inline]] inline std::uint32_t nonzero_lanes(WordBatch a);  // [kRegisterHoldsRow]
+[[gnu::always_inline]] inline std::uint32_t nonzero_lanes(WordBatch a);  // [kHasCompress]
 
 /// Bit i is the highest or lowest bit of lane i.
 [[gnu::always_inline]] inline std::uint32_t highest_bits(Lanes32 a);
