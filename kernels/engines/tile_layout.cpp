@@ -100,12 +100,14 @@ Index transposed_columns(const View& rows) {
 void load_edge(const TileGridView& grid, const ConstBitPlaneView& rows, Index tile_row, Index y,
                std::uint32_t* to, std::uint32_t* copy) {
   const Index first = grid.first_tile(tile_row);
-  for (Index column = 0; column * kTileColumns < rows.width; ++column) {
-    const std::uint64_t word = y < rows.height ? rows.row(y)[column / kColumnsPerWord] : 0;
-    const auto pixels =
-        static_cast<std::uint32_t>(word >> (column % kColumnsPerWord * kTileColumns));
-    to[first + column] = pixels;
-    copy[first + column] = pixels;
+  const Index words = (rows.width + kWordBits - 1) / kWordBits;
+  const std::uint64_t* const row = y < rows.height ? rows.row(y) : nullptr;
+  for (std::uint32_t* edge : {to + first, copy + first}) {
+    for (Index i = 0; i < words; ++i) {
+      const std::uint64_t word = row != nullptr ? row[i] : 0;
+      edge[kColumnsPerWord * i] = static_cast<std::uint32_t>(word);
+      edge[kColumnsPerWord * i + 1] = static_cast<std::uint32_t>(word >> kTileColumns);
+    }
   }
 }
 
