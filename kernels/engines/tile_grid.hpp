@@ -48,7 +48,7 @@ struct TileChanges {
 
 /// What a visit changed, a byte per tile with a bit per lane of a register. Not used with 16 lanes.
 struct ChangedLanes {
-  std::uint8_t* any;    // of all registers
+  std::uint8_t* any;    // of all registers; not used with two, the first and the last
   std::uint8_t* west;   // in the first column
   std::uint8_t* east;   // in the last column
   std::uint8_t* first;  // of the first register: bit 0 is the first row of the tile

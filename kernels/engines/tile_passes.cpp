@@ -131,7 +131,7 @@ struct ScanVisitor {
     store_lane_bits(entry, first, last, any);
   } else {
     const ChangedLanes& lanes = grid.changed_lanes;
-    lanes.any[tile] = static_cast<std::uint8_t>(nonzero_lanes(any));
+    if (kTileRegisters > 2) lanes.any[tile] = static_cast<std::uint8_t>(nonzero_lanes(any));
     lanes.west[tile] = static_cast<std::uint8_t>(lowest_bits(any));
     lanes.east[tile] = static_cast<std::uint8_t>(highest_bits(any));
     lanes.first[tile] = static_cast<std::uint8_t>(nonzero_lanes(first));
@@ -412,6 +412,13 @@ template <class Entry>
           nonzero_lanes(last & east & highest)};
 }
 
+/// What changed in any register, from `tile` on, visited or not.
+[[gnu::always_inline]] inline ByteBatch any_lanes(const ChangedLanes& lanes, Index tile) {
+  if (kTileRegisters > 2) return ByteBatch::load_unaligned(lanes.any + tile);
+  return ByteBatch::load_unaligned(lanes.first + tile) |
+         ByteBatch::load_unaligned(lanes.last + tile);
+}
+
 /// Of the tiles of a batch of bytes, visited or not. A template because not every ISA uses it.
 template <class Lanes>
 [[gnu::always_inline]] inline ChangedTiles changed_lanes(const Lanes& lanes, Index tile) {
@@ -424,7 +431,7 @@ template <class Lanes>
   const ByteBatch east = load(lanes.east);
   const ByteBatch top = load(lanes.first) & lowest;
   const ByteBatch bottom = load(lanes.last) & highest;
-  return {nonzero_bits(load(lanes.any)),
+  return {nonzero_bits(any_lanes(lanes, tile)),
           nonzero_bits(top),
           nonzero_bits(bottom),
           nonzero_bits(west),
@@ -453,7 +460,7 @@ template <class Lanes>
     for (Index at = 0; at < kWordBits; at += step) {
       const Index tile = grid.first_tiles[word] + at;
       if ((tiles >> at & ~std::uint64_t{0} >> (kWordBits - step)) == 0) continue;
-      const auto any = nonzero_bits(ByteBatch::load_unaligned(grid.changed_lanes.any + tile));
+      const auto any = nonzero_bits(any_lanes(grid.changed_lanes, tile));
       if ((tiles >> at & any) == 0) continue;
       const ChangedTiles some = changed_lanes(grid.changed_lanes, tile);
       for_all_bits([&](auto bits) { changed.*bits |= some.*bits << at; });

@@ -161,20 +161,23 @@ template <bool with_background>
   return rows < max_rows ? rows : max_rows;
 }
 
-/// Contacts of runs are faster than union-find on a row whose runs do not match those above, with a
-/// boundary in every seventh pixel or more; with background in every sixth, and not where rows are
-/// repeated, `repeated` of them since the last change.
+/// Whether contacts of runs are faster than union-find on a row whose runs do not match those
+/// above.
 template <bool with_background>
-[[gnu::always_inline]] inline void lose_patience(RunLabelling& labelling, Index repeated,
-                                                 Index width) {
+[[gnu::always_inline]] inline bool is_dense(Index boundaries, Index width) {
   constexpr Index pixels = with_background ? 6 : 7;
-  Index patience = labelling.patience + (with_background ? repeated : 0);
-  patience += pixels * labelling.here.count > width ? -1 : 1;
-  if (labelling.patience <= kPatience)
-    labelling.patience = patience < kPatience ? patience : kPatience;
+  return pixels * boundaries > width;
 }
 
-/// Labels rows [first, last), at most max_rows_per_flush.
+/// Counts a dense row, `other_rows` after the one before. False where the kernel should give up.
+[[gnu::noinline]] bool has_patience(RunLabelling& labelling, Index other_rows) {
+  if (labelling.patience == kEndlessPatience) return true;
+  const Index patience = labelling.patience + other_rows;
+  labelling.patience = (patience < kPatience ? patience : kPatience) - 1;
+  return labelling.patience >= 0;
+}
+
+/// Labels rows [first, last), at most max_rows_per_flush, or fewer if the tables have no room.
 template <bool with_background>
 Index label_block(const ConstBitPlaneView& image, Index first, Index last,
                   RunLabelling& labelling) {
@@ -183,13 +186,17 @@ Index label_block(const ConstBitPlaneView& image, Index first, Index last,
   RunRow& here = labelling.here;
   clear_accumulators(labelling.accumulators, 0, above.count);
   Index y = first;
-  Index next_change = first;  // if no row is repeated
-  for (; y < last && has_room(labelling.tables, image.width) && labelling.patience >= 0; ++y) {
+  Index end = has_room(labelling.tables, image.width) ? last : first;
+  Index after_dense = first;
+  for (; y < end; ++y) {
     here.count = find_keys_of_row(image.row(y), words, here.keys);
     if (here.count != above.count || !all_match(above.keys, here.keys, here.count)) {
       label_change<with_background>(labelling, first, y);
-      lose_patience<with_background>(labelling, y - next_change, image.width);
-      next_change = y + 1;
+      if (is_dense<with_background>(here.count, image.width)) {
+        if (!has_patience(labelling, y - after_dense)) end = y + 1;
+        after_dense = y + 1;
+      }
+      if (!has_room(labelling.tables, image.width)) end = y + 1;
     }
     add_row(labelling.accumulators, here.keys, here.count, y - first);
     Key* const keys = above.keys;
