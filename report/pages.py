@@ -36,8 +36,8 @@ DRAWN = ("halftone_{}", "page_{}", "noise_{}_5_1", "noise_{}_41_1", "noise_{}_50
 SIDE, QUICK_SIDE = 2896, 1024
 """Of drawn pages: 8.4 megapixels."""
 
-WITHOUT_SLOW = "^(?!thin_[^/]*/opencv/)(?=.*(?:{}))"
-"""Of the rows of a filter, on drawn pages: OpenCV's thinning takes seconds there, beyond what is measured."""
+WITHOUT_SLOW = "^(?!(?:thin_[^/]*/opencv|holes/opencv_contours)/)(?=.*(?:{}))"
+"""Of the rows of a filter, on drawn pages: OpenCV's thinning and contours take seconds there, beyond what is measured."""
 
 OPERATIONS = ("^(thin_guo_hall|thin_zhang_suen|thin_guo_hall:keep|thin_zhang_suen:keep|thin_mb2|skeleton_scan|edges_sobel|"
               "holes|components|fill_holes|euler_number|label_image|label_image_4|label_components|label_regions|"
