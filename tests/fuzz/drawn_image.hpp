@@ -87,6 +87,27 @@ class DrawnImage {
   std::unique_ptr<std::uint8_t[]> data_;
 };
 
+/// A copy of an image, and room for a result, which now and then is the place of the copy.
+struct DrawnPair {
+  DrawnPair(ByteSource& input, const ConstImageView& image, bool works_in_place = true)
+      : source(input, {image.width, image.height}),
+        destination(input, {image.width, image.height}),
+        in_place(works_in_place && input.once_in(4)) {
+    source.copy_from(image);
+  }
+
+  [[nodiscard]] ImageView to() { return in_place ? source.view() : destination.view(); }
+
+  void must_be_intact() const {
+    source.must_be_intact();
+    destination.must_be_intact();
+  }
+
+  DrawnImage source;
+  DrawnImage destination;
+  bool in_place;
+};
+
 /// Foreground is 255, 1 or anything else that is not 0. Binary pixels are bits of the input, over
 /// and over again, or noise.
 inline ByteImage draw_binary(ByteSource& input, const DrawnSize& size) {
