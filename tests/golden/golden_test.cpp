@@ -31,8 +31,7 @@ const std::map<std::string, TestImage>& images_by_name() {
 }
 
 std::string text_of(const Case& one) {
-  return one.operation + ", border " + one.border + ", max_iterations " + one.max_iterations +
-         ", image " + one.image;
+  return one.operation + ", border " + one.border + ", image " + one.image;
 }
 
 /// If the case throws, the result is the exception's message.
