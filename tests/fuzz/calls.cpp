@@ -72,11 +72,7 @@ class Calls {
 
   void run() {
     for (int calls = 0; calls < 12 && !input_.is_empty(); ++calls) {
-      try {
-        call();
-      } catch (const std::invalid_argument& error) {
-        must_be_one_line(error.what());
-      }
+      must_succeed_or_explain<std::invalid_argument>([&] { call(); });
     }
   }
 

@@ -127,10 +127,6 @@ void check(ByteSource& input) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   thinbench::ByteSource input(data, size);
-  try {
-    thinbench::check(input);
-  } catch (const std::invalid_argument& error) {
-    thinbench::must_be_one_line(error.what());
-  }
+  thinbench::must_succeed_or_explain<std::invalid_argument>([&] { thinbench::check(input); });
   return 0;
 }
