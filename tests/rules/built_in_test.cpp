@@ -37,18 +37,6 @@ TEST(NaccacheShinghal, circuit_equals_the_keep_table_and_keeps_176_descriptors) 
   EXPECT_EQ(kept, 176);
 }
 
-TEST(CountingPattern, enumerates_all_neighbourhoods) {
-  for (int word = 0; word < 8; ++word) {
-    for (int bit = 0; bit < 64; ++bit) {
-      int code = 0;
-      for (int variable = 0; variable < 9; ++variable) {
-        code |= static_cast<int>(counting_pattern(variable, word) >> bit & 1) << variable;
-      }
-      EXPECT_EQ(code, 64 * word + bit);
-    }
-  }
-}
-
 /// The neighbourhood in bit `bit` of every word.
 template <class Lane>
 Neighbourhood<Lane> neighbourhood_at(const Neighbourhood<std::uint64_t>& n, int bit) {
