@@ -1,9 +1,6 @@
 // Circuits that the search finds: right, small, and always the same.
 #include "compile/gate_search.hpp"
 
-#include <cmath>
-#include <string>
-
 #include <gtest/gtest.h>
 
 #include "compile/compiled_rule.hpp"

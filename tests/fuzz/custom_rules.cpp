@@ -1,6 +1,5 @@
 // Rules of any tables, compiled, against the reference: every technique on images of any
 // size. Compiling takes longest, so a rule is applied several times.
-#include <stdexcept>
 
 #include "drawn_image.hpp"
 #include "reference.hpp"

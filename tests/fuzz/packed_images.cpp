@@ -1,6 +1,5 @@
 // Packed images in PBM files and TIFF files of one bit per pixel: all rows, or one line that says
 // what is wrong.
-#include <stdexcept>
 #include <vector>
 
 #include "images/packed_file.hpp"

@@ -1,7 +1,5 @@
 // Every variant of every operation against its reference, on images of any size at any place in
 // memory, in place where that is allowed, with every border and several limits and thresholds.
-#include <array>
-#include <span>
 
 #include "drawn_image.hpp"
 #include "harness/families.hpp"

@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <exception>
 #include <map>
-#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>

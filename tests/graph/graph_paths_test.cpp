@@ -1,11 +1,9 @@
 #include "thinbench/graph_paths.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <random>
 #include <set>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>

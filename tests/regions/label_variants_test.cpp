@@ -1,6 +1,5 @@
 // Every variant of regions, label images and filling on shapes that are awkward for runs as bits,
 // and label images that are written past the caches.
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>

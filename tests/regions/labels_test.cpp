@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/test_images.hpp"
 #include "support/label_image.hpp"
 #include "support/property_images.hpp"
 #include "thinbench/regions.hpp"

@@ -2,8 +2,6 @@
 
 #include "thinbench/named_rules.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <string>
 
 #include <gtest/gtest.h>

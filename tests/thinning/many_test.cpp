@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
-#include <span>
 #include <string>
 #include <vector>
 
