@@ -1,7 +1,6 @@
 // Every operation on fixed images, compared with the outputs recorded in golden.tsv.
 // With THINBENCH_RECORD_GOLDEN=PATH in the environment, writes the outputs to PATH instead.
 #include <cstdlib>
-#include <exception>
 #include <map>
 #include <string>
 
@@ -33,22 +32,12 @@ std::string text_of(const Case& one) {
   return one.operation + ", border " + one.border + ", image " + one.image;
 }
 
-/// If the case throws, the result is the exception's message.
-Result result_or_error(const Case& one, const ByteImage& image, int threads) {
-  try {
-    return run_case(one, image, threads);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
 void expect_recorded(const Case& one, const Result& recorded) {
   const auto found = images_by_name().find(one.image);
   ASSERT_NE(found, images_by_name().end()) << "no such image: " << text_of(one);
   const ByteImage& image = found->second.image;
   for (const int threads : {1, 3}) {
-    EXPECT_EQ(result_or_error(one, image, threads), recorded)
-        << text_of(one) << ", threads " << threads;
+    EXPECT_EQ(run_case(one, image, threads), recorded) << text_of(one) << ", threads " << threads;
   }
 }
 

@@ -1,6 +1,5 @@
 // The documented properties of the rules: topology, idempotence, subset, symmetry.
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -31,19 +30,9 @@ std::vector<BuiltInRule> rules_without_nets() {
   return rules;
 }
 
-std::string image_text(Cell cell) {
-  std::string text = "\n";
-  for (int y = 1; y <= five_by_five::kSide; ++y) {
-    for (int x = 1; x <= five_by_five::kSide; ++x) {
-      text += (cell >> (8 * y + x) & 1) != 0 ? '#' : '.';
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-/// Describes the first image of 5 x 5 pixels whose topology the rule changes; empty if none.
-std::optional<std::string> first_topology_change(BuiltInRule rule) {
+/// The first image of 5 x 5 pixels whose topology the rule changes, as in image_of_bits(5, 5,
+/// code).
+std::optional<std::uint32_t> first_topology_change(BuiltInRule rule) {
   Sheet sheet;
   for (std::uint32_t first = 0; first < five_by_five::kCount; first += Sheet::kCells) {
     sheet.fill(first);
@@ -52,7 +41,7 @@ std::optional<std::string> first_topology_change(BuiltInRule rule) {
       const Cell before = five_by_five::cell_of(first + i);
       const Cell after = sheet.cell(i);
       if (before == after || five_by_five::same_topology(before, after)) continue;
-      return image_text(before) + "becomes" + image_text(after);
+      return first + i;
     }
   }
   return std::nullopt;
@@ -61,8 +50,7 @@ std::optional<std::string> first_topology_change(BuiltInRule rule) {
 class KeepsTopology : public testing::TestWithParam<BuiltInRule> {};
 
 TEST_P(KeepsTopology, on_all_five_by_five) {
-  const auto changed = first_topology_change(GetParam());
-  EXPECT_FALSE(changed) << changed.value_or("");
+  EXPECT_EQ(first_topology_change(GetParam()), std::nullopt);
 }
 
 TEST_P(KeepsTopology, on_noise_and_scenes) {
