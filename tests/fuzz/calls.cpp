@@ -261,8 +261,7 @@ class Calls {
     std::vector<std::int32_t> labels(pixels, -7), expected_labels(pixels);
     const reference::Regions expected =
         reference::label_regions(image.view(), {expected_labels.data(), size.width, size.height});
-    const Regions labelled =
-        label_regions(source.view(), {labels.data(), size.width, size.height}, execution);
+    const Regions labelled = label_regions(source.view(), {labels.data(), size.width, size.height});
     must(labels == expected_labels, "labels differ");
     must(labelled.objects == expected.objects && labelled.holes == expected.holes,
          "labelled regions differ");
