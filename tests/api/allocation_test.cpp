@@ -73,17 +73,14 @@ namespace {
 TEST(ThinningState, allocates_nothing_after_construction) {
   const ByteImage image = noise_image(300, 90, 97, 1, 5);
   ByteImage out(300, 90);
-  for (const RuleInfo& info : kRules) {
-    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
-      if (border == Border::foreground && Rule(info.rule).sub_iterations().empty()) continue;
-      for_each_state(detail::thinning_parameters(info.rule, {.border = border}), 300, 90, 3,
-                     [&](detail::ThinningState& state, const std::string& name) {
-                       state.run(image.view(), out.view());  // starts the threads
-                       const long before = allocations;
-                       state.run(image.view(), out.view());
-                       EXPECT_EQ(allocations, before) << info.name << " by " << name;
-                     });
-    }
+  for (const RuleAndBorder& tested : rules_and_borders()) {
+    for_each_state(detail::thinning_parameters(tested.rule, {.border = tested.border}), 300, 90, 3,
+                   [&](detail::ThinningState& state, const std::string& name) {
+                     state.run(image.view(), out.view());  // starts the threads
+                     const long before = allocations;
+                     state.run(image.view(), out.view());
+                     EXPECT_EQ(allocations, before) << tested.name << " by " << name;
+                   });
   }
 }
 

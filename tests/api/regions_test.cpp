@@ -1,43 +1,14 @@
-// find_regions(), find_components(), fill_holes() and the Euler numbers.
+// fill_holes() and the Euler numbers.
 #include "thinbench/regions.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
-#include "harness/test_images.hpp"
-#include "holes.hpp"
 #include "support/text_image.hpp"
 
 namespace thinbench {
 namespace {
-
-TEST(FindRegions, equals_the_reference_by_default) {
-  for (const Index width : {1, 64, 200, 1100}) {
-    const ByteImage image = noise_image(width, 60, 45, 2, 5);
-    const reference::Regions expected = reference::holes(image.view());
-    for (const int threads : {1, 3}) {
-      const Regions found = find_regions(image.view(), {.threads = threads});
-      EXPECT_EQ(found.objects, expected.objects) << width;
-      EXPECT_EQ(found.holes, expected.holes) << width;
-      EXPECT_EQ(find_components(image.view(), {.threads = threads}), expected.objects) << width;
-    }
-    EXPECT_EQ(euler_number(image.view()), reference::euler_number(image.view()));
-    EXPECT_EQ(euler_number_4(image.view()), reference::euler_number_4(image.view()));
-  }
-}
-
-TEST(FindRegions, finds_nothing_in_images_without_pixels) {
-  for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 5}, {5, 0}}) {
-    const ConstImageView image = {nullptr, width, height};
-    EXPECT_TRUE(find_regions(image).objects.empty());
-    EXPECT_TRUE(find_regions(image, {.threads = 4}).holes.empty());
-    EXPECT_TRUE(find_components(image).empty());
-    EXPECT_EQ(euler_number(image), 0);
-    EXPECT_EQ(euler_number_4(image), 0);
-    fill_holes(image, {nullptr, width, height});
-  }
-}
 
 TEST(EulerNumber, depends_on_the_connectivity) {
   const ByteImage diamond = image_of({".#.", "#.#", ".#."});

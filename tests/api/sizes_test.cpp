@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -12,7 +11,6 @@
 #include "support/rejection.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/packed.hpp"
-#include "thinbench/regions.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -98,21 +96,6 @@ TEST(Sizes, thin_is_right_on_one_column_of_millions_of_pixels) {
   thin(Rule::zhang_suen, image, image);
   EXPECT_EQ(image.row(4)[0], 0);
   EXPECT_EQ(image.row(image.height / 2)[0], 255);
-}
-
-TEST(Sizes, images_without_rows_or_columns_of_any_width_and_height_are_thinned_at_once) {
-  EXPECT_EQ(thin(Rule::guo_hall, ConstImageView(nullptr, k2To31 - 1, 0), {nullptr, k2To31 - 1, 0}),
-            1);
-  EXPECT_EQ(thin(Rule::guo_hall, ConstImageView(nullptr, 0, k2To31 - 1), {nullptr, 0, k2To31 - 1}),
-            1);
-}
-
-TEST(Sizes, regions_reject_what_exceeds_their_coordinates_before_they_allocate) {
-  const SparseMemory memory(k2To31);
-  const ConstImageView wide(memory.data(), k2To31 - 1, 1);
-  EXPECT_THROW(static_cast<void>(find_regions(wide)), std::invalid_argument);
-  const ConstImageView high(memory.data(), 1, k2To31 - 1);
-  EXPECT_THROW(static_cast<void>(find_regions(high)), std::invalid_argument);
 }
 
 TEST(Sizes, more_tiles_than_32_bits_number_are_rejected_before_memory_is_allocated) {

@@ -69,19 +69,6 @@ TEST(Thinner, runs_a_net_that_equals_the_rule_as_the_rule) {
   EXPECT_EQ(&detail::thinning_variants(*net.body()), &detail::thinning_variants(*rule.body()));
 }
 
-TEST(Thin, large_image_has_the_same_result_on_one_and_on_three_threads) {
-  const ByteImage image = noise_image(1100, 1000, 60, 12, 17);
-  for (const auto& [name, rule, border] : rules_and_borders()) {
-    if (name == "guo_hall" || name == "midpoint_scan" || name == "adding_tables") {
-      ByteImage one(1100, 1000), three(1100, 1000);
-      const Thinning thinning = {border, 4};
-      EXPECT_EQ(thin(rule, image.view(), one.view(), thinning),
-                thin(rule, image.view(), three.view(), thinning, {.threads = 3}));
-      EXPECT_TRUE(equal(one.view(), three.view())) << name << ", border " << border_name(border);
-    }
-  }
-}
-
 TEST(Thin, takes_one_iteration_for_images_without_pixels) {
   for (const auto& [width, height] : {std::pair<Index, Index>{0, 0}, {0, 7}, {7, 0}}) {
     for (const RuleInfo& info : kRules) {
@@ -119,22 +106,6 @@ TEST(Thinner, chooses_the_latest_isa_and_the_technique_by_width) {
   const Thinner sequential(Rule::spta, 2000, 2000, {}, {.threads = 4});
   EXPECT_EQ(sequential.technique(), "bitpacked");
   EXPECT_EQ(sequential.isa(), Isa::baseline);
-}
-
-TEST(Thinner, reports_the_requested_isa) {
-  const Thinner thinner(Rule::zhang_suen, 100, 10, {}, {.isa = Isa::baseline});
-  EXPECT_EQ(thinner.isa(), Isa::baseline);
-}
-
-TEST(Thinner, gives_correct_results_on_repeated_use) {
-  Thinner thinner(Rule::guo_hall, 90, 33, {.border = Border::keep, .max_iterations = 2});
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const ByteImage image = noise_image(90, 33, 30 * static_cast<int>(seed), 2, seed);
-    const Thinned expected = thinned_by_reference(Rule::guo_hall, image, {Border::keep, 2});
-    ByteImage out(90, 33);
-    EXPECT_EQ(thinner(image.view(), out.view()), expected.iterations);
-    EXPECT_TRUE(equal(out.view(), expected.image.view()));
-  }
 }
 
 TEST(Thinner, works_after_moves) {

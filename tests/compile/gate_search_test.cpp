@@ -1,17 +1,11 @@
 // Circuits that the search finds: right, small, and always the same.
 #include "compile/gate_search.hpp"
 
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <string>
-
 #include <gtest/gtest.h>
 
 #include "compile/compiled_rule.hpp"
 #include "compile/two_input.hpp"
 #include "harness/splitmix64.hpp"
-#include "support/temporary_directory.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench::detail {
@@ -106,18 +100,21 @@ WindowTable table_of(BuiltInRule rule, std::size_t sub_iteration) {
   return Rule(rule).sub_iterations()[sub_iteration];
 }
 
-int max_gates_of_sub_iterations(BuiltInRule rule) {
+/// For both sub-iterations.
+void expect_gates(BuiltInRule rule, int first, int second) {
   const CompiledRule compiled({table_of(rule, 0), table_of(rule, 1)}, kThoroughSearch);
-  return std::max(cost_of(compiled.circuit(0), ternary_costs()),
-                  cost_of(compiled.circuit(1), ternary_costs()));
+  EXPECT_LE(cost_of(compiled.circuit(0), ternary_costs()), first) << rule_name(rule);
+  EXPECT_LE(cost_of(compiled.circuit(1), ternary_costs()), second) << rule_name(rule);
 }
 
-/// Built-in rules have circuits of 11, 10 and 19 gates, found in hours.
+/// Built-in rules have circuits of 11, 10 and 19 gates, found in hours. A short script of
+/// berkeley-abc (strash; dch; if -K 3 -a; lutpack) finds 15 for the first of Zhang and Suen, 17 for
+/// the second of scikit-image, 28 for Life and 135 for the random table.
 TEST(ThoroughSearch, finds_small_circuits) {
-  EXPECT_LE(max_gates_of_sub_iterations(Rule::zhang_suen), 13);
-  EXPECT_LE(max_gates_of_sub_iterations(Rule::guo_hall), 11);
-  EXPECT_LE(max_gates_of_sub_iterations(Rule::zhang_suen_skimage), 23);
-  for (const std::uint64_t seed : {7U, 8U, 9U}) EXPECT_LE(gates_of(random_table(seed)), 75);
+  expect_gates(Rule::zhang_suen, 13, 13);
+  expect_gates(Rule::guo_hall, 11, 11);
+  expect_gates(Rule::zhang_suen_skimage, 23, 17);
+  EXPECT_LE(gates_of(random_table(7)), 75);
 }
 
 TEST(ThoroughSearch, computes_functions_of_rows_once) {
@@ -125,37 +122,6 @@ TEST(ThoroughSearch, computes_functions_of_rows_once) {
   const GateNetwork network = minimised_network(life, ternary_costs(), kThoroughSearch);
   EXPECT_LE(cost_of(network, ternary_costs()), 9);
   EXPECT_GT(network.gates.size(), 9U);
-}
-
-/// The number of three-input gates that berkeley-abc finds for the table.
-int gates_of_abc(const WindowTable& table) {
-  const TemporaryDirectory directory;
-  const std::string truth = directory.file("table");
-  const std::string log = directory.file("log");
-  std::ofstream file(truth);
-  for (std::size_t window = WindowTable::kWindows; window-- > 0;) file << (table[window] ? 1 : 0);
-  file.close();
-  const std::string command = "berkeley-abc -c 'read_truth -x -f " + truth +
-                              "; strash; dch; if -K 3 -a; lutpack; print_stats' > " + log + " 2>&1";
-  if (std::system(command.c_str()) != 0) return 0;
-  std::ifstream output(log);
-  const std::string text((std::istreambuf_iterator<char>(output)), {});
-  const std::size_t at = text.rfind("nd =");
-  return at == std::string::npos ? 0 : std::stoi(text.substr(at + 4));
-}
-
-TEST(ThoroughSearch, beats_a_short_script_of_abc) {
-  if (std::system("command -v berkeley-abc > /dev/null") != 0) {
-    GTEST_SKIP() << "berkeley-abc is not installed";
-  }
-  const WindowTable tables[] = {table_of(Rule::zhang_suen, 0),
-                                table_of(Rule::zhang_suen_skimage, 1),
-                                find_named_rule("life")->sub_iterations[0], random_table(7)};
-  for (const WindowTable& table : tables) {
-    const int by_abc = gates_of_abc(table);
-    if (by_abc == 0) GTEST_SKIP() << "this berkeley-abc does not know the commands";
-    EXPECT_LE(gates_of(table), by_abc);
-  }
 }
 
 }  // namespace

@@ -35,17 +35,5 @@ TEST(CountedJob, a_job_that_was_cut_off_is_rejected) {
   }
 }
 
-TEST(CountedJob, rows_are_found_by_name_and_unknown_ones_rejected) {
-  const TimedInput input = small_scene();
-  for (const char* name : {"thin_guo_hall/bitpacked/baseline/1/kernel/scene_small",
-                           "thin_guo_hall/lut/baseline/1/end_to_end/scene_small"}) {
-    const TimedRow row = row_named(name, input);
-    EXPECT_EQ(row.operation->name, "thin_guo_hall");
-    EXPECT_EQ(row.scope == Scope::kernel, row.variant->technique == "bitpacked");
-  }
-  EXPECT_THROW(static_cast<void>(row_named("thin_guo_hall/none/baseline/1/kernel/x", input)),
-               std::runtime_error);
-}
-
 }  // namespace
 }  // namespace thinbench

@@ -34,7 +34,8 @@ TEST(Limits, the_file_has_one_cycle_and_for_each_row_its_cycles_and_its_code) {
   EXPECT_EQ(json.at("cycle_ns"), 0.33333);
   const auto& row = json.at("rows").at(0);
   EXPECT_EQ(row.at("cycles"), 3000);
-  EXPECT_EQ(row.at("code"), (nlohmann::ordered_json{{"instructions", "90 c3"}, {"order", "0-1*1"}}));
+  EXPECT_EQ(row.at("code"),
+            (nlohmann::ordered_json{{"instructions", "90 c3"}, {"order", "0-1*1"}}));
   const double iterations = row.at("iterations");
   EXPECT_NEAR(row.at("instructions_per_row_and_iteration"), 9000 / (412 * iterations), 0.05);
 }

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/packing.hpp"
-#include "harness/splitmix64.hpp"
+#include "harness/test_images.hpp"
+#include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/variant_of.hpp"
 
@@ -19,14 +20,10 @@ int thin_by_tiles(BuiltInRule rule, const ByteImage& image, ByteImage& skeleton,
 
 /// A grid of squares of different sizes, so that tiles stop changing at different times.
 ByteImage squares(Index width, Index height, Index side) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      const Index size = 2 + (x / side + 3 * (y / side)) % (side - 2);
-      image.at(x, y) = x % side < size && y % side < size ? 255 : 0;
-    }
-  }
-  return image;
+  return image_by(width, height, [=](Index x, Index y) {
+    const Index size = 2 + (x / side + 3 * (y / side)) % (side - 2);
+    return x % side < size && y % side < size ? 255 : 0;
+  });
 }
 
 /// Compares tiles with the reference for a rule on 3 x 3 pixels and one on 5 x 5 pixels.
@@ -54,7 +51,8 @@ TEST(IterateTiles, equals_the_reference_if_a_chunk_ends_at_a_gap_within_a_row) {
   expect_equal_to_reference(image, 1);
 }
 
-TEST(IterateTiles, equals_the_reference_if_a_row_of_tiles_is_longer_than_a_chunk) {
+TEST(IterateTiles, equals_the_reference_if_a_row_of_tiles_is_longer_than_a_word_or_a_chunk) {
+  expect_equal_to_reference(squares(4500, 300, 64), 1);  // several words of tiles per row
   expect_equal_to_reference(squares(40000, 70, 26), 1);
 }
 
@@ -64,14 +62,7 @@ TEST(IterateTiles, equals_the_reference_on_several_threads) {
 }
 
 TEST(IterateTiles, equals_the_reference_if_one_of_many_threads_works_alone) {
-  // The tiles are too few for 7 threads.
-  ByteImage image(64, 16000);
-  std::uint64_t index = 0;
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x)
-      image.at(x, y) = splitmix64(3, index++) % 8 != 0 ? 255 : 0;
-  }
-  expect_equal_to_reference(image, 7);
+  expect_equal_to_reference(noise_image(64, 16000, 88, 1, 3), 7);  // too few tiles for 7 threads
 }
 
 TEST(IterateTiles, non_temporal_stores_write_the_same_pixels) {
@@ -88,14 +79,6 @@ TEST(IterateTiles, non_temporal_stores_write_the_same_pixels) {
   }
 }
 
-TEST(IterateTiles, equals_the_reference_with_several_words_per_row_of_tiles) {
-  const ByteImage image = squares(4500, 300, 64);
-  ByteImage by_tiles(4500, 300);
-  thin_by_tiles(Rule::zhang_suen, image, by_tiles);
-  const Thinned expected = thinned_by_reference(Rule::zhang_suen, image);
-  EXPECT_TRUE(equal(by_tiles.view(), expected.image.view()));
-}
-
 TEST(IterateTiles, several_threads_equal_one_for_a_rule_with_four_sub_iterations) {
   const ByteImage image = squares(2000, 1200, 90);
   ByteImage one(2000, 1200);
@@ -105,13 +88,6 @@ TEST(IterateTiles, several_threads_equal_one_for_a_rule_with_four_sub_iterations
     EXPECT_EQ(iterations, thin_by_tiles(Rule::spta_directional, image, many, threads));
     EXPECT_TRUE(equal(one.view(), many.view())) << threads << " threads";
   }
-}
-
-TEST(IterateTiles, image_without_foreground_takes_one_iteration) {
-  const ByteImage background(70, 70);
-  ByteImage result(70, 70);
-  EXPECT_EQ(thin_by_tiles(Rule::guo_hall, background, result), 1);
-  EXPECT_TRUE(equal(background.view(), result.view()));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "harness/test_images.hpp"
 #include "support/filled_image.hpp"
 #include "support/margins.hpp"
+#include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"
 #include "techniques/byte_planes.hpp"
 
@@ -20,15 +21,11 @@ constexpr Index kHeight = 41;
 /// border.
 template <class Check>
 void for_each_state(const Check& check) {
-  for (const RuleInfo& info : kRules) {
-    for (const Border border : {Border::background, Border::keep, Border::foreground}) {
-      if (border == Border::foreground && Rule(info.rule).sub_iterations().empty()) continue;
-      thinbench::for_each_state(thinning_parameters(info.rule, {.border = border}), kWidth, kHeight,
-                                2, [&](ThinningState& state, const std::string& name) {
-                                  check(state, std::string(info.name) + " by " + name +
-                                                   ", border " + std::string(border_name(border)));
-                                });
-    }
+  for (const RuleAndBorder& tested : rules_and_borders()) {
+    thinbench::for_each_state(thinning_parameters(tested.rule, {.border = tested.border}), kWidth,
+                              kHeight, 2, [&](ThinningState& state, const std::string& name) {
+                                check(state, testing::PrintToString(tested) + " by " + name);
+                              });
   }
 }
 

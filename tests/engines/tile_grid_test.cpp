@@ -170,18 +170,6 @@ TEST(TileGrid, tiles_with_foreground_are_occupied_and_active) {
   EXPECT_EQ(tiles_of(loaded.view, loaded.view.changes[1].here), expected);
 }
 
-TEST(TileGrid, second_image_replaces_the_first) {
-  const BitPlane first = noise(100, 50);
-  const BitPlane background(100, 50);
-  BitPlane result(100, 50);
-  const LoadedGrid loaded(100, 50);
-  loaded.load(first);
-  loaded.load(background);
-  EXPECT_TRUE(tiles_of(loaded.view, loaded.view.occupied).empty());
-  loaded.store(result);
-  EXPECT_TRUE(equal_planes(background.view(), std::as_const(result).view()));
-}
-
 TEST(TileGrid, margin_check_detects_a_pixel_outside_the_image) {
   for (const Index word : {0, 1, 2}) {
     const LoadedGrid loaded(40, 20);
@@ -206,19 +194,6 @@ TEST(TileGrid, marks_the_tiles_on_the_image_border_if_it_is_kept) {
   const LoadedGrid single(1, 1, Isa::baseline, Border::keep);
   EXPECT_EQ(tiles_of(single.view, single.view.border),
             (std::vector<std::pair<Index, Index>>{{0, 0}}));
-}
-
-TEST(TileGrid, neighbours_of_border_tiles_are_in_the_grid_and_background) {
-  const LoadedGrid loaded(40, 20);
-  BitPlane full(40, 20);
-  for (Index y = 0; y < 20; ++y) full.view().row(y)[0] = (std::uint64_t{1} << 40) - 1;
-  loaded.load(full);
-  EXPECT_EQ(loaded.pixels(0, 0), 0U);
-  EXPECT_EQ(loaded.pixels(1, 0), 0xFFFFFFFFU);
-  EXPECT_EQ(loaded.pixels_at(0, 19), 0xFFFFFFFFU);
-  EXPECT_EQ(loaded.pixels_at(0, 20), 0U);
-  EXPECT_EQ(loaded.pixels(2, 0), 0xFFU);
-  EXPECT_EQ(loaded.pixels(3, 0), 0U);
 }
 
 }  // namespace

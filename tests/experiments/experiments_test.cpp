@@ -1,4 +1,5 @@
-// The numbers here were computed from the paper before any code of this project.
+// What the paper says of its rule and its nets, and the measures of edges. results/experiments/ has
+// every number of every experiment; test_golden_experiments.py compares them.
 #include "experiments/experiments.hpp"
 
 #include <gtest/gtest.h>
@@ -14,14 +15,6 @@ using Json = nlohmann::json;
 
 Json data_of(const ExperimentReport& report) {
   return Json::parse(report.json);
-}
-
-/// The row whose field has this value, or whose text begins with it.
-Json row_where(const Json& rows, const char* field, const std::string& value) {
-  for (const Json& row : rows) {
-    if (row.at(field).get<std::string>().starts_with(value)) return row;
-  }
-  throw std::out_of_range(value);
 }
 
 /// With so many fractional bits; the first half of the rows are rounded, the second truncated.
@@ -41,75 +34,26 @@ TEST(Quantisation, of_table_1_keeps_so_many_decisions_and_one_fractional_bit_is_
   }
 }
 
-TEST(Quantisation, largest_weight_fits_eight_bits_up_to_two_fractional_bits) {
-  EXPECT_EQ(quantisation_row(Quantisation::round, 0).at("largest_integer"), 20);
-  EXPECT_LE(quantisation_row(Quantisation::round, 2).at("largest_integer"), 127);
-  EXPECT_GT(quantisation_row(Quantisation::round, 3).at("largest_integer"), 127);
-}
-
-TEST(HiddenNeurons, quick_run_learns_with_ten_but_not_with_two) {
-  HiddenNeuronsChoice choice = HiddenNeuronsChoice::quick();
-  choice.seeds = 2;
-  int reports = 0;
-  std::vector<Json> rows;
-  for (const int hidden : {2, 10}) {
-    choice.min_hidden = choice.max_hidden = hidden;
-    rows.push_back(data_of(hidden_neurons(choice, [&](double) { ++reports; })));
-  }
-  EXPECT_EQ(rows[0].at("/rows/0/seeds_with_all_right"_json_pointer), 0);
-  EXPECT_LT(rows[0].at("/rows/0/best"_json_pointer), 256);
-  EXPECT_EQ(rows[0].at("fewest_that_reached_all"), 0);
-  EXPECT_EQ(rows[1].at("/rows/0/seeds_with_all_right"_json_pointer), 2);
-  EXPECT_EQ(rows[1].at("/rows/0/best"_json_pointer), 256);
-  EXPECT_EQ(rows[1].at("fewest_that_reached_all"), 10);
-  EXPECT_EQ(reports, 2);
-}
-
-TEST(ClusterRuns, rule_needs_the_papers_twelve_nets) {
-  const Json data = data_of(cluster_runs());
-  EXPECT_EQ(data.at("nets"), 12);
-  EXPECT_EQ(data.at("rows").size(), 12U);
-  EXPECT_EQ(data.at("/rows/0/first"_json_pointer), 0);
-  EXPECT_EQ(data.at("/rows/11/last"_json_pointer), 255);
-}
-
+/// The method whose name begins with this text.
 Json method(const std::string& beginning) {
-  static const Json data = data_of(operation_counts());
-  return row_where(data.at("methods"), "method", beginning);
+  static const Json methods = data_of(operation_counts()).at("methods");
+  for (const Json& one : methods) {
+    if (one.at("method").get<std::string>().starts_with(beginning)) return one;
+  }
+  throw std::out_of_range(beginning);
 }
 
-TEST(OperationCounts, rule_takes_the_papers_40_logical_and_3_arithmetic_operations) {
-  const Json sums = method("Naccache-Shinghal, four").at("sums");
-  EXPECT_EQ(sums.at("logical"), 40);
-  EXPECT_EQ(sums.at("arithmetic"), 3);
-}
-
-TEST(OperationCounts, two_layer_nets_take_more_than_150_arithmetic_operations) {
+TEST(OperationCounts, are_those_of_the_paper) {
+  const Json rule = method("Naccache-Shinghal, four").at("sums");
+  EXPECT_EQ(rule.at("logical"), 40);
+  EXPECT_EQ(rule.at("arithmetic"), 3);
   for (const char* name : {"Two-layer net, sigmoid", "Two-layer net, linear"}) {
     const Json net = method(name);
-    EXPECT_EQ(net.at("/sums/multiplications"_json_pointer), 72) << name;
-    EXPECT_EQ(net.at("/sums/additions"_json_pointer), 72) << name;
     const int sums = net.at("/sums/arithmetic"_json_pointer);
     const int activations = net.at("/activations/arithmetic"_json_pointer);
     EXPECT_GT(sums + activations, 150) << name;
   }
-}
-
-TEST(OperationCounts, cluster_takes_the_papers_39_arithmetic_operations) {
-  const Json sums = method("Cluster").at("sums");
-  EXPECT_EQ(sums.at("powers"), 8);
-  EXPECT_EQ(sums.at("multiplications"), 8 + 8);
-  EXPECT_EQ(sums.at("additions"), 7 + 8);
-  EXPECT_EQ(sums.at("arithmetic"), 39);
-}
-
-TEST(OperationCounts, circuit_has_at_most_eight_three_input_gates_and_serves_every_net) {
-  const Json data = data_of(operation_counts());
-  EXPECT_LE(data.at("/circuit/three_input/gates"_json_pointer), 8);
-  EXPECT_EQ(data.at("/circuit/three_input/inverters"_json_pointer), 0);
-  EXPECT_LE(data.at("/circuit/two_input/gates"_json_pointer), 14);
-  EXPECT_EQ(data.at("nets").size(), 3U);
-  for (const Json& net : data.at("nets")) EXPECT_EQ(net.at("compiles_to_the_rule"), true) << net;
+  EXPECT_EQ(method("Cluster").at("/sums/arithmetic"_json_pointer), 39);
 }
 
 ByteImage image_with_column(Index column) {
@@ -160,45 +104,6 @@ TEST(EdgeQuality, recall_means_little_where_much_is_marked) {
   EXPECT_EQ(quality.recall, 1);
   EXPECT_EQ(quality.marked, 1);
   EXPECT_EQ(quality.precision, 0.15);
-}
-
-TEST(EdgeQuality, every_operator_finds_the_contours_of_the_clean_scene) {
-  EdgeQualityChoice choice = EdgeQualityChoice::quick();
-  choice.sigmas = {0};
-  const Json rows = data_of(edge_quality(choice)).at("rows");
-  EXPECT_EQ(rows.size(), 6U);
-  for (const Json& row : rows) {
-    EXPECT_GT(row.at("recall"), 0.95) << row;
-    EXPECT_GT(row.at("precision"), 0.95) << row;
-  }
-}
-
-TEST(LiteralHoles, are_right_on_one_object_with_walls_of_three_pixels_or_more) {
-  const Json rows = data_of(literal_holes()).at("rows");
-  ASSERT_EQ(rows.size(), 8U);
-  for (std::size_t wall = 1; wall <= 5; ++wall) {
-    const Json& row = rows[wall - 1];
-    EXPECT_EQ(row.at("tried"), 41) << wall;
-    EXPECT_EQ(row.at("right"), wall < 3 ? 1 : 41)
-        << "behind thin walls no holes are seen: " << wall;
-    EXPECT_EQ(row.at("rejected"), 0) << wall;
-  }
-}
-
-TEST(LiteralHoles, take_other_objects_for_holes_and_reject_too_many_contours) {
-  const Json rows = data_of(literal_holes()).at("rows");
-  const Json& several = rows[5];
-  EXPECT_EQ(several.at("tried"), 5 * 41);
-  EXPECT_EQ(several.at("right"), 0);
-  EXPECT_EQ(several.at("true_holes"), 0);
-  EXPECT_EQ(several.at("counted"), 1) << "two plates without holes";
-  const Json& scene = rows[6];
-  EXPECT_EQ(scene.at("true_holes"), 47);
-  EXPECT_EQ(scene.at("counted"), 47 + 21) << "22 objects";
-  const Json& many = rows[7];
-  EXPECT_EQ(many.at("true_holes"), 254);
-  EXPECT_TRUE(many.at("counted").is_null());
-  EXPECT_EQ(many.at("rejected"), 1);
 }
 
 TEST(ExperimentReport, tables_hold_the_fields_of_the_rows_that_have_values) {

@@ -124,25 +124,5 @@ TEST(ThinningQuality, min_symmetry_is_the_smallest_overlap_of_three_turns) {
   EXPECT_GT(least_at.size(), 1U) << "the same turn for every operation would prove little";
 }
 
-TEST(ThinningQuality, invariants_of_the_rules_show_on_scene_and_blobs) {
-  const std::set<std::string> keeps_topology = {"thin_guo_hall", "thin_mb2", "thin_spta",
-                                                "thin_spta_directional"};
-  const std::set<std::string> symmetric = {"thin_mb2", "thin_naccache_shinghal"};
-  for (const nlohmann::json& row : rows_of(quality_inputs({}))) {
-    const bool kept = row.at("objects_before") == row.at("objects_after") &&
-                      row.at("holes_before") == row.at("holes_after");
-    EXPECT_TRUE(kept || !keeps_topology.contains(row.at("operation"))) << row;
-    EXPECT_EQ(row.at("min_symmetry") == 1, symmetric.contains(row.at("operation"))) << row;
-  }
-}
-
-TEST(ThinningQuality, file_holds_every_row_and_no_directory) {
-  std::vector<QualityInput> inputs;
-  inputs.push_back({"dot", image_of({"#"})});
-  const auto json = nlohmann::json::parse(thinning_quality(inputs, " --image a.png").json);
-  EXPECT_EQ(json.at("command"), "thinbench-study experiment quality --image a.png");
-  EXPECT_EQ(json.at("/rows/0/objects_after"_json_pointer), 1);
-}
-
 }  // namespace
 }  // namespace thinbench

@@ -25,6 +25,16 @@ inline void must_be_one_line(std::string_view message) {
        "not one line: '" + std::string(message) + "'");
 }
 
+/// What `call` throws must be an error of this type with one line.
+template <class Error, class Call>
+void must_succeed_or_explain(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    must_be_one_line(error.what());
+  }
+}
+
 /// Takes values from the front of an input; zeros where it has ended.
 class ByteSource {
  public:

@@ -3,7 +3,6 @@
 // the reference's result. Memory is as large as the arguments say, or the call must be rejected.
 #include <array>
 #include <bit>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "graph.hpp"
 #include "holes.hpp"
 #include "support/packed_image.hpp"
+#include "support/reference_thinning.hpp"
 #include "thinbench.h"
 #include "thinbench/graph.hpp"
 
@@ -21,16 +21,9 @@ namespace thinbench {
 namespace {
 
 constexpr Index kMost = std::numeric_limits<Index>::max();
-constexpr std::array<Index, 10> kAbsurd = {-1,
-                                           0,
-                                           1,
-                                           2,
-                                           255,
-                                           Index{1} << 31,
-                                           Index{1} << 40,
-                                           kMost / 2,
-                                           kMost,
-                                           std::numeric_limits<Index>::min()};
+constexpr Index kLeast = std::numeric_limits<Index>::min();
+constexpr std::array<Index, 10> kAbsurd = {
+    -1, 0, 1, 2, 255, Index{1} << 31, Index{1} << 40, kMost / 2, kMost, kLeast};
 
 /// Now and then replaces a value.
 void spoil(ByteSource& input, Index& value) {
@@ -204,7 +197,7 @@ class DrawnCall {
   DrawnCall& operator=(const DrawnCall&) = delete;
 
   int by_reference(const ConstImageView& source, const ImageView& destination) const {
-    return apply_reference(*same_, thinning_of(thinning), source, destination);
+    return thin_by_reference(*same_, thinning_of(thinning), source, destination);
   }
 
   thinbench_rule* rule = nullptr;
@@ -250,48 +243,25 @@ class Caller {
   }
 
  private:
+  using Call = void (Caller::*)();
+
   void call() {
-    switch (input_.number(0, 11)) {
-      case 0:
-      case 1:
-        return thin_stack();
-      case 2:
-        return thin_many();
-      case 3:
-        return thin_packed();
-      case 4:
-        return thin_labels();
-      case 5:
-        return use_thinner();
-      case 6:
-      case 7:
-        return ask_rule();
-      case 8:
-        return find_edges();
-      case 9:
-        return find_regions();
-      case 10:
-        return fill();
-      default:
-        return call_more();
-    }
+    constexpr std::array<Call, 12> calls = {
+        &Caller::thin_stack,  &Caller::thin_stack,   &Caller::thin_many, &Caller::thin_packed,
+        &Caller::thin_labels, &Caller::use_thinner,  &Caller::ask_rule,  &Caller::ask_rule,
+        &Caller::find_edges,  &Caller::find_regions, &Caller::fill,      &Caller::call_more};
+    (this->*input_.pick(calls))();
   }
 
   void call_more() {
-    switch (input_.number(0, 6)) {
-      case 0:
-        return find_distances();
-      case 1:
-        return find_graph();
-      case 4:
-        return make_net();
-      default:
-        return use_labels();
-    }
+    constexpr std::array<Call, 7> calls = {
+        &Caller::find_distances, &Caller::find_graph, &Caller::use_labels, &Caller::use_labels,
+        &Caller::make_net,       &Caller::use_labels, &Caller::use_labels};
+    (this->*input_.pick(calls))();
   }
 
-  /// Calls `run(source, destination, iterations)` on drawn stacks; compares images of an accepted
-  /// call with those of `expect(source, destination)`, whose results are ANDed with the foreground.
+  /// Calls `run(source, destination)` on drawn stacks; compares images of an accepted call with
+  /// those of `expect(source, destination)`, whose results are ANDed with the foreground.
   template <class Run, class Expect>
   void check_stacks(bool in_place_allowed, const Run& run, const Expect& expect) {
     constexpr std::array<std::uint8_t, 4> foregrounds = {0, 255, 1, 128};
@@ -329,11 +299,8 @@ class Caller {
                       const Expect& expect) {
     ByteImage expected(image.width(), image.height());
     expect(image.view(), expected.view());
-    for (Index y = 0; y < image.height(); ++y) {
-      for (Index x = 0; x < image.width(); ++x) {
-        if (foreground != 0) expected.at(x, y) &= foreground;
-      }
-    }
+    const int ones = foreground == 0 ? 255 : foreground;
+    expected = mapped(expected, [=](int pixel) { return pixel & ones; });
     must_be_equal(found, expected.view(), "an image");
   }
 
@@ -425,7 +392,7 @@ class Caller {
     Index stride = to.stride;
     // Only what must be rejected: more than one value at a time could be valid by chance.
     if (input_.once_in(8)) {
-      constexpr std::array<Index, 3> rejected = {-1, std::numeric_limits<Index>::min(), kMost};
+      constexpr std::array<Index, 3> rejected = {-1, kLeast, kMost};
       Index* const values[] = {&given.height, &given.width, &given.stride, &stride};
       Index& value = *input_.pick(values);
       value = input_.pick(rejected);
@@ -453,8 +420,7 @@ class Caller {
     Index stride = width;
     const DrawnSize size = {width, height};
     if (input_.once_in(8)) {
-      constexpr std::array<Index, 4> rejected = {-1, std::numeric_limits<Index>::min(), kMost,
-                                                 -(Index{1} << 62)};
+      constexpr std::array<Index, 4> rejected = {-1, kLeast, kMost, -(Index{1} << 62)};
       Index* const values[] = {&source_stride, &stride, &width, &height};
       Index& value = *input_.pick(values);
       value = input_.pick(rejected);
@@ -538,19 +504,22 @@ class Caller {
         });
   }
 
-  static void compare_regions(const thinbench_region* found, std::size_t count,
-                              const std::vector<Region>& expected) {
-    must(count == expected.size(), "another number of regions");
-    must(count == 0 || std::memcmp(found, expected.data(), count * sizeof(Region)) == 0 ||
-             std::equal(expected.begin(), expected.end(), reinterpret_cast<const Region*>(found)),
-         "regions differ");
+  /// By a function that gives a list, in structures of a size, of a handle.
+  template <class Struct, class Handle, class List, class T>
+  static void compare_list(const Handle* handle, List list, const std::vector<T>& expected) {
+    std::size_t count = 1;
+    const Struct* const found = list(handle, &count, sizeof(Struct));
+    must(count == expected.size() &&
+             std::equal(expected.begin(), expected.end(), reinterpret_cast<const T*>(found)),
+         "a list differs");
+    must(list(handle, &count, sizeof(Struct) - 1) == nullptr && count == 0, "another struct");
+    must(list(nullptr, &count, sizeof(Struct)) == nullptr && count == 0, "a list of nothing");
   }
 
   void find_regions() {
     const auto execution = draw_execution(input_);
-    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    const Stack source = draw_image();
     if (!source.is_safe()) return;
-    source.draw(input_);
     const thinbench_stack from = source.source();
     std::vector<std::int32_t> labels(
         source.is_readable() ? static_cast<std::size_t>(from.width * from.height) : 0);
@@ -564,13 +533,8 @@ class Caller {
                                            execution.pointer(), &regions)) &&
         source.is_readable()) {
       const reference::Regions expected = reference::holes(source.image(0));
-      std::size_t count = 1;
-      const auto* const objects =
-          thinbench_regions_objects(regions, &count, sizeof(thinbench_region));
-      compare_regions(objects, count, expected.objects);
-      const auto* const holes = thinbench_regions_holes(regions, &count, sizeof(thinbench_region));
-      compare_regions(holes, count, expected.holes);
-      must(thinbench_regions_holes(regions, &count, 8) == nullptr && count == 0, "another struct");
+      compare_list<thinbench_region>(regions, thinbench_regions_objects, expected.objects);
+      compare_list<thinbench_region>(regions, thinbench_regions_holes, expected.holes);
       must(!has_euler || euler == reference::euler_number(source.image(0)), "another Euler number");
     }
     thinbench_regions_destroy(regions);
@@ -580,11 +544,17 @@ class Caller {
     thinbench_regions_destroy(regions);
   }
 
+  /// An image, or a stack of two, which no function of one image takes.
+  Stack draw_image() {
+    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    if (source.is_safe()) source.draw(input_);
+    return source;
+  }
+
   /// Where an image is read, memory for a number per pixel with gaps between rows, and its stride;
   /// or a stride that must be rejected.
   std::vector<std::int32_t> draw_numbers(const Stack& source, Index& stride) {
-    constexpr std::array<Index, 4> rejected = {-1, std::numeric_limits<Index>::min(), kMost / 2,
-                                               kMost};
+    constexpr std::array<Index, 4> rejected = {-1, kLeast, kMost / 2, kMost};
     if (!source.is_readable()) return std::vector<std::int32_t>(1, -7);
     const thinbench_stack from = source.source();
     stride = from.width + (input_.once_in(3) ? input_.number(1, 9) : 0);
@@ -596,9 +566,8 @@ class Caller {
 
   void find_distances() {
     const auto execution = draw_execution(input_);
-    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    const Stack source = draw_image();
     if (!source.is_safe()) return;
-    source.draw(input_);
     const thinbench_stack from = source.source();
     Index stride = 0;
     std::vector<std::int32_t> found = draw_numbers(source, stride);
@@ -614,18 +583,6 @@ class Caller {
     must(found == expected, "distances differ");
   }
 
-  template <class Struct, class T, class List>
-  static void compare_list(const thinbench_graph* graph, List list,
-                           const std::vector<T>& expected) {
-    std::size_t count = 1;
-    const Struct* const found = list(graph, &count, sizeof(Struct));
-    must(count == expected.size() &&
-             std::equal(expected.begin(), expected.end(), reinterpret_cast<const T*>(found)),
-         "a list of a graph differs");
-    must(list(graph, &count, sizeof(Struct) - 1) == nullptr && count == 0, "another struct");
-    must(list(nullptr, &count, sizeof(Struct)) == nullptr && count == 0, "a list of no graph");
-  }
-
   static void compare_graph(const thinbench_graph* graph, const ConstImageView& image) {
     const Graph expected = reference::skeleton_graph(image);
     compare_list<thinbench_graph_node>(graph, thinbench_graph_nodes, expected.nodes);
@@ -636,9 +593,8 @@ class Caller {
 
   void find_graph() {
     const auto execution = draw_execution(input_);
-    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    const Stack source = draw_image();
     if (!source.is_safe()) return;
-    source.draw(input_);
     const thinbench_stack from = source.source();
     thinbench_graph* graph = nullptr;
     const bool is_found = is_accepted(thinbench_skeleton_graph(
@@ -675,9 +631,8 @@ class Caller {
   /// The components of an image, their graphs and distances, with strides that may not fit.
   void use_labels() {
     const auto execution = draw_execution(input_);
-    Stack source(input_, draw_size(input_), input_.once_in(16) ? 2 : 1);
+    const Stack source = draw_image();
     if (!source.is_safe()) return;
-    source.draw(input_);
     const thinbench_stack from = source.source();
     Index stride = 0;
     std::vector<std::int32_t> labels = draw_numbers(source, stride);
@@ -700,9 +655,9 @@ class Caller {
                                         from.width, &pruning, execution.pointer(), &graph));
     make_parts(graph);
     thinbench_graph_destroy(graph);
-    check_status(thinbench_fill_label_holes(
-        labels.data(), stride, labels.data(), stride, from.height, from.width,
-        input_.once_in(16) ? 5 : 4, input_.byte() - 1, execution.pointer()));
+    check_status(thinbench_fill_label_holes(labels.data(), stride, labels.data(), stride,
+                                            from.height, from.width, input_.once_in(16) ? 5 : 4,
+                                            input_.byte() - 1, execution.pointer()));
   }
 
   /// Whatever is made of a graph, or of none.

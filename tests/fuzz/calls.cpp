@@ -13,6 +13,7 @@
 #include "holes.hpp"
 #include "localise.hpp"
 #include "support/packed_image.hpp"
+#include "support/reference_thinning.hpp"
 #include "thinbench/batch.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
@@ -30,7 +31,7 @@ struct Request {
   Execution execution = {};
 
   int by_reference(const ConstImageView& source, const ImageView& destination) const {
-    return apply_reference(rule, thinning, source, destination);
+    return thin_by_reference(rule, thinning, source, destination);
   }
 };
 
@@ -71,46 +72,21 @@ class Calls {
 
   void run() {
     for (int calls = 0; calls < 12 && !input_.is_empty(); ++calls) {
-      try {
-        call();
-      } catch (const std::invalid_argument& error) {
-        must_be_one_line(error.what());
-      }
+      must_succeed_or_explain<std::invalid_argument>([&] { call(); });
     }
   }
 
  private:
+  /// Twice or more what has many states.
   void call() {
-    switch (input_.number(0, 15)) {
-      case 0:
-      case 1:
-        return make(thinners_);
-      case 2:
-      case 3:
-      case 4:
-        return run_thinner();
-      case 5:
-        return move(thinners_);
-      case 6:
-        return make(batches_);
-      case 7:
-      case 8:
-        return run_batch();
-      case 9:
-        return move(batches_);
-      case 10:
-        return thin_list();
-      case 11:
-        return thin_label_image();
-      case 12:
-        return find_all_regions();
-      case 13:
-        return find_edges();
-      case 14:
-        return thin_packed();
-      default:
-        return thin_once();
-    }
+    constexpr std::array<void (Calls::*)(), 16> calls = {
+        &Calls::make_thinner,     &Calls::make_thinner, &Calls::run_thinner,
+        &Calls::run_thinner,      &Calls::run_thinner,  &Calls::move_thinner,
+        &Calls::make_batch,       &Calls::run_batch,    &Calls::run_batch,
+        &Calls::move_batch,       &Calls::thin_list,    &Calls::thin_label_image,
+        &Calls::find_all_regions, &Calls::find_edges,   &Calls::thin_packed,
+        &Calls::thin_once};
+    (this->*input_.pick(calls))();
   }
 
   template <class Plan>
@@ -134,20 +110,21 @@ class Calls {
     slots[from].reset();
   }
 
+  void make_thinner() { make(thinners_); }
+  void make_batch() { make(batches_); }
+  void move_thinner() { move(thinners_); }
+  void move_batch() { move(batches_); }
+
   /// Calls `thin(source, destination)` on a drawn image and compares.
   template <class Thin>
   void check(const Request& request, const Thin& thin) {
     const ByteImage image = draw_binary(input_, request.size);
-    DrawnImage source(input_, request.size);
-    DrawnImage destination(input_, request.size);
-    source.copy_from(image.view());
-    const ImageView to = input_.once_in(4) ? source.view() : destination.view();
-    const int iterations = thin(source.view(), to);
+    DrawnPair images(input_, image.view());
+    const int iterations = thin(images.source.view(), images.to());
     ByteImage expected(image.width(), image.height());
     must(iterations == request.by_reference(image.view(), expected.view()), "other iterations");
-    must_be_equal(to, expected.view(), "a call");
-    source.must_be_intact();
-    destination.must_be_intact();
+    must_be_equal(images.to(), expected.view(), "a call");
+    images.must_be_intact();
   }
 
   void run_thinner() {
@@ -187,14 +164,11 @@ class Calls {
     const Index count = input_.number(0, 9);
     const DrawnSize all = {width, count * height};
     const ByteImage image = draw_binary(input_, all);
-    DrawnImage source(input_, all);
-    DrawnImage destination(input_, all);
-    source.copy_from(image.view());
+    DrawnPair images(input_, image.view());
     const auto stack = [&](const ImageView& view) {
       return StackView{view.data, count, width, height, view.stride, height * view.stride};
     };
-    const ImageView to = input_.once_in(4) ? source.view() : destination.view();
-    const int found = slot->plan(stack(source.view()), stack(to));
+    const int found = slot->plan(stack(images.source.view()), stack(images.to()));
     ByteImage expected(width, all.height);
     int iterations = 0;
     for (Index i = 0; i < count; ++i) {
@@ -204,9 +178,8 @@ class Calls {
                                                         height, expected.view().stride}));
     }
     must(found == iterations, "a batch: other iterations");
-    must_be_equal(to, expected.view(), "a batch");
-    source.must_be_intact();
-    destination.must_be_intact();
+    must_be_equal(images.to(), expected.view(), "a batch");
+    images.must_be_intact();
   }
 
   void thin_list() {
@@ -284,8 +257,14 @@ class Calls {
     const ByteImage image = draw_binary(input_, size);
     DrawnImage source(input_, size);
     source.copy_from(image.view());
-    const reference::Regions expected = reference::holes(image.view());
-    check_labels(source.view(), expected);
+    const auto pixels = static_cast<std::size_t>(size.width * size.height);
+    std::vector<std::int32_t> labels(pixels, -7), expected_labels(pixels);
+    const reference::Regions expected =
+        reference::label_regions(image.view(), {expected_labels.data(), size.width, size.height});
+    const Regions labelled = label_regions(source.view(), {labels.data(), size.width, size.height});
+    must(labels == expected_labels, "labels differ");
+    must(labelled.objects == expected.objects && labelled.holes == expected.holes,
+         "labelled regions differ");
     must(find_components(source.view(), execution) == expected.objects, "components differ");
     const Regions found = find_regions(source.view(), execution);
     must(found.objects == expected.objects && found.holes == expected.holes, "regions differ");
@@ -299,34 +278,6 @@ class Calls {
     source.must_be_intact();
   }
 
-  /// Labels are checked by the areas and sums of the pixels that have them.
-  static void check_labels(const ConstImageView& image, const reference::Regions& expected) {
-    const auto [data, width, height, stride] = image;
-    std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height), -7);
-    const Regions found = label_regions(image, {labels.data(), width, height});
-    must(found.objects == expected.objects && found.holes == expected.holes,
-         "labelled regions differ");
-    std::vector<Region> all = found.objects;
-    all.insert(all.end(), found.holes.begin(), found.holes.end());
-    for (Index y = 0; y < height; ++y) {
-      for (Index x = 0; x < width; ++x) {
-        const auto label =
-            static_cast<std::size_t>(labels[static_cast<std::size_t>(y * width + x)]);
-        must(label <= all.size(), "a label without a region");
-        must((image.row(y)[x] != 0) == (label >= 1 && label <= found.objects.size()),
-             "a label of the wrong kind");
-        if (label == 0) continue;
-        Region& region = all[label - 1];
-        --region.area;
-        region.sum_x -= x;
-        region.sum_y -= y;
-      }
-    }
-    for (const Region& region : all) {
-      must(region.area == 0 && region.sum_x == 0 && region.sum_y == 0, "labels differ");
-    }
-  }
-
   void find_edges() {
     const Execution execution = draw_execution(input_);
     const auto last = static_cast<Index>(kEdgeOperators.size()) - 1;
@@ -335,19 +286,17 @@ class Calls {
                                        static_cast<int>(input_.number(-1, 256))};
     const DrawnSize size = draw_size(input_);
     const ByteImage image = draw_grey(input_, size);
-    DrawnImage source(input_, size);
-    DrawnImage destination(input_, size);
-    source.copy_from(image.view());
-    const Regions found = localise_objects(source.view(), thresholds, execution);
-    detect_edges(op, source.view(), destination.view(), thresholds, execution);
+    DrawnPair images(input_, image.view(), false);
+    const ConstImageView source = images.source.view();
+    const Regions found = localise_objects(source, thresholds, execution);
+    detect_edges(op, source, images.to(), thresholds, execution);
     ByteImage expected(size.width, size.height);
     reference::edges(op)(thresholds, image.view(), expected.view());
-    must_be_equal(destination.view(), expected.view(), "edges");
+    must_be_equal(images.to(), expected.view(), "edges");
     const reference::Regions regions = reference::localise_objects(
         reference::edges(EdgeOperator::sobel), thresholds, image.view());
     must(found.objects == regions.objects && found.holes == regions.holes, "localised differ");
-    source.must_be_intact();
-    destination.must_be_intact();
+    images.must_be_intact();
   }
 
   void thin_packed() {

@@ -11,15 +11,13 @@ namespace {
 constexpr CheckpointLimits kLimits{4, 100, 9};
 
 void load(const MemoryFile& file) {
-  try {
+  must_succeed_or_explain<std::runtime_error>([&] {
     const auto found = load_checkpoint(file.path(), "run", kLimits);
     must(found && found->passes >= 1 && found->passes <= kLimits.max_passes &&
              found->foreground_after <= found->foreground_before &&
              found->unsettled.size() == static_cast<std::size_t>(kLimits.tiles),
          "a checkpoint that no run writes is accepted");
-  } catch (const std::runtime_error& error) {
-    must_be_one_line(error.what());
-  }
+  });
 }
 
 /// Values of any size, with their checksum.

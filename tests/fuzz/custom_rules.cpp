@@ -1,6 +1,5 @@
 // Rules of any tables, compiled, against the reference: every technique on images of any
 // size. Compiling takes longest, so a rule is applied several times.
-#include <stdexcept>
 
 #include "drawn_image.hpp"
 #include "reference.hpp"
@@ -62,19 +61,15 @@ void check(ByteSource& input, const DrawnRule& drawn, const Rule& rule) {
   const ByteImage image = draw_binary(input, size);
   if (!unavailable_reason(variant, size.width).empty()) return;
   const auto state = detail::make_state(variant, size.width, size.height, parameters, threads);
-  DrawnImage source(input, size);
-  DrawnImage destination(input, size);
-  source.copy_from(image.view());
-  const ImageView to = input.once_in(4) ? source.view() : destination.view();
-  const int iterations = state->run(source.view(), to);
+  DrawnPair images(input, image.view());
+  const int iterations = state->run(images.source.view(), images.to());
   ByteImage expected(size.width, size.height);
   const RuleOptions& options = drawn.options;
   must(iterations == reference::apply_tables(drawn.tables, {options.border, options.max_iterations},
                                              image.view(), expected.view()),
        "other iterations");
-  must_be_equal(to, expected.view(), std::string(variant.technique));
-  source.must_be_intact();
-  destination.must_be_intact();
+  must_be_equal(images.to(), expected.view(), std::string(variant.technique));
+  images.must_be_intact();
 }
 
 }  // namespace

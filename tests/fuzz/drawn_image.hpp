@@ -8,6 +8,7 @@
 
 #include "byte_source.hpp"
 #include "harness/test_images.hpp"
+#include "support/made_image.hpp"
 
 namespace thinbench {
 
@@ -87,10 +88,32 @@ class DrawnImage {
   std::unique_ptr<std::uint8_t[]> data_;
 };
 
+/// A copy of an image, and room for a result, which now and then is the place of the copy.
+struct DrawnPair {
+  DrawnPair(ByteSource& input, const ConstImageView& image, bool works_in_place = true)
+      : source(input, {image.width, image.height}),
+        destination(input, {image.width, image.height}),
+        in_place(works_in_place && input.once_in(4)) {
+    source.copy_from(image);
+  }
+
+  [[nodiscard]] ImageView to() { return in_place ? source.view() : destination.view(); }
+
+  void must_be_intact() const {
+    source.must_be_intact();
+    destination.must_be_intact();
+  }
+
+  DrawnImage source;
+  DrawnImage destination;
+  bool in_place;
+};
+
 /// Foreground is 255, 1 or anything else that is not 0. Binary pixels are bits of the input, over
 /// and over again, or noise.
 inline ByteImage draw_binary(ByteSource& input, const DrawnSize& size) {
-  const auto [width, height] = size;
+  const Index width = size.width;
+  const Index height = size.height;
   const Index kind = input.number(0, 3);
   const auto foreground = static_cast<std::uint8_t>(input.once_in(4) ? input.number(1, 255) : 255);
   ByteImage image(width, height);
@@ -100,37 +123,29 @@ inline ByteImage draw_binary(ByteSource& input, const DrawnSize& size) {
     image = noise_image(width, height, percent, granularity, input.byte());
   } else {
     const auto bits = input.take(static_cast<std::size_t>((width * height + 7) / 8));
-    const std::size_t count = 8 * bits.size();
-    std::size_t next = 0;
-    for (Index y = 0; y < height && count > 0; ++y) {
-      for (Index x = 0; x < width; ++x, next = (next + 1) % count) {
-        image.at(x, y) = (bits[next / 8] >> next % 8 & 1) != 0 ? 255 : 0;
-      }
-    }
+    if (bits.empty()) return image;
+    image = image_by(width, height, [&](Index x, Index y) {
+      const std::size_t at = static_cast<std::size_t>(y * width + x) % (8 * bits.size());
+      return (bits[at / 8] >> at % 8 & 1) != 0 ? 255 : 0;
+    });
   }
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) image.at(x, y) &= foreground;
-  }
-  return image;
+  return mapped(image, [=](int pixel) { return pixel & foreground; });
 }
 
 /// All levels, from the input over and over again, or noise.
 inline ByteImage draw_grey(ByteSource& input, const DrawnSize& size) {
-  const auto [width, height] = size;
+  const Index width = size.width;
+  const Index height = size.height;
   if (input.once_in(2)) {
     const std::uint8_t low = input.byte();
     const std::uint8_t high = input.byte();
     return grey_noise_image(width, height, std::min(low, high), std::max(low, high), input.byte());
   }
-  ByteImage image(width, height);
   const auto levels = input.take(static_cast<std::size_t>(width * height));
-  std::size_t next = 0;
-  for (Index y = 0; y < height && !levels.empty(); ++y) {
-    for (Index x = 0; x < width; ++x, next = (next + 1) % levels.size()) {
-      image.at(x, y) = levels[next];
-    }
-  }
-  return image;
+  if (levels.empty()) return ByteImage(width, height);
+  return image_by(width, height, [&](Index x, Index y) {
+    return levels[static_cast<std::size_t>(y * width + x) % levels.size()];
+  });
 }
 
 /// Both must have the same pixels.

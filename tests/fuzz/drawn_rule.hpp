@@ -1,10 +1,9 @@
-// Rules of any kind, and what their references make of an image.
+// Rules of any kind.
 #pragma once
 
 #include "byte_source.hpp"
-#include "compile/rule_body.hpp"
-#include "reference.hpp"
 #include "thinbench/named_rules.hpp"
+#include "thinbench/rule.hpp"
 
 namespace thinbench {
 
@@ -16,23 +15,6 @@ inline Rule draw_rule(ByteSource& input) {
   if (kind == 4) return Rule(Directions{static_cast<std::uint8_t>(input.number(0, 16))});
   const auto last = static_cast<Index>(kRules.size()) - 1;
   return static_cast<BuiltInRule>(input.number(0, input.once_in(32) ? last + 1 : last));
-}
-
-/// By the reference of the rule's name; otherwise, and where foreground is outside, by its tables.
-inline int apply_reference(const Rule& rule, const Thinning& thinning, const ConstImageView& source,
-                           const ImageView& destination) {
-  const reference::Repetition repetition = {
-      thinning.border.value_or(rule.border()),
-      thinning.max_iterations.value_or(rule.max_iterations())};
-  const auto built_in = rule_from_name(rule.name());
-  if (!built_in || repetition.border == Border::foreground) {
-    return reference::apply_tables(rule.sub_iterations(), repetition, source, destination);
-  }
-  if (*built_in == BuiltInRule::midpoint_scan) {
-    return reference::midpoint_scan(rule.body()->directions, repetition.border, source,
-                                    destination);
-  }
-  return reference::thinning(*built_in)(repetition, source, destination);
 }
 
 }  // namespace thinbench

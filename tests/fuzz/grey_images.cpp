@@ -5,15 +5,13 @@
 namespace thinbench {
 namespace {
 
-/// What `read` throws must be an error of the reader with one line.
+/// An image with pixels, or an error of the reader.
 template <class Read>
 void must_read_or_explain(const Read& read) {
-  try {
+  must_succeed_or_explain<FileError>([&] {
     const ByteImage image = read();
     must(image.width() > 0 && image.height() > 0, "an image without pixels");
-  } catch (const FileError& error) {
-    must_be_one_line(error.what());
-  }
+  });
 }
 
 void read_all(const std::string& path) {

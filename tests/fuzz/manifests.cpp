@@ -23,10 +23,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace thinbench;
   ByteSource input(data, size);
   const ManifestFormat format = input.once_in(2) ? ManifestFormat::csv : ManifestFormat::json_lines;
-  try {
-    read(input.rest(), format);
-  } catch (const std::runtime_error& error) {
-    must_be_one_line(error.what());
-  }
+  must_succeed_or_explain<std::runtime_error>([&] { read(input.rest(), format); });
   return 0;
 }

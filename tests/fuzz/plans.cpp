@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace thinbench;
-  try {
+  must_succeed_or_explain<std::runtime_error>([&] {
     const Plan plan = plan_from_json(std::string(data, data + size));
     for (const Group& group : plan.groups) {
       must(group.layouts > 0, "no layout");
@@ -16,8 +16,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
              "an entry that cannot be measured");
       }
     }
-  } catch (const std::runtime_error& error) {
-    must_be_one_line(error.what());
-  }
+  });
   return 0;
 }

@@ -42,10 +42,6 @@ void read_table(ByteSource& input) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   thinbench::ByteSource input(data, size);
-  try {
-    thinbench::read_table(input);
-  } catch (const std::invalid_argument& error) {
-    thinbench::must_be_one_line(error.what());
-  }
+  thinbench::must_succeed_or_explain<std::invalid_argument>([&] { thinbench::read_table(input); });
   return 0;
 }

@@ -1,7 +1,5 @@
 // Every variant of every operation against its reference, on images of any size at any place in
 // memory, in place where that is allowed, with every border and several limits and thresholds.
-#include <array>
-#include <span>
 
 #include "drawn_image.hpp"
 #include "harness/families.hpp"
@@ -41,20 +39,17 @@ std::vector<Operation> make_operations() {
 /// The result of a job, if it has an image, at another place in memory or in that of the input.
 void check_job(ByteSource& input, const Operation& operation, Job& job, const ByteImage& image,
                const std::string& name) {
-  const DrawnSize size = {image.width(), image.height()};
   const Outcome expected = expected_of(operation, operation.variants.front(), image.view());
-  DrawnImage source(input, size);
-  DrawnImage destination(input, size);
-  source.copy_from(image.view());
-  const bool in_place = operation.takes == InputKind::binary && input.once_in(4);
-  const ImageView written = in_place ? source.view() : destination.view();
-  if (input.once_in(4)) job.run(ByteImage(size.width, size.height).view(), destination.view());
-  job.run(source.view(), written);
-  if (job.gives_image()) must_be_equal(written, expected.image.view(), name);
+  DrawnPair images(input, image.view(), operation.takes == InputKind::binary);
+  if (input.once_in(4)) {
+    job.run(ByteImage(image.width(), image.height()).view(), images.destination.view());
+  }
+  job.run(images.source.view(), images.to());
+  if (job.gives_image()) must_be_equal(images.to(), expected.image.view(), name);
   must(job.numbers() == expected.numbers, name + ": other numbers than the reference");
-  if (!in_place) must(equal(source.view(), image.view()), name + ": the input was changed");
-  source.must_be_intact();
-  destination.must_be_intact();
+  must(images.in_place || equal(images.source.view(), image.view()),
+       name + ": the input was changed");
+  images.must_be_intact();
 }
 
 void check_variant(ByteSource& input) {

@@ -34,10 +34,8 @@ void read(const std::string& text) {
 }  // namespace thinbench
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  try {
+  thinbench::must_succeed_or_explain<std::runtime_error>([&] {
     thinbench::read({data, data + size});
-  } catch (const std::runtime_error& error) {
-    thinbench::must_be_one_line(error.what());
-  }
+  });
   return 0;
 }

@@ -15,14 +15,12 @@ namespace thinbench::golden {
 /// "-" stands for an option that does not apply.
 struct Case {
   std::string operation;
-  std::string border;          // "background", "keep" or "-"
-  std::string max_iterations;  // a number, or "-" for no limit
+  std::string border;  // "background", "keep" or "-"
   std::string image;
 
   /// The order of lines and columns.
   friend bool operator<(const Case& a, const Case& b) {
-    return std::tie(a.operation, a.border, a.max_iterations, a.image) <
-           std::tie(b.operation, b.border, b.max_iterations, b.image);
+    return std::tie(a.operation, a.border, a.image) < std::tie(b.operation, b.border, b.image);
   }
 };
 
@@ -33,9 +31,6 @@ using Result = std::string;
 /// changed, and the other cases on this image are meaningless.
 inline constexpr const char* kInput = "input";
 
-/// Recorded for one iteration, too.
-inline constexpr std::array kOneIteration = {"net_two_layer_sigmoid", "net_two_layer_linear",
-                                             "net_single_layer_cluster"};
 inline constexpr std::array kOtherBinary = {
     "holes",          "components",  "fill_holes",    "fill_holes_4",     "euler_number",
     "euler_number_4", "label_image", "label_image_4", "label_components", "label_components_4",
@@ -48,22 +43,21 @@ inline std::vector<Case> thinning_cases_on(const std::string& image) {
   std::vector<Case> cases;
   for (const char* border : {"background", "keep"}) {
     for (const RuleInfo& rule : kRules) {
-      cases.push_back({std::string(rule.operation), border, "-", image});
+      cases.push_back({std::string(rule.operation), border, image});
     }
-    for (const char* name : kOneIteration) cases.push_back({name, border, "1", image});
   }
   return cases;
 }
 
 /// All cases on the image with this name.
 inline std::vector<Case> cases_on(const std::string& image, InputKind kind) {
-  std::vector<Case> cases = {{kInput, "-", "-", image}};
+  std::vector<Case> cases = {{kInput, "-", image}};
   if (kind == InputKind::grey) {
-    for (const char* name : kGrey) cases.push_back({name, "-", "-", image});
+    for (const char* name : kGrey) cases.push_back({name, "-", image});
     return cases;
   }
   for (Case& one : thinning_cases_on(image)) cases.push_back(std::move(one));
-  for (const char* name : kOtherBinary) cases.push_back({name, "-", "-", image});
+  for (const char* name : kOtherBinary) cases.push_back({name, "-", image});
   return cases;
 }
 

@@ -14,7 +14,7 @@
 
 namespace thinbench::golden {
 
-inline constexpr const char* kHeader = "operation\tborder\tmax_iterations";
+inline constexpr const char* kHeader = "operation\tborder";
 
 inline constexpr const char* kNone = "-";  // the operation has no such input
 
@@ -28,7 +28,7 @@ inline void write_golden(const std::string& path, const Recorded& recorded) {
   for (const std::string& image : images) file << '\t' << image;
   for (auto row = recorded.begin(); row != recorded.end();) {
     Case one = row->first;
-    file << '\n' << one.operation << '\t' << one.border << '\t' << one.max_iterations;
+    file << '\n' << one.operation << '\t' << one.border;
     for (const std::string& image : images) {
       one.image = image;
       const auto found = recorded.find(one);
@@ -54,7 +54,7 @@ inline Recorded read_golden(const std::string& path) {
   while (std::getline(file, line)) {
     std::istringstream columns(line);
     Case one;
-    columns >> one.operation >> one.border >> one.max_iterations;
+    columns >> one.operation >> one.border;
     for (const std::string& image : images) {
       Result result;
       if (!(columns >> result)) throw std::runtime_error("truncated: " + line);

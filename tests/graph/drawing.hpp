@@ -13,14 +13,9 @@
 
 namespace thinbench {
 
-/// A node of a drawing. `within` is 0 where the raster leaves no doubt; otherwise the centre of the
-/// node that is found may be so far away, and lines that end there may be so much longer or
-/// shorter.
 struct TrueNode {
   NodeKind kind;
-  double x;
-  double y;
-  double within;
+  Pixel at;
 };
 
 struct TrueEdge {
@@ -29,8 +24,6 @@ struct TrueEdge {
   int straight;
   int diagonal;
   Pixel first;  // in raster order, ends included
-
-  [[nodiscard]] double length() const { return straight + diagonal * std::sqrt(2.0); }
 };
 
 struct Truth {
@@ -80,28 +73,10 @@ class Drawing {
     if (at == kNone) {
       if (is_drawn(p)) overlaps_ = true;
       at = points_.size();
-      points_.push_back({NodeKind::isolated, double(p.x), double(p.y), 0});
+      points_.push_back({NodeKind::isolated, p});
       pixels_[place(p)] = 255;
     }
     return at;
-  }
-
-  /// A point of four pixels, as where two diagonals cross between pixels.
-  void block(Pixel top_left) {
-    const auto [x, y] = top_left;
-    points_.push_back({NodeKind::isolated, x + 0.5, y + 0.5, 0});
-    const Path ring = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}, {x, y}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      point_at_[place(ring[i])] = points_.size() - 1;
-      pixels_[place(ring[i])] = 255;
-      link(ring[i], ring[i + 1]);
-    }
-  }
-
-  /// For a point whose lines are so close that their first pixels touch.
-  void allow_touching(Pixel at, double within) {
-    points_[point(at)].within = within;
-    touching_.push_back(at);
   }
 
   /// Only its ends are points; it may not pass others.
@@ -115,8 +90,8 @@ class Drawing {
   }
 
   /// Whether the raster holds the drawing: pixels are joined if and only if they were drawn one
-  /// after the other, but for first pixels that may touch. Then the graph of the image must be that
-  /// of the drawing, with every length exact.
+  /// after the other. Then the graph of the image must be that of the drawing, with every length
+  /// exact.
   [[nodiscard]] bool is_held() const {
     for (std::int32_t y = 0; y < height_; ++y) {
       for (std::int32_t x = 0; x < width_; ++x) {
@@ -191,17 +166,12 @@ class Drawing {
   [[nodiscard]] bool holds(Pixel p) const {
     for (unsigned d = 0; d < 8; ++d) {
       const Pixel q = moved(p, d);
-      if (!is_drawn(q) || may_touch(p, q)) continue;
+      if (!is_drawn(q)) continue;
       const bool has_way_round = is_drawn(moved(p, d + 1)) || is_drawn(moved(p, d + 7));
       const bool is_joined = d % 2 == 0 || !has_way_round;
       if (is_joined != are_linked(p, d)) return false;
     }
     return true;
-  }
-
-  [[nodiscard]] bool may_touch(Pixel p, Pixel q) const {
-    return std::any_of(touching_.begin(), touching_.end(),
-                       [=](Pixel at) { return across(p, at) <= 1 && across(q, at) <= 1; });
   }
 
   static std::ptrdiff_t lines_of(const Truth& truth, std::size_t point) {
@@ -220,7 +190,7 @@ class Drawing {
     };
     const auto one = std::find_if(truth.edges.begin(), truth.edges.end(), ends_here);
     if (one->from == one->to) {
-      truth.nodes[bend] = {NodeKind::cycle, double(one->first.x), double(one->first.y), 0};
+      truth.nodes[bend] = {NodeKind::cycle, one->first};
       return true;
     }
     const auto other = std::find_if(one + 1, truth.edges.end(), ends_here);
@@ -252,7 +222,6 @@ class Drawing {
   std::vector<std::size_t> point_at_;
   std::vector<TrueNode> points_;
   std::vector<TrueEdge> edges_;
-  Path touching_;
   bool overlaps_ = false;  // a line runs over another one
 };
 

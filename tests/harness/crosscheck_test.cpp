@@ -20,8 +20,8 @@ void PrintTo(const Case& tested, std::ostream* out) {
 
 class Crosscheck : public testing::TestWithParam<Case> {};
 
-/// Whether other tests cover these images: the case of one iteration for nets, tests/custom for custom
-/// rules.
+/// Whether other tests cover these images: the case of one iteration for nets, tests/custom for
+/// custom rules.
 bool is_omitted(const TestImageSet& set, const Operation& operation) {
   return operation.small_sets_only && set.name == "sizes";
 }
@@ -55,7 +55,8 @@ std::size_t images_per_shown() {
   return number == nullptr ? 1 : static_cast<std::size_t>(std::max(1, std::atoi(number)));
 }
 
-/// Shows a set to a verifier. Operations begin with different images, so that together they see all.
+/// Shows a set to a verifier. Operations begin with different images, so that together they see
+/// all.
 void show(const TestImageSet& set, std::size_t first, Verifier& verifier) {
   std::size_t number = first;
   set.generate([&](const TestImage& image) {

@@ -1,62 +1,32 @@
 // Tests the verification itself: it must detect and describe wrong variants.
 #include "harness/verify.hpp"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "harness/families.hpp"
 #include "harness/test_images.hpp"
+#include "measure/copy_operation.hpp"
 #include "techniques/variants.hpp"
 
 namespace thinbench {
 namespace {
 
-/// Copies its input, except for one pixel.
-class WrongPixelState final : public detail::ThinningState {
- public:
-  void load(const ConstImageView& source) override { image_ = copy_of(source); }
-  void load(const ConstPackedView&) override {}
-  int thin() override { return 1; }
-  void store(const PackedView&) const override {}
-  void store(const ImageView& destination) const override {
-    for (Index y = 0; y < destination.height; ++y) {
-      std::copy_n(image_.view().row(y), destination.width, destination.row(y));
-    }
-    if (destination.width > 2) destination.row(0)[2] = 0;
-  }
-
- private:
-  ByteImage image_;
-};
-
-std::string mismatch_of_wrong_pixel(const ConstImageView& input, const Outcome& expected) {
-  const auto job = thinning_job(std::make_unique<WrongPixelState>());
-  return find_mismatch(*job, input, expected).value_or("");
-}
-
 TEST(FindMismatch, names_the_first_wrong_pixel_and_prints_its_neighbourhood) {
   const ByteImage input = image_of_bits(5, 3, 0b00000'11111'00100);
-  const std::string text = mismatch_of_wrong_pixel(input.view(), {copy_of(input.view()), {1}});
-  EXPECT_NE(text.find("pixel (2, 0) is 0 instead of 255"), std::string::npos) << text;
+  Copy job(true);
+  const std::string text =
+      find_mismatch(job, input.view(), {copy_of(input.view()), {}}).value_or("");
+  EXPECT_NE(text.find("pixel (0, 0) is 255 instead of 0"), std::string::npos) << text;
   EXPECT_NE(text.find("  ..#..\n  #####\n"), std::string::npos) << text;
 }
 
-TEST(FindMismatch, detects_a_wrong_number_of_iterations) {
-  const ByteImage input(5, 3);
-  EXPECT_EQ(mismatch_of_wrong_pixel(input.view(), {copy_of(input.view()), {3}}),
-            "iterations: 1 instead of 3");
-}
-
 /// Copies its input. In its second run, whose buffers have guard bytes, it also does harm.
-class CopyingJob final : public Job {
+class CopyingJob final : public Copy {
  public:
   using Harm = void (*)(const ConstImageView& input, const ImageView& output);
-  explicit CopyingJob(Harm harm) : harm_(harm) {}
+  explicit CopyingJob(Harm harm) : Copy(false), harm_(harm) {}
   void run(const ConstImageView& input, const ImageView& output) override {
-    for (Index y = 0; y < input.height; ++y) {
-      std::copy_n(input.row(y), input.width, output.row(y));
-    }
+    Copy::run(input, output);
     if (++runs_ == 2) harm_(input, output);
   }
 

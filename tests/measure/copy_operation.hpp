@@ -9,7 +9,7 @@
 
 namespace thinbench {
 
-class Copy final : public Job {
+class Copy : public Job {
  public:
   explicit Copy(bool broken) : broken_(broken) {}
   void run(const ConstImageView& input, const ImageView& output) override {

@@ -40,11 +40,6 @@ TEST(TimedInputs, are_the_scene_where_nothing_is_chosen) {
   EXPECT_EQ(names_from({}, {"square_64", "noise_9_50_1"}), (Names{"square_64", "noise_9_50_1"}));
 }
 
-TEST(TimedInputs, image_files_give_their_names_and_each_its_own) {
-  EXPECT_EQ(names_from({"horse.png", "a/horse.pgm", "b/horse.png"}),
-            (Names{"horse", "horse_2", "horse_3"}));
-}
-
 TEST(TimedInputs, image_files_never_get_the_name_of_a_drawn_input) {
   EXPECT_EQ(
       names_from({"scene.png", "square_64.png", "strokes_28_9.png", "square_root.png"},

@@ -3,9 +3,9 @@
 
 #include "harness/test_images.hpp"
 #include "harness/verify.hpp"
+#include "holes.hpp"
 #include "peers/peers.hpp"
 #include "scene/scene.hpp"
-#include "support/flood_fill.hpp"
 #include "support/made_image.hpp"
 #include "support/property_images.hpp"
 
@@ -44,18 +44,6 @@ TEST(ThinningPeers, opencv_equals_the_references_that_keep_the_border) {
   }
 }
 
-/// Objects by one connectivity, holes by the other one.
-struct Counts {
-  std::size_t objects;
-  std::size_t holes;
-
-  bool operator==(const Counts&) const = default;
-};
-
-std::ostream& operator<<(std::ostream& out, const Counts& counts) {
-  return out << counts.objects << " objects, " << counts.holes << " holes";
-}
-
 /// Adds a margin of one background pixel, which connects all background outside of objects.
 ByteImage padded(const ByteImage& image) {
   return image_by(image.width() + 2, image.height() + 2, [&](Index x, Index y) {
@@ -64,13 +52,18 @@ ByteImage padded(const ByteImage& image) {
   });
 }
 
-Counts counts_of(const ByteImage& image, int connectivity) {
-  const bool is_eight = connectivity == 8;
+std::size_t components_of(const ByteImage& image, int connectivity) {
+  std::vector<std::int32_t> labels(static_cast<std::size_t>(image.width() * image.height()));
+  const auto label =
+      connectivity == 8 ? reference::label_components : reference::label_components_4;
+  return label(image.view(), {labels.data(), image.width(), image.height()}).size();
+}
+
+/// Objects by one connectivity, holes by the other one.
+RegionCounts counts_of(const ByteImage& image, int connectivity) {
   const ByteImage all = padded(image);
-  const auto components = [&](int value, bool eight_connected) {
-    return flood_fill::FloodFill(all.view(), value, eight_connected).take().list.size();
-  };
-  return {components(255, is_eight), components(0, !is_eight) - 1};
+  const ByteImage background = mapped(all, [](int pixel) { return pixel == 0 ? 255 : 0; });
+  return {components_of(all, connectivity), components_of(background, 12 - connectivity) - 1};
 }
 
 std::vector<ByteImage> leptonica_images() {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
+#include "support/made_image.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/text_image.hpp"
@@ -49,6 +50,16 @@ TEST_P(Repetition, keeping_the_border_leaves_images_without_inner_pixels_unchang
     const Thinned result = thinned_by_reference(GetParam(), image, {Border::keep});
     EXPECT_TRUE(equal(result.image.view(), image.view()));
     EXPECT_EQ(result.iterations, 1);
+  }
+}
+
+TEST_P(Repetition, keeping_the_border_does_nothing_where_it_is_background) {
+  for (const ByteImage& image : images()) {
+    const ByteImage inner = image_by(image.width(), image.height(), [&](Index x, Index y) {
+      return is_on_border(image, x, y) ? 0 : image.at(x, y);
+    });
+    EXPECT_TRUE(equal(thinned_by_reference(GetParam(), inner, {Border::keep}).image.view(),
+                      thinned_by_reference(GetParam(), inner).image.view()));
   }
 }
 

@@ -1,11 +1,10 @@
-// The reference of rules given as tables: hand-worked images, and a thinning rule as a table.
+// The reference of rules given as tables, on hand-worked images.
 
 #include <bit>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "harness/test_images.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/text_image.hpp"
 
@@ -88,28 +87,6 @@ TEST(CustomRuleReference, sub_iterations_follow_each_other) {
   const Thinned result = applied(shifts, image_of({"##..", "...#"}), {Border::background, 4});
   EXPECT_EQ(text_of(result.image), (TextImage{"##..", "...."}));
   EXPECT_EQ(result.iterations, 4);  // sub-iterations change pixels, though their iteration does not
-}
-
-/// The table of a rule of one sub-iteration, by its reference.
-WindowTable table_of(BuiltInRule rule) {
-  return make_window_table([rule](std::size_t window) {
-    const ByteImage image = image_of_bits(3, 3, window);
-    return thinned_by_reference(rule, image, {Border::background, 1}).image.at(1, 1) != 0;
-  });
-}
-
-TEST(CustomRuleReference, thins_as_the_reference_of_a_rule_with_the_same_table) {
-  const Tables tables = {table_of(Rule::naccache_shinghal)};
-  for (const Border border : {Border::background, Border::keep}) {
-    for (const int limit : {1, 2, kUnlimited}) {
-      const ByteImage image = noise_image(61, 40, 80, 3, 5);
-      const Thinned expected =
-          thinned_by_reference(Rule::naccache_shinghal, image, {border, limit});
-      const Thinned result = applied(tables, image, {border, limit});
-      EXPECT_TRUE(equal(result.image.view(), expected.image.view()));
-      EXPECT_EQ(result.iterations, expected.iterations);
-    }
-  }
 }
 
 }  // namespace

@@ -1,63 +1,52 @@
 // Components of equal values.
 #include <algorithm>
+#include <map>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/byte_image.hpp"
-#include "support/flood_fill.hpp"
+#include "holes.hpp"
+#include "support/made_image.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
 namespace {
 
-using detail::ByteImage;
 using Values = std::vector<std::int32_t>;
 
-ByteImage random_values(Index width, Index height, int values, std::mt19937& random) {
-  ByteImage image(width, height);
-  for (Index y = 0; y < height; ++y) {
-    for (Index x = 0; x < width; ++x) {
-      image.view().row(y)[x] = static_cast<std::uint8_t>(random() % static_cast<unsigned>(values));
-    }
-  }
-  return image;
-}
-
-/// By flood fills, a value after the other, renumbered in raster order.
-Values expected(const ConstImageView& image, int background, bool eight) {
-  Values labels(static_cast<std::size_t>(image.width * image.height), 0);
-  std::vector<Index> firsts;
-  for (int value = 0; value < 256; ++value) {
+/// By the reference of labels, a value after the other, renumbered in raster order.
+Values expected(const ByteImage& image, int background, bool eight) {
+  Values labels(static_cast<std::size_t>(image.width() * image.height()), 0);
+  const auto label = eight ? reference::label_components : reference::label_components_4;
+  std::int32_t others = 0;  // the number of components of the values before
+  for (int value = 0; value < 8; ++value) {
     if (value == background) continue;
-    const auto found = flood_fill::FloodFill(image, value, eight).take();
+    const ByteImage mask = mapped(image, [=](int pixel) { return pixel == value ? 255 : 0; });
+    Values of_value(labels.size());
+    const auto found = label(mask.view(), {of_value.data(), image.width(), image.height()});
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      if (found.label[i] == 0) continue;
-      labels[i] =
-          static_cast<std::int32_t>(found.list[static_cast<std::size_t>(found.label[i] - 1)].first);
+      if (of_value[i] != 0) labels[i] = others + of_value[i];
     }
-    for (const auto& component : found.list) firsts.push_back(component.first);
+    others += static_cast<std::int32_t>(found.size());
   }
-  std::ranges::sort(firsts);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (image.row(static_cast<Index>(i) / image.width)[static_cast<Index>(i) % image.width] ==
-        background) {
-      continue;
-    }
-    const auto place = std::ranges::lower_bound(firsts, Index{labels[i]});
-    labels[i] = static_cast<std::int32_t>(place - firsts.begin()) + 1;
+  std::map<std::int32_t, std::int32_t> numbers = {{0, 0}};
+  for (std::int32_t& number : labels) {
+    const auto next = static_cast<std::int32_t>(numbers.size());
+    number = numbers.try_emplace(number, next).first->second;
   }
   return labels;
 }
 
-TEST(LabelValues, equals_flood_fills_of_every_value) {
+TEST(LabelValues, equals_the_reference_of_each_value) {
   std::mt19937 random(1);
   for (int i = 0; i < 400; ++i) {
     const Index width = 1 + static_cast<Index>(random() % 20);
     const Index height = 1 + static_cast<Index>(random() % 20);
-    const ByteImage image = random_values(width, height, 2 + i % 5, random);
+    const auto values_in_all = static_cast<unsigned>(2 + i % 5);
+    const ByteImage image =
+        image_by(width, height, [&](Index, Index) { return random() % values_in_all; });
     Values values;
     for (Index y = 0; y < height; ++y) {
       values.insert(values.end(), image.view().row(y), image.view().row(y) + width);
@@ -67,7 +56,7 @@ TEST(LabelValues, equals_flood_fills_of_every_value) {
       Values labels(values.size(), -7);
       const std::uint32_t count = label_values(
           {values.data(), width, height}, {labels.data(), width, height}, connectivity, background);
-      ASSERT_EQ(labels, expected(image.view(), background, connectivity == Connectivity::eight));
+      ASSERT_EQ(labels, expected(image, background, connectivity == Connectivity::eight));
       ASSERT_EQ(count, static_cast<std::uint32_t>(*std::ranges::max_element(labels)));
     }
   }

@@ -1,7 +1,7 @@
-// Every variant of label images and of filling on shapes that are awkward for runs as bits, and
-// label images that are written past the caches.
-#include <array>
+// Every variant of regions, label images and filling on shapes that are awkward for runs as bits,
+// and label images that are written past the caches.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -103,10 +103,21 @@ TEST_P(RunVariants, are_exact_on_spirals_and_their_complements) {
   }
 }
 
+TEST_P(RunVariants, are_exact_where_narrow_sums_and_coordinates_would_overflow) {
+  for (const auto& [width, height] :
+       {std::pair<Index, Index>{20000, 60}, {65534, 5}, {70000, 4}, {9, 3000}}) {
+    std::vector<ByteImage> frame_with_a_bar;
+    frame_with_a_bar.push_back(image_by(width, height, [w = width, h = height](Index x, Index y) {
+      return x == 0 || y == 0 || x == w - 1 || y == h - 1 || x == w / 2 ? 255 : 0;
+    }));
+    expect_exact(frame_with_a_bar);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, RunVariants,
-                         ::testing::Values("label_image", "label_image_4", "label_components",
-                                           "label_components_4", "label_regions", "fill_holes",
-                                           "fill_holes_4"),
+                         ::testing::Values("holes", "components", "label_image", "label_image_4",
+                                           "label_components", "label_components_4",
+                                           "label_regions", "fill_holes", "fill_holes_4"),
                          [](const auto& param) { return param.param; });
 
 /// Large enough for non-temporal stores, whose lines are joined across rows.

@@ -4,49 +4,29 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/test_images.hpp"
+#include "support/label_image.hpp"
 #include "support/property_images.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench {
 namespace {
 
-/// Labels with a value beside each row that must not be written.
-class Labels {
- public:
-  explicit Labels(const ConstImageView& image)
-      : width_(image.width),
-        values_(static_cast<std::size_t>((image.width + 1) * image.height), kUnwritten) {}
+constexpr std::int32_t kUnwritten = -7;
 
-  [[nodiscard]] LabelView view(Index height) {
-    return {values_.data(), width_, height, width_ + 1};
-  }
-  [[nodiscard]] std::int32_t at(Index x, Index y) const {
-    return values_[static_cast<std::size_t>(y * (width_ + 1) + x)];
-  }
-  [[nodiscard]] bool equal(const Labels& other) const { return values_ == other.values_; }
-
-  /// Whether no pixel has been written.
-  [[nodiscard]] bool unwritten() const {
-    return values_ == std::vector<std::int32_t>(values_.size(), kUnwritten);
-  }
-
- private:
-  static constexpr std::int32_t kUnwritten = -7;
-  Index width_;
-  std::vector<std::int32_t> values_;
-};
+LabelImage unwritten(const ConstImageView& image) {
+  const auto pixels = static_cast<std::size_t>(image.width * image.height);
+  return {image.width, image.height, std::vector<std::int32_t>(pixels, kUnwritten)};
+}
 
 /// The labels that the blocks of 2 x 2 pixels find first, from the labels in raster order.
-std::vector<std::int32_t> numbers_by_blocks(const Labels& labels, const ConstImageView& image,
-                                            std::size_t objects) {
+std::vector<std::int32_t> numbers_by_blocks(const ConstLabelView& labels, std::size_t objects) {
   std::vector<std::int32_t> numbers(objects + 1);
   std::int32_t next = 0;
-  for (Index y = 0; y < image.height; y += 2) {
-    for (Index x = 0; x < image.width; x += 2) {
+  for (Index y = 0; y < labels.height; y += 2) {
+    for (Index x = 0; x < labels.width; x += 2) {
       for (Index i = 0; i < 4; ++i) {
-        if (x + i % 2 >= image.width || y + i / 2 >= image.height) continue;
-        const std::int32_t label = labels.at(x + i % 2, y + i / 2);
+        if (x + i % 2 >= labels.width || y + i / 2 >= labels.height) continue;
+        const std::int32_t label = labels.row(y + i / 2)[x + i % 2];
         if (label != 0 && numbers[static_cast<std::size_t>(label)] == 0) {
           numbers[static_cast<std::size_t>(label)] = ++next;
         }
@@ -57,15 +37,13 @@ std::vector<std::int32_t> numbers_by_blocks(const Labels& labels, const ConstIma
 }
 
 bool opencv_order_is_that_of_blocks(const ConstImageView& image, const Execution& execution) {
-  Labels raster(image), blocks(image);
-  const auto objects = label_components(image, raster.view(image.height), Connectivity::eight);
-  const auto found = label_components(image, blocks.view(image.height), Connectivity::eight,
-                                      execution, LabelOrder::opencv);
-  const auto numbers = numbers_by_blocks(raster, image, objects.size());
-  for (Index y = 0; y < image.height; ++y) {
-    for (Index x = 0; x < image.width; ++x) {
-      if (blocks.at(x, y) != numbers[static_cast<std::size_t>(raster.at(x, y))]) return false;
-    }
+  LabelImage raster = unwritten(image), blocks = unwritten(image);
+  const auto objects = label_components(image, raster.view(), Connectivity::eight);
+  const auto found =
+      label_components(image, blocks.view(), Connectivity::eight, execution, LabelOrder::opencv);
+  const auto numbers = numbers_by_blocks(raster.view(), objects.size());
+  for (std::size_t i = 0; i < blocks.labels.size(); ++i) {
+    if (blocks.labels[i] != numbers[static_cast<std::size_t>(raster.labels[i])]) return false;
   }
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (found[static_cast<std::size_t>(numbers[i + 1] - 1)] != objects[i]) return false;
@@ -84,11 +62,10 @@ TEST(Labels, in_the_order_of_opencv_are_numbered_by_blocks) {
       if (!isa_available(isa)) continue;
       EXPECT_TRUE(opencv_order_is_that_of_blocks(image.view(), {.isa = isa}));
     }
-    Labels raster(image.view()), ordered(image.view());
-    const LabelView view = ordered.view(image.height());
-    label_image(image.view(), raster.view(image.height()), Connectivity::four);
-    label_image(image.view(), view, Connectivity::four, {}, LabelOrder::opencv);
-    EXPECT_TRUE(ordered.equal(raster));
+    LabelImage raster = unwritten(image.view()), ordered = unwritten(image.view());
+    label_image(image.view(), raster.view(), Connectivity::four);
+    label_image(image.view(), ordered.view(), Connectivity::four, {}, LabelOrder::opencv);
+    EXPECT_EQ(ordered.labels, raster.labels);
   }
 }
 
@@ -99,9 +76,9 @@ TEST(Labels, of_images_without_pixels_are_empty) {
 
 TEST(Labels, reject_sizes_that_differ_overlaps_and_other_connectivities) {
   const ByteImage image(8, 8);
-  Labels labels(image.view());
-  const LabelView view = labels.view(8);
-  EXPECT_THROW(label_regions(image.view(), {view.data, 7, 8, 9}), std::invalid_argument);
+  LabelImage labels = unwritten(image.view());
+  const LabelView view = labels.view();
+  EXPECT_THROW(label_regions(image.view(), {view.data, 7, 8}), std::invalid_argument);
   EXPECT_THROW(label_regions(image.view(), {view.data, 8, 8, 7}), std::invalid_argument);
   EXPECT_THROW(label_regions(image.view(), {nullptr, 8, 8}), std::invalid_argument);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(view.data);
@@ -111,7 +88,7 @@ TEST(Labels, reject_sizes_that_differ_overlaps_and_other_connectivities) {
       std::invalid_argument);
   EXPECT_THROW(static_cast<void>(label_image(image.view(), view, static_cast<Connectivity>(6))),
                std::invalid_argument);
-  EXPECT_TRUE(labels.unwritten());
+  EXPECT_EQ(labels.labels, unwritten(image.view()).labels);
 }
 
 }  // namespace

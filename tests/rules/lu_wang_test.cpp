@@ -2,44 +2,26 @@
 #include <gtest/gtest.h>
 
 #include "rules/rule_table.hpp"
-#include "support/byte_image.hpp"
-#include "thinbench/thinning.hpp"
+#include "support/made_image.hpp"
+#include "support/text_image.hpp"
 
 namespace thinbench {
 namespace {
 
-/// A slanted line two pixels wide.
-ByteImage slanted_line(Index length) {
-  ByteImage image(length + 4, length + 4);
-  for (Index i = 0; i < length; ++i) {
-    image.at(i + 2, i + 2) = 255;
-    image.at(i + 3, i + 2) = 255;
-  }
-  return image;
-}
-
-Index foreground_pixels(BuiltInRule rule, const ByteImage& image) {
-  ByteImage skeleton(image.width(), image.height());
-  thin(rule, image.view(), skeleton.view());
-  Index count = 0;
-  for (Index y = 0; y < image.height(); ++y) {
-    for (Index x = 0; x < image.width(); ++x) count += skeleton.at(x, y) != 0 ? 1 : 0;
-  }
-  return count;
+Index pixels_left(BuiltInRule rule, const ByteImage& image) {
+  return count_foreground(thinned(rule, image));
 }
 
 TEST(LuWang, slanted_lines_two_pixels_wide_keep_their_length) {
-  const ByteImage line = slanted_line(20);
-  EXPECT_GE(foreground_pixels(Rule::lu_wang, line), 20);
-  EXPECT_LT(foreground_pixels(Rule::zhang_suen, line), 20);
+  const ByteImage line = image_by(24, 24, [](Index x, Index y) {
+    return y >= 2 && y < 22 && (x == y || x == y + 1) ? 255 : 0;
+  });
+  EXPECT_GE(pixels_left(Rule::lu_wang, line), 20);
+  EXPECT_LT(pixels_left(Rule::zhang_suen, line), 20);
 }
 
 TEST(LuWang, squares_of_two_by_two_pixels_vanish) {
-  ByteImage square(4, 4);
-  for (const Index y : {1, 2}) {
-    for (const Index x : {1, 2}) square.at(x, y) = 255;
-  }
-  EXPECT_EQ(foreground_pixels(Rule::lu_wang, square), 0);
+  EXPECT_EQ(pixels_left(Rule::lu_wang, image_of({"....", ".##.", ".##.", "...."})), 0);
 }
 
 /// Over all neighbourhoods: pixels with two foreground neighbours are kept, all others treated as

@@ -1,5 +1,4 @@
-// Pillow's patterns: its own tables, hand-worked ones, errors.
-
+// Pillow's patterns: its tables of its own lists, of none and of random ones, whitespace, errors.
 #include <string>
 #include <vector>
 
@@ -14,10 +13,6 @@ namespace {
 
 using Patterns = std::vector<std::string>;
 
-bool pixel(std::size_t window, int k) {
-  return (window >> k & 1) != 0;
-}
-
 TEST(Patterns, equal_the_tables_of_pillow) {
   const nlohmann::json tables = recorded().at("pillow").at("tables");
   ASSERT_EQ(tables.size(), 26U);
@@ -26,41 +21,6 @@ TEST(Patterns, equal_the_tables_of_pillow) {
     EXPECT_EQ(table_from_patterns(patterns), recorded_table(one.at("table")))
         << one.at("patterns").dump();
   }
-}
-
-TEST(Patterns, none_keep_every_pixel) {
-  EXPECT_EQ(table_from_patterns({}),
-            make_window_table([](std::size_t window) { return pixel(window, 4); }));
-}
-
-TEST(Patterns, pixels_are_in_raster_order) {
-  const Patterns patterns = {"1:(... ... ...)->0", "1:(..1 ... 0..)->1"};
-  EXPECT_EQ(table_from_patterns(patterns), make_window_table([](std::size_t window) {
-              return pixel(window, 2) && !pixel(window, 6);
-            }));
-}
-
-TEST(Patterns, rotations_give_the_four_neighbours) {
-  const Patterns dilation = {"4:(.1. ... ...)->1"};
-  EXPECT_EQ(table_from_patterns(dilation), make_window_table([](std::size_t window) {
-              return pixel(window, 1) || pixel(window, 3) || pixel(window, 4) || pixel(window, 5) ||
-                     pixel(window, 7);
-            }));
-}
-
-TEST(Patterns, mirror_exchanges_west_and_east) {
-  EXPECT_EQ(table_from_patterns(Patterns{"M:(... 10. ...)->1"}),
-            table_from_patterns(Patterns{"1:(... 10. ...)->1", "1:(... .01 ...)->1"}));
-}
-
-TEST(Patterns, negation_also_exchanges_the_result) {
-  EXPECT_EQ(table_from_patterns(Patterns{"N:(.0. .1. .X.)->0"}),
-            table_from_patterns(Patterns{"1:(.0. .1. ...)->0", "1:(.1. .0. ...)->1"}));
-}
-
-TEST(Patterns, later_ones_override_earlier_ones) {
-  EXPECT_EQ(table_from_patterns(Patterns{"1:(1.. ... ...)->1", "1:(... ... ...)->0"}),
-            WindowTable());
 }
 
 TEST(Patterns, whitespace_does_not_matter) {

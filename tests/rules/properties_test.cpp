@@ -1,12 +1,10 @@
 // The documented properties of the rules: topology, idempotence, subset, symmetry.
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "support/five_by_five.hpp"
-#include "support/flood_fill.hpp"
 #include "support/made_image.hpp"
 #include "support/property_images.hpp"
 #include "support/rule_parameters.hpp"
@@ -32,19 +30,9 @@ std::vector<BuiltInRule> rules_without_nets() {
   return rules;
 }
 
-std::string image_text(Cell cell) {
-  std::string text = "\n";
-  for (int y = 1; y <= five_by_five::kSide; ++y) {
-    for (int x = 1; x <= five_by_five::kSide; ++x) {
-      text += (cell >> (8 * y + x) & 1) != 0 ? '#' : '.';
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-/// Describes the first image of 5 x 5 pixels whose topology the rule changes; empty if none.
-std::optional<std::string> first_topology_change(BuiltInRule rule) {
+/// The first image of 5 x 5 pixels whose topology the rule changes, as in image_of_bits(5, 5,
+/// code).
+std::optional<std::uint32_t> first_topology_change(BuiltInRule rule) {
   Sheet sheet;
   for (std::uint32_t first = 0; first < five_by_five::kCount; first += Sheet::kCells) {
     sheet.fill(first);
@@ -53,7 +41,7 @@ std::optional<std::string> first_topology_change(BuiltInRule rule) {
       const Cell before = five_by_five::cell_of(first + i);
       const Cell after = sheet.cell(i);
       if (before == after || five_by_five::same_topology(before, after)) continue;
-      return image_text(before) + "becomes" + image_text(after);
+      return first + i;
     }
   }
   return std::nullopt;
@@ -62,17 +50,13 @@ std::optional<std::string> first_topology_change(BuiltInRule rule) {
 class KeepsTopology : public testing::TestWithParam<BuiltInRule> {};
 
 TEST_P(KeepsTopology, on_all_five_by_five) {
-  const auto changed = first_topology_change(GetParam());
-  EXPECT_FALSE(changed) << changed.value_or("");
+  EXPECT_EQ(first_topology_change(GetParam()), std::nullopt);
 }
 
 TEST_P(KeepsTopology, on_noise_and_scenes) {
   for (const ByteImage& image : property_images()) {
     const ByteImage skeleton = thinned(GetParam(), image);
-    EXPECT_EQ(flood_fill::objects_of(image.view()).list.size(),
-              flood_fill::objects_of(skeleton.view()).list.size());
-    EXPECT_EQ(flood_fill::holes_of(image.view()).size(),
-              flood_fill::holes_of(skeleton.view()).size());
+    EXPECT_EQ(region_counts(image), region_counts(skeleton));
   }
 }
 
@@ -111,7 +95,7 @@ ByteImage block(Index width, Index height) {
 }
 
 std::size_t objects_after(BuiltInRule rule, const ByteImage& image) {
-  return flood_fill::objects_of(thinned(rule, image).view()).list.size();
+  return region_counts(thinned(rule, image)).objects;
 }
 
 TEST(Rules, zhang_suen_removes_a_two_by_two_block_and_guo_hall_keeps_one_object) {
@@ -129,7 +113,7 @@ TEST(Rules, naccache_shinghal_removes_bars_two_pixels_wide_and_keeps_bars_three_
 TEST(Rules, naccache_shinghal_breaks_a_slanted_line_two_pixels_wide) {
   ByteImage line(60, 60);
   for (Index i = 2; i < 50; ++i) line.at(i, i) = line.at(i + 1, i) = 255;
-  ASSERT_EQ(flood_fill::objects_of(line.view()).list.size(), 1U);
+  ASSERT_EQ(region_counts(line).objects, 1U);
   EXPECT_EQ(objects_after(Rule::naccache_shinghal, line), 2U);
 }
 

@@ -1,8 +1,8 @@
-"""Records tables and results of other programs in tables.json: Octave's bwmorph, Pillow's
-LutBuilder, scikit-image's thin. Needs octave and octave-image, Pillow and scikit-image.
+"""Records tables of other programs in tables.json: Octave's bwmorph, Pillow's LutBuilder,
+scikit-image's thin. Needs octave and octave-image, Pillow and scikit-image.
 
-Bits are hexadecimal, four per digit, the first in the digit's highest bit: pixels of an image in
-raster order, windows of a table in the order of thinbench::WindowTable.
+Bits are hexadecimal, four per digit, the first in the digit's highest bit: windows in the order of
+thinbench::WindowTable.
 
 Usage: python3 tests/rules/record_tables.py
 """
@@ -24,9 +24,7 @@ from skimage.morphology import _skeletonize
 
 FILE = Path(__file__).with_name("tables.json")
 OPERATIONS = ["bridge", "clean", "diag", "dilate", "endpoints", "erode", "fill", "hbreak",
-              "majority", "remove", "spur", "thin"]
-SHAPE = (10, 14)
-DENSITIES = [0.15, 0.3, 0.5, 0.6, 0.75, 0.9]
+              "majority", "remove", "spur"]
 WINDOWS = 512
 CELL = 9  # pixels, so that windows do not touch
 
@@ -44,51 +42,25 @@ def window_sheet() -> np.ndarray:
     return sheet
 
 
-def images() -> list[np.ndarray]:
-    generator = np.random.default_rng(1)
-    return [generator.random(SHAPE) < density for density in DENSITIES]
-
-
-def script(directory: str, count: int) -> str:
-    """Octave: each operation once on all images, the last of which is the sheet; thin also to the
-    end."""
-    quoted = ", ".join(f'"{operation}"' for operation in OPERATIONS)
-    return f"""pkg load image
-operations = {{{quoted}}};
-for i = 0:{count - 1}
-  image = dlmread(sprintf("{directory}/%d.txt", i)) != 0;
-  for o = 1:numel(operations)
-    name = operations{{o}};
-    dlmwrite(sprintf("{directory}/%d.%s", i, name), bwmorph(image, name, 1), " ");
-  end
-  dlmwrite(sprintf("{directory}/%d.all", i), bwmorph(image, "thin", Inf), " ");
+SCRIPT = """pkg load image
+image = dlmread("sheet.txt") != 0;
+names = strsplit("{operations}");
+for i = 1:numel(names)
+  dlmwrite(names{{i}}, bwmorph(image, names{{i}}, 1), " ");
 end
 printf("%s %s", OCTAVE_VERSION, pkg("list", "image"){{1}}.version);
 """
 
 
 def bwmorph() -> dict:
-    inputs = [*images(), window_sheet()]
     with tempfile.TemporaryDirectory() as directory:
-        for i, image in enumerate(inputs):
-            np.savetxt(f"{directory}/{i}.txt", image, "%d")
-        run = subprocess.run(["octave-cli", "--eval", script(directory, len(inputs))], check=True,
-                             capture_output=True, text=True)
+        np.savetxt(f"{directory}/sheet.txt", window_sheet(), "%d")
+        run = subprocess.run(["octave-cli", "--eval", SCRIPT.format(operations=" ".join(OPERATIONS))],
+                             check=True, capture_output=True, text=True, cwd=directory)
         octave, package = run.stdout.split()[-2:]
-
-        def results(kind: str) -> list[str]:
-            return [hexadecimal(np.loadtxt(f"{directory}/{i}.{kind}", ndmin=2))
-                    for i in range(len(DENSITIES))]
-
-        def table(kind: str) -> str:
-            sheet = np.loadtxt(f"{directory}/{len(DENSITIES)}.{kind}", ndmin=2)
-            return hexadecimal(sheet[CELL // 2 :: CELL, CELL // 2])
-
-        operations = {name: {"table": table(name), "once": results(name)} for name in OPERATIONS}
-        operations["thin"]["all"] = results("all")
-    del operations["thin"]["table"]  # it has two sub-iterations
-    return {"octave": octave, "octave-image": package, "height": SHAPE[0], "width": SHAPE[1],
-            "images": [hexadecimal(image) for image in images()], "operations": operations}
+        tables = {name: hexadecimal(np.loadtxt(f"{directory}/{name}")[CELL // 2 :: CELL, CELL // 2])
+                  for name in OPERATIONS}
+    return {"octave": octave, "octave-image": package, "tables": tables}
 
 
 def random_pattern(generator: random.Random) -> str:

@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/byte_image.hpp"
 #include "thinbench/window_table.hpp"
 
 namespace thinbench {
@@ -30,15 +29,6 @@ inline std::vector<std::uint8_t> bits_of(const std::string& digits) {
 inline WindowTable recorded_table(const std::string& digits) {
   const std::vector<std::uint8_t> bits = bits_of(digits);
   return make_window_table([&](std::size_t window) { return bits.at(window); });
-}
-
-inline ByteImage recorded_image(Index width, Index height, const std::string& digits) {
-  const std::vector<std::uint8_t> bits = bits_of(digits);
-  ByteImage image(width, height);
-  for (Index i = 0; i < width * height; ++i) {
-    image.at(i % width, i / width) = bits.at(static_cast<std::size_t>(i)) != 0 ? 255 : 0;
-  }
-  return image;
 }
 
 }  // namespace thinbench

@@ -7,15 +7,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "holes.hpp"
 #include "scene/scene.hpp"
-#include "support/flood_fill.hpp"
 
 namespace thinbench {
 namespace {
-
-using flood_fill::Component;
-using flood_fill::holes_of;
-using flood_fill::objects_of;
 
 constexpr SceneKind kKinds[] = {SceneKind::parts, SceneKind::border_touching};
 
@@ -23,8 +19,8 @@ Scene render_clean(SceneKind kind) {
   return render_scene({.kind = kind, .noise_sigma_16 = 0, .illumination = false});
 }
 
-double centre_distance(const Component& found, ScenePoint truth) {
-  return std::hypot(found.x - truth.x, found.y - truth.y);
+double centre_distance(const Region& found, ScenePoint truth) {
+  return std::hypot(found.centre_x() - truth.x, found.centre_y() - truth.y);
 }
 
 /// 2 % of the area, and a quarter pixel times the side of a square of this area, because small
@@ -35,23 +31,25 @@ double area_tolerance(double area) {
 
 /// Both lists are in raster order, so equal indices mean the same hole.
 void expect_holes_agree(const Scene& scene, double centre_tolerance) {
-  const std::vector<Component> found = holes_of(scene.binary.view());
+  const std::vector<Region> found = reference::holes(scene.binary.view()).holes;
   ASSERT_EQ(found.size(), scene.holes.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     const SceneHole& truth = scene.holes[i];
     EXPECT_LT(centre_distance(found[i], truth.centre), centre_tolerance) << "hole " << truth.id;
-    EXPECT_NEAR(found[i].area, truth.area, area_tolerance(truth.area)) << "hole " << truth.id;
+    EXPECT_NEAR(static_cast<double>(found[i].area), truth.area, area_tolerance(truth.area))
+        << "hole " << truth.id;
   }
 }
 
 /// `area_tolerance` is a fraction of the area, `centre_tolerance` a distance in pixels.
 void expect_parts_agree(const Scene& scene, double area_tolerance, double centre_tolerance) {
-  const std::vector<Component> found = objects_of(scene.binary.view()).list;
+  const std::vector<Region> found = reference::holes(scene.binary.view()).objects;
   ASSERT_EQ(found.size(), scene.parts.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     const ScenePart& truth = scene.parts[i];
     if (truth.cut_by_border) continue;
-    EXPECT_NEAR(found[i].area, truth.area, area_tolerance * truth.area) << "part " << truth.id;
+    EXPECT_NEAR(static_cast<double>(found[i].area), truth.area, area_tolerance * truth.area)
+        << "part " << truth.id;
     EXPECT_LT(centre_distance(found[i], truth.centre), centre_tolerance) << "part " << truth.id;
   }
 }

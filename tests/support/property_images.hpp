@@ -1,10 +1,11 @@
-// Images on which the properties of skeletons are tested.
+// Images on which the properties of skeletons are tested, and what is counted in them.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "harness/test_images.hpp"
+#include "holes.hpp"
 #include "scene/scene.hpp"
 
 namespace thinbench {
@@ -21,6 +22,19 @@ inline std::vector<ByteImage> property_images() {
   images.push_back(std::move(render_scene().binary));
   images.push_back(std::move(render_scene({SceneKind::border_touching}).binary));
   return images;
+}
+
+struct RegionCounts {
+  std::size_t objects;
+  std::size_t holes;
+
+  friend bool operator==(const RegionCounts&, const RegionCounts&) = default;
+};
+
+/// By the reference.
+inline RegionCounts region_counts(const ByteImage& image) {
+  const reference::Regions found = reference::holes(image.view());
+  return {found.objects.size(), found.holes.size()};
 }
 
 /// The number of foreground pixels of `skeleton` that are background in `image`.

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -73,15 +72,8 @@ int thin_each_by_reference(const Rule& rule, ImageList& list,
                            const reference::Repetition& repetition) {
   int iterations = 0;
   for (GappedImage& image : list.images) {
-    ByteImage source(image.width, image.height);
-    for (Index y = 0; y < image.height; ++y) {
-      std::copy_n(image.view().row(y), image.width, source.view().row(y));
-    }
-    const Thinned thinned = thinned_by_reference(rule, source, repetition);
-    iterations = std::max(iterations, thinned.iterations);
-    for (Index y = 0; y < image.height; ++y) {
-      std::copy_n(thinned.image.view().row(y), image.width, image.view().row(y));
-    }
+    const ImageView view = image.view();
+    iterations = std::max(iterations, thin_by_reference(rule, repetition, view, view));
   }
   return iterations;
 }

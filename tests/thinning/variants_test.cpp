@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/splitmix64.hpp"
 #include "support/edge_case_images.hpp"
 #include "support/reference_thinning.hpp"
 #include "support/rule_parameters.hpp"
@@ -122,26 +121,6 @@ TEST_P(EveryVariant, equals_the_reference_at_every_size_and_limit) {
     for (const Index height : heights_for(width, is_net(rule()))) {
       expect_all_equal(width, height, with_threads(width, height));
       if (HasFatalFailure()) return;
-    }
-  }
-}
-
-TEST_P(EveryVariant, equals_the_reference_on_all_four_by_four) {
-  std::vector<std::vector<NamedState>> by_limit;
-  for (const int limit : kLimits) {
-    by_limit.push_back(states_of(rule(), 4, 4, {border(), limit}, false));
-  }
-  ByteImage result(4, 4);
-  for (std::uint64_t bits = 0; bits < 65536; ++bits) {
-    // To save time, each image runs with one limit, by a quarter of the variants.
-    const std::uint64_t random = splitmix64(5, bits);
-    const std::size_t limit = random % 4;
-    const ByteImage image = image_of_bits(4, 4, bits);
-    const Thinned expected = thinned_by_reference(rule(), image, {border(), kLimits[limit]});
-    const auto& states = by_limit[limit];
-    for (std::size_t i = (random >> 8) % 4; i < states.size(); i += 4) {
-      ASSERT_EQ(difference(*states[i].state, image, expected, result), "")
-          << states[i].name << ", image " << bits << ", limit " << kLimits[limit];
     }
   }
 }

@@ -28,20 +28,5 @@ TEST(PortableMath, random_numbers_are_those_of_splitmix64) {
   EXPECT_EQ(random.next(), 3203168211198807973U);
 }
 
-TEST(PortableMath, random_weights_fill_the_interval) {
-  Random random(1);
-  double lowest = 0;
-  double highest = 0;
-  for (int i = 0; i < 10000; ++i) {
-    const double x = random.symmetric(2.0);
-    lowest = std::min(lowest, x);
-    highest = std::max(highest, x);
-  }
-  EXPECT_GE(lowest, -2.0);
-  EXPECT_LT(lowest, -1.99);
-  EXPECT_LT(highest, 2.0);
-  EXPECT_GT(highest, 1.99);
-}
-
 }  // namespace
 }  // namespace thinbench
