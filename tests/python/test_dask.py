@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import doctest
 import importlib
 import os
 import signal
@@ -45,11 +44,6 @@ def random_array(seed: int, max_chunk: int = 40) -> tuple[np.ndarray, object]:
     image = image * np.uint8(7) if seed % 3 == 0 else image
     chunks = tuple(random_chunks(size, random, max_chunk) for size in image.shape)
     return image, da.from_array(image, chunks=chunks)
-
-
-def test_examples_in_docstrings_hold():
-    result = doctest.testmod(tb_dask)
-    assert result.failed == 0 and result.attempted > 0
 
 
 @pytest.mark.parametrize("rule", thinbench.rules())
