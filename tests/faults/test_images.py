@@ -126,11 +126,13 @@ def test_beginnings_of_images_are_one_line(start: bytes, tmp_path: Path) -> None
     expect_one_line(["holes", "a.png"], tmp_path, "a.png")
 
 
-@pytest.mark.parametrize("kind", ["gif", "webp", "jp2", "ico", "tga"])
-def test_other_kinds_are_refused(kind: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("kind", "says"), [
+    ("gif", "it is a GIF file"), ("webp", "it is a WebP file"), ("jp2", "it is a JPEG 2000 file"),
+    ("ico", "not an image of a known format"), ("tga", "not an image of a known format")])
+def test_other_kinds_are_refused(kind: str, says: str, tmp_path: Path) -> None:
     """Whatever decoders are installed."""
     GREY.save(tmp_path / f"a.{kind}")
-    expect_one_line(["holes", f"a.{kind}"], tmp_path, "not an image of a known format|it is a (GIF|WebP|JPEG 2000) file")
+    expect_one_line(["holes", f"a.{kind}"], tmp_path, says)
 
 
 # Hostile files.

@@ -228,17 +228,12 @@ def test_an_opaque_image_brings_none(tmp_path, kind, how):
     assert b"transparent" not in run("holes", tmp_path / "a.png").stderr
 
 
-def format_file(path, kind):
-    pil.fromarray(np.zeros((8, 9), np.uint8)).save(path, kind)
-
-
 FILES = {
     "dots.png": lambda path: cv2.imwrite(str(path), np.kron(np.ones((300, 300)), [[255, 0], [0, 0]])),
     "white.png": lambda path: cv2.imwrite(str(path), np.full((5, 5), 255, np.uint8)),
     "empty": lambda path: path.touch(),
     "text": lambda path: path.write_bytes(b"no picture"),
-    "zeros": lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40)),
-    **{kind: lambda path, kind=kind: format_file(path, kind) for kind in ("GIF", "WEBP", "JPEG2000")}}
+    "zeros": lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40))}
 
 
 @pytest.mark.parametrize("words, status, said", [
@@ -257,9 +252,7 @@ FILES = {
     ("run thin_guo_hall - - < text", 1, "standard input: it is not an image of a known format"),
     ("run thin_guo_hall - - < zeros", 1, "standard input"),
     ("labels dots.png out.png --foreground bright", 1, "90000 objects"),
-    ("distance white.png out.png --foreground bright", 1, "all of it is foreground"),
-    ("holes GIF", 1, "it is a GIF file"), ("holes WEBP", 1, "it is a WebP file"),
-    ("holes JPEG2000", 1, "it is a JPEG 2000 file")])
+    ("distance white.png out.png --foreground bright", 1, "all of it is foreground")])
 def test_what_cannot_be_is_one_line_and_makes_no_file(picture, tmp_path, monkeypatch, words, status, said):
     monkeypatch.chdir(tmp_path)
     pil.fromarray(picture[1]).save("a.pbm")

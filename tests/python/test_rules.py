@@ -81,8 +81,8 @@ def test_makelut_and_function_agree():
     np.testing.assert_array_equal(both.tables, np.repeat(expected.tables, 2, axis=0))
 
 
-@pytest.mark.parametrize(("order", "pixels"), [("descriptor", (5, 2, 1, 0, 3, 6, 7, 8)), ("raster", (0, 1, 2, 3, 5, 6, 7, 8)),
-                                               ("clockwise", (0, 1, 2, 5, 8, 7, 6, 3))])
+@pytest.mark.parametrize(("order", "pixels"), [
+    ("descriptor", (5, 2, 1, 0, 3, 6, 7, 8)), ("raster", (0, 1, 2, 3, 5, 6, 7, 8)), ("clockwise", (0, 1, 2, 5, 8, 7, 6, 3))])
 def test_bits_of_deletions_are_the_neighbours_in_this_order(order, pixels):
     deleted = np.random.RandomState(3).rand(256) < 0.5
     windows = np.arange(512)
