@@ -10,7 +10,6 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
@@ -211,7 +210,3 @@ def test_rules_of_tables_are_applied_alike_to_copies_or_the_argument_is_named(ta
 @given(st.one_of(st.text("BbSs/0123456789-cekainyqjrtwz ", max_size=12), ODD))
 def test_notations_are_read_or_named(notation):
     result_or_reason("notation|rule", thinbench.Rule.from_hensel, notation, max_iterations=1)
-
-
-if __name__ == "__main__":
-    pytest.main([__file__])
