@@ -138,7 +138,9 @@ TEST(OutOfCore, rules_without_a_bounded_reach_and_those_that_add_pixels_are_reje
   for (const Rule& rule : {Rule::named("dilate"), Rule::named("majority"), adding_rule()}) {
     expect_rule_rejected(rule, {}, "add no pixels");
   }
-  expect_rule_rejected(Rule::guo_hall, {Border::foreground}, "add no pixels");
+  for (const Rule& rule : {Rule(Rule::guo_hall), Rule::named("dilate")}) {
+    expect_rule_rejected(rule, {Border::foreground}, "add no pixels");
+  }
 }
 
 TEST(OutOfCore, what_cannot_be_read_or_written_is_reported_before_the_work) {
