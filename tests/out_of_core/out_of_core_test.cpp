@@ -9,7 +9,6 @@
 #include "compile/rule_body.hpp"
 #include "harness/test_images.hpp"
 #include "out_of_core/packed_files.hpp"
-#include "scene/scene.hpp"
 #include "support/made_image.hpp"
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
@@ -67,12 +66,6 @@ TEST_P(OutOfCore, equals_thin_on_noise_of_odd_widths) {
         expect_equal_to_thin(image, tested(), iterations, order);
       }
     }
-  }
-}
-
-TEST_P(OutOfCore, equals_thin_on_scenes) {
-  for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
-    expect_equal_to_thin(render_scene({kind}).binary, tested(), 4);
   }
 }
 
