@@ -189,10 +189,7 @@ TEST_F(BatchFailures, words_that_cannot_be_done_are_rejected_before_anything_is_
   expect_rejected({
       {2, "batch thin_guo_hal in --out out", {"'thin_guo_hal'; did you mean 'thin_guo_hall'?"}},
       {2, "batch holes in --out out --border keep", {"holes has no option --border"}},
-      {2, "batch guo_hall in --out out --min-area 3", {"guo_hall has no option --min-area"}},
       {2, "batch guo_hall in --out out --p1 3", {"has no option --gradient-threshold"}},
-      {2, "batch guo_hall in --out out --overlay svg", {"guo_hall has no option --overlay"}},
-      {2, "batch holes in --out out --prune 3", {"holes has no option --prune"}},
       {2, "batch graph in --out out --min-area 3", {"graph has no option --min-area"}},
       {2, "batch edges in --out out --table a.csv", {"edges has no option --table"}},
       {2, "batch graph in --out out --thinning thin_gu", {"no rule is named 'thin_gu'"}},

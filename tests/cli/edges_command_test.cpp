@@ -63,21 +63,12 @@ TEST_F(EdgesCommand, finds_the_same_edges_of_dark_and_bright_foreground_by_defau
   const ByteImage dark = image_by(
       40, 30, [](Index x, Index y) { return x >= 10 && x < 30 && y >= 8 && y < 20 ? 20 : 100; });
   write_grey("in.png", dark.view());
-  EXPECT_EQ(typed("edges in.png out.png").err,
-            "note: in.png: foreground is dark (grey level < 21); --foreground bright and "
-            "--threshold N override this\n");
+  expect_holds(typed("edges in.png out.png").err, "foreground is dark");
   const ByteImage edges = read_grey("out.png");
   EXPECT_EQ(edges.at(10, 12), 255);
   EXPECT_EQ(edges.at(15, 12), 0);
   write_grey("in.png", inverted(dark).view());
   expect_holds(typed("edges in.png out.png").err, "foreground is bright");
-  expect_image("out.png", edges);
-}
-
-TEST_F(EdgesCommand, isa_and_threads_do_not_change_the_edges) {
-  output_of("edges in.png out.png");
-  const ByteImage edges = read_grey("out.png");
-  output_of("edges in.png out.png --isa baseline --threads 3");
   expect_image("out.png", edges);
 }
 

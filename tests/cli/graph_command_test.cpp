@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -71,13 +69,6 @@ TEST_F(GraphCommand, removes_components_only_with_a_length) {
   EXPECT_EQ(first_line(graph("--remove-components --prune 2")),
             "4 nodes (3 ends, 1 junction), 3 edges");
   EXPECT_EQ(typed("graph in.png --remove-components").status, 2);
-}
-
-TEST_F(GraphCommand, writes_a_table_with_a_row_for_each_edge) {
-  graph("--csv edges.csv");
-  const std::string text = bytes_of("edges.csv");
-  EXPECT_EQ(std::ranges::count(text, '\n'), 4);
-  expect_holds(text, ",12,8,3,3,4,junction,end,5,3,10,3,4,5,5,2,2,2,2,,\n");
 }
 
 TEST_F(GraphCommand, writes_geojson_in_the_coordinates_of_the_transform) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
-#include "support/file_size_limit.hpp"
 #include "support/made_image.hpp"
 #include "support/tiff_bytes.hpp"
 #include "typed.hpp"
@@ -90,11 +89,6 @@ TEST_F(PackedTiff, damaged_file_is_one_line_and_leaves_nothing) {
       EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     }
   }
-}
-
-TEST_F(PackedTiff, full_disk_is_one_line_and_leaves_nothing) {
-  const FileSizeLimit limit(1000);
-  expect_rejected({1, kRun + "--foreground dark", {"cannot write 'out.tif': File too large"}});
 }
 
 TEST_F(PackedTiff, what_does_not_run_out_of_core_is_rejected) {

@@ -76,16 +76,13 @@ TEST_F(Program, rejects_values_with_what_was_given_and_expected) {
     std::string option, expected;
     Words values;
   };
-  for (const auto& [option, expected, values] :
-       std::vector<Values>{{"--threshold",
-                            "expected an integer in [0, 255] or 'otsu' or 'local'",
-                            {"256", "-1", "x", "1.5", "0x10", "''"}},
-                           {"--threads", "expected an integer in [1, 1024]", {"0", "1025", "two"}},
-                           {"--max-iterations",
-                            "expected an integer in [1, 2147483647]",
-                            {"0", "-1", "2147483648", "many"}},
-                           {"--isa", "expected a value", {"''"}},
-                           {"--weights", "expected a value", {"''"}}}) {
+  for (const auto& [option, expected, values] : std::vector<Values>{
+           {"--threads",
+            "expected an integer in [1, 1024]",
+            {"0", "-1", "1025", "two", "1.5", "0x10", "''"}},
+           {"--max-iterations", "expected an integer in [1, 2147483647]", {"0", "2147483648"}},
+           {"--isa", "expected a value", {"''"}},
+           {"--weights", "expected a value", {"''"}}}) {
     for (const std::string& value : values) {
       const std::string given = value == "''" ? value : "'" + value + "'";
       expect_rejected({2,

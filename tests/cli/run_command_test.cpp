@@ -60,9 +60,7 @@ TEST_F(RunCommand, threshold_and_foreground_select_the_objects) {
 }
 
 TEST_F(RunCommand, uses_otsus_threshold_and_the_likely_foreground_by_default) {
-  EXPECT_EQ(run().err,
-            "note: in.png: foreground is bright (grey level >= 61); --foreground dark and "
-            "--threshold N override this\n");
+  expect_holds(run().err, "foreground is bright (grey level >= 61)");
   expect_skeleton(bright(61));
 }
 
@@ -106,50 +104,36 @@ TEST_F(RunCommand, weights_from_a_file_make_the_net) {
 }
 
 TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
+  const std::string guo_hall = "run thin_guo_hall in.png out.png ";
+  const std::string scan = "run skeleton_scan in.png out.png --directions ";
   expect_rejected({
-      {2,
-       "run thin_nacache in.png out.png",
-       {"no rule is named 'thin_nacache'; did you mean 'thin_naccache_shinghal'?"}},
-      {2, "run thin_guo_hall in.png out.png --isa base-line", {"'base-line'", "'baseline'?"}},
-      {2, "run thin_guo_hall in.png out.png --isa mmx", {"'mmx'; known: baseline"}},
-      {2, "run thin_guo_hall in.png out.png --border keeep", {"'keeep'", "'keep'?"}},
-      {2,
-       "run thin_guo_hall in.png out.png --border wrap",
-       {"'wrap'; known: background, keep and foreground"}},
+      {2, "run thin_nacache in.png out.png", {"'thin_nacache'", "'thin_naccache_shinghal'?"}},
+      {2, guo_hall + "--isa base-line", {"'base-line'", "'baseline'?"}},
+      {2, guo_hall + "--isa mmx", {"'mmx'; known: baseline"}},
+      {2, guo_hall + "--border keeep", {"'keeep'", "'keep'?"}},
+      {2, guo_hall + "--border wrap", {"'wrap'; known: background, keep and foreground"}},
       {2, "run thin_guo_hall in.png a.gif", {"'a.gif'", "'.gif'; known are .png, .pgm, .bmp"}},
-      {2,
-       "run thin_guo_hall in.png out.png --directions rows",
-       {"--directions: thin_guo_hall is not a scan"}},
-      {2, "run skeleton_scan in.png out.png --directions rows,colums", {"'colums'", "'columns'?"}},
-      {2,
-       "run thin_guo_hall in.png out.png --weights weights.json",
-       {"--weights: thin_guo_hall is not a net"}},
+      {2, guo_hall + "--directions rows", {"--directions: thin_guo_hall is not a scan"}},
+      {2, guo_hall + "--weights weights.json", {"--weights: thin_guo_hall is not a net"}},
       {1,
        "run net_two_layer_linear in.png out.png --weights weights.json",
-       {"weights.json", "wrong kind of weights; net_two_layer_linear needs two_layer"}},
+       {"weights.json", "net_two_layer_linear needs two_layer"}},
+      {2, scan + "rows,colums", {"'colums'", "'columns'?"}},
   });
   for (const std::string list : {"rows,,columns", ",rows", "rows,", ","}) {
-    expect_rejected({2,
-                     "run skeleton_scan in.png out.png --directions " + list,
-                     {"'" + list + "' has an empty name; known: rows, columns, diagonals and"}});
+    expect_rejected({2, scan + list, {"'" + list + "' has an empty name; known: rows"}});
   }
 }
 
 TEST_F(RunCommand, rejects_files_that_cannot_be_read_or_written_with_the_reason) {
   put("text.png", "no picture");
-  fs::create_directory("directory");
   ASSERT_EQ(mkfifo("pipe", 0666), 0);
-  const std::string net = "run net_two_layer_linear in.png out.png --weights ";
   expect_rejected({
       {1, "run thin_guo_hall text.png out.png", {"'text.png'", "not an image of a known format"}},
       {1, "run thin_guo_hall absent.png out.png", {"'absent.png'", "there is no such file"}},
       {1, "run thin_guo_hall in.png absent/a.png", {"'absent/a.png'", "no directory 'absent'"}},
-      {1, net + "pipe", {"cannot read 'pipe': it is not a regular file"}},
-      {1, net + "/dev/zero", {"cannot read '/dev/zero': it is not a regular file"}},
-      {1, net + "directory", {"cannot read 'directory': it is a directory"}},
-      {1,
-       "run thin_guo_hall pipe raw --raw 8x1 --out-of-core",
-       {"cannot read 'pipe': it is not a regular file"}},
+      {1, "run net_two_layer_linear in.png out.png --weights pipe", {"not a regular file"}},
+      {1, "run thin_guo_hall pipe raw --raw 8x1 --out-of-core", {"not a regular file"}},
   });
 }
 

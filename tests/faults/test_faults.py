@@ -12,15 +12,13 @@ import resource
 import shutil
 import signal
 import struct
-import subprocess
 import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from conftest import (NO_FAULT, READERS, ROOT, SECONDS, SHIM, Fault, Files, Result, files_in, finish, limit,
-                      mounted, run, start)
+from conftest import NO_FAULT, READERS, ROOT, SHIM, Fault, Files, Result, files_in, finish, limit, mounted, run, start
 from PIL import Image
 
 ROWS = "^euler_number/bitpacked/baseline/1"
@@ -146,12 +144,12 @@ SMALL_DISK = ('mount -t tmpfs -o size=4k none "$PWD" && cd "$PWD" && "$@" >/dev/
 
 
 @pytest.mark.parametrize("name", ["run_pgm", "scene", "out_of_core", *DRAWERS, "distance"])
-def test_disk_of_4_kilobytes(name: str, fails: Check, inputs: Path, tmp_path: Path) -> None:
+def test_disk_of_4_kilobytes(name: str, inputs: Path, tmp_path: Path, works: Callable[..., None]) -> None:
     """As test_full_disk, by a real file system."""
     result = run(words_of(name, inputs), tmp_path, Fault("small disk", prefix=mounted(SMALL_DISK)))
     result.assert_failed("No space left on device|has 0.0 MB free")
     assert result.out == b""
-    fails(name, FULL, "cannot write")
+    works(name)
 
 
 # Directories that cannot be written to, also where root runs the tests.
@@ -321,12 +319,6 @@ def test_instructions_are_counted_without_proc(inputs: Path, tmp_path: Path) -> 
     assert set(files_in(tmp_path)) == {"counts.json"}
 
 
-@pytest.mark.parametrize("name", ["run", "rule_of_your_own", "batch"])
-def test_empty_proc(name: str, works: Callable[..., None]) -> None:
-    """As test_denied_proc, by a file system mounted on it."""
-    works(name, Fault("empty /proc", prefix=mounted('mount -t tmpfs none /proc && exec "$@"')))
-
-
 @pytest.mark.parametrize("name", MOST)
 def test_no_thread_can_be_started(name: str, works: Callable[..., None]) -> None:
     """One thread does the work."""
@@ -372,15 +364,6 @@ def test_no_executable_memory(name: str, inputs: Path, tmp_path: Path, expected:
     assert made_by(name, result, tmp_path) == expected(name)
 
 
-@pytest.mark.parametrize("isa", ["baseline", "sse4.2"])
-@pytest.mark.parametrize("name", ["run", "edges", "rule", "batch", "batch_table", *PRINTERS, *PIXELS])
-def test_processor_without_avx(name: str, isa: str, inputs: Path, tmp_path: Path,
-                               expected: Callable[[str], Files]) -> None:
-    """The same pixels."""
-    fault = Fault(isa, environment={"THINBENCH_MAX_ISA": isa})
-    assert made_by(name, run(words_of(name, inputs), tmp_path, fault), tmp_path) == expected(name)
-
-
 @pytest.mark.parametrize("name", ["run", "sampler", "benchmarks"])
 def test_unknown_processor(name: str, inputs: Path, tmp_path: Path) -> None:
     """A cap that does not exist is wrong usage."""
@@ -405,9 +388,10 @@ def test_closed_streams(name: str, inputs: Path, tmp_path: Path, expected: Calla
 
 @pytest.mark.parametrize("kind", ["png", "pgm", "bmp", "jpg", "pbm", "tif", "grey.tif"])
 def test_truncated_input(kind: str, inputs: Path, tmp_path: Path) -> None:
-    """At any length, for any command."""
+    """At any length, and for any command."""
     data = (inputs / f"a.{kind}").read_bytes()
-    for size, command in itertools.product((0, 1, 40, len(data) // 2, len(data) - 40), READERS):
+    sizes = (0, 1, 40, len(data) // 2, len(data) - 40)
+    for size, command in [*itertools.product(sizes, READERS[:1]), *itertools.product(sizes[3:4], READERS[1:])]:
         (tmp_path / f"in.{kind}").write_bytes(data[:size])
         before = files_in(tmp_path)
         result = run(["thinbench", *command.format(f"in.{kind}").split()], tmp_path)
@@ -419,22 +403,6 @@ def pixels_of(file: Path) -> bytes:
     """Where a TIFF file is damaged when it is first looked at, its result may have 8 bits per pixel instead of one."""
     pixels: bytes = Image.open(file).convert("L").tobytes()
     return pixels
-
-
-def test_a_batch_that_was_killed_ends_with_the_same_table(inputs: Path, tmp_path: Path,
-                                                          expected: Callable[[str], Files]) -> None:
-    """Where it is resumed, until nothing kills it."""
-    chance = random.Random(2)
-    for seconds in [*(chance.uniform(0.01, 0.1) for _ in range(6)), SECONDS]:
-        process = start([*words_of("batch_table", inputs), "--resume"], tmp_path)
-        try:
-            process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            os.kill(process.pid, signal.SIGKILL)
-        result = finish(process)
-        table = without_times({name: data for name, data in files_in(tmp_path).items() if name == "table.csv"})
-        assert not table or table["table.csv"] == expected("batch_table")["table.csv"]
-    assert made_by("batch_table", result, tmp_path) == expected("batch_table")
 
 
 @pytest.mark.parametrize("kind", ["png", "pbm", "tif", "grey.tif"])
@@ -492,19 +460,18 @@ def _measured(tmp_path: Path) -> Path:
     return Path(shutil.copytree(run_file.parent, tmp_path / "run"))
 
 
-@pytest.mark.parametrize("fault, command, says", [
-    (FULL_OUT, "build", "standard output cannot be written"),
-    (Fault("file size limit", limit(resource.RLIMIT_FSIZE, 1024)), "build", "cannot be written: File too large"),
-    (Fault("little memory", limit(resource.RLIMIT_AS, 60_000_000)), "build", "cannot be loaded|not enough memory")],
-    ids=str)
-def test_study(fault: Fault, command: str, says: str, measured: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("fault, says", [
+    (FULL_OUT, "standard output cannot be written"),
+    (Fault("file size limit", limit(resource.RLIMIT_FSIZE, 1024)), "cannot be written: File too large"),
+    (Fault("little memory", limit(resource.RLIMIT_AS, 60_000_000)), "cannot be loaded|not enough memory")], ids=str)
+def test_study(fault: Fault, says: str, measured: Path, tmp_path: Path) -> None:
     """One line, nothing half-written, and the next run works."""
     before = files_in(tmp_path)
-    result = run([*STUDY, command, "run"], tmp_path, fault)
+    result = run([*STUDY, "build", "run"], tmp_path, fault)
     result.assert_failed(f"^study: .*({says})")
     assert files_in(tmp_path) == before or fault is FULL_OUT  # the page is whole by then
-    if command == "build" and fault.name == "file size limit":  # takes seconds
-        assert run([*STUDY, command, "run"], tmp_path).status == 0
+    if fault.name == "file size limit":  # takes seconds
+        assert run([*STUDY, "build", "run"], tmp_path).status == 0
         assert (measured / "index.html").stat().st_size > 10_000
 
 

@@ -126,11 +126,13 @@ def test_beginnings_of_images_are_one_line(start: bytes, tmp_path: Path) -> None
     expect_one_line(["holes", "a.png"], tmp_path, "a.png")
 
 
-@pytest.mark.parametrize("kind", ["gif", "webp", "jp2", "ico", "tga"])
-def test_other_kinds_are_refused(kind: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("kind", "says"), [
+    ("gif", "it is a GIF file"), ("webp", "it is a WebP file"), ("jp2", "it is a JPEG 2000 file"),
+    ("ico", "not an image of a known format"), ("tga", "not an image of a known format")])
+def test_other_kinds_are_refused(kind: str, says: str, tmp_path: Path) -> None:
     """Whatever decoders are installed."""
     GREY.save(tmp_path / f"a.{kind}")
-    expect_one_line(["holes", f"a.{kind}"], tmp_path, "not an image of a known format|it is a (GIF|WebP|JPEG 2000) file")
+    expect_one_line(["holes", f"a.{kind}"], tmp_path, says)
 
 
 # Hostile files.
@@ -237,16 +239,6 @@ def test_limit_of_pixels_can_be_lowered(tmp_path: Path) -> None:
         "it has more pixels than OPENCV_IO_MAX_IMAGE_PIXELS=59999 allows")
 
 
-def test_broken_chunks_give_one_line_or_the_image(tmp_path: Path) -> None:
-    """Every byte of a header changed, and some of the data."""
-    GREY.save(tmp_path / "a.png")
-    whole = (tmp_path / "a.png").read_bytes()
-    for at in [*range(0, 45, 7), len(whole) // 2, len(whole) - 6]:
-        (tmp_path / "b.png").write_bytes(whole[:at] + bytes([whole[at] ^ 0x55]) + whole[at + 1:])
-        result = run(["thinbench", "holes", "b.png"], tmp_path)
-        assert result.status == 0 or (result.status == 1 and len(result.errors) == 1), (at, result)
-
-
 # Memory: what the image and the operation need, 10 % and, to find more in images of this size, 4 MB instead of 64.
 
 SIDE = 4000
@@ -272,18 +264,16 @@ NEEDED = {"run thin_guo_hall {} out.png": 1.25, "run thin_guo_hall {} out.tif": 
           "edges {} out.png": 2, "batch thin_guo_hall {} --out out --threads 1": 1.25,
           "fill-holes {} out.png": 1.2, "localise {}": 2.2, "labels {} out.png": 7, "distance {} out.png": 11,
           "holes {} --threshold local": 2.2}
-COMPRESSED = ("large.png", "black.png")
-"""All commands read them, "holes" reads the others."""
 """Bytes per pixel: of the image, of edges beside it, of planes of bits and of runs."""
 
 
 @pytest.mark.parametrize("kind", LARGE)
 def test_memory(kind: str, idle_bytes: int, tmp_path: Path) -> None:
-    """The highest that a program ever held."""
+    """The highest that a program ever held. All commands read one kind, "holes" reads the others."""
     write, decoder = LARGE[kind]
     write(tmp_path / kind)
     for command, needed in NEEDED.items():
-        if kind not in COMPRESSED and not command.startswith("holes"):
+        if kind != "large.png" and not command.startswith("holes"):
             continue
         result, peak = measured_run(["thinbench", *(word.format(kind) for word in command.split())], tmp_path)
         assert result.status == 0, result

@@ -91,21 +91,6 @@ TEST(Overlay, number_of_an_object_is_above_it_and_that_of_a_hole_inside_it) {
   EXPECT_FALSE(is_drawn(overlay, {0, 62, 80, 18})) << "the background below";
 }
 
-TEST(Overlay, small_regions_are_not_drawn_and_not_numbered) {
-  ByteImage image = ring();
-  const cv::Mat3b alone = overlay_of(image);
-  fill(image, {4, 2, 10, 10}, 255);  // the first object, with a hole
-  fill(image, {6, 4, 2, 2}, 0);
-  fill(image, {22, 22, 3, 2}, 0);  // small holes of the ring, before and after the large one
-  image.at(55, 55) = 0;
-  fill(image, {36, 36, 5, 5}, 255);  // an object inside the large hole
-  EXPECT_GT(cv::norm(overlay_of(image), alone, cv::NORM_INF), 0);
-  cv::Mat3b kept = overlay_of(image, 150);
-  // The small regions may have moved the centres of the ring and of its large hole.
-  for (cv::Mat3b overlay : {kept, alone}) overlay(cv::Rect(36, 30, 14, 14)).setTo(0);
-  EXPECT_EQ(cv::norm(kept, alone, cv::NORM_INF), 0);
-}
-
 TEST(Overlay, objects_inside_holes_are_drawn_even_if_the_hole_is_too_small) {
   ByteImage image(80, 80);
   fill(image, {10, 10, 60, 60}, 255);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <tiffio.h>
 
 #include "images/captured_stderr.hpp"
 #include "images/image_file.hpp"
@@ -11,6 +10,7 @@
 #include "support/made_image.hpp"
 #include "support/own_directory.hpp"
 #include "support/rejection.hpp"
+#include "support/tiff_bytes.hpp"
 
 namespace thinbench {
 namespace {
@@ -182,28 +182,15 @@ TEST_F(ReadGrey, last_number_of_a_text_needs_no_newline) {
   EXPECT_EQ(levels_of("P3 1 1 255\n9 9 9"), std::vector<int>{9});
 }
 
-/// A TIFF image of one pixel, black, with samples of this kind.
-void write_tiff_pixel(const std::string& path, int bits, int format) {
-  TIFF* const tiff = TIFFOpen(path.c_str(), "w");
-  ASSERT_NE(tiff, nullptr);
-  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 1);
-  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, format);
-  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-  std::string pixel(8, '\0');
-  ASSERT_EQ(TIFFWriteScanline(tiff, pixel.data(), 0), 1);
-  TIFFClose(tiff);
-}
-
 TEST_F(ReadGrey, tiff_with_other_samples_is_not_called_damaged) {
   const std::string known = "; known are integers of 1, 8 and 16 bits";
+  constexpr std::size_t kBitsPerSample = 42;  // where plain_tiff() has this number
+  std::string tiff = plain_tiff(1, 1, PHOTOMETRIC_MINISBLACK, FILLORDER_MSB2LSB, "\1\2\3\4");
   for (const int bits : {2, 4, 32}) {
-    write_tiff_pixel("a.tif", bits, SAMPLEFORMAT_UINT);
-    expect_error("a.tif", "its samples have " + std::to_string(bits) + " bits" + known);
+    tiff[kBitsPerSample] = static_cast<char>(bits);
+    expect_error_of("a.tif", tiff, "its samples have " + std::to_string(bits) + " bits" + known);
   }
-  write_tiff_pixel("a.tif", 32, SAMPLEFORMAT_IEEEFP);
+  write_by_opencv("a.tif", cv::Mat(1, 1, CV_32FC1, cv::Scalar(0)));
   expect_error("a.tif", "its samples have 32 bits and are no unsigned integers" + known);
 }
 

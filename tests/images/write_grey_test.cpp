@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "images/image_file.hpp"
-#include "support/file_size_limit.hpp"
 #include "support/made_image.hpp"
 #include "support/own_directory.hpp"
 #include "support/rejection.hpp"
@@ -64,16 +63,6 @@ TEST_F(WriteGrey, what_is_protected_is_rejected) {
   if (access("a.png", W_OK) == 0) GTEST_SKIP() << "this user may write everything";
   expect_error("a.png", "it is write-protected");
   expect_error("b/a.png", "Permission denied");
-}
-
-TEST_F(WriteGrey, full_disk_leaves_the_old_file_and_nothing_else) {
-  put("a.pgm", "old");
-  {
-    const FileSizeLimit limit(100);
-    expect_error("a.pgm", "File too large");
-  }
-  EXPECT_EQ(bytes_of("a.pgm"), "old");
-  EXPECT_EQ(names(), Names{"a.pgm"});
 }
 
 TEST_F(WriteGrey, sizes_beyond_the_limits_are_rejected_before_a_pixel_is_touched) {

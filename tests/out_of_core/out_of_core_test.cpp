@@ -2,7 +2,6 @@
 #include "out_of_core/out_of_core.hpp"
 
 #include <set>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,8 +9,6 @@
 #include "compile/rule_body.hpp"
 #include "harness/test_images.hpp"
 #include "out_of_core/packed_files.hpp"
-#include "scene/scene.hpp"
-#include "support/file_size_limit.hpp"
 #include "support/made_image.hpp"
 #include "support/rejection.hpp"
 #include "support/rule_parameters.hpp"
@@ -72,12 +69,6 @@ TEST_P(OutOfCore, equals_thin_on_noise_of_odd_widths) {
   }
 }
 
-TEST_P(OutOfCore, equals_thin_on_scenes) {
-  for (const SceneKind kind : {SceneKind::parts, SceneKind::border_touching}) {
-    expect_equal_to_thin(render_scene({kind}).binary, tested(), 4);
-  }
-}
-
 TEST_P(OutOfCore, stops_after_the_maximum_number_of_iterations) {
   const ByteImage image = noise_image(200, 100, 85, 12, 5);
   for (const int max_iterations : {1, 2, 3, 4, 7, 12}) {
@@ -113,20 +104,6 @@ TEST(OutOfCore, single_tile_and_several_threads_give_the_same) {
   }
 }
 
-TEST(OutOfCore, keeps_the_header_of_pbm_files_and_may_overwrite_its_input) {
-  const PackedImage source(noise_image(150, 90, 80, 9, 8).view(), BitOrder::msb_first);
-  PackedImage expected(150, 90, BitOrder::msb_first);
-  thin(Rule::guo_hall, source.view(), expected.view());
-  const TemporaryDirectory directory;
-  const std::string header = "P4\n# by hand\n150 90\n";
-  const std::string file = directory.with("image.pbm", header + raw_bytes(source));
-  OutOfCoreRun run{.rule = Rule::guo_hall, .in = file, .out = file, .format = pbm_format(file)};
-  run.tiling = small_tiles(Rule::guo_hall, source.view(), 2);
-  thin_out_of_core(run);
-  EXPECT_EQ(bytes_of(file), header + raw_bytes(expected));
-  EXPECT_EQ(directory.names(), Names{"image.pbm"});
-}
-
 PreparedRun prepared_noise(const OutOfCoreRun& options) {
   const PackedImage source(noise_image(150, 90, 80, 9, 8).view(), BitOrder::msb_first);
   OutOfCoreRun run = options;
@@ -143,22 +120,19 @@ void expect_run_rejected(const PreparedRun& prepared, const std::string& part) {
 }
 
 TEST(OutOfCore, rules_without_a_bounded_reach_and_those_that_add_pixels_are_rejected) {
-  const std::string reach =
-      " cannot run on tiles; only rules that compute all pixels of a sub-iteration from the same "
-      "image can";
-  const std::string adds =
-      " cannot run on tiles; only rules that add no pixels, with background outside the image, can";
-  for (const auto& [rule, border, expected] : std::vector<std::tuple<Rule, Border, std::string>>{
-           {Rule::spta, Border::background, "thin_spta" + reach},
-           {Rule::midpoint_scan, Border::background, "skeleton_scan" + reach},
-           {Rule(Directions{3}), Border::background, "skeleton_scan" + reach},
-           {Rule::named("dilate"), Border::background, "dilate" + adds},
-           {Rule::named("majority"), Border::background, "majority" + adds},
-           {adding_rule(), Border::background, "custom" + adds},
-           {Rule::guo_hall, Border::foreground, "thin_guo_hall" + adds}}) {
-    OutOfCoreRun run{.rule = rule};
-    if (border == Border::foreground) run.thinning.border = border;
-    expect_run_rejected(prepared_noise(run), expected);
+  const auto expect_rule_rejected = [](const Rule& rule, const Thinning& thinning,
+                                       const std::string& reason) {
+    expect_run_rejected(prepared_noise({.rule = rule, .thinning = thinning}),
+                        " cannot run on tiles; only rules that " + reason);
+  };
+  for (const Rule& rule : {Rule(Rule::spta), Rule(Rule::midpoint_scan), Rule(Directions{3})}) {
+    expect_rule_rejected(rule, {}, "compute all pixels of a sub-iteration from the same image");
+  }
+  for (const Rule& rule : {Rule::named("dilate"), Rule::named("majority"), adding_rule()}) {
+    expect_rule_rejected(rule, {}, "add no pixels");
+  }
+  for (const Rule& rule : {Rule(Rule::guo_hall), Rule::named("dilate")}) {
+    expect_rule_rejected(rule, {Border::foreground}, "add no pixels");
   }
 }
 
@@ -181,17 +155,6 @@ TEST(OutOfCore, second_run_for_the_same_output_is_rejected) {
   };
   thin_out_of_core(prepared.run);
   EXPECT_EQ(errors, Names{"cannot write '" + prepared.run.out + "': another run is writing it"});
-}
-
-TEST(OutOfCore, failed_write_leaves_nothing_behind) {
-  const PreparedRun prepared = prepared_noise({.rule = Rule::guo_hall});
-  std::string error;
-  {
-    const FileSizeLimit limit(1000);
-    error = rejection_of<FileError>([&] { thin_out_of_core(prepared.run); });
-  }
-  EXPECT_NE(error.find("cannot write '"), std::string::npos) << error;
-  EXPECT_EQ(prepared.directory.names(), Names{"in"});
 }
 
 }  // namespace

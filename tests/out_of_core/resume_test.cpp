@@ -58,10 +58,10 @@ bool run_and_kill(OutOfCoreRun run, int tiles) {
   return killed;
 }
 
-TEST(Resume, gives_the_same_result_after_a_kill_at_every_fourth_tile) {
+TEST(Resume, gives_the_same_result_after_a_kill_at_every_seventh_tile) {
   const Expected expected = undisturbed();
   ASSERT_GT(expected.passes, 2);
-  constexpr int kStep = 4;
+  constexpr int kStep = 7;
   int kills = 0;
   for (int tiles = 0;; tiles += kStep) {
     PreparedRun prepared = thick_strokes();

@@ -52,30 +52,26 @@ def test_find_package_rejects_another_minor_version(prefix, tmp_path):
     assert "found: 0" in text
 
 
+def library_flags(prefix: Path, *options: str) -> tuple[list[str], str]:
+    """Flags of the installed library, by pkg-config, and its directory."""
+    (directory,) = prefix.rglob("pkgconfig")
+    flags = run("pkg-config", *options, "--cflags", "--libs", "thinbench", PKG_CONFIG_PATH=str(directory))
+    return flags.split(), str(directory.parent)
+
+
 def test_pkg_config(prefix, tmp_path):
     write_example(tmp_path, "")
-    (directory,) = prefix.rglob("pkgconfig")
-    flags = run("pkg-config", "--cflags", "--libs", "thinbench",
-                PKG_CONFIG_PATH=str(directory)).split()
+    flags, directory = library_flags(prefix)
     run("g++", "-std=c++20", "example.cpp", "-o", "example", *flags, cwd=tmp_path)
-    assert run(tmp_path / "example", LD_LIBRARY_PATH=str(directory.parent)).strip() == OUTPUT
+    assert run(tmp_path / "example", LD_LIBRARY_PATH=directory).strip() == OUTPUT
 
 
 def test_pkg_config_static(prefix, tmp_path):
     write_example(tmp_path, "")
-    (directory,) = prefix.rglob("pkgconfig")
-    flags = run("pkg-config", "--static", "--cflags", "--libs", "thinbench",
-                PKG_CONFIG_PATH=str(directory)).split()
+    flags, _ = library_flags(prefix, "--static")
     flags[flags.index("-lthinbench")] = "-l:libthinbench.a"
     run("g++", "-std=c++20", "example.cpp", "-o", "example", *flags, cwd=tmp_path)
     assert run(tmp_path / "example").strip() == OUTPUT
-
-
-def library_flags(prefix) -> tuple[list[str], str]:
-    """Flags of the installed shared library, and its directory."""
-    (directory,) = prefix.rglob("pkgconfig")
-    flags = run("pkg-config", "--cflags", "--libs", "thinbench", PKG_CONFIG_PATH=str(directory))
-    return flags.split(), str(directory.parent)
 
 
 C_FLAGS = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]

@@ -1,4 +1,4 @@
-"""Random binary images of many shapes, and drawn photographs."""
+"""Random binary images of many shapes."""
 
 from __future__ import annotations
 
@@ -28,14 +28,3 @@ def random_image(seed: int, max_side: int = 64) -> np.ndarray:
 def iteration_limit(seed: int) -> int | None:
     """0 to 5, or none."""
     return (0, 1, 2, 3, 4, 5, None)[seed % 7]
-
-
-def photograph(seed: int, height: int = 412, width: int = 510) -> np.ndarray:
-    """Grey levels: smooth shapes of several sizes in uneven light, with noise."""
-    random = np.random.RandomState(seed)
-    levels = np.zeros((height, width))
-    for size in (4, 16, 64):
-        coarse = random.rand(height // size + 2, width // size + 2)
-        levels += np.kron(coarse, np.ones((size, size)))[:height, :width] * size
-    levels += np.linspace(0, 20, width) + random.rand(height, width) * 4
-    return ((levels - levels.min()) / np.ptp(levels) * 255).astype(np.uint8)

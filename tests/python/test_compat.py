@@ -9,7 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from images import iteration_limit, photograph, random_image
+from images import iteration_limit, random_image
 from record_bwmorph import CASES, assert_recorded
 from thinbench import compat
 
@@ -17,8 +17,7 @@ cv2 = pytest.importorskip("cv2")
 morphology = pytest.importorskip("skimage.morphology")
 CV2_TYPES = [compat.cv2.THINNING_ZHANGSUEN, compat.cv2.THINNING_GUOHALL]
 DTYPES = [bool, np.uint8, np.int32, np.float64]
-many = settings(max_examples=2000, deadline=None, derandomize=True,
-                suppress_health_check=list(HealthCheck))
+many = settings(max_examples=500, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 
 
 VIEWS = {
@@ -89,27 +88,6 @@ def test_bwmorph_equals_the_recorded_results_of_octave():
     assert_recorded("thin", [
         compat.bwmorph(random_image(seed), "thin", np.inf if limit is None else limit)
         for seed, limit in enumerate(limits)])
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_photographs_equal_all_peers(seed):
-    grey = photograph(seed)
-    for thinning_type in CV2_TYPES:
-        np.testing.assert_array_equal(
-            compat.cv2.thinning(grey, thinningType=thinning_type),
-            cv2.ximgproc.thinning(grey, thinningType=thinning_type))
-    image = grey < 128
-    for limit in [None, 0, 1, 2, 3, 4, 5]:
-        np.testing.assert_array_equal(
-            compat.skimage.thin(image, limit), morphology.thin(image, max_num_iter=limit))
-    np.testing.assert_array_equal(
-        compat.skimage.skeletonize(image), morphology.skeletonize(image, method="zhang"))
-
-
-def test_opencv_counts_128_as_foreground_and_127_as_background():
-    source = np.array([[127, 128, 255]], np.uint8)
-    np.testing.assert_array_equal(compat.cv2.thinning(source), [[0, 255, 255]])
-    np.testing.assert_array_equal(cv2.ximgproc.thinning(source), [[0, 255, 255]])
 
 
 def test_cv2_thinning_writes_into_dst_and_in_place():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import doctest
 import importlib
 import os
 import signal
@@ -45,11 +44,6 @@ def random_array(seed: int, max_chunk: int = 40) -> tuple[np.ndarray, object]:
     image = image * np.uint8(7) if seed % 3 == 0 else image
     chunks = tuple(random_chunks(size, random, max_chunk) for size in image.shape)
     return image, da.from_array(image, chunks=chunks)
-
-
-def test_examples_in_docstrings_hold():
-    result = doctest.testmod(tb_dask)
-    assert result.failed == 0 and result.attempted > 0
 
 
 @pytest.mark.parametrize("rule", thinbench.rules())
@@ -142,13 +136,9 @@ ARRAY = da.ones((9, 9), dtype=bool, chunks=3)
 @pytest.mark.parametrize(("call", "error", "message"), [
     (lambda: tb_dask.thin(np.ones((4, 4), bool)), TypeError, "ndarray"),
     (lambda: tb_dask.thin(da.ones((4, 4))), TypeError, "float64"),
-    (lambda: tb_dask.thin(da.ones((4, 4, 4), dtype=bool)), ValueError, r"expected shape \(H, W\)"),
     (lambda: tb_dask.thin(ARRAY[ARRAY.any(axis=1)]), ValueError, "chunks of known size"),
     (lambda: tb_dask.thin(ARRAY, "spta"), ValueError, "'spta' has no bound"),
-    (lambda: tb_dask.thin(ARRAY, "midpoint_scan"), ValueError, "'midpoint_scan' has no bound"),
     (lambda: tb_dask.thin(ARRAY, "zhang"), ValueError, "'zhang'"),
-    (lambda: tb_dask.thin(ARRAY, border="wrap"), ValueError, "'wrap'"),
-    (lambda: tb_dask.thin(ARRAY, max_iterations=0), ValueError, "got 0"),
     (lambda: tb_dask.thin(ARRAY, depth=1), ValueError, "got 1"),
     (lambda: tb_dask.thin(ARRAY, depth=2.5), TypeError, "2.5"),
     (lambda: tb_dask.thin(ARRAY, out="."), ValueError, "'.' exists"),

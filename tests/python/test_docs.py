@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-DOCS = Path(__file__).resolve().parents[2] / "docs"
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def blocks(page: Path) -> list[tuple[str, str]]:
@@ -18,21 +18,19 @@ def blocks(page: Path) -> list[tuple[str, str]]:
     return re.findall(pattern, page.read_text(encoding="utf-8"), re.DOTALL)
 
 
-def run(page: Path) -> None:
-    names: dict[str, object] = {}
-    for code, expected in blocks(page):
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(compile(code, str(page), "exec"), names)
-        assert printed.getvalue() == expected
-
-
 @pytest.mark.parametrize(("page", "plots"), [
-    ("python", ["edges.png", "coins.png", "horse.png"]), ("graphs", ["main-path.png"]), ("rules", [])])
+    ("python", ["edges.png", "coins.png", "horse.png"]), ("graphs", ["main-path.png"]), ("rules", []),
+    ("path-planning", [])])
 def test_blocks_of_a_page_run_and_print_what_it_says(page, plots, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib").use("Agg")
     pytest.importorskip("skimage.data")
     pytest.importorskip("dask.array")
     monkeypatch.chdir(tmp_path)
-    run(DOCS / f"{page}.md")
+    monkeypatch.syspath_prepend(ROOT / "python" / "examples")
+    names: dict[str, object] = {}
+    for code, expected in blocks(ROOT / "docs" / f"{page}.md"):
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(compile(code, page, "exec"), names)
+        assert printed.getvalue() == expected
     for plot in plots:
         assert (tmp_path / plot).stat().st_size > 10_000

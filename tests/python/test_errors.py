@@ -15,7 +15,6 @@ PACKED = np.packbits(IMAGE, axis=-1)
 LINE = np.ones((1, 5), bool)
 GRAPH = thinbench.graph(LINE)
 TABLE = np.zeros(512, bool)
-ADDING = Rule(np.arange(512) & 16 == 0)
 MAP = np.pad(np.ones((31, 91), bool), 5)
 LIFE = Rule.from_hensel("B3/S23")
 
@@ -28,8 +27,7 @@ def assert_rejected(error, said, function, *arguments, **options):
 
 
 THINNING = {
-    "thin": (thinbench.thin, IMAGE), "apply": (thinbench.apply, IMAGE),
-    "thin_labels": (thinbench.thin_labels, LABELS),
+    "thin": (thinbench.thin, IMAGE), "thin_labels": (thinbench.thin_labels, LABELS),
     "thin_packed": (thinbench.thin_packed, PACKED, 4),
     "thin_many": (thinbench.thin_many, [IMAGE]), "thin_many of none": (thinbench.thin_many, [])}
 
@@ -41,11 +39,8 @@ THINNING = {
     ({"rule": LIFE}, ValueError, "max_iterations"),
     ({"rule": "life", "max_iterations": 2**31 - 1}, ValueError, "max_iterations"),
     ({"rule": "spta", "border": "foreground"}, ValueError, "foreground"),
-    ({"rule": "mb2", "border": "foreground"}, ValueError, "foreground"),
-    ({"rule": "midpoint_scan", "border": "foreground"}, ValueError, "foreground"),
     ({"border": "wrap"}, ValueError, "'wrap'"),
     ({"max_iterations": 0}, ValueError, "got 0"),
-    ({"max_iterations": -5}, ValueError, "got -5"),
     ({"max_iterations": 1.5}, TypeError, "1.5"),
     ({"max_iterations": 2**40}, ValueError, str(2**40)),
     ({"threads": 0}, ValueError, "got 0"),
@@ -53,7 +48,7 @@ THINNING = {
 ], ids=str)
 def test_options_of_thinning(function, options, error, said):
     call, *arguments = THINNING[function]
-    out = arguments[0].copy() if function in ("thin", "apply", "thin_labels", "thin_packed") else None
+    out = arguments[0].copy() if function in ("thin", "thin_labels", "thin_packed") else None
     assert_rejected(error, said, call, *arguments, **options | ({} if out is None else {"out": out}))
     assert out is None or np.array_equal(out, arguments[0])
 
@@ -64,8 +59,7 @@ def read_only(array):
 
 
 WRITING = {
-    "thin": (thinbench.thin, IMAGE), "apply": (thinbench.apply, IMAGE),
-    "thin_labels": (thinbench.thin_labels, LABELS),
+    "thin": (thinbench.thin, IMAGE), "thin_labels": (thinbench.thin_labels, LABELS),
     "thin_packed": (thinbench.thin_packed, np.zeros((4, 4), np.uint8), 32),
     "fill_holes": (thinbench.fill_holes, IMAGE),
     "distance": (lambda image, out: thinbench.distance(image, out=out), IMAGE.astype(float))}
@@ -90,7 +84,7 @@ ONE_IMAGE = [thinbench.fill_holes, thinbench.regions, thinbench.euler_number, th
              thinbench.classify_pixels]
 
 
-@pytest.mark.parametrize("function", [thinbench.thin, thinbench.apply, *ONE_IMAGE])
+@pytest.mark.parametrize("function", [thinbench.thin, *ONE_IMAGE])
 @pytest.mark.parametrize(("image", "error", "said"), [
     (np.ones((4, 4)), TypeError, "float64"), (np.full((4, 4), np.nan), TypeError, "float64"),
     (np.ones((4, 4), object), TypeError, "object"), (np.ones((4, 4), np.int8), TypeError, "int8"),
@@ -106,8 +100,8 @@ def test_stacks_where_an_image_is_needed(function):
 
 
 @pytest.mark.parametrize("samples", [3, 4])
-@pytest.mark.parametrize("function", [thinbench.thin, thinbench.apply, thinbench.distance, thinbench.fill_holes,
-                                      thinbench.regions, thinbench.graph, thinbench.label])
+@pytest.mark.parametrize("function", [thinbench.thin, thinbench.distance, thinbench.fill_holes, thinbench.regions,
+                                      thinbench.graph, thinbench.label])
 def test_a_photograph_is_rejected_with_the_way_to_a_binary_image(function, samples):
     photo = np.zeros((40, 60, samples), np.uint8)
     said = f"shape (40, 60, {samples}), which looks like colours; `thinbench.binarise("
@@ -125,8 +119,6 @@ def test_masked_elements_are_rejected(function):
 
 @pytest.mark.parametrize(("call", "error", "said"), [
     (lambda: Rule(np.zeros(511, bool)), ValueError, "(511,)"),
-    (lambda: Rule(np.zeros((2, 256), bool)), ValueError, "(2, 256)"),
-    (lambda: Rule(np.zeros((1, 1, 512), bool)), ValueError, "(1, 1, 512)"),
     (lambda: Rule(np.zeros((0, 512), bool)), ValueError, "got 0"),
     (lambda: Rule(np.zeros((9, 512), bool)), ValueError, "got 9"),
     (lambda: Rule(np.zeros(512)), TypeError, "float64"),
@@ -137,22 +129,17 @@ def test_masked_elements_are_rejected(function):
     (lambda: Rule(TABLE, max_iterations=1.5), TypeError, "1.5"),
     (lambda: Rule.two_layer_net(np.ones((9, 8))), ValueError, "(9, 8)"),
     (lambda: Rule.two_layer_net(np.ones((9, 9)), "relu"), ValueError, "'relu'"),
-    (lambda: Rule.two_layer_net(np.full((9, 9), 1e300)), ValueError, "weight"),
-    (lambda: Rule.two_layer_net(np.full((9, 9), np.nan)), ValueError, "weight"),
     (lambda: Rule.two_layer_net([["1"] * 9] * 9), TypeError, "dtype"),
     (lambda: Rule.cluster([], np.ones((0, 9))), ValueError, "got 0"),
     (lambda: Rule.cluster([7.5], np.ones((1, 9))), TypeError, "7.5"),
-    (lambda: Rule.cluster([254], np.ones((1, 9))), ValueError, "254"),
     (lambda: Rule.cluster([99, 255], np.ones((1, 9))), ValueError, "(2, 9)"),
     (lambda: Rule.from_hensel("B3/S29"), ValueError, "column 6: expected"),
-    (lambda: Rule.from_hensel("B3/S29"), ValueError, "got '9'"),
     (lambda: Rule.from_hensel("B3/S23\0x"), ValueError, "null character"),
     (lambda: Rule.from_hensel("B\u00e9\n"), ValueError, "column 2"),
     (lambda: Rule.from_hensel(3), TypeError, "3"),
     (lambda: Rule.from_patterns("4:(... .1. .0.)->0"), TypeError, "list of strings"),
     (lambda: Rule.from_patterns([3]), TypeError, "3"),
     (lambda: Rule.from_patterns(["4:(...)->1"]), ValueError, "pattern 1"),
-    (lambda: Rule.from_patterns(["4:(...)->1"]), ValueError, "column 7"),
     (lambda: Rule.from_makelut(TABLE, "raster"), ValueError, "'raster'"),
     (lambda: Rule.from_makelut(TABLE[:256]), ValueError, "(256,)"),
     (lambda: Rule.from_deletions(TABLE), ValueError, "(512,)"),
@@ -163,12 +150,8 @@ def test_masked_elements_are_rejected(function):
     (lambda: Rule.named(None), TypeError, "None"),
     (lambda: Rule.named("spta").save("spta.json"), ValueError, "'spta' has no tables"),
     (lambda: Rule.named("majorty"), ValueError, "did you mean 'majority'?"),
-    (lambda: thinbench.apply(IMAGE, ADDING), ValueError, "max_iterations"),
-    (lambda: thinbench.thin(IMAGE, "guohall"), ValueError, "did you mean 'guo_hall'?"),
-    (lambda: thinbench.thin(IMAGE, "thin_zhangsuen"), ValueError, "did you mean 'thin_zhang_suen'?"),
     (lambda: thinbench.thin(IMAGE, border="kep"), ValueError, "did you mean 'keep'?"),
     (lambda: thinbench.thin(np.ones((5, 6, 7), bool), stack=False), ValueError, "(H, W)"),
-    (lambda: thinbench.thin(np.ones((40, 60, 3), np.uint8)), ValueError, "stack=True"),
     (lambda: thinbench.thin_many([np.ones((2, 2, 2), bool)]), ValueError, "(2, 2, 2)"),
     (lambda: thinbench.thin_many([IMAGE, GREY, np.ones((3, 3))]), TypeError, "images[2]: expected dtype"),
     (lambda: thinbench.thin_labels(LABELS.astype(float)), TypeError, "float64"),
@@ -177,21 +160,15 @@ def test_masked_elements_are_rejected(function):
     *((lambda value=value: thinbench.thin_labels(np.full((3, 4), value)), ValueError, str(value))
       for value in (2**31, 2**40, np.uint64(2**63), -2**40, np.int16(-1))),
     (lambda: thinbench.thin_labels(LABELS, "majority"), ValueError, "adds pixels"),
-    (lambda: thinbench.thin_labels(LABELS, LIFE, max_iterations=1), ValueError, "adds pixels"),
-    (lambda: thinbench.thin_labels(LABELS, "guo_hall", border="foreground"), ValueError, "foreground"),
-    (lambda: thinbench.thin_labels(LABELS, "erode"), ValueError, "foreground"),
     (lambda: thinbench.thin_packed(PACKED.astype(int), 4), TypeError, "int64"),
     (lambda: thinbench.thin_packed(PACKED, 25), ValueError, "(H, 4)"),
-    (lambda: thinbench.thin_packed(PACKED, 25), ValueError, "(4, 1)"),
     (lambda: thinbench.thin_packed(PACKED[0], 4), ValueError, "(1,)"),
     (lambda: thinbench.thin_packed(PACKED, -1), ValueError, "-1"),
     (lambda: thinbench.thin_packed(PACKED, 4.0), TypeError, "4.0"),
     (lambda: thinbench.thin_packed(PACKED, 4, bit_order="msb"), ValueError, "'msb'"),
     (lambda: thinbench.edges(IMAGE), TypeError, "bool"),
-    (lambda: thinbench.edges(GREY, "canny"), ValueError, "'canny'"),
     (lambda: thinbench.edges(GREY, "sobell"), ValueError, "did you mean 'sobel'?"),
     (lambda: thinbench.edges(GREY, gradient_threshold=256), ValueError, "256"),
-    (lambda: thinbench.localise(GREY, brightness_threshold=-1), ValueError, "-1"),
     (lambda: thinbench.euler_number(IMAGE, 6), ValueError, "6"),
     (lambda: thinbench.label(IMAGE, 6), ValueError, "6"),
     (lambda: thinbench.fill_holes(IMAGE, connectivity=6), ValueError, "6"),
@@ -201,55 +178,36 @@ def test_masked_elements_are_rejected(function):
     (lambda: thinbench.distance(IMAGE, sampling=2, squared=True), ValueError, "squared: expected no sampling beside it"),
     (lambda: thinbench.graph(LINE.astype(float)), TypeError, "skeleton: expected dtype"),
     (lambda: thinbench.graph(LINE, np.ones((2, 5), bool)), ValueError, "image: expected the skeleton's shape"),
-    (lambda: thinbench.graph(LINE, not_thin="stop"), ValueError,
-     "not_thin: expected 'warn', 'raise' or 'ignore', got 'stop'"),
+    (lambda: thinbench.graph(LINE, not_thin="stop"), ValueError, "got 'stop'"),
     (lambda: thinbench.graph(LINE, spacing=0), ValueError, "from 1e-30 to 1e30, got 0"),
     (lambda: thinbench.graph(LINE, spacing=(1, 2, 3)), ValueError, "a number or two"),
-    (lambda: thinbench.graph(LINE, spacing=np.nan), ValueError, "got nan"),
-    (lambda: thinbench.graph(LINE, nodes=[(4, 0)]), ValueError,
-     "nodes: expected pixels of the skeleton, got row 4, column 0"),
-    (lambda: thinbench.graph(LINE, nodes=[(-1, 0)]), ValueError,
-     "nodes: expected pixels of the skeleton, got row -1, column 0"),
+    (lambda: thinbench.graph(LINE, nodes=[(4, 0)]), ValueError, "nodes: expected pixels of the skeleton, got row 4"),
+    (lambda: thinbench.graph(LINE, nodes=[(-1, 0)]), ValueError, "got row -1, column 0"),
     (lambda: thinbench.graph(~IMAGE).main_path(), ValueError, "main_path: expected a graph with nodes, got none"),
     (lambda: GRAPH.edge_widths(0), ValueError, "edge_widths: expected a graph"),
     (lambda: GRAPH.subgraph(np.array([True] * 2)), ValueError, "edges: expected a bool for each of 1 edges"),
     (lambda: GRAPH.shortest_path(0, 2), ValueError, "expected numbers of nodes from 0 to 1, got 2"),
-    (lambda: thinbench.graph(LINE & (np.arange(5) != 2)).shortest_path(0, 2), ValueError,
-     "no path leads from node 0 to node 2"),
-    (lambda: GRAPH.polylines(np.nan), ValueError, "tolerance: expected a finite number of at least 0, got nan"),
-    (lambda: GRAPH.to_geojson(transform=(1e308, 1e308, 1e308, 0, 1, 0)), ValueError,
-     "transform: expected finite numbers, got inf"),
-    (lambda: GRAPH.to_geojson(transform=(1, 0, 0, 0, np.nan, 0)), ValueError,
-     "transform: expected finite numbers, got nan"),
+    (lambda: thinbench.graph(LINE & (np.arange(5) != 2)).shortest_path(0, 2), ValueError, "from node 0 to node 2"),
+    (lambda: GRAPH.to_geojson(transform=(1e308, 1e308, 1e308, 0, 1, 0)), ValueError, "transform: expected finite"),
     (lambda: GRAPH.to_geojson(transform=(1, 0, 0, 0, 1)), ValueError, "transform: expected 6 numbers, got 5"),
-    (lambda: thinbench.graph_labels(LABELS, LABELS[1:]), ValueError,
-     "labels: expected the skeletons' shape (4, 4), got (3, 4)"),
-    (lambda: thinbench.prune(LINE.astype(float)), TypeError, "skeleton: expected dtype"),
-    (lambda: thinbench.prune(LINE, -1), ValueError, "min_length"),
+    (lambda: thinbench.graph_labels(LABELS, LABELS[1:]), ValueError, "labels: expected the skeletons' shape (4, 4)"),
     (lambda: thinbench.prune(LINE, 10**400), ValueError, "min_length: expected less than 2**1024 in magnitude"),
     (lambda: thinbench.prune(LINE, min_widths=1), ValueError, "min_widths: expected image=..., "),
-    (lambda: thinbench.prune_labels(LABELS, min_widths=1), ValueError,
-     "min_widths: expected labels=..., what was thinned"),
-    *((lambda value=value: thinbench.prune(LINE, value), TypeError, "min_length: expected a number, got")
-      for value in ("a", None, [1, 2])),
-    *((lambda value=value: GRAPH.polylines(value), TypeError, "tolerance: expected a number, got")
-      for value in ("a", None, [1, 2])),
-    (lambda: thinbench.path(MAP, (0, 0), (20, 40)), ValueError, "start: (0, 0) is inside an obstacle"),
+    (lambda: thinbench.prune_labels(LABELS, min_widths=1), ValueError, "min_widths: expected labels=..., "),
+    (lambda: thinbench.prune(LINE, "a"), TypeError, "min_length: expected a number, got"),
+    (lambda: GRAPH.polylines([1, 2]), TypeError, "tolerance: expected a number, got"),
     (lambda: thinbench.path(MAP, (20, 20), (20, 400)), ValueError, "goal: (400, 20) is outside"),
     (lambda: thinbench.path(MAP, 5, (20, 40)), TypeError, "start: expected a row and a column, got 5"),
     (lambda: thinbench.path(MAP, (20, 1.5), (20, 40)), TypeError, "start"),
-    (lambda: thinbench.path(MAP, (20, 20), (20, 40), float("nan")), ValueError, "width"),
     (lambda: thinbench.path(np.zeros((0, 0), bool), (0, 0), (0, 0)), ValueError, "outside the map of 0 x 0"),
     (lambda: thinbench.binarise(GREY, channel="gray"), ValueError, "did you mean 'grey'?"),
     (lambda: thinbench.binarise(GREY, foreground="light"), ValueError, "'light'"),
     (lambda: thinbench.binarise(GREY, threshold=256), ValueError, "256"),
-    (lambda: thinbench.binarise(GREY, threshold="ostu"), ValueError, "did you mean 'otsu'?"),
     (lambda: thinbench.binarise(GREY, threshold="local", window=4), ValueError, "odd"),
     (lambda: thinbench.binarise(GREY, window=5), ValueError, "threshold='local'"),
     (lambda: thinbench.binarise(GREY, threshold="local", offset=300), ValueError, "300"),
     (lambda: compat.bwmorph(IMAGE, "cleen"), NotImplementedError, "did you mean 'clean'?"),
     (lambda: compat.bwmorph(IMAGE, "majority", np.inf), ValueError, "may never end"),
-    (lambda: compat.bwmorph(IMAGE, "skel"), NotImplementedError, "skel"),
     (lambda: compat.bwmorph(IMAGE, "thin", 1.5), ValueError, "1.5"),
     (lambda: compat.bwmorph(IMAGE, "thin", np.nan), ValueError, "nan"),
     (lambda: compat.bwmorph(IMAGE, "thin", "all"), TypeError, "'all'"),
@@ -301,7 +259,6 @@ SCIPY, SKIMAGE, CV2 = compat.ndimage, compat.skimage, compat.cv2
     (SCIPY.binary_fill_holes, [ONE], {"origin": 1}, NotImplementedError, "origin"),
     (SCIPY.binary_fill_holes, [ONE], {"output": np.empty(3, bool)}, RuntimeError, "(3,)"),
     (SCIPY.distance_transform_edt, [ONE], {"return_indices": True}, NotImplementedError, "scipy"),
-    (SCIPY.distance_transform_edt, [ONE, (1, 2, 3)], {}, RuntimeError, "one number or two"),
     (SCIPY.distance_transform_edt, [ONE, (1, 2, 3)], {}, RuntimeError, "(1, 2, 3)"),
     (SCIPY.distance_transform_edt, [ONE], {"return_distances": False}, RuntimeError, "False"),
     (SCIPY.distance_transform_edt, [ONE], {"distances": ONE}, RuntimeError, "uint8"),

@@ -1,4 +1,4 @@
-"""Every function takes every kind of rule, and gives what `thin` gives for each image alone."""
+"""Every kind of rule, by a plain reference; label images, which are thinned label by label."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import pytest
 
 import thinbench
 from images import random_image
-from test_rules import reference
 from thinbench import Rule
 
 
@@ -44,12 +43,6 @@ every_rule = pytest.mark.parametrize("rule", KINDS.values(), ids=KINDS)
 all_options = pytest.mark.parametrize("options", LIMITS + BORDERS, ids=str)
 
 
-def one_by_one(images, rule="guo_hall", **options) -> tuple[list[np.ndarray], int]:
-    """The results, and the maximum number of iterations."""
-    results = [thinbench.thin(image, rule, return_iterations=True, **options) for image in images]
-    return [image for image, _ in results], max((count for _, count in results), default=0)
-
-
 def or_reason(function, *arguments, **options):
     """The result of a call, or why it is rejected."""
     try:
@@ -57,6 +50,33 @@ def or_reason(function, *arguments, **options):
     except ValueError as error:
         assert "\n" not in str(error)
         return str(error)
+
+
+def next_image(image: np.ndarray, table: np.ndarray, border: str) -> np.ndarray:
+    """One sub-iteration, by a look-up for every pixel."""
+    height, width = image.shape
+    padded = np.pad(image, 1, constant_values=border == "foreground")
+    windows = sum(padded[k // 3:k // 3 + height, k % 3:k % 3 + width].astype(int) << k
+                  for k in range(9))
+    result = table[windows]
+    if border == "keep":
+        for edge in (np.s_[0], np.s_[-1], np.s_[:, 0], np.s_[:, -1]):
+            result[edge] = image[edge]
+    return result
+
+
+def reference(image: np.ndarray, rule: Rule) -> tuple[np.ndarray, int]:
+    """The result and the number of iterations."""
+    iterations = 0
+    while rule.max_iterations is None or iterations < rule.max_iterations:
+        changed = False
+        for table in rule.tables:
+            before, image = image, next_image(image, table, rule.border)
+            changed |= not np.array_equal(image, before)
+        iterations += 1
+        if not changed:
+            break
+    return image, iterations
 
 
 @every_rule
@@ -74,52 +94,6 @@ def test_rules_with_tables_equal_the_reference(rule, border):
         assert result[1] == iterations
 
 
-@every_rule
-@all_options
-def test_stacks_and_lists_of_mixed_sizes_and_types(rule, options):
-    images = [random_image(seed % 23, 70) * (np.uint8(200) if seed % 3 == 0 else True) for seed in range(40)]
-    images += [images[5].T, images[6][:, ::-1], np.ones((0, 4), bool)]
-    before = [image.copy() for image in images]
-    results = or_reason(thinbench.thin_many, iter(images), rule, threads=2, **options)
-    expected = or_reason(one_by_one, images, rule, **options)
-    if isinstance(expected, str):
-        assert results == expected
-        return
-    assert len(results) == len(images) and thinbench.thin_many([]) == []
-    for image, result, source, unchanged in zip(expected[0], results, images, before, strict=True):
-        assert result.dtype == source.dtype
-        np.testing.assert_array_equal(result, image)
-        np.testing.assert_array_equal(source, unchanged)
-    stack = np.random.RandomState(3).rand(33, 21, 31) < 0.6
-    for view, threads in ((stack, 1), (stack[::2, :, ::-1], 2)):
-        expected, iterations = one_by_one(view, rule, **options)
-        result = thinbench.apply(view, rule, threads=threads, return_iterations=True, **options)
-        np.testing.assert_array_equal(result[0], expected)
-        assert result[1] == iterations
-
-
-@every_rule
-@all_options
-@pytest.mark.parametrize("bit_order", ["big", "little"])
-def test_packed_images(rule, options, bit_order):
-    options = options | {"return_iterations": True}
-    for seed in range(6):
-        image = random_image(seed, 200)
-        expected = or_reason(thinbench.thin, image, rule, **options)
-        packed = np.packbits(image, axis=-1, bitorder=bit_order)
-        before = packed.copy()
-        result = or_reason(thinbench.thin_packed, packed, image.shape[1], rule, bit_order=bit_order, **options)
-        np.testing.assert_array_equal(packed, before)
-        if isinstance(expected, str):
-            assert result == expected
-        else:
-            np.testing.assert_array_equal(result[0], np.packbits(expected[0], axis=-1, bitorder=bit_order))
-            assert result[1] == expected[1]
-            result = thinbench.thin_packed(packed, image.shape[1], rule, bit_order=bit_order, out=packed, **options)
-            assert result[0] is packed
-            np.testing.assert_array_equal(packed, np.packbits(expected[0], axis=-1, bitorder=bit_order))
-
-
 def random_labels(seed: int) -> np.ndarray:
     """Random images cut into blocks, with sparse labels that recur; of both types."""
     dtype, last = ((np.uint16, 65535), (np.int32, 2**31 - 1))[seed % 2]
@@ -130,12 +104,13 @@ def random_labels(seed: int) -> np.ndarray:
     return values[blocks] * image.astype(dtype)
 
 
-def label_by_label(labels: np.ndarray, *arguments, **options) -> tuple[np.ndarray, int]:
+def label_by_label(labels: np.ndarray, rule="guo_hall", **options) -> tuple[np.ndarray, int]:
     """The labels thinned in a loop, and the maximum number of iterations."""
-    result, values = np.zeros_like(labels), np.unique(labels[labels != 0])
-    skeletons, iterations = one_by_one([labels == label for label in values], *arguments, **options)
-    for label, skeleton in zip(values, skeletons, strict=True):
+    result, iterations = np.zeros_like(labels), 0
+    for label in np.unique(labels[labels != 0]):
+        skeleton, count = thinbench.thin(labels == label, rule, return_iterations=True, **options)
         result[skeleton] = label
+        iterations = max(iterations, count)
     return result, iterations
 
 

@@ -39,7 +39,7 @@ print("done")
 
 
 @pytest.mark.parametrize(("program", "times"),
-                         [(IN_DEL, 1), (REGISTERED_BEFORE_THE_IMPORT, 1), (DAEMONS, 20)],
+                         [(IN_DEL, 1), (REGISTERED_BEFORE_THE_IMPORT, 1), (DAEMONS, 5)],
                          ids=["in __del__", "registered before the import", "in daemon threads"])
 def test_rule_lives_as_long_as_it_is_used(program: str, times: int) -> None:
     """Handles of living objects are not destroyed."""

@@ -10,7 +10,6 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
@@ -88,16 +87,18 @@ NAMES = f"images?|rule|{'|'.join(NAMED)}|custom|border|max_iterations|threads|ou
 @given(st.one_of(arrays(), arrays(dimensions=3)), st.fixed_dictionaries(THINNING))
 def test_thin_gives_the_pixels_of_a_plain_copy_or_names_the_argument(image, options):
     before = image.copy()
-    result = result_or_reason(NAMES, thinbench.thin, image, **options)
-    if result is None:
+    found = result_or_reason(NAMES, thinbench.thin, image, return_iterations=True, **options)
+    if found is None:
         return
+    result, iterations = found
     assert image.dtype in (bool, np.uint8) and image.ndim in (2, 3)
     assert result.shape == image.shape and result.dtype == image.dtype
     np.testing.assert_array_equal(image, before)
     foreground = np.ascontiguousarray(before != 0)
     images = foreground if image.ndim == 3 else foreground[None]
-    expected = [thinbench.thin(np.ascontiguousarray(one), **options) for one in images]
-    np.testing.assert_array_equal(result != 0, np.array(expected).reshape(image.shape))
+    expected = [thinbench.thin(np.ascontiguousarray(one), return_iterations=True, **options) for one in images]
+    np.testing.assert_array_equal(result != 0, np.array([one for one, _ in expected]).reshape(image.shape))
+    assert iterations == max((count for _, count in expected), default=0)
 
 
 @SETTINGS
@@ -143,12 +144,15 @@ def test_thin_packed_gives_what_thin_gives_or_names_the_argument(packed, width, 
     names = "packed|width|bit_order|" + NAMES
     if packed.ndim == 2 and isinstance(width, int) and width == 200:
         width = 8 * packed.shape[1]
-    result = result_or_reason(names, thinbench.thin_packed, packed, width, bit_order=order, **options)
-    if result is None:
+    found = result_or_reason(names, thinbench.thin_packed, packed, width, bit_order=order, return_iterations=True,
+                             **options)
+    if found is None:
         return
     image = np.unpackbits(np.ascontiguousarray(packed), axis=-1, count=width, bitorder=order)
-    expected = np.packbits(thinbench.thin(image, **options) != 0, axis=-1, bitorder=order)
-    np.testing.assert_array_equal(result, expected.reshape(packed.shape))
+    expected, iterations = thinbench.thin(image, return_iterations=True, **options)
+    expected = np.packbits(expected != 0, axis=-1, bitorder=order)
+    np.testing.assert_array_equal(found[0], expected.reshape(packed.shape))
+    assert found[1] == iterations
 
 
 @SETTINGS
@@ -205,9 +209,4 @@ def test_rules_of_tables_are_applied_alike_to_copies_or_the_argument_is_named(ta
 @SETTINGS
 @given(st.one_of(st.text("BbSs/0123456789-cekainyqjrtwz ", max_size=12), ODD))
 def test_notations_are_read_or_named(notation):
-    result_or_reason("notation|rule", thinbench.Rule.from_hensel, notation,
-                     max_iterations=1)
-
-
-if __name__ == "__main__":
-    pytest.main([__file__])
+    result_or_reason("notation|rule", thinbench.Rule.from_hensel, notation, max_iterations=1)

@@ -11,8 +11,6 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
-import test_docs
-import test_types
 import thinbench
 from test_path import ROOT, assert_is_path, length, planning as path_planning
 
@@ -100,12 +98,3 @@ def test_without_options_it_draws_the_picture_of_its_page(tmp_path):
     assert (ended.returncode, ended.stderr, ended.stdout.count("\n")) == (0, "", 2)
     drawn, shown = imread(tmp_path / "paths.png"), imread(ROOT / "docs" / "pictures" / "path-planning.png")
     assert drawn.shape == shown.shape and np.abs(drawn - shown).mean() < 0.02  # other fonts may differ
-
-
-def test_example_is_typed():
-    options = ["--strict", "--ignore-missing-imports", "--no-warn-unused-ignores"]
-    assert test_types.mypy(*options, "python/thinbench", EXAMPLE, cwd=ROOT) == ""
-
-
-def test_blocks_of_its_page_print_what_they_say():
-    test_docs.run(test_docs.DOCS / "path-planning.md")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import csv
 import json
-import os
 import re
 import subprocess
 from xml.etree import ElementTree
@@ -15,7 +14,7 @@ import pytest
 
 import thinbench
 from images import random_image
-from program import PROGRAMS, assert_rejected, run
+from program import assert_rejected, run
 
 cv2 = pytest.importorskip("cv2")
 pil = pytest.importorskip("PIL.Image")
@@ -27,13 +26,6 @@ def picture(tmp_path):
     image = np.pad(random_image(8), 3)
     cv2.imwrite(str(path), image * np.uint8(255))
     return path, image
-
-
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory):
-    path = tmp_path_factory.mktemp("scene") / "scene.png"
-    subprocess.run([PROGRAMS / "thinbench-study", "scene", path], check=True, capture_output=True)
-    return path
 
 
 def made(*words: object) -> subprocess.CompletedProcess[bytes]:
@@ -60,6 +52,9 @@ def test_commands_equal_the_functions_of_python(picture, tmp_path):
         np.testing.assert_array_equal(cv2.imread(str(tmp_path / name), -1), np.rint(thinbench.distance(image)))
     for connectivity in (4, 8):
         assert int(made("euler", path, "--connectivity", connectivity).stdout) == thinbench.euler_number(image, connectivity)
+    listed = json.loads(made("localise", path, "--json", "--brightness-threshold", 128).stdout)
+    table = thinbench.localise(255 - image * np.uint8(255))
+    assert [one["area"] for one in listed["objects"]] == list(table["area"][~table["is_hole"]])
 
 
 def test_tables_of_holes_and_localise_are_alike_as_csv_and_json(picture, tmp_path):
@@ -177,16 +172,6 @@ def test_packed_files_read_and_write_the_standard_streams(picture, tmp_path):
             assert run("run", "thin_guo_hall", "-", "-", *options, data=data).stdout == expected
 
 
-def test_localise_finds_the_scene_and_equals_python_and_the_batch(scene, tmp_path):
-    found = run("localise", scene)
-    assert found.stdout.startswith(b"22 objects, 47 holes\n")
-    listed = json.loads(run("localise", scene, "--json", "--brightness-threshold", 128).stdout)
-    table = thinbench.localise(cv2.imread(str(scene), cv2.IMREAD_GRAYSCALE))
-    assert [one["area"] for one in listed["objects"]] == list(table["area"][~table["is_hole"]])
-    assert run("batch", "localise", scene, "--out", tmp_path / "found").returncode == 0
-    assert (tmp_path / "found" / "scene.json").read_bytes() == run("localise", scene, "--json").stdout
-
-
 @pytest.mark.parametrize("words", [["run", "thin_guo_hall"], ["edges"], ["fill-holes"], ["labels"], ["distance"]])
 def test_a_pipe_reads_standard_input_and_writes_png(picture, tmp_path, words):
     path, _ = picture
@@ -207,22 +192,6 @@ def test_a_full_standard_output_is_an_error(picture):
     with open("/dev/full", "wb") as full:
         failed = run("fill-holes", picture[0], "-", stdout=full)
     assert failed.returncode == 1 and b"standard output cannot be written" in failed.stderr
-
-
-@pytest.mark.parametrize("words", [["fill-holes"], ["labels"], ["distance"], ["localise"], ["euler"]])
-def test_new_commands_survive_bad_files(picture, tmp_path, words):
-    path, _ = picture
-    out = [tmp_path / "out.png"] if words[0] in ("fill-holes", "labels", "distance") else []
-    bad = tmp_path / "bad.png"
-    for data in (b"", path.read_bytes()[:60], b"\x89PNG\r\n\x1a\n" + bytes(100), os.urandom(200)):
-        bad.write_bytes(data)
-        failed = run(*words, bad, *out)
-        assert failed.returncode == 1 and failed.stderr.count(b"\n") == 1 and failed.stdout == b""
-        assert not out or not out[0].exists()
-    assert run(*words, tmp_path / "none.png", *out).returncode == 1
-    if out:
-        assert run(*words, path, tmp_path / "no" / "out.png").returncode == 1
-        assert run(*words, path, tmp_path / "out.jpg").returncode == 2
 
 
 def transparent_picture(kind):
@@ -259,17 +228,12 @@ def test_an_opaque_image_brings_none(tmp_path, kind, how):
     assert b"transparent" not in run("holes", tmp_path / "a.png").stderr
 
 
-def format_file(path, kind):
-    pil.fromarray(np.zeros((8, 9), np.uint8)).save(path, kind)
-
-
 FILES = {
     "dots.png": lambda path: cv2.imwrite(str(path), np.kron(np.ones((300, 300)), [[255, 0], [0, 0]])),
     "white.png": lambda path: cv2.imwrite(str(path), np.full((5, 5), 255, np.uint8)),
     "empty": lambda path: path.touch(),
     "text": lambda path: path.write_bytes(b"no picture"),
-    "zeros": lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40)),
-    **{kind: lambda path, kind=kind: format_file(path, kind) for kind in ("GIF", "WEBP", "JPEG2000")}}
+    "zeros": lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40))}
 
 
 @pytest.mark.parametrize("words, status, said", [
@@ -288,9 +252,7 @@ FILES = {
     ("run thin_guo_hall - - < text", 1, "standard input: it is not an image of a known format"),
     ("run thin_guo_hall - - < zeros", 1, "standard input"),
     ("labels dots.png out.png --foreground bright", 1, "90000 objects"),
-    ("distance white.png out.png --foreground bright", 1, "all of it is foreground"),
-    ("holes GIF", 1, "it is a GIF file"), ("holes WEBP", 1, "it is a WebP file"),
-    ("holes JPEG2000", 1, "it is a JPEG 2000 file")])
+    ("distance white.png out.png --foreground bright", 1, "all of it is foreground")])
 def test_what_cannot_be_is_one_line_and_makes_no_file(picture, tmp_path, monkeypatch, words, status, said):
     monkeypatch.chdir(tmp_path)
     pil.fromarray(picture[1]).save("a.pbm")

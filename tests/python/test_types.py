@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+EXAMPLE = ROOT / "python" / "examples" / "path_planning.py"
 
 CALLER = """
 import numpy as np
@@ -28,21 +29,21 @@ thinbench.thin(image, threads="2")  # expected error
 """
 
 
-def mypy(*arguments: object, cwd: Path) -> str:
+def mypy(*arguments: object) -> str:
     if shutil.which("mypy") is None:
         pytest.skip("mypy is not installed")
-    run = subprocess.run(["mypy", "--no-error-summary", "--cache-dir", "/dev/null",
-                          *map(str, arguments)], cwd=cwd, text=True, capture_output=True,
-                         check=False)
+    run = subprocess.run(["mypy", "--strict", "--no-error-summary", "--cache-dir", "/dev/null", *map(str, arguments)],
+                         cwd=ROOT, text=True, capture_output=True, check=False)
     return run.stdout + run.stderr
 
 
 def test_package_is_typed():
-    assert mypy("--strict", "python/thinbench", cwd=ROOT) == ""
+    assert mypy("python/thinbench") == ""
 
 
-def test_annotations_serve_a_typed_caller(tmp_path, monkeypatch):
-    monkeypatch.setenv("MYPYPATH", str(ROOT / "python"))
+def test_annotations_serve_a_typed_caller_and_the_example(tmp_path):
     (tmp_path / "caller.py").write_text(CALLER)
-    errors = [line for line in mypy("caller.py", cwd=tmp_path).splitlines() if "error:" in line]
-    assert len(errors) == 1 and errors[0].startswith("caller.py:15") and '"thin"' in errors[0]
+    found = mypy("--ignore-missing-imports", "--no-warn-unused-ignores", "python/thinbench", EXAMPLE,
+                 tmp_path / "caller.py")
+    errors = [line for line in found.splitlines() if "error:" in line]
+    assert len(errors) == 1 and "caller.py:15" in errors[0] and '"thin"' in errors[0]

@@ -180,11 +180,6 @@ def test_without_scripts_all_tables_stand_there_and_no_dead_control_does(address
         driver.quit()
 
 
-def test_errors_of_a_page_would_be_seen(driver, tmp_path: Path):
-    (tmp_path / "bad.html").write_text("<script>throw new Error('b')</script>")
-    assert len(look(driver, (tmp_path / "bad.html").as_uri()).errors()) == 1
-
-
 def luminance(colour: str) -> float:
     parts = [int(part) / 255 for part in colour[colour.index("(") + 1:-1].split(",")[:3]]
     red, green, blue = (p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts)

@@ -106,17 +106,18 @@ sys.exit(report.__main__.main(sys.argv[1:]))
 """
 
 
-@pytest.mark.parametrize("command", [["study"], ["sweeps"], ["pages"], ["many-images"], ["compare", "a", "b"]])
-def test_outputs_that_cannot_be_written_are_named_before_the_work(command: list[str], tmp_path: Path) -> None:
-    file = tmp_path / "file"
-    file.write_text("in the way")
+@pytest.mark.parametrize(("command", "out", "why"), [
+    *((command, "file", "Not a directory") for command in ("study", "sweeps", "pages", "many-images", "compare a b")),
+    ("study", "file/a/b", "Not a directory"), ("study", "link", "No such file")])
+def test_outputs_that_cannot_be_written_are_named_before_the_work(command: str, out: str, why: str,
+                                                                  tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way")
     (tmp_path / "link").symlink_to("absent")
-    for name, why in (("file", "Not a directory"), ("file/a/b", "Not a directory"), ("link", "No such file")):
-        done = subprocess.run(["/usr/bin/python3", "-c", PREPARE, *command, "--out", tmp_path / name], check=False,
-                              text=True, capture_output=True, env=os.environ | {"PYTHONPATH": str(ROOT)})
-        blamed = tmp_path / name.split("/", 1)[0]
-        assert done.returncode == 1 and done.stderr.count("\n") == 1
-        assert done.stderr.startswith(f"study: {blamed}: cannot be written: {why}")
+    done = subprocess.run(["/usr/bin/python3", "-c", PREPARE, *command.split(), "--out", tmp_path / out], check=False,
+                          text=True, capture_output=True, env=os.environ | {"PYTHONPATH": str(ROOT)})
+    blamed = tmp_path / out.split("/", 1)[0]
+    assert done.returncode == 1 and done.stderr.count("\n") == 1
+    assert done.stderr.startswith(f"study: {blamed}: cannot be written: {why}")
     assert sorted(os.listdir(tmp_path)) == ["file", "link"]
 
 

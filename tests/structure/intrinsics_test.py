@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
 KERNELS = Path(__file__).resolve().parents[2] / "kernels"
 SIMD = KERNELS / "simd"
 DETECTION = KERNELS / "core" / "features.cpp"
@@ -44,26 +42,3 @@ def test_only_the_vocabulary_depends_on_the_architecture():
 def test_architecture_files_of_the_vocabulary_are_recognised():
     assert [file.name for file in sources(SIMD) if any(findings(file))] == [
         "avx2.hpp", "avx512.hpp", "neon.hpp", "sse2.hpp", "vector.hpp", "vocabulary.hpp"]
-
-
-@pytest.mark.parametrize("line, name", [
-    ("#include <immintrin.h>", "<immintrin.h>"),
-    ("#include <arm_neon.h>", "<arm_neon.h>"),
-    ("#ifdef __AVX512VBMI2__", "__AVX512VBMI2__"),
-    ("#if defined(__ARM_NEON)", "__ARM_NEON"),
-    ("const __m512i a = b;", "__m512i"),
-    ("word = _pext_u64(word, mask);", "_pext_u64"),
-    ("return vaddq_u8(a, b);", "vaddq_u8"),
-    ("uint8x16_t lanes;", "uint8x16_t"),
-])
-def test_use_is_found(line: str, name: str):
-    assert [match[0] for match in ARCHITECTURE.finditer(line)] == [name]
-
-
-@pytest.mark.parametrize("line", [
-    "const WordBatch words = WordBatch::load_unaligned(from);",
-    '__builtin_cpu_supports("avx512f")',
-    "std::uint64_t word = value_8 | __builtin_popcountll(bits);",
-])
-def test_portable_code_is_not_reported(line: str):
-    assert not ARCHITECTURE.search(line)

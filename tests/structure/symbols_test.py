@@ -19,9 +19,9 @@ ISAS = ("baseline", "sse42", "avx2", "avx512", "avx512icl")
 """In the order of enum Isa."""
 
 
-def symbols(file: Path, *options: str) -> set[tuple[str, str]]:
+def symbols(files: list[Path], *options: str) -> set[tuple[str, str]]:
     """Kinds and names, as nm has them."""
-    lines = subprocess.run(["nm", "--defined-only", *options, file], check=True, text=True,
+    lines = subprocess.run(["nm", "--defined-only", *options, *files], check=True, text=True,
                            capture_output=True).stdout.splitlines()
     return {(words[1], words[2]) for line in lines if len(words := line.split()) == 3}
 
@@ -37,13 +37,12 @@ def test_object_files_of_an_isa_define_no_symbol_that_could_leak(isa: str) -> No
     files = objects(isa)
     assert len(files) >= 15 and len(files) == len(objects(ISAS[0]))
     own = re.compile(rf"IsaE{ISAS.index(isa)}E|6detail{len(isa)}{isa}[0-9]|^DW\.ref\.")
-    for file in files:
-        assert [name for _, name in symbols(file, "--extern-only") if not own.search(name)] == [], file
+    assert [name for _, name in symbols(files, "--extern-only") if not own.search(name)] == []
 
 
 @pytest.mark.parametrize("library", ["libthinbench.a", "libthinbench.so"])
 def test_a_library_that_users_link_has_no_symbol_of_techniques(library: str) -> None:
     archive = KERNELS / "techniques" / "libthinbench_techniques.a"
-    techniques = {name for kind, name in symbols(archive, "--extern-only") if kind in "TDRB"}
-    defined = {name for kind, name in symbols(KERNELS / library) if kind in "TtDdRrBb" and "9thinbench" in name}
+    techniques = {name for kind, name in symbols([archive], "--extern-only") if kind in "TDRB"}
+    defined = {name for kind, name in symbols([KERNELS / library]) if kind in "TtDdRrBb" and "9thinbench" in name}
     assert len(techniques) >= 50 and defined and techniques & defined == set()

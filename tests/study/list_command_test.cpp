@@ -90,15 +90,10 @@ TEST(ListCommand, json_says_why_a_row_is_not_available) {
   const Json list = Json::parse(run.out);
   EXPECT_EQ(list.size(), catalogue_size());
   for (const Json& row : list) {
-    EXPECT_EQ(row.size(), 10U);
     EXPECT_TRUE(!row["fastest"] || (row["available"] && !row["peer"] && row["threads"] == "1"));
     EXPECT_LE(row["min_pixels"], row["threads"] == "n" ? detail::kMinPixelsForThreads : 0);
     EXPECT_EQ(row["available"], row["isa"] == "baseline" || row["peer"]);
     EXPECT_EQ(row["available"], row["reason"] == "");
-    EXPECT_TRUE(row["threads"] == "1" || row["threads"] == "n");
-    EXPECT_NE(row["operation"], "");
-    EXPECT_NE(row["technique"], "");
-    EXPECT_NE(row["description"], "");
   }
 }
 
