@@ -54,15 +54,18 @@ class Guarded {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Noise for the job to work on first. Its rows repeat: big images would take long to draw.
-ByteImage earlier_work(Index width, Index height) {
+/// Noise for the job to work on first. Its rows repeat: big images would take long to draw. Valid
+/// until the thread asks for another size.
+ConstImageView earlier_work(Index width, Index height) {
   constexpr Index kRows = 64;
+  thread_local ByteImage image;
+  if (image.view().width == width && image.view().height == height) return image.view();
   const ByteImage noise = noise_image(width, std::min(height, kRows), 45, 1, 99);
-  ByteImage image(width, height);
+  image = ByteImage(width, height);
   for (Index y = 0; y < height; ++y) {
     std::copy_n(noise.view().row(y % kRows), width, image.view().row(y));
   }
-  return image;
+  return image.view();
 }
 
 std::optional<std::string> image_difference(const ConstImageView& expected,
@@ -108,10 +111,10 @@ std::optional<std::string> find_mismatch(Job& job, const ConstImageView& input,
                                          const Outcome& expected) {
   Guarded source(input.width, input.height, 3);
   Guarded destination(input.width, input.height, 5);
-  const ByteImage garbage = earlier_work(input.width, input.height);
-  job.run(garbage.view(), destination.view());
+  const ConstImageView garbage = earlier_work(input.width, input.height);
+  job.run(garbage, destination.view());
   source.copy_from(input);
-  destination.copy_from(garbage.view());
+  destination.copy_from(garbage);
   job.run(source.view(), destination.view());
   if (auto difference = first_difference(job, expected, destination.view())) return difference;
   if (!source.intact() || !equal(source.view(), input)) return "the input was changed";

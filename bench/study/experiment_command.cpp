@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "experiments/experiments.hpp"
 #include "experiments/thinning_quality.hpp"
 #include "study/study.hpp"

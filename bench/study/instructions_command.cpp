@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "counts/documents.hpp"
 #include "counts/limits.hpp"
 #include "measure/timed_row.hpp"

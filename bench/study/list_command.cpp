@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/aligned.hpp"
+#include "cli/command.hpp"
 #include "core/thread_team.hpp"
 #include "peers/peers.hpp"
 #include "study/study.hpp"

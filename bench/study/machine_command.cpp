@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/command.hpp"
 #include "machine/machine.hpp"
 #include "study/study.hpp"
 #include "support/json_field.hpp"

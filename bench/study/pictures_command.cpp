@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "harness/operation.hpp"
 #include "images/image_file.hpp"
 #include "measure/row_options.hpp"

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "images/image_file.hpp"
 #include "peers/peers.hpp"

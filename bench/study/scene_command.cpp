@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "images/image_file.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_truth.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "study/study.hpp"
 #include "support/whole_file.hpp"
 #include "training/cluster.hpp"

@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "core/startable_threads.hpp"
 #include "harness/verify.hpp"
 #include "images/image_file.hpp"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/usage.hpp"
 #include "engines/variants.hpp"
 #include "harness/families.hpp"
 #include "harness/verify.hpp"

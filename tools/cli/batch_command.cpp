@@ -18,6 +18,7 @@
 #include "cli/arguments.hpp"
 #include "cli/batch_operations.hpp"
 #include "cli/batch_table.hpp"
+#include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/tables.hpp"
 #include "cli/thinbench.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/edge_request.hpp"
 #include "cli/names.hpp"
 #include "cli/thinbench.hpp"

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/graph_request.hpp"
 #include "cli/tables.hpp"
 #include "cli/thinbench.hpp"

@@ -1,5 +1,6 @@
 // thinbench list: the operations on image files.
 #include "cli/aligned.hpp"
+#include "cli/command.hpp"
 #include "cli/thinbench.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/rule.hpp"

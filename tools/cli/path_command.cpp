@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/thinbench.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/thinbench.hpp"
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "cli/parse_errors.hpp"
 #include "cli/reported.hpp"

@@ -5,9 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.hpp"
+namespace CLI {
+class App;
+}
 
 namespace thinbench {
+
+struct Command;
 
 /// What a program is called, what its help says, and its commands, in the order of the help.
 struct ProgramInfo {

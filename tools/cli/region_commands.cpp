@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/region_request.hpp"
 #include "cli/tables.hpp"
 #include "cli/thinbench.hpp"

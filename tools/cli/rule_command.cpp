@@ -6,6 +6,7 @@
 
 #include "cli/aligned.hpp"
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/thinbench.hpp"
 #include "cli/thinning_request.hpp"
 #include "rules/rule_file.hpp"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/packed_run.hpp"
 #include "cli/packed_tiff.hpp"
 #include "cli/thinbench.hpp"
