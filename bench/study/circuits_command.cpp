@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/names.hpp"
 #include "compile/gate_search.hpp"
 #include "compile/two_input.hpp"
