@@ -47,7 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         results = {key: Result(**result) for key, result in known.items()}
         if options.number:
             checks = (check for family in families for check in family.checks + family.thorough)
-            trial = prepare(options.directory, sorted({check.split()[0] for check in checks}))
+            trial = prepare(options.directory.resolve(), sorted({check.split()[0] for check in checks}))
             wanted, end = -(-options.number // len(families)), time.monotonic() + 60 * options.minutes
             progress = Progress("mutants", wanted * len(families))
             for one in to_try(queues, wanted, results, equivalents):

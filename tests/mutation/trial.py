@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import filecmp
+import os
 import re
 import shutil
 import subprocess
@@ -88,6 +89,9 @@ class Trial:
 def prepare(directory: Path, programs: Sequence[str]) -> Trial:
     """Copies and builds. Files that are as they should be remain untouched, so that nothing is built twice."""
     tree = directory / "tree"
+    if shutil.which("ccache"):  # what is as before a mutant, or the same for all ISAs, is not compiled again
+        os.environ |= {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CCACHE_DIR": str(directory / "ccache"),
+                       "CCACHE_BASEDIR": str(directory), "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
     listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True)
     for name in listed.stdout.splitlines():
         source, copy = ROOT / name, tree / name
