@@ -35,7 +35,6 @@ SOME = ("thin_guo_hall", "thin_guo_hall_keep", "thin_mb2", "thin_mb2_keep")
 CORE = "core_test -Isa*"  # those tests need every ISA
 COMPILE = "compile_test -ThoroughSearch*"
 GOLDEN = "golden_test *outputs_equal*"
-INTERPRETED = "engines_test *RandomRules*variant/1:BuiltIn* THINBENCH_MACHINE_CODE=off"
 ITERATE = "engines_test *Iterate*:*Tile*:*State*-*threads*"
 SIZES = "thinning_test *at_every_size*/guo_hall_border_keep:*at_every_size*/mb2_border_background"
 SOME_TABLES = "engines_test *RandomRules*variant/1:*lanes/1:BuiltIn*:Lanes*:SmallImages*"
@@ -70,7 +69,8 @@ FAMILIES = (
            (crosscheck("squared_distances"), "api_test")),
     Family("graph", ("graph/*",), ("graph_test", crosscheck("skeleton_graph", images="sh*")),
            (crosscheck("skeleton_graph"), "api_test")),
-    Family("compile", ("compile/*",), (COMPILE, SOME_TABLES, INTERPRETED),
+    Family("compile", ("compile/*",),
+           (COMPILE, SOME_TABLES, "engines_test *RandomRules*variant/1:BuiltIn* THINBENCH_MACHINE_CODE=off"),
            ("engines_test", crosscheck("apply_*"), GOLDEN)),
     Family("core", ("core/byte_image.cpp", "core/packed_rows.cpp", "core/packing.cpp"),
            (CORE, "localise_test", GOLDEN, "api_test *Pack*:*pack*", SIZES), (*THINNING, "edges_test", "scan_test")),

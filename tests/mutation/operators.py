@@ -77,7 +77,6 @@ def mutations(text: str) -> list[Mutation]:
                 before = line[first:end]
                 if before == shown[first:end]:  # nothing hidden within
                     new = after(before) if callable(after) else after
-                    changed = line[:first] + new + line[end:]
-                    found.append(Mutation(operator, number, line.strip(), changed.strip()))
+                    found.append(Mutation(operator, number, line.strip(), (line[:first] + new + line[end:]).strip()))
         previous = shown.rstrip() or previous
     return found
