@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
+from itertools import zip_longest
 from pathlib import Path
 
 from families import Family
@@ -14,20 +15,24 @@ from operators import Mutation, mutations
 
 AT_A_TIME = 4
 
+Equivalents = Mapping[tuple[str, str, str], str]  # by file and line before and after: why no test can notice it
+
 
 @dataclass(frozen=True)
 class Candidate:
-    """A mutation of a file of a family. `before` and `after` are whole lines."""
+    """A mutation of a file of a family."""
 
     family: Family
     file: str
     mutation: Mutation
-    before: str
-    after: str
     key: str  # changes with the file's text
 
+    def is_in(self, equivalents: Equivalents) -> bool:
+        """Whether we know why no test notices it."""
+        return (self.file, self.mutation.before, self.mutation.after) in equivalents
+
     def __str__(self) -> str:
-        return f"kernels/{self.file}:{self.mutation.line}\n  - {self.before}\n  + {self.after}"
+        return f"kernels/{self.file}:{self.mutation.line}\n  - {self.mutation.before}\n  + {self.mutation.after}"
 
 
 @dataclass(frozen=True)
@@ -48,85 +53,47 @@ def candidates(family: Family, kernels: Path, seed: int) -> list[Candidate]:
     found: list[Candidate] = []
     for file in family.files(kernels):
         text = (kernels / file).read_text(encoding="utf-8")
-        for mutation in mutations(text):
-            key = _digest(file, mutation.apply(text))
-            found.append(Candidate(family, file, mutation, *_lines(text, mutation), key))
-    found.sort(key=lambda one: _digest(str(seed), one.key))
-    earlier: Counter[str] = Counter()
-    turns: dict[str, int] = {}
-    for one in found:
-        turns[one.key] = earlier[one.mutation.operator]
-        earlier[one.mutation.operator] += 1
-    return sorted(found, key=lambda one: turns[one.key])
-
-
-def _lines(text: str, mutation: Mutation) -> tuple[str, str]:
-    before, after = (one.split("\n")[mutation.line - 1].strip()
-                     for one in (text, mutation.apply(text)))
-    return before, after
+        found += [Candidate(family, file, one, _digest(file, one.apply(text))) for one in mutations(text)]
+    by_operator: dict[str, list[Candidate]] = defaultdict(list)
+    for candidate in sorted(found, key=lambda one: _digest(str(seed), one.key)):
+        by_operator[candidate.mutation.operator].append(candidate)
+    return [one for some in zip_longest(*by_operator.values()) for one in some if one]
 
 
 def _digest(*words: str) -> str:
     return hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
 
 
-def next_of(queue: Sequence[Candidate], wanted: int,
-            results: Mapping[str, Result]) -> list[Candidate]:
-    """A few that are to be tried next, until `wanted` of the queue count."""
-    counted = 0
-    for number, one in enumerate(queue):
-        if counted == wanted:
+def to_try(queues: Sequence[Sequence[Candidate]], wanted: int, results: Mapping[str, Result],
+           equivalents: Equivalents) -> Iterator[Candidate]:
+    """Survivors of earlier runs, then a few of each queue in rotation, so that an interrupted run covers all
+    evenly, until `wanted` of each count. The caller adds their results."""
+    yield from [one for queue in queues for one in queue if one.key in results
+                and results[one.key].state == "survived" and not one.is_in(equivalents)]
+    while few := [one for queue in queues for one in _next_of(queue, wanted, results)]:
+        yield from sorted(few, key=lambda one: one.file)  # as that of the mutant before is built again
+
+
+def _next_of(queue: Sequence[Candidate], wanted: int, results: Mapping[str, Result]) -> list[Candidate]:
+    few: list[Candidate] = []
+    for one in queue:
+        if len(few) == min(AT_A_TIME, wanted):
             break
-        if one.key not in results:
-            few = queue[number:number + min(AT_A_TIME, wanted - counted)]
-            return [candidate for candidate in few if candidate.key not in results]
-        counted += results[one.key].counts()
-    return []
+        if one.key in results:
+            wanted -= results[one.key].counts()
+        else:
+            few.append(one)
+    return few
 
 
-def read_results(path: Path) -> dict[str, Result]:
-    """By key; the last line of a key holds. An incomplete line, of an interrupted run, is ignored."""
-    results: dict[str, Result] = {}
-    for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:
-        try:
-            key, result = json.loads(line)
-        except json.JSONDecodeError:
-            continue
-        results[key] = Result(**result)
-    return results
-
-
-def append_result(path: Path, key: str, result: Result) -> None:
-    """As one line of JSON."""
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    with path.open("a", encoding="utf-8") as out:
-        out.write("" if text.endswith("\n") or not text else "\n")
-        out.write(json.dumps([key, asdict(result)]) + "\n")
-
-
-@dataclass(frozen=True)
-class Equivalent:
-    """A mutant that no test can notice, and why."""
-
-    file: str
-    before: str
-    after: str
-    reason: str
-
-    def describes(self, one: Candidate) -> bool:
-        """Whether this is the mutant."""
-        return (self.file, self.before, self.after) == (one.file, one.before, one.after)
-
-
-def read_equivalents(path: Path) -> list[Equivalent]:
+def read_equivalents(path: Path) -> Equivalents:
     """The list in the sources."""
-    return [Equivalent(**entry) for entry in json.loads(path.read_text(encoding="utf-8"))]
+    return {(one["file"], one["before"], one["after"]): one["reason"]
+            for one in json.loads(path.read_text(encoding="utf-8"))}
 
 
-def stale(equivalents: Sequence[Equivalent], kernels: Path) -> Iterator[Equivalent]:
+def stale(equivalents: Equivalents, kernels: Path) -> list[tuple[str, str, str]]:
     """Entries whose line the sources no longer have, or that no operator makes of it."""
-    for entry in equivalents:
-        path = kernels / entry.file
-        text = path.read_text(encoding="utf-8") if path.is_file() else ""
-        if (entry.before, entry.after) not in {_lines(text, one) for one in mutations(text)}:
-            yield entry
+    made = {(file, one.before, one.after) for file, _, _ in equivalents if (kernels / file).is_file()
+            for one in mutations((kernels / file).read_text(encoding="utf-8"))}
+    return [place for place in equivalents if place not in made]

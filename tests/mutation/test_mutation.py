@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import json
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,12 +11,13 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 # pylint: disable=wrong-import-position
-from choice import (Equivalent, Result, append_result, candidates, next_of,  # noqa: E402
-                    read_equivalents, read_results, stale)
-from families import FAMILIES, Check, Family  # noqa: E402
-from operators import mutations  # noqa: E402
+import run  # noqa: E402
+from choice import (Candidate, Equivalents, Result, candidates, read_equivalents,  # noqa: E402
+                    stale, to_try)
+from families import FAMILIES, Family  # noqa: E402
+from operators import Mutation, mutations  # noqa: E402
 from run import EQUIVALENTS, KERNELS, main, report  # noqa: E402
-from trial import BEFORE, EDITED, ROOT, Build, Trial  # noqa: E402
+from trial import Build, Trial  # noqa: E402
 
 RULES = candidates(FAMILIES[0], KERNELS, 1)
 
@@ -71,28 +72,37 @@ def test_the_choice_depends_on_the_seed_alone_and_rotates_operators() -> None:
 def test_mutants_are_tried_until_enough_count() -> None:
     results: dict[str, Result] = {}
     states = ["same code", "killed", "not compiled", "survived", "killed", "killed"]
-    while few := next_of(RULES, 3, results):
-        for one in few:
-            results[one.key] = Result(states[len(results)])
-    assert list(results) == [one.key for one in RULES[:5]]
+    for one in to_try([RULES], 3, results, {}):
+        results[one.key] = Result(states[len(results)])
+    assert set(results) == {one.key for one in RULES[:5]}
 
 
-def test_every_family_has_sources_and_the_edit_of_the_copy_finds_its_text() -> None:
+def listed(one: Candidate) -> Equivalents:
+    """A list with this mutant alone."""
+    return {(one.file, one.mutation.before, one.mutation.after): "A reason."}
+
+
+def test_survivors_that_nothing_explains_are_tried_again_and_others_are_not() -> None:
+    results = {one.key: Result("survived") for one in RULES[:3]} | {RULES[3].key: Result("killed")}
+    assert list(to_try([RULES], 4, results, listed(RULES[1]))) == [RULES[0], RULES[2]]
+
+
+def test_every_family_has_sources() -> None:
     assert all(family.files(KERNELS) for family in FAMILIES)
-    assert BEFORE in (ROOT / EDITED).read_text(encoding="utf-8")
 
 
 def test_an_equivalent_mutant_is_stale_if_its_line_is_gone_or_no_operator_makes_it(tmp_path: Path) -> None:
     (tmp_path / "toy.cpp").write_text("  return a + 1;\n", encoding="utf-8")
-    fresh = Equivalent("toy.cpp", "return a + 1;", "return a + 2;", "a reason")
-    gone, unmade = replace(fresh, before="return b + 1;"), replace(fresh, after="return b;")
-    assert list(stale([fresh, gone, unmade], tmp_path)) == [gone, unmade]
+    fresh = ("toy.cpp", "return a + 1;", "return a + 2;")
+    wrong = [("toy.cpp", "return b + 1;", "return b + 2;"), ("toy.cpp", "return a + 1;", "return b;"),
+             ("gone.cpp", "return a + 1;", "return a + 2;")]
+    assert stale(dict.fromkeys([fresh, *wrong], "A reason."), tmp_path) == wrong
 
 
 def test_every_entry_of_the_list_has_a_reason_and_occurs_once() -> None:
     entries = read_equivalents(EQUIVALENTS)
-    assert all(one.reason.endswith(".") for one in entries)
-    assert len({(one.file, one.before, one.after) for one in entries}) == len(entries)
+    assert all(reason.endswith(".") for reason in entries.values())
+    assert len(entries) == len(json.loads(EQUIVALENTS.read_text(encoding="utf-8")))
 
 
 TOY = """int toy(int n) {
@@ -115,7 +125,7 @@ project(toy CXX)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 add_executable(toy_test kernels/toy.cpp test.cpp)
 """
-FAMILY = Family("toy", ("toy.cpp",), (Check("toy_test"),), ())
+FAMILY = Family("toy", ("toy.cpp",), ("toy_test",), ())
 
 
 @pytest.fixture(name="trial", scope="module")
@@ -127,7 +137,7 @@ def toy_trial(tmp_path_factory: pytest.TempPathFactory) -> Trial:
                        ("CMakeLists.txt", TOY_BUILD)):
         (sources / name).write_text(text, encoding="utf-8")
     build = Build(sources, sources / "build", "baseline", ["toy_test"])
-    return Trial(sources, build, build)
+    return Trial(sources / "kernels", build, build)
 
 
 @pytest.mark.parametrize(("before", "after", "state", "test"), [
@@ -140,33 +150,41 @@ def toy_trial(tmp_path_factory: pytest.TempPathFactory) -> Trial:
 ])
 def test_a_mutant_is_judged_by_its_code_and_its_tests(
         trial: Trial, before: str, after: str, state: str, test: str) -> None:
-    one = RULES[0]
-    change = next((change for change in mutations(TOY)
-                   if change.apply(TOY) == TOY.replace(before, after, 1)),
-                  replace(one.mutation, line=1, column=TOY.index(before), before=before, after=after))
-    result = trial.result(replace(one, family=FAMILY, file="toy.cpp", mutation=change))
+    line = next(line for line in TOY.splitlines() if before in line)
+    change = Mutation("any", TOY.splitlines().index(line) + 1, line, line.replace(before, after))
+    result = trial.result(Candidate(FAMILY, "toy.cpp", change, "a key"))
     assert (result.state, result.test) == (state, test)
     assert (trial.kernels / "toy.cpp").read_text(encoding="utf-8") == TOY
 
 
-def test_results_are_read_again_without_a_truncated_line(tmp_path: Path) -> None:
-    path = tmp_path / "results.jsonl"
-    append_result(path, "a key", Result("killed", "a test", 1.25))
-    with path.open("a", encoding="utf-8") as out:
-        out.write('["trunc')
-    assert read_results(path) == {"a key": Result("killed", "a test", 1.25)}
-    append_result(path, "a key", Result("survived"))
-    assert read_results(path) == {"a key": Result("survived")}
+class FakeTrial:
+    """Tests notice every mutant of a run, until the user interrupts it."""
+
+    def __init__(self, count: int) -> None:
+        self.left = count
+
+    def result(self, one: Candidate, is_explained: bool) -> Result:
+        self.left -= 1
+        if self.left < 0 or is_explained:
+            raise KeyboardInterrupt
+        return Result("killed", f"test of {one.family.name}", 1.25)
+
+
+def test_an_interrupted_run_goes_on(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    for count, killed in ((5, 5), (2, 7), (9, 8)):
+        monkeypatch.setattr(run, "prepare", lambda *_, count=count: FakeTrial(count))
+        assert main(["--family", "spta", "-n", "8", "--directory", str(tmp_path)]) == 0
+        assert f"killed: {killed} of {killed}, 100.0 %" in capsys.readouterr().out
 
 
 def test_survivors_that_nothing_explains_lower_the_share(capsys: pytest.CaptureFixture[str]) -> None:
     explained, other, killed = RULES[:3]
-    entry = Equivalent(explained.file, explained.before, explained.after, "A reason.")
     tried = [(explained, Result("survived")), (other, Result("survived")),
              *[(killed, Result("killed", "a test"))] * 49]
-    assert report(tried, [entry]) == 0
+    assert report(tried, listed(explained)) == 0
     assert "killed: 49 of 50, 98.0 %" in capsys.readouterr().out
-    assert report(tried[:-1], [entry]) == 1
+    assert report(tried[:-1], listed(explained)) == 1
     assert f"survived: {other}" in capsys.readouterr().out
 
 
