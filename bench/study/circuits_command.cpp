@@ -171,7 +171,6 @@ int run(const CircuitsOptions& options, const Console& console) {
   console.out << R"(// The circuits of rules. Written by `thinbench-study circuits`.
 #pragma once
 
-#include "cli/command.hpp"
 #include "rules/built_in/circuit.hpp"
 
 namespace thinbench::detail {
