@@ -412,14 +412,16 @@ template <class Entry>
           nonzero_lanes(last & east & highest)};
 }
 
-/// What changed in any register, from `tile` on, visited or not.
-[[gnu::always_inline]] inline ByteBatch any_lanes(const ChangedLanes& lanes, Index tile) {
+/// What changed in any register, from `tile` on, visited or not. This and changed_lanes() are
+/// templates because not every ISA uses them.
+template <class Lanes>
+[[gnu::always_inline]] inline ByteBatch any_lanes(const Lanes& lanes, Index tile) {
   if (kTileRegisters > 2) return ByteBatch::load_unaligned(lanes.any + tile);
   return ByteBatch::load_unaligned(lanes.first + tile) |
          ByteBatch::load_unaligned(lanes.last + tile);
 }
 
-/// Of the tiles of a batch of bytes, visited or not. A template because not every ISA uses it.
+/// Of the tiles of a batch of bytes, visited or not.
 template <class Lanes>
 [[gnu::always_inline]] inline ChangedTiles changed_lanes(const Lanes& lanes, Index tile) {
   const auto load = [&](const std::uint8_t* from) {
