@@ -47,7 +47,7 @@ struct ActiveCount {
 };
 
 /// Finds the tiles in which, or next to which, a pixel changed during the last iteration. Clears
-/// the changes of this sub-iteration. The words and `before` may have 8 more entries written.
+/// the changes of this sub-iteration. The words may have a register more written.
 using FindActive = ActiveCount (*)(const TileGridView& grid, const TileActivation& activation);
 
 /// How many words, and tiles in them, were listed.

@@ -3,7 +3,7 @@
 
 #include <immintrin.h>
 
-#include "simd/prefix_counts.hpp"
+#include "simd/byte_tables.hpp"
 #include "simd/vocabulary.hpp"
 
 namespace thinbench::detail {
@@ -87,9 +87,12 @@ inline std::uint32_t nonzero_lanes(WordBatch a) {
   return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_castsi256_pd(zero))) ^ 0xF;
 }
 
+[[gnu::always_inline]] inline __m256i lanes_of_bytes(const std::array<std::uint8_t, 8>& bytes) {
+  return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bytes.data())));
+}
+
 inline Lanes32 counts_upto(std::uint32_t bits) {
-  const std::uint8_t* counts = kPrefixCounts[bits & 0xFF].data();
-  return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(counts)));
+  return lanes_of_bytes(kPrefixCounts[bits & 0xFF]);
 }
 
 /// All ones in the lanes whose bits are set.
@@ -108,9 +111,7 @@ inline Lanes32 lane_numbers() {
 }
 
 inline void store_compressed(std::uint32_t* to, Lanes32 a, std::uint32_t selected) {
-  const std::uint64_t bytes = _pdep_u64(selected, 0x0101010101010101) * 0xFF;
-  const auto lanes = static_cast<long long>(_pext_u64(0x0706050403020100, bytes));
-  const __m256i index = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(lanes));
+  const __m256i index = lanes_of_bytes(kSetBits[selected & 0xFF]);
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(a, index));
 }
 

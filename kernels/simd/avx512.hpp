@@ -4,7 +4,7 @@
 
 #include <immintrin.h>
 
-#include "simd/prefix_counts.hpp"
+#include "simd/byte_tables.hpp"
 #include "simd/vocabulary.hpp"
 #include "simd/word.hpp"
 
