@@ -11,6 +11,8 @@ from report.page.table_two import PAPER_MACHINE, PAPER_RULE
 
 MAX_FLAGGED = 0.1
 """Share of flagged rows from which the run as a whole is doubtful."""
+BUSY = 0.1
+"""Processors kept busy by others from which the machine was not idle."""
 
 
 def sentences(rows: Rows, lines: list[Headline]) -> list[str]:
@@ -29,9 +31,10 @@ def warnings(run: Run) -> list[str]:
                      "inconclusive.")
     if flagged > MAX_FLAGGED * len(run.rows):
         load = run.facts["state"]["foreign_load"]
+        advice = "on an idle machine" if load > BUSY else "for longer, without --quick or with --seconds"
         found.append(f"{flagged} of {counted(len(run.rows), 'result')} did not settle in the time "
                      f"that there was; other processes kept {three_digits(load)} processors busy. "
-                     "Measure on an idle machine.")
+                     f"Measure {advice}.")
     return found
 
 
