@@ -15,8 +15,16 @@ foreach(target ${thinbench_installed})
     endif()" ALL_COMPONENTS)
 endforeach()
 
+# As Debian expects it.
+function(thinbench_install_license component package)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT ${component} RENAME copyright
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} ${ARGN})
+endfunction()
+
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+thinbench_install_license(development libthinbench-dev)
 if(TARGET thinbench_program)
+  thinbench_install_license(program thinbench)
   install(TARGETS thinbench_program COMPONENT program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(FILES ${PROJECT_SOURCE_DIR}/tools/manual/thinbench.1 COMPONENT program DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   install(FILES ${PROJECT_SOURCE_DIR}/tools/manual/thinbench.bash-completion COMPONENT program RENAME thinbench
@@ -24,6 +32,7 @@ if(TARGET thinbench_program)
 endif()
 if(THINBENCH_BUILD_PYTHON)
   # Only as a package; everyone else takes the wheel.
+  thinbench_install_license(python python3-thinbench EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_BINARY_DIR}/python/thinbench COMPONENT python EXCLUDE_FROM_ALL
           DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE)
 endif()

@@ -47,43 +47,33 @@ std::string text_of(const char* name) {
 }
 
 Isa isa_of(const char* name) {
-  return named("isa", name, isa_from_name(view_of(name)), [] {
-    std::string names;
-    for (const Isa isa : all_isas()) names.append(names.empty() ? "" : ", ").append(isa_name(isa));
-    return names;
-  });
-}
-
-Border border_of(const char* name) {
-  const auto found = std::find(kBorderNames.begin(), kBorderNames.end(), view_of(name));
-  require(found != kBorderNames.end(),
-          "border: expected one of background, keep, foreground; got " + text_of(name));
-  return static_cast<Border>(found - kBorderNames.begin());
+  return named("isa", name, isa_from_name(view_of(name)), all_isas());
 }
 
 Thinning thinning_of(const thinbench_thinning* given) {
-  constexpr size_t first_version = offsetof(thinbench_thinning, max_iterations) + sizeof(int32_t);
   Thinning thinning;
   if (given == nullptr) return thinning;
   const thinbench_thinning defaults = THINBENCH_THINNING_INIT;
-  const auto from =
-      versioned(given, first_version, defaults, "thinning", "THINBENCH_THINNING_INIT");
+  const auto from = versioned(given, &thinbench_thinning::reserved, defaults, "thinning",
+                              "THINBENCH_THINNING_INIT");
+  require_reserved("thinning", from.reserved);
   require(from.max_iterations >= 0, [&] {
     return "max_iterations: expected 1 or more, or 0 for the rule's own limit, got " +
            std::to_string(from.max_iterations);
   });
   if (from.max_iterations > 0) thinning.max_iterations = from.max_iterations;
-  if (from.border != nullptr) thinning.border = border_of(from.border);
+  if (from.border != nullptr) {
+    thinning.border = static_cast<Border>(index_of("border", from.border, kBorderNames));
+  }
   return thinning;
 }
 
 Execution execution_of(const thinbench_execution* given) {
-  constexpr size_t first_version = offsetof(thinbench_execution, isa) + sizeof(const char*);
   Execution execution;
   if (given == nullptr) return execution;
   const thinbench_execution defaults = THINBENCH_EXECUTION_INIT;
-  const auto from =
-      versioned(given, first_version, defaults, "execution", "THINBENCH_EXECUTION_INIT");
+  const auto from = versioned(given, &thinbench_execution::isa, defaults, "execution",
+                              "THINBENCH_EXECUTION_INIT");
   execution.threads = from.threads;
   if (from.isa != nullptr) execution.isa = isa_of(from.isa);
   return execution;

@@ -2,7 +2,7 @@
 // std::invalid_argument.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <new>
 #include <optional>
@@ -50,11 +50,16 @@ void require_pointer(const void* pointer, const char* name);
 /// "NULL" or the name in quotation marks, for messages of one line.
 [[nodiscard]] std::string text_of(const char* name);
 
-template <class Infos>
-std::string names_of(const Infos& infos) {
-  std::string names;
-  for (const auto& info : infos) names.append(names.empty() ? "" : ", ").append(info.name);
-  return names;
+// The name of an entry of a list, which may be the name itself.
+[[nodiscard]] inline std::string_view name_of(std::string_view name) {
+  return name;
+}
+[[nodiscard]] inline std::string_view name_of(Isa isa) {
+  return isa_name(isa);
+}
+template <class Info>
+std::string_view name_of(const Info& info) {
+  return info.name;
 }
 
 template <class Infos>
@@ -62,29 +67,59 @@ const char* name_at(const Infos& infos, size_t index) {
   return index < infos.size() ? infos[index].name.data() : nullptr;
 }
 
-/// The value with this name, if there is one; `names` lists all for the message.
-template <class T, class Names>
-T named(const char* what, const char* name, std::optional<T> value, const Names& names) {
-  if (!value) {
-    throw std::invalid_argument(std::string(what) + ": expected one of " + names() + "; got " +
-                                text_of(name));
+/// The value with this name, if there is one; the list has all names for the message.
+template <class T, class List>
+T named(const char* what, const char* name, std::optional<T> value, const List& list) {
+  if (value) return *value;
+  std::string names;
+  for (const auto& entry : list) names.append(names.empty() ? "" : ", ").append(name_of(entry));
+  throw std::invalid_argument(std::string(what) + ": expected one of " + names + "; got " +
+                              text_of(name));
+}
+
+/// The place of this name in a list.
+template <class List>
+size_t index_of(const char* what, const char* name, const List& list) {
+  std::optional<size_t> index;
+  for (size_t i = 0; i < std::size(list); ++i) {
+    if (name_of(list[i]) == view_of(name)) index = i;
   }
-  return *value;
+  return named(what, name, index, list);
 }
 
 [[nodiscard]] Isa isa_of(const char* name);
 
-/// A struct whose caller may know fewer members than this library, but at least those up to
-/// `first_version`; the others keep their defaults.
-template <class Struct>
-Struct versioned(const Struct* given, size_t first_version, Struct defaults, const char* name,
+// Without padding at its end, a struct becomes larger by its next member.
+static_assert(offsetof(thinbench_thinning, reserved) + sizeof(int32_t) ==
+              sizeof(thinbench_thinning));
+static_assert(offsetof(thinbench_execution, isa) + sizeof(void*) == sizeof(thinbench_execution));
+static_assert(offsetof(thinbench_rule_info, reach) + sizeof(int32_t) ==
+              sizeof(thinbench_rule_info));
+static_assert(offsetof(thinbench_binarisation, reserved) + sizeof(int32_t) ==
+              sizeof(thinbench_binarisation));
+static_assert(offsetof(thinbench_pruning, spacing) + sizeof(void*) == sizeof(thinbench_pruning));
+
+/// A struct whose caller may know fewer members than this library, but at least those up to `last`,
+/// the last of version 1.0; the others keep their defaults.
+template <class Struct, class Member>
+Struct versioned(const Struct* given, Member Struct::*last, Struct defaults, const char* name,
                  const char* initialiser) {
+  const auto* const begin = reinterpret_cast<const char*>(&defaults);
+  const auto* const end = reinterpret_cast<const char*>(&(defaults.*last) + 1);
+  const auto first_version = static_cast<size_t>(end - begin);
   require(first_version <= given->size && given->size <= sizeof(Struct), [&] {
     return std::string(name) + ".size: expected " + std::to_string(sizeof(Struct)) + ", got " +
            std::to_string(given->size) + "; " + initialiser + " sets it";
   });
   std::memcpy(&defaults, given, given->size);
   return defaults;
+}
+
+/// What fills a struct up, until a later version gives it a meaning.
+inline void require_reserved(const char* name, int32_t reserved) {
+  require(reserved == 0, [&] {
+    return std::string(name) + ".reserved: expected 0, got " + std::to_string(reserved);
+  });
 }
 
 /// NULL: as the rule says.

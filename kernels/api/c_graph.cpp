@@ -1,11 +1,12 @@
 // The C interface of graphs.
+#include "api/c_graph.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
 
 #include "api/c_arguments.hpp"
-#include "api/c_graph.hpp"
 #include "core/checks.hpp"
 #include "thinbench.h"
 
@@ -20,12 +21,11 @@ static_assert(offsetof(thinbench_graph_edge, horizontal_steps) ==
 using namespace thinbench;
 using namespace thinbench::detail;
 
-Pruning thinbench::detail::pruning_of(const thinbench_pruning* pruning, Index width,
-                                      Index height) {
+Pruning thinbench::detail::pruning_of(const thinbench_pruning* pruning, Index width, Index height) {
   require_pointer(pruning, "pruning");
-  constexpr size_t first_version = sizeof(thinbench_pruning);
-  const thinbench_pruning given = versioned(pruning, first_version, thinbench_pruning{}, "pruning",
-                                            "sizeof(thinbench_pruning)");
+  const thinbench_pruning defaults = THINBENCH_PRUNING_INIT;
+  const auto given = versioned(pruning, &thinbench_pruning::spacing, defaults, "pruning",
+                               "THINBENCH_PRUNING_INIT");
   Pruning result = {.min_length = given.min_length, .min_widths = given.min_widths};
   result.removes_components = given.removes_components != 0;
   if (given.distances != nullptr) {
@@ -61,8 +61,7 @@ thinbench_status thinbench_skeleton_graph(const thinbench_stack* skeleton,
   return guarded([&] {
     require_pointer(graph, "graph");
     *graph = nullptr;
-    *graph = new thinbench_graph{
-        {skeleton_graph(image_of(skeleton), execution_of(execution))}, {}};
+    *graph = new thinbench_graph{{skeleton_graph(image_of(skeleton), execution_of(execution))}, {}};
   });
 }
 
@@ -108,7 +107,7 @@ void thinbench_graph_destroy(thinbench_graph* graph) {
 }
 
 thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph, const double* distances,
-                                             ptrdiff_t height, ptrdiff_t width, ptrdiff_t stride,
+                                             ptrdiff_t stride, ptrdiff_t height, ptrdiff_t width,
                                              thinbench_edge_widths* widths) {
   return guarded([&] {
     require_pointer(graph, "graph");

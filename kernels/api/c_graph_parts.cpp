@@ -1,12 +1,11 @@
 // The C interface of graphs of labels, and of graphs made from others.
-#include "thinbench/graph_parts.hpp"
-
 #include <cstddef>
 #include <memory>
 #include <utility>
 
 #include "api/c_graph.hpp"
 #include "thinbench/graph_labels.hpp"
+#include "thinbench/graph_parts.hpp"
 
 static_assert(sizeof(thinbench_graph_place) == sizeof(thinbench::GraphPlace));
 static_assert(sizeof(thinbench_branch) == sizeof(thinbench::Branch));
@@ -50,8 +49,8 @@ thinbench_status thinbench_graph_of_labels(const int32_t* skeletons, ptrdiff_t s
   return guarded([&] {
     require_pointer(graph, "graph");
     *graph = nullptr;
-    *graph = with_labels(
-        graph_of_labels({skeletons, width, height, stride}, execution_of(execution)));
+    *graph =
+        with_labels(graph_of_labels({skeletons, width, height, stride}, execution_of(execution)));
   });
 }
 
@@ -128,8 +127,14 @@ thinbench_status thinbench_graph_summary(const thinbench_graph* graph,
     if (graph->edges.empty()) return;
     require_pointer(branches, "branches");
     for (const Branch& row : summary(*graph, spacing_of(spacing))) {
-      *branches++ = {row.component, row.from, row.to, static_cast<int32_t>(row.type),
-                     {row.start.x, row.start.y}, {row.stop.x, row.stop.y}, row.length, row.chord,
+      *branches++ = {row.component,
+                     row.from,
+                     row.to,
+                     static_cast<int32_t>(row.type),
+                     {row.start.x, row.start.y},
+                     {row.stop.x, row.stop.y},
+                     row.length,
+                     row.chord,
                      row.tortuosity};
     }
   });

@@ -17,9 +17,7 @@ static_assert(sizeof(thinbench_region) == sizeof(thinbench::Region));
 static_assert(offsetof(thinbench_region, enclosing_object) ==
               offsetof(thinbench::Region, enclosing_object));
 
-struct thinbench_regions {
-  thinbench::Regions found;
-};
+struct thinbench_regions : thinbench::Regions {};
 
 namespace {
 
@@ -42,27 +40,20 @@ void for_images(const thinbench_stack* stack, const thinbench_output* output, co
   set_foreground(output, destination);
 }
 
-const thinbench_region* regions_of(const std::vector<Region>& list, size_t* count, size_t size) {
-  const bool same_struct = size == sizeof(thinbench_region);
-  if (count != nullptr) *count = same_struct ? list.size() : 0;
-  if (!same_struct) return nullptr;
-  return reinterpret_cast<const thinbench_region*>(list.data());
-}
-
 Connectivity connectivity_of(std::int32_t number) {
   detail::require_connectivity(number);
   return static_cast<Connectivity>(number);
 }
 
 LabelOrder order_of(const char* name) {
-  if (name == nullptr || view_of(name) == "pixels") return LabelOrder::pixels;
-  if (view_of(name) == "opencv") return LabelOrder::opencv;
-  throw std::invalid_argument("order: expected pixels or opencv, got " + text_of(name));
+  constexpr std::string_view names[] = {"pixels", "opencv"};
+  if (name == nullptr) return LabelOrder::pixels;
+  return static_cast<LabelOrder>(index_of("order", name, names));
 }
 
 /// Hands over a result in a handle.
 void hand_over(Regions found, thinbench_regions** handle) {
-  *handle = new thinbench_regions{std::move(found)};
+  *handle = new thinbench_regions{{std::move(found)}};
 }
 
 }  // namespace
@@ -84,9 +75,8 @@ thinbench_status thinbench_edges(const char* edge_operator, const thinbench_stac
                                  int32_t brightness_threshold,
                                  const thinbench_execution* execution) {
   return guarded([&] {
-    const EdgeOperator op =
-        named("edge operator", edge_operator, edge_operator_from_name(view_of(edge_operator)),
-              [] { return names_of(kEdgeOperators); });
+    const EdgeOperator op = named("edge operator", edge_operator,
+                                  edge_operator_from_name(view_of(edge_operator)), kEdgeOperators);
     const EdgeThresholds thresholds = {gradient_threshold, brightness_threshold};
     const Execution given = execution_of(execution);
     for_images(source, destination, [&](const ConstImageView& from, const ImageView& to) {
@@ -141,7 +131,7 @@ thinbench_status thinbench_label_image(const thinbench_stack* source, int32_t* l
     require_pointer(objects, "objects");
     const ConstImageView image = image_of(source);
     *objects = label_image(image, {labels, image.width, image.height, labels_stride},
-                           connectivity_of(connectivity), execution_of(execution), order_of(order));
+                           connectivity_of(connectivity), order_of(order), execution_of(execution));
   });
 }
 
@@ -154,8 +144,8 @@ thinbench_status thinbench_label_components(const thinbench_stack* source, int32
     *regions = nullptr;
     const ConstImageView image = image_of(source);
     const LabelView view = {labels, image.width, image.height, labels_stride};
-    hand_over({label_components(image, view, connectivity_of(connectivity), execution_of(execution),
-                                order_of(order)),
+    hand_over({label_components(image, view, connectivity_of(connectivity), order_of(order),
+                                execution_of(execution)),
                {}},
               regions);
   });
@@ -187,14 +177,12 @@ thinbench_status thinbench_localise(const thinbench_stack* grey, int32_t gradien
 
 const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions, size_t* count,
                                                   size_t size) {
-  static const std::vector<Region> none;
-  return regions_of(regions == nullptr ? none : regions->found.objects, count, size);
+  return list_of<thinbench_region>(regions, &thinbench_regions::objects, count, size);
 }
 
 const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions, size_t* count,
                                                 size_t size) {
-  static const std::vector<Region> none;
-  return regions_of(regions == nullptr ? none : regions->found.holes, count, size);
+  return list_of<thinbench_region>(regions, &thinbench_regions::holes, count, size);
 }
 
 void thinbench_regions_destroy(thinbench_regions* regions) {
@@ -236,10 +224,8 @@ thinbench_status thinbench_euler_number(const thinbench_stack* source, int32_t c
                                         const thinbench_execution* execution, int64_t* number) {
   return guarded([&] {
     require_pointer(number, "number");
-    detail::require_connectivity(connectivity);
-    const Execution given = execution_of(execution);
-    *number = connectivity == 8 ? euler_number(image_of(source), given)
-                                : euler_number_4(image_of(source), given);
+    *number =
+        euler_number(image_of(source), connectivity_of(connectivity), execution_of(execution));
   });
 }
 

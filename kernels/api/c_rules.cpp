@@ -1,4 +1,5 @@
 // The C interface of rules.
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <utility>
@@ -33,16 +34,6 @@ constexpr NamedValue<NeighbourOrder> kNeighbourOrders[] = {
     {"descriptor", kDescriptorOrder}, {"clockwise", kClockwiseOrder}, {"raster", kRasterOrder}};
 constexpr NamedValue<Activation> kActivations[] = {{"sigmoid", Activation::sigmoid},
                                                    {"linear", Activation::linear}};
-
-/// The value of this name in a list.
-template <class Values>
-auto value_named(const char* what, const char* name, const Values& values) {
-  std::optional<decltype(values[0].value)> found;
-  for (const auto& entry : values) {
-    if (entry.name == view_of(name)) found = entry.value;
-  }
-  return named(what, name, found, [&] { return names_of(values); });
-}
 
 /// Hands over the table that `make` returns.
 template <class Make>
@@ -158,7 +149,8 @@ thinbench_status thinbench_rule_from_two_layer_net(const float* weights, const c
                                                    thinbench_rule** rule) {
   return give_rule(rule, [&] {
     require_pointer(weights, "weights");
-    return Rule(two_layer_weights(weights), value_named("activation", activation, kActivations));
+    return Rule(two_layer_weights(weights),
+                kActivations[index_of("activation", activation, kActivations)].value);
   });
 }
 
@@ -177,12 +169,11 @@ void thinbench_rule_destroy(thinbench_rule* rule) {
 
 thinbench_status thinbench_rule_describe(const thinbench_rule* rule, thinbench_rule_info* info) {
   return guarded([&] {
-    constexpr size_t first_version = offsetof(thinbench_rule_info, reach) + sizeof(int32_t);
     require_pointer(info, "info");
     const Rule& described = rule_of(rule);
-    thinbench_rule_info found = {};
+    thinbench_rule_info found = THINBENCH_RULE_INFO_INIT;
     found.size =
-        versioned(info, first_version, thinbench_rule_info{}, "info", "sizeof(thinbench_rule_info)")
+        versioned(info, &thinbench_rule_info::reach, found, "info", "THINBENCH_RULE_INFO_INIT")
             .size;
     found.name = described.name().data();
     set_texts(described.name(), found);
@@ -226,7 +217,7 @@ thinbench_status thinbench_table_from_values(const uint8_t* values, const char* 
   return give_table(table, [&] {
     require_pointer(values, "values");
     return table_from_values({values, WindowTable::kWindows},
-                             value_named("order", order, kWindowOrders));
+                             kWindowOrders[index_of("order", order, kWindowOrders)].value);
   });
 }
 
@@ -234,6 +225,7 @@ thinbench_status thinbench_table_from_removals(const uint8_t* removed, const cha
                                                uint64_t* table) {
   return give_table(table, [&] {
     require_pointer(removed, "removed");
-    return table_from_removals({removed, 256}, value_named("order", order, kNeighbourOrders));
+    return table_from_removals({removed, 256},
+                               kNeighbourOrders[index_of("order", order, kNeighbourOrders)].value);
   });
 }

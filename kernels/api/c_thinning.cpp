@@ -1,4 +1,6 @@
 // The C interface of thinning.
+#include <algorithm>
+
 #include "api/c_arguments.hpp"
 #include "core/checks.hpp"
 #include "thinbench/batch.hpp"
@@ -121,8 +123,8 @@ thinbench_status thinbench_thin_labels(const thinbench_rule* rule, const int32_t
   });
 }
 
-thinbench_status thinbench_thinner_create(const thinbench_rule* rule, ptrdiff_t width,
-                                          ptrdiff_t height, const thinbench_thinning* thinning,
+thinbench_status thinbench_thinner_create(const thinbench_rule* rule, ptrdiff_t height,
+                                          ptrdiff_t width, const thinbench_thinning* thinning,
                                           const thinbench_execution* execution,
                                           thinbench_thinner** thinner) {
   return guarded([&] {

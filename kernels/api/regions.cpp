@@ -61,24 +61,20 @@ Regions label_regions(ConstImageView source, LabelView labels, const Execution& 
 }
 
 std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                     Connectivity connectivity, const Execution& execution,
-                                     LabelOrder order) {
+                                     Connectivity connectivity, LabelOrder order,
+                                     const Execution& execution) {
   const LabelsTask task = detail::labels_task(connectivity, true);
   return copy_of(labelled({task, order}, source, labels, execution)->regions().objects);
 }
 
 std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity connectivity,
-                          const Execution& execution, LabelOrder order) {
+                          LabelOrder order, const Execution& execution) {
   const LabelsTask task = detail::labels_task(connectivity, false);
   return labelled({task, order}, source, labels, execution)->objects();
 }
 
-std::int64_t euler_number(ConstImageView source, const Execution& execution) {
-  return computed({RegionsTask::euler_eight}, source, execution)->number();
-}
-
-std::int64_t euler_number_4(ConstImageView source, const Execution& execution) {
-  return computed({RegionsTask::euler_four}, source, execution)->number();
+std::int64_t euler_number(ConstImageView source, Connectivity objects, const Execution& execution) {
+  return computed({detail::euler_task(objects)}, source, execution)->number();
 }
 
 void fill_holes(ConstImageView source, ImageView destination, const Execution& execution) {

@@ -80,14 +80,14 @@ Channel best_channel(const ConstColourView& colours, const ImageView& scratch) {
   return best;
 }
 
-void check(const ConstColourView& colours, const ImageView& destination) {
+void check(const ConstColourView& colours, const ImageView& destination, Channel channel) {
+  static_cast<void>(channel_name(channel));  // throws for a number outside the enumeration
   require(colours.samples == 3 || colours.samples == 4,
           "colours: expected 3 or 4 bytes per pixel, got " + std::to_string(colours.samples));
-  detail::check_views(
-      ConstImageView(colours.data, colours.samples * colours.width, colours.height, colours.stride),
-      ConstImageView(colours.data, colours.samples * colours.width, colours.height, colours.stride),
-      detail::InPlace::allowed);
-  detail::check_views(destination, destination, detail::InPlace::allowed);
+  detail::require_max_pixels(colours.width, colours.height);
+  const Index row_bytes = colours.samples * colours.width;
+  detail::check_disjoint({colours.data, row_bytes, colours.height, colours.stride}, "colours",
+                         destination, "destination");
   require(colours.width == destination.width && colours.height == destination.height,
           "destination: expected " + detail::size_text(colours.width, colours.height) +
               " pixels, got " + detail::size_text(destination.width, destination.height));
@@ -96,7 +96,7 @@ void check(const ConstColourView& colours, const ImageView& destination) {
 }  // namespace
 
 Channel select_channel(const ConstColourView& colours, ImageView destination, Channel channel) {
-  check(colours, destination);
+  check(colours, destination, channel);
   if (channel == Channel::grey || !has_colours(colours)) channel = Channel::grey;
   if (channel == Channel::automatic) channel = best_channel(colours, destination);
   write_channel(colours, destination, channel);

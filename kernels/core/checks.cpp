@@ -130,15 +130,10 @@ void check_pair(const View<S>& source, const std::string& source_name, const Vie
                 const std::string& name) {
   const ConstImageView from = bytes_of(source, (source_name + " exceeds").c_str());
   const ConstImageView to = bytes_of(numbers, (name + " exceed").c_str());
-  check_view(from, source_name.c_str());
-  check_view(to, name.c_str());
+  check_disjoint(from, source_name, to, name);
   if (source.width != numbers.width || source.height != numbers.height) {
     reject(source_name + " is " + text_of(source) + " and " + name + " " + text_of(numbers) +
            "; they must have the same size");
-  }
-  if (image_bytes(from) > 0 &&
-      ranges_overlap(from.data, image_bytes(from), to.data, image_bytes(to))) {
-    reject(source_name + " and " + name + " overlap");
   }
 }
 
@@ -296,6 +291,15 @@ void require_threads(int threads) {
   if (threads >= 1 && threads <= kMaxThreads) return;
   reject("threads: expected an integer in [1, " + std::to_string(kMaxThreads) + "], got " +
          std::to_string(threads));
+}
+
+void check_disjoint(const ConstImageView& a, const std::string& a_name, const ConstImageView& b,
+                    const std::string& b_name) {
+  check_view(a, a_name.c_str());
+  check_view(b, b_name.c_str());
+  if (image_bytes(a) > 0 && ranges_overlap(a.data, image_bytes(a), b.data, image_bytes(b))) {
+    reject(a_name + " and " + b_name + " overlap");
+  }
 }
 
 void check_views(const ConstImageView& source, const ConstImageView& destination,

@@ -45,7 +45,12 @@ void require_label_size(Index width, Index height);
 enum class InPlace : bool { rejected, allowed };
 
 /// Rejects a negative size, a stride below the width, a view that exceeds the address space, a null
-/// image, sizes that differ, or an overlap. `in_place`: whether both may be the same image.
+/// image, or an overlap. The sizes may differ.
+void check_disjoint(const ConstImageView& a, const std::string& a_name, const ConstImageView& b,
+                    const std::string& b_name);
+
+/// The same, and rejects sizes that differ. `in_place`: whether both may be the same image. Views
+/// side by side do not overlap.
 void check_views(const ConstImageView& source, const ConstImageView& destination, InPlace in_place);
 
 /// The same for packed images, which may be the same image; views side by side count as

@@ -121,8 +121,9 @@ std::optional<Isa> isa_cap() {
 }
 
 bool isa_available(Isa isa) {
+  const auto& wanted = info_of(isa);  // throws outside the enumeration
   const std::optional<Isa> cap = isa_cap();
-  const bool allowed = !cap || (info_of(isa).features & ~info_of(*cap).features) == 0;
+  const bool allowed = !cap || (wanted.features & ~info_of(*cap).features) == 0;
   const bool compiled = std::find(kIsas.begin(), kIsas.end(), isa) != kIsas.end();
   return allowed && compiled && cpu_supports(isa);
 }

@@ -88,6 +88,7 @@ GraphPath ShortestPaths::path_to(std::uint32_t node) const {
 }  // namespace detail
 
 std::vector<Link> links_of(const Graph& graph, const Spacing& spacing) {
+  detail::require_spacing(spacing);
   std::vector<Link> links;
   links.reserve(graph.edges.size());
   for (const GraphEdge& edge : graph.edges) {

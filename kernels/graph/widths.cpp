@@ -42,8 +42,9 @@ std::vector<EdgeWidths> edge_widths(const Graph& graph, View<const double> dista
   for (const GraphEdge& edge : graph.edges) {
     widths.clear();
     for (const Pixel p : points_of(graph, edge)) {
-      detail::require(p.x < distances.width && p.y < distances.height,
-                      "distances: smaller than the image of the graph");
+      const bool is_inside =
+          p.x >= 0 && p.y >= 0 && p.x < distances.width && p.y < distances.height;
+      detail::require(is_inside, "distances: smaller than the image of the graph");
       widths.push_back(2 * distances.row(p.y)[p.x]);
     }
     found.push_back(summary_of(widths));

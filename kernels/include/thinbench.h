@@ -8,7 +8,8 @@
  *
  * thinbench_thinning, thinbench_execution, thinbench_rule_info, thinbench_binarisation and
  * thinbench_pruning begin with their size, so that later versions can add members at the end and
- * still serve programs compiled before. The other structs never change. */
+ * still serve programs compiled before; macros such as THINBENCH_THINNING_INIT set it. The other
+ * structs never change. */
 #ifndef THINBENCH_H
 #define THINBENCH_H
 
@@ -65,10 +66,11 @@ typedef struct thinbench_thinning {
   size_t size;            /* of this struct */
   const char* border;     /* "background", "keep" or "foreground"; NULL: as the rule says */
   int32_t max_iterations; /* at least 1, INT32_MAX for no limit; 0: as the rule says */
+  int32_t reserved;       /* must be 0 */
 } thinbench_thinning;
 
 #define THINBENCH_THINNING_INIT \
-  { sizeof(thinbench_thinning), NULL, 0 }
+  { sizeof(thinbench_thinning), NULL, 0, 0 }
 
 /* How a result is computed, which never changes a pixel. */
 typedef struct thinbench_execution {
@@ -150,6 +152,9 @@ typedef struct thinbench_rule_info {
   int32_t reach;
 } thinbench_rule_info;
 
+#define THINBENCH_RULE_INFO_INIT \
+  { sizeof(thinbench_rule_info), NULL, NULL, NULL, 0, NULL, 0, NULL, 0, 0 }
+
 THINBENCH_API thinbench_status thinbench_rule_describe(const thinbench_rule* rule,
                                                        thinbench_rule_info* info);
 /* The number of three-input gates of a sub-iteration's circuit. */
@@ -208,8 +213,8 @@ THINBENCH_API thinbench_status thinbench_thin_labels(
 typedef struct thinbench_thinner thinbench_thinner;
 
 /* *thinner must be destroyed; NULL on failure. */
-THINBENCH_API thinbench_status thinbench_thinner_create(const thinbench_rule* rule, ptrdiff_t width,
-                                                        ptrdiff_t height,
+THINBENCH_API thinbench_status thinbench_thinner_create(const thinbench_rule* rule,
+                                                        ptrdiff_t height, ptrdiff_t width,
                                                         const thinbench_thinning* thinning,
                                                         const thinbench_execution* execution,
                                                         thinbench_thinner** thinner);
@@ -231,10 +236,11 @@ typedef struct thinbench_binarisation {
   int32_t threshold;      /* 0 to 255; -1: by Otsu's method; -2: local */
   int32_t window;         /* of the local threshold: odd, 3 to 65535; 0: by the image's size */
   int32_t offset;         /* 0 to 255 */
+  int32_t reserved;       /* must be 0 */
 } thinbench_binarisation;
 
 #define THINBENCH_BINARISATION_INIT \
-  { sizeof(thinbench_binarisation), NULL, -1, 0, 10 }
+  { sizeof(thinbench_binarisation), NULL, -1, 0, 10, 0 }
 
 /* Writes 255 on the foreground of a grey image and 0 elsewhere; destination may be the source.
  * `request` may be NULL: the defaults. *foreground becomes "bright" or "dark" and *threshold the
@@ -246,12 +252,12 @@ THINBENCH_API thinbench_status thinbench_binarise(const thinbench_stack* grey,
 
 /* A channel of one image of 3 or 4 bytes per pixel (red, green, blue, ignored): "grey", "red",
  * "green", "blue", "saturation", "value" or "auto". *chosen, which may be NULL, becomes its name.
- * Strides are in bytes; colours and levels must not overlap. */
-THINBENCH_API thinbench_status thinbench_select_channel(const uint8_t* colours, ptrdiff_t height,
-                                                        ptrdiff_t width, ptrdiff_t stride,
-                                                        int32_t samples, const char* channel,
-                                                        uint8_t* levels, ptrdiff_t levels_stride,
-                                                        const char** chosen);
+ * `samples` is 3 or 4. Strides are in bytes; colours and levels must not overlap. */
+THINBENCH_API thinbench_status thinbench_select_channel(const uint8_t* colours,
+                                                        ptrdiff_t colours_stride, uint8_t* levels,
+                                                        ptrdiff_t levels_stride, ptrdiff_t height,
+                                                        ptrdiff_t width, int32_t samples,
+                                                        const char* channel, const char** chosen);
 
 /* Edges of grey images by "sobel", "prewitt", "roberts4", "roberts9", "mero_vassy" or
  * "mero_vassy_5x5"; thresholds from 0 to 255 (40 and 128 are usual). Source and destination must
@@ -268,9 +274,8 @@ THINBENCH_API thinbench_status thinbench_squared_distances(const thinbench_stack
                                                            int32_t* distances, ptrdiff_t stride,
                                                            const thinbench_execution* execution);
 
-/* How far the centres of neighbouring rows and columns are apart, in any unit. NULL stands for
- * 1, 1.
- */
+/* How far the centres of neighbouring rows and columns are apart, in any unit, from 1e-30 to
+ * 1e30. NULL stands for 1, 1. */
 typedef struct thinbench_spacing {
   double y;
   double x;
@@ -319,8 +324,8 @@ THINBENCH_API thinbench_status thinbench_label_components(const thinbench_stack*
                                                           const thinbench_execution* execution,
                                                           thinbench_regions** regions);
 /* The labels of components of equal values in a height x width image of any values: 4- or
- * 8-connected pixels with one value. Those with the value `background` get 0. Strides are in values;
- * the images share no byte. */
+ * 8-connected pixels with one value. Those with the value `background` get 0. Strides are in
+ * values; the images share no byte. */
 THINBENCH_API thinbench_status thinbench_label_values(const int32_t* values,
                                                       ptrdiff_t values_stride, int32_t* labels,
                                                       ptrdiff_t labels_stride, ptrdiff_t height,
@@ -351,8 +356,8 @@ typedef struct thinbench_pixel {
 } thinbench_pixel;
 
 typedef struct thinbench_graph_node {
-  int32_t kind; /* 0: isolated pixel, 1: end, 2: junction, 3: first pixel of a closed line,
-                   4: given to thinbench_graph_split */
+  int32_t kind;         /* 0: isolated pixel, 1: end, 2: junction, 3: first pixel of a closed line,
+                           4: given to thinbench_graph_split */
   uint32_t first_pixel; /* in the list of the pixels of nodes */
   uint32_t pixel_count;
 } thinbench_graph_node;
@@ -392,7 +397,7 @@ THINBENCH_API thinbench_status thinbench_skeleton_graph(const thinbench_stack* s
                                                         thinbench_graph** graph);
 
 typedef struct thinbench_pruning {
-  size_t size;             /* sizeof(thinbench_pruning) */
+  size_t size;             /* of this struct */
   double min_length;       /* removes end branches below it */
   double min_widths;       /* and those below so many times the object's width at their junction */
   const double* distances; /* of the image before it was thinned; NULL without min_widths */
@@ -400,6 +405,9 @@ typedef struct thinbench_pruning {
   int32_t removes_components;       /* nonzero: also short lines and pixels on their own */
   const thinbench_spacing* spacing; /* that of the distances and of min_length */
 } thinbench_pruning;
+
+#define THINBENCH_PRUNING_INIT \
+  { sizeof(thinbench_pruning), 0, 0, NULL, 0, 0, NULL }
 
 /* Removes short branches of one skeleton, of equal ones the first, until none is left. Destination
  * may be the source. `graph` may be NULL; otherwise *graph is that of the result and must be
@@ -436,8 +444,8 @@ typedef struct thinbench_edge_widths {
  * those of the image before it was thinned, `stride` numbers from row to row. */
 THINBENCH_API thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph,
                                                            const double* distances,
-                                                           ptrdiff_t height, ptrdiff_t width,
-                                                           ptrdiff_t stride,
+                                                           ptrdiff_t stride, ptrdiff_t height,
+                                                           ptrdiff_t width,
                                                            thinbench_edge_widths* widths);
 
 /* The graphs of all labels of a height x width image of labels, one after another, in the order of
@@ -453,19 +461,21 @@ THINBENCH_API const int32_t* thinbench_graph_node_labels(const thinbench_graph* 
 
 /* The distance from each pixel of a label to the nearest pixel without this label; 0 on background.
  * Strides are in labels and in numbers. */
-THINBENCH_API thinbench_status thinbench_label_distances(
-    const int32_t* labels, ptrdiff_t labels_stride, double* distances, ptrdiff_t distances_stride,
-    ptrdiff_t height, ptrdiff_t width, const thinbench_spacing* spacing,
-    const thinbench_execution* execution);
+THINBENCH_API thinbench_status thinbench_label_distances(const int32_t* labels,
+                                                         ptrdiff_t labels_stride, double* distances,
+                                                         ptrdiff_t distances_stride,
+                                                         ptrdiff_t height, ptrdiff_t width,
+                                                         const thinbench_spacing* spacing,
+                                                         const thinbench_execution* execution);
 
 /* Prunes the skeleton of each label as if it were alone; pixels that are removed become 0. The
  * distances are thinbench_label_distances() of what was thinned. Destination may be the source.
  * `graph` as in thinbench_prune(), with labels. */
-THINBENCH_API thinbench_status thinbench_prune_labels(
-    const int32_t* skeletons, ptrdiff_t skeletons_stride, int32_t* destination,
-    ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width,
-    const thinbench_pruning* pruning, const thinbench_execution* execution,
-    thinbench_graph** graph);
+THINBENCH_API thinbench_status
+thinbench_prune_labels(const int32_t* skeletons, ptrdiff_t skeletons_stride, int32_t* destination,
+                       ptrdiff_t destination_stride, ptrdiff_t height, ptrdiff_t width,
+                       const thinbench_pruning* pruning, const thinbench_execution* execution,
+                       thinbench_graph** graph);
 
 /* Graphs made from another one: thinbench/graph_parts.hpp. They know no labels, must be destroyed,
  * and are NULL on failure. */

@@ -36,7 +36,7 @@ class HoleStarts {
                      [](std::uint8_t pixel) { return static_cast<std::uint8_t>(~pixel); });
     }
     const LabelView parts = {parts_.get(), mask.width, mask.height};
-    const std::uint32_t count = label_image(others, parts, holes, execution);
+    const std::uint32_t count = label_image(others, parts, holes, LabelOrder::pixels, execution);
     if (mask.width == 0 || mask.height == 0) return;
     find_outside(parts, count);
     raise_starts(static_cast<Start>(mask.width * mask.height));

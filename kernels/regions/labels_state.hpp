@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
+#include "core/checks.hpp"
 #include "core/packing.hpp"
 #include "core/planes.hpp"
 #include "core/variant.hpp"
@@ -44,7 +46,10 @@ class LabelsState {
  public:
   using Parameters = LabelsParameters;
 
-  static void check(const LabelsParameters&, Index width, Index height) {
+  static void check(const LabelsParameters& parameters, Index width, Index height) {
+    require(parameters.order <= LabelOrder::opencv,
+            "order: expected pixels or opencv, got number " +
+                std::to_string(static_cast<int>(parameters.order)));
     require_label_size(width, height);
   }
 

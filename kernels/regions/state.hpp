@@ -28,8 +28,9 @@ struct RegionsParameters {
   RegionsTask task;
   std::int64_t max_area = kAnyHoleArea;  // of holes to fill
 };
-/// The task of fill_holes(). Throws std::invalid_argument.
+// The tasks of fill_holes() and euler_number(). Throw std::invalid_argument.
 [[nodiscard]] RegionsTask fill_task(Connectivity objects);
+[[nodiscard]] RegionsTask euler_task(Connectivity objects);
 /// Rejects a negative area.
 void require_max_area(std::int64_t max_area);
 

@@ -136,6 +136,11 @@ RegionsTask fill_task(Connectivity objects) {
   return objects == Connectivity::four ? RegionsTask::fill_four : RegionsTask::fill;
 }
 
+RegionsTask euler_task(Connectivity objects) {
+  require_connectivity(static_cast<int>(objects));
+  return objects == Connectivity::four ? RegionsTask::euler_four : RegionsTask::euler_eight;
+}
+
 void require_max_area(std::int64_t max_area) {
   if (max_area >= 0) return;
   throw std::invalid_argument("max_area: expected at least 0, got " + std::to_string(max_area));

@@ -51,18 +51,18 @@ def is_colour(image: Array) -> bool:
     return image.dtype == _UINT8 and image.ndim == 3 and image.shape[2] in (3, 4)
 
 
-def labels(image: Any) -> Array:
+def labels(image: Any, name: str = "labels") -> Array:
     """A bool or integer image of labels, all of which fit into int32."""
-    array: Array = unmasked(image, "labels")
+    array: Array = unmasked(image, name)
     if array.dtype.kind not in "biu":
-        raise TypeError(f"labels: expected bool or integers, got {array.dtype}; "
-                        "`labels.astype(np.int32)` makes one")
-    if array.dtype.itemsize >= 4 and array.dtype != np.int32 and array.size and array.max() >= 2**31:
-        raise ValueError(f"labels: expected labels below 2**31, got {array.max()}")
-    if array.dtype == np.int64 and array.size and array.min() < -2**31:
-        raise ValueError(f"labels: expected no negative labels, got {array.min()}")
+        raise TypeError(f"{name}: expected bool or integers, got {array.dtype}; "
+                        f"`{name}.astype(np.int32)` makes one")
+    if not np.can_cast(array.dtype, np.int32) and array.size:
+        for number in (int(array.min()), int(array.max())):
+            if not -2**31 <= number < 2**31:
+                raise ValueError(f"{name}: expected numbers that fit into int32, got {number}")
     if array.ndim != 2:
-        raise ValueError(f"labels: expected shape (H, W), got {array.shape}")
+        raise ValueError(f"{name}: expected shape (H, W), got {array.shape}")
     return array
 
 

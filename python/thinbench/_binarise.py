@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from thinbench import _arrays, _library
 
-_REQUEST = struct.Struct("NPiii4x")  # size, foreground, threshold, window, offset
+_REQUEST = struct.Struct("NPiii4x")  # size, foreground, threshold, window, offset, reserved
 _FOREGROUNDS = {name: ctypes.create_string_buffer(name.encode()) for name in ("auto", "bright", "dark")}
 _CHANNELS = {name: name.encode()
              for name in ("grey", "red", "green", "blue", "saturation", "value", "auto")}
@@ -103,6 +103,6 @@ def _levels(image: npt.ArrayLike, channel: str) -> npt.NDArray[np.uint8]:
     colours = np.ascontiguousarray(array)
     height, width, samples = colours.shape
     levels = np.empty((height, width), np.uint8)
-    _library.select_channel(colours.ctypes.data, height, width, samples * width, samples, name,
-                            levels.ctypes.data, width, None)
+    _library.select_channel(colours.ctypes.data, samples * width, levels.ctypes.data, width, height,
+                            width, samples, name, None)
     return levels

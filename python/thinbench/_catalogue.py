@@ -12,21 +12,21 @@ def _rules(built_in: bool) -> dict[str, Rule]:
     return {name: rule for name, rule in rules.items() if rule.is_built_in == built_in}
 
 
-def rules() -> dict[str, str]:
-    """Names and descriptions of the built-in rules, most of which thin.
+def rules() -> dict[str, Rule]:
+    """The built-in rules, most of which thin.
 
     Returns
     -------
     dict
-        From name to description, in the order of the catalogue.
+        From name to Rule, in the order of the catalogue.
 
     Examples
     --------
     >>> import thinbench
-    >>> print(thinbench.rules()["zhang_suen"])
+    >>> print(thinbench.rules()["zhang_suen"].description)
     Zhang and Suen 1984, two sub-iterations; loses 2 x 2 blocks
     """
-    return {name: rule.description for name, rule in _rules(built_in=True).items()}
+    return _rules(built_in=True)
 
 
 def named_rules() -> dict[str, Rule]:

@@ -227,7 +227,7 @@ def _merged(components: Array, roots: Array, first: Array, is_object: Array,
     label = np.empty(len(starts), np.int64)
     label[rank] = np.arange(1, len(starts) + 1)
     label[outside] = 0
-    found["parent"] = np.where(is_object[leader], 0, label[group[above[leader]]])
+    found["enclosing_object"] = np.where(is_object[leader], 0, label[group[above[leader]]])
     kept = rank[:len(starts) - np.count_nonzero(outside)]
     return label[group], found[kept], int(np.count_nonzero(is_object[leader]))
 

@@ -78,7 +78,7 @@ def graph(skeleton: npt.ArrayLike, image: npt.ArrayLike | None = None, *, spacin
 
 
 def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
-          image: npt.ArrayLike | None = None, spacing: Spacing = 1, remove_components: bool = False,
+          image: npt.ArrayLike | None = None, spacing: Spacing = 1, removes_components: bool = False,
           out: npt.NDArray[Any] | None = None, threads: int = 1) -> npt.NDArray[Any]:
     """Remove short branches from a skeleton.
 
@@ -98,7 +98,7 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
         What was thinned; needed with `min_widths`.
     spacing : float or two floats
         The distance between rows, and between columns, in whose unit `min_length` is.
-    remove_components : bool
+    removes_components : bool
         Also remove lines and pixels on their own that are shorter than `min_length`.
     out : array, optional
         Receives the result: same shape and dtype as the skeleton, C-contiguous. May be the skeleton.
@@ -137,7 +137,7 @@ def prune(skeleton: npt.ArrayLike, min_length: float = 0, *, min_widths: float =
     packed_units = np.array(units)
     pruning = _library.PRUNING.pack(_library.PRUNING.size, _arrays.real("min_length", min_length),
                                     widths, 0 if distances is None else distances.ctypes.data,
-                                    array.shape[1], bool(remove_components), packed_units.ctypes.data)
+                                    array.shape[1], bool(removes_components), packed_units.ctypes.data)
     result = _arrays.result_for(array, out)
     stack, kept_alive = _arrays.source(array)
     _library.prune(stack, _arrays.destination(result), pruning, options, None)
@@ -189,7 +189,7 @@ def medial_axis(image: npt.ArrayLike, rule: str | Rule = "guo_hall", *, spacing:
     [0. 0. 2. 2. 2. 2. 2. 0. 0.]
     """
     skeleton = _thinning.thin(image, rule, threads=threads, stack=False)
-    distances = _images.distance(image, sampling=spacing, threads=threads)
+    distances = _images.distance(image, spacing=spacing, threads=threads)
     distances[skeleton == 0] = 0
     return skeleton, distances
 
@@ -253,7 +253,7 @@ def _check_thin(stack: bytes, not_thin: str) -> None:
 
 def _distances_of(image: npt.ArrayLike, shape: tuple[int, ...], spacing: tuple[float, float],
                   threads: int) -> npt.NDArray[np.float64]:
-    distances = _images.distance(image, sampling=spacing, threads=threads)
+    distances = _images.distance(image, spacing=spacing, threads=threads)
     if distances.shape != shape:
         raise ValueError(f"image: expected the skeleton's shape {shape}, got {distances.shape}")
     return distances

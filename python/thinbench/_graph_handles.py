@@ -101,5 +101,5 @@ def _edge_columns(edges: Array, spacing: tuple[float, float]) -> dict[str, Array
 def _width_columns(handle: ctypes.c_void_p, distances: npt.NDArray[np.float64], count: int) -> dict[str, Array]:
     widths = np.empty((count, 4))
     height, width = distances.shape
-    _library.graph_edge_widths(handle, distances.ctypes.data, height, width, width, widths.ctypes.data)
+    _library.graph_edge_widths(handle, distances.ctypes.data, width, height, width, widths.ctypes.data)
     return {"width-" + name: widths[:, i] for i, name in enumerate(("mean", "median", "min", "max"))}

@@ -14,7 +14,7 @@ from thinbench import _arrays, _library
 EDGE_OPERATORS = {name: name.encode()
                   for name in _library.all_names(_library.edge_operator_name)}
 REGION = np.dtype([("area", "i8"), ("sum_x", "i8"), ("sum_y", "i8"), ("left", "i4"),
-                    ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("parent", "u4")],
+                    ("top", "i4"), ("right", "i4"), ("bottom", "i4"), ("enclosing_object", "u4")],
                    align=True)
 
 _ONE = np.array(1, np.int32)  # faster than a number of Python
@@ -78,7 +78,7 @@ def edges(image: npt.ArrayLike, operator: str = "sobel", gradient_threshold: int
 
 
 def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
-               max_area: int | None = None,
+               max_area: int | None = None, threads: int = 1,
                out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
     """Fill the holes of objects.
 
@@ -91,6 +91,8 @@ def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     max_area : int, optional
         Fill only holes of at most so many pixels, not counting objects inside them, which stay as
         they are.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
     out : array, optional
         Receives the result: same shape and dtype as the image, C-contiguous. May be the image.
 
@@ -123,13 +125,14 @@ def fill_holes(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
     stack, kept_alive = _arrays.source(image)
     largest = _hole_area(max_area)
     _library.fill_small_holes(stack, _arrays.destination(result),
-                              _arrays.integer("connectivity", connectivity), largest, None)
+                              _arrays.integer("connectivity", connectivity), largest,
+                              _library.execution(_arrays.integer("threads", threads)))
     del kept_alive
     return result
 
 
 def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, max_area: int | None = None,
-                     out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
+                     threads: int = 1, out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
     """Fill the holes of every label of a label image.
 
     Parameters
@@ -140,6 +143,8 @@ def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, 
         Of labels; holes have the other one.
     max_area : int, optional
         Fill only holes of which at most so many pixels are to be filled.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
     out : array, optional
         Receives the result: same shape and dtype as `labels`, C-contiguous. May be `labels`.
 
@@ -174,7 +179,8 @@ def fill_label_holes(labels: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, 
     target = result if result.dtype == np.int32 else np.empty(image.shape, np.int32)
     _library.fill_label_holes(_library.address(source), _arrays.label_stride(source), _library.address(target),
                               _arrays.label_stride(target), *image.shape,
-                              _arrays.integer("connectivity", connectivity), largest, None)
+                              _arrays.integer("connectivity", connectivity), largest,
+                              _library.execution(_arrays.integer("threads", threads)))
     if target is not result:
         result[...] = target
     return result
@@ -184,7 +190,7 @@ def _hole_area(max_area: int | None) -> int:
     return _library.ANY_HOLE_AREA if max_area is None else _arrays.integer("max_area", max_area)
 
 
-def euler_number(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8) -> int:
+def euler_number(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8, threads: int = 1) -> int:
     """Count objects minus holes.
 
     Parameters
@@ -193,6 +199,8 @@ def euler_number(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8) -> int:
         Nonzero is foreground.
     connectivity : {8, 4}
         Of objects; holes have the other one.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
 
     Returns
     -------
@@ -218,14 +226,14 @@ def euler_number(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8) -> int:
     """
     stack, kept_alive = _arrays.source(_arrays.binary(image))
     number = ctypes.c_int64()
-    _library.euler_number(stack, _arrays.integer("connectivity", connectivity), None,
-                          ctypes.byref(number))
+    _library.euler_number(stack, _arrays.integer("connectivity", connectivity),
+                          _library.execution(_arrays.integer("threads", threads)), ctypes.byref(number))
     del kept_alive
     return number.value
 
 
-def label(image: npt.ArrayLike,
-          connectivity: Literal[4, 8] = 8) -> tuple[npt.NDArray[np.int32], int]:
+def label(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
+          threads: int = 1) -> tuple[npt.NDArray[np.int32], int]:
     """Label objects.
 
     Parameters
@@ -234,6 +242,8 @@ def label(image: npt.ArrayLike,
         Nonzero is foreground. At most 2**31 pixels.
     connectivity : {8, 4}
         Of objects.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
 
     Returns
     -------
@@ -260,10 +270,11 @@ def label(image: npt.ArrayLike,
     [[1 0 2]
      [0 3 0]] 3
     """
-    return label_objects(image, _arrays.integer("connectivity", connectivity))
+    return label_objects(image, _arrays.integer("connectivity", connectivity),
+                         execution=_library.execution(_arrays.integer("threads", threads)))
 
 
-def label_values(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8, *,
+def label_values(image: npt.ArrayLike, *, connectivity: Literal[4, 8] = 8,
                  background: int = 0) -> tuple[npt.NDArray[np.int32], int]:
     """Label components of equal values, such as the parts of each label of a label image.
 
@@ -300,7 +311,7 @@ def label_values(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8, *,
     [[1 1 2]
      [0 0 1]] 2
     """
-    values = _arrays.label_rows(_arrays.labels(image))
+    values = _arrays.label_rows(_arrays.labels(image, "image"))
     labels = np.empty(values.shape, np.int32)
     components = ctypes.c_uint32()
     _library.label_values(_library.address(values), _arrays.label_stride(values), _library.address(labels),
@@ -309,14 +320,14 @@ def label_values(image: npt.ArrayLike, connectivity: Literal[4, 8] = 8, *,
     return labels, components.value
 
 
-def label_objects(image: npt.ArrayLike, connectivity: int,
-                  order: bytes | None = None) -> tuple[npt.NDArray[np.int32], int]:
-    """As `label`; `order` as in the C interface."""
+def label_objects(image: npt.ArrayLike, connectivity: int, order: bytes | None = None,
+                  execution: bytes | None = None) -> tuple[npt.NDArray[np.int32], int]:
+    """As `label`; `order` and `execution` as in the C interface."""
     image = _arrays.binary(image)
     labels = np.empty(image.shape, np.int32)
     stack, kept_alive = _arrays.source(image)
     objects = ctypes.c_uint32()
-    _library.label_image(stack, _library.address(labels), image.shape[1], connectivity, order, None,
+    _library.label_image(stack, _library.address(labels), image.shape[1], connectivity, order, execution,
                          ctypes.byref(objects))
     del kept_alive
     return labels, objects.value
@@ -336,21 +347,21 @@ def label_components(image: npt.ArrayLike, connectivity: int,
 
 
 @overload
-def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: Literal[False] = ...,
+def distance(image: npt.ArrayLike, *, spacing: float | Sequence[float] = ..., squared: Literal[False] = ...,
              threads: int = ..., out: npt.NDArray[Any] | None = ...) -> npt.NDArray[np.float64]: ...
 
 
 @overload
-def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: Literal[True],
+def distance(image: npt.ArrayLike, *, spacing: float | Sequence[float] = ..., squared: Literal[True],
              threads: int = ..., out: npt.NDArray[Any] | None = ...) -> npt.NDArray[np.int32]: ...
 
 
 @overload
-def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = ..., squared: bool, threads: int = ...,
+def distance(image: npt.ArrayLike, *, spacing: float | Sequence[float] = ..., squared: bool, threads: int = ...,
              out: npt.NDArray[Any] | None = ...) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]: ...
 
 
-def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squared: bool = False,
+def distance(image: npt.ArrayLike, *, spacing: float | Sequence[float] = 1, squared: bool = False,
              threads: int = 1, out: npt.NDArray[Any] | None = None,
              ) -> npt.NDArray[np.float64] | npt.NDArray[np.int32]:
     """Find the Euclidean distance from each pixel to its nearest background pixel.
@@ -362,10 +373,10 @@ def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squ
     ----------
     image : array of bool or uint8, shape (H, W)
         Nonzero is foreground. At most 32767 pixels on a side.
-    sampling : float or two floats
+    spacing : float or two floats
         The distance between the centres of neighbouring rows, and of neighbouring columns.
     squared : bool
-        Return squares, which are exact integers. Not with `sampling`.
+        Return squares, which are exact integers. Not with `spacing`.
     threads : int
         The maximum number of threads. An image below 2**20 pixels uses one.
     out : array, optional
@@ -396,35 +407,35 @@ def distance(image: npt.ArrayLike, *, sampling: float | Sequence[float] = 1, squ
     """
     array = _arrays.binary(image)
     stack, kept_alive = _arrays.source(array)
-    spacing = _arrays.spacing("sampling", sampling)
+    units = _arrays.spacing("spacing", spacing)
     execution = _library.execution(_arrays.integer("threads", threads))
-    if squared and spacing != (1, 1):
-        raise ValueError(f"squared: expected no sampling beside it, got {sampling!r}")
+    if squared and units != (1, 1):
+        raise ValueError(f"squared: expected no spacing beside it, got {spacing!r}")
     found = _arrays.result_for(array, out, dtype=np.int32 if squared else np.float64)
     if squared:
         _library.squared_distances(stack, _library.address(found), array.shape[1], execution)
     else:
         _library.distances(stack, _library.address(found), array.shape[1],
-                           None if spacing == (1, 1) else _library.SPACING.pack(*spacing), execution)
+                           None if units == (1, 1) else _library.SPACING.pack(*units), execution)
     del kept_alive
     return found
 
 
 @overload
-def regions(image: npt.ArrayLike, return_labels: Literal[False] = ...) -> Columns: ...
+def regions(image: npt.ArrayLike, return_labels: Literal[False] = ..., *, threads: int = ...) -> Columns: ...
 
 
 @overload
-def regions(image: npt.ArrayLike,
-            return_labels: Literal[True]) -> tuple[Columns, npt.NDArray[np.int32]]: ...
+def regions(image: npt.ArrayLike, return_labels: Literal[True], *,
+            threads: int = ...) -> tuple[Columns, npt.NDArray[np.int32]]: ...
 
 
 @overload
-def regions(image: npt.ArrayLike, return_labels: bool,
+def regions(image: npt.ArrayLike, return_labels: bool, *, threads: int = ...,
             ) -> Columns | tuple[Columns, npt.NDArray[np.int32]]: ...
 
 
-def regions(image: npt.ArrayLike, return_labels: bool = False,
+def regions(image: npt.ArrayLike, return_labels: bool = False, *, threads: int = 1,
             ) -> Columns | tuple[Columns, npt.NDArray[np.int32]]:
     """Find objects and holes.
 
@@ -437,12 +448,14 @@ def regions(image: npt.ArrayLike, return_labels: bool = False,
         Nonzero is foreground. At most 2**29 pixels on a side.
     return_labels : bool
         Also return an image of labels.
+    threads : int
+        The maximum number of threads. An image below 2**20 pixels uses one.
 
     Returns
     -------
     dict of arrays, or a tuple of that and an array of int32, shape (H, W)
         One element per region, objects first, each list in raster order of first pixels:
-        "label" from 1; "parent", of a hole the label of the object around it, else 0; "area";
+        "label" from 1; "enclosing_object", of a hole the label of the object around it, else 0; "area";
         "centroid-0" and "centroid-1" (row, column); "bbox-0" to "bbox-3" (first row, first column,
         last row + 1, last column + 1); "is_hole". The image has the label of each pixel's region,
         or 0.
@@ -462,7 +475,7 @@ def regions(image: npt.ArrayLike, return_labels: bool = False,
     >>> import thinbench
     >>> ring = np.array([[1, 1, 1, 0], [1, 0, 1, 0], [1, 1, 1, 0]], bool)
     >>> table, labels = thinbench.regions(ring, return_labels=True)
-    >>> print(table["area"], table["is_hole"], table["parent"])
+    >>> print(table["area"], table["is_hole"], table["enclosing_object"])
     [8 1] [False  True] [0 1]
     >>> print(labels)
     [[1 1 1 0]
@@ -471,17 +484,17 @@ def regions(image: npt.ArrayLike, return_labels: bool = False,
     """
     image = _arrays.binary(image)
     labels = np.empty(image.shape, np.int32) if return_labels else None
-    table = columns(*find_regions(image, labels))
+    table = columns(*find_regions(image, labels, _library.execution(_arrays.integer("threads", threads))))
     return table if labels is None else (table, labels)
 
 
 def find_regions(image: _arrays.Array, labels: npt.NDArray[np.int32] | None,
-                 ) -> tuple[_arrays.Array, int]:
+                 execution: bytes | None = None) -> tuple[_arrays.Array, int]:
     """Objects, then holes, as an array of REGION, and the number of objects; fills `labels`."""
     stack, kept_alive = _arrays.source(image)
     handle = ctypes.c_void_p()
     _library.find_regions(stack, None if labels is None else _library.address(labels),
-                          image.shape[1], None, ctypes.byref(handle))
+                          image.shape[1], execution, ctypes.byref(handle))
     del kept_alive
     return _taken(handle)
 
@@ -554,7 +567,7 @@ def columns(found: _arrays.Array, objects: int) -> Columns:
     is_hole[objects:] = True
     return {
         "label": np.arange(1, len(found) + 1, dtype=np.int32),
-        "parent": found["parent"].astype(np.int32),
+        "enclosing_object": found["enclosing_object"].astype(np.int32),
         "area": area.copy(),
         "centroid-0": found["sum_y"] / divisor,
         "centroid-1": found["sum_x"] / divisor,

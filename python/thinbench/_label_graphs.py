@@ -27,7 +27,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
     Parameters
     ----------
     skeletons : array of bool or integers, shape (H, W)
-        0 is background; `thin(labels)` makes such an image.
+        0 is background; `thin_labels(labels)` makes such an image.
     labels : array of bool or integers, shape (H, W), optional
         What was thinned, for the widths of edges.
     spacing : float or two floats
@@ -56,7 +56,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
     >>> print(found.edges["label"], found.edges["length"])
     [2 5] [1. 2.]
     """
-    lines = _arrays.label_rows(_arrays.labels(skeletons))
+    lines = _arrays.label_rows(_arrays.labels(skeletons, "skeletons"))
     options = _library.execution(_arrays.integer("threads", threads))
     units = _arrays.spacing("spacing", spacing)
     distances = None if labels is None else _distances_of(labels, lines.shape, units, options)
@@ -67,7 +67,7 @@ def graph_labels(skeletons: npt.ArrayLike, labels: npt.ArrayLike | None = None, 
 
 
 def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths: float = 0,
-                 labels: npt.ArrayLike | None = None, spacing: Spacing = 1, remove_components: bool = False,
+                 labels: npt.ArrayLike | None = None, spacing: Spacing = 1, removes_components: bool = False,
                  out: npt.NDArray[Any] | None = None, threads: int = 1) -> npt.NDArray[Any]:
     """Remove short branches from many skeletons that share an image, each as if it were alone.
 
@@ -75,7 +75,7 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     ----------
     skeletons : array of bool or integers, shape (H, W)
         0 is background; `thin_labels(labels)` makes such an image. Never modified.
-    min_length, min_widths, spacing, remove_components, threads
+    min_length, min_widths, spacing, removes_components, threads
         As for `prune`.
     labels : array of bool or integers, shape (H, W), optional
         What was thinned; needed with `min_widths`.
@@ -102,7 +102,7 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     [[0 0 0 2]
      [5 5 5 2]]
     """
-    image = _arrays.labels(skeletons)
+    image = _arrays.labels(skeletons, "skeletons")
     lines = _arrays.label_rows(image)
     options = _library.execution(_arrays.integer("threads", threads))
     widths = _arrays.real("min_widths", min_widths)
@@ -115,7 +115,7 @@ def prune_labels(skeletons: npt.ArrayLike, min_length: float = 0, *, min_widths:
     packed_units = np.array(units)
     pruning = _library.PRUNING.pack(_library.PRUNING.size, _arrays.real("min_length", min_length), widths,
                                     0 if distances is None else distances.ctypes.data, lines.shape[1],
-                                    bool(remove_components), packed_units.ctypes.data)
+                                    bool(removes_components), packed_units.ctypes.data)
     _library.prune_labels(lines.ctypes.data, _arrays.label_stride(lines), kept.ctypes.data, lines.shape[1],
                           *lines.shape, pruning, options, None)
     result[...] = kept

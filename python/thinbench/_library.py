@@ -18,7 +18,7 @@ _library = ctypes.CDLL(str(Path(__file__).with_name("libthinbench.so")))
 STACK = struct.Struct("Pnnnnn")  # data, count, height, width, stride, image_stride
 OUTPUT = struct.Struct("PnnB7x")  # data, stride, image_stride, foreground
 PACKED = struct.Struct("Pnnni4x")  # data, height, width, stride, lsb_first
-_THINNING = struct.Struct("NPi4x")  # size, border, max_iterations
+_THINNING = struct.Struct("NPi4x")  # size, border, max_iterations, reserved
 SPACING = struct.Struct("dd")  # y, x
 PRUNING = struct.Struct("NddPni4xP")
 _EXECUTION = struct.Struct("Ni4xP")  # size, threads, isa
@@ -77,8 +77,8 @@ thin_packed = _checked(
 thin_labels = _checked("thin_labels", _POINTER, _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,
                        _DISTANCE, _BYTES, _BYTES, _POINTER)
 binarise = _checked("binarise", _BYTES, _BYTES, _BYTES, _POINTER, _POINTER)
-select_channel = _checked("select_channel", _POINTER, _DISTANCE, _DISTANCE, _DISTANCE, _INT, _BYTES,
-                          _POINTER, _DISTANCE, _POINTER)
+select_channel = _checked("select_channel", _POINTER, _DISTANCE, _POINTER, _DISTANCE, _DISTANCE,
+                          _DISTANCE, _INT, _BYTES, _POINTER)
 edges = _checked("edges", _BYTES, _BYTES, _BYTES, _INT, _INT, _BYTES)
 squared_distances = _checked("squared_distances", _BYTES, _POINTER, _DISTANCE, _BYTES)
 distances = _checked("distances", _BYTES, _POINTER, _DISTANCE, _BYTES, _BYTES)

@@ -212,9 +212,9 @@ class Rule:
                    optimise=optimise)
 
     @classmethod
-    def from_deletions(cls, deleted: npt.ArrayLike, order: str = "descriptor", *,
-                       border: str = "background", max_iterations: int | None = None,
-                       optimise: bool = False) -> Rule:
+    def from_removals(cls, removed: npt.ArrayLike, order: str = "descriptor", *,
+                      border: str = "background", max_iterations: int | None = None,
+                      optimise: bool = False) -> Rule:
         """A thinning rule: 256 values by neighbours, true where a foreground pixel is removed.
 
         An array of shape (256,) or (sub-iterations, 256). `order` says which neighbour each bit of
@@ -226,11 +226,11 @@ class Rule:
         --------
         >>> import numpy as np
         >>> import thinbench
-        >>> outline = thinbench.Rule.from_deletions(np.arange(256) == 255, max_iterations=1)
+        >>> outline = thinbench.Rule.from_removals(np.arange(256) == 255, max_iterations=1)
         >>> print(thinbench.apply(np.ones((3, 5), bool), outline)[1].astype(int))
         [1 0 0 0 1]
         """
-        return cls(_tables.from_deletions(deleted, order), border=border,
+        return cls(_tables.from_removals(removed, order), border=border,
                    max_iterations=max_iterations, optimise=optimise)
 
     @classmethod

@@ -212,9 +212,12 @@ class Graph:
     def open_cycles(self, max_length: float = math.inf) -> Graph:
         """The graph without the closing edges of `cycles()` that are at most so long: without their
         longest edges, of equally long ones the last."""
+        longest = _arrays.real("max_length", max_length)
+        if not longest >= 0:
+            raise ValueError(f"max_length: expected a number of at least 0, got {longest:g}")
         keep = np.ones(len(self.edges["from"]), bool)
         for length, _, edges in _network.cycles(*self._links()):
-            keep[edges[-1]] = length > max_length
+            keep[edges[-1]] = length > longest
         return self._with_edges(np.flatnonzero(keep), np.arange(len(self.nodes["kind"])))
 
     def subgraph(self, edges: npt.ArrayLike) -> Graph:
@@ -222,11 +225,7 @@ class Graph:
 
         Numbers of nodes, degrees and components are those of the subgraph; kinds remain.
         """
-        chosen = np.asarray(edges)
-        count = len(self.edges["from"])
-        if chosen.dtype == bool and chosen.shape != (count,):
-            raise ValueError(f"edges: expected a bool for each of {count} edges, got shape {chosen.shape}")
-        chosen = np.arange(count)[chosen if chosen.size else []]
+        chosen = _edge_numbers(edges, len(self.edges["from"]))
         used = np.unique(np.concatenate([self.edges["from"][chosen], self.edges["to"][chosen]]))
         return self._with_edges(chosen, used)
 
@@ -234,7 +233,10 @@ class Graph:
         """The pixel of an edge that is nearest to a point, the first of equally near ones."""
         if len(self._chains.values) == 0:
             raise ValueError("nearest: expected a graph with edges, got none")
-        away = (self._chains.values - (_arrays.real("row", row), _arrays.real("column", column))) * self.spacing
+        point = _arrays.real("row", row), _arrays.real("column", column)
+        if not all(map(math.isfinite, point)):
+            raise ValueError(f"nearest: expected a finite point, got {point[0]:g}, {point[1]:g}")
+        away = (self._chains.values - point) * self.spacing
         squares = (away ** 2).sum(axis=1)
         at = int(squares.argmin())
         edge = int(np.searchsorted(self._chains.bounds, at, side="right")) - 1
@@ -376,6 +378,22 @@ def counted(nodes: Columns, edges: Columns, spacing: tuple[float, float], node_p
     nodes["degree"] = np.bincount(edges["from"], minlength=count) + np.bincount(edges["to"], minlength=count)
     nodes["component"] = _network.components(count, _network.links(edges["from"], edges["to"], edges["length"]))
     return Graph(nodes, edges, spacing, node_pixels, chains, distances)
+
+
+def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:
+    """Numbers of edges, which are given as such or by a bool for each."""
+    chosen = np.asarray(edges)
+    if chosen.dtype == bool and chosen.shape != (count,):
+        raise ValueError(f"edges: expected a bool for each of {count} edges, got shape {chosen.shape}")
+    if chosen.ndim != 1:
+        raise ValueError(f"edges: expected one dimension, got shape {chosen.shape}")
+    if chosen.size and chosen.dtype.kind not in "biu":
+        raise TypeError(f"edges: expected integers or bools, got dtype {chosen.dtype}")
+    numbers = np.flatnonzero(chosen) if chosen.dtype == bool else chosen
+    outside = numbers[(numbers < 0) | (numbers >= count)]
+    if outside.size:
+        raise ValueError(f"edges: expected numbers from 0 to {count - 1}, got {outside[0]}")
+    return numbers.astype(np.int64)
 
 
 def _inside(polygon: Array, points: Array) -> Array:

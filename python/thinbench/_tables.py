@@ -79,9 +79,9 @@ def from_makelut(lut: Any, order: str) -> Tables:
     return _each(_library.table_from_values, bits("lut", lut), name)
 
 
-def from_deletions(deleted: Any, order: str) -> Tables:
+def from_removals(removed: Any, order: str) -> Tables:
     name = _arrays.one_of("order", order, NEIGHBOUR_ORDERS)
-    return _each(_library.table_from_removals, bits("deleted", deleted, 256), name)
+    return _each(_library.table_from_removals, bits("removed", removed, 256), name)
 
 
 def _each(function: Callable[..., None], tables: Tables, order: bytes) -> Tables:

@@ -121,7 +121,7 @@ def regions(array: Any, return_labels: bool = False) -> Any:
     >>> ring = da.ones((6, 6), dtype=bool, chunks=4)
     >>> ring[1:5, 1:5] = False
     >>> table = thinbench.dask.regions(ring)
-    >>> print(table["area"], table["is_hole"], table["parent"])
+    >>> print(table["area"], table["is_hole"], table["enclosing_object"])
     [20 16] [False  True] [0 1]
     """
     _check_image(array)

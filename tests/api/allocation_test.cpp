@@ -116,7 +116,7 @@ void call_all(Index width, Index height) {
   static_cast<void>(find_regions(source, {.threads = 2}));
   static_cast<void>(find_components(source));
   static_cast<void>(euler_number(source));
-  static_cast<void>(euler_number_4(source));
+  static_cast<void>(euler_number(source, Connectivity::four));
   fill_holes(source, destination);
   label_regions(source, labels);
   label_components(source, labels, Connectivity::four);

@@ -59,6 +59,17 @@ static void rejects(thinbench_status status, const char* value) {
   }
 }
 
+#if THINBENCH_VERSION_MAJOR < 1
+#error "expected version 1 or later"
+#endif
+
+static void macros_have_the_version(void) {
+  char version[40];
+  snprintf(version, sizeof(version), "%d.%d.%d", THINBENCH_VERSION_MAJOR, THINBENCH_VERSION_MINOR,
+           THINBENCH_VERSION_PATCH);
+  CHECK(strcmp(thinbench_version(), version) == 0);
+}
+
 static void thins_images_and_stacks(void) {
   thinbench_thinning thinning = THINBENCH_THINNING_INIT;
   thinbench_execution execution = THINBENCH_EXECUTION_INIT;
@@ -138,7 +149,7 @@ static void thinner_equals_thin(void) {
   CHECK(thinbench_thin(zhang_suen, &one, &output, NULL, NULL, NULL) == THINBENCH_OK);
   memcpy(expected, results[0], sizeof(expected));
   memset(results, 77, sizeof(results));
-  CHECK(thinbench_thinner_create(zhang_suen, WIDTH, HEIGHT, NULL, NULL, &thinner) == THINBENCH_OK);
+  CHECK(thinbench_thinner_create(zhang_suen, HEIGHT, WIDTH, NULL, NULL, &thinner) == THINBENCH_OK);
   CHECK(thinbench_thinner_run(thinner, &one, &output, NULL) == THINBENCH_OK);
   CHECK(thinbench_thinner_run(thinner, &one, &output, &iterations) == THINBENCH_OK);
   CHECK(iterations > 1);
@@ -147,7 +158,7 @@ static void thinner_equals_thin(void) {
   CHECK(thinbench_isa_available(thinbench_thinner_isa(thinner)) == 1);
   thinbench_thinner_destroy(thinner);
   thinbench_thinner_destroy(NULL);
-  CHECK(thinbench_thinner_create(zhang_suen, -1, 5, NULL, NULL, &thinner) ==
+  CHECK(thinbench_thinner_create(zhang_suen, 5, -1, NULL, NULL, &thinner) ==
         THINBENCH_INVALID_ARGUMENT);
   CHECK(thinner == NULL);
 }
@@ -298,9 +309,8 @@ static void rules_apply_to_packed_images(void) {
 static void rules_are_made_from_nets(void) {
   const int32_t last[1] = {255};
   float weights[9 * 9] = {0};
-  thinbench_rule_info info;
+  thinbench_rule_info info = THINBENCH_RULE_INFO_INIT;
   thinbench_rule* net = NULL;
-  info.size = sizeof(info);
   draw();
   CHECK(thinbench_rule_from_cluster(last, weights, 1, &net) == THINBENCH_OK);
   CHECK(thinbench_thin(net, &one, &output, NULL, NULL, NULL) == THINBENCH_OK);
@@ -321,11 +331,65 @@ static void rules_are_made_from_nets(void) {
   CHECK(net == NULL);
 }
 
+static void selects_a_channel(void) {
+  /* With a byte between the lines. */
+  uint8_t colours[18] = {200, 10, 20, 0, 10, 20, 9, 0, 10, 20, 200, 10, 20};
+  uint8_t levels[] = {77, 77, 77, 77, 77};
+  const char* chosen = NULL;
+  draw();
+  CHECK(thinbench_select_channel(colours, 7, levels, 3, 2, 2, 3, "red", &chosen) == THINBENCH_OK);
+  CHECK(strcmp(chosen, "red") == 0);
+  CHECK(levels[0] == 200 && levels[1] == 0 && levels[2] == 77 && levels[3] == 0 &&
+        levels[4] == 200);
+  CHECK(thinbench_select_channel(colours, 7, levels, 3, 2, 2, 3, "blue", NULL) == THINBENCH_OK);
+  CHECK(levels[0] == 20 && levels[4] == 20);
+  rejects(thinbench_select_channel(colours, 7, colours + 12, 3, 2, 2, 3, "red", NULL), "overlap");
+  rejects(thinbench_select_channel(colours, 7, colours, 3, 2, 2, 3, "red", NULL), "overlap");
+  rejects(thinbench_select_channel(colours, 7, levels, 3, 2, 2, 3, "hue", &chosen), "'hue'");
+  rejects(thinbench_select_channel(colours, 7, levels, 3, 2, 2, 3, NULL, NULL), "got NULL");
+  rejects(thinbench_select_channel(colours, 7, levels, 3, 2, 2, 2, "red", NULL), "got 2");
+  rejects(thinbench_select_channel(colours, 5, levels, 3, 2, 2, 3, "red", NULL), "stride of 5");
+  CHECK(strcmp(chosen, "red") == 0 && levels[0] == 20);
+}
+
+static void binarises_grey_images(void) {
+  uint8_t grey[] = {200, 0, 0, 200, 77, 77};
+  uint8_t binary[] = {77, 77, 77, 77};
+  const thinbench_stack source = {grey, 1, 2, 2, 2, 4};
+  const thinbench_output to = {binary, 2, 4, 0}, in_place = {grey, 2, 4, 1};
+  const thinbench_output shifted = {grey + 1, 2, 4, 0};
+  thinbench_binarisation request = THINBENCH_BINARISATION_INIT;
+  const char* foreground = NULL;
+  int32_t threshold = 0;
+  draw();
+  request.foreground = "bright";
+  CHECK(thinbench_binarise(&source, &to, &request, &foreground, &threshold) == THINBENCH_OK);
+  CHECK(strcmp(foreground, "bright") == 0 && threshold > 0 && threshold <= 200);
+  CHECK(binary[0] == 255 && binary[1] == 0 && binary[2] == 0 && binary[3] == 255);
+  request.foreground = "dark";
+  request.threshold = 201;
+  CHECK(thinbench_binarise(&source, &to, &request, &foreground, &threshold) == THINBENCH_OK);
+  CHECK(strcmp(foreground, "dark") == 0 && threshold == 201);
+  CHECK(binary[0] == 255 && binary[1] == 255);
+  rejects(thinbench_binarise(&source, &shifted, NULL, NULL, NULL), "overlap");
+  request.foreground = "red";
+  rejects(thinbench_binarise(&source, &to, &request, NULL, NULL), "'red'");
+  request.foreground = NULL;
+  request.threshold = 256;
+  rejects(thinbench_binarise(&source, &to, &request, NULL, NULL), "256");
+  request.reserved = 1;
+  rejects(thinbench_binarise(&source, &to, &request, NULL, NULL), "request.reserved");
+  request.size -= sizeof(request.reserved);
+  rejects(thinbench_binarise(&source, &to, &request, NULL, NULL), "request.size");
+  CHECK(grey[0] == 200 && grey[4] == 77);
+  CHECK(thinbench_binarise(&source, &in_place, NULL, NULL, NULL) == THINBENCH_OK);
+  CHECK(grey[0] + grey[1] == 1 && grey[0] == grey[3] && grey[4] == 77);
+}
+
 static void lists_rules(void) {
-  thinbench_rule_info info;
+  thinbench_rule_info info = THINBENCH_RULE_INFO_INIT;
   thinbench_rule* rule;
   size_t built_in = 0, named = 0;
-  info.size = sizeof(info);
   while (thinbench_rule_name(built_in + named) != NULL) {
     const char* const name = thinbench_rule_name(built_in + named);
     CHECK(thinbench_rule_named(name, &rule) == THINBENCH_OK);
@@ -367,7 +431,7 @@ static void rejects_invalid_tables(void) {
 static void rejects_invalid_rules(void) {
   uint64_t tables[9 * THINBENCH_TABLE_WORDS] = {0};
   thinbench_thinning defaults = THINBENCH_THINNING_INIT;
-  thinbench_rule_info info;
+  thinbench_rule_info info = THINBENCH_RULE_INFO_INIT;
   thinbench_rule* rule = NULL;
   int32_t gates = 0;
   draw();
@@ -418,7 +482,7 @@ static void takes_images_without_pixels(void) {
   const thinbench_stack two = {NULL, 2, 5, 0, 3, 16};
   const thinbench_stack none = {NULL, 1, 5, 0, 3, 16};
   const thinbench_output nowhere = {NULL, 3, 16, 1};
-  const thinbench_pruning pruning = {sizeof(thinbench_pruning), 0, 0, NULL, 0, 0, NULL};
+  const thinbench_pruning pruning = THINBENCH_PRUNING_INIT;
   thinbench_graph* graph = NULL;
   thinbench_regions* regions = NULL;
   const thinbench_packed packed = {NULL, 5, 0, 3, 0};
@@ -461,9 +525,9 @@ static void finds_the_graph_of_a_skeleton(void) {
   CHECK(thinbench_skeleton_graph(&image, NULL, &graph) == THINBENCH_OK);
   CHECK(thinbench_graph_nodes(graph, &count, sizeof(thinbench_graph_node)) != NULL && count == 4);
   CHECK(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)) != NULL && count == 3);
-  CHECK(thinbench_graph_edge_widths(graph, distances, 3, 5, 5, widths) == THINBENCH_OK);
+  CHECK(thinbench_graph_edge_widths(graph, distances, 5, 3, 5, widths) == THINBENCH_OK);
   CHECK(widths[0].least == 2 && widths[0].greatest > 2.8 && widths[0].greatest < 2.9);
-  CHECK(thinbench_graph_edge_widths(graph, distances, 1, 5, 5, widths) ==
+  CHECK(thinbench_graph_edge_widths(graph, distances, 5, 1, 5, widths) ==
         THINBENCH_INVALID_ARGUMENT);
   CHECK(strstr(thinbench_last_error(), "distances") != NULL);
   thinbench_graph_destroy(graph);
@@ -473,9 +537,10 @@ static void finds_the_graphs_of_labels(void) {
   const int32_t* lines = &labelled[0][0];
   double distances[15];
   int32_t kept[15];
-  const thinbench_pruning pruning = {sizeof(thinbench_pruning), 1.5, 0, NULL, 0, 0, NULL};
+  thinbench_pruning pruning = THINBENCH_PRUNING_INIT;
   size_t count = 0;
   thinbench_graph* graph = NULL;
+  pruning.min_length = 1.5;
   CHECK(thinbench_graph_of_labels(lines, 5, 3, 5, NULL, &graph) == THINBENCH_OK);
   const int32_t* labels = thinbench_graph_node_labels(graph, &count, sizeof(int32_t));
   CHECK(count == 6 && labels[0] == 4 && labels[3] == 4 && labels[4] == 7 && labels[5] == 7);
@@ -589,10 +654,11 @@ static void finds_a_path_for_a_robot(void) {
 static void prunes_and_simplifies(void) {
   uint8_t pruned[15];
   const thinbench_output to = {pruned, 5, 15, 1};
-  thinbench_pruning pruning = {sizeof(thinbench_pruning), 2.5, 0, NULL, 0, 0, NULL};
+  thinbench_pruning pruning = THINBENCH_PRUNING_INIT;
   const thinbench_spacing nothing = {0, 1};
   thinbench_pixel points[3] = {{0, 0}, {1, 1}, {2, 0}};
   size_t count = 0;
+  pruning.min_length = 2.5;
   CHECK(thinbench_prune(&image, &to, &pruning, NULL, NULL) == THINBENCH_OK);
   CHECK(pruned[2] + pruned[7] + pruned[10] + pruned[12] + pruned[14] == 3);
   pruning.size = 3;
@@ -620,6 +686,8 @@ static void rejects_invalid_arguments(void) {
   rejects(thinbench_thin(guo_hall, &one, &output, NULL, &execution, NULL), "'mmx'");
   execution.size = 4;
   rejects(thinbench_thin(guo_hall, &one, &output, NULL, &execution, NULL), "got 4");
+  thinning.reserved = 1;
+  rejects(thinbench_thin(guo_hall, &one, &output, &thinning, NULL, NULL), "thinning.reserved");
   thinning.size = 4;
   rejects(thinbench_thin(guo_hall, &one, &output, &thinning, NULL, NULL), "got 4");
   rejects(thinbench_edges("canny", &one, &output, 0, 0, NULL), "'canny'");
@@ -632,13 +700,13 @@ static void rejects_invalid_arguments(void) {
 static void lists_what_there_is(void) {
   CHECK(thinbench_edge_operator_name(0) != NULL && thinbench_edge_operator_name(99) == NULL);
   CHECK(thinbench_isa_name(0) != NULL && thinbench_isa_name(99) == NULL);
-  CHECK(strchr(thinbench_version(), '.') != NULL);
 }
 
 int main(void) {
   CHECK(strcmp(thinbench_last_error(), "") == 0);
   CHECK(thinbench_rule_named("guo_hall", &guo_hall) == THINBENCH_OK);
   CHECK(thinbench_rule_named("zhang_suen", &zhang_suen) == THINBENCH_OK);
+  macros_have_the_version();
   thins_images_and_stacks();
   thins_lists_of_images();
   thins_labels_each_alone();
@@ -649,6 +717,8 @@ int main(void) {
   rules_are_made_from_tables();
   rules_apply_to_packed_images();
   rules_are_made_from_nets();
+  selects_a_channel();
+  binarises_grey_images();
   lists_rules();
   takes_images_without_pixels();
   finds_the_graph_of_a_skeleton();

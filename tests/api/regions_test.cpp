@@ -13,7 +13,8 @@ namespace {
 TEST(EulerNumber, depends_on_the_connectivity) {
   const ByteImage diamond = image_of({".#.", "#.#", ".#."});
   EXPECT_EQ(euler_number(diamond.view()), 0) << "one object around one hole";
-  EXPECT_EQ(euler_number_4(diamond.view()), 4) << "four objects, and all background is outside";
+  EXPECT_EQ(euler_number(diamond.view(), Connectivity::four), 4)
+      << "four objects, and all background is outside";
 }
 
 TEST(FillHoles, fills_holes_and_the_objects_inside_them) {

@@ -11,13 +11,17 @@
 #include "support/rejection.hpp"
 #include "support/untouched.hpp"
 #include "thinbench/batch.hpp"
+#include "thinbench/binarise.hpp"
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/graph.hpp"
+#include "thinbench/graph_parts.hpp"
+#include "thinbench/graph_paths.hpp"
 #include "thinbench/labels.hpp"
 #include "thinbench/localise.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/regions.hpp"
+#include "thinbench/rule_notation.hpp"
 #include "thinbench/thinning.hpp"
 
 namespace thinbench {
@@ -60,9 +64,8 @@ const std::vector<Operation>& operations() {
        false},
       {"find_components",
        [](Source from, Destination, How how) { (void)find_components(from, how); }, false},
-      {"euler_number", [](Source from, Destination, How how) { (void)euler_number(from, how); },
-       false},
-      {"euler_number_4", [](Source from, Destination, How how) { (void)euler_number_4(from, how); },
+      {"euler_number",
+       [](Source from, Destination, How how) { (void)euler_number(from, Connectivity::four, how); },
        false},
       {"skeleton_graph", [](Source from, Destination, How how) { (void)skeleton_graph(from, how); },
        false},
@@ -204,11 +207,51 @@ TEST(Enumerations, reject_values_outside_them) {
       },
       "operator" + expected + "6");
   expect_rejected([] { (void)border_name(static_cast<Border>(99)); }, "border" + expected + "99");
+  expect_rejected([] { (void)foreground_name(static_cast<Foreground>(3)); },
+                  "foreground" + expected + "3");
+  expect_rejected([] { (void)channel_name(static_cast<Channel>(7)); }, "channel" + expected + "7");
+  expect_rejected([&] { binarise(image, image, {.foreground = static_cast<Foreground>(99)}); },
+                  "foreground" + expected + "99");
+  expect_rejected([] { (void)isa_available(static_cast<Isa>(99)); }, "99");
+  expect_rejected(
+      [] { (void)table_from_values(std::vector<std::uint8_t>(512), static_cast<WindowOrder>(3)); },
+      "order: expected raster, matlab or octave, got number 3");
+  std::vector<std::int32_t> labels(160);
+  expect_rejected(
+      [&] {
+        label_image(image, {labels.data(), 20, 8}, Connectivity::four, static_cast<LabelOrder>(2));
+      },
+      "order: expected pixels or opencv, got number 2");
+  expect_rejected([&] { (void)euler_number(image, static_cast<Connectivity>(6)); },
+                  "connectivity: expected 4 or 8, got 6");
   expect_rejected([] { Rule(Directions{0x10}); }, "directions: expected bits in [0, 15], got 16");
   expect_rejected([&] { fill_holes(image, image, static_cast<Connectivity>(6), 1); },
                   "connectivity: expected 4 or 8, got 6");
   expect_rejected([&] { fill_holes(image, image, Connectivity::four, -1); },
                   "max_area: expected at least 0, got -1");
+}
+
+TEST(Colours, share_no_byte_with_their_grey_levels) {
+  Untouched memory;
+  const auto select = [&](Index width, ImageView grey, Channel channel) {
+    return [=, &memory] { select_channel({memory.data(), width, 2, 3 * width}, grey, channel); };
+  };
+  const ImageView grey = {memory.data() + 512, 20, 2};
+  expect_rejected(select(20, {memory.data() + 119, 20, 2}, Channel::red),
+                  "colours and destination overlap");
+  expect_rejected(select(20, grey, static_cast<Channel>(7)),
+                  "channel: expected one of the enumeration, got number 7");
+  expect_rejected(select(Index{1} << 62, grey, Channel::red), "is larger than 2^40 pixels");
+}
+
+TEST(Spacing, is_in_a_range) {
+  const Graph empty;
+  for (const Spacing spacing : {Spacing{0, 1}, Spacing{1, -1}, Spacing{1, 1e31}}) {
+    const std::string expected = "spacing: expected numbers from 1e-30 to 1e30, got ";
+    expect_rejected([&] { (void)links_of(empty, spacing); }, expected);
+    expect_rejected([&] { (void)summary(empty, spacing); }, expected);
+    expect_rejected([&] { (void)open_cycles(empty, 1, spacing); }, expected);
+  }
 }
 
 TEST(Thresholds, are_levels) {

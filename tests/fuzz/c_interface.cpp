@@ -146,7 +146,7 @@ Drawn<thinbench_thinning> draw_thinning(ByteSource& input) {
 
 /// What an accepted struct means.
 Thinning thinning_of(const Drawn<thinbench_thinning>& drawn) {
-  const auto& [size, border, limit] = drawn.value;
+  const auto& [size, border, limit, reserved] = drawn.value;
   Thinning thinning;
   if (!drawn.given) return thinning;
   if (limit > 0) thinning.max_iterations = limit;
@@ -329,7 +329,7 @@ class Caller {
     if (input_.once_in(16)) width = input_.once_in(2) ? kMost : -1;
     thinbench_thinner* thinner = nullptr;
     const bool made = is_accepted(thinbench_thinner_create(
-        call.rule, width, height, call.thinning.pointer(), call.execution.pointer(),
+        call.rule, height, width, call.thinning.pointer(), call.execution.pointer(),
         input_.once_in(32) ? nullptr : &thinner));
     must(made == (thinner != nullptr), "a handle without a thinner");
     must(made == (thinbench_thinner_technique(thinner) != nullptr), "no technique");
@@ -443,8 +443,7 @@ class Caller {
     std::int32_t gates = 0;
     check_status(thinbench_rule_gates(call.rule, static_cast<std::size_t>(input_.number(0, 9)),
                                       input_.once_in(16) ? nullptr : &gates));
-    thinbench_rule_info info{};
-    info.size = sizeof(info);
+    thinbench_rule_info info = THINBENCH_RULE_INFO_INIT;
     if (!is_accepted(thinbench_rule_describe(call.rule, &info))) return;
     must(info.name != nullptr && info.border != nullptr, "a rule without a name or a border");
     must((info.tables != nullptr) == (info.sub_iterations > 0), "another number of tables");
@@ -620,8 +619,8 @@ class Caller {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr std::array<double, 8> lengths = {0, 1, 2.5, 6, 1e300, -1, infinity, nan};
     constexpr std::array<double, 8> widths = {0, 0, -0.0, 0.5, 2, 1e308, -1, nan};
-    thinbench_pruning pruning{};
-    pruning.size = input_.once_in(32) ? input_.byte() : sizeof(pruning);
+    thinbench_pruning pruning = THINBENCH_PRUNING_INIT;
+    if (input_.once_in(32)) pruning.size = input_.byte();
     pruning.min_length = input_.pick(lengths);
     pruning.min_widths = input_.pick(widths);
     pruning.removes_components = input_.once_in(2) ? 1 : 0;

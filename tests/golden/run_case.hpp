@@ -81,9 +81,10 @@ inline std::vector<std::int64_t> labels_found(std::string_view operation, ConstI
   if (operation == "label_regions") {
     numbers = lists_of(label_regions(image, view, execution));
   } else if (operation.starts_with("label_components")) {
-    numbers = lists_of({label_components(image, view, connectivity, execution), {}});
+    numbers =
+        lists_of({label_components(image, view, connectivity, LabelOrder::pixels, execution), {}});
   } else {
-    numbers = {label_image(image, view, connectivity, execution)};
+    numbers = {label_image(image, view, connectivity, LabelOrder::pixels, execution)};
   }
   numbers.insert(numbers.end(), labels.begin(), labels.end());
   return numbers;
@@ -95,8 +96,8 @@ inline std::vector<std::int64_t> numbers_found(std::string_view operation, Const
   const Execution execution = {.threads = threads};
   if (operation == "holes") return lists_of(find_regions(image, execution));
   if (operation == "components") return lists_of({find_components(image, execution), {}});
-  if (operation == "euler_number") return {euler_number(image, execution)};
-  if (operation == "euler_number_4") return {euler_number_4(image, execution)};
+  if (operation == "euler_number") return {euler_number(image, Connectivity::eight, execution)};
+  if (operation == "euler_number_4") return {euler_number(image, Connectivity::four, execution)};
   if (operation.starts_with("label_")) return labels_found(operation, image, execution);
   if (operation == "localise_objects") return lists_of(localise_objects(image, {}, execution));
   throw std::invalid_argument("no operation is named " + std::string(operation));

@@ -348,6 +348,13 @@ TEST(EdgeWidths, reject_distances_that_do_not_fit) {
         static_cast<void>(edge_widths(graph_of({"###"}), {numbers.data(), 2, 1}));
       },
       "distances");
+  Graph outside = graph_of({"###"});
+  outside.edge_pixels.front().x = -1;
+  expect_rejected(
+      [&] {
+        static_cast<void>(edge_widths(outside, {numbers.data(), 3, 1}));
+      },
+      "distances: smaller than the image of the graph");
   EXPECT_TRUE(edge_widths({}, {nullptr, 3, 0}).empty());
 }
 

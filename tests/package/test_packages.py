@@ -42,6 +42,7 @@ def test_packages_install_run_and_are_removed_without_a_trace(packages, tmp_path
     assert {"usr/bin/thinbench", "usr/share/man/man1/thinbench.1",
             "usr/share/bash-completion/completions/thinbench"} <= found
     assert any(name.endswith("thinbench.pc") for name in found)
+    assert {f"usr/share/doc/{package}/copyright" for package in PACKAGES} <= found
     assert run(tmp_path / "usr/bin/thinbench", "--version").startswith("thinbench ")
     code = "import thinbench, numpy; print(thinbench.thin(numpy.ones((3, 9), bool)).sum(), thinbench.__file__)"
     said = run("/usr/bin/python3", "-B", "-c", code, PYTHONPATH=str(tmp_path / "usr/lib/python3/dist-packages"))

@@ -15,8 +15,7 @@ from conftest import ROOT, reuse, run
 
 FIRST_CALL = ("import numpy, thinbench; "
               "print(thinbench.thin(numpy.ones((3, 9), bool)).sum(), thinbench.__version__)")
-VERSION = re.search(r'kVersion = "(.*)"', (
-    ROOT / "kernels/include/thinbench/version.hpp").read_text()).group(1)
+VERSION = re.search(r"project\(thinbench VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 
 
 @pytest.fixture(scope="module")

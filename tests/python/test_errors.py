@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -84,6 +86,21 @@ ONE_IMAGE = [thinbench.fill_holes, thinbench.regions, thinbench.euler_number, th
              thinbench.classify_pixels]
 
 
+@pytest.mark.parametrize("function", [thinbench.fill_holes, thinbench.fill_label_holes, thinbench.label,
+                                      thinbench.regions, thinbench.euler_number])
+@pytest.mark.parametrize(("threads", "error", "said"), [
+    (0, ValueError, "got 0"), (2000, ValueError, "got 2000"), (1.5, TypeError, "threads: expected an integer, got 1.5"),
+    (None, TypeError, "threads: expected an integer, got None")])
+def test_threads(function, threads, error, said):
+    assert_rejected(error, said, function, IMAGE, threads=threads)
+
+
+@pytest.mark.parametrize("function", [thinbench.fill_holes, thinbench.fill_label_holes, thinbench.label,
+                                      thinbench.label_values, thinbench.euler_number])
+def test_connectivity_is_given_by_its_name(function):
+    assert_rejected(TypeError, "positional argument", function, IMAGE, 8)
+
+
 @pytest.mark.parametrize("function", [thinbench.thin, *ONE_IMAGE])
 @pytest.mark.parametrize(("image", "error", "said"), [
     (np.ones((4, 4)), TypeError, "float64"), (np.full((4, 4), np.nan), TypeError, "float64"),
@@ -142,9 +159,9 @@ def test_masked_elements_are_rejected(function):
     (lambda: Rule.from_patterns(["4:(...)->1"]), ValueError, "pattern 1"),
     (lambda: Rule.from_makelut(TABLE, "raster"), ValueError, "'raster'"),
     (lambda: Rule.from_makelut(TABLE[:256]), ValueError, "(256,)"),
-    (lambda: Rule.from_deletions(TABLE), ValueError, "(512,)"),
-    (lambda: Rule.from_deletions(TABLE[:256], "matlab"), ValueError, "'matlab'"),
-    (lambda: Rule.from_deletions(np.zeros((0, 256), bool)), ValueError, "got 0"),
+    (lambda: Rule.from_removals(TABLE), ValueError, "(512,)"),
+    (lambda: Rule.from_removals(TABLE[:256], "matlab"), ValueError, "'matlab'"),
+    (lambda: Rule.from_removals(np.zeros((0, 256), bool)), ValueError, "got 0"),
     (lambda: Rule.from_function(lambda window: 1 // 0), ZeroDivisionError, "zero"),
     (lambda: Rule.named("Life"), ValueError, "got 'Life'"),
     (lambda: Rule.named(None), TypeError, "None"),
@@ -169,13 +186,13 @@ def test_masked_elements_are_rejected(function):
     (lambda: thinbench.edges(IMAGE), TypeError, "bool"),
     (lambda: thinbench.edges(GREY, "sobell"), ValueError, "did you mean 'sobel'?"),
     (lambda: thinbench.edges(GREY, gradient_threshold=256), ValueError, "256"),
-    (lambda: thinbench.euler_number(IMAGE, 6), ValueError, "6"),
-    (lambda: thinbench.label(IMAGE, 6), ValueError, "6"),
+    (lambda: thinbench.euler_number(IMAGE, connectivity=6), ValueError, "6"),
+    (lambda: thinbench.label(IMAGE, connectivity=6), ValueError, "6"),
     (lambda: thinbench.fill_holes(IMAGE, connectivity=6), ValueError, "6"),
     (lambda: thinbench.fill_holes(IMAGE, max_area=-1), ValueError, "max_area: expected"),
     (lambda: thinbench.fill_holes(IMAGE, max_area=1.5), TypeError, "max_area: expected"),
     (lambda: thinbench.distance(np.ones((1, 40000), bool)), ValueError, "32767"),
-    (lambda: thinbench.distance(IMAGE, sampling=2, squared=True), ValueError, "squared: expected no sampling beside it"),
+    (lambda: thinbench.distance(IMAGE, spacing=2, squared=True), ValueError, "squared: expected no spacing beside it"),
     (lambda: thinbench.graph(LINE.astype(float)), TypeError, "skeleton: expected dtype"),
     (lambda: thinbench.graph(LINE, np.ones((2, 5), bool)), ValueError, "image: expected the skeleton's shape"),
     (lambda: thinbench.graph(LINE, not_thin="stop"), ValueError, "got 'stop'"),
@@ -190,6 +207,28 @@ def test_masked_elements_are_rejected(function):
     (lambda: thinbench.graph(LINE & (np.arange(5) != 2)).shortest_path(0, 2), ValueError, "from node 0 to node 2"),
     (lambda: GRAPH.to_geojson(transform=(1e308, 1e308, 1e308, 0, 1, 0)), ValueError, "transform: expected finite"),
     (lambda: GRAPH.to_geojson(transform=(1, 0, 0, 0, 1)), ValueError, "transform: expected 6 numbers, got 5"),
+    (lambda: GRAPH.open_cycles(math.nan), ValueError, "max_length: expected a number of at least 0, got nan"),
+    (lambda: GRAPH.open_cycles(-0.5), ValueError, "max_length: expected a number of at least 0, got -0.5"),
+    (lambda: GRAPH.open_cycles("a"), TypeError, "max_length: expected a number, got 'a'"),
+    (lambda: GRAPH.nearest(math.nan, 0), ValueError, "nearest: expected a finite point, got nan, 0"),
+    (lambda: GRAPH.nearest(0.5, -math.inf), ValueError, "nearest: expected a finite point, got 0.5, -inf"),
+    (lambda: GRAPH.nearest(None, 0), TypeError, "row: expected a number, got None"),
+    (lambda: thinbench.graph(~IMAGE).nearest(0, 0), ValueError, "nearest: expected a graph with edges, got none"),
+    (lambda: GRAPH.subgraph([0, 1]), ValueError, "edges: expected numbers from 0 to 0, got 1"),
+    (lambda: GRAPH.subgraph([-1]), ValueError, "edges: expected numbers from 0 to 0, got -1"),
+    (lambda: GRAPH.subgraph(np.array([2**63], np.uint64)), ValueError, f"got {2**63}"),
+    (lambda: GRAPH.subgraph([0.0]), TypeError, "edges: expected integers or bools, got dtype float64"),
+    (lambda: GRAPH.subgraph([[0]]), ValueError, "edges: expected one dimension, got shape (1, 1)"),
+    (lambda: GRAPH.subgraph(0), ValueError, "edges: expected one dimension, got shape ()"),
+    *((lambda call=call, value=value: call(np.array([[value]])), ValueError,
+       f"{name}: expected numbers that fit into int32, got {value}")
+      for value in (-2**31 - 1, 2**31, np.uint32(2**32 - 1), np.uint64(2**63))
+      for call, name in ((thinbench.label_values, "image"), (thinbench.graph_labels, "skeletons"),
+                         (thinbench.prune_labels, "skeletons"), (thinbench.fill_label_holes, "labels"))),
+    (lambda: thinbench.label_values(np.ones((2, 2))), TypeError, "image: expected bool or integers, got float64"),
+    (lambda: thinbench.label_values(LABELS[0]), ValueError, "image: expected shape (H, W), got (4,)"),
+    (lambda: thinbench.graph_labels(LABELS[0]), ValueError, "skeletons: expected shape (H, W), got (4,)"),
+    (lambda: thinbench.prune_labels(np.ones((2, 2)), 1), TypeError, "skeletons: expected bool or integers"),
     (lambda: thinbench.graph_labels(LABELS, LABELS[1:]), ValueError, "labels: expected the skeletons' shape (4, 4)"),
     (lambda: thinbench.prune(LINE, 10**400), ValueError, "min_length: expected less than 2**1024 in magnitude"),
     (lambda: thinbench.prune(LINE, min_widths=1), ValueError, "min_widths: expected image=..., "),

@@ -33,14 +33,14 @@ RING_WITH_TAILS = np.array([[0, 0, 0, 1, 1, 0, 0, 0],
                             [0, 0, 0, 1, 1, 0, 0, 0]], bool)
 
 
-@pytest.mark.parametrize("sampling", [1, 2, (1, 3), (0.25, 0.7), [1e-3, 40]])
-def test_distances_equal_scipys_also_with_out_and_threads(sampling):
+@pytest.mark.parametrize("spacing", [1, 2, (1, 3), (0.25, 0.7), [1e-3, 40]])
+def test_distances_equal_scipys_also_with_out_and_threads(spacing):
     for seed in range(20):
         image = np.random.RandomState(seed).rand(40, 60) < 0.5 + seed / 41
         image[seed, 5] = False
         out = np.empty(image.shape)
-        assert thinbench.distance(image, sampling=sampling, threads=2, out=out) is out
-        np.testing.assert_array_max_ulp(out, ndimage.distance_transform_edt(image, sampling=sampling), maxulp=1)
+        assert thinbench.distance(image, spacing=spacing, threads=2, out=out) is out
+        np.testing.assert_array_max_ulp(out, ndimage.distance_transform_edt(image, sampling=spacing), maxulp=1)
 
 
 def test_squared_distances_are_exact_and_those_without_background_infinite():
@@ -302,9 +302,9 @@ def test_labels_are_pruned_as_if_each_were_alone(seed):
     skeletons = np.where(random.rand(*labels.shape) < 0.6, labels, 0)
     expected = np.zeros_like(skeletons)
     for label in np.unique(labels[labels != 0]):
-        kept = thinbench.prune(skeletons == label, 2, min_widths=0.5, image=labels == label, remove_components=True)
+        kept = thinbench.prune(skeletons == label, 2, min_widths=0.5, image=labels == label, removes_components=True)
         expected[kept] = label
-    found = thinbench.prune_labels(skeletons, 2, min_widths=0.5, labels=labels, remove_components=True)
+    found = thinbench.prune_labels(skeletons, 2, min_widths=0.5, labels=labels, removes_components=True)
     assert found.dtype == skeletons.dtype
     np.testing.assert_array_equal(found, expected)
 
@@ -313,4 +313,4 @@ def test_the_medial_axis_is_the_skeleton_with_its_distances():
     image = random_image(5)
     skeleton, distances = thinbench.medial_axis(image, "zhang_suen", spacing=(2, 1))
     np.testing.assert_array_equal(skeleton, thinbench.thin(image, "zhang_suen"))
-    np.testing.assert_array_equal(distances, np.where(skeleton, thinbench.distance(image, sampling=(2, 1)), 0))
+    np.testing.assert_array_equal(distances, np.where(skeleton, thinbench.distance(image, spacing=(2, 1)), 0))

@@ -47,11 +47,12 @@ def test_commands_equal_the_functions_of_python(picture, tmp_path):
             made("labels", path, tmp_path / name, "--connectivity", connectivity)
             found = cv2.imread(str(tmp_path / name), -1)
             assert found.dtype == np.uint16
-            np.testing.assert_array_equal(found, thinbench.label(image, connectivity)[0])
+            np.testing.assert_array_equal(found, thinbench.label(image, connectivity=connectivity)[0])
         made("distance", path, tmp_path / name)
         np.testing.assert_array_equal(cv2.imread(str(tmp_path / name), -1), np.rint(thinbench.distance(image)))
     for connectivity in (4, 8):
-        assert int(made("euler", path, "--connectivity", connectivity).stdout) == thinbench.euler_number(image, connectivity)
+        number = thinbench.euler_number(image, connectivity=connectivity)
+        assert int(made("euler", path, "--connectivity", connectivity).stdout) == number
     listed = json.loads(made("localise", path, "--json", "--brightness-threshold", 128).stdout)
     table = thinbench.localise(255 - image * np.uint8(255))
     assert [one["area"] for one in listed["objects"]] == list(table["area"][~table["is_hole"]])

@@ -83,12 +83,20 @@ def test_makelut_and_function_agree():
 
 @pytest.mark.parametrize(("order", "pixels"), [
     ("descriptor", (5, 2, 1, 0, 3, 6, 7, 8)), ("raster", (0, 1, 2, 3, 5, 6, 7, 8)), ("clockwise", (0, 1, 2, 5, 8, 7, 6, 3))])
-def test_bits_of_deletions_are_the_neighbours_in_this_order(order, pixels):
-    deleted = np.random.RandomState(3).rand(256) < 0.5
+def test_bits_of_removals_are_the_neighbours_in_this_order(order, pixels):
+    removed = np.random.RandomState(3).rand(256) < 0.5
     windows = np.arange(512)
     index = sum((windows >> pixel & 1) << bit for bit, pixel in enumerate(pixels))
-    rule = Rule.from_deletions(deleted, order)
-    np.testing.assert_array_equal(rule.tables[0], CENTRE & ~deleted[index])
+    rule = Rule.from_removals(removed, order)
+    np.testing.assert_array_equal(rule.tables[0], CENTRE & ~removed[index])
+
+
+def test_built_in_rules_are_listed_and_found():
+    rules = thinbench.rules()
+    assert next(iter(rules)) == "naccache_shinghal" and not set(rules) & set(thinbench.named_rules())
+    for name, rule in rules.items():
+        assert rule == Rule.named(name) and rule.name == name
+        assert rule.description and rule.is_built_in
 
 
 def test_named_rules_are_listed_and_found():
@@ -142,7 +150,7 @@ def test_every_kind_of_table_loads(tmp_path):
         ({"makelut": values, "order": "octave"},
          Rule.from_makelut(values, "octave", max_iterations=7)),
         ({"remove": [value == 1 for value in values[:256]], "order": "raster"},
-         Rule.from_deletions(values[:256], "raster", max_iterations=7)),
+         Rule.from_removals(values[:256], "raster", max_iterations=7)),
         ({"patterns": patterns}, Rule.from_patterns(patterns, max_iterations=7)),
         ({"hensel": "B3/S23"}, Rule.from_hensel("B3/S23", max_iterations=7)),
     ]
@@ -231,8 +239,8 @@ def test_rules_are_freed():
 
     def make(first: int, count: int) -> None:
         for number in range(first, first + count):
-            deleted = number >> (np.arange(256) % 20) & 1
-            Rule.from_deletions(np.tile(deleted, (8, 1)))
+            removed = number >> (np.arange(256) % 20) & 1
+            Rule.from_removals(np.tile(removed, (8, 1)))
         gc.collect()
 
     make(1, 500)

@@ -15,8 +15,8 @@ import thinbench
 from images import random_image
 from waiting import in_eight_threads, longest_wait_during
 
-MODULES = ["", "._thinning", "._rules", "._images", "._graph", "._catalogue", "._binarise", "._packed", "._path",
-           ".dask", ".compat", ".compat.cv2", ".compat.ndimage", ".compat.skimage"]
+MODULES = ["", "._thinning", "._rules", "._images", "._graph", "._label_graphs", "._catalogue", "._binarise",
+           "._packed", "._path", ".dask", ".compat", ".compat.cv2", ".compat.ndimage", ".compat.skimage"]
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -71,13 +71,23 @@ def test_columns_of_regions_are_those_of_their_labels():
                                              ys.max() + 1, xs.max() + 1])
 
 
+@pytest.mark.parametrize(("function", "options"), [
+    (thinbench.fill_holes, {}), (thinbench.fill_holes, {"connectivity": 4, "max_area": 3}),
+    (thinbench.fill_label_holes, {}), (thinbench.label, {}), (thinbench.label, {"connectivity": 4}),
+    (thinbench.regions, {"return_labels": True}), (thinbench.euler_number, {}),
+    (thinbench.euler_number, {"connectivity": 4})])
+def test_two_threads_find_what_one_finds(function, options):
+    image = np.random.RandomState(1).rand(1024, 1100) < 0.55  # 2**20 pixels, as smaller ones use one thread
+    np.testing.assert_equal(function(image, threads=2, **options), function(image, **options))
+
+
 def test_localise_finds_an_object_and_its_hole():
     picture = np.full((60, 60), 255, np.uint8)
     picture[10:50, 10:50] = 0
     picture[25:35, 25:35] = 255
     found = thinbench.localise(picture)
     np.testing.assert_array_equal(found["is_hole"], [False, True])
-    np.testing.assert_array_equal(found["parent"], [0, 1])
+    np.testing.assert_array_equal(found["enclosing_object"], [0, 1])
     np.testing.assert_allclose(found["centroid-0"], 29.5)
 
 

@@ -40,7 +40,7 @@ bool opencv_order_is_that_of_blocks(const ConstImageView& image, const Execution
   LabelImage raster = unwritten(image), blocks = unwritten(image);
   const auto objects = label_components(image, raster.view(), Connectivity::eight);
   const auto found =
-      label_components(image, blocks.view(), Connectivity::eight, execution, LabelOrder::opencv);
+      label_components(image, blocks.view(), Connectivity::eight, LabelOrder::opencv, execution);
   const auto numbers = numbers_by_blocks(raster.view(), objects.size());
   for (std::size_t i = 0; i < blocks.labels.size(); ++i) {
     if (blocks.labels[i] != numbers[static_cast<std::size_t>(raster.labels[i])]) return false;
@@ -64,7 +64,7 @@ TEST(Labels, in_the_order_of_opencv_are_numbered_by_blocks) {
     }
     LabelImage raster = unwritten(image.view()), ordered = unwritten(image.view());
     label_image(image.view(), raster.view(), Connectivity::four);
-    label_image(image.view(), ordered.view(), Connectivity::four, {}, LabelOrder::opencv);
+    label_image(image.view(), ordered.view(), Connectivity::four, LabelOrder::opencv);
     EXPECT_EQ(ordered.labels, raster.labels);
   }
 }

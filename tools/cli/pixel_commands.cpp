@@ -58,9 +58,7 @@ std::string filled(ByteImage image, const PixelOptions& options) {
 }
 
 std::string euler(const ByteImage& image, const PixelOptions& options) {
-  return fmt::format("{}", options.connectivity == 8
-                               ? euler_number(image.view(), options.execution)
-                               : euler_number_4(image.view(), options.execution));
+  return fmt::format("{}", euler_number(image.view(), connectivity_of(options), options.execution));
 }
 
 /// Numbers that fit into 16 bits, written as such.
@@ -76,8 +74,9 @@ std::string labelled(const ByteImage& image, const PixelOptions& options) {
   check_deep_extension(options.out);
   const Index width = image.width(), height = image.height();
   std::vector<std::int32_t> labels(static_cast<std::size_t>(width * height));
-  const std::uint32_t objects = label_image(image.view(), {labels.data(), width, height},
-                                            connectivity_of(options), options.execution);
+  const std::uint32_t objects =
+      label_image(image.view(), {labels.data(), width, height}, connectivity_of(options),
+                  LabelOrder::pixels, options.execution);
   constexpr std::uint32_t kMaxObjects = 65535;
   if (objects > kMaxObjects) {
     throw FileError(fmt::format("{}: it has {} objects, more than {}, the most that 16 bits number",

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "thinbench/enumeration.hpp"
 #include "thinbench/export.h"
 #include "thinbench/image_view.hpp"
 
@@ -17,7 +18,7 @@ enum class Foreground : std::uint8_t { automatic, bright, dark };
 inline constexpr std::array<std::string_view, 3> kForegroundNames = {"auto", "bright", "dark"};
 
 [[nodiscard]] constexpr std::string_view foreground_name(Foreground foreground) {
-  return kForegroundNames[static_cast<std::size_t>(foreground)];
+  return detail::entry_of(kForegroundNames, foreground, "foreground");
 }
 
 /// A threshold for each pixel from the mean of the window around it, of which only the part in the
@@ -73,7 +74,7 @@ inline constexpr std::array<std::string_view, 7> kChannelNames = {
     "grey", "red", "green", "blue", "saturation", "value", "auto"};
 
 [[nodiscard]] constexpr std::string_view channel_name(Channel channel) {
-  return kChannelNames[static_cast<std::size_t>(channel)];
+  return detail::entry_of(kChannelNames, channel, "channel");
 }
 
 /// Pixels of 3 or 4 bytes: red, green, blue and what is ignored. The stride is in bytes.
@@ -87,7 +88,7 @@ struct ConstColourView {
 
 /// Writes a channel of a colour image and returns which. An image whose colours are all grey gives
 /// these grey levels, whatever the channel; that counts as Channel::grey. Views must have the same
-/// size and share no byte; otherwise as binarise().
+/// size and share no byte; at most 2^40 pixels; otherwise as binarise().
 THINBENCH_API Channel select_channel(const ConstColourView& colours, ImageView destination,
                                      Channel channel);
 

@@ -47,7 +47,7 @@ struct Spacing {
 /// square, the nearest is found with numbers of 64 bits.
 ///
 /// Views, memory, threads and errors as squared_distances; std::invalid_argument also for a spacing
-/// that is not a finite number above 0.
+/// outside [1e-30, 1e30].
 THINBENCH_API void distances(ConstImageView source, View<double> distances,
                              const Spacing& spacing = {}, const Execution& execution = {});
 

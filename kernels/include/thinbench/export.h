@@ -1,6 +1,10 @@
-/* Marks what the shared library exports; everything else is hidden. */
+/* The version for the preprocessor, and what the shared library exports: nothing else is. */
 #ifndef THINBENCH_EXPORT_H
 #define THINBENCH_EXPORT_H
+
+#define THINBENCH_VERSION_MAJOR 1
+#define THINBENCH_VERSION_MINOR 0
+#define THINBENCH_VERSION_PATCH 0
 
 #define THINBENCH_API __attribute__((visibility("default")))
 

@@ -17,7 +17,8 @@ struct Link {
   double length;
 };
 
-/// The edges of a graph, with their lengths in the unit of the spacing.
+/// The edges of a graph, with their lengths in the unit of the spacing. Throws
+/// std::invalid_argument for a spacing as distances().
 [[nodiscard]] THINBENCH_API std::vector<Link> links_of(const Graph& graph,
                                                        const Spacing& spacing = {});
 

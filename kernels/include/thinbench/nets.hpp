@@ -53,6 +53,8 @@ inline constexpr TwoLayerWeights kPaperTwoLayer = {
      {{-1.11F, 0.72F, 6.8F, -1.31F, 2.96F, 2.56F, 2.03F, 1.94F}, -3.09F}},
     {{-19.88F, 18.22F, 14.24F, 11.98F, -13.4F, 15.2F, 8.96F, -11.04F}, -0.75F}};
 
+namespace detail {
+
 /// Rounds to the nearest integer, ties away from zero.
 constexpr float rounded_weight(float value) {
   return static_cast<float>(static_cast<int>(value < 0 ? value - 0.5F : value + 0.5F));
@@ -70,8 +72,10 @@ constexpr TwoLayerWeights rounded_weights(TwoLayerWeights net) {
   return net;
 }
 
+}  // namespace detail
+
 /// Table 1 rounded to integers, as the paper does for integer arithmetic: correct on 251 of the 256
 /// descriptors with the sigmoid and on 252 with the linear threshold.
-inline constexpr TwoLayerWeights kRoundedTwoLayer = rounded_weights(kPaperTwoLayer);
+inline constexpr TwoLayerWeights kRoundedTwoLayer = detail::rounded_weights(kPaperTwoLayer);
 
 }  // namespace thinbench

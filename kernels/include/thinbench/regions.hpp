@@ -51,28 +51,29 @@ enum class LabelOrder : std::uint8_t { pixels, opencv };
 
 /// The same for objects alone, which may be 4-connected; holes get label 0.
 THINBENCH_API std::vector<Region> label_components(ConstImageView source, LabelView labels,
-                                                   Connectivity connectivity,
-                                                   const Execution& execution = {},
-                                                   LabelOrder order = LabelOrder::pixels);
+                                                   Connectivity connectivity = Connectivity::eight,
+                                                   LabelOrder order = LabelOrder::pixels,
+                                                   const Execution& execution = {});
 
 /// The same labels without the list, in half the time. Returns the number of objects.
 THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
-                                        Connectivity connectivity, const Execution& execution = {},
-                                        LabelOrder order = LabelOrder::pixels);
+                                        Connectivity connectivity = Connectivity::eight,
+                                        LabelOrder order = LabelOrder::pixels,
+                                        const Execution& execution = {});
 
 /// Labels components of equal values, in an image of any 32-bit values: 4- or 8-connected sets of
 /// pixels with one value, such as the parts of each label. Labels count in raster order of first
-/// pixels; pixels of the value `background` get 0. Returns the number of components. Both views must
-/// have the same size, at most 2^31 pixels, and share no byte. One thread.
+/// pixels; pixels of the value `background` get 0. Returns the number of components. Both views
+/// must have the same size, at most 2^31 pixels, and share no byte. One thread.
 THINBENCH_API std::uint32_t label_values(ConstLabelView values, LabelView labels,
-                                         Connectivity connectivity, std::int32_t background = 0);
+                                         Connectivity connectivity = Connectivity::eight,
+                                         std::int32_t background = 0);
 
-/// Number of objects minus number of holes. euler_number_4 uses 4-connected objects and 8-connected
-/// holes.
+/// Number of objects minus number of holes. Objects are 8- or 4-connected, holes the other way
+/// round.
 [[nodiscard]] THINBENCH_API std::int64_t euler_number(ConstImageView source,
+                                                      Connectivity objects = Connectivity::eight,
                                                       const Execution& execution = {});
-[[nodiscard]] THINBENCH_API std::int64_t euler_number_4(ConstImageView source,
-                                                        const Execution& execution = {});
 
 /// Fills holes, however large: see fill_holes.
 inline constexpr std::int64_t kAnyHoleArea = INT64_MAX;

@@ -20,6 +20,7 @@
 
 namespace thinbench {
 
+/// Programs have the numbers compiled in: add at the end.
 enum class BuiltInRule : std::uint8_t {
   naccache_shinghal,
   zhang_suen,

@@ -18,7 +18,7 @@ struct WindowTable {
 
   std::array<std::uint64_t, kWindows / 64> words{};  // window w is bit w % 64 of word w / 64
 
-  constexpr bool operator[](std::size_t window) const {
+  [[nodiscard]] constexpr bool operator[](std::size_t window) const {
     return (words[window / 64] >> (window % 64) & 1) != 0;
   }
   constexpr void set(std::size_t window, bool value) {
@@ -30,7 +30,7 @@ struct WindowTable {
 
 /// The table of `next(window)`, which returns true for foreground.
 template <class Next>
-constexpr WindowTable make_window_table(const Next& next) {
+[[nodiscard]] constexpr WindowTable make_window_table(const Next& next) {
   WindowTable table;
   for (std::size_t window = 0; window < WindowTable::kWindows; ++window) {
     table.set(window, static_cast<bool>(next(window)));

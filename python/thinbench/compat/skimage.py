@@ -136,7 +136,7 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
         raise ValueError(f"connectivity: expected 1 or 2, got {connectivity!r}")
     neighbours: Literal[4, 8] = 4 if connectivity == 1 else 8
     if picture.dtype == bool:
-        labels, count = _images.label(~picture if background == 1 else picture, neighbours)
+        labels, count = _images.label(~picture if background == 1 else picture, connectivity=neighbours)
         return (labels, count) if return_num else labels
     value = 0 if background is None else _arrays.integer("background", background)
     labels, count = _label_values(picture, value, neighbours)
@@ -150,15 +150,15 @@ def _label_values(picture: npt.NDArray[Any], background: int,
     whole = picture.astype(np.intp, copy=False) if picture.dtype.kind == "f" else picture
     foreground = whole != background
     if not foreground.any():
-        return _images.label(foreground, connectivity)
+        return _images.label(foreground, connectivity=connectivity)
     first = whole[np.unravel_index(foreground.argmax(), whole.shape)]
     if not ((whole == first) != foreground).any():
-        return _images.label(foreground, connectivity)
+        return _images.label(foreground, connectivity=connectivity)
     if whole.dtype.itemsize < 4 or -2**31 <= whole.min() and whole.max() < 2**31:
-        return _images.label_values(whole, connectivity, background=background)
+        return _images.label_values(whole, connectivity=connectivity, background=background)
     numbers = np.unique(whole, return_inverse=True)[1].reshape(whole.shape) + 1
     numbers[~foreground] = 0
-    return _images.label_values(numbers, connectivity)
+    return _images.label_values(numbers, connectivity=connectivity)
 
 
 def regionprops_table(label_image: npt.ArrayLike, intensity_image: None = None,
