@@ -1,4 +1,4 @@
-"""The blocks of Python in docs/ run in order and print what their page says."""
+"""The blocks of Python in README and docs/ run in order and print what their page says."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import io
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -16,6 +17,15 @@ def blocks(page: Path) -> list[tuple[str, str]]:
     """Each block of Python with the output given below it, or an empty text."""
     pattern = r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?"
     return re.findall(pattern, page.read_text(encoding="utf-8"), re.DOTALL)
+
+
+def test_the_block_of_the_readme_runs():
+    photo = np.zeros((60, 80, 3), np.uint8)
+    photo[20:40, 20:60] = 200, 10, 10
+    (code, _), = blocks(ROOT / "README.md")
+    names: dict[str, object] = {"photo": photo}
+    exec(compile(code, "README.md", "exec"), names)
+    assert 0 < np.count_nonzero(names["skeleton"]) < 80
 
 
 @pytest.mark.parametrize(("page", "plots"), [
