@@ -74,7 +74,8 @@ std::uint32_t label_image(ConstImageView source, LabelView labels, Connectivity 
 }
 
 std::int64_t euler_number(ConstImageView source, Connectivity objects, const Execution& execution) {
-  return computed({detail::euler_task(objects)}, source, execution)->number();
+  const auto task = detail::task_for(objects, RegionsTask::euler_eight, RegionsTask::euler_four);
+  return computed({task}, source, execution)->number();
 }
 
 void fill_holes(ConstImageView source, ImageView destination, const Execution& execution) {
@@ -84,7 +85,7 @@ void fill_holes(ConstImageView source, ImageView destination, const Execution& e
 void fill_holes(ConstImageView source, ImageView destination, Connectivity objects,
                 std::int64_t max_area, const Execution& execution) {
   detail::check_views(source, destination, detail::InPlace::allowed);
-  const RegionsTask task = detail::fill_task(objects);
+  const auto task = detail::task_for(objects, RegionsTask::fill, RegionsTask::fill_four);
   computed({task, max_area}, source, execution)->store(destination);
 }
 

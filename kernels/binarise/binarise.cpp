@@ -17,7 +17,7 @@ using detail::LocalMeans;
 using detail::require;
 
 void check(const Binarisation& request) {
-  static_cast<void>(foreground_name(request.foreground));  // throws outside the enumeration
+  detail::require_enumerator(request.foreground, kForegroundNames.size(), "foreground");
   const auto in = [](int value, int lowest, int highest) {
     return lowest <= value && value <= highest;
   };

@@ -81,7 +81,7 @@ Channel best_channel(const ConstColourView& colours, const ImageView& scratch) {
 }
 
 void check(const ConstColourView& colours, const ImageView& destination, Channel channel) {
-  static_cast<void>(channel_name(channel));  // throws for a number outside the enumeration
+  detail::require_enumerator(channel, kChannelNames.size(), "channel");
   require(colours.samples == 3 || colours.samples == 4,
           "colours: expected 3 or 4 bytes per pixel, got " + std::to_string(colours.samples));
   detail::require_max_pixels(colours.width, colours.height);

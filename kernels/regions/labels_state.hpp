@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <span>
-#include <string>
 
 #include "core/checks.hpp"
 #include "core/packing.hpp"
 #include "core/planes.hpp"
 #include "core/variant.hpp"
 #include "regions/label_store.hpp"
+#include "thinbench/enumeration.hpp"
 #include "thinbench/regions.hpp"
 
 namespace thinbench::detail {
@@ -47,9 +47,7 @@ class LabelsState {
   using Parameters = LabelsParameters;
 
   static void check(const LabelsParameters& parameters, Index width, Index height) {
-    require(parameters.order <= LabelOrder::opencv,
-            "order: expected pixels or opencv, got number " +
-                std::to_string(static_cast<int>(parameters.order)));
+    require_enumerator(parameters.order, 2, "order");
     require_label_size(width, height);
   }
 

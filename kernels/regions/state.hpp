@@ -28,9 +28,8 @@ struct RegionsParameters {
   RegionsTask task;
   std::int64_t max_area = kAnyHoleArea;  // of holes to fill
 };
-// The tasks of fill_holes() and euler_number(). Throw std::invalid_argument.
-[[nodiscard]] RegionsTask fill_task(Connectivity objects);
-[[nodiscard]] RegionsTask euler_task(Connectivity objects);
+/// That of the two for this connectivity of objects. Throws std::invalid_argument.
+[[nodiscard]] RegionsTask task_for(Connectivity objects, RegionsTask eight, RegionsTask four);
 /// Rejects a negative area.
 void require_max_area(std::int64_t max_area);
 

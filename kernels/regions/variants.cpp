@@ -131,14 +131,9 @@ std::span<const RegionsOperation> regions_operations() {
   return operations;
 }
 
-RegionsTask fill_task(Connectivity objects) {
+RegionsTask task_for(Connectivity objects, RegionsTask eight, RegionsTask four) {
   require_connectivity(static_cast<int>(objects));
-  return objects == Connectivity::four ? RegionsTask::fill_four : RegionsTask::fill;
-}
-
-RegionsTask euler_task(Connectivity objects) {
-  require_connectivity(static_cast<int>(objects));
-  return objects == Connectivity::four ? RegionsTask::euler_four : RegionsTask::euler_eight;
+  return objects == Connectivity::four ? four : eight;
 }
 
 void require_max_area(std::int64_t max_area) {

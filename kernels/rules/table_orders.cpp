@@ -1,9 +1,9 @@
 // Tables whose index has another order of pixels.
 
 #include <stdexcept>
-#include <string>
 
 #include "rules/window.hpp"
+#include "thinbench/enumeration.hpp"
 #include "thinbench/rule_notation.hpp"
 
 namespace thinbench {
@@ -21,12 +21,6 @@ void check_values(std::span<const std::uint8_t> values, std::size_t count) {
                                   std::to_string(values[i]));
     }
   }
-}
-
-void check_order(WindowOrder order) {
-  if (order <= WindowOrder::octave) return;
-  throw std::invalid_argument("order: expected raster, matlab or octave, got number " +
-                              std::to_string(static_cast<int>(order)));
 }
 
 /// The pixel of the window that bit `bit` of the index is.
@@ -49,7 +43,7 @@ void check_order(const NeighbourOrder& order) {
 }  // namespace
 
 WindowTable table_from_values(std::span<const std::uint8_t> values, WindowOrder order) {
-  check_order(order);
+  detail::require_enumerator(order, 3, "order");
   check_values(values, WindowTable::kWindows);
   return make_window_table([&](std::size_t window) {
     std::size_t index = 0;

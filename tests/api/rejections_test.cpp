@@ -215,13 +215,13 @@ TEST(Enumerations, reject_values_outside_them) {
   expect_rejected([] { (void)isa_available(static_cast<Isa>(99)); }, "99");
   expect_rejected(
       [] { (void)table_from_values(std::vector<std::uint8_t>(512), static_cast<WindowOrder>(3)); },
-      "order: expected raster, matlab or octave, got number 3");
+      "order" + expected + "3");
   std::vector<std::int32_t> labels(160);
   expect_rejected(
       [&] {
         label_image(image, {labels.data(), 20, 8}, Connectivity::four, static_cast<LabelOrder>(2));
       },
-      "order: expected pixels or opencv, got number 2");
+      "order" + expected + "2");
   expect_rejected([&] { (void)euler_number(image, static_cast<Connectivity>(6)); },
                   "connectivity: expected 4 or 8, got 6");
   expect_rejected([] { Rule(Directions{0x10}); }, "directions: expected bits in [0, 15], got 16");

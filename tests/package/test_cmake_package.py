@@ -144,6 +144,7 @@ def test_programs_without_tbb_are_rejected_in_one_line(tmp_path):
 def test_version_is_the_same_everywhere():
     project = re.search(r"project\(thinbench VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
     assert project
+    assert f'kVersion = "{project.group(1)}"' in (ROOT / "kernels/include/thinbench/version.hpp").read_text()
     assert f"\nversion: {project.group(1)}\n" in (ROOT / "CITATION.cff").read_text()
     assert f'"thinbench {project.group(1)}"' in (ROOT / "tools/manual/thinbench.1").read_text().splitlines()[0]
     export = (ROOT / "kernels/include/thinbench/export.h").read_text()

@@ -113,10 +113,13 @@ def test_a_clean_run_carries_no_flags_and_no_warning(built):
     assert 'class="warning"' not in page and 'class="flag"' not in page and "noisy" not in page
 
 
-@pytest.mark.parametrize(("flags", "passed", "said"), [("", False, "controls"), ("open", True, "did not settle")])
-def test_doubts_are_told_on_the_first_screen_and_in_the_terminal(make, flags, passed, said):
-    built = make([replace(row, flags=flags) for row in all_rows()],
-                 controls=make_facts(all_rows())["controls"] | {"passed": passed})
+@pytest.mark.parametrize(("flags", "passed", "load", "said"), [
+    ("", False, 0, "controls"), ("open", True, 0.1, "did not settle"), ("open", True, 0.1, "Measure for longer"),
+    ("open", True, 0.2, "Measure on an idle machine")])
+def test_doubts_are_told_on_the_first_screen_and_in_the_terminal(make, flags, passed, load, said):
+    facts = make_facts(all_rows())
+    built = make([replace(row, flags=flags) for row in all_rows()], controls=facts["controls"] | {"passed": passed},
+                 state=facts["state"] | {"foreign_load": load})
     assert 'class="warning"' in built.text("index.html").split("<table")[0] and said in built.stdout
 
 
