@@ -44,9 +44,8 @@ ThinImage reference_of(const CollectionCase& one) {
       one.thinning.max_iterations.value_or(one.rule.max_iterations())};
   const auto built_in = rule_from_name(one.rule.name());
   if (built_in && repetition.border != Border::foreground) {
-    return [repetition, function = reference::thinning(*built_in)](const auto& from, const auto& to) {
-      return function(repetition, from, to);
-    };
+    return [repetition, function = reference::thinning(*built_in)](
+               const auto& from, const auto& to) { return function(repetition, from, to); };
   }
   return [repetition, rule = one.rule](const auto& from, const auto& to) {
     return reference::apply_tables(rule.sub_iterations(), repetition, from, to);
@@ -146,8 +145,11 @@ using ByLibrary = int (*)(const CollectionCase&, const Execution&, const ConstIm
 
 Operation operation_of(const std::string& kind, const CollectionCase& one, ByReference by_reference,
                        ByLibrary by_library) {
-  Operation operation = {
-      kind + "_" + one.name, "many images or labels, thinned in one call", InputKind::binary, {}, {}};
+  Operation operation = {kind + "_" + one.name,
+                         "many images or labels, thinned in one call",
+                         InputKind::binary,
+                         {},
+                         {}};
   for (const Isa isa : all_isas()) {
     for (const bool threaded : {false, true}) {
       const detail::VariantInfo info = {"chosen", isa, threaded};
@@ -158,8 +160,7 @@ Operation operation_of(const std::string& kind, const CollectionCase& one, ByRef
                return by_library(one, {threads, isa}, input, output);
              });
            },
-           [info](Index width) { return unavailable_reason(info, width); },
-           static_cast<int>(isa)});
+           [info](Index width) { return unavailable_reason(info, width); }, static_cast<int>(isa)});
     }
   }
   operation.reference = [=, thin = reference_of(one)](Index, Index, int) {

@@ -6,8 +6,6 @@
 #include "reference.hpp"
 #include "rules/rule_table.hpp"
 #include "techniques/variants.hpp"
-#include "rules/rule_table.hpp"
-#include "techniques/variants.hpp"
 #include "thinbench/named_rules.hpp"
 
 namespace thinbench {

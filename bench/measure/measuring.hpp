@@ -23,9 +23,9 @@ struct GroupTimes {
 
 /// Measures all groups in one layout after the other, in an order that depends on the seed, and
 /// passes each to `sink`: so the epochs of an entry are spread over the time of the process. Jobs
-/// are made again for each layout. Times are those that the clock cycles of a call take at the clock
-/// of the plan. The first result of each row is compared with the verified one by its hash. Throws
-/// std::runtime_error for another result or an unknown row.
+/// are made again for each layout. Times are those that the clock cycles of a call take at the
+/// clock of the plan. The first result of each row is compared with the verified one by its hash.
+/// Throws std::runtime_error for another result or an unknown row.
 void measure(const Plan& plan, std::uint64_t seed, const std::vector<Operation>& operations,
              const std::vector<TimedInput>& inputs,
              const std::function<void(const GroupTimes&)>& sink);

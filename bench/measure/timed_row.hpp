@@ -41,8 +41,8 @@ struct TimedRow {
 /// Which variants of an operation are measured. Peers always are, unless none are wanted. In the
 /// order of kVariantChoices in row_options.cpp.
 enum class VariantChoice {
-  usual,    // the best of each ISA and the highest ISA of each technique, end to end; with threads
-            // and as kernel the library's choice alone
+  usual,  // the best of each ISA and the highest ISA of each technique, end to end; with threads
+          // and as kernel the library's choice alone
   all,
   highest,  // of each technique the highest ISA that is available
   best,     // the library's own choice, and its best scalar one, with and without threads
@@ -76,8 +76,8 @@ struct Selection {
                                     const std::vector<Operation>& operations,
                                     const std::vector<TimedInput>& inputs);
 
-/// The same, with mismatches on standard error. Throws UsageError for a malformed filter and, saying
-/// why, where none of the rows that the filter names is left.
+/// The same, with mismatches on standard error. Throws UsageError for a malformed filter and,
+/// saying why, where none of the rows that the filter names is left.
 [[nodiscard]] Selection select_rows_or_explain(const RowChoice& choice,
                                                const std::vector<Operation>& operations,
                                                const std::vector<TimedInput>& inputs);

@@ -114,8 +114,8 @@ thinbench_status thinbench_graph_edge_widths(const thinbench_graph* graph, const
     if (graph->edges.empty()) return;
     require_pointer(widths, "widths");
     const auto found = edge_widths(*graph, {distances, width, height, stride});
-    for (const auto& [mean, median, least, greatest] : found) {
-      *widths++ = {mean, median, least, greatest};
+    for (const auto& [mean, median, min, max] : found) {
+      *widths++ = {mean, median, min, max};
     }
   });
 }

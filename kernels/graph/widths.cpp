@@ -18,10 +18,10 @@ double median_of(std::vector<double>& numbers) {
 }
 
 EdgeWidths summary_of(std::vector<double>& widths) {
-  const auto [least, greatest] = std::minmax_element(widths.begin(), widths.end());
-  EdgeWidths found = {0, 0, *least, *greatest};
+  const auto [min, max] = std::minmax_element(widths.begin(), widths.end());
+  EdgeWidths found = {0, 0, *min, *max};
   const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
-  found.mean = std::clamp(sum / static_cast<double>(widths.size()), found.least, found.greatest);
+  found.mean = std::clamp(sum / static_cast<double>(widths.size()), found.min, found.max);
   found.median = median_of(widths);
   return found;
 }

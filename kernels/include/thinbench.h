@@ -436,8 +436,8 @@ THINBENCH_API void thinbench_graph_destroy(thinbench_graph* graph);
 typedef struct thinbench_edge_widths {
   double mean;
   double median;
-  double least;
-  double greatest;
+  double min;
+  double max;
 } thinbench_edge_widths;
 
 /* Those of every edge, in the order of the edges, for which `widths` has room. The distances are
@@ -501,7 +501,7 @@ typedef struct thinbench_graph_place {
   double distance;
 } thinbench_graph_place;
 
-/* The pixel of an edge that is nearest to a point, the first of equally near ones. */
+/* The pixel of an edge that is nearest to a point, the first with the least distance. */
 THINBENCH_API thinbench_status thinbench_graph_nearest(const thinbench_graph* graph, double x,
                                                        double y, const thinbench_spacing* spacing,
                                                        thinbench_graph_place* place);

@@ -230,7 +230,7 @@ class Graph:
         return self._with_edges(chosen, used)
 
     def nearest(self, row: float, column: float) -> Place:
-        """The pixel of an edge that is nearest to a point, the first of equally near ones."""
+        """The pixel of an edge that is nearest to a point, the first with the least distance."""
         if len(self._chains.values) == 0:
             raise ValueError("nearest: expected a graph with edges, got none")
         point = _arrays.real("row", row), _arrays.real("column", column)

@@ -526,7 +526,7 @@ static void finds_the_graph_of_a_skeleton(void) {
   CHECK(thinbench_graph_nodes(graph, &count, sizeof(thinbench_graph_node)) != NULL && count == 4);
   CHECK(thinbench_graph_edges(graph, &count, sizeof(thinbench_graph_edge)) != NULL && count == 3);
   CHECK(thinbench_graph_edge_widths(graph, distances, 5, 3, 5, widths) == THINBENCH_OK);
-  CHECK(widths[0].least == 2 && widths[0].greatest > 2.8 && widths[0].greatest < 2.9);
+  CHECK(widths[0].min == 2 && widths[0].max > 2.8 && widths[0].max < 2.9);
   CHECK(thinbench_graph_edge_widths(graph, distances, 5, 1, 5, widths) ==
         THINBENCH_INVALID_ARGUMENT);
   CHECK(strstr(thinbench_last_error(), "distances") != NULL);

@@ -1,6 +1,7 @@
-/* Faults that no limit of the system makes, for programs that are started with LD_PRELOAD. FAULT names one: "clock"
-   (the time of day jumps by years), "proc" (nothing below /proc can be opened), "threads" (none can be started) 
-   "kill" (SIGKILL before a file is renamed) or "interrupt" (SIGINT in the middle of a copy). Without it, nothing changes. */
+/* Faults that no limit of the system makes, for programs that are started with LD_PRELOAD. FAULT
+   names one: "clock" (the time of day jumps by years), "proc" (nothing below /proc can be opened),
+   "threads" (none can be started) "kill" (SIGKILL before a file is renamed) or "interrupt" (SIGINT
+   in the middle of a copy). Without it, nothing changes. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -54,8 +55,8 @@ time_t time(time_t* to) {
   return now;
 }
 
-int pthread_create(pthread_t* restrict thread, const pthread_attr_t* restrict attributes, void* (*start)(void*),
-                   void* restrict argument) {
+int pthread_create(pthread_t* restrict thread, const pthread_attr_t* restrict attributes,
+                   void* (*start)(void*), void* restrict argument) {
   if (has_fault("threads")) return EAGAIN;
   return ORIGINAL(pthread_create)(thread, attributes, start, argument);
 }
@@ -64,25 +65,27 @@ static mode_t mode_of(int flags, va_list more) {
   return (flags & (O_CREAT | __O_TMPFILE)) != 0 ? va_arg(more, mode_t) : 0;
 }
 
-#define OPEN(name)                                         \
-  int name(const char* path, int flags, ...) {             \
-    va_list more;                                          \
-    va_start(more, flags);                                 \
-    const mode_t mode = mode_of(flags, more);              \
-    va_end(more);                                          \
+#define OPEN(name)                                                   \
+  int name(const char* path, int flags, ...) {                       \
+    va_list more;                                                    \
+    va_start(more, flags);                                           \
+    const mode_t mode = mode_of(flags, more);                        \
+    va_end(more);                                                    \
     return is_denied(path) ? -1 : ORIGINAL(name)(path, flags, mode); \
   }
 OPEN(open)
 OPEN(open64)
 
-#define FOPEN(name)                                         \
+#define FOPEN(name)                                                  \
   FILE* name(const char* restrict path, const char* restrict mode) { \
-    return is_denied(path) ? NULL : ORIGINAL(name)(path, mode); \
+    return is_denied(path) ? NULL : ORIGINAL(name)(path, mode);      \
   }
 FOPEN(fopen)
 FOPEN(fopen64)
 
-DIR* opendir(const char* path) { return is_denied(path) ? NULL : ORIGINAL(opendir)(path); }
+DIR* opendir(const char* path) {
+  return is_denied(path) ? NULL : ORIGINAL(opendir)(path);
+}
 
 ssize_t readlink(const char* restrict path, char* restrict to, size_t size) {
   return is_denied(path) ? -1 : ORIGINAL(readlink)(path, to, size);

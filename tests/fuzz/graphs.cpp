@@ -34,11 +34,11 @@ void check_edges(ByteSource& input, const Graph& graph, const View<const double>
          "not the polyline of the plain method");
     for (const Pixel p : points) {
       const double width = 2 * distances.row(p.y)[p.x];
-      must(widths[i].least <= width && width <= widths[i].greatest, "a width beyond the others");
+      must(widths[i].min <= width && width <= widths[i].max, "a width beyond the others");
     }
-    must(widths[i].least <= widths[i].mean + 1e-6 && widths[i].mean <= widths[i].greatest + 1e-6,
+    must(widths[i].min <= widths[i].mean + 1e-6 && widths[i].mean <= widths[i].max + 1e-6,
          "a mean beyond the widths");
-    must(widths[i].least <= widths[i].median && widths[i].median <= widths[i].greatest,
+    must(widths[i].min <= widths[i].median && widths[i].median <= widths[i].max,
          "a median beyond the widths");
   }
 }

@@ -317,7 +317,7 @@ TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   struct Case {
     std::vector<double> distances;
-    EdgeWidths widths;  // mean, median, least, greatest
+    EdgeWidths widths;  // mean, median, min, max
   };
   for (const auto& [distances, expected] :
        std::vector<Case>{{{1, 3, 2.5}, {13.0 / 3, 5, 2, 6}},
@@ -330,8 +330,8 @@ TEST(EdgeWidths, are_twice_the_distances_along_the_line) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_DOUBLE_EQ(found[0].mean, expected.mean);
     EXPECT_DOUBLE_EQ(found[0].median, expected.median);
-    EXPECT_DOUBLE_EQ(found[0].least, expected.least);
-    EXPECT_DOUBLE_EQ(found[0].greatest, expected.greatest);
+    EXPECT_DOUBLE_EQ(found[0].min, expected.min);
+    EXPECT_DOUBLE_EQ(found[0].max, expected.max);
   }
 }
 

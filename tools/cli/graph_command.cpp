@@ -217,7 +217,8 @@ void add_files(CLI::App& app, GraphCommandOptions& options) {
   };
   app.add_flag("--json", options.json, "Print JSON");
   add("--csv", options.csv, "Table of edges to write");
-  add("--summary", options.summary, "Table of edges to write, with the columns of skan's summarize");
+  add("--summary", options.summary,
+      "Table of edges to write, with the columns of skan's summarize");
   add("--geojson", options.geojson, "GeoJSON file to write");
   app.add_option("--transform", options.transform,
                  "A,B,C,D,E,F: GeoJSON has x' = A x + B y + C, y' = D x + E y + F (default: by the "
@@ -237,7 +238,8 @@ Command add_graph_command(CLI::App& program) {
   const auto options = std::make_shared<GraphCommandOptions>();
   add_input(*app, options->in);
   add_graph_options(*app, options->request);
-  app->add_option("--node", options->nodes, "Make a node of this pixel of the skeleton; may be repeated")
+  app->add_option("--node", options->nodes,
+                  "Make a node of this pixel of the skeleton; may be repeated")
       ->expected(1)
       ->take_all()
       ->check(not_empty())

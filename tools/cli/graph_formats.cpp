@@ -80,15 +80,14 @@ Json properties_of(const FoundGraph& found, std::size_t i) {
                      {"chord", chord_of(edge, found.spacing)},
                      {"width_mean", width.mean},
                      {"width_median", width.median},
-                     {"width_min", width.least},
-                     {"width_max", width.greatest}};
+                     {"width_min", width.min},
+                     {"width_max", width.max}};
   if (!found.labels.empty()) properties["label"] = found.labels[edge.from];
   return properties;
 }
 
 Json node_properties_of(const FoundGraph& found, std::size_t i, std::size_t degree) {
-  Json properties = {
-      {"id", i + 1}, {"kind", kind_of(found.graph.nodes[i])}, {"degree", degree}};
+  Json properties = {{"id", i + 1}, {"kind", kind_of(found.graph.nodes[i])}, {"degree", degree}};
   if (!found.labels.empty()) properties["label"] = found.labels[i];
   return properties;
 }
@@ -144,7 +143,7 @@ std::string graph_list(const FoundGraph& found) {
     const EdgeWidths& width = found.widths[i];
     text += fmt::format("edge {}: node {} to {}, length {:.2f}, width {:.2f} ({:.2f} to {:.2f})",
                         i + 1, edge.from + 1, edge.to + 1, length_of(edge, found.spacing),
-                        width.mean, width.least, width.greatest);
+                        width.mean, width.min, width.max);
     text += found.labels.empty() ? "\n" : fmt::format(", label {}\n", found.labels[edge.from]);
   }
   for (std::size_t i = 0; i < found.main_paths.size(); ++i) {
@@ -194,8 +193,8 @@ std::string graph_summary(const FoundGraph& found) {
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", row.component,
                         row.from, row.to, row.length, static_cast<int>(row.type), start.y, start.x,
                         stop.y, stop.x, start.y * dy, start.x * dx, stop.y * dy, stop.x * dx,
-                        row.chord, number(row.tortuosity), number(width.mean),
-                        number(width.median), number(width.least), number(width.greatest));
+                        row.chord, number(row.tortuosity), number(width.mean), number(width.median),
+                        number(width.min), number(width.max));
     text += found.labels.empty() ? "\n" : fmt::format(",{}\n", found.labels[row.from]);
   }
   return text;
@@ -229,9 +228,11 @@ std::string graph_geojson(const FoundGraph& found, const AffineTransform& transf
 }
 
 Overlay graph_overlay(const FoundGraph& found) {
-  constexpr std::array<OverlayColour, kNodeKindNames.size()> colours = {
-      {{0x86, 0x8e, 0x96}, {0x2f, 0x9e, 0x44}, {0x19, 0x71, 0xc2}, {0x9c, 0x36, 0xb5},
-       {0xf0, 0x8c, 0x00}}};
+  constexpr std::array<OverlayColour, kNodeKindNames.size()> colours = {{{0x86, 0x8e, 0x96},
+                                                                         {0x2f, 0x9e, 0x44},
+                                                                         {0x19, 0x71, 0xc2},
+                                                                         {0x9c, 0x36, 0xb5},
+                                                                         {0xf0, 0x8c, 0x00}}};
   const Graph& graph = found.graph;
   Overlay overlay;
   overlay.is_faded = true;

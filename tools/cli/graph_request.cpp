@@ -32,8 +32,8 @@ FoundGraph described(Graph graph, const View<double>& distances, const ImagePage
   const Spacing& spacing = request.pruning.spacing;
   if (!request.nodes.empty()) graph = split_at(graph, request.nodes);
   if (request.open_cycles) graph = open_cycles(graph, *request.open_cycles, spacing);
-  FoundGraph found = {page, distances.width, distances.height, {}, {}, {}, spacing, request.unit,
-                      {}, {}};
+  FoundGraph found = {page, distances.width, distances.height, {}, {},
+                      {},   spacing,         request.unit,     {}, {}};
   found.widths = edge_widths(graph, distances);
   for (const GraphEdge& edge : graph.edges) {
     found.lines.push_back(polyline(points_of(graph, edge), request.tolerance, spacing));

@@ -165,9 +165,9 @@ LabelPixels read_labels(const std::string& path) {
                             std::to_string(8 * image.elemSize1()));
     }
     image.convertTo(image, CV_32S);
-    return LabelPixels{image.cols, image.rows,
-                       std::vector<std::int32_t>(image.begin<std::int32_t>(),
-                                                 image.end<std::int32_t>())};
+    return LabelPixels{
+        image.cols, image.rows,
+        std::vector<std::int32_t>(image.begin<std::int32_t>(), image.end<std::int32_t>())};
   });
 }
 

@@ -175,8 +175,8 @@ THINBENCH_API Graph prune(ConstImageView skeleton, ImageView destination, const 
 struct EdgeWidths {
   double mean;
   double median;  // the mean of the two in the middle of an even number
-  double least;
-  double greatest;
+  double min;
+  double max;
 };
 
 /// `distances` are those of the image before it was thinned. Throws std::invalid_argument if they

@@ -20,8 +20,8 @@ struct LabelGraph {
   friend bool operator==(const LabelGraph&, const LabelGraph&) = default;
 };
 
-/// skeleton_graph() of the pixels of each label, one after another. Pixels with different labels are
-/// never joined, even where they touch. 0 is background; labels may be any other numbers, and a
+/// skeleton_graph() of the pixels of each label, one after another. Pixels with different labels
+/// are never joined, even where they touch. 0 is background; labels may be any other numbers, and a
 /// label may have several components. thin_labels() makes such images.
 ///
 /// Where labels touch, the image is searched several times, as a rule two to five, and takes 4 more
@@ -29,8 +29,8 @@ struct LabelGraph {
 [[nodiscard]] THINBENCH_API LabelGraph graph_of_labels(ConstLabelView skeletons,
                                                        const Execution& execution = {});
 
-/// distances() from each pixel of a label to the nearest pixel that does not have this label, in the
-/// unit of the spacing; 0 on background, infinity if one label covers the image.
+/// distances() from each pixel of a label to the nearest pixel that does not have this label, in
+/// the unit of the spacing; 0 on background, infinity if one label covers the image.
 ///
 /// Memory as graph_of_labels, and 8 bytes per pixel more where labels touch. Thread-safe for
 /// different destinations. Throws as distances() does; then nothing is written, except if memory
@@ -42,8 +42,8 @@ THINBENCH_API void label_distances(ConstLabelView labels, View<double> distances
 /// become 0. `pruning.distances` are label_distances() of what was thinned. Returns the graphs of
 /// the result.
 ///
-/// Views must have the same size and be the same image or share no pixel. Memory as graph_of_labels.
-/// Throws as prune() does; then nothing is written, except if memory runs out.
+/// Views must have the same size and be the same image or share no pixel. Memory as
+/// graph_of_labels. Throws as prune() does; then nothing is written, except if memory runs out.
 THINBENCH_API LabelGraph prune_labels(ConstLabelView skeletons, LabelView destination,
                                       const Pruning& pruning, const Execution& execution = {});
 

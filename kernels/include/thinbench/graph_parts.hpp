@@ -14,21 +14,21 @@ namespace thinbench {
 // Thread-safe. The functions below throw std::invalid_argument for what is not in the graph and for
 // a spacing as distances(), and std::bad_alloc.
 
-/// Some edges, by their numbers, in this order, and their nodes, in that of the graph. Kinds of nodes
-/// remain.
+/// Some edges, by their numbers, in this order, and their nodes, in that of the graph. Kinds of
+/// nodes remain.
 [[nodiscard]] THINBENCH_API Graph subgraph(const Graph& graph,
                                            std::span<const std::uint32_t> edges);
 
-/// The graph with a node of the kind `given` at each pixel, after the other nodes. It splits its edge
-/// in two, one from each of the former nodes to the new one, in the place of the edge. Pixels of
-/// nodes change nothing; others must be pixels of lines. Each split takes the time of a copy.
+/// The graph with a node of the kind `given` at each pixel, after the other nodes. It splits its
+/// edge in two, one from each of the former nodes to the new one, in the place of the edge. Pixels
+/// of nodes change nothing; others must be pixels of lines. Each split takes the time of a copy.
 [[nodiscard]] THINBENCH_API Graph split_at(const Graph& graph, std::span<const Pixel> pixels);
 
-/// The graph without the closing edges of its cycles() that are at most so long: without the longest
-/// edges of short cycles, of equally long ones the last. All nodes remain.
-[[nodiscard]] THINBENCH_API Graph open_cycles(
-    const Graph& graph, double max_length = std::numeric_limits<double>::infinity(),
-    const Spacing& spacing = {});
+/// The graph without the closing edges of its cycles() that are at most so long: without the
+/// longest edges of short cycles, of equally long ones the last. All nodes remain.
+[[nodiscard]] THINBENCH_API Graph
+open_cycles(const Graph& graph, double max_length = std::numeric_limits<double>::infinity(),
+            const Spacing& spacing = {});
 
 /// A pixel of an edge, its start and stop included, and how far it is from where it was looked for.
 struct GraphPlace {
@@ -39,8 +39,8 @@ struct GraphPlace {
   friend constexpr bool operator==(const GraphPlace&, const GraphPlace&) = default;
 };
 
-/// The pixel of an edge that is nearest to a point, the first of equally near ones; x and y are
-/// numbers of columns and rows, the distance is in the unit of the spacing. Throws
+/// The pixel of an edge that is nearest to a point, the first with the least `distance`; x and y
+/// are numbers of columns and rows, the distance is in the unit of the spacing. Throws
 /// std::invalid_argument also for a graph without edges and for a point that is not finite.
 [[nodiscard]] THINBENCH_API GraphPlace nearest_place(const Graph& graph, double x, double y,
                                                      const Spacing& spacing = {});
