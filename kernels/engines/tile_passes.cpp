@@ -412,8 +412,10 @@ template <class Entry>
           nonzero_lanes(last & east & highest)};
 }
 
-/// What changed in any register, from `tile` on, visited or not. This and changed_lanes() are
-/// templates because not every ISA uses them.
+/// What changed in any register, from `tile` on, visited or not, for as many tiles as a batch has
+/// bytes. At the end of a row they include tiles of the next one, which another thread may be
+/// writing: callers mask them out. This and changed_lanes() are templates because not every ISA
+/// uses them.
 template <class Lanes>
 [[gnu::always_inline]] inline ByteBatch any_lanes(const Lanes& lanes, Index tile) {
   if (kTileRegisters > 2) return ByteBatch::load_unaligned(lanes.any + tile);
@@ -421,7 +423,7 @@ template <class Lanes>
          ByteBatch::load_unaligned(lanes.last + tile);
 }
 
-/// Of the tiles of a batch of bytes, visited or not.
+/// Of the same tiles.
 template <class Lanes>
 [[gnu::always_inline]] inline ChangedTiles changed_lanes(const Lanes& lanes, Index tile) {
   const auto load = [&](const std::uint8_t* from) {
