@@ -1,5 +1,7 @@
 #include "engines/tile_grid.hpp"
 
+#include <utility>
+
 namespace thinbench::detail {
 namespace {
 
@@ -14,6 +16,24 @@ Index tile_columns_of(Index width) {
 Index tile_rows_of(Index height, const TileShape& shape) {
   return (height + shape.rows - 1) / shape.rows;
 }
+
+/// Equal parts of a block of zeros, each from the start of a cache line on. One block, as a thread
+/// keeps few.
+template <class T>
+class Parts {
+ public:
+  Parts(AlignedArray<T>& block, Index count, Index elements)
+      : size_(round_up(elements, static_cast<Index>(kAlignment / sizeof(T)))) {
+    block = make_aligned<T>(count_of(count * size_));
+    next_ = block.get();
+  }
+
+  T* take() { return std::exchange(next_, next_ + size_); }
+
+ private:
+  Index size_;
+  T* next_;
+};
 
 }  // namespace
 
@@ -34,14 +54,11 @@ TileGrid::TileGrid(Index width, Index height, Border border, const TileShape& sh
   words_ = make_aligned<std::uint32_t>(count_of(tiles * shape.rows));
   view_.words = words_.get();
 
-  std::size_t edge = 0;
   const Index margin = round_up(view_.stride + 1, kBlockWords * 2);
+  Parts edge_rows(edges_, 8, tiles + 2 * margin);
   for (TileEdges& edges : view_.edges) {
     for (auto* rows : {&edges.top, &edges.bottom}) {
-      for (std::uint32_t*& row : *rows) {
-        edges_[edge] = make_aligned<std::uint32_t>(count_of(tiles + 2 * margin));
-        row = edges_[edge++].get() + margin;
-      }
+      for (std::uint32_t*& row : *rows) row = edge_rows.take() + margin;
     }
   }
 
@@ -51,12 +68,9 @@ TileGrid::TileGrid(Index width, Index height, Border border, const TileShape& sh
     for (std::uint32_t*& row : edges.bottom) row -= view_.stride;
   }
 
-  ChangedLanes& lanes = view_.changed_lanes;
-  std::size_t number = 0;
-  for (auto** const bytes : {&lanes.any, &lanes.west, &lanes.east, &lanes.first, &lanes.last}) {
-    if (shape.lanes > 8) break;
-    changed_lanes_[number] = make_aligned<std::uint8_t>(count_of(tiles + kWordBits));
-    *bytes = changed_lanes_[number++].get();
+  if (shape.lanes <= 8) {
+    Parts bytes(changed_lanes_, 5, tiles + kWordBits);
+    view_.changed_lanes = {bytes.take(), bytes.take(), bytes.take(), bytes.take(), bytes.take()};
   }
 
   first_tiles_ = make_aligned<std::uint32_t>(count_of(view_.tile_rows * view_.row_words));
@@ -65,24 +79,18 @@ TileGrid::TileGrid(Index width, Index height, Border border, const TileShape& sh
     first_tiles_[count_of(i)] = static_cast<std::uint32_t>(tile);
   }
   view_.first_tiles = first_tiles_.get();
+
+  // With a row of tiles before the first one and after the last one.
+  Parts sets(sets_, kMaxSubIterations + 9, (view_.tile_rows + 2) * view_.row_words);
+  const auto make_set = [&] { return sets.take() + view_.row_words; };
   view_.occupied = make_set();
   view_.active = make_set();
   for (std::uint64_t*& near : view_.near) near = make_set();
-  for (TileChanges& changes : view_.changes) {
-    changes = {make_set(), make_set(), make_set()};
-  }
-  if (border == Border::keep) mark_border_tiles();
+  for (TileChanges& changes : view_.changes) changes = {make_set(), make_set(), make_set()};
+  if (border == Border::keep) mark_border_tiles(make_set());
 }
 
-/// With a row of tiles before the first one and after the last one.
-std::uint64_t* TileGrid::make_set() {
-  auto& set = sets_[set_count_++];
-  set = make_aligned<std::uint64_t>(count_of((view_.tile_rows + 2) * view_.row_words));
-  return set.get() + view_.row_words;
-}
-
-void TileGrid::mark_border_tiles() {
-  std::uint64_t* const border = make_set();
+void TileGrid::mark_border_tiles(std::uint64_t* border) {
   for (Index row = 0; row < view_.tile_rows; ++row) {
     const bool outer_row = row == 0 || row == view_.tile_rows - 1;
     for (Index column = 0; column < columns_; ++column) {

@@ -98,17 +98,15 @@ class TileGrid {
   [[nodiscard]] const TileGridView& view() const { return view_; }
 
  private:
-  std::uint64_t* make_set();
-  void mark_border_tiles();
+  void mark_border_tiles(std::uint64_t* border);
 
   Index columns_;
   TileGridView view_;
   AlignedArray<std::uint32_t> words_;
-  std::array<AlignedArray<std::uint32_t>, 8> edges_;
+  AlignedArray<std::uint32_t> edges_;
   AlignedArray<std::uint32_t> first_tiles_;
-  std::array<AlignedArray<std::uint8_t>, 5> changed_lanes_;
-  std::array<AlignedArray<std::uint64_t>, kMaxSubIterations + 9> sets_;
-  std::size_t set_count_ = 0;
+  AlignedArray<std::uint8_t> changed_lanes_;
+  AlignedArray<std::uint64_t> sets_;
 };
 
 }  // namespace thinbench::detail
