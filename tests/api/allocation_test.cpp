@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/test_images.hpp"
+#include "support/isa_parameters.hpp"
 #include "support/rule_parameters.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/batch.hpp"
@@ -154,24 +155,28 @@ TEST(AllocationCounter, counts_aligned_and_plain_allocations) {
   EXPECT_EQ(allocations, before + 2);
 }
 
-/// Calls of functions that make a state each.
-void call_on(const ByteImage& image, ByteImage& out) {
-  thin(Rule::guo_hall, image.view(), out.view());
+/// Calls of functions that make a state each; thinning is by an instruction set.
+void call_on(const ByteImage& image, ByteImage& out, const Execution& thinning = {}) {
+  thin(Rule::guo_hall, image.view(), out.view(), {}, thinning);
   fill_holes(image.view(), out.view());
   detect_edges(EdgeOperator::sobel, image.view(), out.view());
   static_cast<void>(find_components(image.view()));
 }
 
-TEST(KeptMemory, serves_the_next_calls) {
+class KeptMemory : public IsaTest {};
+INSTANTIATE_TEST_SUITE_P(Isa, KeptMemory, testing::ValuesIn(all_isas()), isa_test_name);
+
+TEST_P(KeptMemory, serves_the_next_calls) {
+  const Execution thinning = {.isa = GetParam()};
   const ByteImage image = noise_image(510, 412, 40, 9, 5);
   ByteImage out(510, 412);
-  call_on(image, out);
+  call_on(image, out, thinning);
   const std::size_t before = allocated_bytes;
-  call_on(image, out);
+  call_on(image, out, thinning);
   EXPECT_LT(allocated_bytes - before, std::size_t{1} << 15);
 }
 
-TEST(KeptMemory, is_freed_when_a_thread_ends) {
+TEST(KeptMemoryOfThread, is_freed_when_a_thread_ends) {
   const ByteImage image = noise_image(510, 412, 40, 9, 5);
   ByteImage out(510, 412);
   call_on(image, out);  // what lives as long as the program
