@@ -76,6 +76,12 @@ TEST_P(OutOfCore, stops_after_the_maximum_number_of_iterations) {
   }
 }
 
+TEST_P(OutOfCore, works_on_processors_without_tiles_for_the_rule) {
+  OutOfCoreRun run = tested();
+  run.execution.isa = Isa::baseline;
+  expect_equal_to_thin(noise_image(200, 100, 85, 12, 5), run, 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rules, OutOfCore, testing::ValuesIn(rules_for_tiles()),
                          rule_and_border_test_name);
 

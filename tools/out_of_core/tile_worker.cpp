@@ -9,12 +9,15 @@ namespace thinbench {
 
 namespace {
 
-/// The variants that take the least memory: on tiles, if the rule has them.
-std::vector<detail::ThinningVariant> frugal_variants(const detail::RuleBody& rule) {
+/// The variants that take the least memory: on tiles, if the rule has them here.
+std::vector<detail::ThinningVariant> frugal_variants(const detail::RuleBody& rule,
+                                                     std::optional<Isa> isa) {
   const auto& all = detail::thinning_variants(rule);
   std::vector<detail::ThinningVariant> tiles;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(tiles),
-               [](const auto& one) { return one.technique == "simd_bitpacked_tiles"; });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(tiles), [&](const auto& one) {
+    return one.technique == "simd_bitpacked_tiles" && one.isa == isa.value_or(one.isa) &&
+           detail::unavailable_reason(one, 0).empty();
+  });
   return tiles.empty() ? all : tiles;
 }
 
@@ -24,7 +27,7 @@ TileWorker::TileWorker(const detail::ThinningParameters& parameters, std::option
                        const Tiling& tiling, BitOrder order)
     : parameters_(parameters),
       isa_(isa),
-      variants_(frugal_variants(*parameters.rule)),
+      variants_(frugal_variants(*parameters.rule, isa)),
       tiling_(tiling),
       order_(order),
       bytes_(
