@@ -177,8 +177,8 @@ TEST_F(BatchCommand, two_inputs_with_one_output_fail_alone) {
   expect_rejected({1, "batch thin_guo_hall in other --out out --on-error stop", {"'"}});
   const ProgramRun made = batch("thin_guo_hall in other");
   EXPECT_EQ(made.status, 1);
-  expect_holds(made.err, "would become '40.png.png', as does 'in/40.png'");
-  EXPECT_EQ(read_grey("out/40.png.png").width(), 60);
+  expect_holds(made.err, "would become '40.png', as does 'in/40.png'");
+  EXPECT_EQ(read_grey("out/40.png").width(), 60);
   EXPECT_TRUE(fs::exists("out/70.png"));
 }
 

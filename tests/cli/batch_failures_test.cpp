@@ -192,6 +192,8 @@ TEST_F(BatchFailures, words_that_cannot_be_done_are_rejected_before_anything_is_
       {2, "batch guo_hall in --out out --p1 3", {"has no option --gradient-threshold"}},
       {2, "batch graph in --out out --min-area 3", {"graph has no option --min-area"}},
       {2, "batch edges in --out out --table a.csv", {"edges has no option --table"}},
+      {2, "batch holes in --out out --format pgm", {"holes has no option --format"}},
+      {2, "batch edges in --out out --optimise", {"edges has no option --optimise"}},
       {2, "batch graph in --out out --thinning thin_gu", {"no rule is named 'thin_gu'"}},
       {1, "batch holes in/*.gif --out out", {"no file matches 'in/*.gif'"}},
       {1, "batch holes none --out out", {"there is no image file in what was named"}},

@@ -161,6 +161,8 @@ TEST_F(GraphCommand, rejects_options_with_what_was_given) {
         "--out skeleton.svg"}) {
     expect_rejected({2, "graph in.png " + options, {words_of(options)[1]}});
   }
+  const std::string known = "; known are .svg, .png, .bmp, .tif and .tiff";
+  expect_rejected({2, "graph in.png --overlay a.pgm", {"PGM holds no colours" + known}});
   write_grey("small.png", ByteImage(3, 4).view());
   expect_rejected({1, "graph in.png --image small.png", {"expected 12 x 8 pixels"}});
 }

@@ -114,6 +114,7 @@ TEST_F(RunCommand, rejects_words_with_what_was_given_and_known) {
       {2, guo_hall + "--border wrap", {"'wrap'; known: background, keep and foreground"}},
       {2, "run thin_guo_hall in.png a.gif", {"'a.gif'", "'.gif'; known are .png, .pgm, .bmp"}},
       {2, guo_hall + "--directions rows", {"--directions: thin_guo_hall is not a scan"}},
+      {2, guo_hall + "--optimise", {"--optimise: thin_guo_hall is built in"}},
       {2, guo_hall + "--weights weights.json", {"--weights: thin_guo_hall is not a net"}},
       {1,
        "run net_two_layer_linear in.png out.png --weights weights.json",

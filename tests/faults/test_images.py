@@ -114,6 +114,18 @@ def test_images_are_turned_as_they_say(kind: str, orientation: int, tmp_path: Pa
     assert objects_in(f"a.{kind}", tmp_path) == objects_in("expected.png", tmp_path)
 
 
+@pytest.mark.parametrize("kind", ["png", "tif"])
+def test_label_images_are_turned_as_they_say(kind: str, tmp_path: Path) -> None:
+    exif = Image.Exif()
+    exif[0x112] = 6
+    labels = GREY.point(lambda level: 7 if level > 127 else 0)
+    labels.save(tmp_path / f"a.{kind}", **({"tiffinfo": {0x112: 6}} if kind == "tif" else {"exif": exif}))
+    labels.transpose(Image.Transpose.ROTATE_270).save(tmp_path / "expected.png")
+    found = [run(["thinbench", "graph", name, "--labels", "--json"], tmp_path) for name in (f"a.{kind}", "expected.png")]
+    graphs = [json.loads(ran.out) for ran in found]
+    assert graphs[0]["edges"] == graphs[1]["edges"] != []
+
+
 def test_transparent_pixels_of_tiff_are_black(tmp_path: Path) -> None:
     """Its decoder multiplies colours by the opacity."""
     CLEAR.save(tmp_path / "a.tif")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -66,17 +67,20 @@ class Search {
       return std::tie(a.path, a.name) < std::tie(b.path, b.name);
     });
     inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
-    keep_extensions_of_equal_names(inputs);
+    keep_different_extensions(inputs);
     return std::move(found_);
   }
 
  private:
   /// Results of a.bmp and a.png get different names.
-  static void keep_extensions_of_equal_names(std::vector<BatchInput>& inputs) {
-    std::unordered_map<std::string, std::size_t> uses;
-    for (const BatchInput& input : inputs) ++uses[input.name];
+  static void keep_different_extensions(std::vector<BatchInput>& inputs) {
+    const auto extension = [](const BatchInput& input) {
+      return fs::path(input.path).extension().string();
+    };
+    std::unordered_map<std::string, std::set<std::string>> extensions;
+    for (const BatchInput& input : inputs) extensions[input.name].insert(extension(input));
     for (BatchInput& input : inputs) {
-      if (uses[input.name] > 1) input.name += fs::path(input.path).extension().string();
+      if (extensions[input.name].size() > 1) input.name += extension(input);
     }
   }
 

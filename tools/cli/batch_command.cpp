@@ -32,7 +32,6 @@ struct BatchOptions {
   BatchOperationRequest operation;
   InputRequest inputs;
   BatchSettings settings;
-  std::string format = "png";
   std::string manifest;  // empty: in the output directory
   std::string shard;
   bool resume = false;
@@ -148,7 +147,9 @@ void open_outputs(const std::vector<BatchJob>& jobs, const std::string& path,
 ResultExtensions extensions_of(const BatchOptions& options) {
   const std::string& overlay = options.operation.overlay;
   if (makes_json(options.operation)) return {".json", overlay.empty() ? "" : "." + overlay};
-  return {options.format == "tiff" ? ".tif" : "." + options.format, ""};
+  const std::string& format = options.operation.format;
+  if (format.empty()) return {".png", ""};
+  return {format == "tiff" ? ".tif" : "." + format, ""};
 }
 
 int run(const BatchOptions& options, const Console& console) {
@@ -206,10 +207,10 @@ void add_output_options(CLI::App& app, BatchOptions& options) {
       ->required()
       ->check(not_empty())
       ->type_name("DIR");
-  app.add_option("--format", options.format, "Format of images")
+  app.add_option("--format", options.operation.format, "Format of images")
       ->check(one_of({"png", "tiff", "pgm", "pbm"}))
       ->type_name("png|tiff|pgm|pbm")
-      ->capture_default_str();
+      ->default_str("png");
   app.add_option("--overlay", options.operation.overlay,
                  "Also DIR/NAME.svg or .png for each image: what was found, drawn on it (holes, "
                  "localise, graph)")
@@ -244,10 +245,10 @@ constexpr const char* kFooter = R"(Examples:
   parallel thinbench batch thin_zhang_suen scans --out skeletons --shard {}/4 ::: 1 2 3 4
 
 OPERATION is a thinning operation, holes, localise or graph (a .json for each image), edges (by Sobel's
-operator) or edges_ and the name of another operator. A result has the name of its input and lies in DIR, that of
-scans/a/b.png, found in scans, at DIR/a/b.png; beside b.bmp it is DIR/a/b.png.png. A TIFF file of several pages becomes NAME_page1.png and
-so on or, with --format tiff, one file. Results appear whole or not at all; after a failure or a kill,
---resume does what is left, and the failed images again.
+operator) or edges_ and the name of another operator. A result has the name of its input and lies in
+DIR, that of scans/a/b.png, found in scans, at DIR/a/b.png; beside b.bmp it is DIR/a/b.png.png. A TIFF
+file of several pages becomes NAME_page1.png and so on or, with --format tiff, one file. Results appear
+whole or not at all; after a failure or a kill, --resume does what is left, and the failed images again.
 
 The manifest has the foreground chosen, numbers of pixels, components and holes of the foreground
 before, seconds, warnings and errors. The exit status is 1 if any image failed.)";

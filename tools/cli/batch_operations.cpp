@@ -193,6 +193,8 @@ BatchOperation batch_operation(const BatchOperationRequest& request) {
   check_applies(regions, request.min_area ? " --min-area" : "", request);
   check_applies(makes_graphs(request), graph_words(request.graph), request);
   check_applies(!edges && !json, thinning_words(request.thinning), request);
+  check_applies(!edges && !json, request.thinning.optimise ? " --optimise" : "", request);
+  check_applies(!json, request.format.empty() ? "" : " --format", request);
   const std::string overlay = request.overlay.empty() ? "" : " --overlay " + request.overlay;
   check_applies(json, overlay, request);
   check_applies(json, request.table.empty() ? "" : " --table", request);

@@ -19,6 +19,7 @@ struct BatchOperationRequest {
   std::optional<std::int64_t> min_area;  // of holes
   GraphRequest graph;
   BinariseOptions binarise;
+  std::string format;   // of images; empty: png
   std::string overlay;  // "svg" or "png"; empty: none
   std::string table;    // a file; empty: none
 };

@@ -57,7 +57,7 @@ void check_names(const GraphCommandOptions& options) {
   if (!options.out.empty()) {
     (options.has_labels ? check_deep_extension : check_extension)(options.out);
   }
-  if (!options.overlay.empty()) check_overlay_name(options.overlay);
+  if (!options.overlay.empty()) check_overlay_extension(options.overlay);
   if (options.out == kStandardStream && options.overlay == kStandardStream) {
     throw UsageError("--out and --overlay cannot both be standard output");
   }

@@ -57,7 +57,7 @@ Overlay path_overlay(const std::vector<Pixel>& pixels, double width) {
 int run(const PathOptions& options, const Console& console) {
   const PathRequest request = {pixel_from("--start", options.start),
                                pixel_from("--goal", options.goal), options.width};
-  if (!options.overlay.empty()) check_overlay_name(options.overlay);
+  if (!options.overlay.empty()) check_overlay_extension(options.overlay);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const BinaryImage map = binarise(copy_of(grey.view()), options.binarise);
@@ -110,8 +110,9 @@ Command add_path_command(CLI::App& program) {
   thinbench path plan.png --start 40,150 --goal 590,80 --foreground bright --json > path.json
 
 The path has the least cost: on the skeleton of the free space, midway between obstacles, a step costs
-its length, elsewhere four times its length. All of it is at least W / 2 from obstacles, between centres of pixels. What is
-outside the map is no obstacle. Sides are at most 32767 pixels.)");
+its length, elsewhere four times its length. Branches of the skeleton that are shorter than the free
+space is wide are removed first. All of the path is at least W / 2 from obstacles, between centres of
+pixels. What is outside the map is no obstacle. Sides are at most 32767 pixels.)");
   return {app, [options](const Console& console) { return run(*options, console); }};
 }
 

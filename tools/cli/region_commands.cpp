@@ -35,7 +35,7 @@ int run(RegionOptions options, const Console& console) {
   RegionRequest& request = options.request;
   request.draws = !options.overlay.empty();
   if (!options.csv.empty()) check_target(options.csv);
-  if (request.draws) check_overlay_name(options.overlay);
+  if (request.draws) check_overlay_extension(options.overlay);
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, request.binarise, remarks);
   BinaryImage binary = binarise(image_to_binarise(grey, request), request.binarise);

@@ -59,6 +59,7 @@ NamedValue rule_of_file(const std::string& path, bool optimise) {
 
 NamedValue rule_of_name(const std::string& word, bool optimise) {
   if (const auto built_in = rule_from_name(word)) {
+    if (optimise) throw UsageError("--optimise: " + word + " is built in, not given by tables");
     return {std::string(rule_info(*built_in).operation), *built_in};
   }
   const NamedRule* const found = find_named_rule(word);

@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <new>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include <fmt/format.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -149,6 +151,9 @@ ByteImage read_grey(const std::string& path, std::string* warning) {
   return read_channel(path, std::nullopt, grey, warning);
 }
 
+/// Grey levels of 8 or 16 bits, upright; colours remain colours.
+constexpr int kAsStored = cv::IMREAD_ANYDEPTH | cv::IMREAD_ANYCOLOR;
+
 LabelPixels read_labels(const std::string& path) {
   if (path == kStandardStream) {
     LabelPixels labels;
@@ -156,7 +161,7 @@ LabelPixels read_labels(const std::string& path) {
     return labels;
   }
   return guarded_read(path, 0, [&] {
-    const auto decode = [&] { return cv::imread(path, cv::IMREAD_UNCHANGED); };
+    const auto decode = [&] { return cv::imread(path, kAsStored); };
     cv::Mat image = decoded(path, decode, nullptr);
     const bool is_deep = image.depth() == CV_16U;
     if (image.channels() != 1 || (!is_deep && image.depth() != CV_8U)) {
@@ -234,11 +239,20 @@ ByteImage read_grey_page(const std::string& path, int page) {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kExtensions = {".png", ".pgm", ".bmp", ".tif", ".tiff"};
-constexpr const char* kKnownExtensions = ".png, .pgm, .bmp, .tif and .tiff";
-
-[[noreturn]] void reject_extension(const std::string& path, const std::string& why) {
-  throw ExtensionError("cannot write '" + path + "': " + why);
+/// Throws ExtensionError unless the file has one of these extensions.
+void check_among(const std::string& path, std::initializer_list<std::string_view> known) {
+  if (path == kStandardStream) return;
+  const std::string extension = extension_of(path);
+  if (std::ranges::find(known, extension) != known.end()) return;
+  const std::string why = extension.empty()     ? "its name has no extension"
+                          : extension == ".bmp" ? "BMP holds no 16 bits"
+                          : extension == ".pgm" ? "PGM holds no colours"
+                          : extension == ".jpg" || extension == ".jpeg"
+                              ? "JPEG would change pixels"
+                              : "unknown extension '" + extension + "'";
+  throw ExtensionError(fmt::format("cannot write '{}': {}; known are {} and {}", path, why,
+                                   fmt::join(known.begin(), known.end() - 1, ", "),
+                                   *(known.end() - 1)));
 }
 
 std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image) {
@@ -258,24 +272,15 @@ std::vector<std::uint8_t> encoded(const std::string& path, const cv::Mat& image)
 }  // namespace
 
 void check_extension(const std::string& path) {
-  if (path == kStandardStream) return;
-  const std::string extension = extension_of(path);
-  if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end()) return;
-  const std::string what = extension.empty() ? "its name has no extension"
-                           : extension == ".jpg" || extension == ".jpeg"
-                               ? "JPEG would change pixels"
-                               : "unknown extension '" + extension + "'";
-  reject_extension(path, what + "; known are " + kKnownExtensions);
+  check_among(path, {".png", ".pgm", ".bmp", ".tif", ".tiff"});
 }
 
 void check_deep_extension(const std::string& path) {
-  check_extension(path);
-  if (extension_of(path) == ".bmp") reject_extension(path, "BMP holds no 16 bits");
+  check_among(path, {".png", ".pgm", ".tif", ".tiff"});
 }
 
-void check_colour_extension(const std::string& path) {
-  check_extension(path);
-  if (extension_of(path) == ".pgm") reject_extension(path, "PGM holds no colours");
+void check_overlay_extension(const std::string& path) {
+  check_among(path, {".svg", ".png", ".bmp", ".tif", ".tiff"});
 }
 
 namespace {

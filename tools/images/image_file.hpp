@@ -99,8 +99,8 @@ struct ExtensionError : FileError {
 /// Throws ExtensionError where the extension names no format that write_grey knows.
 void check_extension(const std::string& path);
 
-/// The same for images with colours.
-void check_colour_extension(const std::string& path);
+/// The same for images with colours, and SVG.
+void check_overlay_extension(const std::string& path);
 
 /// While it lives, OpenCV uses no threads of its own: for programs whose threads share images.
 class OneThreadPerImage {

@@ -153,12 +153,8 @@ Pixel overlay_text_size(const std::string& text) {
   return {size.width, size.height};
 }
 
-void check_overlay_name(const std::string& path) {
-  if (!is_svg(path)) check_colour_extension(path);
-}
-
 void write_overlay(const std::string& path, const ConstImageView& grey, const Overlay& overlay) {
-  check_overlay_name(path);
+  check_overlay_extension(path);
   if (is_svg(path)) return write_whole_file(path, svg_of(grey, overlay));
   write_mat(path, [&] { return drawn(grey, overlay); });
 }

@@ -48,9 +48,6 @@ struct Overlay {
 /// Width and height of the digits of a text, as pixels.
 [[nodiscard]] Pixel overlay_text_size(const std::string& text);
 
-/// Throws ExtensionError where the extension names no format that write_overlay knows.
-void check_overlay_name(const std::string& path);
-
 /// Writes `grey` with the overlay, in colours: as SVG where the name ends in .svg, else as an
 /// image. The file appears as a whole or not at all. Throws FileError.
 void write_overlay(const std::string& path, const ConstImageView& grey, const Overlay& overlay);
