@@ -45,7 +45,7 @@ OPERATIONS = ("^(thin_guo_hall|thin_zhang_suen|thin_guo_hall:keep|thin_zhang_sue
 
 LIST = "files.txt"
 """Of a directory in YACCLAB's layout: the names of its images, one in a line."""
-SUFFIXES = frozenset((".png", ".bmp", ".pbm", ".pgm", ".jpg", ".jpeg", ".tif", ".tiff"))
+SUFFIXES = frozenset((".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".pbm", ".pgm", ".ppm", ".pnm", ".pam"))
 
 EPILOG = f"""examples:
   ./study pages --quick
@@ -145,7 +145,7 @@ def _without_unshown(plan: Json) -> Json:
 
 @dataclass(frozen=True)
 class Comparison:
-    """An operation on all pictures, the library's choice on one thread, and a peer, if there is one."""
+    """An operation, the library's choice on one thread, on all pictures that the peer was timed on, if there is one."""
 
     case: str
     chosen: tuple[Row, ...]
@@ -166,23 +166,30 @@ def comparisons(rows: Iterable[Row]) -> list[Comparison]:
     found = []
     for case in sorted(chosen, key=place):
         own = chosen[case]
-        found += [Comparison(case, tuple(own.values()), peer, tuple(
-            timed[name].time_ns / own[name].time_ns for name in own if name in timed))
-            for peer, timed in sorted(peers[case].items()) or [("", {})]]
+        if not peers[case]:
+            found.append(Comparison(case, tuple(own.values()), "", ()))
+        for peer, timed in sorted(peers[case].items()):
+            rows_of_both = [(row, timed[name]) for name, row in own.items() if name in timed]
+            found.append(Comparison(case, tuple(row for row, _ in rows_of_both), peer,
+                                    tuple(theirs.time_ns / row.time_ns for row, theirs in rows_of_both)))
     return found
 
 
 def ratios_table(rows: Sequence[Row]) -> str:
-    """For readers in a hurry: by how much the library is faster than the fastest peer of each picture."""
+    """For readers in a hurry: by how much the library is faster than the fastest peer of each picture, and whether all
+    these peers give its output."""
     lines = []
     for case in dict.fromkeys(one.case for one in comparisons(rows) if one.ratios):
         own = {row.input: row for row in rows if _is_chosen(row) and row.case == case}
-        ratios = {name: min(times_ns) / own[name].time_ns for name in own
-                  if (times_ns := [row.time_ns for row in rows if row.case == case and row.input == name and _is_peer(row)])}
+        fastest = {name: min(peers, key=lambda row: row.time_ns) for name in own
+                   if (peers := [row for row in rows if row.case == case and row.input == name and _is_peer(row)])}
+        ratios = {name: peer.time_ns / own[name].time_ns for name, peer in fastest.items()}
         worst = min(ratios, key=lambda name: ratios[name])
-        lines.append([label(case), str(len(ratios)), times(ratios[worst]), worst,
+        output = "equal" if all(peer.verified for peer in fastest.values()) else "other"
+        lines.append([label(case), output, str(len(ratios)), times(ratios[worst]), worst,
                       times(statistics.geometric_mean(ratios.values())), times(max(ratios.values()))])
-    return markdown_table(("operation", "pictures", "worst ratio", "on", "mean", "best"), lines, frozenset((1, 2, 4, 5)))
+    return markdown_table(("operation", "output", "pictures", "worst ratio", "on", "mean", "best"), lines,
+                          frozenset((2, 3, 5, 6)))
 
 
 def _is_chosen(row: Row) -> bool:
@@ -202,7 +209,7 @@ def pages_table(rows: Iterable[Row]) -> str:
         mean = statistics.geometric_mean(row.ns_per_pixel for row in one.chosen)
         ratios = ([times(min(one.ratios)), times(statistics.geometric_mean(one.ratios)), times(max(one.ratios))]
                   if one.ratios else [NOTHING] * 3)
-        lines.append([label(one.case), str(len(one.ratios) or len(one.chosen)), f"{1000 * mean:,.0f}",
+        lines.append([label(one.case), str(len(one.chosen)), f"{1000 * mean:,.0f}",
                       f"{1000 * slowest.ns_per_pixel:,.0f}", slowest.input, one.peer or NOTHING, *ratios])
     return markdown_table(header, lines, frozenset((1, 2, 3, 6, 7, 8)))
 

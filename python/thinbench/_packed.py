@@ -88,7 +88,7 @@ def thin_packed(packed: npt.ArrayLike, width: int, rule: str | Rule = "guo_hall"
 
 
 def _checked(packed: Any, width: int) -> Packed:
-    image = np.asarray(packed)
+    image = _arrays.unmasked(packed, "packed")
     if image.dtype != np.uint8:
         raise TypeError(f"packed: expected dtype uint8, got {image.dtype}")
     if width < 0:

@@ -292,7 +292,8 @@ class Graph:
         widths = {name: name.replace("-", "_") for name in edges if name.startswith("width-")}
         features = []
         for i in range(len(nodes["kind"])):
-            properties = {"id": i + 1, "kind": str(nodes["kind"][i]), "degree": int(nodes["degree"][i])}
+            properties = {"id": i + 1, "kind": str(nodes["kind"][i]), "degree": int(nodes["degree"][i]),
+                          **_label(nodes, i)}
             features.append(feature("Point", position(nodes["row"][i], nodes["column"][i]), properties))
         for i, line in enumerate(self.polylines(tolerance)):
             properties = {"id": i + 1, "from": int(edges["from"][i]) + 1, "to": int(edges["to"][i]) + 1,
@@ -301,8 +302,9 @@ class Graph:
             for column, name in widths.items():
                 width = float(edges[column][i])
                 properties[name] = width if math.isfinite(width) else None
+            properties |= _label(edges, i)
             features.append(feature("LineString", [position(*point) for point in line], properties))
-        return {"type": "FeatureCollection", "spacing": list(self.spacing), "features": features}
+        return {"type": "FeatureCollection", "spacing": list(self.spacing), "unit": None, "features": features}
 
     def to_networkx(self) -> Any:
         """A networkx.MultiGraph with the columns as attributes of nodes and edges, and "pixels" of edges."""
@@ -408,6 +410,10 @@ def _inside(polygon: Array, points: Array) -> Array:
         at = a[:, 1] + (row - a[:, 0]) * (b[:, 1] - a[:, 1]) / (b[:, 0] - a[:, 0])
         odd[i] = np.count_nonzero(at > column) % 2 == 1
     return odd
+
+
+def _label(columns: Columns, i: int) -> dict[str, int]:
+    return {"label": int(columns["label"][i])} if "label" in columns else {}
 
 
 def _finite(name: str, numbers: Sequence[float], count: int = 6) -> list[float]:

@@ -50,6 +50,11 @@ TEST_F(BatchCommand, finds_inputs_in_directories_patterns_and_files) {
   fs::remove_all("out");
   done("thin_guo_hall in/[45]0.png in/deep/70.pgm in/40.png");
   EXPECT_EQ(results(), (Names{"40.png", "50.png", "70.png", "manifest.csv"}));
+  fs::remove_all("out");
+  fs::create_directory("colours");
+  put("colours/a.ppm", "P3 2 1 255 0 0 0 255 255 255\n");
+  done("thin_guo_hall colours");
+  EXPECT_EQ(results(), (Names{"a.png", "manifest.csv"}));
 }
 
 TEST_F(BatchCommand, reads_a_list_of_inputs_from_standard_input) {

@@ -56,6 +56,20 @@ TEST_F(BatchFailures, resume_does_what_is_missing_failed_or_was_done_otherwise) 
   expect_holds(done("thin_guo_hall in --resume --border keep"), " 0 done before");
 }
 
+TEST_F(BatchFailures, resume_does_again_what_was_made_of_another_image_rule_or_weights) {
+  write_bar("other/40.png", 70);
+  done("thin_guo_hall in/40.png");
+  expect_holds(done("thin_guo_hall other/40.png --resume"), ": 1 image done, 0 failed, 0 done");
+  expect_skeleton("40.png", 70);
+  put("rule.json", R"({"name": "r", "hensel": "B/S23"})");
+  done("rule.json in");
+  expect_holds(done("rule.json in --resume"), " 3 done before");
+  put("rule.json", R"({"name": "r", "hensel": "B/S8"})");
+  expect_holds(done("rule.json in --resume"), " 0 done before");
+  expect_holds(done("rule.json in --blur 1.0000001"), " 0 done before");
+  expect_holds(done("rule.json in --blur 1.0000002 --resume"), " 0 done before");
+}
+
 TEST_F(BatchFailures, resumed_run_ends_with_the_same_manifest_wherever_it_was_killed) {
   put("in/45.png", "text");
   fs::create_directory("out");
@@ -127,6 +141,14 @@ TEST_F(BatchFailures, full_disk_fails_each_image_and_leaves_no_part_of_it) {
   expect_holds(bytes_of("manifest.csv"), "large.pgm': File too large\n");
 }
 
+TEST_F(BatchFailures, what_is_no_utf8_in_a_message_is_replaced_in_json) {
+  const std::string words =
+      "batch thin_guo_hall in --out no\xff --manifest m.jsonl --format pgm --on-error continue";
+  const FileSizeLimit limit(1000);
+  EXPECT_EQ(typed(words).status, 1);
+  expect_holds(bytes_of("m.jsonl"), "File too large");
+}
+
 TEST_F(BatchFailures, full_disk_under_the_manifest_ends_the_run_with_whole_lines) {
   const FileSizeLimit limit(400);
   const ProgramRun ran = batch("thin_guo_hall in --format pbm");
@@ -184,6 +206,7 @@ TEST_F(BatchFailures, names_that_are_not_utf8_fail_alone_with_a_json_manifest_an
 
 TEST_F(BatchFailures, words_that_cannot_be_done_are_rejected_before_anything_is_written) {
   fs::create_directory("none");
+  fs::create_directory_symlink("none", "link");
   fs::copy_file("in/40.png", "40.csv");
   const std::string replaces = "the result of 'in/40.png' would replace the input 'in/40.png'";
   expect_rejected({
@@ -197,11 +220,14 @@ TEST_F(BatchFailures, words_that_cannot_be_done_are_rejected_before_anything_is_
       {2, "batch graph in --out out --thinning thin_gu", {"no rule is named 'thin_gu'"}},
       {1, "batch holes in/*.gif --out out", {"no file matches 'in/*.gif'"}},
       {1, "batch holes none --out out", {"there is no image file in what was named"}},
-      {1, "batch thin_guo_hall in --out in", {replaces + "; choose another --out"}},
-      {1, "batch holes in --out in --overlay png", {replaces}},
+      {1, "batch thin_guo_hall in/40.png --out in", {replaces + "; choose another --out"}},
+      {1, "batch holes in/40.png --out in --overlay png", {replaces}},
+      {1, "batch holes in --out ./in", {"--out: './in' is a directory of inputs, too"}},
+      {2, "batch graph in --out out --unit m\xb5", {"--unit: expected UTF-8 without control"}},
       {2, "batch holes in --out out --table a.txt", {"ends in .csv or .jsonl, got 'a.txt'"}},
       {2, "batch holes in --out out --manifest a.txt", {"ends in .csv or .jsonl, got 'a.txt'"}},
       {2, "batch holes in --out out --table out/./manifest.csv", {"would replace"}},
+      {2, "batch holes in --out link/ --table none/manifest.csv", {"would replace"}},
       {2, "batch holes 40.csv --out out --table 40.csv", {"would replace"}},
       {1, "batch holes in --out out --table no/a.csv", {"no directory"}},
   });

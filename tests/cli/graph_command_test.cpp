@@ -171,6 +171,7 @@ TEST_F(GraphCommand, rejects_files_that_would_replace_each_other) {
   expect_rejected({
       {2, "graph in.png --csv edges.csv --geojson ./edges.csv", {"give each its own"}},
       {2, "graph in.png --csv in.png", {"give each its own"}},
+      {2, "graph in.png --image wide.png --csv wide.png", {"give each its own"}},
   });
   EXPECT_EQ(text_of(read_grey("in.png")), kLines);
   EXPECT_EQ(typed("graph in.png --thinning none --out in.png --prune 3").status, 0)

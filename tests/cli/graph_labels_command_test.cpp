@@ -94,12 +94,16 @@ TEST_F(GraphLabelsCommand, widths_are_those_of_the_labels_of_another_image) {
 TEST_F(GraphLabelsCommand, what_does_not_fit_is_one_line) {
   put("colours.ppm", "P3 1 1 255 1 2 3\n");
   write_grey("small.png", ByteImage(2, 2).view());
+  put("few.pgm", "P2 2 1 3 1 2\n");
+  put("bits.pbm", "P1 2 1 1 0\n");
   const std::string graph = "graph in.png --thinning none --labels ";
   expect_rejected({
       {2, graph + "--threshold 5", {"--labels excludes --threshold 5"}},
       {2, graph + "--only-thin", {"--labels excludes --only-thin"}},
       {1, graph + "--image small.png", {"expected 12 x 6 pixels"}},
       {1, graph + "--image colours.ppm", {"labels are one channel of 8 or 16", "has 3 of 8"}},
+      {1, "graph few.pgm --labels", {"labels in PGM text need a maximum of 255 or more, got 3"}},
+      {1, "graph bits.pbm --labels", {"labels are one channel of 8 or 16 bits, and it has 1"}},
       {2, graph + "--out a.bmp", {"BMP holds no 16 bits; known are .png, .pgm, .tif and .tiff"}},
       {2, graph + "--summary in.png", {"read or written as another file"}},
       {2, graph + "--node 1;2", {"--node: expected X,Y such as 120,45, got '1;2'"}},

@@ -99,6 +99,10 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
       {1, "holes in.png --overlay no/a.png", {"no directory"}},
       {2, "holes in.png --min-area 0", {"--min-area", "integer in [1, 2147483648], got '0'"}},
       {2, "holes in.png --overlay ''", {"--overlay: expected a value, got ''"}},
+      {2, "holes in.png --csv ./in.png", {"'./in.png' is read or written as another file, too"}},
+      {2, "holes in.png --csv a.svg --overlay a.svg", {"'a.svg' is read or written as another"}},
+      {2, "path in.png --start 1,1 --goal 2,2 --overlay in.png", {"'in.png' is read or written"}},
+      {1, "holes in.png --csv /proc/self/fd/1", {"it is an open file or a stream"}},
   });
 }
 

@@ -84,6 +84,9 @@ TEST_F(PackedRun, what_does_not_apply_to_packed_files_is_rejected) {
       {2, run + "--memory 1G", {"--out-of-core"}},
       {2, run + "--resume", {"--out-of-core"}},
       {2, run + "--bit-order lsb", {"--raw"}},
+      {2,
+       "run thin_guo_hall in.pbm out.png --out-of-core",
+       {"--out-of-core writes .pbm, .tif and .tiff", "got 'out.png'"}},
       {1, "run thin_spta in.pbm out.pbm --out-of-core", {"thin_spta cannot run on tiles"}},
   });
   for (const std::string memory : {"0", "1023K", "12Q", "M", "99999999999T"}) {

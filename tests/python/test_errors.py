@@ -126,7 +126,8 @@ def test_a_photograph_is_rejected_with_the_way_to_a_binary_image(function, sampl
 
 
 @pytest.mark.parametrize("function", [thinbench.thin, thinbench.distance, thinbench.edges, thinbench.localise,
-                                      thinbench.binarise, thinbench.thin_labels])
+                                      thinbench.binarise, thinbench.thin_labels,
+                                      lambda packed: thinbench.thin_packed(packed, 40)])
 def test_masked_elements_are_rejected(function):
     image = np.ma.masked_array(np.ones((4, 5), np.uint8), mask=np.zeros((4, 5), bool))
     function(image)

@@ -35,7 +35,16 @@ def test_an_operation_without_a_peer_is_left_out_where_ratios_are_asked_for() ->
 def test_the_fastest_peer_of_each_picture_counts() -> None:
     rows = [*rows_of("coins", 100, 900), *rows_of("horse", 100, 800)]
     rows.append(replace(rows[1], technique="opencv_bbdt", time_ns=200))
-    assert "| label image | 2 | 2.00× | coins | 4.00× | 8.00× |" in ratios_table(rows)
+    assert "| label image | equal | 2 | 2.00× | coins | 4.00× | 8.00× |" in ratios_table(rows)
+    rows[-1] = replace(rows[-1], verified=False)
+    assert "| label image | other | 2 | 2.00× |" in ratios_table(rows)
+
+
+def test_a_peer_is_compared_on_the_pictures_that_it_was_timed_on() -> None:
+    rows = [*rows_of("coins", 100, 300), make_row("label_image", "simd_contacts", "avx512", 10**6, input="horse")]
+    (one,) = comparisons(rows)
+    assert [row.input for row in one.chosen] == ["coins"]
+    assert "horse" not in pages_table(rows)
 
 
 def test_a_list_of_names_or_the_endings_say_what_is_an_image(tmp_path: Path) -> None:

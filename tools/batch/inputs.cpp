@@ -24,8 +24,8 @@ bool is_hidden(const fs::path& path) {
 }
 
 bool has_image_extension(const fs::path& path) {
-  constexpr std::array<std::string_view, 9> kKnown = {".png", ".jpg", ".jpeg", ".tif", ".tiff",
-                                                      ".pgm", ".pbm", ".pnm",  ".bmp"};
+  constexpr std::array<std::string_view, 11> kKnown = {
+      ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".pbm", ".pgm", ".ppm", ".pnm", ".pam"};
   return std::find(kKnown.begin(), kKnown.end(), extension_of(path)) != kKnown.end();
 }
 
@@ -36,6 +36,10 @@ class Search {
   void add_path(const std::string& path) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) {
+      if (fs::equivalent(path, request_.out, ignored)) {
+        throw std::runtime_error("--out: '" + request_.out +
+                                 "' is a directory of inputs, too; choose another");
+      }
       add_directory(path, {});
     } else {
       add_file(path, {});

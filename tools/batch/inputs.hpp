@@ -23,7 +23,7 @@ struct InputRequest {
   std::vector<std::string> in;
   bool recursive = false;
   bool null_separated = false;  // the list: one path per NUL instead of per line
-  std::string out;              // this directory is never searched
+  std::string out;              // never searched; rejected where it is named
 };
 
 struct FoundInputs {
@@ -35,7 +35,7 @@ struct FoundInputs {
 
 /// Files that are named need not exist: reading them gives the reason. In directories, files with
 /// the extension of an image format are inputs unless they are hidden. Throws std::runtime_error
-/// for a pattern that no file matches.
+/// for a pattern that no file matches, and for a directory that is `out`.
 [[nodiscard]] FoundInputs find_inputs(const InputRequest& request, std::istream& list);
 
 }  // namespace thinbench

@@ -67,7 +67,8 @@ bool Manifest::says_done(const BatchJob& job, const std::string& operation) cons
   for (int page = job.first_page; page < job.first_page + job.pages; ++page) {
     const auto found = lines_.find({job.output, page + 1});
     if (found == lines_.end()) return false;
-    if (found->second.failed || found->second.operation != operation) return false;
+    const ManifestLine& line = found->second;
+    if (line.failed || line.file != job.path || line.operation != operation) return false;
   }
   return true;
 }
@@ -75,8 +76,9 @@ bool Manifest::says_done(const BatchJob& job, const std::string& operation) cons
 void Manifest::append(const BatchRecord& record) {
   const std::string text = manifest_line(record, format_);
   write_text(text);
-  lines_[{record.output, record.page}] = {resumes_ ? text : "", record.output, record.page,
-                                          record.operation, !record.error.empty()};
+  lines_[{record.output, record.page}] = {resumes_ ? text : "", record.file,
+                                          record.output,        record.page,
+                                          record.operation,     !record.error.empty()};
 }
 
 void Manifest::put_in_order(const std::vector<BatchJob>& jobs) {

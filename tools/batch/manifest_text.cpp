@@ -127,8 +127,9 @@ ManifestText parse_csv(std::string_view text) {
   for (std::size_t start = reader.end(); const auto cells = reader.next(); start = reader.end()) {
     if (cells->size() != names.size()) fail("a line has the wrong number of columns");
     const auto at = [&](std::string_view name) { return (*cells)[column(names, name)]; };
-    result.lines.push_back({std::string(text.substr(start, reader.end() - start)), at("output"),
-                            page_of(at("page")), at("operation"), !at("error").empty()});
+    result.lines.push_back({std::string(text.substr(start, reader.end() - start)), at("file"),
+                            at("output"), page_of(at("page")), at("operation"),
+                            !at("error").empty()});
   }
   result.size = reader.end();
   return result;
@@ -139,9 +140,12 @@ ManifestLine line_of_json(const std::string& line) {
   try {
     const nlohmann::json json = parse_json(line, "a line");
     const nlohmann::json page = json.value("page", nlohmann::json(1));
-    return {line, json.value("output", ""),
+    return {line,
+            json.value("file", ""),
+            json.value("output", ""),
             static_cast<int>(page.get_ref<const Json::number_integer_t&>()),
-            json.value("operation", ""), !json.at("error").is_null()};
+            json.value("operation", ""),
+            !json.at("error").is_null()};
   } catch (const nlohmann::json::exception&) {  // falls through, as the next
   } catch (const std::runtime_error&) {
   }
@@ -185,7 +189,9 @@ std::string manifest_head(ManifestFormat format) {
 
 std::string manifest_line(const BatchRecord& record, ManifestFormat format) {
   const Json json = json_of(record);
-  if (format == ManifestFormat::json_lines) return json.dump() + '\n';
+  if (format == ManifestFormat::json_lines) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  }
   Cells cells;
   for (const Json& value : json) cells.push_back(cell_of(value));
   return fmt::format("{}\n", fmt::join(cells, ","));

@@ -38,6 +38,7 @@ struct BatchRecord {
 /// A record that was read back.
 struct ManifestLine {
   std::string text;  // as in the file, with its newline
+  std::string file;
   std::string output;
   int page = 1;
   std::string operation;

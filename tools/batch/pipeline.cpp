@@ -16,6 +16,7 @@
 #include "images/binarise.hpp"
 #include "images/image_file.hpp"
 #include "support/progress.hpp"
+#include "support/text.hpp"
 #include "support/whole_file.hpp"
 
 namespace thinbench {
@@ -67,7 +68,7 @@ class Batch {
         settings_(settings),
         manifest_(manifest),
         computes_(operation.make),
-        progress_(operation.name, static_cast<double>(pages_of(jobs)), "images") {}
+        progress_(one_line(operation.name), static_cast<double>(pages_of(jobs)), "images") {}
 
   BatchTotals run() {
     const int arena_size = detail::startable_threads(settings_.threads);

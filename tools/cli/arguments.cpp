@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 #include <sstream>
+#include <system_error>
+
+#include <fmt/format.h>
 
 #include "cli/names.hpp"
 #include "cli/usage.hpp"
+#include "images/image_file.hpp"
+#include "support/text.hpp"
+#include "support/whole_file.hpp"
 #include "thinbench/options.hpp"
 
 namespace thinbench {
@@ -90,6 +97,15 @@ CLI::Validator not_empty() {
       ""};
 }
 
+CLI::Validator printable() {
+  return {[](std::string& text) {
+            return text.empty() || !is_printable(text)
+                       ? expected("UTF-8 without control characters", one_line(text))
+                       : std::string();
+          },
+          ""};
+}
+
 CLI::Validator file_name() {
   return {[](std::string& text) {
             return text.empty() || text == "-" ? expected("the name of a file", text)
@@ -108,6 +124,27 @@ void add_overlay_option(CLI::App& app, std::string& path) {
                  "- for PNG on standard output")
       ->check(not_empty())
       ->type_name("OUT");
+}
+
+void check_outputs(const std::vector<std::string>& inputs,
+                   const std::vector<std::string>& outputs) {
+  const auto is_file = [](const std::string& path) {
+    return !path.empty() && path != kStandardStream;
+  };
+  std::error_code ignored;
+  std::vector<std::string> known;
+  for (const std::string& path : inputs) {
+    if (is_file(path))
+      known.push_back(weakly_canonical(absolute(std::filesystem::path(path)), ignored));
+  }
+  for (const std::string& path : outputs) {
+    if (!is_file(path)) continue;
+    check_target(path);
+    known.push_back(place_of(path));
+    if (std::ranges::find(known, known.back()) != known.end() - 1) {
+      throw UsageError("'" + path + "' is read or written as another file, too; give each its own");
+    }
+  }
 }
 
 void add_isa_option(CLI::App& app, std::optional<Isa>& isa) {
@@ -306,7 +343,7 @@ std::string binarise_words(const BinariseOptions& options) {
   }
   std::ostringstream numbers;
   const Crop& crop = options.crop;
-  if (options.blur > 0) numbers << " --blur " << options.blur;
+  if (options.blur > 0) numbers << " --blur " << fmt::to_string(options.blur);
   if (crop.height > 0) {
     numbers << " --crop " << crop.x << ',' << crop.y << ',' << crop.width << 'x' << crop.height;
   }

@@ -32,6 +32,9 @@ namespace thinbench {
 /// Rejects "", which stands for "not given" behind the options.
 [[nodiscard]] CLI::Validator not_empty();
 
+/// UTF-8 without control characters, and not "".
+[[nodiscard]] CLI::Validator printable();
+
 /// "0.5,2" as numbers; nothing unless all are finite.
 [[nodiscard]] std::optional<std::vector<double>> numbers_from(const std::string& text);
 
@@ -43,6 +46,10 @@ void add_spacing_option(CLI::App& app, Spacing& spacing);
 
 /// A file that is no image: neither "" nor "-".
 [[nodiscard]] CLI::Validator file_name();
+
+/// Throws UsageError where an output is an input or another output, and FileError where it cannot
+/// be written. "" and "-" are no files.
+void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 /// The image that a command reads.
 void add_input(CLI::App& app, std::string& in);

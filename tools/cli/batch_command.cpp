@@ -105,7 +105,7 @@ void print_summary(const BatchOperation& operation, const BatchOutcome& outcome,
   const double all =
       std::max(1e-9, totals.decode_seconds + totals.compute_seconds + totals.encode_seconds);
   out << fmt::format("{}: {} done, {} failed, {} done before; {:.1f} s, {:.0f} images/s",
-                     operation.name, number_of(totals.done, "image", "images"),
+                     one_line(operation.name), number_of(totals.done, "image", "images"),
                      totals.failures.size(), outcome.skipped, outcome.seconds,
                      static_cast<double>(totals.done) / std::max(outcome.seconds, 1e-9));
   out << fmt::format("; decoding {:.1f} %, computing {:.1f} %, encoding {:.1f} %\n",

@@ -76,7 +76,7 @@ class ThinningCompute {
 
 BatchOperation thinning_operation(const BatchOperationRequest& request) {
   const RequestedThinning thinning = requested_thinning(request.thinning);
-  return {thinning.name + thinning_words(request.thinning),
+  return {thinning.name + thinning_words(request.thinning) + thinning.contents,
           [thinning, binarise = request.binarise] { return ThinningCompute(thinning, binarise); }};
 }
 

@@ -8,13 +8,6 @@
 #include "support/whole_file.hpp"
 
 namespace thinbench {
-namespace {
-
-std::string place_of(const std::string& path) {
-  return std::filesystem::absolute(path).lexically_normal();
-}
-
-}  // namespace
 
 bool is_done(const BatchJob& job, const Manifest& manifest, const BatchOperation& operation,
              const std::string& out) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -61,20 +62,12 @@ void check_names(const GraphCommandOptions& options) {
   if (options.out == kStandardStream && options.overlay == kStandardStream) {
     throw UsageError("--out and --overlay cannot both be standard output");
   }
-  const auto place_of = [](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of(path)));
-  };
-  std::vector<std::filesystem::path> known = {place_of(options.in)};
-  for (const std::string& path :
-       {options.csv, options.summary, options.geojson, options.overlay, options.out}) {
-    if (path.empty() || path == kStandardStream) continue;
-    check_target(path);
-    const bool is_in = path == options.out && place_of(path) == known.front();  // read before
-    if (!is_in && std::ranges::find(known, place_of(path)) != known.end()) {
-      throw UsageError("'" + path + "' is read or written as another file, too; give each its own");
-    }
-    known.push_back(place_of(path));
-  }
+  std::vector<std::string> outputs = {options.csv, options.summary, options.geojson,
+                                      options.overlay};
+  std::error_code ignored;
+  const bool replaces = std::filesystem::equivalent(options.in, options.out, ignored);
+  if (!replaces) outputs.push_back(options.out);
+  check_outputs({options.in, options.image}, outputs);
 }
 
 /// Positions of an image of this size must be numbers.

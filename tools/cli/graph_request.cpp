@@ -57,7 +57,7 @@ void add_graph_options(CLI::App& app, GraphRequest& request) {
       ->capture_default_str();
   add_spacing_option(app, request.pruning.spacing);
   app.add_option("--unit", request.unit, "Name of the unit of the spacing, for files")
-      ->check(not_empty())
+      ->check(printable())
       ->type_name("NAME");
   CLI::Option* const prune =
       app.add_option("--prune", request.pruning.min_length, "Remove branches shorter than LENGTH")

@@ -163,6 +163,10 @@ int run_packed(const PackedOptions& options, const RequestedThinning& thinning,
   if (options.out_of_core && (files.in == kStandardStream || files.out == kStandardStream)) {
     throw UsageError("--out-of-core reads and writes files, no standard streams");
   }
+  if (options.out_of_core && options.raw.empty() && extension_of(files.out) != ".pbm") {
+    throw UsageError("--out-of-core writes .pbm, .tif and .tiff or, with --raw, bits; got '" +
+                     files.out + "'");
+  }
   if (files.out != kStandardStream) check_target(files.out);
   const PackedFormat format = format_of(options, files.in);
   if (options.out_of_core) {

@@ -58,6 +58,7 @@ int run(const PathOptions& options, const Console& console) {
   const PathRequest request = {pixel_from("--start", options.start),
                                pixel_from("--goal", options.goal), options.width};
   if (!options.overlay.empty()) check_overlay_extension(options.overlay);
+  check_outputs({options.in}, {options.overlay});
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, options.binarise, remarks);
   const BinaryImage map = binarise(copy_of(grey.view()), options.binarise);

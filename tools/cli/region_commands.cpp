@@ -34,8 +34,8 @@ void write_files(const RegionOptions& options, const DrawnRegions& drawn) {
 int run(RegionOptions options, const Console& console) {
   RegionRequest& request = options.request;
   request.draws = !options.overlay.empty();
-  if (!options.csv.empty()) check_target(options.csv);
   if (request.draws) check_overlay_extension(options.overlay);
+  check_outputs({options.in}, {options.csv, options.overlay});
   std::ostringstream remarks;  // failures are one line, without them
   ByteImage grey = read_grey(options.in, request.binarise, remarks);
   BinaryImage binary = binarise(image_to_binarise(grey, request), request.binarise);

@@ -9,6 +9,8 @@
 #include "cli/usage.hpp"
 #include "rules/rule_file.hpp"
 #include "rules/weights_file.hpp"
+#include "support/content_hash.hpp"
+#include "support/regular_file.hpp"
 #include "thinbench/named_rules.hpp"
 #include "thinbench/rule_notation.hpp"
 
@@ -18,7 +20,12 @@ namespace {
 struct NamedValue {
   std::string name;
   Rule rule;
+  std::string contents = {};  // as in RequestedThinning
 };
+
+std::string contents_of(const std::string& path) {
+  return " hash " + hash_text(hash_of_file(path));
+}
 
 /// Whether it begins as Hensel's notation does.
 bool is_notation(const std::string& word) {
@@ -46,7 +53,8 @@ NamedValue rule_of_notation(const std::string& word, bool optimise) {
 NamedValue rule_of_file(const std::string& path, bool optimise) {
   const RuleDescription read = read_rule_file(path);
   return {read.name,
-          Rule(read.sub_iterations, {read.border, read.max_iterations, optimise, read.name})};
+          Rule(read.sub_iterations, {read.border, read.max_iterations, optimise, read.name}),
+          contents_of(path)};
 }
 
 /// Of a word that names nothing.
@@ -144,9 +152,12 @@ void add_thinning_options(CLI::App& app, ThinningRequest& request) {
 
 RequestedThinning requested_thinning(const ThinningRequest& request) {
   NamedValue rule = rule_of_word(request.rule, request.optimise);
-  if (!request.weights.empty()) rule.rule = net_from_file(rule, request.weights);
+  if (!request.weights.empty()) {
+    rule.rule = net_from_file(rule, request.weights);
+    rule.contents = contents_of(request.weights);
+  }
   if (!request.directions.empty()) rule.rule = Rule(directions_named(rule, request.directions));
-  return {rule.name, rule.rule, request.thinning, request.execution};
+  return {rule.name, rule.contents, rule.rule, request.thinning, request.execution};
 }
 
 std::string thinning_words(const ThinningRequest& request) {

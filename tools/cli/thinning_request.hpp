@@ -25,7 +25,8 @@ void add_thinning_options(CLI::App& app, ThinningRequest& request);
 
 /// What they mean.
 struct RequestedThinning {
-  std::string name;  // of the operation, else of the rule
+  std::string name;      // of the operation, else of the rule
+  std::string contents;  // of its file, as a hash: " hash 0123456789abcdef"; empty without one
   Rule rule;
   Thinning thinning;
   Execution execution;

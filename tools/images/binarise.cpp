@@ -9,6 +9,7 @@
 #include "images/image_file.hpp"
 #include "images/mat_of.hpp"
 #include "images/packed_file.hpp"
+#include "support/text.hpp"
 
 namespace thinbench {
 namespace {
@@ -64,7 +65,7 @@ std::string share_warning(const BinaryImage& binary, const BinariseOptions& opti
 
 void print_line(const char* kind, const std::string& name, const std::string& text,
                 std::ostream& log) {
-  if (!text.empty()) log << kind << name << ": " << text << '\n';
+  if (!text.empty()) log << kind << one_line(name) << ": " << text << '\n';
 }
 
 }  // namespace

@@ -161,13 +161,15 @@ LabelPixels read_labels(const std::string& path) {
     return labels;
   }
   return guarded_read(path, 0, [&] {
+    check_label_levels(path);
     const auto decode = [&] { return cv::imread(path, kAsStored); };
     cv::Mat image = decoded(path, decode, nullptr);
     const bool is_deep = image.depth() == CV_16U;
     if (image.channels() != 1 || (!is_deep && image.depth() != CV_8U)) {
-      cannot_read(path, "labels are one channel of 8 or 16 bits, and it has " +
-                            std::to_string(image.channels()) + " of " +
-                            std::to_string(8 * image.elemSize1()));
+      const bool is_signed = image.depth() == CV_8S || image.depth() == CV_16S;
+      cannot_read(path, fmt::format("labels are one channel of 8 or 16 bits, and it has {} of {}{}",
+                                    image.channels(), 8 * image.elemSize1(),
+                                    is_signed ? " with signs" : ""));
     }
     image.convertTo(image, CV_32S);
     return LabelPixels{

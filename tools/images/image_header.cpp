@@ -180,6 +180,25 @@ std::optional<TransparentColour> png_transparency(const std::string& path) {
   return kind == colour ? TransparentColour{level(2), level(1), level(0)} : TransparentColour();
 }
 
+void check_label_levels(const std::string& path) {
+  const std::string start = beginning_of(path, kPnmHeaderBytes);
+  Index bits = 8;
+  if (start.starts_with(kPng)) bits = number_at(start, 24, 1, true);
+  if (start.starts_with("BM"sv)) bits = number_at(start, 28, 2, false);
+  if (start.starts_with("P1"sv) || start.starts_with("P4"sv) || is_bilevel_tiff(path)) bits = 1;
+  if (bits < 8) {
+    cannot_read(path, fmt::format("labels are one channel of 8 or 16 bits, and it has {}", bits));
+  }
+  if (!start.starts_with("P2"sv)) return;
+  PnmHeader numbers(start);
+  Index maximum = 255;
+  for (int i = 0; i < 3; ++i) maximum = numbers.number().value_or(255);
+  if (maximum < 255) {
+    cannot_read(path,
+                fmt::format("labels in PGM text need a maximum of 255 or more, got {}", maximum));
+  }
+}
+
 void check_header(const std::string& path, int page) {
   const std::optional<ImageClaim> claim = claim_of(path, page);
   if (!claim) {

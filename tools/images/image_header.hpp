@@ -23,6 +23,10 @@ struct ImageClaim {
 /// to the decoder. For regular files; throws FileError.
 void check_header(const std::string& path, int page);
 
+/// Rejects regular files whose levels the decoder stretches to 8 bits, which changes numbers.
+/// Throws FileError.
+void check_label_levels(const std::string& path);
+
 /// The grey level, or blue, green and red, of pixels that are transparent.
 using TransparentColour = std::vector<double>;
 

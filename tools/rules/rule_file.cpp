@@ -11,6 +11,7 @@
 
 #include "support/json_field.hpp"
 #include "support/regular_file.hpp"
+#include "support/text.hpp"
 #include "support/whole_file.hpp"
 #include "thinbench/rule_notation.hpp"
 
@@ -135,10 +136,7 @@ std::vector<WindowTable> read_tables(const JsonField& field) {
 }
 
 bool is_name(const std::string& text) {
-  const bool printable = std::none_of(text.begin(), text.end(), [](char symbol) {
-    return static_cast<unsigned char>(symbol) < ' ' || symbol == 127;
-  });
-  return !text.empty() && text.size() <= kMaxRuleNameLength && printable;
+  return !text.empty() && text.size() <= kMaxRuleNameLength && is_printable(text);
 }
 
 std::string read_name(const JsonField& field) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace thinbench {
 
@@ -24,6 +25,15 @@ std::string one_line(const std::string& text) {
     line += code < 0x20 || code == 0x7F ? fmt::format("\\x{:02x}", code) : std::string(1, c);
   }
   return line;
+}
+
+bool is_printable(const std::string& text) {
+  try {
+    static_cast<void>(nlohmann::json(text).dump());
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+  return one_line(text) == text;
 }
 
 std::string extension_of(const std::string& path) {

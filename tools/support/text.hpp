@@ -13,6 +13,9 @@ namespace thinbench {
 /// With \x0a and so on for newlines and other control characters, as names of files may hold.
 [[nodiscard]] std::string one_line(const std::string& text);
 
+/// Whether it is UTF-8 without control characters.
+[[nodiscard]] bool is_printable(const std::string& text);
+
 /// The extension of a file with its dot, in lower case: ".tif" of "PAGE.TIF"; empty if there is
 /// none.
 [[nodiscard]] std::string extension_of(const std::string& path);

@@ -173,9 +173,18 @@ std::string target_of(const std::string& path) {
   std::error_code ignored;
   for (int links = 0; std::filesystem::is_symlink(target, ignored); ++links) {
     if (links == max_links) cannot_write(path, std::generic_category().message(ELOOP));
+    const auto directory = std::filesystem::weakly_canonical(target.parent_path(), ignored);
+    if (directory.string().starts_with("/proc/")) {
+      cannot_write(path, "it is an open file or a stream; give the name of a file");
+    }
     target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
   }
   return target;
+}
+
+std::string place_of(const std::string& path) {
+  const std::filesystem::path place = std::filesystem::absolute(target_of(path));
+  return std::filesystem::weakly_canonical(place.has_filename() ? place : place.parent_path());
 }
 
 void check_target(const std::string& path) {
