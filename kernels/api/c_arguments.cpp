@@ -1,14 +1,18 @@
 #include "api/c_arguments.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "rules/notation_reader.hpp"
 
 namespace thinbench::detail {
 namespace {
 
-thread_local std::string last_message;
+// Remains when the thread ends: its static and thread-local objects may call, too.
+thread_local std::array<char, 1024> last_message{};
 
 /// Where there is no next image, the distance to it says nothing and passes every check.
 Index image_stride_of(Index given, Index count) {
@@ -22,16 +26,14 @@ void and_with(std::uint8_t* pixels, Index count, std::uint8_t value) {
 }  // namespace
 
 thinbench_status fail(thinbench_status status, const char* message) noexcept {
-  try {
-    last_message = message;
-  } catch (...) {
-    last_message.clear();
-  }
+  const std::size_t length = std::min(std::strlen(message), last_message.size() - 1);
+  std::copy_n(message, length, last_message.begin());
+  last_message[length] = 0;
   return status;
 }
 
 const char* last_error() {
-  return last_message.c_str();
+  return last_message.data();
 }
 
 void require_pointer(const void* pointer, const char* name) {

@@ -127,12 +127,10 @@ BoundRule CompiledRule::bind(Isa isa, Layout layout, bool fixed) const {
   for (std::size_t i = 0; i < tables_.size(); ++i) {
     const CodeKey key = {i, isa, layout, fixed};
     auto found = code_.find(key);
-    if (found == code_.end()) {
-      auto code = MachineCode::make(all.networks[i], isa, layout, fixed);
-      if (code == nullptr) continue;
-      found = code_.emplace(key, std::move(code)).first;
+    if (found == code_.end()) {  // null, too, is kept: what is denied takes long to try again
+      found = code_.emplace(key, MachineCode::make(all.networks[i], isa, layout, fixed)).first;
     }
-    rule.scans[i].function = found->second->function();
+    if (found->second) rule.scans[i].function = found->second->function();
   }
   return rule;
 }

@@ -34,10 +34,12 @@ std::shared_ptr<const MachineCode> MachineCode::make(const GateNetwork& network,
   // The code does not probe its frame: a larger one could reach beyond a guard page.
   if (emitter.frame_bytes() > kMaxFrameBytes) return nullptr;
   const std::size_t bytes = emitter.bytes();
+  const std::shared_ptr<MachineCode> code(new MachineCode);
   void* const memory =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return nullptr;
-  std::shared_ptr<const MachineCode> code(new MachineCode(memory, bytes));
+  code->memory_ = memory;
+  code->bytes_ = bytes;
   std::memcpy(memory, buffer.data(), bytes);
   if (mprotect(memory, bytes, PROT_READ | PROT_EXEC) != 0) return nullptr;
   return code;
@@ -52,7 +54,7 @@ bool MachineCode::is_available(Isa isa) {
 }
 
 MachineCode::~MachineCode() {
-  munmap(memory_, bytes_);
+  if (memory_ != nullptr) munmap(memory_, bytes_);
 }
 
 ScanFunction MachineCode::function() const {

@@ -33,10 +33,10 @@ class MachineCode {
   [[nodiscard]] ScanFunction function() const;
 
  private:
-  MachineCode(void* memory, std::size_t bytes) : memory_(memory), bytes_(bytes) {}
+  MachineCode() = default;
 
-  void* memory_;
-  std::size_t bytes_;
+  void* memory_ = nullptr;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace thinbench::detail

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <mutex>
+#include <new>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -31,11 +33,19 @@ void receive(const void*) {}
 #endif
 
 // oneTBB's global limit, which the program controls, may reduce the number of threads; by default
-// to the number of cores. An arena beyond it would print a warning.
+// to the number of cores. An arena beyond it would print a warning. The first call starts oneTBB.
+// Where memory was too short for that, the next one would wait for ever.
 int arena_size(int threads) {
   using tbb::global_control;
-  const std::size_t limit = global_control::active_value(global_control::max_allowed_parallelism);
-  return startable_threads(std::min(threads, static_cast<int>(limit)));
+  static std::atomic<bool> has_failed = false;
+  if (has_failed) return 1;
+  try {
+    const std::size_t limit = global_control::active_value(global_control::max_allowed_parallelism);
+    return startable_threads(std::min(threads, static_cast<int>(limit)));
+  } catch (const std::bad_alloc&) {
+    has_failed = true;
+    return 1;
+  }
 }
 
 /// Arenas by size. What a team takes and gives back is the node, so neither needs memory twice.

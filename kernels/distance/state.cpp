@@ -50,9 +50,10 @@ DistanceState::DistanceState(const DistanceKernels& kernels, const DistanceSetti
       strips_((setting.height + strip_height_ - 1) / strip_height_),
       vertical_(make_uninitialised<std::uint16_t>(static_cast<std::size_t>(
           stride_ * std::min(strip_height_, setting.height) * setting.threads))),
-      edges_(
-          make_uninitialised<std::uint16_t>(static_cast<std::size_t>(2 * (strips_ + 2) * stride_))),
-      rows_(static_cast<std::size_t>(setting.threads), DistanceRow(setting.width)) {
+      edges_(make_uninitialised<std::uint16_t>(
+          static_cast<std::size_t>(2 * (strips_ + 2) * stride_))) {
+  rows_.reserve(static_cast<std::size_t>(setting.threads));
+  for (int i = 0; i < setting.threads; ++i) rows_.emplace_back(setting.width);
   if (strips_ == 0) return;
   constexpr std::uint16_t far = kFarVertically - 1;  // a step from far
   std::fill_n(edges_of(0).above, stride_, far);

@@ -150,8 +150,7 @@ int TileState::run(const ConstPackedView& source, const PackedView& destination)
 
 std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting) {
   const TileLayout& layout = kernels_of<TileLayout>(setting.isa);
-  require(TileGrid::fits(setting.width, setting.height, layout.shape),
-          "image size " + size_text(setting.width, setting.height) + " needs more than 2^30 tiles");
+  if (!TileGrid::fits(setting.width, setting.height, layout.shape)) return nullptr;
   BoundRule rule = bind(setting.rule, setting.isa, Layout::tiles, false);
   for (std::size_t i = 0; i < rule.sub_iterations; ++i) {
     if (rule.tile_passes[i] == nullptr) return nullptr;

@@ -6,7 +6,7 @@ namespace thinbench::detail {
 namespace {
 
 /// Tiles need compiled circuits or machine code. If the system denies machine code although it did
-/// not before, words compute the same.
+/// not before, or an image has more tiles than there are numbers, words compute the same.
 std::unique_ptr<ThinningState> make_tiles_or_words(const ThinningSetting& setting) {
   auto state = make_tiles(setting);
   return state != nullptr ? std::move(state) : make_words(setting);

@@ -23,7 +23,7 @@ namespace thinbench::detail {
 [[nodiscard]] std::unique_ptr<ThinningState> make_words(BoundRule rule,
                                                         const ThinningSetting& setting);
 [[nodiscard]] std::unique_ptr<ThinningState> make_rows(const ThinningSetting& setting);
-/// nullptr if the rule has no passes on tiles.
+/// nullptr if the rule has no passes on tiles, or the image more than 2^30 tiles.
 [[nodiscard]] std::unique_ptr<ThinningState> make_tiles(const ThinningSetting& setting);
 [[nodiscard]] std::unique_ptr<ThinningState> make_spta(const ThinningSetting& setting);
 

@@ -13,6 +13,7 @@ namespace detail {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kLongest = std::numeric_limits<double>::max();
 
 void check(std::uint32_t nodes, std::span<const Link> links) {
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -61,7 +62,8 @@ void ShortestPaths::search(std::uint32_t from) {
     if (distance > distances_[node]) continue;
     reached_.push_back(node);
     for (const std::uint32_t link : network_.links_of(node)) {
-      offer(network_.other_end(link, node), distance + network_.link(link).length, link);
+      const double longer = distance + network_.link(link).length;  // may overflow
+      offer(network_.other_end(link, node), std::min(longer, kLongest), link);
     }
   }
 }

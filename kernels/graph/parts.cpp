@@ -164,7 +164,7 @@ GraphPlace nearest_place(const Graph& graph, double x, double y, const Spacing& 
       std::isfinite(x) && std::isfinite(y),
       "expected a finite point, got " + detail::number_text(x) + ", " + detail::number_text(y));
   detail::require(!graph.edges.empty(), "expected a graph with edges, got none");
-  GraphPlace nearest = {0, {}, std::numeric_limits<double>::infinity()};
+  GraphPlace nearest = {0, graph.edges.front().start, std::numeric_limits<double>::infinity()};
   for (std::uint32_t edge = 0; edge < graph.edges.size(); ++edge) {
     for (const Pixel p : points_of(graph, graph.edges[edge])) {
       const double distance = std::hypot((p.x - x) * spacing.x, (p.y - y) * spacing.y);

@@ -32,10 +32,10 @@ const Graph& GraphState::compute() {
   return walker_.walk(image_.view(), nodes_.view(), lines_.view());
 }
 
-const Graph& GraphState::prune(const Pruning& pruning, const ImageView& destination) {
+Graph GraphState::prune(const Pruning& pruning, const ImageView& destination) {
   const Graph& whole = compute();
   Pruner(image_.view(), nodes_.view(), walker_.node_at(), whole, pruning).run();
-  const Graph& pruned = compute();
+  Graph pruned = compute();
   conversion_.write(image_.view(), destination);
   return pruned;
 }

@@ -32,8 +32,8 @@ class GraphState {
   void load(const ConstImageView& source);
   /// Valid until the next call.
   const Graph& compute();
-  /// Writes the pruned image; returns its graph. Valid until the next call.
-  const Graph& prune(const Pruning& pruning, const ImageView& destination);
+  /// Writes the pruned image, after all that may need memory; returns its graph.
+  Graph prune(const Pruning& pruning, const ImageView& destination);
 
  private:
   GraphKernels kernels_;

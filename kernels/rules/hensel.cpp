@@ -85,10 +85,11 @@ unsigned read_letters(NotationReader& reader, std::size_t count) {
 }
 
 /// A number with its letters.
-void read_number(NotationReader& reader, Section& section) {
+void read_number(NotationReader& reader, Section& section, unsigned& seen) {
   if (reader.peek() > '8') reader.fail("a digit from 0 to 8");
   const auto count = static_cast<std::size_t>(reader.peek() - '0');
-  if (section[count] != 0) reader.reject(std::to_string(count) + " is repeated");
+  if ((seen >> count & 1) != 0) reader.reject(std::to_string(count) + " is repeated");
+  seen |= 1U << count;
   reader.skip();
   const bool excluded = reader.accept('-');
   const unsigned letters = read_letters(reader, count);
@@ -99,7 +100,8 @@ void read_number(NotationReader& reader, Section& section) {
 
 void read_section(NotationReader& reader, Section& section) {
   reader.skip();
-  while (reader.peek() >= '0' && reader.peek() <= '9') read_number(reader, section);
+  unsigned seen = 0;  // numbers, as bits
+  while (reader.peek() >= '0' && reader.peek() <= '9') read_number(reader, section, seen);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
-// Thinning does not allocate memory while it runs, and nothing does for images without pixels.
+// Thinning does not allocate memory while it runs, and nothing does for images without pixels. What
+// remains where memory is short.
+#include <algorithm>
 #include <atomic>
+#include <climits>
 #include <cstdlib>
 #include <new>
 #include <span>
@@ -30,19 +33,24 @@ namespace {
 std::atomic<long> allocations = 0;
 std::atomic<long> deallocations = 0;
 std::atomic<std::size_t> allocated_bytes = 0;
+std::atomic<long> available = LONG_MAX;  // allocations until the one that fails
+
+void count(std::size_t size) {
+  if (available-- == 0) throw std::bad_alloc();
+  ++allocations;
+  allocated_bytes += size;
+}
 }  // namespace
 
 // Not inlined, because GCC would then warn that memory from `new` is passed to `free`. Every form
 // that the tests use is replaced, so that new and delete match.
 [[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  allocated_bytes += size;
+  count(size);
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  allocated_bytes += size;
+  count(size);
   const auto align = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
   throw std::bad_alloc();
@@ -143,6 +151,32 @@ TEST(EmptyImages, of_any_width_and_height_take_little_memory) {
   squared_distances({nullptr, 0, kMaxDistanceSide}, {nullptr, 0, kMaxDistanceSide});
   squared_distances({nullptr, kMaxDistanceSide, 0}, {nullptr, kMaxDistanceSide, 0});
   EXPECT_LT(allocated_bytes - before, std::size_t{1} << 16);
+}
+
+/// Calls it with ever more allocations until none fails; `after_failure(i)` after the i-th.
+template <class Call, class AfterFailure>
+void fail_each_allocation(const Call& call, const AfterFailure& after_failure) {
+  for (long i = 0;; ++i) {
+    try {
+      available = i;
+      call();
+      available = LONG_MAX;
+      return;
+    } catch (const std::bad_alloc&) {
+      available = LONG_MAX;
+      after_failure(i);
+    }
+  }
+}
+
+TEST(ShortMemory, leaves_an_image_that_is_pruned_in_place) {
+  const ByteImage lines = noise_image(60, 40, 30, 1, 5);
+  ByteImage image = noise_image(60, 40, 30, 1, 5);
+  release_memory();
+  fail_each_allocation(
+      [&] { static_cast<void>(prune(image.view(), image.view(), {.min_length = 3})); },
+      [&](long i) { EXPECT_TRUE(equal(image.view(), lines.view())) << "allocation " << i; });
+  EXPECT_FALSE(equal(image.view(), lines.view()));
 }
 
 TEST(AllocationCounter, counts_aligned_and_plain_allocations) {

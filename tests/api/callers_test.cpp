@@ -1,15 +1,21 @@
-// Calls from a thread with little stack, and while the program ends: after main, when static
-// variables that were made later are destroyed. A program of its own, as in others some were made
-// earlier.
+// Calls from a thread with little stack, after a call that failed for want of memory, and while the
+// program ends: after main, when static variables that were made later are destroyed. A program of
+// its own, as in others some were made, and threads started, earlier.
+#include <atomic>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
+#include <string>
 #include <vector>
 
 #include <pthread.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "core/byte_image.hpp"
 #include "harness/splitmix64.hpp"
+#include "thinbench.h"
 #include "thinbench/distance.hpp"
 #include "thinbench/edges.hpp"
 #include "thinbench/graph.hpp"
@@ -19,11 +25,27 @@
 #include "thinbench/rule_notation.hpp"
 #include "thinbench/thinning.hpp"
 
+namespace {
+std::atomic<long> available = LONG_MAX;  // allocations until the one that fails
+}  // namespace
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* const memory = available-- == 0 ? nullptr : std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
 namespace thinbench {
 namespace {
 
-detail::ByteImage test_image() {
-  detail::ByteImage image(700, 90);  // in tiles
+detail::ByteImage test_image(Index width, Index height) {
+  detail::ByteImage image(width, height);
   for (Index y = 0; y < image.height(); ++y) {
     for (Index x = 0; x < image.width(); ++x) {
       image.at(x, y) = splitmix64(1, static_cast<std::uint64_t>(y / 5 * 1000 + x / 7)) % 3 != 0;
@@ -34,7 +56,7 @@ detail::ByteImage test_image() {
 
 /// Pixels of every rule, and what all other operations count.
 std::uint64_t results_of_every_operation() {
-  const detail::ByteImage image = test_image();
+  const detail::ByteImage image = test_image(700, 90);  // in tiles
   detail::ByteImage result(image.width(), image.height());
   std::uint64_t sum = 0;
   const auto add = [&] {
@@ -65,15 +87,43 @@ std::uint64_t results_of_every_operation() {
   return sum;
 }
 
+std::string message_of_a_failure() {
+  std::uint64_t table[8];
+  thinbench_table_from_hensel("B3/S23 and more than a short message", table);
+  return thinbench_last_error();
+}
+
 std::uint64_t expected = 0;
+std::string failure;
 
 [[noreturn]] void fail(const char* where) {
   std::fprintf(stderr, "other results %s\n", where);
   _exit(1);
 }
 
+/// Whether two threads can be used after an allocation of the first call with two has failed. In a
+/// process of its own.
+bool works_after_failure_at(long allocation) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(60);  // ends a call that waits for ever
+    const detail::ByteImage image = test_image(1100, 1000);
+    try {
+      available = allocation;
+      static_cast<void>(find_regions(image.view(), {.threads = 2}));
+    } catch (const std::bad_alloc&) {
+    }
+    available = LONG_MAX;
+    _exit(find_regions(image.view(), {.threads = 2}).objects.empty() ? 1 : 0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status == 0;
+}
+
 void call_after_main() {
   if (results_of_every_operation() != expected) fail("after main");
+  if (message_of_a_failure() != failure) fail("in a message after main");
 }
 
 void* call_in_thread(void*) {
@@ -92,8 +142,12 @@ constexpr std::size_t kStackBytes = std::size_t{128} << 10;
 }  // namespace thinbench
 
 int main() {
+  for (long i = 0; i < 80; ++i) {
+    if (!thinbench::works_after_failure_at(i)) thinbench::fail("after a failed allocation");
+  }
   if (std::atexit(&thinbench::call_after_main) != 0) return 2;
   thinbench::expected = thinbench::results_of_every_operation();
+  thinbench::failure = thinbench::message_of_a_failure();
   pthread_attr_t attributes;
   pthread_t thread;
   pthread_attr_init(&attributes);

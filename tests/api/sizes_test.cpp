@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
-#include "support/rejection.hpp"
 #include "support/variant_of.hpp"
 #include "thinbench/packed.hpp"
 #include "thinbench/thinning.hpp"
@@ -96,11 +95,6 @@ TEST(Sizes, thin_is_right_on_one_column_of_millions_of_pixels) {
   thin(Rule::zhang_suen, image, image);
   EXPECT_EQ(image.row(4)[0], 0);
   EXPECT_EQ(image.row(image.height / 2)[0], 255);
-}
-
-TEST(Sizes, more_tiles_than_32_bits_number_are_rejected_before_memory_is_allocated) {
-  EXPECT_EQ(rejection_of([] { Thinner(Rule::mb2, Index{50'000'000'000}, 1); }),
-            "image size 50000000000 x 1 needs more than 2^30 tiles");
 }
 
 }  // namespace

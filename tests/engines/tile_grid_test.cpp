@@ -183,6 +183,12 @@ TEST(TileGrid, margin_check_detects_a_pixel_outside_the_image) {
   }
 }
 
+TEST(TileGrid, of_more_than_2_to_30_tiles_does_not_fit) {
+  const TileShape& shape = kernels_of<TileLayout>(Isa::baseline).shape;
+  EXPECT_TRUE(TileGrid::fits(Index{1} << 20, Index{1} << 18, shape));
+  EXPECT_FALSE(TileGrid::fits(Index{50'000'000'000}, 1, shape));
+}
+
 TEST(TileGrid, marks_the_tiles_on_the_image_border_if_it_is_kept) {
   const Index rows = kernels_of<TileLayout>(Isa::baseline).shape.rows;
   const LoadedGrid plain(4 * kTileColumns, 3 * rows);

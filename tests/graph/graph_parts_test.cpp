@@ -126,6 +126,11 @@ TEST(NearestPlace, is_the_first_of_the_nearest_pixels) {
   EXPECT_EQ(nearest_place(graph, 9, 0, {.y = 1, .x = 2}), (GraphPlace{0, {4, 0}, 10}));
 }
 
+TEST(NearestPlace, is_the_first_pixel_where_distances_overflow) {
+  EXPECT_EQ(nearest_place(graph_of({".....", "#####"}), 1e290, 0, {.y = 1, .x = 1e30}),
+            (GraphPlace{0, {0, 1}, INFINITY}));
+}
+
 TEST(NearestPlace, needs_an_edge_and_a_finite_point) {
   EXPECT_EQ(rejection_of([] { static_cast<void>(nearest_place({}, 0, 0)); }),
             "expected a graph with edges, got none");

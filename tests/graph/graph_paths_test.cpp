@@ -196,6 +196,11 @@ TEST(ShortestPath, is_as_short_as_any_of_random_graphs) {
   }
 }
 
+TEST(ShortestPath, is_found_where_its_length_overflows) {
+  const GraphPath path = shortest_path(3, Links{{0, 1, 1e308}, {1, 2, 1e308}}, 0, 2);
+  EXPECT_EQ(path.nodes, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
 TEST(GraphPaths, reject_links_and_nodes_that_are_not_there) {
   const auto rejected = [](const Links& links) {
     return rejection_of([&] { static_cast<void>(main_paths(2, links)); });

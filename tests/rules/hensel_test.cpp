@@ -94,6 +94,7 @@ TEST(Hensel, errors_name_the_column_and_what_was_expected) {
            {"B2-/S", 4, "expected a letter of cekain after 2, got '/'"},
            {"B9/S", 2, "expected a digit from 0 to 8, got '9'"},
            {"B33/S", 3, "3 is repeated"},
+           {"B2-cekain2/S", 10, "2 is repeated"},
            {"B2aa/S", 4, "'a' is repeated"},
            {"B3/S23V", 7, "expected a letter of cekainyqjr after 3, got 'V'"},
            {"B3/S23/3", 7, "expected the end, got '/'"},

@@ -127,11 +127,10 @@ struct Graph {
 /// everything outside the image background. A thick image is no error; its full blocks become
 /// junctions.
 ///
-/// Takes 4 bytes of memory per pixel
-/// beside twice the result. Thread-safe. Throws std::invalid_argument for a negative size, a stride
-/// below the width, a null image, a side above 2^29 or more than 2^31 pixels, threads out of range
-/// and an ISA that is not available, and std::bad_alloc. Use full_blocks() to reject images that
-/// are not thin.
+/// Takes 4 bytes of memory per pixel beside three times the result. Thread-safe. Throws
+/// std::invalid_argument for a negative size, a stride below the width, a null image, a side above
+/// 2^29 or more than 2^31 pixels, threads out of range and an ISA that is not available, and
+/// std::bad_alloc. Use full_blocks() to reject images that are not thin.
 [[nodiscard]] THINBENCH_API Graph skeleton_graph(ConstImageView skeleton,
                                                  const Execution& execution = {});
 

@@ -44,7 +44,9 @@ struct Execution {
   /// The maximum number of threads, from 1 to kMaxThreads. Images below 2^20 pixels use one thread,
   /// which is faster.
   int threads = 1;
-  /// Default: the fastest that this machine supports.
+  /// Default: the fastest that this machine supports. Operations have variants of some instruction
+  /// sets only, and some are limited in width; another set is rejected as one that is not
+  /// available.
   std::optional<Isa> isa = std::nullopt;
 };
 
