@@ -37,7 +37,8 @@ THINBENCH_API const char* thinbench_version(void);
  */
 THINBENCH_API void thinbench_release_memory(void);
 
-/* The message of this thread's last failure; "" if there was none. Valid until its next failure. */
+/* The message of this thread's last failure, at most 1023 bytes of it; "" if there was none. Valid
+ * until its next failure. */
 THINBENCH_API const char* thinbench_last_error(void);
 
 /* `count` images of height x width pixels, one byte each: pixel (x, y) of image i is
