@@ -52,9 +52,9 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/thinbenchConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/thinbenchConfig.cmake ${PROJECT_BINARY_DIR}/thinbenchConfigVersion.cmake
         DESTINATION ${thinbench_package})
 
-set(thinbench_private_libraries "-lstdc++ -pthread")
+set(thinbench_private_libraries "-lstdc++ -lm -pthread")
 if(THINBENCH_WITH_TBB)
-  set(thinbench_private_libraries "-ltbb -lstdc++ -pthread")
+  set(thinbench_private_libraries "-ltbb -lstdc++ -lm -pthread")
 endif()
 file(RELATIVE_PATH thinbench_prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/thinbench.pc.in ${PROJECT_BINARY_DIR}/thinbench.pc @ONLY)

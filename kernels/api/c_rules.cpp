@@ -105,12 +105,14 @@ thinbench_status give_rule(thinbench_rule** rule, const Make& make) noexcept {
   });
 }
 
-/// What is listed of built-in and named rules.
+/// What is listed of built-in and named rules, also after the rule's end.
 void set_texts(std::string_view name, thinbench_rule_info& info) {
   if (const auto built_in = rule_from_name(name)) {
     info.built_in = 1;
+    info.name = rule_info(*built_in).name.data();
     info.description = rule_info(*built_in).description.data();
   } else if (const NamedRule* const found = find_named_rule(name)) {
+    info.name = found->name.data();
     info.description = found->description.data();
     info.source = found->source.data();
   }

@@ -202,11 +202,18 @@ class Graph:
 
         Each is closed by an edge that is not in the shortest spanning forest, the longest of its edges.
         """
-        holes = self._holes()
+        holes, skeleton = self._holes(), self._skeleton()
+        inner: dict[int, int] = {}  # loops inside a node that were met before
         found = []
         for length, nodes, edges in _network.cycles(*self._links()):
             path = self._path(length, np.append(nodes, nodes[0]), edges)
-            found.append(Cycle(length, nodes, edges, path.pixels, holes[_inside(path.pixels, holes)]))
+            near = holes[self._label_of(nodes[0])]
+            if len(edges) == 1 and len(self.edge_pixels(edges[0])) <= 2:
+                number = inner[nodes[0]] = inner.get(nodes[0], 0) + 1
+                is_inside = self._hole_numbers(nodes[0], near) == number
+            else:
+                is_inside = _inside(self._curve(nodes, edges, skeleton), near)
+            found.append(Cycle(length, nodes, edges, path.pixels, near[is_inside]))
         return found
 
     def open_cycles(self, max_length: float = math.inf) -> Graph:
@@ -253,17 +260,17 @@ class Graph:
         nodes, edges = self.nodes, self.edges
         sides = [("src", edges["from"], self._chains.bounds[:-1]), ("dst", edges["to"], self._chains.bounds[1:] - 1)]
         table: Columns = {"skeleton-id": nodes["component"][edges["from"]]}
-        table.update({"node-id-" + side: node for side, node, _ in sides})
-        table["branch-distance"] = edges["length"]
+        table.update({"node-id-" + side: node.copy() for side, node, _ in sides})
+        table["branch-distance"] = edges["length"].copy()
         table["branch-type"] = self._branch_types()
         places = {side: self._chains.values[at] for side, _, at in sides}
         for prefix, unit in (("image-coord", (1, 1)), ("coord", self.spacing)):
             for side, pixels in places.items():
                 table.update({f"{prefix}-{side}-{axis}": pixels[:, axis] * unit[axis] for axis in (0, 1)})
-        table["euclidean-distance"] = edges["chord"]
+        table["euclidean-distance"] = edges["chord"].copy()
         with np.errstate(invalid="ignore", divide="ignore"):
             table["tortuosity"] = np.where(edges["chord"] > 0, edges["length"] / edges["chord"], np.nan)
-        table.update({name: edges[name] for name in edges if name.startswith("width-") or name == "label"})
+        table.update({name: edges[name].copy() for name in edges if name.startswith("width-") or name == "label"})
         return {name.replace("-", separator): column for name, column in table.items()}
 
     def _branch_types(self) -> Array:
@@ -348,19 +355,52 @@ class Graph:
         is_new[1:] = (np.diff(pixels, axis=0) != 0).any(axis=1)
         return GraphPath(length, nodes, edges, pixels[is_new])
 
-    def _holes(self) -> Array:
-        """The first pixel of each hole of the skeleton."""
+    def _label_of(self, node: int) -> int:
+        return int(self.nodes["label"][node]) if "label" in self.nodes else 0
+
+    def _labelled_pixels(self) -> tuple[Array, Array]:
+        """All pixels, some of them twice, and their labels; 0 where there are none."""
         pixels: Array = np.concatenate([self._nodes.values, self._chains.values]).astype(np.int64)
-        if len(pixels) == 0:
-            return pixels
-        origin = pixels.min(axis=0)
-        background = np.ones(pixels.max(axis=0) - origin + 3, bool)
-        background[tuple((pixels - origin + 1).T)] = False
-        labels, _ = _images.label(background, connectivity=4)
-        numbers, first = np.unique(labels, return_index=True)
-        places: Array = np.stack(np.unravel_index(first, labels.shape), axis=-1) + origin - 1
-        holes: Array = places[(numbers != 0) & (numbers != labels[0, 0])]
-        return holes
+        if "label" not in self.nodes:
+            return pixels, np.zeros(len(pixels), np.int64)
+        return pixels, np.concatenate([np.repeat(self.nodes["label"], self._nodes.lengths()),
+                                       np.repeat(self.edges["label"], self._chains.lengths())])
+
+    def _skeleton(self) -> Array:
+        """Labels of pixels at their places, else -1, with a margin of one pixel; none where there are no pixels."""
+        pixels, labels = self._labelled_pixels()
+        image = np.full(pixels.max(axis=0, initial=-1) + 2, -1, np.int64)
+        image[tuple(pixels.T)] = labels
+        return image
+
+    def _holes(self) -> dict[int, Array]:
+        """The first pixel of each hole of the skeleton, or of that of each label."""
+        pixels, labels = self._labelled_pixels()
+        order = np.argsort(labels, kind="stable")
+        numbers, starts = np.unique(labels[order], return_index=True)
+        return {int(number): _holes_of(part)
+                for number, part in zip(numbers, np.split(pixels[order], starts[1:]))}
+
+    def _curve(self, nodes: Array, edges: Array, skeleton: Array) -> Array:
+        """The pixels of a cycle, each beside the next, with those of its nodes that lead from edge to edge."""
+        chains = [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
+                  for node, edge in zip(nodes, edges)]
+        parts = []
+        for node, chain, following in zip(np.roll(nodes, -1), chains, chains[1:] + chains[:1]):
+            parts += [chain, _way(self.node_pixels(node), chain[-1], following[0], skeleton)]
+        return np.concatenate(parts)
+
+    def _hole_numbers(self, node: int, points: Array) -> Array:
+        """In which hole of the node's own pixels points are, counted from 1; 0 outside."""
+        pixels = self.node_pixels(node).astype(np.int64)
+        labels, origin = _background_of(pixels)
+        places = points - origin + 1
+        within = ((places >= 0) & (places < labels.shape)).all(axis=1)
+        numbers = np.zeros(len(points), np.int64)
+        inner = np.unique(labels[(labels != 0) & (labels != labels[0, 0])])
+        numbers[within] = np.searchsorted(inner, labels[tuple(places[within].T)]) + 1
+        numbers[within] *= np.isin(labels[tuple(places[within].T)], inner)
+        return numbers
 
     def _with_edges(self, edges: Array, nodes: Array) -> Graph:
         """Of these edges and nodes, in this order."""
@@ -396,6 +436,51 @@ def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:
     if outside.size:
         raise ValueError(f"edges: expected numbers from 0 to {count - 1}, got {outside[0]}")
     return numbers.astype(np.int64)
+
+
+def _background_of(pixels: Array) -> tuple[Array, Array]:
+    """Labels of what 4-connected background pixels leave, with a margin of one, and where they begin."""
+    origin = pixels.min(axis=0)
+    background = np.ones(pixels.max(axis=0) - origin + 3, bool)
+    background[tuple((pixels - origin + 1).T)] = False
+    labels, _ = _images.label(background, connectivity=4)
+    return labels, origin
+
+
+def _holes_of(pixels: Array) -> Array:
+    """The first pixel of each hole."""
+    if len(pixels) == 0:
+        return pixels
+    labels, origin = _background_of(pixels)
+    numbers, first = np.unique(labels, return_index=True)
+    places: Array = np.stack(np.unravel_index(first, labels.shape), axis=-1) + origin - 1
+    holes: Array = places[(numbers != 0) & (numbers != labels[0, 0])]
+    return holes
+
+
+def _way(pixels: Array, start: Array, stop: Array, skeleton: Array) -> Array:
+    """Pixels of a node that lead from one to another, both left out, each joined with the next."""
+    open_pixels = {(int(row), int(column)) for row, column in pixels}
+    first, last = (int(start[0]), int(start[1])), (int(stop[0]), int(stop[1]))
+    before = {last: last}
+    reached = [last]  # grows; from the end, so that the way leads forwards
+    for row, column in reached:
+        if first in before:
+            break
+        for step in ((-1, 0), (0, -1), (0, 1), (1, 0), (-1, -1), (-1, 1), (1, -1), (1, 1)):
+            place = (row + step[0], column + step[1])
+            if place not in open_pixels or place in before:
+                continue
+            corners = (skeleton[place[0], column], skeleton[row, place[1]]) if 0 not in step else ()
+            if skeleton[place] not in corners:
+                before[place] = (row, column)
+                reached.append(place)
+    way = []
+    place = before.get(first, last)
+    while place != last:
+        way.append(place)
+        place = before[place]
+    return np.array(way, np.int64).reshape(-1, 2)
 
 
 def _inside(polygon: Array, points: Array) -> Array:

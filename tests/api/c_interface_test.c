@@ -394,11 +394,11 @@ static void lists_rules(void) {
     const char* const name = thinbench_rule_name(built_in + named);
     CHECK(thinbench_rule_named(name, &rule) == THINBENCH_OK);
     CHECK(thinbench_rule_describe(rule, &info) == THINBENCH_OK);
+    thinbench_rule_destroy(rule);
     CHECK(strcmp(info.name, name) == 0 && strlen(info.description) > 0);
     CHECK((info.tables == NULL) == (info.sub_iterations == 0));
     CHECK(info.built_in == (info.source == NULL));
     *(info.built_in ? &built_in : &named) += 1;
-    thinbench_rule_destroy(rule);
   }
   CHECK(built_in >= 14 && named >= 16);
   CHECK(thinbench_rule_name(SIZE_MAX) == NULL);

@@ -155,3 +155,23 @@ def test_results_are_written_where_the_caller_says():
     floats = np.empty(image.shape, np.float32)
     assert compat.cv2.distanceTransform(image, 2, 0, floats) is floats
     np.testing.assert_array_equal(floats, compat.cv2.distanceTransform(image, 2, 0))
+
+
+def test_a_background_beyond_int32_is_one_as_any_other():
+    image = np.array([[1, 2**32 - 1, 5], [1, 5, 2**32 - 1]], np.uint32)
+    for background in (2**32 - 1, 2**40, 1.0):
+        expected = measure.label(image, background=background)
+        np.testing.assert_array_equal(compat.skimage.label(image, background=background), expected)
+
+
+def test_labels_as_bool_are_those_of_scipy():
+    image = np.array([[1, 0, 1]])
+    found, count = compat.ndimage.label(image, output=bool)
+    expected, expected_count = ndimage.label(image, output=bool)
+    assert found.dtype == expected.dtype and count == expected_count
+    np.testing.assert_array_equal(found, expected)
+
+
+def test_a_negative_sampling_is_rejected():
+    with pytest.raises(ValueError, match="spacing"):
+        compat.ndimage.distance_transform_edt(np.ones((3, 3)), sampling=-2)

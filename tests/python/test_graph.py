@@ -211,6 +211,41 @@ def test_cycles_close_by_their_longest_edge_and_know_their_holes():
         assert cycle.pixels[0].tolist() == cycle.pixels[-1].tolist()
 
 
+def test_a_cycle_encloses_holes_beside_the_pixels_of_its_nodes():
+    skeleton = drawn("..#...",
+                     "..#.#.",
+                     "...#.#",
+                     "....#.",
+                     "....##",
+                     ".###..")
+    (cycle,) = thinbench.graph(skeleton).cycles()
+    assert cycle.holes.tolist() == [[2, 4]]
+    (loop,) = thinbench.graph(drawn("..#..", ".#.#.", "#.#.#")).cycles()
+    assert loop.holes.tolist() == [[1, 2]]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_holes_of_cycles_tell_the_cycles_of_a_skeleton_apart(seed):
+    """No sum of some of them, modulo 2, is empty."""
+    graph = thinbench.graph(thinbench.thin(random_image(seed)), not_thin="ignore")
+    basis: list[int] = []
+    numbers: dict[tuple[int, ...], int] = {}
+    for cycle in graph.cycles():
+        bits = sum(1 << numbers.setdefault(tuple(hole), len(numbers)) for hole in cycle.holes.tolist())
+        for one in basis:
+            bits = min(bits, bits ^ one)
+        assert bits != 0
+        basis.append(bits)
+
+
+def test_cycles_of_labels_enclose_holes_of_their_label_alone():
+    labels = np.zeros((7, 7), np.uint8)
+    labels[[0, 6], :] = labels[:, [0, 6]] = 1
+    labels[3, 1:6] = 2
+    (cycle,) = thinbench.graph_labels(labels, labels).cycles()
+    assert cycle.holes.tolist() == [[1, 1]]
+
+
 def test_a_cycle_round_another_encloses_both_holes():
     ring = drawn("#######",
                  "#..#..#",
@@ -219,6 +254,12 @@ def test_a_cycle_round_another_encloses_both_holes():
                  "#.....#",
                  "#######")
     assert sorted(len(cycle.holes) for cycle in thinbench.graph(ring, not_thin="ignore").cycles()) == [1, 2]
+
+
+def test_the_summary_is_a_copy():
+    graph = thinbench.graph(EIGHT)
+    for column in graph.summary().values():
+        assert not any(np.shares_memory(column, own) for own in graph.edges.values())
 
 
 def test_open_cycles_takes_the_longest_edge_of_short_cycles_only():

@@ -183,7 +183,7 @@ def distanceTransform(src: npt.ArrayLike, distanceType: int, maskSize: int,  # n
     Returns
     -------
     array of float32, shape (H, W)
-        Roots of exact integers, rounded once; OpenCV's may differ in the last bit. In an image without
+        Roots of exact integers, which become float32 first; OpenCV's may differ in the last bit. In an image without
         background, the root of 1e15, as in OpenCV.
 
     Raises

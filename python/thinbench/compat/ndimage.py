@@ -192,13 +192,13 @@ def _connectivity(structure: npt.NDArray[np.bool_], original: str) -> Literal[4,
 def _convert(labels: npt.NDArray[np.int32], output: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """The labels as numbers of another type."""
     np.copyto(output, labels, casting="unsafe")
-    if not np.array_equal(output, labels):
+    if output.dtype != bool and not np.array_equal(output, labels):
         raise RuntimeError(f"output: expected a type for {labels.max()} labels, got {output.dtype}")
     return output
 
 
 def _distances(picture: npt.NDArray[Any], sampling: Any) -> npt.NDArray[np.float64]:
-    spacing = np.abs(np.asarray(1 if sampling is None else sampling, np.float64))
+    spacing = np.asarray(1 if sampling is None else sampling, np.float64)
     if spacing.shape not in ((), (2,)):
         raise RuntimeError(f"sampling: expected one number or two, got {sampling!r}")
     down, across = (float(number) for number in np.broadcast_to(spacing, 2))

@@ -138,7 +138,7 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
     if picture.dtype == bool:
         labels, count = _images.label(~picture if background == 1 else picture, connectivity=neighbours)
         return (labels, count) if return_num else labels
-    value = 0 if background is None else _arrays.integer("background", background)
+    value = 0 if background is None else int(background)
     labels, count = _label_values(picture, value, neighbours)
     wide = labels.astype(np.intp)
     return (wide, count) if return_num else wide
@@ -154,7 +154,7 @@ def _label_values(picture: npt.NDArray[Any], background: int,
     first = whole[np.unravel_index(foreground.argmax(), whole.shape)]
     if not ((whole == first) != foreground).any():
         return _images.label(foreground, connectivity=connectivity)
-    if whole.dtype.itemsize < 4 or -2**31 <= whole.min() and whole.max() < 2**31:
+    if -2**31 <= min(whole.min(), background) and max(whole.max(), background) < 2**31:
         return _images.label_values(whole, connectivity=connectivity, background=background)
     numbers = np.unique(whole, return_inverse=True)[1].reshape(whole.shape) + 1
     numbers[~foreground] = 0
