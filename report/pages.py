@@ -93,7 +93,13 @@ def run_pages(_parser: argparse.ArgumentParser, options: argparse.Namespace) -> 
 def _inputs(options: argparse.Namespace) -> list[list[str]]:
     """The words of each picture."""
     if options.images:
-        return [["--image", str(path)] for directory in options.images for path in images_of(directory)]
+        paths = [path for directory in options.images for path in images_of(directory)]
+        named: dict[str, Path] = {}
+        for path in paths:
+            if named.setdefault(path.stem, path) is not path:
+                raise ReportError(f"--images: '{named[path.stem]}' and '{path}' have one name, '{path.stem}', in tables; "
+                                  "rename one", 2)
+        return [["--image", str(path)] for path in paths]
     missing = [name for name in PICTURES if not (INSTALLED / f"{name}.png").is_file()]
     if missing:
         raise ReportError(f"{INSTALLED}/{missing[0]}.png is missing; install python3-skimage, or name a directory "
@@ -225,7 +231,7 @@ def pages_markdown(run: Run) -> str:
     return (f"# Real pictures and drawn pages\n\n{counted(len(pictures), 'picture')}, end to end, one thread, commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}. Ratios say how many times as fast as the peer "
             f"this project is; means are geometric.\n\n{pages_table(run.rows)}\n## Picoseconds per pixel\n\n`!` marks "
-            "what did not settle.\n\n" +
+            "what did not settle or whose controls failed.\n\n" +
             markdown_table(("picture", "size", *map(label, cases)), lines, frozenset(range(2, 2 + len(cases)))))
 
 

@@ -113,14 +113,14 @@ def _plans(options: argparse.Namespace) -> list[list[str]]:
     plans = [[*common, *input_words(options), "--variants", variants, "--filter", options.filter]]
     if not options.filter:
         largest = 512 if options.quick else 4096
-        squares = [64 << step for step in range(7) if 64 << step <= largest]
+        squares = [side for step in range(7) if (side := 64 << step) <= largest and side not in options.size]
         plans.append(["--no-peers", "--variants", "highest", "--filter", SERIES,
                       "--max-call", "0.3", *_inputs(squares)])
         plans.append(["--no-peers", "--variants", variants, "--filter", BATCHES,
                       "--input", "strokes_28_2000", "--input", "strokes_64_500"])
     if options.size:
         plans.append([*common, "--variants", variants, "--filter", options.filter,
-                      *_inputs(options.size)])
+                      *_inputs(list(dict.fromkeys(options.size)))])
     return plans
 
 
@@ -158,6 +158,7 @@ def count_instructions(program: Path, directory: Path, options: argparse.Namespa
 def measure_quality(program: Path, directory: Path, options: argparse.Namespace) -> None:
     """Skeletons of the user's images; those of the built-in images are in results/experiments."""
     images = options.image + options.quality_image
+    (directory / "experiments" / "quality.json").unlink(missing_ok=True)
     if images:
         words = [word for image in images for word in ("--image", str(image))]
         (directory / "experiments").mkdir(exist_ok=True)

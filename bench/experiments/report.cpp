@@ -63,7 +63,7 @@ ExperimentReport report_of(const std::string& name, const std::string& caption, 
     const Json rows = rows_in(value);
     if (!rows.is_null()) markdown.append("\n").append(table_of(rows));
   }
-  return {json.dump(2) + "\n", markdown};
+  return {json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", markdown};
 }
 
 }  // namespace thinbench

@@ -75,7 +75,9 @@ int plan(const SamplerOptions& options) {
   for (const auto& group : by_case_and_input(rows)) {
     plan.groups.push_back(plan_group(group, options.limits));
   }
-  std::cout << plan_json(plan, selection, inputs, rows).dump() << '\n';
+  std::cout << plan_json(plan, selection, inputs, rows)
+                   .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
+            << '\n';
   return selection.mismatches.empty() ? kSuccess : kUsage;
 }
 

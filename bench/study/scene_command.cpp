@@ -10,6 +10,7 @@
 #include "scene/scene.hpp"
 #include "scene/scene_truth.hpp"
 #include "study/study.hpp"
+#include "support/whole_file.hpp"
 
 namespace thinbench {
 namespace {
@@ -37,7 +38,10 @@ int draw(const SceneCommandOptions& options, std::ostream& out) {
   if (options.out.empty() && !options.truth) {
     throw UsageError("scene needs OUT, an image to write, or --truth");
   }
-  if (!options.out.empty()) check_extension(options.out);
+  if (!options.out.empty()) {
+    check_extension(options.out);
+    check_target(options.out);
+  }
   const Scene scene = render_scene(scene_options(options));
   if (!options.out.empty()) {
     write_grey(options.out, (options.binary ? scene.binary : scene.grey).view());

@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable, Sequence
 from statistics import median
 
+from report.errors import ReportError
 from report.measure.estimates import NEEDED, Floor, floor_of
 from report.measure.sampler import Choice, Json, Sampler, Samples, seconds_of
 from report.progress import Progress
@@ -62,6 +63,9 @@ def measure_until_converged(jobs: Sequence[tuple[Sampler, Samples]], seconds: fl
                             on_process: Callable[[Samples], None] = lambda samples: None) -> None:
     """NEEDED processes of everything, then of what has not converged, as long as they fit the
     budget of seconds. All are given at one clock."""
+    if not any(samples.plan["groups"] for _, samples in jobs):
+        reasons = sorted({row["reason"] for _, samples in jobs for row in samples.plan["skipped"]})
+        raise ReportError(f"every row that matches is skipped: {'; '.join(reasons)}", 2)
     cycle = median(samples.plan["cycle_ns"] for _, samples in jobs)
     for _, samples in jobs:
         samples.plan["cycle_ns"] = cycle

@@ -32,6 +32,8 @@ def load_limits(directory: Path) -> Limits:
     """Without rows where nothing was counted, or by a version that assumed a bound."""
     path = directory / FILE
     data = read_json(path) if path.exists() else {}
+    if not isinstance(data, dict):
+        raise ReportError(f"{path}: expected an object, got {type(data).__name__}")
     if data.get("schema") != SCHEMA:
         return Limits()
     rows: dict[str, list[tuple[str, ...]]] = defaultdict(list)

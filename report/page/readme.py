@@ -90,8 +90,8 @@ def filled(document: Path, makers: dict[str, Maker]) -> str:
     """Its text with new figures."""
     try:
         text = document.read_text(encoding="utf-8")
-    except OSError as error:
-        raise ReportError(f"{document}: cannot be read: {error.strerror}") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise ReportError(f"{document}: cannot be read: {getattr(error, 'strerror', error)}") from None
     names = [mark[2] for mark in MARK.finditer(text)]
     unknown = [name for name in names if name not in NAMES]
     if unknown or not names:
@@ -146,7 +146,7 @@ def _run_line(rows: Rows, folder: Path) -> str:
 def _pages(run: Run, folder: Path) -> str:
     names = {row.input for row in run.rows}
     where = os.path.relpath(run.directory, folder)
-    open_rows = sum(bool(row.flags) for row in run.rows)
+    open_rows = sum(row.flags == "open" for row in run.rows)
     return (f"{ratios_table(run.rows)}\n{len(names)} pictures, one thread; run of commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}: [all pictures]({where}/{MARKDOWN}). "
             f"{open_rows:,} of {len(run.rows):,} results did not settle within 2 % in the time that there was.\n")

@@ -123,7 +123,7 @@ def _data(row: Row, rows: Rows) -> dict[str, str]:
 
 
 def _bound(line: Headline | None) -> str:
-    """What a copy says about the fastest row."""
+    """What a copy says about the library's choice."""
     if line is None or line.copy is None:
         return ""
     share = line.copy_share or 0.0
@@ -132,8 +132,8 @@ def _bound(line: Headline | None) -> str:
                 line.copy.technique, "a copy of the image")
     best = duration(line.best.time_ns)
     relation = "more than" if share > 1 else f"{100 * share:.0f} % of" if share >= 0.01 else "under 1 % of"
-    return (f"To compare with: {what} takes {duration(line.copy.time_ns)}, {relation} the fastest "
-            f"variant's {best}.")
+    return (f"To compare with: {what} takes {duration(line.copy.time_ns)}, {relation} the {best} "
+            "of the variant that the library chooses.")
 
 
 def _ratio(value: float | None) -> Cell:

@@ -25,7 +25,7 @@ def sentences(rows: Rows, lines: list[Headline]) -> list[str]:
 def warnings(run: Run) -> list[str]:
     """Why figures may be wrong; none after a good run."""
     found = []
-    flagged = sum(bool(row.flags) for row in run.rows)
+    flagged = sum(row.flags == "open" for row in run.rows)
     if not run.is_conclusive:
         found.append("The controls of this run did not pass: differences between rows are "
                      "inconclusive.")
@@ -55,10 +55,10 @@ def _fastest(rows: Rows, lines: list[Headline]) -> str:
     if not lines:
         return ""
     best = lines[0].best
+    speedup = "" if best.speedup_vs_reference is None else (
+        f": **{times(best.speedup_vs_reference)}** ({interval(best.speedup_low, best.speedup_high)}) as fast as plain C++")
     return (f"{_capital(title(lines[0].case))} of {best.width} × {best.height} pixels takes "
-            f"**{duration(best.time_ns)}** on one core: **{times(best.speedup_vs_reference)}** "
-            f"({interval(best.speedup_low, best.speedup_high)}) as fast as plain C++, by "
-            f"{variant(best)}.")
+            f"**{duration(best.time_ns)}** on one core{speedup}, by {variant(best)}.")
 
 
 def _peers(rows: Rows, lines: list[Headline]) -> str:

@@ -64,6 +64,9 @@ def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
     measured = {entry["name"] for group in kept for entry in group["entries"]}
     left_out = [skipped(name, _why_left_out(name, *results))
                 for name in sorted(results[1].keys() - measured)]
+    reasons = {row["row"]: row["reason"] for row in now["skipped"]}
+    left_out += [skipped(name, reasons.get(name, "this build has no such row"))
+                 for name in sorted(results[0].keys() - results[1].keys())]
     return now | {"groups": kept}, left_out
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -193,7 +194,8 @@ def _compare_counts(options: argparse.Namespace, programs: Path, before: Path | 
     try:
         old = (counts.count(before / "thinbench-study", words) if before
                else counts.read_counts(file))
-        return counts.compare(old, counts.count(programs / "thinbench-study", words))
+        return counts.compare(old, counts.count(programs / "thinbench-study", words),
+                              is_part=before is None and options.filter != FILTER)
     except ReportError as error:
         if error.status != WRONG_USAGE:
             raise
@@ -255,5 +257,8 @@ def _write(options: argparse.Namespace, found: output.Outcome) -> None:
         write_file(options.bencher, to_json(output.to_bencher(found)))
     summary = os.environ.get("GITHUB_STEP_SUMMARY")
     if options.github and summary:
-        with open(summary, "a", encoding="utf-8") as stream:
-            stream.write(output.to_markdown(found))
+        try:
+            with open(summary, "a", encoding="utf-8") as stream:
+                stream.write(output.to_markdown(found))
+        except OSError as error:
+            print(f"GITHUB_STEP_SUMMARY: '{summary}' cannot be written: {error.strerror}", file=sys.stderr)

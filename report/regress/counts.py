@@ -54,8 +54,8 @@ def read_counts(file: Path) -> Json:
     return document
 
 
-def compare(before: Json, now: Json) -> Counts:
-    """Rows that both documents have. FAIL is over 1 % more, or another number of iterations, which
+def compare(before: Json, now: Json, is_part: bool = False) -> Counts:
+    """Rows that both documents have; where the second is not a part, also those that are gone. FAIL is over 1 % more, or another number of iterations, which
     no speed of a kernel explains."""
     why_not = _difference_of(before, now)
     if why_not:
@@ -65,6 +65,8 @@ def compare(before: Json, now: Json) -> Counts:
             if row["row"] in old]
     rows += [_too_long(old[row["row"]], now["max_steps"]) for row in now["skipped"]
              if row["row"] in old and row["reason"] == TOO_MANY_STEPS]
+    known = old.keys() if is_part else {row["row"] for row in (*now["rows"], *now["skipped"])}
+    rows += [skipped(name, "this build has no such row") for name in sorted(old.keys() - known)]
     compared = [row for row in rows if row.verdict != Verdict.SKIPPED]
     if not compared:
         return not_compared("no row was counted in the same way before")

@@ -55,6 +55,15 @@ def test_a_list_of_names_or_the_endings_say_what_is_an_image(tmp_path: Path) -> 
     assert images_of(tmp_path) == [tmp_path / "b.tif"]
 
 
+def test_images_of_one_name_are_rejected(tmp_path: Path) -> None:
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "one.png").touch()
+    done = study(tmp_path, "pages", "--images", tmp_path / "a", "--images", tmp_path / "b")
+    assert done.returncode == 2
+    assert "have one name, 'one', in tables; rename one" in done.stderr
+
+
 @pytest.mark.parametrize("what", ["absent", "empty"])
 def test_a_directory_without_images_is_named(what: str, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()

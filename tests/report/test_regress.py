@@ -211,6 +211,11 @@ def test_builds_are_compared_on_the_rows_with_equal_results() -> None:
                                                "another result than in the other build"}
     names = [entry["name"] for entry in plan["groups"][0]["entries"]]
     assert not any("reference" in name or "copy" in name for name in names)
+    gone = copy.deepcopy(make_plan())
+    slow = gone["groups"][0]["entries"].pop(2)["name"]
+    gone["skipped"] = [{"row": slow, "reason": "a call takes more than 1 s"}]
+    assert [(row.name, row.reason) for row in builds.common_plan(make_plan(), gone)[1] if row.name == slow] == [
+        (slow, "a call takes more than 1 s")]
 
 
 def test_a_build_that_measures_in_another_way_is_not_compared() -> None:

@@ -51,6 +51,16 @@ def test_a_row_that_became_too_long_to_count_fails() -> None:
     assert counts.compare(counted(), now).layer.verdict == SKIPPED
 
 
+def test_a_row_that_is_gone_is_listed_except_where_a_part_was_counted() -> None:
+    now = counted()
+    now["rows"] = [now["rows"][0] | {"row": "b"}]
+    assert [row.name for row in counts.compare(counted(), now).layer.rows] == []
+    both = counted()
+    both["rows"] += now["rows"]
+    assert [(row.name, row.verdict) for row in counts.compare(both, now).layer.rows] == [("b", PASS), ("a", SKIPPED)]
+    assert [row.name for row in counts.compare(both, now, is_part=True).layer.rows] == ["b"]
+
+
 @pytest.mark.parametrize("part, value, reason", [
     ("build", {"compiler": "Clang 14", "libc": "2.36"}, "of another compiler"),
     ("input", {"hash": "2"}, "of another input"),

@@ -9,10 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import ROOT, main
+from fake_programs import make_plan
 from PIL import Image
 
 import report.study
+from report.errors import ReportError
+from report.measure.converge import measure_until_converged
 from report.measure.run import load_run
+from report.measure.sampler import Samples
 
 PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
 Study = Callable[..., tuple[int, str]]
@@ -80,3 +84,17 @@ def test_a_file_that_is_no_image_is_named(study, image):
     status, errors = study("--image", str(image))
     assert status == 1 and f"cannot read '{image}': it is not an image" in errors
     assert "differs" not in errors
+
+
+def test_rows_that_all_take_too_long_are_no_run():
+    plan = make_plan() | {"groups": [], "skipped": [{"row": "a", "reason": "a call takes more than 1 s"}]}
+    with pytest.raises(ReportError, match="every row that matches is skipped: a call takes more than 1 s"):
+        measure_until_converged([(None, Samples(plan))], 1)
+
+
+def test_a_size_is_measured_once(study, tmp_path):
+    status, _ = study("--size", "64", "--size", "64", "--filter", "^components/", "--no-peers")
+    assert status == 0
+    names = [(row.operation, row.technique, row.isa, row.threads, row.scope, row.input, row.border)
+             for row in load_run(tmp_path / "run").rows]
+    assert len(names) == len(set(names))
