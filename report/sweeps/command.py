@@ -162,5 +162,7 @@ def _summary(directory: Path, runs: list[Path]) -> str:
     rows = load_run(directory).rows
     scene = read_csv(directory.parent / TIMINGS) if (directory.parent / TIMINGS).exists() else []
     write_file(directory / MARKDOWN, sweeps_markdown(rows, scene).encode())
-    return (f"{len(sweep_series(rows))} curves; {directory} holds {MARKDOWN}, {TIMINGS}, {RUN} and {SAMPLES}; "
-            f"python3 -m report build {directory.parent} shows them on the page of the run")
+    text = f"{len(sweep_series(rows))} curves; {directory} holds {MARKDOWN}, {TIMINGS}, {RUN} and {SAMPLES}"
+    if not (directory.parent / RUN).exists():
+        return text
+    return f"{text}; ./study build {directory.parent} shows them on the page of the run"
