@@ -265,7 +265,8 @@ std::string explanation(const RowChoice& choice, const Selection& selection,
   RowChoice all = choice;
   all.variants = VariantChoice::all;
   if (Selector(all, operations, inputs).chooses_rows()) {
-    return "no usual row matches " + filter + "; all variants (--all of ./study, --variants all) have one";
+    return "no usual row matches " + filter +
+           "; all variants (--all of ./study, --variants all) have one";
   }
   return "no row matches " + filter + "; see 'thinbench-study list --variants'";
 }

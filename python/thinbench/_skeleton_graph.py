@@ -202,7 +202,8 @@ class Graph:
 
         Each is closed by an edge that is not in the shortest spanning forest, the longest of its edges.
         """
-        holes, skeleton = self._holes(), self._skeleton()
+        pixels, labels = self._labelled_pixels()
+        holes, skeleton = _holes_of_labels(pixels, labels), _image_of(pixels, labels)
         inner: dict[int, int] = {}  # loops inside a node that were met before
         found = []
         for length, nodes, edges in _network.cycles(*self._links()):
@@ -347,9 +348,13 @@ class Graph:
     def _links(self) -> tuple[int, Array]:
         return len(self.nodes["kind"]), _network.links(self.edges["from"], self.edges["to"], self.edges["length"])
 
+    def _directed(self, nodes: Array, edges: Array) -> list[Array]:
+        """The pixels of edges, each from the node beside it."""
+        return [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
+                for node, edge in zip(nodes, edges)]
+
     def _path(self, length: float, nodes: Array, edges: Array) -> GraphPath:
-        chains = [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
-                  for node, edge in zip(nodes, edges)]
+        chains = self._directed(nodes, edges)
         pixels = np.concatenate(chains) if chains else self.node_pixels(nodes[0])[:1]
         is_new = np.ones(len(pixels), bool)
         is_new[1:] = (np.diff(pixels, axis=0) != 0).any(axis=1)
@@ -359,32 +364,16 @@ class Graph:
         return int(self.nodes["label"][node]) if "label" in self.nodes else 0
 
     def _labelled_pixels(self) -> tuple[Array, Array]:
-        """All pixels, some of them twice, and their labels; 0 where there are none."""
+        """All pixels, some of them twice, and their labels; 0 in graphs without labels."""
         pixels: Array = np.concatenate([self._nodes.values, self._chains.values]).astype(np.int64)
         if "label" not in self.nodes:
             return pixels, np.zeros(len(pixels), np.int64)
         return pixels, np.concatenate([np.repeat(self.nodes["label"], self._nodes.lengths()),
                                        np.repeat(self.edges["label"], self._chains.lengths())])
 
-    def _skeleton(self) -> Array:
-        """Labels of pixels at their places, else -1, with a margin of one pixel; none where there are no pixels."""
-        pixels, labels = self._labelled_pixels()
-        image = np.full(pixels.max(axis=0, initial=-1) + 2, -1, np.int64)
-        image[tuple(pixels.T)] = labels
-        return image
-
-    def _holes(self) -> dict[int, Array]:
-        """The first pixel of each hole of the skeleton, or of that of each label."""
-        pixels, labels = self._labelled_pixels()
-        order = np.argsort(labels, kind="stable")
-        numbers, starts = np.unique(labels[order], return_index=True)
-        return {int(number): _holes_of(part)
-                for number, part in zip(numbers, np.split(pixels[order], starts[1:]))}
-
     def _curve(self, nodes: Array, edges: Array, skeleton: Array) -> Array:
         """The pixels of a cycle, each beside the next, with those of its nodes that lead from edge to edge."""
-        chains = [self.edge_pixels(edge) if self.edges["from"][edge] == node else self.edge_pixels(edge)[::-1]
-                  for node, edge in zip(nodes, edges)]
+        chains = self._directed(nodes, edges)
         parts = []
         for node, chain, following in zip(np.roll(nodes, -1), chains, chains[1:] + chains[:1]):
             parts += [chain, _way(self.node_pixels(node), chain[-1], following[0], skeleton)]
@@ -449,13 +438,25 @@ def _background_of(pixels: Array) -> tuple[Array, Array]:
 
 def _holes_of(pixels: Array) -> Array:
     """The first pixel of each hole."""
-    if len(pixels) == 0:
-        return pixels
     labels, origin = _background_of(pixels)
     numbers, first = np.unique(labels, return_index=True)
     places: Array = np.stack(np.unravel_index(first, labels.shape), axis=-1) + origin - 1
     holes: Array = places[(numbers != 0) & (numbers != labels[0, 0])]
     return holes
+
+
+def _holes_of_labels(pixels: Array, labels: Array) -> dict[int, Array]:
+    """The same of the pixels of each label."""
+    order = np.argsort(labels, kind="stable")
+    numbers, starts = np.unique(labels[order], return_index=True)
+    return {int(number): _holes_of(part) for number, part in zip(numbers, np.split(pixels[order], starts[1:]))}
+
+
+def _image_of(pixels: Array, labels: Array) -> Array:
+    """Labels at the places of pixels, else -1, with a margin below and to the right."""
+    image = np.full(pixels.max(axis=0, initial=-1) + 2, -1, np.int64)
+    image[tuple(pixels.T)] = labels
+    return image
 
 
 def _way(pixels: Array, start: Array, stop: Array, skeleton: Array) -> Array:

@@ -55,8 +55,10 @@ def _fastest(rows: Rows, lines: list[Headline]) -> str:
     if not lines:
         return ""
     best = lines[0].best
-    speedup = "" if best.speedup_vs_reference is None else (
-        f": **{times(best.speedup_vs_reference)}** ({interval(best.speedup_low, best.speedup_high)}) as fast as plain C++")
+    speedup = ""
+    if best.speedup_vs_reference is not None:
+        speedup = (f": **{times(best.speedup_vs_reference)}** ({interval(best.speedup_low, best.speedup_high)}) as fast "
+                   "as plain C++")
     return (f"{_capital(title(lines[0].case))} of {best.width} × {best.height} pixels takes "
             f"**{duration(best.time_ns)}** on one core{speedup}, by {variant(best)}.")
 

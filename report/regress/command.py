@@ -110,7 +110,8 @@ def _check(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None
     if options.against is not None and options.base_build is not None:
         parser.error("--against builds a commit, --base-build is a build: give one of them")
     if options.base_build and not options.counts_only and not (options.base_build / "thinbench_sampler").is_file():
-        parser.error(f"--base-build: '{options.base_build}' holds no program thinbench_sampler; --counts-only needs none")
+        parser.error(f"--base-build: '{options.base_build}' holds no program thinbench_sampler, which only "
+                     "--counts-only does without")
     if options.update:
         _check_update(parser, options)
     if options.against is not None and git("rev-parse", "--verify", "--quiet",

@@ -55,8 +55,8 @@ def read_counts(file: Path) -> Json:
 
 
 def compare(before: Json, now: Json, is_part: bool = False) -> Counts:
-    """Rows that both documents have; where the second is not a part, also those that are gone. FAIL is over 1 % more, or another number of iterations, which
-    no speed of a kernel explains."""
+    """Rows that both documents have; unless the second is a part, also those that are gone. FAIL is over 1 % more, or
+    another number of iterations, which no speed of a kernel explains."""
     why_not = _difference_of(before, now)
     if why_not:
         return not_compared(why_not)

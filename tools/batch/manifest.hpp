@@ -22,8 +22,8 @@ class Manifest {
   /// replaced.
   Manifest(std::string path, bool resumes);
 
-  /// Whether the last line of each of the job's pages says that this operation made
-  /// it of the job's file.
+  /// Whether the last line of each of the job's pages says that this operation made it of the job's
+  /// file.
   [[nodiscard]] bool says_done(const BatchJob& job, const std::string& operation) const;
 
   void append(const BatchRecord& record);

@@ -1,7 +1,6 @@
 #include "images/image_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

@@ -1,7 +1,6 @@
 // Text to rules: every field is checked, and the first that is wrong is named.
 #include "rules/rule_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <set>

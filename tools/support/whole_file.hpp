@@ -17,8 +17,8 @@ namespace thinbench {
 [[nodiscard]] std::string place_of(const std::string& path);
 
 /// Rejects what writing would fail at after all the work: a directory that does not exist, one of
-/// this name, a device, pipe or socket, an open file such
-/// as /dev/stdout, a file that the user protected. Throws FileError.
+/// this name, a device, pipe or socket, an open file such as /dev/stdout, a file that the user
+/// protected. Throws FileError.
 void check_target(const std::string& path);
 
 /// Gives a finished file the place of `path`, on the same file system, or of what `path` leads to
