@@ -212,16 +212,20 @@ def test_cycles_close_by_their_longest_edge_and_know_their_holes():
 
 
 def test_a_cycle_encloses_holes_beside_the_pixels_of_its_nodes():
-    skeleton = drawn("..#...",
+    skeleton = drawn("...#.#",
                      "..#.#.",
-                     "...#.#",
-                     "....#.",
-                     "....##",
-                     ".###..")
-    (cycle,) = thinbench.graph(skeleton).cycles()
-    assert cycle.holes.tolist() == [[2, 4]]
-    (loop,) = thinbench.graph(drawn("..#..", ".#.#.", "#.#.#")).cycles()
-    assert loop.holes.tolist() == [[1, 2]]
+                     ".#.#..",
+                     "..#...")
+    assert [cycle.holes.tolist() for cycle in thinbench.graph(skeleton).cycles()] == [[[2, 2]], [[1, 3]]]
+
+
+def test_a_loop_inside_a_node_encloses_its_hole():
+    skeleton = drawn("...#.",
+                     "..#..",
+                     ".#.#.",
+                     "#.#.#",
+                     ".#..#")
+    assert [cycle.holes.tolist() for cycle in thinbench.graph(skeleton).cycles()] == [[[3, 1]], [[2, 2]]]
 
 
 @pytest.mark.parametrize("seed", range(20))
