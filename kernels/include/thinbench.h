@@ -339,8 +339,8 @@ THINBENCH_API thinbench_status thinbench_localise(const thinbench_stack* grey,
                                                   const thinbench_execution* execution,
                                                   thinbench_regions** regions);
 /* `size` is sizeof(thinbench_region): thinbench_regions_objects(r, &count, sizeof(...)). The array
- * lives as long as the handle. NULL, and a count of 0, without regions, for a NULL handle, and if
- * this library's struct has another size. */
+ * lives as long as the handle. Returns NULL and sets *count to 0 if there are no regions, the
+ * handle is NULL, or `size` differs from that of this library's struct. */
 THINBENCH_API const thinbench_region* thinbench_regions_objects(const thinbench_regions* regions,
                                                                 size_t* count, size_t size);
 THINBENCH_API const thinbench_region* thinbench_regions_holes(const thinbench_regions* regions,
@@ -419,8 +419,8 @@ THINBENCH_API thinbench_status thinbench_prune(const thinbench_stack* skeleton,
                                                const thinbench_execution* execution,
                                                thinbench_graph** graph);
 
-/* Arrays that live as long as the handle; `size` is that of an element. NULL, and a count of 0,
- * without elements, for a NULL handle, and if this library's struct has another size. */
+/* Arrays that live as long as the handle; `size` is that of an element. Returns NULL and sets
+ * *count to 0 if there are none, the handle is NULL, or `size` differs from this library's. */
 THINBENCH_API const thinbench_graph_node* thinbench_graph_nodes(const thinbench_graph* graph,
                                                                 size_t* count, size_t size);
 THINBENCH_API const thinbench_graph_edge* thinbench_graph_edges(const thinbench_graph* graph,
@@ -489,7 +489,7 @@ THINBENCH_API thinbench_status thinbench_graph_subgraph(const thinbench_graph* g
 THINBENCH_API thinbench_status thinbench_graph_split(const thinbench_graph* graph,
                                                      const thinbench_pixel* pixels, size_t count,
                                                      thinbench_graph** split);
-/* Without the longest edge of each cycle that is at most so long. */
+/* Without the longest edge of each cycle of at most max_length. */
 THINBENCH_API thinbench_status thinbench_graph_open_cycles(const thinbench_graph* graph,
                                                            double max_length,
                                                            const thinbench_spacing* spacing,
@@ -547,7 +547,7 @@ typedef struct thinbench_graph_path {
 THINBENCH_API thinbench_status thinbench_main_paths(uint32_t nodes, const thinbench_link* links,
                                                     size_t link_count,
                                                     thinbench_graph_paths** paths);
-/* A cycle for each link that is not in the shortest spanning forest; the edges include the one from
+/* A cycle for each link that is not in the minimum spanning forest; the edges include the one from
  * the last node to the first. */
 THINBENCH_API thinbench_status thinbench_cycles(uint32_t nodes, const thinbench_link* links,
                                                 size_t link_count, thinbench_graph_paths** paths);

@@ -200,7 +200,7 @@ class Graph:
     def cycles(self) -> list[Cycle]:
         """Cycles of which every other is a combination; their number is edges - nodes + components.
 
-        Each is closed by an edge that is not in the shortest spanning forest, the longest of its edges.
+        Each is closed by an edge that is not in the minimum spanning forest, the longest of its edges.
         """
         pixels, labels = self._labelled_pixels()
         holes, skeleton = _holes_of_labels(pixels, labels), _image_of(pixels, labels)

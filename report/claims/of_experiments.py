@@ -68,11 +68,11 @@ def eight_hidden_neurons(data: Json | None) -> Claim:
     learnt = {row["hidden"]: row["seeds_with_all_right"] for row in data["rows"]}
     fewest = min((hidden for hidden, seeds in learnt.items() if seeds), default=None)
     sure = min((hidden for hidden, seeds in learnt.items() if seeds == data["seeds"]), default=None)
-    parts = [f"fewest that learnt all {data['descriptors']}: {fewest}" if fewest else
+    parts = [f"the smallest net that learnt all {data['descriptors']} has {fewest} neurons" if fewest else
              f"none learnt all {data['descriptors']}"]
-    parts += [f"{PAPER_HIDDEN}: {learnt[PAPER_HIDDEN]} of {data['seeds']} random starts"] \
+    parts += [f"with {PAPER_HIDDEN}, {learnt[PAPER_HIDDEN]} of {data['seeds']} random starts succeed"] \
         if PAPER_HIDDEN in learnt else []
-    parts += [f"every random start with {sure}"] if sure else []
+    parts += [f"with {sure}, all do"] if sure else []
     verdict = Verdict.of([fewest == PAPER_HIDDEN])
     why = ("No smaller net learnt the rule." if verdict is Verdict.HOLDS else
            "Smaller nets can represent the rule; more neurons only make training succeed more often.")
@@ -90,9 +90,9 @@ def reliable_edges(data: Json | None) -> Claim:
     verdict = Verdict.of([sigma in good for sigma in sigmas])
     worst = min(rows, key=lambda row: (row["precision"], row["operation"]))
     where = f"up to sigma {max(good)}" if good else "at no noise"
-    figure = (f"precision and recall of every operator are at least {RELIABLE:.0%} {where}; at sigma "
-              f"{worst['sigma']} precision falls to {worst['precision']:.0%} ({worst['operation']}; "
-              f"{worst['precision_without_p2']:.0%} without P2)")
+    figure = (f"precision and recall of every operator are at least {100 * RELIABLE:.0f} % {where}; at sigma "
+              f"{worst['sigma']} precision falls to {100 * worst['precision']:.0f} % ({worst['operation']}; "
+              f"{100 * worst['precision_without_p2']:.0f} % without P2)")
     why = ("All operators stand all noise that was tried." if verdict is Verdict.HOLDS else
            "With fixed thresholds noise exceeds P1, and P2 only rejects what is dark enough.")
     return Claim(claim, verdict, figure, why, data["command"])

@@ -60,8 +60,8 @@ def order_of_table_two(rows: Rows) -> Claim:
     scalar = _pairs_in_order([(paper, reference) for paper, reference, _ in known])
     now = _pairs_in_order([(paper, best) for paper, _, best in known])
     verdict = Verdict.of([*scalar, *now])
-    figure = (f"of {len(scalar)} pairs of methods {sum(scalar)} come in the paper's order by their "
-              f"references and {sum(now)} by their fastest variants")
+    figure = (f"of {len(scalar)} pairs of methods {sum(scalar)} keep the paper's order when references are "
+              f"timed, and {sum(now)} when the fastest variants are")
     why = ("The order is still the paper's." if verdict is Verdict.HOLDS else
            "Which method is faster depends on what its form lets the processor do at once.")
     return Claim(claim, verdict, figure, why, COMMAND)
@@ -77,7 +77,7 @@ def nets_do_not_pay(rows: Rows) -> Claim:
         return open_claim(claim, COMMAND)
     slower, free = honest.low > 1, compiled.value <= NO_COST
     verdict = Verdict.of([honest.high >= 1, compiled.high >= 1])
-    figure = (f"time of the fastest net over that of the fastest rule: {honest.text} by honest "
+    figure = (f"time of the fastest net over that of the fastest rule: {honest.text} with its "
               f"arithmetic, {compiled.text} compiled to a circuit")
     return Claim(claim, verdict, figure, _why_nets(slower, free), COMMAND)
 
@@ -124,7 +124,7 @@ def bytes_are_faster(rows: Rows) -> Claim:
     figure = (f"time with bytes over time with bits, packing and unpacking included: {scalar.text} "
               f"by scalar variants, {best.text} with the widest instructions")
     why = ("Packing costs more than it gains." if verdict is Verdict.HOLDS else
-           "A word of packed pixels is thinned by the instructions that one pixel would take, and "
+           "A word of packed pixels takes as many instructions as a single pixel would, and "
            "packing costs little beside it.")
     return Claim(claim, verdict, figure, why, COMMAND)
 

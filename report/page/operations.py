@@ -23,7 +23,7 @@ PRINTED_RULE = "thin_naccache_shinghal"
 LABELS = {
     "thin_guo_hall": "Guo-Hall", "thin_zhang_suen": "Zhang-Suen",
     "thin_mb2": "MB2", "thin_spta_directional": "SPTA, directional",
-    "thin_spta": "SPTA, sequential", "thin_lu_wang": "Lu-Wang", "thin_guo_hall_skimage": "Guo-Hall as in scikit-image",
+    "thin_spta": "SPTA, sequential", "thin_lu_wang": "Lü-Wang", "thin_guo_hall_skimage": "Guo-Hall as in scikit-image",
     "thin_zhang_suen_skimage": "Zhang-Suen as in scikit-image",
     PRINTED_RULE: "the paper's rule", "skeleton_scan": "midpoint scan",
     "edges_sobel": "Sobel edges", "edges_prewitt": "Prewitt edges",

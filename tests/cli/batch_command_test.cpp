@@ -154,7 +154,7 @@ TEST_F(BatchCommand, rows_of_pages_have_their_numbers) {
   expect_holds(bytes_of("out/all.csv"), "pages.tif,2,70,50,object,1,");
 }
 
-TEST_F(BatchCommand, shards_share_the_inputs_and_each_has_its_own_table) {
+TEST_F(BatchCommand, shards_share_the_inputs_and_each_has_its_own_table_and_manifest) {
   done("holes in --shard 1/2");
   EXPECT_EQ(results(), (Names{"40.json", "60.json", "manifest_1_of_2.csv"}));
   done("holes in --table all.csv --shard 2/2");
@@ -164,7 +164,9 @@ TEST_F(BatchCommand, shards_share_the_inputs_and_each_has_its_own_table) {
   const std::string text = bytes_of("all_2_of_2.csv");
   EXPECT_EQ(std::ranges::count(text, '\n'), 3) << text;
   expect_holds(text, "/50.png,1,");
-  done("holes in --shard 9/9");
+  done("holes in --shard 9/9 --manifest mine.jsonl");
+  EXPECT_FALSE(fs::exists("mine.jsonl"));
+  EXPECT_TRUE(fs::exists("mine_9_of_9.jsonl"));
 }
 
 TEST_F(BatchCommand, images_that_differ_in_their_extension_keep_it) {

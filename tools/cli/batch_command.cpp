@@ -60,7 +60,7 @@ std::string name_for(const Shard& shard, const std::string& path) {
 }
 
 std::string manifest_path(const BatchOptions& options, const Shard& shard) {
-  if (!options.manifest.empty()) return options.manifest;
+  if (!options.manifest.empty()) return name_for(shard, options.manifest);
   return std::filesystem::path(options.settings.out) / name_for(shard, "manifest.csv");
 }
 

@@ -5,7 +5,7 @@ namespace thinbench {
 const ProgramInfo& thinbench_program() {
   static const ProgramInfo program = {
       "thinbench",
-      "Thin binary images fast",
+      "Thinning, edges, holes and graphs of image files",
       R"(Examples:
   thinbench list
   thinbench run thin_naccache_shinghal parts.png skeleton.png

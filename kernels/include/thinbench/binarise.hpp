@@ -24,8 +24,8 @@ inline constexpr std::array<std::string_view, 3> kForegroundNames = {"auto", "br
 /// A threshold for each pixel from the mean of the window around it, of which only the part in the
 /// image counts. Foreground is bright above mean + offset, or dark below mean - offset.
 struct LocalThreshold {
-  int window =
-      0;  // side, odd, in [3, 65535]; 0: an eighth of the image's smaller side, at least 15
+  /// Side, odd, in [3, 65535]; 0: an eighth of the image's smaller side, at least 15.
+  int window = 0;
   int offset = 10;  // in grey levels, in [0, 255]
 };
 
@@ -47,8 +47,9 @@ struct Binarised {
   int threshold = 0;            // pixels are bright at this grey level and above, unless local
   double foreground_share = 0;  // of all pixels
   double separation = 0;        // the share of the variance that lies between the two classes
-  double undecided_share =
-      0;  // of pixels within a tenth of the classes' distance from the threshold
+
+  /// Of pixels within a tenth of the classes' distance from the threshold.
+  double undecided_share = 0;
   std::optional<int> only_level;  // where all pixels have this one
   bool was_binary = false;        // all grey levels were 0 or 255
   int window = 0;                 // of the local threshold, if any

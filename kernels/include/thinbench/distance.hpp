@@ -41,11 +41,10 @@ struct Spacing {
   friend constexpr bool operator==(const Spacing&, const Spacing&) = default;
 };
 
-/// The distances themselves, in the unit of the spacing:
-///   distances(x, y) = sqrt(min { ((x - u) spacing.x)^2 + ((y - v) spacing.y)^2 : source(u, v) = 0
-///   })
+/// The distances themselves, in the unit of the spacing s:
+///   distances(x, y) = sqrt(min { ((x - u) s.x)^2 + ((y - v) s.y)^2 : source(u, v) = 0 })
 /// and infinity in an image without background. Differs from the formula by at most 4e-16 of
-/// the value; of pixels that are not square, the nearest is found with numbers of 64 bits.
+/// the value; for pixels that are not square, the nearest is found in double precision.
 ///
 /// Views, memory, threads and errors as squared_distances; std::invalid_argument also for a spacing
 /// outside [1e-30, 1e30].

@@ -24,7 +24,7 @@ namespace thinbench {
 /// of nodes change nothing; others must be pixels of lines. Each split takes the time of a copy.
 [[nodiscard]] THINBENCH_API Graph split_at(const Graph& graph, std::span<const Pixel> pixels);
 
-/// The graph without the closing edges of its cycles() that are at most so long: without the
+/// The graph without the closing edges of its cycles() of at most max_length: without the
 /// longest edges of short cycles, of equally long ones the last. All nodes remain.
 [[nodiscard]] THINBENCH_API Graph
 open_cycles(const Graph& graph, double max_length = std::numeric_limits<double>::infinity(),

@@ -51,10 +51,10 @@ struct GraphPath {
 [[nodiscard]] THINBENCH_API std::vector<GraphPath> main_paths(std::uint32_t nodes,
                                                               std::span<const Link> links);
 
-/// Cycles of which every other is a combination: one for each link that is not in the shortest
-/// spanning forest, which it closes. There are links - nodes + components, in the order of these
-/// links; of equally long links, the forest takes the first. The closing link is the longest of its
-/// cycle, and its last; from its last node it leads to the first.
+/// A cycle basis: one cycle for each link outside the minimum spanning forest, which that link
+/// closes. There are links - nodes + components, in the order of these links; of equally long
+/// links, the forest takes the first. The closing link is the longest of its cycle, and its last;
+/// from its last node it leads to the first.
 [[nodiscard]] THINBENCH_API std::vector<GraphPath> cycles(std::uint32_t nodes,
                                                           std::span<const Link> links);
 

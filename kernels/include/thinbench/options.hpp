@@ -45,8 +45,7 @@ struct Execution {
   /// which is faster.
   int threads = 1;
   /// Default: the fastest that this machine supports. Operations have variants of some instruction
-  /// sets only, and some are limited in width; another set is rejected as one that is not
-  /// available.
+  /// sets only, and some are limited in width; any other is rejected as unavailable.
   std::optional<Isa> isa = std::nullopt;
 };
 

@@ -22,7 +22,7 @@ struct FoundPath {
   double min_width;           // twice the smallest distance to an obstacle; infinite without one
 };
 
-/// How much a length off the skeleton costs, on which it costs 1.
+/// Cost per unit of length off the skeleton; on the skeleton it is 1.
 inline constexpr double kPathOffSkeletonCost = 4;
 
 /// The path of least cost from start to goal, in a map whose foreground is free. A step between two

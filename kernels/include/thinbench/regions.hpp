@@ -56,7 +56,7 @@ THINBENCH_API std::vector<Region> label_components(ConstImageView source, LabelV
                                                    LabelOrder order = LabelOrder::pixels,
                                                    const Execution& execution = {});
 
-/// The same labels without the list, in half the time. Returns the number of objects.
+/// The same labels without the list, in less time. Returns the number of objects.
 THINBENCH_API std::uint32_t label_image(ConstImageView source, LabelView labels,
                                         Connectivity connectivity = Connectivity::eight,
                                         LabelOrder order = LabelOrder::pixels,
@@ -93,8 +93,8 @@ THINBENCH_API void fill_holes(ConstImageView source, ImageView destination, Conn
 
 /// Fills the holes of labels: a pixel of the background gets the label of the innermost hole around
 /// it, all others keep theirs. The holes of a label are those of an image of this label alone. Of
-/// several around a pixel, the one that begins last in raster order is the innermost. Only holes
-/// with at most `max_area` pixels that they would fill.
+/// several around a pixel, the innermost is the one whose first pixel is last in raster order. Only
+/// holes of which at most `max_area` pixels would change are filled.
 ///
 /// 0 is background, and so is everything outside the image; labels may be any other numbers, and a
 /// label may have several components. Labels are 8- or 4-connected, holes the other way round.
