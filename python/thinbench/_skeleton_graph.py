@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from thinbench import _arrays, _images, _library, _network
+from thinbench import _arrays, _library, _network
+from thinbench._cycle_holes import CycleHoles
 
 KINDS = np.array(["isolated", "end", "junction", "cycle", "given"])
 Array = npt.NDArray[Any]
@@ -202,19 +203,16 @@ class Graph:
 
         Each is closed by an edge that is not in the minimum spanning forest, the longest of its edges.
         """
-        pixels, labels = self._labelled_pixels()
-        holes, skeleton = _holes_of_labels(pixels, labels), _image_of(pixels, labels)
-        inner: dict[int, int] = {}  # loops inside a node that were met before
+        holes = CycleHoles(*self._labelled_pixels())
         found = []
         for length, nodes, edges in _network.cycles(*self._links()):
             path = self._path(length, np.append(nodes, nodes[0]), edges)
-            near = holes[self._label_of(nodes[0])]
+            node, label = nodes[0], self._label_of(nodes[0])
             if len(edges) == 1 and len(self.edge_pixels(edges[0])) <= 2:
-                number = inner[nodes[0]] = inner.get(nodes[0], 0) + 1
-                is_inside = self._hole_numbers(nodes[0], near) == number
+                enclosed = holes.in_next_loop(node, self.node_pixels(node), label)
             else:
-                is_inside = _inside(self._curve(nodes, edges, skeleton), near)
-            found.append(Cycle(length, nodes, edges, path.pixels, near[is_inside]))
+                enclosed = holes.in_curve(self._curve(nodes, edges, holes), label)
+            found.append(Cycle(length, nodes, edges, path.pixels, enclosed))
         return found
 
     def open_cycles(self, max_length: float = math.inf) -> Graph:
@@ -371,25 +369,13 @@ class Graph:
         return pixels, np.concatenate([np.repeat(self.nodes["label"], self._nodes.lengths()),
                                        np.repeat(self.edges["label"], self._chains.lengths())])
 
-    def _curve(self, nodes: Array, edges: Array, skeleton: Array) -> Array:
+    def _curve(self, nodes: Array, edges: Array, holes: CycleHoles) -> Array:
         """The pixels of a cycle, each beside the next, with those of its nodes that lead from edge to edge."""
         chains = self._directed(nodes, edges)
         parts = []
         for node, chain, following in zip(np.roll(nodes, -1), chains, chains[1:] + chains[:1]):
-            parts += [chain, _way(self.node_pixels(node), chain[-1], following[0], skeleton)]
+            parts += [chain, holes.way(node, self.node_pixels(node), chain[-1], following[0])]
         return np.concatenate(parts)
-
-    def _hole_numbers(self, node: int, points: Array) -> Array:
-        """In which hole of the node's own pixels points are, counted from 1; 0 outside."""
-        pixels = self.node_pixels(node).astype(np.int64)
-        labels, origin = _background_of(pixels)
-        places = points - origin + 1
-        within = ((places >= 0) & (places < labels.shape)).all(axis=1)
-        numbers = np.zeros(len(points), np.int64)
-        inner = np.unique(labels[(labels != 0) & (labels != labels[0, 0])])
-        numbers[within] = np.searchsorted(inner, labels[tuple(places[within].T)]) + 1
-        numbers[within] *= np.isin(labels[tuple(places[within].T)], inner)
-        return numbers
 
     def _with_edges(self, edges: Array, nodes: Array) -> Graph:
         """Of these edges and nodes, in this order."""
@@ -425,77 +411,6 @@ def _edge_numbers(edges: npt.ArrayLike, count: int) -> Array:
     if outside.size:
         raise ValueError(f"edges: expected numbers from 0 to {count - 1}, got {outside[0]}")
     return numbers.astype(np.int64)
-
-
-def _background_of(pixels: Array) -> tuple[Array, Array]:
-    """Labels of what 4-connected background pixels leave, with a margin of one, and where they begin."""
-    origin = pixels.min(axis=0)
-    background = np.ones(pixels.max(axis=0) - origin + 3, bool)
-    background[tuple((pixels - origin + 1).T)] = False
-    labels, _ = _images.label(background, connectivity=4)
-    return labels, origin
-
-
-def _holes_of(pixels: Array) -> Array:
-    """The first pixel of each hole."""
-    labels, origin = _background_of(pixels)
-    numbers, first = np.unique(labels, return_index=True)
-    places: Array = np.stack(np.unravel_index(first, labels.shape), axis=-1) + origin - 1
-    holes: Array = places[(numbers != 0) & (numbers != labels[0, 0])]
-    return holes
-
-
-def _holes_of_labels(pixels: Array, labels: Array) -> dict[int, Array]:
-    """The same of the pixels of each label."""
-    order = np.argsort(labels, kind="stable")
-    numbers, starts = np.unique(labels[order], return_index=True)
-    return {int(number): _holes_of(part) for number, part in zip(numbers, np.split(pixels[order], starts[1:]))}
-
-
-def _image_of(pixels: Array, labels: Array) -> Array:
-    """Labels at the places of pixels, else -1, with a margin below and to the right."""
-    image = np.full(pixels.max(axis=0, initial=-1) + 2, -1, np.int64)
-    image[tuple(pixels.T)] = labels
-    return image
-
-
-def _way(pixels: Array, start: Array, stop: Array, skeleton: Array) -> Array:
-    """Pixels of a node that lead from one to another, both left out, each joined with the next."""
-    open_pixels = {(int(row), int(column)) for row, column in pixels}
-    first, last = (int(start[0]), int(start[1])), (int(stop[0]), int(stop[1]))
-    before = {last: last}
-    reached = [last]  # grows; from the end, so that the way leads forwards
-    for row, column in reached:
-        if first in before:
-            break
-        for step in ((-1, 0), (0, -1), (0, 1), (1, 0), (-1, -1), (-1, 1), (1, -1), (1, 1)):
-            place = (row + step[0], column + step[1])
-            if place not in open_pixels or place in before:
-                continue
-            corners = (skeleton[place[0], column], skeleton[row, place[1]]) if 0 not in step else ()
-            if skeleton[place] not in corners:
-                before[place] = (row, column)
-                reached.append(place)
-    way = []
-    place = before.get(first, last)
-    while place != last:
-        way.append(place)
-        place = before[place]
-    return np.array(way, np.int64).reshape(-1, 2)
-
-
-def _inside(polygon: Array, points: Array) -> Array:
-    """Which points are inside a closed polygon: those with an odd number of sides to their right."""
-    first, last = polygon, np.roll(polygon, -1, axis=0)
-    odd = np.zeros(len(points), bool)
-    near = ((points >= polygon.min(axis=0)) & (points <= polygon.max(axis=0))).all(axis=1)
-    for i in np.flatnonzero(near):
-        row, column = points[i] + 1e-9  # beside the centre, where sides meet
-        crosses = (first[:, 0] > row) != (last[:, 0] > row)
-        a, b = first[crosses], last[crosses]
-        at = a[:, 1] + (row - a[:, 0]) * (b[:, 1] - a[:, 1]) / (b[:, 0] - a[:, 0])
-        odd[i] = np.count_nonzero(at > column) % 2 == 1
-    return odd
 
 
 def _label(columns: Columns, i: int) -> dict[str, int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tracemalloc
 import warnings
 
 import numpy as np
@@ -228,10 +229,24 @@ def test_a_loop_inside_a_node_encloses_its_hole():
     assert [cycle.holes.tolist() for cycle in thinbench.graph(skeleton).cycles()] == [[[3, 1]], [[2, 2]]]
 
 
+def test_a_loop_inside_a_node_encloses_its_hole_beside_a_cycle_through_the_node():
+    skeleton = drawn("..#...",
+                     ".##...",
+                     "##.##.",
+                     "..#...",
+                     "...#..",
+                     ".##.##",
+                     "...#..",
+                     "..#...")
+    cycles = thinbench.graph(skeleton, not_thin="raise").cycles()
+    assert sorted(cycle.holes.tolist() for cycle in cycles) == [[[2, 2]], [[5, 3]]]
+
+
 @pytest.mark.parametrize("seed", range(20))
-def test_holes_of_cycles_tell_the_cycles_of_a_skeleton_apart(seed):
+@pytest.mark.parametrize("make", [thinbench.thin, np.array], ids=["thin", "thick"])
+def test_holes_of_cycles_tell_the_cycles_of_an_image_apart(seed, make):
     """No sum of some of them, modulo 2, is empty."""
-    graph = thinbench.graph(thinbench.thin(random_image(seed)), not_thin="ignore")
+    graph = thinbench.graph(make(random_image(seed)), not_thin="ignore")
     basis: list[int] = []
     numbers: dict[tuple[int, ...], int] = {}
     for cycle in graph.cycles():
@@ -248,6 +263,29 @@ def test_cycles_of_labels_enclose_holes_of_their_label_alone():
     labels[3, 1:6] = 2
     (cycle,) = thinbench.graph_labels(labels, labels).cycles()
     assert cycle.holes.tolist() == [[1, 1]]
+
+
+@pytest.mark.parametrize("label", [5, -1, -2**31])
+def test_cycles_of_any_label_enclose_their_holes(label):
+    skeleton = drawn("...#.#..",
+                     "..#.#...",
+                     ".#.#....",
+                     "..#.....") * np.int32(label)
+    cycles = thinbench.graph_labels(skeleton, skeleton).cycles()
+    assert [cycle.holes.tolist() for cycle in cycles] == [[[2, 2]], [[1, 3]]]
+
+
+def test_cycles_take_memory_by_their_pixels_and_not_by_their_place():
+    image = np.zeros((4000, 4000), bool)
+    image[-3:, -3:] = True
+    image[-2, -2] = False
+    graph = thinbench.graph(image, not_thin="ignore")
+    tracemalloc.start()
+    cycles = graph.cycles()
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert [cycle.holes.tolist() for cycle in cycles] == [[[3998, 3998]]]
+    assert peak < 1e6
 
 
 def test_a_cycle_round_another_encloses_both_holes():
