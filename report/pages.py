@@ -172,12 +172,13 @@ def comparisons(rows: Iterable[Row]) -> list[Comparison]:
     found = []
     for case in sorted(chosen, key=place):
         own = chosen[case]
-        if not peers[case]:
+        timed = {peer: both for peer, rows in sorted(peers[case].items())
+                 if (both := [(row, rows[name]) for name, row in own.items() if name in rows])}
+        if not timed:
             found.append(Comparison(case, tuple(own.values()), "", ()))
-        for peer, timed in sorted(peers[case].items()):
-            rows_of_both = [(row, timed[name]) for name, row in own.items() if name in timed]
-            found.append(Comparison(case, tuple(row for row, _ in rows_of_both), peer,
-                                    tuple(theirs.time_ns / row.time_ns for row, theirs in rows_of_both)))
+        for peer, both in timed.items():
+            found.append(Comparison(case, tuple(row for row, _ in both), peer,
+                                    tuple(theirs.time_ns / row.time_ns for row, theirs in both)))
     return found
 
 

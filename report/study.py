@@ -86,7 +86,7 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
     machine = machine_facts(programs / "thinbench-study", commit_name())
     directory = options.out or default_directory(machine)
     sampler = Sampler(programs / "thinbench_sampler")
-    samples = [Samples(sampler.plan(words)) for words in _plans(options)]
+    samples = [Samples(sampler.plan(words)) for words in plans_of(options)]
     seconds = options.seconds or (45 if options.quick else 300)
     measure_until_converged([(sampler, part) for part in samples], seconds)
     write_pictures(programs / "thinbench-study", directory, options)
@@ -105,7 +105,7 @@ def default_directory(machine: Json) -> Path:
     return RESULTS / str(machine["fingerprint"]) / name
 
 
-def _plans(options: argparse.Namespace) -> list[list[str]]:
+def plans_of(options: argparse.Namespace) -> list[list[str]]:
     """The words of each plan: the images, the series of sizes, and sizes that were asked for."""
     common = ["--no-peers"] if options.no_peers else []
     common += [word for count in options.threads for word in ("--threads", str(count))]
@@ -114,8 +114,9 @@ def _plans(options: argparse.Namespace) -> list[list[str]]:
     if not options.filter:
         largest = 512 if options.quick else 4096
         squares = [side for step in range(7) if (side := 64 << step) <= largest and side not in options.size]
-        plans.append(["--no-peers", "--variants", "highest", "--filter", SERIES,
-                      "--max-call", "0.3", *_inputs(squares)])
+        if squares:  # without inputs, a plan is of the scene
+            plans.append(["--no-peers", "--variants", "highest", "--filter", SERIES,
+                          "--max-call", "0.3", *_inputs(squares)])
         plans.append(["--no-peers", "--variants", variants, "--filter", BATCHES,
                       "--input", "strokes_28_2000", "--input", "strokes_64_500"])
     if options.size:

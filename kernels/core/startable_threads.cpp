@@ -21,8 +21,8 @@ namespace {
 int started_threads(int wanted) {
   std::atomic<bool> ending = false;
   std::vector<std::thread> threads;
-  threads.reserve(static_cast<std::size_t>(wanted));
   try {
+    threads.reserve(static_cast<std::size_t>(wanted));
     for (int i = 0; i < wanted; ++i) {
       threads.emplace_back([&ending] {
         const std::unique_ptr<int> heap(new (std::nothrow) int);  // which each thread maps

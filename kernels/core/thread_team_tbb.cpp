@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <mutex>
 #include <new>
@@ -33,19 +32,28 @@ void receive(const void*) {}
 #endif
 
 // oneTBB's global limit, which the program controls, may reduce the number of threads; by default
-// to the number of cores. An arena beyond it would print a warning. The first call starts oneTBB.
-// Where memory was too short for that, the next one would wait for ever.
-int arena_size(int threads) {
+// to the number of cores. An arena beyond it would print a warning.
+std::size_t global_limit() {
   using tbb::global_control;
-  static std::atomic<bool> has_failed = false;
-  if (has_failed) return 1;
-  try {
-    const std::size_t limit = global_control::active_value(global_control::max_allowed_parallelism);
-    return startable_threads(std::min(threads, static_cast<int>(limit)));
-  } catch (const std::bad_alloc&) {
-    has_failed = true;
-    return 1;
-  }
+  return global_control::active_value(global_control::max_allowed_parallelism);
+}
+
+// The first call of oneTBB starts it. Where memory was too short for that, the next one would wait
+// for ever, and so would one in another thread.
+bool has_started() {
+  static const bool started = [] {
+    try {
+      return global_limit() > 0;
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+  }();
+  return started;
+}
+
+int arena_size(int threads) {
+  if (!has_started()) return 1;
+  return startable_threads(std::min(threads, static_cast<int>(global_limit())));
 }
 
 /// Arenas by size. What a team takes and gives back is the node, so neither needs memory twice.

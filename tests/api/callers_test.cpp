@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <pthread.h>
@@ -27,10 +28,18 @@
 
 namespace {
 std::atomic<long> available = LONG_MAX;  // allocations until the one that fails
+std::atomic<bool> has_failed = false;
+
+[[noreturn]] void fail_slowly() {
+  has_failed = true;
+  usleep(20'000);  // for others to begin a call
+  throw std::bad_alloc();
+}
 }  // namespace
 
 [[gnu::noinline]] void* operator new(std::size_t size) {
-  void* const memory = available-- == 0 ? nullptr : std::malloc(size);
+  if (available-- == 0) fail_slowly();
+  void* const memory = std::malloc(size);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
@@ -104,20 +113,27 @@ std::string failure;
   _exit(1);
 }
 
-/// Whether two threads can be used after an allocation of the first call with two has failed. In a
-/// process of its own.
+/// Whether two threads can be used while and after an allocation of the first call with two fails.
+/// In a process of its own.
 bool works_after_failure_at(long allocation) {
   const pid_t child = fork();
   if (child == 0) {
     alarm(60);  // ends a call that waits for ever
     const detail::ByteImage image = test_image(1100, 1000);
-    try {
-      available = allocation;
-      static_cast<void>(find_regions(image.view(), {.threads = 2}));
-    } catch (const std::bad_alloc&) {
-    }
-    available = LONG_MAX;
-    _exit(find_regions(image.view(), {.threads = 2}).objects.empty() ? 1 : 0);
+    const auto works = [&] { return !find_regions(image.view(), {.threads = 2}).objects.empty(); };
+    std::thread first([&] {
+      try {
+        available = allocation;
+        static_cast<void>(works());
+      } catch (const std::bad_alloc&) {
+      }
+      available = LONG_MAX;
+      has_failed = true;  // or has not, with so many allocations
+    });
+    while (!has_failed) std::this_thread::yield();
+    const bool works_meanwhile = works();
+    first.join();
+    _exit(works_meanwhile && works() ? 0 : 1);
   }
   int status = 0;
   waitpid(child, &status, 0);

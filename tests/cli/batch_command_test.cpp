@@ -36,6 +36,13 @@ TEST_F(BatchCommand, options_of_run_have_the_same_meaning) {
                "--threshold 100,");
 }
 
+TEST_F(BatchCommand, directory_of_results_among_the_inputs_is_skipped) {
+  done("thin_guo_hall in");
+  EXPECT_EQ(batch("thin_guo_hall in out --resume").err,
+            "note: skipped 'out', the directory of the results\n");
+  expect_holds(done("thin_guo_hall [io]* --resume"), " 3 done before");
+}
+
 TEST_F(BatchCommand, finds_inputs_in_directories_patterns_and_files) {
   write_bar("in/deep/70.pgm", 70);
   put("in/notes.txt", "text");

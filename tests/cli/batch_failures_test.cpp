@@ -66,6 +66,10 @@ TEST_F(BatchFailures, resume_does_again_what_was_made_of_another_image_rule_or_w
   expect_holds(done("rule.json in --resume"), " 3 done before");
   put("rule.json", R"({"name": "r", "hensel": "B/S8"})");
   expect_holds(done("rule.json in --resume"), " 0 done before");
+  done("graph in --thinning rule.json");
+  expect_holds(done("graph in --thinning rule.json --resume"), " 3 done before");
+  put("rule.json", R"({"name": "r", "hensel": "B/S78"})");
+  expect_holds(done("graph in --thinning rule.json --resume"), " 0 done before");
   expect_holds(done("rule.json in --blur 1.0000001"), " 0 done before");
   expect_holds(done("rule.json in --blur 1.0000002 --resume"), " 0 done before");
 }

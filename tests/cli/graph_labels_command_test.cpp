@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <tiffio.h>
 
 #include "support/text_image.hpp"
 #include "typed.hpp"
@@ -32,6 +33,32 @@ std::vector<std::string> lines_of(const std::string& path) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);) lines.push_back(line);
   return lines;
+}
+
+/// One pixel of 8 bits, of which 0 is white.
+void write_inverted_tiff(const std::string& path) {
+  TIFF* const tiff = TIFFOpen(path.c_str(), "w");
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 1);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISWHITE);
+  std::uint8_t label = 5;
+  TIFFWriteScanline(tiff, &label, 0, 0);
+  TIFFClose(tiff);
+}
+
+/// A BMP file with the short header of OS/2 and one pixel of 8 bits, as its palette has it.
+std::string bmp_of_os2(char level) {
+  const std::string header("BM\x1e\x03\0\0\0\0\0\0\x1a\x03\0\0\x0c\0\0\0\1\0\1\0\1\0\x08\0", 26);
+  std::string palette(768, '\0');
+  palette[6] = palette[7] = palette[8] = level;
+  return header + palette + std::string("\2\0\0\0", 4);
+}
+
+TEST_F(GraphLabelsCommand, reads_bmp_with_a_short_header) {
+  put("short.bmp", bmp_of_os2(9));
+  expect_holds(output_of("graph short.bmp --labels --json"), R"("label": 9)");
 }
 
 TEST_F(GraphLabelsCommand, lists_a_graph_for_each_label) {
@@ -96,6 +123,7 @@ TEST_F(GraphLabelsCommand, what_does_not_fit_is_one_line) {
   write_grey("small.png", ByteImage(2, 2).view());
   put("few.pgm", "P2 2 1 3 1 2\n");
   put("bits.pbm", "P1 2 1 1 0\n");
+  write_inverted_tiff("inverted.tif");
   const std::string graph = "graph in.png --thinning none --labels ";
   expect_rejected({
       {2, graph + "--threshold 5", {"--labels excludes --threshold 5"}},
@@ -104,6 +132,7 @@ TEST_F(GraphLabelsCommand, what_does_not_fit_is_one_line) {
       {1, graph + "--image colours.ppm", {"labels are one channel of 8 or 16", "has 3 of 8"}},
       {1, "graph few.pgm --labels", {"labels in PGM text need a maximum of 255 or more, got 3"}},
       {1, "graph bits.pbm --labels", {"labels are one channel of 8 or 16 bits, and it has 1"}},
+      {1, "graph inverted.tif --labels", {"labels need 0 as black, and its 0 is white"}},
       {2, graph + "--out a.bmp", {"BMP holds no 16 bits; known are .png, .pgm, .tif and .tiff"}},
       {2, graph + "--summary in.png", {"read or written as another file"}},
       {2, graph + "--node 1;2", {"--node: expected X,Y such as 120,45, got '1;2'"}},

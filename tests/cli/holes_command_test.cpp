@@ -95,6 +95,7 @@ TEST_F(HolesCommand, image_without_objects_gives_an_empty_list) {
 }
 
 TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
+  fs::create_hard_link("in.png", "link.png");
   expect_rejected({
       {1, "holes in.png --overlay no/a.png", {"no directory"}},
       {2, "holes in.png --min-area 0", {"--min-area", "integer in [1, 2147483648], got '0'"}},
@@ -103,6 +104,8 @@ TEST_F(HolesCommand, bad_input_gives_one_line_and_no_file) {
       {2, "holes in.png --csv a.svg --overlay a.svg", {"'a.svg' is read or written as another"}},
       {2, "path in.png --start 1,1 --goal 2,2 --overlay in.png", {"'in.png' is read or written"}},
       {1, "holes in.png --csv /proc/self/fd/1", {"it is an open file or a stream"}},
+      {2, "holes in.png --csv link.png", {"'link.png' is read or written as another"}},
+      {1, "holes in.png --csv " + std::string(300, 'a'), {"File name too long"}},
   });
 }
 

@@ -47,6 +47,14 @@ def test_a_peer_is_compared_on_the_pictures_that_it_was_timed_on() -> None:
     assert "horse" not in pages_table(rows)
 
 
+def test_a_peer_that_was_timed_on_other_pictures_only_is_none() -> None:
+    own, _, *_ = rows_of("coins", 100, 300)
+    _, peer, *_ = rows_of("horse", 100, 300)
+    (one,) = comparisons([own, peer])
+    assert (one.peer, one.chosen) == ("", (own,))
+    assert "| label image | 1 | " in pages_table([own, peer])
+
+
 def test_a_list_of_names_or_the_endings_say_what_is_an_image(tmp_path: Path) -> None:
     for name in ("b.tif", "a.png", "notes.md"):
         (tmp_path / name).touch()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -98,3 +99,11 @@ def test_a_size_is_measured_once(study, tmp_path):
     names = [(row.operation, row.technique, row.isa, row.threads, row.scope, row.input, row.border)
              for row in load_run(tmp_path / "run").rows]
     assert len(names) == len(set(names))
+
+
+def test_sizes_that_were_asked_for_leave_no_series_without_an_input():
+    parser = argparse.ArgumentParser()
+    report.study.add_study_command(parser)
+    options = parser.parse_args(["--quick", "--size", "64", "--size", "128", "--size", "256", "--size", "512"])
+    plans = report.study.plans_of(options)
+    assert len(plans) == 3 and all("--input" in plan for plan in plans[1:])

@@ -37,8 +37,8 @@ class Search {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) {
       if (fs::equivalent(path, request_.out, ignored)) {
-        throw std::runtime_error("--out: '" + request_.out +
-                                 "' is a directory of inputs, too; choose another");
+        found_.skipped_out = true;
+        return;
       }
       add_directory(path, {});
     } else {
@@ -67,6 +67,10 @@ class Search {
 
   FoundInputs take() {
     std::vector<BatchInput>& inputs = found_.inputs;
+    if (found_.skipped_out && inputs.empty()) {
+      throw std::runtime_error("--out: '" + request_.out +
+                               "' is a directory of inputs, too; choose another");
+    }
     std::sort(inputs.begin(), inputs.end(), [](const BatchInput& a, const BatchInput& b) {
       return std::tie(a.path, a.name) < std::tie(b.path, b.name);
     });

@@ -23,7 +23,7 @@ struct InputRequest {
   std::vector<std::string> in;
   bool recursive = false;
   bool null_separated = false;  // the list: one path per NUL instead of per line
-  std::string out;              // never searched; rejected where it is named
+  std::string out;              // never searched
 };
 
 struct FoundInputs {
@@ -31,11 +31,12 @@ struct FoundInputs {
   std::vector<std::string> failures;  // directories that cannot be listed, a line each
   std::size_t skipped_files = 0;      // in directories: without the extension of an image format
   std::size_t skipped_directories = 0;
+  bool skipped_out = false;  // it was named, as by the pattern * in a second run
 };
 
 /// Files that are named need not exist: reading them gives the reason. In directories, files with
 /// the extension of an image format are inputs unless they are hidden. Throws std::runtime_error
-/// for a pattern that no file matches, and for a directory that is `out`.
+/// for a pattern that no file matches, and where there is no input but in `out`.
 [[nodiscard]] FoundInputs find_inputs(const InputRequest& request, std::istream& list);
 
 }  // namespace thinbench

@@ -140,10 +140,14 @@ void check_outputs(const std::vector<std::string>& inputs,
   for (const std::string& path : outputs) {
     if (!is_file(path)) continue;
     check_target(path);
-    known.push_back(place_of(path));
-    if (std::ranges::find(known, known.back()) != known.end() - 1) {
+    const std::string place = place_of(path);
+    const auto is_same = [&](const std::string& other) {
+      return other == place || std::filesystem::equivalent(other, place, ignored);
+    };
+    if (std::ranges::any_of(known, is_same)) {
       throw UsageError("'" + path + "' is read or written as another file, too; give each its own");
     }
+    known.push_back(place);
   }
 }
 

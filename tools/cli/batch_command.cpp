@@ -68,7 +68,8 @@ std::string number_of(std::size_t count, const std::string& what, const std::str
   return fmt::format("{} {}", count, count == 1 ? what : plural);
 }
 
-void print_skipped(const FoundInputs& found, std::ostream& log) {
+void print_skipped(const FoundInputs& found, const std::string& out, std::ostream& log) {
+  if (found.skipped_out) log << "note: skipped '" << out << "', the directory of the results\n";
   if (found.skipped_files > 0) {
     log << "note: skipped " << number_of(found.skipped_files, "file", "files")
         << ", hidden or without the extension of an image format\n";
@@ -175,7 +176,7 @@ int run(const BatchOptions& options, const Console& console) {
   if (!table.empty()) check_table(table, path, jobs, options.settings.out);
   std::optional<Manifest> manifest;
   open_outputs(jobs, path, options, manifest);
-  print_skipped(found, console.err);
+  print_skipped(found, options.settings.out, console.err);
   BatchOutcome outcome = run_open_jobs(jobs, operation, options, *manifest);
   if (!table.empty())
     write_batch_table(table, jobs, *manifest, operation, options.settings.out,

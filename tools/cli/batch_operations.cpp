@@ -147,11 +147,11 @@ BatchResult compute_graph(ByteImage grey, BatchRecord& record,
 }
 
 BatchOperation graph_operation(const BatchOperationRequest& request) {
-  check_thinning(request.graph);
+  const std::string contents = checked_thinning(request.graph);
   const auto compute = [request](ByteImage grey, BatchRecord& record) {
     return compute_graph(std::move(grey), record, request);
   };
-  return {kGraph + graph_words(request.graph), [compute] { return compute; }};
+  return {kGraph + graph_words(request.graph) + contents, [compute] { return compute; }};
 }
 
 bool makes_edges(const BatchOperationRequest& request) {

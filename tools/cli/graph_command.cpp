@@ -182,7 +182,7 @@ FoundGraph graph_of_labelled(const GraphCommandOptions& options) {
 GraphCommandOptions checked(GraphCommandOptions options) {
   static_cast<void>(transform_of(options));
   check_names(options);
-  check_thinning(options.request);
+  static_cast<void>(checked_thinning(options.request));
   const std::string words = binarise_words(options.binarise);
   if (options.has_labels && !words.empty()) {
     throw UsageError("--labels excludes" + words + ": labels are read as they are");

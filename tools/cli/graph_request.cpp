@@ -108,8 +108,8 @@ void check_graph_size(const std::string& file, Index width, Index height) {
                               kMaxDistanceSide, width, height));
 }
 
-void check_thinning(const GraphRequest& request) {
-  if (!request.is_skeleton()) static_cast<void>(thinning_of(request));
+std::string checked_thinning(const GraphRequest& request) {
+  return request.is_skeleton() ? std::string() : thinning_of(request).contents;
 }
 
 ByteImage skeleton_of(const ByteImage& image, const GraphRequest& request) {

@@ -37,8 +37,9 @@ void add_graph_options(CLI::App& app, GraphRequest& request);
 /// Throws FileError where an image of this size has no graph.
 void check_graph_size(const std::string& file, Index width, Index height);
 
-/// Throws UsageError where no operation of this name thins.
-void check_thinning(const GraphRequest& request);
+/// A hash of the rule's file, as RequestedThinning has it. Throws UsageError where no operation of
+/// this name thins.
+[[nodiscard]] std::string checked_thinning(const GraphRequest& request);
 
 /// Thinned, unless the request says that it is a skeleton.
 [[nodiscard]] ByteImage skeleton_of(const ByteImage& image, const GraphRequest& request);

@@ -57,19 +57,27 @@ ImageClaim png_claim(std::string_view bytes) {
   return {width, height, bytes_of_rows(width, height, bits) / kDeflateFactor};
 }
 
+bool is_bmp_of_os2(std::string_view bytes) {
+  return number_at(bytes, 14, 4, false) == 12;
+}
+
+Index bmp_bits(std::string_view bytes) {
+  return number_at(bytes, is_bmp_of_os2(bytes) ? 24 : 28, 2, false);
+}
+
 ImageClaim bmp_claim(std::string_view bytes) {
   const auto number = [&](std::size_t at, std::size_t count) {
     return number_at(bytes, at, count, false);
   };
-  if (number(14, 4) == 12) {  // of OS/2
+  if (is_bmp_of_os2(bytes)) {
     const Index width = number(18, 2), height = number(20, 2);
-    return {width, height, bytes_of_rows(width, height, number(24, 2))};
+    return {width, height, bytes_of_rows(width, height, bmp_bits(bytes))};
   }
   const Index width = number(18, 4);
   const auto height = static_cast<std::int32_t>(number(22, 4));  // negative: from the top down
   const Index rows = height < 0 ? -Index{height} : height;
   const bool has_runs = number(30, 4) == 1 || number(30, 4) == 2;
-  return {width, rows, has_runs ? 0 : bytes_of_rows(width, rows, number(28, 2))};
+  return {width, rows, has_runs ? 0 : bytes_of_rows(width, rows, bmp_bits(bytes))};
 }
 
 ImageClaim jpeg_claim(std::string_view bytes, const std::string& path) {
@@ -184,11 +192,12 @@ void check_label_levels(const std::string& path) {
   const std::string start = beginning_of(path, kPnmHeaderBytes);
   Index bits = 8;
   if (start.starts_with(kPng)) bits = number_at(start, 24, 1, true);
-  if (start.starts_with("BM"sv)) bits = number_at(start, 28, 2, false);
+  if (start.starts_with("BM"sv)) bits = bmp_bits(start);
   if (start.starts_with("P1"sv) || start.starts_with("P4"sv) || is_bilevel_tiff(path)) bits = 1;
   if (bits < 8) {
     cannot_read(path, fmt::format("labels are one channel of 8 or 16 bits, and it has {}", bits));
   }
+  if (is_inverted_tiff(path)) cannot_read(path, "labels need 0 as black, and its 0 is white");
   if (!start.starts_with("P2"sv)) return;
   PnmHeader numbers(start);
   Index maximum = 255;

@@ -101,6 +101,13 @@ bool is_bilevel_tiff(const std::string& path) {
   return tiff.get() != nullptr && is_bilevel(tiff);
 }
 
+bool is_inverted_tiff(const std::string& path) {
+  if (!is_tiff(path)) return false;
+  const OpenTiff tiff(path, kReadMode);
+  return tiff.get() != nullptr && tiff.small_number(TIFFTAG_BITSPERSAMPLE) == 8 &&
+         tiff.small_number(TIFFTAG_PHOTOMETRIC) == PHOTOMETRIC_MINISWHITE;
+}
+
 bool is_tiff(const std::string& path) {
   const std::string bytes = beginning_of(path, 4);
   using namespace std::string_view_literals;  // the last two are those of BigTIFF

@@ -40,6 +40,10 @@ struct TiffFormat {
 /// PackBits, LZW, Deflate or CCITT compression. False for files that cannot be read.
 [[nodiscard]] bool is_bilevel_tiff(const std::string& path);
 
+/// Whether it has 8 bits per sample of which 0 is white, so that its levels are read as 255 minus
+/// what is stored.
+[[nodiscard]] bool is_inverted_tiff(const std::string& path);
+
 /// Why image decoders reject a TIFF file that may be in order: the kind of its samples. Empty if
 /// there is no such reason.
 [[nodiscard]] std::string unreadable_tiff_reason(const std::string& path);

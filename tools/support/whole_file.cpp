@@ -183,8 +183,12 @@ std::string target_of(const std::string& path) {
 }
 
 std::string place_of(const std::string& path) {
-  const std::filesystem::path place = std::filesystem::absolute(target_of(path));
-  return std::filesystem::weakly_canonical(place.has_filename() ? place : place.parent_path());
+  std::error_code error;
+  std::filesystem::path place = std::filesystem::absolute(target_of(path), error);
+  if (!place.has_filename()) place = place.parent_path();
+  if (!error) place = std::filesystem::weakly_canonical(place, error);
+  if (error) cannot_write(path, error.message());
+  return place;
 }
 
 void check_target(const std::string& path) {
