@@ -105,7 +105,6 @@ int otsu_threshold(const Histogram& counts) {
     const double share_above = 1 - share_below;
     constexpr double kTiny = std::numeric_limits<float>::epsilon();
     if (std::min(share_below, share_above) < kTiny) continue;
-    if (std::max(share_below, share_above) > 1 - kTiny) continue;
     mean_below = (mean_below + level * share) / share_below;
     const double mean_above = (mean - share_below * mean_below) / share_above;
     const double distance = mean_below - mean_above;

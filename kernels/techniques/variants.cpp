@@ -156,10 +156,6 @@ const ThinningOperation& operation_of(BuiltInRule rule) {
   return thinning_operations()[static_cast<std::size_t>(rule)];
 }
 
-const EdgeOperation& operation_of(EdgeOperator op) {
-  return operation_with(op, edge_operations(), "operator");
-}
-
 const RegionsOperation& operation_of(RegionsTask task) {
   return operation_with(task, regions_operations(), "task");
 }
@@ -168,10 +164,6 @@ std::vector<ThinningVariant> thinning_variants(const Rule& rule) {
   return with(thinning_techniques(*rule.body()),
               ThinningOperation{rule, {}, {}, detail::thinning_variants(*rule.body())})
       .variants;
-}
-
-std::span<const TechniqueInfo> techniques() {
-  return kTechniques;
 }
 
 const TechniqueInfo& technique_info(std::string_view name) {

@@ -24,7 +24,6 @@ namespace thinbench::detail::study {
 
 /// Throw std::invalid_argument for a value outside the enumeration.
 [[nodiscard]] const ThinningOperation& operation_of(BuiltInRule rule);
-[[nodiscard]] const EdgeOperation& operation_of(EdgeOperator op);
 [[nodiscard]] const RegionsOperation& operation_of(RegionsTask task);
 
 /// All variants of any rule.
@@ -35,9 +34,8 @@ struct TechniqueInfo {
   std::string_view description;
 };
 
-/// What all techniques do, those of the product included.
-[[nodiscard]] std::span<const TechniqueInfo> techniques();
-/// Throws std::logic_error for an unknown name.
+/// What a technique does, of the product or of the study. Throws std::logic_error for an unknown
+/// name.
 [[nodiscard]] const TechniqueInfo& technique_info(std::string_view name);
 
 }  // namespace thinbench::detail::study

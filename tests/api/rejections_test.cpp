@@ -243,6 +243,22 @@ TEST(Colours, share_no_byte_with_their_grey_levels) {
   expect_rejected(select(20, grey, static_cast<Channel>(7)),
                   "channel: expected one of the enumeration, got number 7");
   expect_rejected(select(Index{1} << 62, grey, Channel::red), "is larger than 2^40 pixels");
+  expect_rejected(select(20, {grey.data, 20, 3}, Channel::red),
+                  "expected 20 x 2 pixels, got 20 x 3");
+}
+
+TEST(Binarisation, has_ranges) {
+  Untouched memory;
+  const ImageView image = {memory.data(), 20, 8, 64};
+  for (const auto& [request, part] : std::vector<std::pair<Binarisation, std::string>>{
+           {{.threshold = -1}, "threshold: expected an integer in [0, 255], got -1"},
+           {{.threshold = 256}, "got 256"},
+           {{.threshold = 5, .local = LocalThreshold{}}, "a level or a local threshold, not both"},
+           {{.local = LocalThreshold{.window = 4}}, "window: expected an odd integer"},
+           {{.local = LocalThreshold{.window = 1}}, "in [3, 65535], got 1"},
+           {{.local = LocalThreshold{.offset = -1}}, "offset: expected an integer in [0, 255]"}}) {
+    expect_rejected([&, &request = request] { (void)binarise(image, image, request); }, part);
+  }
 }
 
 TEST(Spacing, is_in_a_range) {

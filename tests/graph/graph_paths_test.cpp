@@ -208,6 +208,8 @@ TEST(GraphPaths, reject_links_and_nodes_that_are_not_there) {
   EXPECT_EQ(rejected({{0, 1, 1}, {0, 2, 1}}), "link 1: expected nodes below 2, got 0 and 2");
   EXPECT_EQ(rejected({{0, 1, -1}}),
             "link 0: length: expected a finite number of at least 0, got -1");
+  EXPECT_EQ(rejected({{0, 1, std::numeric_limits<double>::infinity()}}),
+            "link 0: length: expected a finite number of at least 0, got inf");
   EXPECT_EQ(rejection_of([] { static_cast<void>(shortest_path(2, {}, 0, 2)); }),
             "expected nodes below 2, got 0 and 2");
 }
