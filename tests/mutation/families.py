@@ -21,7 +21,7 @@ class Family:
 
     def files(self, kernels: Path) -> list[str]:
         """The sources, relative to `kernels`."""
-        found = {path for pattern in self.sources for path in kernels.glob(pattern)}
+        found = {path for pattern in self.sources for path in kernels.glob(pattern) if path.suffix in (".cpp", ".hpp")}
         return sorted(str(path.relative_to(kernels)) for path in found)
 
 
@@ -60,6 +60,7 @@ FAMILIES = (
     Family("techniques", ("techniques/*",),
            ("techniques_test", *SOME_THINNING, crosscheck("net_*_1", images="sheets"), "scan_test", "regions_test"),
            (*THINNING, "edges_test", "distance_test", "graph_test", crosscheck("net_*"))),
+    Family("binarise", ("binarise/*",), ("images_test *inarise*:*annel*",), ("images_test", "api_test")),
     Family("edges", ("edges/*",),
            ("edges_test", "localise_test", crosscheck("edges_*"), GOLDEN), ("api_test",)),
     Family("regions", ("regions/*",), ("regions_test", GOLDEN, "localise_test"),
@@ -69,6 +70,7 @@ FAMILIES = (
            (crosscheck("squared_distances"), "api_test")),
     Family("graph", ("graph/*",), ("graph_test", crosscheck("skeleton_graph", images="sh*")),
            (crosscheck("skeleton_graph"), "api_test")),
+    Family("path", ("path/*",), ("path_test",), ("api_test",)),
     Family("compile", ("compile/*",),
            (COMPILE, SOME_TABLES, "engines_test *RandomRules*variant/1:BuiltIn* THINBENCH_MACHINE_CODE=off"),
            ("engines_test", crosscheck("apply_*"), GOLDEN)),

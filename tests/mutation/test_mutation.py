@@ -87,8 +87,12 @@ def test_survivors_that_nothing_explains_are_tried_again_and_others_are_not() ->
     assert list(to_try([RULES], 4, results, listed(RULES[1]))) == [RULES[0], RULES[2]]
 
 
-def test_every_family_has_sources() -> None:
+def test_every_family_has_sources_and_every_directory_a_family() -> None:
+    directories = {path.name for path in KERNELS.iterdir() if path.is_dir()} - {"include"}
+    files = [file for family in FAMILIES for file in family.files(KERNELS)]
     assert all(family.files(KERNELS) for family in FAMILIES)
+    assert {file.split("/")[0] for file in files} == directories
+    assert all((KERNELS / file).is_file() for file in files)
 
 
 def test_an_equivalent_mutant_is_stale_if_its_line_is_gone_or_no_operator_makes_it(tmp_path: Path) -> None:
