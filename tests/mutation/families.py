@@ -60,7 +60,7 @@ FAMILIES = (
     Family("techniques", ("techniques/*",),
            ("techniques_test", *SOME_THINNING, crosscheck("net_*_1", images="sheets"), "scan_test", "regions_test"),
            (*THINNING, "edges_test", "distance_test", "graph_test", crosscheck("net_*"))),
-    Family("binarise", ("binarise/*",), ("images_test *inarise*:*annel*",), ("images_test", "api_test")),
+    Family("binarise", ("binarise/*",), ("images_test Binarise*:*Foreground*:Remarks*:Separation*:ReadBinary*",), ("images_test", "api_test")),
     Family("edges", ("edges/*",),
            ("edges_test", "localise_test", crosscheck("edges_*"), GOLDEN), ("api_test",)),
     Family("regions", ("regions/*",), ("regions_test", GOLDEN, "localise_test"),
