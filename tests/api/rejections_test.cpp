@@ -154,7 +154,7 @@ TEST(Operations, of_an_instruction_set_without_a_variant_list_the_others) {
   const ImageView destination = {to.data(), 20, 8, 64};
   expect_rejected([&] { thin(Rule::spta, source, destination, {}, {.isa = Isa::sse42}); },
                   "thin_spta at sse4.2 on one thread: its instruction sets are baseline");
-  if (all_isas().back() != Isa::avx512icl) return;
+  if (all_isas().size() < 5) return;  // or the list is shorter
   expect_rejected(
       [&] { detect_edges(EdgeOperator::sobel, source, destination, {}, {.isa = Isa::avx512icl}); },
       "edges_sobel at avx512icl on one thread: its instruction sets are baseline, sse4.2, avx2, "
