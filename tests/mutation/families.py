@@ -84,5 +84,5 @@ FAMILIES = (
            ("thinning_test *ThinMany*:*ThinLabels*:*Layouts*",), ("thinning_test", "api_test")),
     Family("api", ("api/edges.cpp", "api/localise.cpp", "api/regions.cpp", "api/rule.cpp", "api/thinning.cpp",
                    "thinning/operations.cpp"),
-           ("api_test", "regions_test"), (SOME_TABLES, "thinning_test", "localise_test", GOLDEN)),
+           ("api_test", "regions_test"), (SOME_TABLES, "thinning_test", "localise_test", "scan_test", GOLDEN)),
 )
