@@ -181,6 +181,9 @@ TEST(SquaredDistances, reject_unsuitable_arguments) {
   EXPECT_EQ(
       rejected({pixels.data(), kMaxDistanceSide + 1, 1}, {numbers.data(), kMaxDistanceSide + 1, 1}),
       "image size 32768 x 1 has a side above 32767 pixels, the limit for distances");
+  EXPECT_EQ(
+      rejected({pixels.data(), 1, kMaxDistanceSide + 1}, {numbers.data(), 1, kMaxDistanceSide + 1}),
+      "image size 1 x 32768 has a side above 32767 pixels, the limit for distances");
   EXPECT_EQ(rejected({pixels.data(), 3, 2}, {numbers.data(), 3, 2}, {.threads = 0}),
             "threads: expected an integer in [1, 1024], got 0");
   EXPECT_NE(rejected({pixels.data(), 3, 2}, {numbers.data(), 2, 3}), "");

@@ -134,6 +134,8 @@ TEST(NearestPlace, is_the_first_pixel_where_distances_overflow) {
 TEST(NearestPlace, needs_an_edge_and_a_finite_point) {
   EXPECT_EQ(rejection_of([] { static_cast<void>(nearest_place({}, 0, 0)); }),
             "expected a graph with edges, got none");
+  EXPECT_EQ(rejection_of([] { static_cast<void>(nearest_place(graph_of({"##"}), 0, INFINITY)); }),
+            "expected a finite point, got 0, inf");
   EXPECT_NE(rejection_of([] { static_cast<void>(nearest_place(graph_of({"##"}), INFINITY, 0)); }),
             "");
 }

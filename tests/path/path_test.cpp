@@ -1,6 +1,7 @@
 #include "thinbench/path.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -88,6 +89,8 @@ TEST(FindPath, says_why_there_is_none) {
             "start: at (6, 0) there is room for a width of 2, not of 3");
   EXPECT_EQ(rejected({{3, 4}, {11, 4}, 5}), "no path from (3, 4) to (11, 4) is 5 pixels wide");
   EXPECT_EQ(rejected({{0, 0}, {0, 0}, -1}), "width: expected a finite number from 0 up, got -1");
+  EXPECT_EQ(rejected({{0, 0}, {0, 0}, std::numeric_limits<double>::infinity()}),
+            "width: expected a finite number from 0 up, got inf");
 }
 
 }  // namespace
