@@ -165,6 +165,8 @@ def limit(max_iterations: Any) -> int:
 def real(name: str, value: Any) -> float:
     """A number, which may be infinite or NaN."""
     try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
         return float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name}: expected a number, got {value!r}") from None

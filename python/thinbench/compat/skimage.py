@@ -138,8 +138,10 @@ def label(label_image: npt.ArrayLike, background: int | None = None, return_num:
     if picture.dtype == bool:
         labels, count = _images.label(~picture if background == 1 else picture, connectivity=neighbours)
         return (labels, count) if return_num else labels
-    value = 0 if background is None else int(background)
-    labels, count = _label_values(picture, value, neighbours)
+    if background is None:
+        background = 0
+    _arrays.real("background", background)  # int() reads strings, too
+    labels, count = _label_values(picture, int(background), neighbours)
     wide = labels.astype(np.intp)
     return (wide, count) if return_num else wide
 
