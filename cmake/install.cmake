@@ -3,17 +3,20 @@
 include(CMakePackageConfigHelpers)
 
 # Before anything else, so that no half of a prefix remains.
-set(thinbench_installed thinbench thinbench_shared)
-if(TARGET thinbench_program)
-  list(APPEND thinbench_installed thinbench_program)
-endif()
-list(JOIN thinbench_installed " " thinbench_installed_text)
-foreach(target ${thinbench_installed})
+function(thinbench_require_built component target file)
   install(CODE "
-    if(NOT EXISTS \"$<TARGET_FILE:${target}>\")
-      message(FATAL_ERROR \"${target} is not built; first run: cmake --build ${PROJECT_BINARY_DIR} --target ${thinbench_installed_text}\")
-    endif()" ALL_COMPONENTS)
-endforeach()
+    if(NOT EXISTS \"${file}\")
+      message(FATAL_ERROR \"${target} is not built; first run: cmake --build ${CMAKE_BINARY_DIR} --target ${target}\")
+    endif()" COMPONENT ${component} ${ARGN})
+endfunction()
+thinbench_require_built(development thinbench $<TARGET_FILE:thinbench>)
+thinbench_require_built(development thinbench_shared $<TARGET_FILE:thinbench_shared>)
+if(TARGET thinbench_program)
+  thinbench_require_built(program thinbench_program $<TARGET_FILE:thinbench_program>)
+endif()
+if(THINBENCH_BUILD_PYTHON)
+  thinbench_require_built(python thinbench_python ${PROJECT_BINARY_DIR}/python/thinbench/libthinbench.so EXCLUDE_FROM_ALL)
+endif()
 
 # As Debian expects it.
 function(thinbench_install_license component package)
@@ -56,7 +59,10 @@ set(thinbench_private_libraries "-lstdc++ -lm -pthread")
 if(THINBENCH_WITH_TBB)
   set(thinbench_private_libraries "-ltbb -lstdc++ -lm -pthread")
 endif()
-file(RELATIVE_PATH thinbench_prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+# Relative, so that what was installed may be moved.
+file(RELATIVE_PATH thinbench_prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+file(RELATIVE_PATH thinbench_includedir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+file(RELATIVE_PATH thinbench_libdir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_LIBDIR})
 configure_file(${PROJECT_SOURCE_DIR}/cmake/thinbench.pc.in ${PROJECT_BINARY_DIR}/thinbench.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/thinbench.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

@@ -6,6 +6,7 @@ import argparse
 import io
 import os
 import signal
+import subprocess
 import sys
 from collections.abc import Callable
 
@@ -86,6 +87,8 @@ def main(arguments: list[str]) -> int:
         why, status = "interrupted", 130
     except MemoryError:
         why, status = "there is not enough memory", 1
+    except (OSError, subprocess.SubprocessError) as error:
+        why, status = " ".join(str(error).split()), 1
     except ImportError as error:
         reason = " ".join(str(error).split())[-200:]
         why, status = f"a Python package cannot be loaded: {reason}", 1

@@ -58,9 +58,12 @@ def record(what: str, command: Sequence[str], records: Path = RECORDS) -> int:
 
 def clean_commit() -> str:
     """What is checked; notes of other checks do not change it."""
-    if git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!results/checks.json") != "":
+    commit = git("rev-parse", "--short=10", "HEAD")
+    if commit is None:
+        raise ReportError("--record: needs a clone, with git, as a record names its commit")
+    if git("status", "--porcelain", "--untracked-files=no", "--", ".", ":!results/checks.json"):
         raise ReportError("--record: tracked files differ from the commit; commit them first")
-    return git("rev-parse", "--short=10", "HEAD") or "unknown"
+    return commit
 
 
 def processor(file: Path = Path("/proc/cpuinfo")) -> str:

@@ -14,6 +14,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.errors import ReportError
 from report.files import check_directory, write_files
+from report.formatting import markdown_table
 from report.measure.run import Run, load_run
 from report.measure.timings import END_TO_END, Row
 
@@ -106,7 +107,7 @@ class Comparison:
                               "measured?" + "".join(f" {remark}" for remark in self.remarks))
         self.best = _lines([_best(own) for own in rows])
         self.differences = list(_differences([_facts(run) for run in runs]))
-        self.remarks += [f"{label}: a control failed, so its ratios are inconclusive"
+        self.remarks += [f"{label}: the controls of over 5 % of its groups failed, so its ratios are inconclusive"
                          for run, label in zip(runs, self.labels) if not run.is_conclusive]
 
     def _comparable(self, run: Run, label: str) -> list[Row]:
@@ -140,10 +141,10 @@ class Comparison:
     def markdown(self) -> str:
         """Runs, differences, and the fastest row of each case and input."""
         parts = ["# Comparison of runs\n",
-                 _table([["", "run", "processor", "commit", "date"], *self.heading()])]
+                 markdown_table(["", "run", "processor", "commit", "date"], self.heading())]
         parts += [f"- {remark}" for remark in self.remarks] + [""] * bool(self.remarks)
-        parts += ["## What differs\n", _table([["", *self.labels], *self.differences]),
-                  "## Fastest on one thread, end to end\n", _table([self.columns(), *self.cells()])]
+        parts += ["## What differs\n", markdown_table(["", *self.labels], self.differences),
+                  "## Fastest on one thread, end to end\n", markdown_table(self.columns(), self.cells())]
         return "\n".join(parts)
 
     def heading(self) -> list[list[str]]:
@@ -265,9 +266,3 @@ def _row_cells(row: Row | None) -> tuple[str, str, str]:
 
 def _number(value: float | None) -> str:
     return "" if value is None else f"{value:.4g}"
-
-
-def _table(lines: Sequence[Sequence[str]]) -> str:
-    header, *rest = ([cell.replace("|", "\\|") for cell in line] for line in lines)
-    rule = ["---"] * len(header)
-    return "\n".join(f"| {' | '.join(line)} |" for line in [header, rule, *rest]) + "\n"

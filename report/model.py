@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from report.files import read_json, to_json, write_file
-from report.measure.sampler import Json
 
 PROGRAM = "llvm-mca-19"
 """Of the package llvm-19, in which no other version's program has this name."""

@@ -19,6 +19,7 @@ from report.measure.run import TIMINGS, Run, load_run, machine_facts, write_run
 from report.measure.sampler import Json, Sampler, Samples
 from report.measure.timings import END_TO_END, Row
 from report.page.operations import COPIES, label, place
+from report.page.sentences import warning_text
 from report.progress import Progress
 from report.row_options import add_filter_option, positive
 from report.study import RESULTS, default_directory
@@ -165,7 +166,7 @@ def comparisons(rows: Iterable[Row]) -> list[Comparison]:
     chosen: dict[str, dict[str, Row]] = defaultdict(dict)
     peers: dict[str, dict[str, dict[str, Row]]] = defaultdict(lambda: defaultdict(dict))
     for row in rows:
-        if _is_chosen(row):
+        if row.is_choice:
             chosen[row.case][row.input] = row
         elif _is_peer(row):
             peers[row.case][row.technique][row.input] = row
@@ -187,7 +188,7 @@ def ratios_table(rows: Sequence[Row]) -> str:
     these peers give its output."""
     lines = []
     for case in dict.fromkeys(one.case for one in comparisons(rows) if one.ratios):
-        own = {row.input: row for row in rows if _is_chosen(row) and row.case == case}
+        own = {row.input: row for row in rows if row.is_choice and row.case == case}
         fastest = {name: min(peers, key=lambda row: row.time_ns) for name in own
                    if (peers := [row for row in rows if row.case == case and row.input == name and _is_peer(row)])}
         ratios = {name: peer.time_ns / own[name].time_ns for name, peer in fastest.items()}
@@ -197,10 +198,6 @@ def ratios_table(rows: Sequence[Row]) -> str:
                       times(statistics.geometric_mean(ratios.values())), times(max(ratios.values()))])
     return markdown_table(("operation", "output", "pictures", "worst ratio", "on", "mean", "best"), lines,
                           frozenset((2, 3, 5, 6)))
-
-
-def _is_chosen(row: Row) -> bool:
-    return row.default and row.threads == 1 and row.scope == END_TO_END
 
 
 def _is_peer(row: Row) -> bool:
@@ -224,14 +221,14 @@ def pages_table(rows: Iterable[Row]) -> str:
 def pages_markdown(run: Run) -> str:
     """The table, then every picture."""
     pictures = {row.input: row for row in run.rows}
-    chosen = [row for row in run.rows if _is_chosen(row)]
+    chosen = [row for row in run.rows if row.is_choice]
     cases = sorted({row.case for row in chosen}, key=place)
     cells = {(row.input, row.case): f"{1000 * row.ns_per_pixel:,.0f}{' !' if row.flags else ''}" for row in chosen}
     lines = [[name, f"{row.width} × {row.height}", *(cells.get((name, case), NOTHING) for case in cases)]
              for name, row in pictures.items()]
     return (f"# Real pictures and drawn pages\n\n{counted(len(pictures), 'picture')}, end to end, one thread, commit "
             f"{run.machine['commit']} on {run.machine['cpu']['name']}. Ratios say how many times as fast as the peer "
-            f"this project is; means are geometric.\n\n{pages_table(run.rows)}\n## Picoseconds per pixel\n\n`!` marks "
+            f"this project is; means are geometric.\n\n{warning_text(run)}{pages_table(run.rows)}\n## Picoseconds per pixel\n\n`!` marks "
             "what did not settle or whose controls failed.\n\n" +
             markdown_table(("picture", "size", *map(label, cases)), lines, frozenset(range(2, 2 + len(cases)))))
 

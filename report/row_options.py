@@ -10,7 +10,7 @@ from pathlib import Path
 def add_row_options(parser: argparse.ArgumentParser, default_filter: str = "") -> None:
     """--filter, --image, --foreground, --threshold."""
     add_filter_option(parser, default_filter)
-    parser.add_argument("--image", metavar="FILE", type=_file, action="append", default=[],
+    parser.add_argument("--image", metavar="FILE", type=image_file, action="append", default=[],
                         help="measure on this image instead of the built-in scene; repeatable")
     parser.add_argument("--foreground", choices=("auto", "bright", "dark"), default="auto",
                         help="which pixels of these images are foreground; auto, the default, "
@@ -63,7 +63,8 @@ def _regex(text: str) -> str:
     return text
 
 
-def _file(text: str) -> Path:
+def image_file(text: str) -> Path:
+    """A file that exists."""
     path = Path(text)
     if not path.is_file():
         raise argparse.ArgumentTypeError(f"cannot read the image '{text}'")

@@ -17,7 +17,7 @@ from report.measure.converge import measure_until_converged
 from report.measure.run import machine_facts, write_run
 from report.measure.sampler import Json, Sampler, Samples
 from report.model import add_model
-from report.row_options import (add_row_options, binarise_words, check_binarise_options,
+from report.row_options import (add_row_options, binarise_words, check_binarise_options, image_file,
                                 input_words, positive)
 
 RESULTS = ROOT / "results"
@@ -47,7 +47,7 @@ def add_study_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true",
                         help="fewer sizes and less time: about a minute after the build")
     add_row_options(parser)
-    parser.add_argument("--quality-image", metavar="FILE", type=Path, action="append", default=[],
+    parser.add_argument("--quality-image", metavar="FILE", type=image_file, action="append", default=[],
                         help="measure the quality of skeletons on this image as well, without "
                              "timing it; repeatable")
     parser.add_argument("--size", metavar="N", type=positive, action="append", default=[],
@@ -89,9 +89,9 @@ def run_study(parser: argparse.ArgumentParser, options: argparse.Namespace) -> s
     samples = [Samples(sampler.plan(words)) for words in plans_of(options)]
     seconds = options.seconds or (45 if options.quick else 300)
     measure_until_converged([(sampler, part) for part in samples], seconds)
-    write_pictures(programs / "thinbench-study", directory, options)
     write_run(directory, machine, _options_json(options, seconds),
               [("", part) for part in samples])
+    write_pictures(programs / "thinbench-study", directory, options)
     count_instructions(programs / "thinbench-study", directory, options)
     measure_quality(programs / "thinbench-study", directory, options)
     from report.page.build import build_page  # pylint: disable=import-outside-toplevel

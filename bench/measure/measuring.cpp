@@ -34,6 +34,15 @@ std::uint64_t sum_of(std::uint64_t sum, std::uint64_t step, std::index_sequence<
   return sum;
 }
 
+/// Returns after at least `cycles` clock cycles.
+void wait_cycles(double cycles) {
+  constexpr std::size_t kUnrolled = 100;
+  std::uint64_t sum = 1;
+  for (std::uint64_t done = 0; static_cast<double>(done) < cycles; done += kUnrolled) {
+    sum = sum_of(sum, done, std::make_index_sequence<kUnrolled>());
+  }
+}
+
 /// Memory of random size between what is allocated, kept to the end: large blocks
 /// would lie at the same place of a page in every layout, and by chance at a good or a bad one.
 class Gaps {
@@ -73,7 +82,7 @@ class Calls {
     const Entry& entry = group_.entries[index];
     TimedCall& call = *calls_[index];
     for (std::int64_t i = 0; i < entry.warm_up; ++i) call();
-    const double time = epoch(entry.calls, call);
+    const double time = epoch(entry, call);
     if (!checked_[index]) check(entry, call);
     checked_[index] = true;
     return time;
@@ -82,14 +91,17 @@ class Calls {
  private:
   /// The clock of a processor changes within a millisecond. So its cycle is measured between parts
   /// of the epoch, and the shortest one counts: an interrupted sample would seem a slow clock.
-  double epoch(std::int64_t calls, TimedCall& call) const {
+  double epoch(const Entry& entry, TimedCall& call) const {
     constexpr std::int64_t kParts = 4;
-    const std::int64_t part = (calls + kParts - 1) / kParts;
+    const std::int64_t part = (entry.calls + kParts - 1) / kParts;
+    const double delay = entry.delay_ns / plan_cycle_;
     double cycle = cycle_ns();
     double time = 0;
-    for (std::int64_t left = calls; left > 0; left -= part) {
+    for (std::int64_t left = entry.calls; left > 0; left -= part) {
+      const std::int64_t calls = std::min(part, left);
       const double start = nanoseconds_now();
-      for (std::int64_t i = std::min(part, left); i > 0; --i) call();
+      for (std::int64_t i = 0; i < calls; ++i) call();
+      if (delay > 0) wait_cycles(delay * static_cast<double>(calls));
       time += nanoseconds_now() - start;
       cycle = std::min(cycle, cycle_ns());
     }

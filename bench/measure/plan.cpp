@@ -22,7 +22,6 @@ Entry entry_of(const CalibratedRow& row, const PlanLimits& limits, int layouts) 
   entry.threaded = row.row->threads > 1;
   entry.hash = row.hash;
   entry.calls = std::max<std::int64_t>(1, std::llround(kEpoch / std::max(row.seconds, 1e-8)));
-  entry.counted = entry.calls;
   // Another row has left caches and branch predictor in its own state.
   if (row.seconds <= kSlowCall) entry.warm_up = 1 + entry.calls / 3;
   const double epoch = static_cast<double>(entry.calls + entry.warm_up) * row.seconds * layouts;
@@ -43,14 +42,15 @@ std::size_t fastest(const Rows& rows) {
   return best.value_or(0);
 }
 
-void add_controls(std::size_t base, Group& group) {
+void add_controls(const Rows& rows, Group& group) {
+  const std::size_t base = fastest(rows);
   Entry same = group.entries[base];
   same.role = Role::same;
   Entry slowed = same;
   slowed.role = Role::slowed;
-  slowed.counted = 10 * std::max<std::int64_t>(1, same.calls / 10);
-  slowed.calls = slowed.counted / 10 * 11;
-  slowed.seconds *= static_cast<double>(slowed.calls) / static_cast<double>(same.calls);
+  constexpr double kSlowdown = 0.1;
+  slowed.delay_ns = kSlowdown * 1e9 * rows[base].seconds;
+  slowed.seconds *= 1 + kSlowdown;
   group.entries.push_back(std::move(same));
   group.entries.push_back(std::move(slowed));
 }
@@ -82,7 +82,7 @@ Group plan_group(const Rows& rows, const PlanLimits& limits) {
   for (const CalibratedRow& row : rows) {
     group.entries.push_back(entry_of(row, limits, group.layouts));
   }
-  add_controls(fastest(rows), group);
+  add_controls(rows, group);
   return group;
 }
 

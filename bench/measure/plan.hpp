@@ -18,7 +18,7 @@ inline constexpr double kSlowCall = 0.005;
 enum class Role {
   row,
   same,    // A/A control: a row again
-  slowed,  // control with an injected slowdown of 10 %: 11 calls for every 10 that are counted
+  slowed,  // control with an injected slowdown of 10 %
 };
 
 /// What is timed.
@@ -26,7 +26,7 @@ struct Entry {
   std::string name;  // of the row; controls share it with theirs
   Role role = Role::row;
   std::int64_t calls = 1;    // in an epoch
-  std::int64_t counted = 1;  // divisor of the epoch's time
+  double delay_ns = 0;       // injected, for each call
   std::int64_t warm_up = 0;  // untimed calls before each epoch
   int visits = 1;            // epochs in each layout
   bool threaded = false;

@@ -20,7 +20,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Role,
 NLOHMANN_JSON_SERIALIZE_ENUM(Foreground, {{Foreground::automatic, "auto"},
                                           {Foreground::bright, "bright"},
                                           {Foreground::dark, "dark"}})
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Entry, name, role, calls, counted, warm_up, visits, threaded,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Entry, name, role, calls, delay_ns, warm_up, visits, threaded,
                                    seconds, hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Group, entries, layouts)
 
@@ -130,10 +130,11 @@ void check_numbers(const json& object, const std::string& name) {
     check_integer(group, "layouts", 1);
     const JsonField entries = group.member("entries");
     for (std::size_t k = 0; k < entries.count(1, 1'000'000, "entries"); ++k) {
-      for (const char* key : {"calls", "counted", "visits"}) {
-        check_integer(entries.element(k), key, 1);
-      }
-      check_integer(entries.element(k), "warm_up", 0);
+      const JsonField entry = entries.element(k);
+      for (const char* key : {"calls", "visits"}) check_integer(entry, key, 1);
+      check_integer(entry, "warm_up", 0);
+      const JsonField delay = entry.member("delay_ns");
+      if (!delay.json().is_number() || delay.json() < 0) delay.fail("must be a number of at least 0");
     }
   }
   const JsonField sources = JsonField(object, name, "").member("sources");

@@ -35,7 +35,7 @@ std::vector<EntryTimes> measure_rounds(const std::vector<Entry>& entries, std::u
          shuffled(entries.size(), splitmix64(seed, static_cast<std::uint64_t>(round)))) {
       if (round >= entries[i].visits) continue;
       more = true;
-      times[i].push_back(five_digits(visit(i) / static_cast<double>(entries[i].counted)));
+      times[i].push_back(five_digits(visit(i) / static_cast<double>(entries[i].calls)));
     }
   }
   return times;

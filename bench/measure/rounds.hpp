@@ -12,7 +12,7 @@ namespace thinbench {
 /// Makes the calls of an epoch and returns their nanoseconds.
 using Visit = std::function<double(std::size_t entry)>;
 
-/// Nanoseconds of a counted call, for each epoch. Rounded to five digits.
+/// Nanoseconds of a call, for each epoch. Rounded to five digits.
 using EntryTimes = std::vector<double>;
 
 /// 0 .. n - 1 in an order that depends on the seed alone.

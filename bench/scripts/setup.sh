@@ -5,7 +5,7 @@ packages=(g++ cmake ninja-build git libbenchmark-dev libtbb-dev libxsimd-dev lib
   parallel python3 python3-numpy python3-scipy python3-matplotlib python3-jinja2 python3-jsonschema
   python3-junitparser)
 # For x86-64 alone: machine code is written, and executed code is given to llvm-mca.
-[ "$(dpkg --print-architecture)" != amd64 ] || packages+=(libxbyak-dev llvm-19)
+[ "$(uname -m)" != x86_64 ] || packages+=(libxbyak-dev llvm-19)
 many_images_packages=(python3-opencv python3-skimage python3-dask python3-distributed)
 # Of the tests alone.
 test_packages=(libgtest-dev chromium chromium-driver pkg-config mypy python3-pytest python3-selenium
@@ -22,7 +22,7 @@ fail() {
 
 missing_packages() {
   local package architectures
-  architectures="all|$(dpkg --print-architecture)"
+  architectures="all|$architecture"
   for package in "${packages[@]}"; do
     case "$package" in *:*) architectures=${package#*:} ;; esac
     dpkg-query -W -f '${Status} ${Architecture}\n' "$package" 2>/dev/null |
@@ -34,7 +34,8 @@ missing_packages() {
 install_packages() {
   command -v dpkg-query >/dev/null || fail 1 "needs Debian's packages (dpkg-query not found); install \
 by hand and use --no-install: ${packages[*]}"
-  local missing package
+  local missing package architecture
+  architecture=$(dpkg --print-architecture) || fail 1 "dpkg does not work"
   mapfile -t missing < <(missing_packages)
   [ ${#missing[@]} -gt 0 ] || return 0
   say "installing ${#missing[@]} packages: ${missing[*]}"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+
 from report.claims.claim import Claim, Verdict, open_claim
 from report.measure.sampler import Json
 from report.page.operations import PRINTED_RULE
@@ -86,7 +88,7 @@ def reliable_edges(data: Json | None) -> Claim:
         return open_claim(claim, "thinbench-study experiment edge-quality")
     rows = data["rows"]
     sigmas = sorted({row["sigma"] for row in rows})
-    good = [sigma for sigma in sigmas if all(_is_reliable(r) for r in rows if r["sigma"] == sigma)]
+    good = list(takewhile(lambda sigma: all(_is_reliable(r) for r in rows if r["sigma"] == sigma), sigmas))
     verdict = Verdict.of([sigma in good for sigma in sigmas])
     worst = min(rows, key=lambda row: (row["precision"], row["operation"]))
     where = f"up to sigma {max(good)}" if good else "at no noise"
@@ -107,7 +109,7 @@ def connected_skeleton(data: Json | None) -> Claim:
     verdict = Verdict.of([row["objects_before"] == row["objects_after"] for row in rows])
     figure = "; ".join(f"{row['input']}: {row['objects_before']} objects before, "
                        f"{row['objects_after']} after" for row in rows)
-    why = ("No object vanished or fell apart." if verdict is Verdict.HOLDS else
+    why = ("There are as many objects as before." if verdict is Verdict.HOLDS else
            "Both sides of a line are removed at once, so that thin parts break or vanish.")
     return Claim(claim, verdict, figure, why, data["command"])
 

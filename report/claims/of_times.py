@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from itertools import combinations
 
 from report.claims.claim import Claim, Verdict, open_claim
-from report.formatting import interval, three_digits
+from report.formatting import counted, interval, three_digits
+from report.measure.estimates import Estimate, ratio_of
 from report.measure.sampler import Json
 from report.measure.timings import Row
 from report.page.operations import ARITHMETIC, PRINTED_RULE, Rows, fastest
@@ -27,26 +27,14 @@ NO_COST = 1.05
 """A net that takes at most so many times the rule's time costs nothing."""
 
 
-@dataclass(frozen=True)
-class TimeRatio:
-    """One time over another, with the bounds that both intervals allow."""
-
-    value: float
-    low: float
-    high: float
-
-    @property
-    def text(self) -> str:
-        """Such as 1.17 (1.14\N{EN DASH}1.30)."""
-        return f"{three_digits(self.value)} ({interval(self.low, self.high)})"
+def time_ratio(above: Row | None, below: Row | None) -> Estimate | None:
+    """One time over another; None where a row is missing."""
+    return None if above is None or below is None else ratio_of(above.floor, below.floor)
 
 
-def time_ratio(above: Row | None, below: Row | None) -> TimeRatio | None:
-    """None where a row is missing."""
-    if above is None or below is None:
-        return None
-    return TimeRatio(above.time_ns / below.time_ns, above.time_ns / below.high_ns,
-                     above.high_ns / below.time_ns)
+def _text(ratio: Estimate) -> str:
+    """Such as 1.17 (1.14\N{EN DASH}1.30)."""
+    return f"{three_digits(ratio.value)} ({interval(ratio.low, ratio.high)})"
 
 
 def order_of_table_two(rows: Rows) -> Claim:
@@ -77,8 +65,8 @@ def nets_do_not_pay(rows: Rows) -> Claim:
         return open_claim(claim, COMMAND)
     slower, free = honest.low > 1, compiled.value <= NO_COST
     verdict = Verdict.of([honest.high >= 1, compiled.high >= 1])
-    figure = (f"time of the fastest net over that of the fastest rule: {honest.text} with its "
-              f"arithmetic, {compiled.text} compiled to a circuit")
+    figure = (f"time of the fastest net over that of the fastest rule: {_text(honest)} with its "
+              f"arithmetic, {_text(compiled)} compiled to a circuit")
     return Claim(claim, verdict, figure, _why_nets(slower, free), COMMAND)
 
 
@@ -100,12 +88,13 @@ def integers_do_not_pay(rows: Rows, data: Json | None) -> Claim:
     right = [(row["fractional_bits"], min(row["right_sigmoid"], row["right_linear"]))
              for row in data["rows"]]
     whole = min(count for bits, count in right if bits == 0)
-    enough = min((bits for bits, count in right if count == data["descriptors"]), default=None)
+    wrong = max((bits for bits, count in right if count < data["descriptors"]), default=-1)
+    enough = min((bits for bits, _ in right if bits > wrong), default=None)
     verdict = Verdict.of([ratio.low <= 1, whole < data["descriptors"]])
-    figure = (f"8-bit integers are {ratio.text} times as fast as floats; integers are right on "
+    figure = (f"8-bit integers are {_text(ratio)} times as fast as floats; integers are right on "
               f"{whole} of {data['descriptors']} at worst, " +
               ("and no fixed point is right on all" if enough is None else
-               f"fixed point on all from {enough} fractional bits on"))
+               f"fixed point on all from {counted(enough, 'fractional bit')} on"))
     why = "More pixels fit a register as bytes." if ratio.low > 1 else "Integers gain no time."
     why += " Answers are lost." if enough is None else " Fractional bits keep every answer."
     return Claim(claim, verdict, figure, why, f"{COMMAND}; {data['command']}")
@@ -121,8 +110,8 @@ def bytes_are_faster(rows: Rows) -> Claim:
     if not (scalar and best):
         return open_claim(claim, COMMAND)
     verdict = Verdict.of([scalar.high < 1, best.high < 1])
-    figure = (f"time with bytes over time with bits, packing and unpacking included: {scalar.text} "
-              f"by scalar variants, {best.text} with the widest instructions")
+    figure = (f"time with bytes over time with bits, packing and unpacking included: {_text(scalar)} "
+              f"by scalar variants, {_text(best)} with the widest instructions")
     why = ("Packing costs more than it gains." if verdict is Verdict.HOLDS else
            "A word of packed pixels takes as many instructions as a single pixel would, and "
            "packing costs little beside it.")

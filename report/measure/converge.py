@@ -9,7 +9,7 @@ from statistics import median
 
 from report.errors import ReportError
 from report.measure.estimates import NEEDED, Floor, floor_of
-from report.measure.sampler import Choice, Json, Sampler, Samples, seconds_of
+from report.measure.sampler import Choice, Sampler, Samples, seconds_of
 from report.progress import Progress
 
 SAME_WITHIN, SLOWED_BEYOND = 0.03, 0.05
@@ -26,7 +26,7 @@ def floors(samples: Samples, group: int) -> list[Floor]:
 
 
 def open_entries(samples: Samples) -> Choice:
-    """What has not converged, controls that fail included; all of it before there are enough
+    """What has not converged, and groups whose controls fail; all of it before there are enough
     processes."""
     work = {index: _open_in(samples, index) for index in range(len(samples.plan["groups"]))}
     return {index: entries for index, entries in work.items() if entries}
@@ -34,12 +34,9 @@ def open_entries(samples: Samples) -> Choice:
 
 def _open_in(samples: Samples, index: int) -> list[int]:
     entries = samples.plan["groups"][index]["entries"]
-    if len(samples.processes) < NEEDED:
+    if len(samples.processes) < NEEDED or control_flag(samples, index):
         return list(range(len(entries)))
-    times = floors(samples, index)
-    controls = entries[-1]["name"] if control_flag(samples, index) else ""
-    return [number for number, entry in enumerate(entries)
-            if not times[number].converged or entry["name"] == controls]
+    return [number for number, floor in enumerate(floors(samples, index)) if not floor.converged]
 
 
 def control_flag(samples: Samples, index: int) -> str:
@@ -86,8 +83,7 @@ def _advance(sampler: Sampler, samples: Samples, seconds: float, progress: Progr
     fits = spent + seconds_of(samples.plan, chosen) <= seconds
     if not chosen or (not fits and len(samples.processes) >= NEEDED):
         return False
-    samples.processes.append(sampler.measure(
-        samples.plan, len(samples.processes),
-        lambda _: progress.set(time.monotonic() - progress.start), chosen))
+    samples.processes.append(sampler.measure(samples.plan, len(samples.processes), chosen,
+                                             lambda: progress.set(time.monotonic() - progress.start)))
     on_process(samples)
     return True

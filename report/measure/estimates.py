@@ -28,16 +28,11 @@ others."""
 
 @dataclass(frozen=True)
 class Estimate:
-    """A value and the interval that holds it."""
+    """A value and its interval within a run; another run may find a value outside."""
 
     value: float
     low: float
     high: float
-
-    @property
-    def width(self) -> float:
-        """Relative width of the interval."""
-        return (self.high - self.low) / self.value
 
 
 @dataclass(frozen=True)

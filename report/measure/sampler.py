@@ -73,15 +73,15 @@ class Sampler:
         if done.returncode != 0:
             sys.stderr.write(done.stderr or "")
             what = "a variant differs from its reference" if done.stdout else "nothing was measured"
-            raise ReportError(f"{what}; see above", done.returncode)
+            raise ReportError(f"{what}; see above", 2 if done.returncode == 2 else 1)
         plan: Json = json.loads(done.stdout)
         _report_skipped(plan)
         return plan
 
-    def measure(self, plan: Json, seed: int, on_seconds: Callable[[float], None],
-                chosen: Choice | None = None) -> Process:
+    def measure(self, plan: Json, seed: int, chosen: Choice | None = None,
+                on_result: Callable[[], None] = lambda: None) -> Process:
         """One fresh process. `chosen` are the entries to measure, by group; those of the others
-        stay empty. `on_seconds` hears how long the plan expects what was done to take."""
+        stay empty."""
         groups: list[list[Layouts]] = [[[] for _ in group["entries"]]
                                        for group in plan["groups"]]
         work = every_entry(plan) if chosen is None else chosen
@@ -97,6 +97,8 @@ class Sampler:
                                       for index in order]}, process.stdin)
                 process.stdin.close()
             for line in process.stdout:
+                if not line.endswith("\n"):
+                    break  # it was stopped
                 result = json.loads(line)
                 if "group" not in result:
                     states.append(result)
@@ -104,8 +106,7 @@ class Sampler:
                 index = order[result["group"]]
                 for entry, times in zip(work[index], result["entries"]):
                     groups[index][entry].append(times)
-                on_seconds(seconds_of(plan, {index: work[index]})
-                           / plan["groups"][index]["layouts"])
+                on_result()
         if process.returncode != 0:
             raise ReportError("a measuring process failed; see the line above")
         return Process(seed, groups, states, load.foreign())

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -18,7 +19,7 @@ from report.measure.converge import control_flag, floors
 from report.measure.estimates import Floor, ratio_of
 from report.measure.sampler import Json, Samples
 
-REFERENCE, END_TO_END, KERNEL = "reference", "end_to_end", "kernel"
+REFERENCE, END_TO_END = "reference", "end_to_end"
 
 @dataclass(frozen=True)
 class Row:  # pylint: disable=too-many-instance-attributes
@@ -75,6 +76,16 @@ class Row:  # pylint: disable=too-many-instance-attributes
     def is_reference(self) -> bool:
         """Whether it is the scalar reference."""
         return self.technique == REFERENCE
+
+    @property
+    def is_choice(self) -> bool:
+        """Whether it is what a call of the library takes on one thread."""
+        return self.default and self.threads == 1 and self.scope == END_TO_END
+
+    @property
+    def floor(self) -> Floor:
+        """Its time."""
+        return Floor(self.time_ns, self.high_ns, self.typical_ns, self.processes)
 
 
 @dataclass(frozen=True)
@@ -165,14 +176,17 @@ def _text(value: Any) -> str:
 _TYPES = get_type_hints(Row)
 
 
-def _row_from(line: dict[str, str], where: str) -> Row:
+def _row_from(line: dict[str, str | None], where: str) -> Row:
+    missing = next((field.name for field in fields(Row) if line.get(field.name) is None), None)
+    if missing:
+        raise ReportError(f"{where}: column {missing!r} is missing")
     try:
-        return Row(**{field.name: _value(line[field.name], _TYPES[field.name])
-                      for field in fields(Row)})
-    except KeyError as error:
-        raise ReportError(f"{where}: column {error} is missing") from None
+        row = Row(**{field.name: _value(line[field.name], _TYPES[field.name]) for field in fields(Row)})
     except (TypeError, ValueError) as error:
         raise ReportError(f"{where}: {error}") from None
+    if not 0 < row.time_ns <= row.high_ns < math.inf:
+        raise ReportError(f"{where}: expected times above 0, got time_ns {row.time_ns:g} and high_ns {row.high_ns:g}")
+    return row
 
 
 def _value(text: str, kind: Any) -> Any:

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from report.measure.run import Run
 from report.measure.timings import END_TO_END, Row
 
-KEEP = ":keep"
 COPIES = ("copy", "copy_bits", "read_bits")
 """Peers that are lower bounds: the image copied or read."""
 

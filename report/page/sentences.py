@@ -26,9 +26,10 @@ def warnings(run: Run) -> list[str]:
     """Why figures may be wrong; none after a good run."""
     found = []
     flagged = sum(row.flags == "open" for row in run.rows)
+    controls = run.facts["controls"]
     if not run.is_conclusive:
-        found.append("The controls of this run did not pass: differences between rows are "
-                     "inconclusive.")
+        found.append(f"The controls of {controls['failed']} of {counted(controls['groups'], 'group')} failed, more than "
+                     "5 %: differences between rows are inconclusive.")
     if flagged > MAX_FLAGGED * len(run.rows):
         load = run.facts["state"]["foreign_load"]
         advice = "on an idle machine" if load > BUSY else "for longer, without --quick or with --seconds"
@@ -36,6 +37,11 @@ def warnings(run: Run) -> list[str]:
                      f"that there was; other processes kept {three_digits(load)} processors busy. "
                      f"Measure {advice}.")
     return found
+
+
+def warning_text(run: Run) -> str:
+    """The warnings as a paragraph of Markdown, or nothing."""
+    return "".join(f"**{text}** " for text in warnings(run))[:-1] + "\n\n" * bool(warnings(run))
 
 
 def date_of(run: Run) -> str:

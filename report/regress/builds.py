@@ -54,7 +54,7 @@ class Pair:
 
 def common_plan(before: Json, now: Json) -> tuple[Json, list[RowVerdict]]:
     """The rows that both builds know, with equal results, and why others are missing."""
-    if "cycle_ns" not in before:
+    if len({frozenset(entry) for plan in (before, now) for group in plan["groups"] for entry in group["entries"]}) > 1:
         raise ReportError("nothing was compared: the other build measures in another way; "
                           "--counts-only compares instructions",
                           EXIT_STATUS[Verdict.SKIPPED])
@@ -78,7 +78,7 @@ def measure_in_turn(what: str, sets: Sequence[Sequence[Job]], rounds: range) -> 
         for jobs in random.Random(seed).sample(sets, len(sets)):
             for job in jobs if seed % 2 else reversed(jobs):
                 sampler, samples = job
-                samples.processes.append(sampler.measure(samples.plan, seed, lambda _: None))
+                samples.processes.append(sampler.measure(samples.plan, seed))
                 progress.advance(_seconds(job))
     progress.close()
 

@@ -20,6 +20,8 @@ from report.regress.verdicts import EXIT_STATUS, WRONG_USAGE, Layer, Verdict, ex
 from report.row_options import (add_row_options, binarise_words, check_binarise_options,
                                 input_words)
 
+BASELINES = ROOT / "results" / "baselines"
+
 FILTER = ("^(thin_naccache_shinghal|thin_zhang_suen|thin_guo_hall|skeleton_scan|edges_sobel|holes|"
           "localise_objects)/(bitpacked|bitpacked_runs|simd_bitpacked|simd_bitpacked_tiles|"
           "simd_bitpacked_row|simd_16bit|simd_runs)/[a-z0-9.]+/1/")
@@ -57,7 +59,7 @@ def add_regress_command(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--judge-threads", action="store_true",
                         help="judge rows with threads as well: on an otherwise idle machine only")
     parser.add_argument("--baselines", metavar="DIR", type=Path,
-                        default=ROOT / "results" / "baselines",
+                        default=BASELINES,
                         help="where baselines are; default results/baselines")
     parser.add_argument("--update", action="store_true",
                         help="make this run the baseline; needs --reason and a quiet machine")
@@ -126,6 +128,8 @@ def _check_update(parser: argparse.ArgumentParser, options: argparse.Namespace) 
     if options.against or options.base_build or options.counts_only:
         parser.error("--update makes a baseline; it excludes --against, --base-build and "
                      "--counts-only")
+    if _is_part(options) and options.baselines == BASELINES:
+        parser.error("--update replaces all rows of a baseline; with --filter or --image it needs --baselines DIR")
     if not is_clean():
         parser.error("--update needs a clone without changes: a baseline names its commit")
 
@@ -198,7 +202,7 @@ def _compare_counts(options: argparse.Namespace, programs: Path, before: Path | 
         old = (counts.count(before / "thinbench-study", words) if before
                else counts.read_counts(file))
         return counts.compare(old, counts.count(programs / "thinbench-study", words),
-                              is_part=before is None and options.filter != FILTER)
+                              is_part=before is None and _is_part(options))
     except ReportError as error:
         if error.status != WRONG_USAGE:
             raise
@@ -210,14 +214,20 @@ def _compare_times(options: argparse.Namespace, programs: Path, before: Path | N
     sampler, words = Sampler(programs / "thinbench_sampler"), _plan_words(options)
     if before is None:
         return times.against_stored(sampler, words, machine, _files(options, machine)[0],
-                                    options.judge_threads)
+                                    options.judge_threads, _is_part(options))
     return times.between_builds(Sampler(before / "thinbench_sampler"), sampler, words, same,
                                 options.judge_threads)
+
+
+def _is_part(options: argparse.Namespace) -> bool:
+    """Whether other rows are chosen than a baseline holds."""
+    return bool(options.filter != FILTER or options.image)
 
 
 def _update(options: argparse.Namespace, programs: Path, machine: Json) -> str:
     """Counts first, so that a baseline never lacks its counts."""
     file, counts_file = _files(options, machine)
+    previous = stored.read_baseline(file)
     outputs: dict[str, bytes] = {}
     if not options.no_instructions:
         outputs[counts_file.name] = to_json(counts.count(programs / "thinbench-study",
@@ -228,8 +238,7 @@ def _update(options: argparse.Namespace, programs: Path, machine: Json) -> str:
     if why_not := stored.why_unfit(now):
         raise ReportError(f"no baseline was written: {why_not}; a quiet machine is needed",
                           EXIT_STATUS[Verdict.INCONCLUSIVE])
-    baseline = stored.baseline_from(now, machine, options.filter, options.reason,
-                                    stored.read_baseline(file))
+    baseline = stored.baseline_from(now, machine, options.filter, options.reason, previous)
     write_files(options.baselines, {file.name: to_json(baseline)} | outputs)
     return f"{file}: {len(baseline['rows'])} rows"
 

@@ -23,8 +23,8 @@ LIMIT, LIMIT_BEYOND_CACHE = 0.10, 0.20
 """Tolerated loss of speed on another day."""
 
 SAME_STATE = 0.05
-"""How far the reference's time may move before the machine counts as another one, on which only
-speed-ups compare. References never change."""
+"""How far times of references, which never change, may move: their median before the machine counts as another one, on
+which only speed-ups compare; a single one before a FAIL of its case is doubted."""
 
 @dataclass(frozen=True)
 class Measured:
@@ -76,17 +76,20 @@ def read_baseline(path: Path) -> Json | None:
     return baseline
 
 
-def against_baseline(now: Measured, baseline: Json, cache_bytes: float,
-                     judge_threads: bool) -> list[RowVerdict]:
-    """A verdict on every row of either, at the clock of now."""
-    known = {row.name for row in now.rows}
+def against_baseline(now: Measured, baseline: Json, cache_bytes: float, judge_threads: bool,
+                     is_part: bool = False) -> list[RowVerdict]:
+    """A verdict on every row of either, at the clock of now; where `is_part`, of now."""
     clock = now.state["cycle_ns"] / baseline["state"]["cycle_ns"]
     rows = {name: row | {key: clock * row[key] for key in ("time_ns", "reference_ns")}
             for name, row in baseline["rows"].items()}
-    found = [_verdict(row, rows.get(row.name), now, cache_bytes, judge_threads)
-             for row in now.rows if not row.is_reference]
+    own = {row.name: row for row in now.rows if not row.is_reference}
+    references = {(row.case, row.input): _reference_ns(row) / rows[name]["reference_ns"]
+                  for name, row in own.items()
+                  if name in rows and now.hashes[row.input] == rows[name]["input_hash"]}
+    state = float(np.median([*references.values()] or [1]))
+    found = [_verdict(row, rows.get(name), now, cache_bytes, judge_threads, state) for name, row in own.items()]
     return found + [skipped(name, "not measured in this run") for name in rows
-                    if name not in known]
+                    if name not in own and not is_part]
 
 
 def _row_json(row: Row, input_hash: str) -> Json:
@@ -108,8 +111,9 @@ def _change(before: Json, now: Json) -> float | None:
     return float(np.exp(np.mean(logs))) if logs else None
 
 
-def _verdict(row: Row, before: Json | None, now: Measured, cache_bytes: float,
-             judge_threads: bool) -> RowVerdict:
+def _verdict(row: Row, before: Json | None, now: Measured, cache_bytes: float, judge_threads: bool,
+             state: float) -> RowVerdict:
+    """`state`: by what the machine is slower than before."""
     if before is None:
         return skipped(row.name, "new: there is nothing to compare with")
     if now.hashes[row.input] != before["input_hash"]:
@@ -118,8 +122,8 @@ def _verdict(row: Row, before: Json | None, now: Measured, cache_bytes: float,
         return skipped(row.name, "threads are judged with --judge-threads only")
     limit = LIMIT_BEYOND_CACHE if 2 * row.width * row.height > cache_bytes else LIMIT
     reference = _reference_ns(row)
-    moved = _moved(before["reference_ns"], reference)
-    factor = reference / before["reference_ns"] if moved else 1.0
+    another = abs(np.log(state)) > SAME_STATE
+    factor = reference / before["reference_ns"] if another else 1.0
     change = Estimate(*(factor * before["time_ns"] / ns
                         for ns in (row.time_ns, row.high_ns, row.time_ns)))
     verdict = Verdict.FAIL if change.value < 1 - limit else Verdict.PASS
@@ -127,8 +131,8 @@ def _verdict(row: Row, before: Json | None, now: Measured, cache_bytes: float,
     result = RowVerdict(row.name, verdict, "", change, limit,
                         Times(before["time_ns"], before["reference_ns"]),
                         Times(row.time_ns, reference), speedup)
-    doubt = moved or {"": "", "open": "its time did not settle",
-                      "control": "the controls of its group failed"}[row.flags]
+    doubt = _moved(before["reference_ns"], reference) or {
+        "": "", "open": "its time did not settle", "control": "the controls of its group failed"}[row.flags]
     return result.doubted(doubt) if verdict == Verdict.FAIL and doubt else result
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from report.errors import ReportError
 from report.measure.converge import measure_until_converged
 from report.measure.sampler import Json, Sampler, Samples
 from report.measure.timings import REFERENCE
 from report.regress import builds, stored
-from report.regress.verdicts import Layer, Measure, RowVerdict, Verdict, decide, layer_of
+from report.regress.verdicts import (EXIT_STATUS, WRONG_USAGE, Layer, Measure, RowVerdict, Verdict,
+                                     decide, layer_of)
 
 
 Build = tuple[Sampler, Json]
@@ -17,24 +19,23 @@ Build = tuple[Sampler, Json]
 
 
 def against_stored(sampler: Sampler, words: Sequence[str], machine: Json, file: Path,
-                   judge_threads: bool) -> Layer:
-    """This build and the baseline in a file."""
+                   judge_threads: bool, is_part: bool) -> Layer:
+    """This build and the baseline in a file; where `is_part`, only what `words` choose of it."""
     baseline = stored.read_baseline(file)
     if baseline is None:
         return Layer(Verdict.SKIPPED, [], f"there is no baseline for this machine and compiler "
                                           f"('{file}'); ./study regress --update writes it")
     return layer_of(verdicts_against(baseline, (sampler, sampler.plan(words)),
-                                     cache_bytes(machine), judge_threads))
+                                     cache_bytes(machine), judge_threads, is_part))
 
 
-def verdicts_against(baseline: Json, now: Build, cache: float,
-                     judge_threads: bool) -> list[RowVerdict]:
+def verdicts_against(baseline: Json, now: Build, cache: float, judge_threads: bool,
+                     is_part: bool = False) -> list[RowVerdict]:
     """All rows, those that do not pass measured again."""
 
     def measure_again(_: int, rows: set[str] | None) -> list[RowVerdict]:
         samples = measure(now[0], _with_rows(now[1], rows))
-        return stored.against_baseline(stored.measured_from(samples), baseline, cache,
-                                       judge_threads)
+        return stored.against_baseline(stored.measured_from(samples), baseline, cache, judge_threads, is_part)
 
     return decide(measure_again)
 
@@ -55,11 +56,21 @@ def between_builds(before: Sampler, now: Sampler, words: Sequence[str], same: se
     equal = {name for name in names if ours["rows"][name]["isa"] in same}
     rows = [RowVerdict(name, Verdict.PASS, "the same machine code") for name in sorted(equal)]
     if equal != names:
-        plan, left_out = builds.common_plan(before.plan(words), ours)
+        plan, left_out = builds.common_plan(_plan_of_other(before, words), ours)
         measured = decide(rounds_of((before, plan), (now, plan), judge_threads), names - equal)
         rows += [row for row in measured + left_out if row.name not in equal]
     return layer_of(rows, f"times: {len(equal)} rows not measured, as they run the same machine "
                           "code" if equal else "")
+
+
+def _plan_of_other(before: Sampler, words: Sequence[str]) -> Json:
+    try:
+        return before.plan(words)
+    except ReportError as error:
+        if error.status != WRONG_USAGE:
+            raise
+        raise ReportError("nothing was compared: the other build rejects these options, or has no such row",
+                          EXIT_STATUS[Verdict.SKIPPED]) from None
 
 
 def rounds_of(before: Build, now: Build, judge_threads: bool) -> Measure:

@@ -159,10 +159,10 @@ def _summary(directory: Path, runs: list[Path]) -> str:
     if len(runs) > 1:
         from report.compare import compare_runs  # pylint: disable=import-outside-toplevel
         return compare_runs([load_run(run) for run in runs], directory)
-    rows = load_run(directory).rows
+    run = load_run(directory)
     scene = read_csv(directory.parent / TIMINGS) if (directory.parent / TIMINGS).exists() else []
-    write_file(directory / MARKDOWN, sweeps_markdown(rows, scene).encode())
-    text = f"{len(sweep_series(rows))} curves; {directory} holds {MARKDOWN}, {TIMINGS}, {RUN} and {SAMPLES}"
+    write_file(directory / MARKDOWN, sweeps_markdown(run, scene).encode())
+    text = f"{len(sweep_series(run.rows))} curves; {directory} holds {MARKDOWN}, {TIMINGS}, {RUN} and {SAMPLES}"
     if not (directory.parent / RUN).exists():
         return text
     return f"{text}; ./study build {directory.parent} shows them on the page of the run"

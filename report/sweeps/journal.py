@@ -52,8 +52,12 @@ class Journal:
         write_file(path, whole + b"\n")
         parts = [Part(part["build"], part["sweep"], Samples(part["plan"]))
                  for part in header["parts"]]
-        for line in lines:
-            parts[line.pop("part")].samples.processes.append(Process(**line))
+        for number, line in enumerate(lines, 2):
+            try:
+                part = dict(enumerate(parts))[line.pop("part")]
+                part.samples.processes.append(Process(**line))
+            except (AttributeError, LookupError, TypeError):
+                raise ReportError(f"{path}: line {number} holds no process; delete it and what follows") from None
         return Journal(path, parts)
 
     def append(self, samples: Samples) -> None:

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from report.formatting import markdown_table
-from report.measure.run import TIMINGS
-from report.measure.timings import END_TO_END, Row, read_csv
+from report.measure.run import TIMINGS, Run
+from report.measure.timings import Row, read_csv
+from report.page.sentences import warning_text
 from report.sweeps.plans import BY_NAME, SWEEPS, Place, curve_of
 
 DIRECTORY = "sweeps"
@@ -57,10 +58,10 @@ def sweep_series(rows: Iterable[Row]) -> list[Series]:
 
 def worst_places(rows: Iterable[Row], scene: Iterable[Row]) -> str:
     """The noise on which the library's choice takes longest per pixel, beside the scene where `scene` has its time."""
-    timed = {row.case: row.ns_per_pixel for row in scene if _is_chosen(row) and row.input == "scene"}
+    timed = {row.case: row.ns_per_pixel for row in scene if row.is_choice and row.input == "scene"}
     by_case: dict[str, list[Row]] = {}
     for row in rows:
-        if row.sweep == "density" and _is_chosen(row):
+        if row.sweep == "density" and row.is_choice:
             by_case.setdefault(row.case, []).append(row)
     lines = []
     for case, own in by_case.items():
@@ -70,20 +71,16 @@ def worst_places(rows: Iterable[Row], scene: Iterable[Row]) -> str:
     return markdown_table(("operation", "worst noise", "ns/pixel", "times the scene"), lines, frozenset((2, 3)))
 
 
-def _is_chosen(row: Row) -> bool:
-    return row.default and row.threads == 1 and row.scope == END_TO_END
-
-
-def sweeps_markdown(rows: Sequence[Row], scene: Iterable[Row] = ()) -> str:
+def sweeps_markdown(run: Run, scene: Iterable[Row] = ()) -> str:
     """A section for each sweep, a table for each case: places down, curves across. `scene`: the rows of the study."""
-    series = sweep_series(rows)
-    parts = ["# Parameter sweeps\n\nNanoseconds per pixel, end to end, on one thread unless a sweep "
-             "says otherwise; `!` marks flagged rows. timings.csv has the intervals.\n"]
+    series = sweep_series(run.rows)
+    parts = ["# Parameter sweeps\n\nNanoseconds per pixel, end to end, on one thread unless a sweep says otherwise; "
+             f"`!` marks flagged rows. timings.csv has the intervals.\n\n{warning_text(run)}"[:-1]]
     for name in dict.fromkeys(one.sweep for one in series):
         own = [one for one in series if one.sweep == name]
         parts.append(f"## {name}\n")
         if name == "density":
-            parts.append(worst_places(rows, scene))
+            parts.append(worst_places(run.rows, scene))
         for case in dict.fromkeys(one.case for one in own):
             parts.append(_table(BY_NAME[name].what, [one for one in own if one.case == case]))
     return "\n".join(parts)
@@ -105,12 +102,10 @@ def _table(what: str, curves: list[Series]) -> str:
     if not any(isinstance(place, str) for place in places):
         places.sort()
     cells = [{point.x: point for point in one.points} for one in curves]
-    lines = [["", *(one.label for one in curves)], ["---", *("---:" for _ in curves)]]
-    for place in places:
-        lines.append([place if isinstance(place, str) else f"{place:g}",
-                      *(_cell(points.get(place)) for points in cells)])
-    table = "\n".join(f"| {' | '.join(line)} |" for line in lines)
-    return f"**{curves[0].case}** by {what}\n\n{table}\n"
+    lines = [[place if isinstance(place, str) else f"{place:g}", *(_cell(points.get(place)) for points in cells)]
+             for place in places]
+    table = markdown_table(["", *(one.label for one in curves)], lines, frozenset(range(1, len(curves) + 1)))
+    return f"**{curves[0].case}** by {what}\n\n{table}"
 
 
 def _cell(point: Point | None) -> str:

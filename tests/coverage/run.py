@@ -170,6 +170,8 @@ def main() -> int:
                                env=environment, check=False)
         if tests.returncode != 0:
             return tests.returncode
+    if not profiles.is_dir():
+        raise ReportError("there are no counts of an earlier run; leave out --report-only")
     files = export(BUILD / "bin", BUILD / "python" / "thinbench" / "libthinbench.so", profiles)
     shown, wrong = gaps(files, explanations(EXPLAINED.read_text(encoding="utf-8")))
     table, lines, branches = summary(files)

@@ -64,13 +64,17 @@ TEST(Plan, controls_repeat_the_fastest_row_on_one_thread) {
   EXPECT_EQ(control->name, group.entries[2].name);
 }
 
-TEST(Plan, slowed_control_makes_11_calls_for_10) {
+TEST(Plan, slowed_control_makes_the_same_calls_with_a_delay_of_a_tenth) {
   for (const double seconds : {1e-6, 3e-5, 9e-4, 5e-3}) {
     RowsForTests rows(1e-2);
     rows.with("lut", seconds);
-    const Entry slowed = plan_group(rows.rows(), {}).entries.back();
+    const Group group = plan_group(rows.rows(), {});
+    const Entry& row = group.entries[1];
+    const Entry& slowed = group.entries.back();
     EXPECT_EQ(slowed.role, Role::slowed);
-    EXPECT_EQ(slowed.calls * 10, slowed.counted * 11) << seconds;
+    EXPECT_EQ(slowed.calls, row.calls) << seconds;
+    EXPECT_DOUBLE_EQ(slowed.delay_ns, 1e8 * seconds);
+    EXPECT_EQ(row.delay_ns, 0);
   }
 }
 
@@ -109,7 +113,7 @@ TEST(PlanJson, rejects_other_texts) {
 TEST(PlanJson, rejects_numbers_that_cannot_be_measured_by) {
   const auto rejection_with = [](const char* key, const nlohmann::json& value) {
     nlohmann::json entry = {{"name", "a"},       {"role", "row"},  {"calls", 1},
-                            {"counted", 1},      {"warm_up", 0},   {"visits", 1},
+                            {"delay_ns", 0},     {"warm_up", 0},   {"visits", 1},
                             {"threaded", false}, {"seconds", 1.0}, {"hash", ""}};
     entry[key] = value;
     const nlohmann::json plan = {{"sources",
@@ -123,12 +127,28 @@ TEST(PlanJson, rejects_numbers_that_cannot_be_measured_by) {
         [&] { static_cast<void>(plan_from_json(plan.dump())); });
   };
   EXPECT_EQ(rejection_with("calls", 2), "");
-  EXPECT_EQ(rejection_with("counted", 0),
-            "standard input: groups[0].entries[0].counted is 0, not from 1 to 2147483647");
+  EXPECT_EQ(rejection_with("delay_ns", -0.5),
+            "standard input: groups[0].entries[0].delay_ns must be a number of at least 0");
   EXPECT_EQ(rejection_with("visits", -1),
             "standard input: groups[0].entries[0].visits is -1, not from 1 to 2147483647");
   EXPECT_EQ(rejection_with("calls", 1e300),
             "standard input: groups[0].entries[0].calls must be an integer");
+}
+
+TEST(Measure, adds_the_delay_to_every_call) {
+  const std::vector<TimedInput> inputs = timed_inputs({{}, {}, {"square_64"}});
+  const std::vector<Operation> operations = copy_operations();
+  const Selection selection = select_rows({.filter = "copy/good/"}, operations, inputs);
+  Plan plan = {{}, 0.25, {plan_group({calibrate(selection.rows.at(0))}, {})}};
+  for (Entry& entry : plan.groups[0].entries) {
+    entry.calls = entry.role == Role::slowed ? 5 : 1;
+    entry.delay_ns = 1e5;
+  }
+  measure(plan, 1, operations, inputs, [](const GroupTimes& times) {
+    for (const EntryTimes& entry : times.entries) {
+      EXPECT_GE(*std::min_element(entry.begin(), entry.end()), 0.9e5);
+    }
+  });
 }
 
 TEST(Measure, gives_times_and_stops_where_a_result_is_not_the_verified_one) {

@@ -36,12 +36,12 @@ TEST(Rounds, visit_each_entry_as_often_as_it_says_and_none_twice_in_a_round) {
   EXPECT_EQ(times[3], EntryTimes(1, kTrue[3]));
 }
 
-TEST(Rounds, divide_by_the_calls_that_count_and_round_to_five_digits) {
+TEST(Rounds, divide_by_the_calls_and_round_to_five_digits) {
   std::vector<Entry> entries = entries_for_tests();
-  entries[1].counted = 3;
+  entries[1].calls = 3;
   const auto times = measure_rounds(entries, 1, [](std::size_t) { return 1e6; });
   EXPECT_DOUBLE_EQ(times[1][0], 333330);
-  entries[1].counted = 3'000'000;
+  entries[1].calls = 3'000'000;
   EXPECT_DOUBLE_EQ(measure_rounds(entries, 1, [](std::size_t) { return 1e6; })[1][0], 0.33333);
 }
 

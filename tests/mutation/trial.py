@@ -14,6 +14,7 @@ from pathlib import Path
 
 from choice import Candidate, Result
 from report.errors import ReportError
+from report.git import git
 
 ROOT = Path(__file__).resolve().parents[2]
 FLAGS = ("-GNinja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_COMPILER=g++",
@@ -89,7 +90,13 @@ def prepare(directory: Path, programs: Sequence[str]) -> Trial:
     if shutil.which("ccache"):  # what is as before a mutant, or the same for all ISAs, is not compiled again
         os.environ |= {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CCACHE_DIR": str(directory / "ccache"),
                        "CCACHE_BASEDIR": str(directory), "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
-    for name in subprocess.check_output(["git", "ls-files"], cwd=ROOT, text=True).splitlines():
+    names = (git("ls-files") or "").splitlines()
+    if not names:
+        raise ReportError("mutants need a clone, with git, as the sources that it lists are copied")
+    for old in tree.rglob("*"):  # of files that are gone, which a pattern of CMake would find
+        if old.is_file() and str(old.relative_to(tree)) not in names:
+            old.unlink()
+    for name in names:
         source, copy = ROOT / name, tree / name
         if source.is_file() and not (copy.is_file() and filecmp.cmp(source, copy, shallow=False)):
             copy.parent.mkdir(parents=True, exist_ok=True)

@@ -56,19 +56,36 @@ def test_packages_say_what_they_are_and_need(packages):
     names = {re.search("Package: (.*)", text)[1] for text in fields}
     assert names == PACKAGES
     assert all(re.search("Depends: .*libc6", text) for text in fields)
+    development = next(path for path in packages if path.name.startswith("libthinbench-dev"))
+    assert run("dpkg-deb", "--info", development, "shlibs") == "libthinbench 1 libthinbench-dev (>= 1.0.0)\n"
 
 
-@pytest.mark.parametrize("missing", ["libthinbench.a", "libthinbench.so", "bin/thinbench"])
-def test_installing_what_is_not_built_says_what_to_run_and_leaves_nothing(build, tmp_path, missing):
+def installed_without(missing, component, build, directory):
+    """`cmake --install` of a component, or of all, where a file was not built."""
     script = (build / "cmake_install.cmake").read_text()
     path = re.escape(missing) + r'(\.[0-9.]+)?"\)'
     assert re.search(path, script)
-    (tmp_path / "install.cmake").write_text(re.sub(path, 'missing")', script))
-    prefix = tmp_path / "prefix"
-    failed = subprocess.run(["cmake", f"-DCMAKE_INSTALL_PREFIX={prefix}", "-P", tmp_path / "install.cmake"],
-                            capture_output=True, text=True, check=False)
-    assert failed.returncode != 0 and "is not built; first run: cmake --build" in " ".join(failed.stderr.split())
-    assert not prefix.exists()
+    (directory / "install.cmake").write_text(re.sub(path, 'missing")', script))
+    chosen = [f"-DCMAKE_INSTALL_COMPONENT={component}"] if component else []
+    return subprocess.run(["cmake", f"-DCMAKE_INSTALL_PREFIX={directory / 'prefix'}", *chosen, "-P",
+                           directory / "install.cmake"], capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize(("missing", "component", "target"), [
+    ("libthinbench.a", "", "thinbench"), ("libthinbench.so", "", "thinbench_shared"),
+    ("bin/thinbench", "", "thinbench_program"), ("python/thinbench/libthinbench.so", "python", "thinbench_python")])
+def test_installing_what_is_not_built_says_what_to_run_and_leaves_nothing(build, tmp_path, missing, component, target):
+    failed = installed_without(missing, component, build, tmp_path)
+    said = " ".join(failed.stderr.split())
+    assert failed.returncode != 0
+    assert f"{target} is not built; first run: cmake --build {build} --target {target}" in said
+    assert not (tmp_path / "prefix").exists()
+
+
+def test_a_component_needs_only_what_is_in_it(build, tmp_path):
+    done = installed_without("libthinbench.a", "program", build, tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "prefix" / "bin" / "thinbench").exists()
 
 
 def test_the_manual_page_has_every_command(build):

@@ -67,12 +67,12 @@ def _row(technique: str, name: str) -> Json:
 
 
 def _entries(names: list[str]) -> list[Json]:
-    common = {"calls": 10, "counted": 10, "warm_up": 1, "visits": 3, "threaded": False,
+    common = {"calls": 10, "delay_ns": 0, "warm_up": 1, "visits": 3, "threaded": False,
               "seconds": 0.01, "hash": "0" * 16}
     control = names[list(TIMES).index("bitpacked")]
     return [*({"name": name, "role": "row"} | common for name in names),
             {"name": control, "role": "same"} | common,
-            {"name": control, "role": "slowed"} | common]
+            {"name": control, "role": "slowed"} | common | {"delay_ns": 5e3}]
 
 
 def make_group(group: Json, dice: random.Random, spread: float, slowed: float = 1.1,

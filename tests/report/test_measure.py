@@ -90,6 +90,18 @@ def test_rows_survive_the_csv_file(tmp_path: Path) -> None:
         read_csv(path)
 
 
+@pytest.mark.parametrize("time", ["0", "-1", "nan", "inf"])
+def test_a_table_with_impossible_times_or_a_truncated_line_is_rejected(tmp_path: Path, time: str) -> None:
+    path = tmp_path / "timings.csv"
+    published = replace(rows(samples_of())[0], time_ns=float(time))
+    path.write_text(to_csv([published]))
+    with pytest.raises(ReportError, match="line 2: expected times above 0, got time_ns"):
+        read_csv(path)
+    path.write_text(to_csv(rows(samples_of())[:1]).rstrip().rpartition(",")[0] + "\n")
+    with pytest.raises(ReportError, match="line 2: column 'sweep' is missing"):
+        read_csv(path)
+
+
 def test_controls_decide_whether_a_run_concludes() -> None:
     assert controls_of([samples_of()])["passed"]
     assert not controls_of([samples_of(same=1.05)])["passed"]
@@ -123,9 +135,9 @@ def test_a_directory_without_a_run_is_rejected_in_one_line(tmp_path: Path) -> No
 def test_processes_are_fresh_and_their_groups_in_the_order_of_the_plan(tmp_path: Path) -> None:
     sampler = Sampler(install(tmp_path) / "thinbench_sampler")
     samples = Samples(sampler.plan(["--input", "scene", "--input", "square_64"]))
-    seen: list[float] = []
-    samples.processes = [sampler.measure(samples.plan, seed, seen.append) for seed in (0, 1)]
-    assert sum(seen) == pytest.approx(2 * 2 * 8 * 0.01)
+    seen: list[int] = []
+    samples.processes = [sampler.measure(samples.plan, seed, None, lambda: seen.append(1)) for seed in (0, 1)]
+    assert len(seen) == 2 * sum(group["layouts"] for group in samples.plan["groups"])
     assert len(samples.processes[0].groups) == 2
     assert samples.processes[0].states == STATES
     assert samples.processes[0].groups != samples.processes[1].groups
@@ -179,11 +191,17 @@ def test_processes_go_on_with_what_is_open_until_time_is_up(tmp_path: Path) -> N
         process.groups[0][2] = [[1.0 + number]]
     assert open_entries(samples) == {0: [2]}
     now = len(samples.processes)
-    samples.processes.append(sampler.measure(samples.plan, now, lambda seconds: None, {0: [2]}))
+    samples.processes.append(sampler.measure(samples.plan, now, {0: [2]}))
     assert [bool(entry) for entry in samples.processes[-1].groups[0]] == [
         entry == 2 for entry in every_entry(samples.plan)[0]]
     measure_until_converged([(sampler, samples)], 0)
     assert len(samples.processes) == now + 1
+
+
+def test_a_group_whose_controls_fail_is_measured_again_whole() -> None:
+    assert not open_entries(samples_of(spread=0.001))
+    samples = samples_of(spread=0.001, same=1.05)
+    assert open_entries(samples) == every_entry(samples.plan)
 
 
 def test_failures_of_the_sampler_are_reported_with_its_status(tmp_path: Path) -> None:
@@ -193,7 +211,14 @@ def test_failures_of_the_sampler_are_reported_with_its_status(tmp_path: Path) ->
     assert found.value.status == 2
     (tmp_path / "thinbench_sampler").write_text("#!/bin/sh\nexit 1\n")
     with pytest.raises(ReportError, match="a measuring process failed"):
-        sampler.measure(make_plan(), 0, lambda seconds: None)
+        sampler.measure(make_plan(), 0)
+    (tmp_path / "thinbench_sampler").write_text("#!/bin/sh\nprintf '{\"gro'\nexit 1\n")
+    with pytest.raises(ReportError, match="a measuring process failed"):
+        sampler.measure(make_plan(), 0)
+    (tmp_path / "thinbench_sampler").write_text("#!/bin/sh\nkill -9 $$\n")
+    with pytest.raises(ReportError) as found:
+        sampler.plan([])
+    assert found.value.status == 1
 
 
 def test_every_column_is_documented() -> None:

@@ -72,4 +72,4 @@ def test_plans_and_processes_fit_their_schemas() -> None:
     sampler = Sampler(PROGRAMS / "thinbench_sampler")
     plan = sampler.plan(["--filter", ROW, "--input", "noise_64_50_2", "--no-peers"])
     check_schema("plan", plan, "plan")
-    check_schema("process", vars(sampler.measure(plan, 1, lambda group: None)), "process")
+    check_schema("process", vars(sampler.measure(plan, 1)), "process")

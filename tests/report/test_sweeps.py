@@ -68,7 +68,10 @@ def test_curves_are_told_apart_by_what_else_varies(run: Path) -> None:
 
 def test_markdown_has_a_table_for_each_case(run: Path) -> None:
     text = (run / "sweeps" / "sweeps.md").read_text()
-    assert text == sweeps_markdown(load_sweep_rows(run))
+    found = load_run(run / "sweeps")
+    assert text == sweeps_markdown(found)
+    found.facts["controls"] |= {"failed": 1, "groups": 4, "passed": False}
+    assert "The controls of 1 of 4 groups failed" in sweeps_markdown(found)
     assert "**thin_guo_hall** by side of the square, pixels" in text
     assert "| 511 | " in text
 
@@ -96,6 +99,11 @@ def test_an_interrupted_measurement_continues_where_it_was(programs: Path, tmp_p
 
     with path.open("a", encoding="utf-8") as stream:
         stream.write('{"part": 0, "se')  # a process that was not written to its end
+    whole = path.read_text()
+    path.write_text(whole.replace('"part": 0, "seed"', '"part": -1, "seed"', 1))
+    damaged = study(programs, "sweeps", *words, "--resume").stderr
+    assert "holds no process; delete it and what follows" in damaged
+    path.write_text(whole)
     before = path.read_text().splitlines()[:-1]
     assert len(before) == 4
     assert "unfinished measurement" in study(programs, "sweeps", *words).stderr

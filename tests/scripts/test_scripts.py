@@ -42,6 +42,8 @@ def said(directory: Path, *words: str, **environment: str) -> tuple[int, str]:
     ("check --no-install coverage --help", 0, "usage: ./check coverage"),
     ("check --no-install mutants --help", 0, "usage: python3 tests/mutation/run.py"),
     ("check --no-install fuzz --seconds long", 2, "--seconds: expected a number above 0, got 'long'"),
+    ("check soak --help", 0, "soak has --seconds N, --threads N, --seed N"),
+    ("check asan tsan", 2, "check: expected one thing to check, got 'asan' and 'tsan'"),
     ("check fast", 2, "check: 'fast' is neither an option nor something to check; see ./check --help")])
 def test_command_says_it_in_one_line(command: str, status: int, text: str, tmp_path: Path) -> None:
     found, words = said(tmp_path, *command.split())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string>
 #include <vector>
 
 #include <unistd.h>
@@ -13,6 +14,7 @@
 #include "images/image_file.hpp"
 #include "support/unfinished_file.hpp"
 #include "thinbench/isa.hpp"
+#include "thinbench/version.hpp"
 
 namespace thinbench {
 namespace {
@@ -22,7 +24,7 @@ class Program {
  public:
   Program(const ProgramInfo& info, const Console& console)
       : app_(info.description, info.name), console_(console) {
-    app_.set_version_flag("--version", info.name + " " THINBENCH_VERSION, "Print the version");
+    app_.set_version_flag("--version", info.name + " " + std::string(kVersion), "Print the version");
     app_.require_subcommand(1);
     app_.footer(info.footer);
     for (const auto add : info.commands) commands_.push_back(add(app_));
