@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Group& group : plan.groups) {
       must(group.layouts > 0, "no layout");
       for (const Entry& entry : group.entries) {
-        must(entry.calls > 0 && entry.counted > 0 && entry.visits > 0 && entry.warm_up >= 0,
+        must(entry.calls > 0 && entry.delay_ns >= 0 && entry.visits > 0 && entry.warm_up >= 0,
              "an entry that cannot be measured");
       }
     }
