@@ -57,8 +57,9 @@ void add_controls(const Rows& rows, Group& group) {
 
 int more_calls(double seconds) {
   constexpr double kLongerThanInterruptions = 0.1;
+  constexpr double kEnough = 0.003;
   if (seconds > kLongerThanInterruptions) return 0;
-  return seconds > kSlowCall ? 1 : 5;
+  return seconds > kSlowCall ? 1 : static_cast<int>(std::clamp(kEnough / seconds, 5.0, 300.0));
 }
 
 }  // namespace

@@ -12,9 +12,8 @@ from report.measure.estimates import NEEDED, Floor, floor_of
 from report.measure.sampler import Choice, Sampler, Samples, seconds_of
 from report.progress import Progress
 
-SAME_WITHIN, SLOWED_BEYOND = 0.03, 0.05
-"""How near to 1 a row's ratio to itself must be, and how much of the injected slowdown of 10 %
-must be found."""
+SAME_WITHIN, FOUND = 0.03, 0.5
+"""How near to 1 a row's ratio to itself must be, and what part of the injected slowdown must be found."""
 
 
 def floors(samples: Samples, group: int) -> list[Floor]:
@@ -41,19 +40,24 @@ def _open_in(samples: Samples, index: int) -> list[int]:
 
 def control_flag(samples: Samples, index: int) -> str:
     """"control" where the group's A/A control or its injected slowdown failed."""
-    same, slowed = control_ratios(samples, index)
-    good = abs(same - 1) <= SAME_WITHIN and slowed <= 1 - SLOWED_BEYOND
+    base, same, slowed, delay = _controls(samples, index)
+    good = abs(base.time / same.time - 1) <= SAME_WITHIN and slowed.time - base.time >= FOUND * delay
     return "" if good else "control"
 
 
 def control_ratios(samples: Samples, index: int) -> tuple[float, float]:
     """Speed of the A/A control and of the slowed row in a group over the row that they repeat."""
+    base, same, slowed, _ = _controls(samples, index)
+    return base.time / same.time, base.time / slowed.time
+
+
+def _controls(samples: Samples, index: int) -> tuple[Floor, Floor, Floor, float]:
+    """The row, the row again, the slowed one, and what it is slowed by."""
     entries, times = samples.plan["groups"][index]["entries"], floors(samples, index)
-    base = next(number for number, entry in enumerate(entries)
-                if entry["name"] == entries[-1]["name"])
-    same, slowed = (times[next(number for number, entry in enumerate(entries)
-                               if entry["role"] == role)] for role in ("same", "slowed"))
-    return times[base].time / same.time, times[base].time / slowed.time
+    base = next(number for number, entry in enumerate(entries) if entry["name"] == entries[-1]["name"])
+    same, slowed = (next(number for number, entry in enumerate(entries) if entry["role"] == role)
+                    for role in ("same", "slowed"))
+    return times[base], times[same], times[slowed], entries[slowed]["delay_ns"]
 
 
 def measure_until_converged(jobs: Sequence[tuple[Sampler, Samples]], seconds: float,

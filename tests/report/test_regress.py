@@ -154,12 +154,12 @@ def test_rows_that_cannot_be_compared_are_skipped() -> None:
 
 def test_a_baseline_fits_its_schema_and_keeps_its_history() -> None:
     first = baseline_of(samples_of())
-    second = stored.baseline_from(stored.measured_from(samples_of(0.5)), MACHINE, "", "faster",
+    second = stored.baseline_from(stored.measured_from(samples_of(0.8)), MACHINE, "", "faster",
                                   first)
     check_schema("baseline", second, "baseline")
     assert [event["reason"] for event in second["history"]] == ["first", "faster"]
     assert second["history"][0]["change"] is None
-    assert second["history"][1]["change"] == pytest.approx(2 ** 0.5, rel=0.02)
+    assert second["history"][1]["change"] == pytest.approx(1.25 ** 0.5, rel=0.02)
 
 
 def pair_of(slower: float, **controls: float) -> builds.Pair:
