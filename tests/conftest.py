@@ -5,11 +5,16 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 from collections.abc import Generator
 
 import pytest
 
-MISSING = re.compile(r"could not import|not installed|is not there|no programs in")
+MISSING = re.compile(r"could not import|not installed|is not there|no programs in|mounting needs|only for root")
+
+for _number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):  # programs inherit what nohup ignores
+    if signal.getsignal(_number) is signal.SIG_IGN:
+        signal.signal(_number, signal.SIG_DFL)
 
 
 def _judge(report: pytest.TestReport | pytest.CollectReport) -> None:

@@ -1,4 +1,5 @@
-// Images at the limits of sizes. Their memory takes pages only where it is written.
+// Images at the limits of sizes. Their memory takes pages only where it is written; the bit planes
+// of one row take 4 GB.
 #include <algorithm>
 #include <array>
 #include <cstdint>

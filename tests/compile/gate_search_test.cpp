@@ -96,6 +96,26 @@ TEST(GateSearch, finds_equal_circuits_for_equal_tables) {
   }
 }
 
+std::uint64_t hash_of(const GateNetwork& network) {
+  std::uint64_t hash = splitmix64(0, static_cast<std::uint64_t>(network.output));
+  for (const Gate& gate : network.gates) {
+    hash = splitmix64(hash, gate.function);
+    for (const auto input : gate.inputs) hash = splitmix64(hash, static_cast<std::uint64_t>(input));
+  }
+  return hash;
+}
+
+/// Recorded: a change of the search that finds other circuits changes the numbers, too.
+TEST(GateSearch, finds_the_same_circuits_on_every_machine) {
+  EXPECT_EQ(hash_of(minimised_network(random_table(7), ternary_costs(), kShort)),
+            16246941750264960549U);
+  EXPECT_EQ(hash_of(minimised_network(random_table(8), two_input_costs(), kShort)),
+            12312551169616754766U);
+  EXPECT_EQ(hash_of(minimised_network(find_named_rule("life")->sub_iterations[0], ternary_costs(),
+                                      kShort)),
+            14655875796705749587U);
+}
+
 WindowTable table_of(BuiltInRule rule, std::size_t sub_iteration) {
   return Rule(rule).sub_iterations()[sub_iteration];
 }

@@ -42,8 +42,10 @@ std::size_t used_bytes() {
 
 /// Leaves with 0 if all indices were visited where there is memory for the stacks of few threads.
 void run_with_little_memory(int threads) {
-  const rlimit little{used_bytes() + (std::size_t{16} << 20), RLIM_INFINITY};
-  setrlimit(RLIMIT_AS, &little);
+  rlimit little{};
+  getrlimit(RLIMIT_AS, &little);
+  little.rlim_cur = used_bytes() + (std::size_t{16} << 20);
+  if (setrlimit(RLIMIT_AS, &little) != 0) std::_Exit(2);
   std::atomic<Index> visits = 0;
   for (int i = 0; i < 100; ++i) {
     ThreadTeam(threads).for_ranges(1000, [&](Index first, Index last) { visits += last - first; });

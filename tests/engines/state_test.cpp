@@ -1,4 +1,5 @@
 // Requirements on the states of all variants of all rules, besides the correct result.
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -81,8 +82,13 @@ TEST(ThinningState, margins_of_planes_remain_zero) {
 
 TEST(MakeState, rejects_images_wider_than_the_limit_of_the_variant) {
   const ThinningParameters parameters = thinning_parameters(Rule::naccache_shinghal, {});
-  for (const ThinningVariant& variant : variants_of(parameters)) {
-    if (variant.technique != "simd_bitpacked_row") continue;
+  const auto variants = variants_of(parameters);
+  const auto is_row = [](const auto& variant) { return variant.technique == "simd_bitpacked_row"; };
+  if (std::none_of(variants.begin(), variants.end(), is_row)) {
+    GTEST_SKIP() << "no row kernel is compiled for this processor";
+  }
+  for (const ThinningVariant& variant : variants) {
+    if (!is_row(variant)) continue;
     EXPECT_EQ(variant.max_width, 512);
     EXPECT_FALSE(unavailable_reason(variant, 513).empty());
     EXPECT_THROW(static_cast<void>(make_state(variant, 513, 5, parameters, 1)),

@@ -18,10 +18,10 @@ from PIL import Image, ImageDraw
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(os.environ.get("THINBENCH_PROGRAMS", ROOT / "build" / "release" / "bin"))
 SHIM = os.environ.get("THINBENCH_FAULT_SHIM", str(ROOT / "build/release/tests/faults/libfault_shim.so"))
-SECONDS = 60
+SECONDS = 600
 """After so long a program counts as hanging."""
 
-REMARKS = re.compile(r"note: |warning: |wrote |\w+: \d+ images in |\d+ rows? w(as|ere) not counted|\d{4}-\d\d-|Run(ning| on) |CPU Caches|"
+REMARKS = re.compile(r".*about \d+ s left|note: |warning: |wrote |\w+: \d+ images in |\d+ rows? w(as|ere) not counted|\d{4}-\d\d-|Run(ning| on) |CPU Caches|"
                      r"  L\d |Load Average|\*\*\*WARNING")
 """Lines on standard error that are no failures, those of Google Benchmark included."""
 

@@ -64,7 +64,7 @@ PRINTS_TIMES = {"batch", "batch_holes", "batch_table", "sampler", "benchmarks"}
 
 def words_of(name: str, inputs: Path) -> list[str]:
     """A command as a list."""
-    return COMMANDS[name].format(inputs).split()
+    return [word.format(inputs) for word in COMMANDS[name].split()]
 
 
 def without_times(files: Files) -> Files:
@@ -465,11 +465,11 @@ def _measured(tmp_path: Path) -> Path:
     (Fault("file size limit", limit(resource.RLIMIT_FSIZE, 1024)), "cannot be written: File too large"),
     (Fault("little memory", limit(resource.RLIMIT_AS, 60_000_000)), "cannot be loaded|not enough memory")], ids=str)
 def test_study(fault: Fault, says: str, measured: Path, tmp_path: Path) -> None:
-    """One line, nothing half-written, and the next run works."""
+    """One line and nothing half-written; the page is whole before standard output fails."""
     before = files_in(tmp_path)
     result = run([*STUDY, "build", "run"], tmp_path, fault)
     result.assert_failed(f"^study: .*({says})")
-    assert files_in(tmp_path) == before or fault is FULL_OUT  # the page is whole by then
+    assert files_in(tmp_path) == before or fault is FULL_OUT
     if fault.name == "file size limit":  # takes seconds
         assert run([*STUDY, "build", "run"], tmp_path).status == 0
         assert (measured / "index.html").stat().st_size > 10_000

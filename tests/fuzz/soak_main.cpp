@@ -97,6 +97,10 @@ int main(int argc, char** argv) {
       watch(soak, std::chrono::seconds(seconds), std::clamp(seconds / 60, 8, 60));
   soak.ended = true;
   for (std::thread& thread : team) thread.join();
+  if (soak.inputs == 0) {
+    std::fputs("soak: no input was tried\n", stderr);
+    return 1;
+  }
   if (seconds < kSecondsForMemory || !has_grown(memory)) return 0;
   std::fputs("soak: memory has grown\n", stderr);
   return 1;

@@ -87,6 +87,20 @@ TEST(Binarise, default_threshold_equals_opencvs_otsu_threshold) {
   }
 }
 
+TEST(Binarise, channels_of_a_colour_are_its_samples_their_sum_by_weight_and_how_they_differ) {
+  const std::uint8_t colour[] = {200, 100, 50, 77};  // the fourth sample is skipped
+  for (const auto& [channel, level] : {std::pair(Channel::grey, 124),
+                                       {Channel::red, 200},
+                                       {Channel::green, 100},
+                                       {Channel::blue, 50},
+                                       {Channel::saturation, 191},
+                                       {Channel::value, 200}}) {
+    ByteImage found(1, 1);
+    EXPECT_EQ(select_channel({colour, 1, 1, 4, 4}, found.view(), channel), channel);
+    EXPECT_EQ(found.at(0, 0), level) << channel_name(channel);
+  }
+}
+
 TEST(LikelyForeground, is_the_class_that_the_other_surrounds) {
   const BinaryImage dark = binarised(rectangle(200, 40));
   EXPECT_EQ(dark.foreground, Foreground::dark);

@@ -95,13 +95,6 @@ TEST_F(ReadGrey, what_is_no_image_is_rejected_with_the_reason) {
   expect_error_of("a.png", "this is text", "it is not an image of a known format");
 }
 
-TEST_F(ReadGrey, protected_file_is_rejected) {
-  put("a.pgm", "P5 1 1 255\nx");
-  fs::permissions("a.pgm", fs::perms::none);
-  if (std::ifstream("a.pgm").good()) GTEST_SKIP() << "this user may read everything";
-  expect_error("a.pgm", "Permission denied");
-}
-
 TEST_F(ReadGrey, image_without_pixels_is_rejected) {
   for (const char* header :
        {"P5 0 7 255\n", "P2\n# a comment\n7 0\n255\n", "P2\n1544444444444444444 -444\n255\n",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import functools
 import json
 import os
@@ -53,7 +54,8 @@ def reuse(build: Path) -> dict[str, str]:
             isa = re.search(r"-DTHINBENCH_ISA=(\w+)", entry["command"])
             lines.append("\t".join([source.group(1), isa.group(1) if isa else "",
                                     str(Path(entry["directory"]) / output.group(1))]))
-    file = build / "objects.tsv"
+    file = build / f"objects.{os.getpid()}.tsv"
+    atexit.register(file.unlink)
     file.write_text("\n".join(lines) + "\n")
     launcher = Path(__file__).with_name("reuse_objects.sh")
     return {"CMAKE_CXX_COMPILER_LAUNCHER": str(launcher), "THINBENCH_OBJECTS": str(file)}

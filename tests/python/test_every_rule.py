@@ -39,6 +39,9 @@ KINDS = {name: name for name in thinbench.rules()} | {
 LIMITS = [{}, {"max_iterations": 2}, {"border": "background", "max_iterations": 2**31 - 1}]
 BORDERS = [{"border": border} for border in ("background", "keep", "foreground")]
 
+WITH_TABLES = {name: used for name, rule in KINDS.items()
+               if len((used := Rule.named(rule) if isinstance(rule, str) else rule).tables)}
+
 every_rule = pytest.mark.parametrize("rule", KINDS.values(), ids=KINDS)
 all_options = pytest.mark.parametrize("options", LIMITS + BORDERS, ids=str)
 
@@ -79,13 +82,10 @@ def reference(image: np.ndarray, rule: Rule) -> tuple[np.ndarray, int]:
     return image, iterations
 
 
-@every_rule
+@pytest.mark.parametrize("rule", WITH_TABLES.values(), ids=WITH_TABLES)
 @pytest.mark.parametrize("border", ["background", "keep", "foreground"])
 def test_rules_with_tables_equal_the_reference(rule, border):
-    used = Rule.named(rule) if isinstance(rule, str) else rule
-    if len(used.tables) == 0:
-        return
-    limited = Rule(used.tables, border=border, max_iterations=3)
+    limited = Rule(rule.tables, border=border, max_iterations=3)
     for seed in range(12):
         image = random_image(seed, 150)
         expected, iterations = reference(image, limited)
@@ -122,7 +122,11 @@ def test_each_label_is_thinned_as_if_alone(rule, options):
         result = or_reason(thinbench.thin_labels, labels, rule, threads=1 + seed % 3, return_iterations=True,
                            **options)
         if isinstance(result, str):
-            assert "label" in result or result == or_reason(thinbench.thin, labels != 0, rule, **options)
+            used = Rule.named(rule) if isinstance(rule, str) else rule
+            adds = any(table[(np.arange(512) & 16) == 0].any() for table in used.tables)
+            assert ("adds pixels" in result and adds or
+                    "no border of foreground" in result and options.get("border", used.border) == "foreground" or
+                    result == or_reason(thinbench.thin, labels != 0, rule, **options))
             return
         expected, iterations = label_by_label(labels, rule, **options)
         np.testing.assert_array_equal(result[0], expected)

@@ -34,11 +34,3 @@ def test_holes_of_labels_up_to_an_area_are_filled_in_place():
     assert thinbench.fill_label_holes(labels, max_area=1, out=labels) is labels
     np.testing.assert_array_equal(labels[1], [3, 3, 3, 0, 0, 3])
     assert thinbench.fill_label_holes(labels.T[::-1], out=None).min() == 3
-
-
-@pytest.mark.parametrize(("options", "error", "message"), [
-    ({"connectivity": 6}, ValueError, "connectivity.*6"), ({"max_area": -1}, ValueError, "max_area.*-1"),
-    ({"max_area": 1.5}, TypeError, "max_area.*1.5"), ({"out": np.zeros((2, 2))}, ValueError, "out.*float64")])
-def test_holes_of_labels_reject_what_does_not_fit(options, error, message):
-    with pytest.raises(error, match=message):
-        thinbench.fill_label_holes(np.ones((2, 2), int), **options)

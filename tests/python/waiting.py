@@ -2,33 +2,29 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 
 def longest_wait_during(call: Callable[[], object]) -> float:
     """The longest wait of this thread while another makes the call, as a share of its duration."""
-    duration: list[float] = []
-
-    def work() -> None:
+    def duration() -> float:
         start = time.perf_counter()
         call()
-        duration.append(time.perf_counter() - start)
+        return time.perf_counter() - start
 
-    thread = threading.Thread(target=work)
-    longest, before = 0.0, time.perf_counter()
-    thread.start()
-    while not duration:
-        now = time.perf_counter()
-        longest, before = max(longest, now - before), now
-    thread.join()
-    return longest / duration[0]
+    with ThreadPoolExecutor(1) as pool:
+        longest, before = 0.0, time.perf_counter()
+        timed = pool.submit(duration)
+        while not timed.done():
+            now = time.perf_counter()
+            longest, before = max(longest, now - before), now
+        return longest / timed.result()
 
 
 def in_eight_threads(work: Callable[[], object]) -> None:
-    threads = [threading.Thread(target=work) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    """Raises what one of them raises."""
+    with ThreadPoolExecutor(8) as pool:
+        for one in [pool.submit(work) for _ in range(8)]:
+            one.result()

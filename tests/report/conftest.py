@@ -34,6 +34,11 @@ NS = {("reference", "baseline"): 1e7, ("lut", "baseline"): 4e6, ("bitpacked", "b
 """Nanoseconds of a call on one thread, end to end."""
 
 
+def without_progress(errors: str) -> str:
+    """Standard error without the lines that a slow machine adds."""
+    return "".join(line for line in errors.splitlines(keepends=True) if " s left" not in line)
+
+
 def make_row(case: str, technique: str, isa: str, ns: float, reference_ns: float = 1e7,
              **changes: Any) -> Row:
     """A row whose figures agree with each other."""

@@ -84,7 +84,7 @@ def test_the_same_run_twice_is_rejected(tmp_path: Path) -> None:
 def test_runs_of_parallel_jobs_merge_without_a_server(tmp_path: Path) -> None:
     install(tmp_path / "builds" / "release")
     jobs = subprocess.run(
-        ["parallel", "--will-cite", "--jobs", "2", "/usr/bin/python3", HERE / "fake_study.py",
+        ["parallel", "--will-cite", "--quote", "--jobs", "2", "/usr/bin/python3", HERE / "fake_study.py",
          tmp_path / "builds", "sweeps", "--quick", "--only", "isa", "--out", tmp_path / "fleet/{}",
          ":::", "one", "two"], check=False, text=True, capture_output=True)
     assert jobs.returncode == 0, jobs.stderr

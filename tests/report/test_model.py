@@ -32,8 +32,8 @@ def fake_llvm_mca(directory: Path, cpu: str, monkeypatch: pytest.MonkeyPatch) ->
     program = directory / PROGRAM
     program.write_text(f"""#!/bin/sh
 [ "$1" != --version ] || {{ echo "  Host CPU: {cpu}"; exit; }}
-echo "$@" > {directory}/given
-cat >> {directory}/given
+echo "$@" > "{directory}/given"
+cat >> "{directory}/given"
 cat <<'TEXT'
 {RECORDED}
 TEXT

@@ -61,7 +61,7 @@ def with_whole_objects(data: Any) -> None:
 
 @pytest.mark.parametrize(("claim", "name", "before", "change", "after"), [
     (of_experiments.operation_counts, "operation-counts", Verdict.HOLDS, without_a_sum, Verdict.PARTLY),
-    (of_experiments.linear_threshold, "quantisation", None,
+    (of_experiments.linear_threshold, "quantisation", Verdict.HOLDS,
      lambda data: data.update(as_published={"right_sigmoid": 256, "right_linear": 255}), Verdict.FAILS),
     (of_experiments.twelve_nets, "cluster-runs", Verdict.HOLDS,
      lambda data: data.update(rows=data["rows"] * 2), Verdict.FAILS),
@@ -71,10 +71,10 @@ def with_whole_objects(data: Any) -> None:
      only_rows(lambda row: row["sigma"] == 0), Verdict.HOLDS),
     (of_experiments.connected_skeleton, "quality", Verdict.FAILS, with_whole_objects, Verdict.HOLDS)])
 def test_verdicts_follow_the_results_of_experiments(
-        claim: Callable[[Any], Claim], name: str, before: Verdict | None, change: Callable[[Any], object],
+        claim: Callable[[Any], Claim], name: str, before: Verdict, change: Callable[[Any], object],
         after: Verdict) -> None:
     data = copy.deepcopy(GOLDEN[name])
-    assert before is None or claim(data).verdict is before
+    assert claim(data).verdict is before
     change(data)
     assert claim(data).verdict is after
 

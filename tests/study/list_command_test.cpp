@@ -50,6 +50,7 @@ TEST(ListCommand, prints_a_line_for_each_operation) {
 
 TEST(ListCommand, counts_the_librarys_variants_that_run_here_and_names_what_the_library_takes) {
   const IsaCap cap("baseline");
+  if (!cap.is_in_force()) GTEST_SKIP() << kCapWasRead;
   int listed = 0;
   for (const std::string& line : listed_operations()) {
     std::istringstream words(line);
@@ -85,6 +86,7 @@ TEST(ListCommand, variants_are_an_aligned_line_for_every_row) {
 
 TEST(ListCommand, json_says_why_a_row_is_not_available) {
   const IsaCap cap("baseline");
+  if (!cap.is_in_force()) GTEST_SKIP() << kCapWasRead;
   const ProgramRun run = run_with({"list", "--json"});
   EXPECT_EQ(run.status, 0);
   const Json list = Json::parse(run.out);

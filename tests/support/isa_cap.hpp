@@ -3,11 +3,16 @@
 
 #include <cstdlib>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "thinbench/isa.hpp"
 
 namespace thinbench {
+
+/// Why a test is skipped whose cap is not in force.
+inline constexpr const char* kCapWasRead =
+    "another ISA cap was read before; ctest runs this test alone";
 
 /// Sets the variable and restores its old value when destroyed.
 class IsaCap {
@@ -17,6 +22,16 @@ class IsaCap {
     setenv(kIsaCapVariable, cap, 1);
   }
   ~IsaCap() { old_ ? setenv(kIsaCapVariable, old_->c_str(), 1) : unsetenv(kIsaCapVariable); }
+  /// A process reads the cap once: false where an earlier test of this process has made it do so.
+  [[nodiscard]] bool is_in_force() const {
+    try {
+      const auto read = isa_cap();
+      return read && read == isa_from_name(std::getenv(kIsaCapVariable));
+    } catch (const std::invalid_argument&) {
+      return true;  // it is read again until it is valid
+    }
+  }
+
   IsaCap(const IsaCap&) = delete;
   IsaCap& operator=(const IsaCap&) = delete;
   IsaCap(IsaCap&&) = delete;

@@ -32,29 +32,34 @@ bool is_named(const LockedFile& file, const std::string& path) {
          opened.st_ino == named.st_ino;
 }
 
-/// Replaces the file while it has the lock. Returns how often another file had the name.
-int replace_again_and_again(const std::string& path, const std::string& other) {
-  int unnamed = 0;
+struct Counts {
+  std::atomic<int> locked = 0, unnamed = 0;
+};
+
+/// Replaces the file while it has the lock. Counts how often it had it, and how often another file
+/// had the name.
+void replace_again_and_again(const std::string& path, const std::string& other, Counts& counts) {
   for (int i = 0; i < 5000; ++i) {
     try {
       const LockedFile file(path, path);
-      if (!is_named(file, path)) ++unnamed;
+      ++counts.locked;
+      if (!is_named(file, path)) ++counts.unnamed;
       std::ofstream(other) << "new";
       std::rename(other.c_str(), path.c_str());
     } catch (const FileError&) {  // the other thread has it
     }
   }
-  return unnamed;
 }
 
 TEST_F(LockedFileTest, has_its_name_even_where_others_replace_it) {
-  std::atomic<int> unnamed = 0;
+  Counts counts;
   std::vector<std::thread> threads;
   for (const std::string name : {"b", "c", "d"}) {
-    threads.emplace_back([&, name] { unnamed += replace_again_and_again("a", name); });
+    threads.emplace_back([&, name] { replace_again_and_again("a", name, counts); });
   }
   for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(unnamed, 0);
+  EXPECT_EQ(counts.unnamed, 0);
+  EXPECT_GT(counts.locked, 0);
 }
 
 }  // namespace

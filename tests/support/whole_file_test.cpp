@@ -150,6 +150,7 @@ TEST_F(WholeFile, signals_that_end_the_program_leave_the_old_file_and_no_other) 
   put("a.json", "old");
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const auto write_and_die = [&] {
+      std::signal(number, SIG_DFL);  // nohup may have left it ignored
       remove_unfinished_files_on_signals();
       write_whole_file("a.json", [&](const std::string& name) {
         std::ofstream(name) << "new";
