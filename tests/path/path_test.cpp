@@ -60,9 +60,12 @@ TEST(FindPath, is_connected_has_the_room_and_the_length_that_it_says) {
       std::vector<double> rooms(40 * 30);
       distances(map.view(), {rooms.data(), 40, 30});
       double length = 0;
+      double narrowest = std::numeric_limits<double>::infinity();
       for (std::size_t p = 0; p < path.pixels.size(); ++p) {
         const auto [x, y] = path.pixels[p];
-        ASSERT_GE(2 * rooms[static_cast<std::size_t>(y * 40 + x)], std::max(width, 2.0));
+        const double room = 2 * rooms[static_cast<std::size_t>(y * 40 + x)];
+        ASSERT_GE(room, std::max(width, 2.0));
+        narrowest = std::min(narrowest, room);
         if (p == 0) continue;
         const int across = std::abs(x - path.pixels[p - 1].x);
         const int down = std::abs(y - path.pixels[p - 1].y);
@@ -70,6 +73,7 @@ TEST(FindPath, is_connected_has_the_room_and_the_length_that_it_says) {
         length += std::hypot(across, down);
       }
       ASSERT_NEAR(path.length, length, 1e-9);
+      ASSERT_EQ(path.min_width, narrowest);
       ++found;
     } catch (const std::invalid_argument& error) {
       ASSERT_GT(width, 2) << error.what();
