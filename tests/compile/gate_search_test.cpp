@@ -107,13 +107,14 @@ std::uint64_t hash_of(const GateNetwork& network) {
 
 /// Recorded: a change of the search that finds other circuits changes the numbers, too.
 TEST(GateSearch, finds_the_same_circuits_on_every_machine) {
-  EXPECT_EQ(hash_of(minimised_network(random_table(7), ternary_costs(), kShort)),
-            16246941750264960549U);
-  EXPECT_EQ(hash_of(minimised_network(random_table(8), two_input_costs(), kShort)),
-            12312551169616754766U);
-  EXPECT_EQ(hash_of(minimised_network(find_named_rule("life")->sub_iterations[0], ternary_costs(),
-                                      kShort)),
-            14655875796705749587U);
+  constexpr SearchEffort effort = {20'000'000};
+  const WindowTable life = find_named_rule("life")->sub_iterations[0];
+  EXPECT_EQ(hash_of(minimised_network(random_table(7), two_input_costs(), effort)),
+            894251636121709219U);
+  EXPECT_EQ(hash_of(minimised_network(life, ternary_costs(), effort)), 3295186732975140956U);
+  EXPECT_EQ(
+      hash_of(minimised_network(Rule(Rule::guo_hall).sub_iterations()[0], ternary_costs(), effort)),
+      595876885539656480U);
 }
 
 WindowTable table_of(BuiltInRule rule, std::size_t sub_iteration) {
