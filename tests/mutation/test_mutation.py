@@ -176,7 +176,7 @@ class FakeTrial:
 
 def test_an_interrupted_run_goes_on(
         tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr(run, "read_equivalents", lambda _: frozenset())
+    monkeypatch.setattr(run, "read_equivalents", lambda _: {})
     for count, killed in ((5, 5), (2, 7), (9, 8)):
         monkeypatch.setattr(run, "prepare", lambda *_, count=count: FakeTrial(count))
         assert main(["--family", "spta", "-n", "8", "--directory", str(tmp_path)]) == 0
