@@ -80,8 +80,13 @@ TEST(GateSearch, circuits_compute_their_tables) {
   }
 }
 
-TEST(GateSearch, needs_no_gate_for_pixels_and_one_for_constants) {
+TEST(GateSearch, needs_no_gate_for_pixels_and_one_for_complements_and_constants) {
   EXPECT_EQ(minimised_network(pixel_table(4), ternary_costs(), kShort).gates.size(), 0U);
+  WindowTable background = pixel_table(4);
+  for (std::uint64_t& word : background.words) word = ~word;
+  const GateNetwork inverse = minimised_network(background, ternary_costs(), kShort);
+  EXPECT_EQ(inverse.gates.size(), 1U);
+  EXPECT_EQ(output_table(inverse), background);
   EXPECT_EQ(minimised_network(WindowTable{}, ternary_costs(), kShort).gates.size(), 1U);
 }
 
