@@ -1,6 +1,7 @@
 #include "images/binarise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -89,12 +90,12 @@ TEST(Binarise, default_threshold_equals_opencvs_otsu_threshold) {
 }
 
 TEST(Binarise, channels_of_a_colour_are_its_samples_their_sum_by_weight_and_how_they_differ) {
-  const std::uint8_t colour[] = {200, 100, 50, 77};  // the fourth sample is skipped
-  for (const auto& [channel, level] : {std::pair(Channel::grey, 124),
+  const std::uint8_t colour[] = {200, 100, 53, 77};  // the fourth sample is skipped
+  for (const auto& [channel, level] : {std::pair(Channel::grey, 125),
                                        {Channel::red, 200},
                                        {Channel::green, 100},
-                                       {Channel::blue, 50},
-                                       {Channel::saturation, 191},
+                                       {Channel::blue, 53},
+                                       {Channel::saturation, 187},
                                        {Channel::value, 200}}) {
     ByteImage found(1, 1);
     EXPECT_EQ(select_channel({colour, 1, 1, 4, 4}, found.view(), channel), channel);
@@ -131,6 +132,15 @@ TEST(Binarise, local_foreground_deviates_from_the_mean_of_its_window) {
         }
       }
     }
+  }
+}
+
+TEST(Binarise, default_window_is_an_eighth_of_the_smaller_side_odd_and_at_least_15) {
+  for (const auto& [width, height, window] :
+       {std::array<Index, 3>{40, 30, 15}, {136, 900, 17}, {900, 400, 51}}) {
+    const ByteImage grey(width, height);
+    ByteImage found(width, height);
+    EXPECT_EQ(binarise(grey.view(), found.view(), {.local = LocalThreshold{}}).window, window);
   }
 }
 
