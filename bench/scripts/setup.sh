@@ -20,9 +20,9 @@ fail() {
   exit "$1"
 }
 
+# missing_packages ARCHITECTURE: this machine's.
 missing_packages() {
-  local package architectures
-  architectures="all|$architecture"
+  local package architectures="all|$1"
   for package in "${packages[@]}"; do
     case "$package" in *:*) architectures=${package#*:} ;; esac
     dpkg-query -W -f '${Status} ${Architecture}\n' "$package" 2>/dev/null |
@@ -36,7 +36,7 @@ install_packages() {
 by hand and use --no-install: ${packages[*]}"
   local missing package architecture
   architecture=$(dpkg --print-architecture) || fail 1 "dpkg does not work"
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$architecture")
   [ ${#missing[@]} -gt 0 ] || return 0
   say "installing ${#missing[@]} packages: ${missing[*]}"
   local as_root=()

@@ -56,7 +56,7 @@ TEST_F(WriteGrey, names_that_cannot_be_written_are_rejected_with_the_reason) {
   EXPECT_EQ(names(), Names{"a.png"});
 }
 
-constexpr uid_t kNobody = 65534;
+constexpr uid_t kUnprivileged = 65534;
 
 TEST_F(WriteGrey, what_is_protected_is_rejected) {
   put("a.png", "old");
@@ -65,7 +65,7 @@ TEST_F(WriteGrey, what_is_protected_is_rejected) {
   fs::permissions("b", fs::perms::owner_read | fs::perms::owner_exec);
   fs::permissions(".", fs::perms::all);
   const auto rejected = [] {
-    if (geteuid() == 0 && setuid(kNobody) != 0) std::_Exit(2);  // root may write everything
+    if (geteuid() == 0 && setuid(kUnprivileged) != 0) std::_Exit(2);  // root may write everything
     expect_error("a.png", "it is write-protected");
     expect_error("b/a.png", "Permission denied");
     std::_Exit(HasFailure() ? 1 : 0);

@@ -22,6 +22,11 @@ class IsaCap {
     setenv(kIsaCapVariable, cap, 1);
   }
   ~IsaCap() { old_ ? setenv(kIsaCapVariable, old_->c_str(), 1) : unsetenv(kIsaCapVariable); }
+  IsaCap(const IsaCap&) = delete;
+  IsaCap& operator=(const IsaCap&) = delete;
+  IsaCap(IsaCap&&) = delete;
+  IsaCap& operator=(IsaCap&&) = delete;
+
   /// A process reads the cap once: false where an earlier test of this process has made it do so.
   [[nodiscard]] bool is_in_force() const {
     try {
@@ -31,11 +36,6 @@ class IsaCap {
       return true;  // it is read again until it is valid
     }
   }
-
-  IsaCap(const IsaCap&) = delete;
-  IsaCap& operator=(const IsaCap&) = delete;
-  IsaCap(IsaCap&&) = delete;
-  IsaCap& operator=(IsaCap&&) = delete;
 
  private:
   std::optional<std::string> old_;
