@@ -65,7 +65,7 @@ def _controls(controls: Json) -> str:
         return "none"
     verdict = "passed" if controls["passed"] else "not passed"
     return (f"medians over {controls['groups']} groups: a row against itself {controls['same']:.4f}, "
-            f"the same row slowed by 10 % {controls['slowed']:.4f}; {controls['failed']} groups "
+            f"the same row with a delay of about a tenth {controls['slowed']:.4f}; {controls['failed']} groups "
             f"failed; {verdict}")
 
 

@@ -97,7 +97,7 @@ def _verified(run: Run) -> str:
     text = f"Each of the **{run.facts['verified']:,}** variants timed gave its reference's output first."
     if same and slowed:
         text += (f" Controls, medians of {controls['groups']} groups: a row against itself "
-                 f"{same:.3f}, one slowed by 10 % {slowed:.3f}; {controls['failed']} failed.")
+                 f"{same:.3f}, one with a delay of about a tenth {slowed:.3f}; {controls['failed']} failed.")
     return text
 
 
